@@ -1,0 +1,98 @@
+//! Dual numbers over any arithmetic: a value and its gradient in n directions.
+
+use crate::rational::Rational;
+
+use super::Arithmetic;
+
+/// First-order jets in `directions` directions over `base`.
+#[derive(Debug)]
+pub struct Dual<'a, A> {
+    /// The arithmetic of values and derivatives.
+    pub base: &'a A,
+    /// The number of directions.
+    pub directions: usize,
+}
+
+/// A value and its gradient.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DualNumber<V> {
+    /// The value.
+    pub value: V,
+    /// The derivatives; empty stands for zero, which constants and parameters have.
+    pub gradient: Vec<V>,
+}
+
+impl<A: Arithmetic> Dual<'_, A> {
+    /// A value that does not move.
+    pub fn fixed(&self, value: A::Value) -> DualNumber<A::Value> {
+        DualNumber { value, gradient: Vec::new() }
+    }
+
+    /// The coordinate of direction `direction`; `None` where the arithmetic has no 0 or 1.
+    pub fn coordinate(&self, value: A::Value, direction: usize) -> Option<DualNumber<A::Value>> {
+        let mut gradient = vec![self.base.constant(&Rational::zero())?; self.directions];
+        gradient[direction] = self.base.constant(&Rational::one())?;
+        Some(DualNumber { value, gradient })
+    }
+
+    /// The gradient α·∇a + β·∇b.
+    fn combine(&self, alpha: &A::Value, a: &[A::Value], beta: &A::Value, b: &[A::Value]) -> Vec<A::Value> {
+        let scaled = |factor: &A::Value, gradient: &[A::Value]| -> Vec<A::Value> {
+            gradient.iter().map(|entry| self.base.multiply(factor, entry)).collect()
+        };
+        match (a.is_empty(), b.is_empty()) {
+            (true, _) => scaled(beta, b),
+            (_, true) => scaled(alpha, a),
+            _ => a
+                .iter()
+                .zip(b)
+                .map(|(a, b)| self.base.add(&self.base.multiply(alpha, a), &self.base.multiply(beta, b)))
+                .collect(),
+        }
+    }
+}
+
+impl<A: Arithmetic> Arithmetic for Dual<'_, A> {
+    type Value = DualNumber<A::Value>;
+
+    fn constant(&self, value: &Rational) -> Option<Self::Value> {
+        self.base.constant(value).map(|value| self.fixed(value))
+    }
+
+    fn add(&self, a: &Self::Value, b: &Self::Value) -> Self::Value {
+        let gradient = match (a.gradient.is_empty(), b.gradient.is_empty()) {
+            (true, _) => b.gradient.clone(),
+            (_, true) => a.gradient.clone(),
+            _ => a.gradient.iter().zip(&b.gradient).map(|(a, b)| self.base.add(a, b)).collect(),
+        };
+        DualNumber { value: self.base.add(&a.value, &b.value), gradient }
+    }
+
+    fn subtract(&self, a: &Self::Value, b: &Self::Value) -> Self::Value {
+        self.add(a, &self.negate(b))
+    }
+
+    fn multiply(&self, a: &Self::Value, b: &Self::Value) -> Self::Value {
+        let gradient = self.combine(&b.value, &a.gradient, &a.value, &b.gradient);
+        DualNumber { value: self.base.multiply(&a.value, &b.value), gradient }
+    }
+
+    fn negate(&self, a: &Self::Value) -> Self::Value {
+        let gradient = a.gradient.iter().map(|entry| self.base.negate(entry)).collect();
+        DualNumber { value: self.base.negate(&a.value), gradient }
+    }
+
+    fn divide(&self, a: &Self::Value, b: &Self::Value) -> Option<Self::Value> {
+        // d(a/b) = (1/b) da − (a/b²) db
+        let one = self.base.constant(&Rational::one())?;
+        let inverse = self.base.divide(&one, &b.value)?;
+        let value = self.base.multiply(&a.value, &inverse);
+        let slope = self.base.negate(&self.base.multiply(&value, &inverse));
+        let gradient = self.combine(&inverse, &a.gradient, &slope, &b.gradient);
+        Some(DualNumber { value, gradient })
+    }
+
+    fn is_zero(&self, a: &Self::Value) -> bool {
+        self.base.is_zero(&a.value)
+    }
+}

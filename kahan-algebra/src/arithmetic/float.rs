@@ -1,0 +1,58 @@
+//! Binary floats: the same operations, rounded; division by zero is infinite, not an error.
+
+use crate::rational::Rational;
+
+use super::Arithmetic;
+
+macro_rules! float {
+    ($(#[$doc:meta])* $name:ident, $float:ty, $round:ident) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub struct $name;
+
+        impl Arithmetic for $name {
+            type Value = $float;
+
+            fn constant(&self, value: &Rational) -> Option<$float> {
+                Some(value.$round())
+            }
+
+            fn add(&self, a: &$float, b: &$float) -> $float {
+                a + b
+            }
+
+            fn subtract(&self, a: &$float, b: &$float) -> $float {
+                a - b
+            }
+
+            fn multiply(&self, a: &$float, b: &$float) -> $float {
+                a * b
+            }
+
+            fn negate(&self, a: &$float) -> $float {
+                -a
+            }
+
+            fn divide(&self, a: &$float, b: &$float) -> Option<$float> {
+                Some(a / b)
+            }
+
+            fn is_zero(&self, a: &$float) -> bool {
+                *a == 0.0
+            }
+
+            fn is_better_pivot(&self, a: &$float, than: &$float) -> bool {
+                a.abs() > than.abs()
+            }
+        }
+    };
+}
+
+float!(
+    /// `f64`.
+    Float64, f64, to_f64
+);
+float!(
+    /// `f32`.
+    Float32, f32, to_f32
+);

@@ -1,0 +1,307 @@
+//! Claims: names resolved, entries and conditions in order, compiled to plans.
+
+use std::collections::HashMap;
+
+use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use crate::plan::{Node, Plan, PlanBuilder};
+use crate::poly::Variable;
+use crate::rational::Rational;
+use crate::syntax::{self, Block, ClaimBody, ClaimKind, Condition, Entry, Expr, ExprKind};
+use crate::system::{Claim, upper_index};
+use crate::token::Span;
+
+use super::constants::constant_value;
+use super::names::{Meaning, Scope, expressions, is_epsilon};
+
+/// The largest exponent in a claim.
+const HIGHEST_POWER: i64 = 64;
+
+/// Compiles the claims in order. One that is broken keeps its name and a harmless zero, and is not proved.
+pub(super) fn compile_all(block: &Block, scope: &mut Scope, diagnostics: &mut Diagnostics) -> Vec<Claim> {
+    let mut compiler = Compiler { builder: PlanBuilder::default(), functions: HashMap::new() };
+    let mut claims: Vec<Claim> = Vec::new();
+    for claim in &block.claims {
+        if !scope.is_free(&claim.name, "claim", diagnostics) {
+            continue;
+        }
+        check_density_is_single(claim, &claims, diagnostics);
+        let conditions = conditions(&claim.conditions, scope, diagnostics);
+        let outputs = claim
+            .body
+            .as_ref()
+            .filter(|body| {
+                // Every expression is looked at, so that all unknown names are reported.
+                let sound = expressions(body).into_iter().map(|expr| scope.resolve(expr, true, diagnostics));
+                sound.fold(true, |all, one| all && one)
+            })
+            .and_then(|body| match compiler.body(body, claim, scope, diagnostics) {
+                Ok(outputs) => outputs,
+                Err(diagnostic) => {
+                    diagnostics.push(diagnostic);
+                    None
+                }
+            });
+        scope.claims.push(claim.name.text.clone());
+        let sound = outputs.is_some() && conditions.is_some();
+        match outputs.as_deref() {
+            Some([output]) if claim.kind != ClaimKind::Bracket => {
+                compiler.functions.insert(claim.name.text.clone(), *output);
+            }
+            Some(_) => {}
+            // The mistake in it is reported already, so later claims that use it are silent.
+            None => scope.poison(&claim.name.text),
+        }
+        claims.push(Claim {
+            kind: claim.kind,
+            name: claim.name.clone(),
+            body: claim.body.clone().filter(|_| sound),
+            plan: compiler.plan(claim.kind, outputs.as_deref(), scope.symbols.dimension()),
+            conditions: conditions.unwrap_or_default(),
+        });
+    }
+    claims
+}
+
+fn check_density_is_single(claim: &syntax::Claim, earlier: &[Claim], diagnostics: &mut Diagnostics) {
+    let is_second = claim.kind == ClaimKind::Density
+        && claim.conditions.is_empty()
+        && earlier.iter().any(|other| other.kind == ClaimKind::Density && other.is_unconditional());
+    if is_second {
+        diagnostics.report(
+            Kind::Claim,
+            claim.name.span,
+            "a block has at most one density without `when`",
+            "the quotient of two densities is an integral: write `integral R = …;`",
+        );
+    }
+}
+
+/// The values behind `when`; `None` if one is broken.
+fn conditions(
+    written: &[Condition],
+    scope: &mut Scope,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<(Variable, Rational)>> {
+    let mut values: Vec<(Variable, Rational)> = Vec::new();
+    let mut sound = true;
+    for condition in written {
+        match one_condition(condition, &values, scope) {
+            Ok(Some(value)) => values.push(value),
+            Ok(None) => sound = false,
+            Err(diagnostic) => {
+                diagnostics.push(diagnostic);
+                sound = false;
+            }
+        }
+    }
+    sound.then_some(values)
+}
+
+fn one_condition(
+    condition: &Condition,
+    earlier: &[(Variable, Rational)],
+    scope: &mut Scope,
+) -> Result<Option<(Variable, Rational)>, Diagnostic> {
+    let name = &condition.name;
+    let wrong = |message: String, help: &str| Err(Diagnostic::new(Kind::Claim, name.span, message, help));
+    let variable = scope.variable(&name.text).filter(|&variable| !scope.symbols.is_state(variable));
+    let Some(variable) = variable else {
+        return wrong(
+            format!("`{}` is neither a parameter nor `eps`, so it cannot be fixed by `when`", name.text),
+            "`when` fixes parameters and `eps`, as in `when eps = 1`",
+        );
+    };
+    if earlier.iter().any(|(known, _)| *known == variable) {
+        return wrong(format!("`{}` is fixed twice", name.text), "remove one of the conditions");
+    }
+    scope.mark_used(&name.text);
+    let Some(value) = constant_value(&condition.value, scope)? else { return Ok(None) };
+    if is_epsilon(&name.text) && value.is_zero() {
+        return wrong(
+            "at eps = 0 the map is the identity, and every claim says nothing".to_owned(),
+            "choose another value",
+        );
+    }
+    Ok(Some((variable, value)))
+}
+
+struct Compiler {
+    builder: PlanBuilder,
+    functions: HashMap<String, Node>,
+}
+
+impl Compiler {
+    /// The results of a claim; `None` where a mistake in it was reported elsewhere.
+    fn body(
+        &mut self,
+        body: &ClaimBody,
+        claim: &syntax::Claim,
+        scope: &Scope,
+        diagnostics: &mut Diagnostics,
+    ) -> Result<Option<Vec<Node>>, Diagnostic> {
+        match body {
+            ClaimBody::Function(expr) => Ok(Some(vec![self.node(expr, scope)?])),
+            ClaimBody::Tensor(entries) => self.tensor(entries, claim, scope, diagnostics),
+        }
+    }
+
+    fn tensor(
+        &mut self,
+        entries: &[Entry],
+        claim: &syntax::Claim,
+        scope: &Scope,
+        diagnostics: &mut Diagnostics,
+    ) -> Result<Option<Vec<Node>>, Diagnostic> {
+        let n = scope.symbols.dimension();
+        if entries.is_empty() {
+            return Err(Diagnostic::new(
+                Kind::Claim,
+                claim.name.span,
+                format!("the bracket `{}` has no entries", claim.name.text),
+                "write its entries, as in `{x,y} = x*y;`",
+            ));
+        }
+        let zero = self.builder.constant(&Rational::zero());
+        let mut upper: Vec<Option<Node>> = vec![None; n * (n.max(1) - 1) / 2];
+        let mut sound = true;
+        for entry in entries {
+            match entry_place(entry, scope) {
+                Err(diagnostic) => {
+                    diagnostics.push(diagnostic);
+                    sound = false;
+                }
+                Ok((row, column)) => {
+                    let place = &mut upper[upper_index(n, row.min(column), row.max(column))];
+                    if place.is_some() {
+                        diagnostics.report(
+                            Kind::Claim,
+                            entry.row.span.to(entry.column.span),
+                            format!("the entry {{{},{}}} is given twice", entry.row.text, entry.column.text),
+                            "give each pair once; {y,x} is −{x,y} by itself",
+                        );
+                        sound = false;
+                    }
+                    let node = self.node(&entry.value, scope)?;
+                    *place = Some(if row < column { node } else { self.builder.negate(node) });
+                }
+            }
+        }
+        Ok(sound.then(|| upper.into_iter().map(|node| node.unwrap_or(zero)).collect()))
+    }
+
+    fn node(&mut self, expr: &Expr, scope: &Scope) -> Result<Node, Diagnostic> {
+        match &expr.kind {
+            ExprKind::Number(value) => Ok(self.builder.constant(value)),
+            ExprKind::Name(name) => self.name(name, expr.span, scope),
+            ExprKind::Negation(inner) => {
+                let inner = self.node(inner, scope)?;
+                Ok(self.builder.negate(inner))
+            }
+            ExprKind::Sum(terms) => {
+                let mut sum = self.builder.constant(&Rational::zero());
+                for term in terms {
+                    let node = self.node(&term.expr, scope)?;
+                    sum = if term.negative {
+                        self.builder.subtract(sum, node)
+                    } else {
+                        self.builder.add(sum, node)
+                    };
+                }
+                Ok(sum)
+            }
+            ExprKind::Product(factors) => {
+                let mut product = self.builder.constant(&Rational::one());
+                for factor in factors {
+                    let node = self.node(&factor.expr, scope)?;
+                    product = if factor.divides {
+                        self.divide(product, node, factor.expr.span)?
+                    } else {
+                        self.builder.multiply(product, node)
+                    };
+                }
+                Ok(product)
+            }
+            ExprKind::Power(base, exponent) => self.power(base, *exponent, expr.span, scope),
+        }
+    }
+
+    fn name(&mut self, name: &str, span: Span, scope: &Scope) -> Result<Node, Diagnostic> {
+        if let Some(node) = self.functions.get(name) {
+            return Ok(*node);
+        }
+        match scope.meaning(name) {
+            Some(Meaning::Variable(variable)) => Ok(self.builder.input(variable)),
+            Some(Meaning::Constant(value)) => Ok(self.builder.constant(&value)),
+            None => Err(Diagnostic::new(
+                Kind::Claim,
+                span,
+                format!("`{name}` is a bracket, not a function"),
+                "a claim may use earlier integrals and densities",
+            )),
+        }
+    }
+
+    fn power(&mut self, base: &Expr, exponent: i64, span: Span, scope: &Scope) -> Result<Node, Diagnostic> {
+        if !(-HIGHEST_POWER..=HIGHEST_POWER).contains(&exponent) {
+            return Err(Diagnostic::new(
+                Kind::Exponent,
+                span,
+                format!("exponents in claims go from −{HIGHEST_POWER} to {HIGHEST_POWER}"),
+                "write the claim with smaller powers",
+            ));
+        }
+        let node = self.node(base, scope)?;
+        let power = self.builder.power(node, exponent.unsigned_abs() as u32);
+        if exponent >= 0 {
+            return Ok(power);
+        }
+        let one = self.builder.constant(&Rational::one());
+        self.divide(one, power, base.span)
+    }
+
+    fn divide(&mut self, dividend: Node, divisor: Node, span: Span) -> Result<Node, Diagnostic> {
+        if self.builder.is_zero(divisor) {
+            return Err(Diagnostic::new(
+                Kind::ZeroDivisor,
+                span,
+                "this divisor is zero",
+                "divide by something else",
+            ));
+        }
+        Ok(self.builder.divide(dividend, divisor))
+    }
+
+    /// The plan of these results, or of zeros where there are none.
+    fn plan(&mut self, kind: ClaimKind, outputs: Option<&[Node]>, n: usize) -> Plan {
+        let zero = self.builder.constant(&Rational::zero());
+        match outputs {
+            Some(outputs) => self.builder.finish(outputs),
+            None if kind == ClaimKind::Bracket => self.builder.finish(&vec![zero; n * (n.max(1) - 1) / 2]),
+            None => self.builder.finish(&[zero]),
+        }
+    }
+}
+
+/// The indices of an entry's states.
+fn entry_place(entry: &Entry, scope: &Scope) -> Result<(usize, usize), Diagnostic> {
+    let index = |name: &syntax::Name| {
+        scope.symbols.states.iter().position(|state| *state == name.text).ok_or_else(|| {
+            Diagnostic::new(
+                Kind::Claim,
+                name.span,
+                format!("`{}` is not a state variable", name.text),
+                format!("the entries of a bracket are pairs of {}", scope.symbols.states.join(", ")),
+            )
+        })
+    };
+    let (row, column) = (index(&entry.row)?, index(&entry.column)?);
+    if row == column {
+        return Err(Diagnostic::new(
+            Kind::Claim,
+            entry.row.span.to(entry.column.span),
+            format!("{{{0},{0}}} is zero for every bracket", entry.row.text),
+            "remove the entry, or name two different states",
+        ));
+    }
+    Ok((row, column))
+}

@@ -1,0 +1,58 @@
+//! `const c = 1/2;`: constant expressions over numbers and earlier constants.
+
+use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use crate::rational::Rational;
+use crate::syntax::{Block, Expr};
+use crate::token::Span;
+
+use super::expand::expand;
+use super::names::{Scope, visit_names};
+
+/// Evaluates the constants in order and enters them into the scope.
+pub(super) fn evaluate(
+    block: &Block,
+    scope: &mut Scope,
+    diagnostics: &mut Diagnostics,
+) -> Vec<(String, Rational)> {
+    let mut values = Vec::new();
+    for constant in &block.constants {
+        if !scope.is_free(&constant.name, "constant", diagnostics) {
+            continue;
+        }
+        let value = constant.value.as_ref().and_then(|expr| match constant_value(expr, scope) {
+            Ok(value) => value,
+            Err(diagnostic) => {
+                diagnostics.push(diagnostic);
+                None
+            }
+        });
+        if let Some(value) = &value {
+            values.push((constant.name.text.clone(), value.clone()));
+        }
+        scope.constants.insert(constant.name.text.clone(), value);
+    }
+    values
+}
+
+/// The value of an expression of numbers and constants; `Ok(None)` where a mistake in it was reported elsewhere.
+pub(super) fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagnostic> {
+    let mut foreign: Option<(String, Span)> = None;
+    let mut poisoned = false;
+    visit_names(expr, &mut |name, span| match scope.constants.get(name) {
+        Some(value) => poisoned |= value.is_none(),
+        None if scope.is_poisoned(name) => poisoned = true,
+        None => foreign = foreign.take().or(Some((name.to_owned(), span))),
+    });
+    if let Some((name, span)) = foreign {
+        return Err(Diagnostic::new(
+            Kind::UnknownName,
+            span,
+            format!("`{name}` is no constant"),
+            "write a number here, or a `const` declared above",
+        ));
+    }
+    if poisoned {
+        return Ok(None);
+    }
+    expand(expr, scope).map(|expansion| expansion.as_constant())
+}

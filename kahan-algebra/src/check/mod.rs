@@ -1,0 +1,44 @@
+//! Syntax to a checked system, one rule a function.
+//!
+//! Names first, then constants, equations and claims. What is broken is reported once and replaced by something
+//! harmless (a zero right-hand side, a claim that is not proved), so that one mistake makes one error and the emitter
+//! can always emit.
+
+mod claims;
+mod constants;
+mod equations;
+mod expand;
+mod names;
+
+use crate::diagnostics::{Diagnostics, Kind};
+use crate::field::Field;
+use crate::syntax::Block;
+use crate::system::System;
+use crate::token::Span;
+
+use names::Scope;
+
+/// Checks a block.
+#[must_use]
+pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
+    if block.equations.is_empty() && diagnostics.is_empty() {
+        diagnostics.report(
+            Kind::Empty,
+            Span::token(0),
+            "the block holds no equation",
+            "write one equation a state, as in `xdot = y*z;`",
+        );
+    }
+    let before = diagnostics.len();
+    let mut scope = Scope::new(&block, diagnostics);
+    let constants = constants::evaluate(&block, &mut scope, diagnostics);
+    let components = equations::expand_all(&block, &mut scope, diagnostics);
+    let is_field_sound = diagnostics.len() == before
+        && block.misspelt_states.is_empty()
+        && !block.equations.is_empty()
+        && block.equations.iter().all(|equation| equation.value.is_some());
+    let field = Field { symbols: scope.symbols.clone(), components };
+    let claims = claims::compile_all(&block, &mut scope, diagnostics);
+    scope.report_unused(&block, diagnostics);
+    System { header: block.header, constants, field, is_field_sound, claims }
+}

@@ -1,0 +1,370 @@
+//! Names: who is a state, a parameter, a constant or a claim, and that no name is two of them.
+
+use std::collections::{BTreeSet, HashMap};
+
+use crate::diagnostics::{Diagnostics, Kind};
+use crate::poly::Variable;
+use crate::rational::Rational;
+use crate::symbols::Symbols;
+use crate::syntax::{Block, ClaimBody, Expr, ExprKind, Name};
+use crate::token::Span;
+
+/// What a name means in an equation.
+#[derive(Clone, Debug)]
+pub(super) enum Meaning {
+    Variable(Variable),
+    Constant(Rational),
+}
+
+/// All names of a block.
+pub(super) struct Scope {
+    pub(super) symbols: Symbols,
+    /// Values of constants; `None` for one whose value was not understood.
+    pub(super) constants: HashMap<String, Option<Rational>>,
+    /// Claims so far.
+    pub(super) claims: Vec<String>,
+    /// Names that are mistakes already, or whose owner is: not to be reported again.
+    poisoned: BTreeSet<String>,
+    used: BTreeSet<String>,
+}
+
+/// Whether `name` is the half time step.
+pub(super) fn is_epsilon(name: &str) -> bool {
+    matches!(name, "eps" | "ε")
+}
+
+impl Scope {
+    pub(super) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
+        let mut scope = Scope {
+            symbols: Symbols { states: Vec::new(), parameters: Vec::new() },
+            constants: HashMap::new(),
+            claims: Vec::new(),
+            poisoned: block.misspelt_states.iter().map(|name| name.text.clone()).collect(),
+            used: BTreeSet::new(),
+        };
+        scope.collect_states(block, diagnostics);
+        let states = scope.symbols.states.clone();
+        scope.poisoned.retain(|name| !states.contains(name));
+        match &block.header {
+            Some(header) => scope.collect_parameters(&header.parameters, block, diagnostics),
+            None => scope.collect_free_names(block, diagnostics),
+        }
+        scope
+    }
+
+    fn collect_states(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
+        for equation in &block.equations {
+            let state = &equation.state;
+            if self.is_state_name(&state.text) {
+                diagnostics.report(
+                    Kind::Name,
+                    state.span,
+                    format!("`{0}dot` is given twice", state.text),
+                    "remove one of the equations, or rename its state",
+                );
+            } else {
+                report_reserved(state, diagnostics);
+                self.symbols.states.push(state.text.clone());
+            }
+        }
+    }
+
+    fn collect_parameters(&mut self, parameters: &[Name], block: &Block, diagnostics: &mut Diagnostics) {
+        for name in parameters {
+            let text = &name.text;
+            if self.symbols.parameters.contains(text) {
+                diagnostics.report(
+                    Kind::Name,
+                    name.span,
+                    format!("the parameter `{text}` is declared twice"),
+                    "remove one",
+                );
+            } else if self.is_state_name(text) {
+                diagnostics.report(
+                    Kind::Name,
+                    name.span,
+                    format!(
+                        "`{text}` is a state variable (`{text}dot` is given), so it cannot be a parameter"
+                    ),
+                    "rename one of them",
+                );
+            } else if is_keyword(text) {
+                diagnostics.report(
+                    Kind::Name,
+                    name.span,
+                    format!("the parameter `{text}` is a keyword of Rust"),
+                    format!("rename it, for example to `{text}_`"),
+                );
+                self.poisoned.insert(text.clone());
+            } else if report_reserved(name, diagnostics) {
+                self.poisoned.insert(text.clone());
+            } else if block.constants.iter().any(|constant| constant.name.text == *text) {
+                diagnostics.report(
+                    Kind::Name,
+                    name.span,
+                    format!("`{text}` is a parameter and a constant"),
+                    format!("remove the parameter: `const {text}` fixes its value"),
+                );
+            } else {
+                self.symbols.parameters.push(text.clone());
+            }
+        }
+    }
+
+    /// Without a header the free names of the equations are the parameters.
+    fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
+        let mut names = Vec::new();
+        for value in block.equations.iter().filter_map(|equation| equation.value.as_ref()) {
+            visit_names(value, &mut |name, span| names.push((name.to_owned(), span)));
+        }
+        for (text, span) in names {
+            let known = self.is_state_name(&text)
+                || self.symbols.parameters.contains(&text)
+                || self.poisoned.contains(&text)
+                || block.constants.iter().any(|constant| constant.name.text == text)
+                || is_epsilon(&text)
+                || text == "ϵ";
+            if known {
+                continue;
+            }
+            if is_keyword(&text) {
+                diagnostics.report(
+                    Kind::Name,
+                    span,
+                    format!("`{text}` is a keyword of Rust and names no value"),
+                    "bind the value first: `let mu = …;`, then write `mu`",
+                );
+                self.poisoned.insert(text);
+            } else {
+                self.symbols.parameters.push(text);
+            }
+        }
+    }
+
+    fn is_state_name(&self, name: &str) -> bool {
+        self.symbols.states.iter().any(|state| state == name)
+    }
+
+    /// Whether nothing of this name may be reported any more.
+    pub(super) fn is_poisoned(&self, name: &str) -> bool {
+        self.poisoned.contains(name)
+    }
+
+    pub(super) fn poison(&mut self, name: &str) {
+        self.poisoned.insert(name.to_owned());
+    }
+
+    /// The variable of a state, a parameter or ε.
+    pub(super) fn variable(&self, name: &str) -> Option<Variable> {
+        if is_epsilon(name) {
+            return Some(self.symbols.epsilon());
+        }
+        let position = |names: &[String]| names.iter().position(|known| known == name);
+        position(&self.symbols.states)
+            .map(|i| self.symbols.state(i))
+            .or_else(|| position(&self.symbols.parameters).map(|k| self.symbols.parameter(k)))
+    }
+
+    /// Notes that something uses this name.
+    pub(super) fn mark_used(&mut self, name: &str) {
+        self.used.insert(name.to_owned());
+    }
+
+    /// What a name of an equation means.
+    pub(super) fn meaning(&self, name: &str) -> Option<Meaning> {
+        if let Some(value) = self.constants.get(name) {
+            return value.clone().map(Meaning::Constant);
+        }
+        self.variable(name).map(Meaning::Variable)
+    }
+
+    /// Reports every name of `expr` that means nothing here; `true` if all mean something and none is poisoned.
+    pub(super) fn resolve(&mut self, expr: &Expr, in_claim: bool, diagnostics: &mut Diagnostics) -> bool {
+        let mut names = Vec::new();
+        visit_names(expr, &mut |name, span| names.push((name.to_owned(), span)));
+        let mut sound = true;
+        for (name, span) in names {
+            self.used.insert(name.clone());
+            if self.is_poisoned(&name) {
+                sound = false;
+            } else if is_epsilon(&name) && !in_claim {
+                sound = false;
+                diagnostics.report(
+                    Kind::Name,
+                    span,
+                    format!("`{name}` is the half time step and belongs to the map, not to the field"),
+                    "rename the parameter",
+                );
+                self.poison(&name);
+            } else if self.meaning(&name).is_none() && !(in_claim && self.claims.contains(&name)) {
+                sound = false;
+                // A constant without a value has been reported at its declaration.
+                if !self.constants.contains_key(&name) {
+                    self.report_unknown(&name, span, in_claim, diagnostics);
+                }
+            }
+        }
+        sound
+    }
+
+    fn report_unknown(&mut self, name: &str, span: Span, in_claim: bool, diagnostics: &mut Diagnostics) {
+        let help = if name == "ϵ" {
+            "for half the time step write `eps` (in claims)".to_owned()
+        } else if let Some(nearest) = self.nearest(name, in_claim) {
+            format!("did you mean `{nearest}`?")
+        } else if in_claim {
+            format!("a claim may use {}, `eps` and earlier claims", self.list())
+        } else {
+            format!(
+                "give it an equation `{name}dot = …;`, or declare it as a parameter: `struct Name {{ {name} }}`"
+            )
+        };
+        diagnostics.report(
+            Kind::UnknownName,
+            span,
+            format!("`{name}` is neither a state nor a parameter"),
+            help,
+        );
+        self.poison(name);
+    }
+
+    fn list(&self) -> String {
+        let names: Vec<String> = self
+            .symbols
+            .states
+            .iter()
+            .chain(&self.symbols.parameters)
+            .map(|name| format!("`{name}`"))
+            .collect();
+        names.join(", ")
+    }
+
+    /// The known name closest to `name`, if close enough to be a slip.
+    fn nearest(&self, name: &str, in_claim: bool) -> Option<String> {
+        let mut candidates: Vec<String> = self.symbols.states.clone();
+        candidates.extend(self.symbols.parameters.iter().cloned());
+        let mut constants: Vec<String> = self.constants.keys().cloned().collect();
+        constants.sort();
+        candidates.extend(constants);
+        if in_claim {
+            candidates.extend(self.claims.iter().cloned());
+            candidates.push("eps".to_owned());
+        }
+        let tolerance = match name.chars().count() {
+            0..=1 => 0,
+            2..=4 => 1,
+            _ => 2,
+        };
+        candidates
+            .into_iter()
+            .map(|candidate| (edit_distance(&name.to_lowercase(), &candidate.to_lowercase()), candidate))
+            .filter(|(distance, _)| *distance <= tolerance)
+            .min_by_key(|(distance, _)| *distance)
+            .map(|(_, candidate)| candidate)
+    }
+
+    /// Parameters of the header that neither equations nor claims use.
+    pub(super) fn report_unused(&self, block: &Block, diagnostics: &mut Diagnostics) {
+        let unread = block.equations.iter().any(|equation| equation.value.is_none())
+            || block.claims.iter().any(|claim| claim.body.is_none());
+        let Some(header) = block.header.as_ref().filter(|_| !unread && !block.equations.is_empty()) else {
+            return;
+        };
+        for name in &header.parameters {
+            if self.symbols.parameters.contains(&name.text) && !self.used.contains(&name.text) {
+                diagnostics.report(
+                    Kind::UnusedParameter,
+                    name.span,
+                    format!("nothing uses the parameter `{}`", name.text),
+                    "remove it, or use it in an equation",
+                );
+            }
+        }
+    }
+
+    /// Reports that `name` is taken, if it is; `true` if it was free.
+    pub(super) fn is_free(&self, name: &Name, what: &str, diagnostics: &mut Diagnostics) -> bool {
+        let text = &name.text;
+        let taken = if self.is_state_name(text) {
+            "a state variable"
+        } else if self.symbols.parameters.contains(text) {
+            "a parameter"
+        } else if self.constants.contains_key(text) {
+            "a constant"
+        } else if self.claims.contains(text) {
+            "an earlier claim"
+        } else {
+            return !report_reserved(name, diagnostics);
+        };
+        diagnostics.report(
+            Kind::Name,
+            name.span,
+            format!("the {what} `{text}` has the name of {taken}"),
+            format!("rename the {what}"),
+        );
+        false
+    }
+}
+
+/// Reports a name that the language keeps for itself; `true` if it was one.
+fn report_reserved(name: &Name, diagnostics: &mut Diagnostics) -> bool {
+    let reserved = is_epsilon(&name.text);
+    if reserved {
+        diagnostics.report(
+            Kind::Name,
+            name.span,
+            format!("`{}` is reserved: it is half the time step", name.text),
+            "choose another name",
+        );
+    } else if name.text.chars().all(|c| c == '_') {
+        diagnostics.report(Kind::Name, name.span, "an underscore is no name", "choose a name with a letter");
+        return true;
+    }
+    reserved
+}
+
+/// Calls `visit` with every name of `expr` and its place, from left to right.
+pub(super) fn visit_names(expr: &Expr, visit: &mut dyn FnMut(&str, Span)) {
+    match &expr.kind {
+        ExprKind::Number(_) => {}
+        ExprKind::Name(name) => visit(name, expr.span),
+        ExprKind::Sum(terms) => terms.iter().for_each(|term| visit_names(&term.expr, visit)),
+        ExprKind::Product(factors) => factors.iter().for_each(|factor| visit_names(&factor.expr, visit)),
+        ExprKind::Negation(inner) | ExprKind::Power(inner, _) => visit_names(inner, visit),
+    }
+}
+
+/// The expressions of a claim's body.
+pub(super) fn expressions(body: &ClaimBody) -> Vec<&Expr> {
+    match body {
+        ClaimBody::Function(expr) => vec![expr],
+        ClaimBody::Tensor(entries) => entries.iter().map(|entry| &entry.value).collect(),
+    }
+}
+
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let substituted = diagonal + usize::from(x != *y);
+            diagonal = row[j + 1];
+            row[j + 1] = substituted.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
+
+/// Keywords of Rust, strict and reserved, which cannot name a field of a struct.
+fn is_keyword(name: &str) -> bool {
+    const KEYWORDS: [&str; 52] = [
+        "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern",
+        "false", "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref",
+        "return", "self", "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use",
+        "where", "while", "abstract", "become", "box", "do", "final", "gen", "macro", "override", "priv",
+        "try", "typeof", "unsized", "virtual", "yield",
+    ];
+    KEYWORDS.contains(&name)
+}

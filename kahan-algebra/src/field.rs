@@ -1,0 +1,61 @@
+//! The checked quadratic field: from here on nothing can be wrong.
+//!
+//! ẋᵢ = pᵢ/qᵢ with pᵢ of degree at most two in the states and qᵢ free of them, reduced. Everything that the map needs
+//! (f′, the bilinear form, A, b) is derived in [`crate::kahan`].
+
+use crate::poly::{Monomial, Polynomial};
+use crate::symbols::Symbols;
+
+/// One component p/q of a field.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Component {
+    /// p: a polynomial in states and parameters, of degree at most two in the states.
+    pub numerator: Polynomial,
+    /// q: a polynomial in parameters, not zero, coprime to p.
+    pub denominator: Polynomial,
+}
+
+/// A quadratic vector field ẋ = Q(x) + Bx + c with exact coefficients.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Field {
+    /// The names.
+    pub symbols: Symbols,
+    /// One component a state.
+    pub components: Vec<Component>,
+}
+
+impl Field {
+    /// The number of states.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.components.len()
+    }
+
+    /// The numerator's part of degree `degree` (0, 1 or 2) in the states.
+    #[must_use]
+    pub fn homogeneous_part(&self, component: usize, degree: u32) -> Polynomial {
+        let part = self.components[component].numerator.terms().filter(|(monomial, _)| {
+            monomial.degree_where(|variable| self.symbols.is_state(variable)) == degree
+        });
+        Polynomial::from_terms(part.map(|(monomial, coefficient)| (monomial.clone(), coefficient.clone())))
+    }
+
+    /// Whether all terms are quadratic (B = 0 and c = 0).
+    #[must_use]
+    pub fn is_homogeneous(&self) -> bool {
+        (0..self.dimension())
+            .all(|i| self.homogeneous_part(i, 0).is_zero() && self.homogeneous_part(i, 1).is_zero())
+    }
+
+    /// The states of a monomial, with multiplicity.
+    #[must_use]
+    pub fn states_of(&self, monomial: &Monomial) -> Vec<usize> {
+        let mut states = Vec::new();
+        for &(variable, exponent) in monomial.powers() {
+            if self.symbols.is_state(variable) {
+                states.extend(std::iter::repeat_n(usize::from(variable.0), exponent as usize));
+            }
+        }
+        states
+    }
+}

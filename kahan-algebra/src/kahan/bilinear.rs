@@ -1,0 +1,44 @@
+//! The symmetric bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)] and the polarised field Q(x,y) + ½B(x+y) + c.
+
+use crate::field::Field;
+use crate::poly::{Monomial, Polynomial};
+use crate::rational::Rational;
+use crate::symbols::Symbol;
+
+/// The numerators of Q(x, y), over qᵢ; y are the second states.
+#[must_use]
+pub fn bilinear_form(field: &Field) -> Vec<Polynomial> {
+    (0..field.dimension()).map(|i| polarize(field, &field.homogeneous_part(i, 2))).collect()
+}
+
+/// The numerators of Q(x,y) + ½B(x+y) + c, over qᵢ: the right-hand side of Kahan's scheme.
+#[must_use]
+pub fn polarization(field: &Field) -> Vec<Polynomial> {
+    (0..field.dimension()).map(|i| polarize(field, &field.components[i].numerator)).collect()
+}
+
+/// xⱼxₖ ↦ ½(xⱼyₖ + xₖyⱼ), xⱼ ↦ ½(xⱼ + yⱼ), 1 ↦ 1.
+fn polarize(field: &Field, polynomial: &Polynomial) -> Polynomial {
+    let symbols = &field.symbols;
+    let first = |i: usize| Monomial::variable(symbols.state(i));
+    let second = |i: usize| Monomial::variable(symbols.variable(Symbol::SecondState(i)));
+    let half = Rational::new(1, 2);
+    let mut terms = Vec::new();
+    for (monomial, coefficient) in polynomial.terms() {
+        let (_, parameters) = monomial.split(|variable| symbols.is_state(variable));
+        let mut push =
+            |states: Monomial, factor: &Rational| terms.push((parameters.mul(&states), coefficient * factor));
+        match field.states_of(monomial)[..] {
+            [j, k] => {
+                push(first(j).mul(&second(k)), &half);
+                push(first(k).mul(&second(j)), &half);
+            }
+            [j] => {
+                push(first(j), &half);
+                push(second(j), &half);
+            }
+            _ => push(Monomial::one(), &Rational::one()),
+        }
+    }
+    Polynomial::from_terms(terms)
+}

@@ -1,0 +1,13 @@
+//! Kahan's objects, derived from a checked field as exact polynomials; one object of the theory a file.
+//!
+//! Every row of A x̃ = b is multiplied by its component's denominator qᵢ, which depends on parameters only. So all
+//! objects here are polynomials: Â = diag(q)·A, b̂ = diag(q)·b, D̂ = det Â = ∏q · det A.
+
+mod bilinear;
+mod matrix;
+mod minors;
+mod rational_map;
+
+pub use bilinear::{bilinear_form, polarization};
+pub use matrix::{field_jacobian, scaled_matrix, scaled_rhs};
+pub use rational_map::{RationalMap, Reduced, TERM_BUDGET};

@@ -1,0 +1,103 @@
+//! The map as rational functions: x̃ᵢ = Nᵢ/D unreduced, and the reduced increment x̃ᵢ − xᵢ = 2ε nᵢ/d.
+//!
+//! By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂ with n̂ⱼ the determinant of Â with column j replaced by p, so x̃ has the
+//! numerators N̂ = xD̂ + 2εn̂. Common factors of n̂₁ … n̂ₙ and D̂ are those of N̂ and D̂ too, because D̂ is not divisible by
+//! ε (at ε = 0 it is ∏q). The greatest of them is divided out: where it alone vanishes the map has a removable pole.
+
+use crate::field::Field;
+use crate::poly::{Budget, OverBudget, Polynomial, gcd_all_within};
+use crate::rational::Rational;
+
+use super::matrix::scaled_matrix;
+use super::minors::maximal_minors;
+
+/// The largest number of terms of N and D together, and of every intermediate minor. Beyond it the map is computed by
+/// elimination on the numeric matrix.
+pub const TERM_BUDGET: usize = 500;
+
+/// The work that deriving and reducing one map may take, in products of terms: some tens of milliseconds unoptimised.
+const WORK_BUDGET: u64 = 40_000;
+
+/// The map of a field whose N and D stay within the budget.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RationalMap {
+    /// N̂: numerators of x̃ over [`Self::denominator`].
+    pub numerators: Vec<Polynomial>,
+    /// D̂ = ∏q · det A.
+    pub denominator: Polynomial,
+    /// ∏q: N = N̂/∏q and D = D̂/∏q.
+    pub divisor: Polynomial,
+    /// The same map in lowest terms.
+    pub reduced: Reduced,
+}
+
+/// x̃ = x + 2ε n/d in lowest terms.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reduced {
+    /// n
+    pub increments: Vec<Polynomial>,
+    /// d
+    pub denominator: Polynomial,
+    /// What was divided out of n̂ and D̂.
+    pub common_factor: Polynomial,
+}
+
+impl RationalMap {
+    /// Derives the map; `None` beyond the budget.
+    #[must_use]
+    pub fn of(field: &Field) -> Option<Self> {
+        let mut budget = Budget::new(TERM_BUDGET, WORK_BUDGET);
+        Self::within(field, &mut budget).ok()
+    }
+
+    fn within(field: &Field, budget: &mut Budget) -> Result<Self, OverBudget> {
+        let n = field.dimension();
+        let mut rows = scaled_matrix(field);
+        for (row, component) in rows.iter_mut().zip(&field.components) {
+            row.push(component.numerator.clone());
+        }
+        let mut minors = maximal_minors(&rows, budget)?;
+        let denominator = minors.pop().unwrap_or_else(Polynomial::one);
+        // Column j replaced by p: p stands last in the minor and moves left past n−1−j columns.
+        let increments: Vec<Polynomial> = minors
+            .into_iter()
+            .enumerate()
+            .map(|(j, minor)| if (n - 1 - j) % 2 == 1 { -&minor } else { minor })
+            .collect();
+        let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&Rational::from(2));
+        let mut numerators = Vec::with_capacity(n);
+        for (i, increment) in increments.iter().enumerate() {
+            let start = denominator.mul_within(&Polynomial::variable(field.symbols.state(i)), budget)?;
+            numerators.push(start.add_within(&two_eps.mul_within(increment, budget)?, budget)?);
+        }
+        budget.admit(denominator.len() + numerators.iter().map(Polynomial::len).sum::<usize>())?;
+        let divisor = field.components.iter().fold(Polynomial::one(), |product, c| &product * &c.denominator);
+        let reduced = Reduced::of(increments, &denominator, budget)?;
+        Ok(RationalMap { numerators, denominator, divisor, reduced })
+    }
+}
+
+impl Reduced {
+    fn of(
+        increments: Vec<Polynomial>,
+        denominator: &Polynomial,
+        budget: &mut Budget,
+    ) -> Result<Self, OverBudget> {
+        let mut all = vec![denominator.clone()];
+        all.extend(increments.iter().filter(|increment| !increment.is_zero()).cloned());
+        let common_factor = gcd_all_within(&all, budget)?;
+        let mut lowered = Vec::with_capacity(increments.len());
+        for increment in &increments {
+            lowered.push(increment.div_within(&common_factor, budget)?.unwrap_or_default());
+        }
+        let denominator = denominator.div_within(&common_factor, budget)?.unwrap_or_default();
+        // With constant term 1 the denominator rounds best near ε = 0, where it is 1.
+        let constant = denominator.coefficient(&crate::poly::Monomial::one());
+        let scale = constant.recip().unwrap_or_else(Rational::one);
+        Ok(Reduced {
+            increments: lowered.iter().map(|increment| increment.scale(&scale)).collect(),
+            denominator: denominator.scale(&scale),
+            common_factor,
+        })
+    }
+}

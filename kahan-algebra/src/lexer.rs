@@ -1,0 +1,163 @@
+//! Text to tokens, with Rust's rules where Rust has any (comments, raw identifiers, `1.` is a number, `.5` is not).
+//!
+//! The macro never comes here: rustc has lexed its input already. What stops rustc's lexer (`x' = …`, `x²`, `3eps`)
+//! becomes a token that carries its explanation, so that the command reports it like any other mistake.
+
+use std::ops::Range;
+
+use crate::token::{Token, TokenKind};
+
+/// The tokens of a text and the byte range of each.
+#[derive(Clone, Debug, Default)]
+pub struct Lexed {
+    /// The tokens.
+    pub tokens: Vec<Token>,
+    /// The byte range of each token in the text.
+    pub ranges: Vec<Range<usize>>,
+}
+
+/// Splits `text` into tokens. Never fails: what is no token becomes [`TokenKind::Unreadable`].
+#[must_use]
+pub fn lex(text: &str) -> Lexed {
+    let mut lexer = Lexer { text, at: 0, out: Lexed::default() };
+    while lexer.next_token() {}
+    lexer.out
+}
+
+struct Lexer<'a> {
+    text: &'a str,
+    at: usize,
+    out: Lexed,
+}
+
+impl Lexer<'_> {
+    fn peek(&self, ahead: usize) -> Option<char> {
+        self.text[self.at..].chars().nth(ahead)
+    }
+
+    /// The byte length of the longest prefix whose characters satisfy `keep`.
+    fn run(&self, from: usize, keep: impl Fn(char) -> bool) -> usize {
+        self.text[from..].chars().take_while(|&c| keep(c)).map(char::len_utf8).sum()
+    }
+
+    fn push(&mut self, kind: TokenKind, length: usize) {
+        let range = self.at..self.at + length;
+        let text = &self.text[range.clone()];
+        let text = text.strip_prefix("r#").filter(|_| kind == TokenKind::Identifier).unwrap_or(text);
+        if let (Some(previous), Some(last)) = (self.out.tokens.last_mut(), self.out.ranges.last()) {
+            previous.touches_next = last.end == range.start;
+        }
+        self.out.tokens.push(Token { kind, text: text.to_owned(), touches_next: false });
+        self.out.ranges.push(range);
+        self.at += length;
+    }
+
+    /// Reads one token or one stretch of white space; `false` at the end.
+    fn next_token(&mut self) -> bool {
+        let Some(c) = self.peek(0) else { return false };
+        if c.is_whitespace() {
+            self.at += c.len_utf8();
+        } else if self.text[self.at..].starts_with("//") {
+            self.at += self.run(self.at, |c| c != '\n');
+        } else if self.text[self.at..].starts_with("/*") {
+            self.skip_block_comment();
+        } else if c.is_ascii_digit() {
+            let length = self.number_length();
+            self.push(TokenKind::Literal, length);
+        } else if starts_identifier(c) {
+            let raw = self.text[self.at..].starts_with("r#") && self.peek(2).is_some_and(starts_identifier);
+            let prefix = if raw { 2 } else { 0 };
+            let length = prefix + self.run(self.at + prefix, continues_identifier);
+            self.push(TokenKind::Identifier, length);
+        } else if c == '"' {
+            let length = self.string_length();
+            self.push(TokenKind::Literal, length);
+        } else if matches!(c, '(' | '[' | '{') {
+            self.push(TokenKind::Open(c), 1);
+        } else if matches!(c, ')' | ']' | '}') {
+            self.push(TokenKind::Close(c), 1);
+        } else if "+-*/^=;,.:<>!?&|%#@~$".contains(c) {
+            self.push(TokenKind::Punctuation(c), 1);
+        } else {
+            let (message, help) = explain_unreadable(c);
+            self.push(TokenKind::Unreadable { message, help }, c.len_utf8());
+        }
+        true
+    }
+
+    /// Skips `/* … */`, which nests in Rust; an open one ends with the text.
+    fn skip_block_comment(&mut self) {
+        let mut depth = 0;
+        while self.at < self.text.len() {
+            let rest = &self.text[self.at..];
+            if rest.starts_with("/*") {
+                depth += 1;
+                self.at += 2;
+            } else if rest.starts_with("*/") {
+                depth -= 1;
+                self.at += 2;
+                if depth == 0 {
+                    return;
+                }
+            } else {
+                self.at += rest.chars().next().map_or(1, char::len_utf8);
+            }
+        }
+    }
+
+    /// A number and whatever letters touch it: `1`, `1.`, `1.5e-3`, `0x1F`, `2x`, `3eps`.
+    fn number_length(&self) -> usize {
+        let digit = |c: char| c.is_ascii_digit() || c == '_';
+        let mut end = self.at + self.run(self.at, digit);
+        let after = |at: usize| self.text[at..].chars().next();
+        if after(end) == Some('.') && after(end + 1).is_none_or(|c| c != '.' && !starts_identifier(c)) {
+            end += 1;
+            end += self.run(end, digit);
+        }
+        if matches!(after(end), Some('e' | 'E')) {
+            let sign = usize::from(matches!(after(end + 1), Some('+' | '-')));
+            let digits = self.run(end + 1 + sign, digit);
+            if digits > 0 {
+                end += 1 + sign + digits;
+            }
+        }
+        end += self.run(end, continues_identifier);
+        end - self.at
+    }
+
+    fn string_length(&self) -> usize {
+        let mut escaped = false;
+        for (offset, c) in self.text[self.at..].char_indices().skip(1) {
+            match c {
+                '"' if !escaped => return offset + 1,
+                '\\' => escaped = !escaped,
+                _ => escaped = false,
+            }
+        }
+        self.text.len() - self.at
+    }
+}
+
+fn starts_identifier(c: char) -> bool {
+    c == '_' || c.is_alphabetic()
+}
+
+fn continues_identifier(c: char) -> bool {
+    starts_identifier(c) || c.is_ascii_digit()
+}
+
+fn explain_unreadable(c: char) -> (String, String) {
+    let (what, help) = match c {
+        '\'' | '’' | '′' => {
+            ("a prime marks no derivative here", "write `xdot = …` for the derivative of `x`")
+        }
+        '²' => ("superscripts are not read", "write `^2`"),
+        '³' => ("superscripts are not read", "write `^3`"),
+        '−' | '–' | '—' => ("this is not the minus sign of the keyboard", "write `-`"),
+        '·' | '×' | '∗' | '⋅' => ("this is not the multiplication sign of the language", "write `*`"),
+        '÷' | '∕' => ("this is not the division sign of the language", "write `/`"),
+        '½' => ("fractions are written out", "write `1/2`"),
+        _ => ("this character has no meaning in a field", "remove it"),
+    };
+    (format!("`{c}`: {what}"), help.to_owned())
+}

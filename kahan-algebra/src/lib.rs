@@ -1,0 +1,63 @@
+//! The exact front end of Kahan's method.
+//!
+//! Text or tokens of the language of `kahan!` go in; a checked quadratic vector field comes out, with the objects of
+//! Kahan's map derived from it, straight-line plans to evaluate them, and a verdict on every claim about it. Nothing here
+//! knows Rust: the macro (`kahan-derive`) and the command (`kahan-systems`) are two users of one pipeline, [`read`].
+//!
+//! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`], [`system`], [`kahan`],
+//! [`plan`], [`prove`], [`interpret`], [`render`]; beneath them the exact arithmetic of [`rational`], [`poly`] and
+//! [`rational_function`].
+
+pub mod arithmetic;
+pub mod check;
+pub mod diagnostics;
+pub mod field;
+pub mod interpret;
+pub mod kahan;
+pub mod lexer;
+pub mod parse;
+pub mod plan;
+pub mod poly;
+pub mod prime_field;
+pub mod prove;
+pub mod rational;
+pub mod rational_function;
+pub mod render;
+pub mod symbols;
+pub mod syntax;
+pub mod system;
+pub mod token;
+
+use diagnostics::{Diagnostic, Diagnostics};
+use prime_field::SplitMix64;
+use system::System;
+use token::Token;
+
+/// A block as read: the system, and what is wrong with it.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The system; what is broken in it is replaced by zeros, so that it can always be emitted.
+    pub system: System,
+    /// The mistakes, in the order of their places; none means that every claim is proved.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads a block: parse, check, prove.
+#[must_use]
+pub fn read(tokens: &[Token]) -> Reading {
+    let mut diagnostics = Diagnostics::default();
+    let block = parse::parse(tokens, &mut diagnostics);
+    let system = check::check(block, &mut diagnostics);
+    // A wrong field makes every claim wrong: only its own mistakes are worth reporting.
+    if system.is_field_sound {
+        prove::check_claims(&system, seed(tokens), &mut diagnostics);
+    }
+    Reading { system, diagnostics: diagnostics.finish() }
+}
+
+/// The seed of the prover's points: a hash of the block's text, so that builds are reproducible.
+#[must_use]
+pub fn seed(tokens: &[Token]) -> u64 {
+    let text: Vec<&str> = tokens.iter().map(|token| token.text.as_str()).collect();
+    SplitMix64::from_bytes(text.join(" ").as_bytes()).next_u64()
+}

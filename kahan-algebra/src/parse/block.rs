@@ -1,0 +1,256 @@
+//! Items: `const`, equations and claims.
+
+use crate::diagnostics::{Diagnostic, Kind};
+use crate::syntax::{Block, Claim, ClaimBody, ClaimKind, Condition, Constant, Entry, Equation, Name};
+use crate::token::{Span, TokenKind};
+
+use super::Parsed;
+use super::cursor::Cursor;
+use super::expr::parse_expr;
+
+const SHAPES: &str =
+    "a block holds equations `xdot = …;`, constants `const c = …;` and claims `integral H = …;`";
+
+/// Reads one item. On a mistake the cursor stays inside the item; what was learnt of it is in the block already.
+pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
+    if let Some(diagnostic) = cursor.unreadable() {
+        return Err(diagnostic);
+    }
+    if cursor.take(';') {
+        return Err(Diagnostic::new(Kind::Syntax, cursor.behind(), "a `;` that ends nothing", "remove it"));
+    }
+    let Some(word) = cursor.identifier(0) else {
+        let found = cursor.describe_next();
+        return Err(Diagnostic::new(
+            Kind::Syntax,
+            cursor.here(),
+            format!("expected an equation, found {found}"),
+            SHAPES,
+        ));
+    };
+    let named = cursor.identifier(1).is_some();
+    match word {
+        "const" if named => constant(cursor, block),
+        "integral" if named => claim(cursor, block, ClaimKind::Integral),
+        "density" if named => claim(cursor, block, ClaimKind::Density),
+        "bracket" if named => claim(cursor, block, ClaimKind::Bracket),
+        "const" | "integral" | "density" | "bracket" => {
+            let (word, span) = (
+                word.to_owned(),
+                cursor.here().to(Span::token(cursor.position() + usize::from(cursor.peek(1).is_some()))),
+            );
+            Err(Diagnostic::new(
+                Kind::Syntax,
+                span,
+                format!("this `{word}` has no name"),
+                format!("write `{word} NAME = …;`"),
+            ))
+        }
+        "pub" | "struct" => Err(Diagnostic::new(
+            Kind::Header,
+            cursor.here(),
+            "the header stands at the beginning of a block, and a block has one",
+            "move it to the top, or write a second `kahan!` block",
+        )),
+        _ => equation(cursor, block),
+    }
+}
+
+fn constant(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
+    cursor.advance();
+    let name = cursor.expect_name("the name of a constant")?;
+    block.constants.push(Constant { name, value: None });
+    equals(cursor)?;
+    let value = parse_expr(cursor)?;
+    if let Some(constant) = block.constants.last_mut() {
+        constant.value = Some(value);
+    }
+    semicolon(cursor)
+}
+
+fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
+    let left = cursor.expect_name("an equation")?;
+    let state = state_of(cursor, block, left)?;
+    block.equations.push(Equation { state, value: None });
+    equals(cursor)?;
+    let value = parse_expr(cursor)?;
+    if let Some(equation) = block.equations.last_mut() {
+        equation.value = Some(value);
+    }
+    semicolon(cursor)
+}
+
+/// The state of the left-hand side `left`.
+fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> {
+    let span = left.span;
+    if let Some(state) = left.text.strip_suffix("dot") {
+        if !state.is_empty() {
+            return Ok(Name { text: state.to_owned(), span });
+        }
+        return Err(Diagnostic::new(
+            Kind::Name,
+            span,
+            "`dot` alone names no variable",
+            "write the variable before it, as in `xdot`",
+        ));
+    }
+    let text = left.text.clone();
+    if cursor.peek(0).is_some_and(|next| matches!(next.kind, TokenKind::Unreadable { .. })) {
+        block.misspelt_states.push(left);
+        return Err(cursor.unreadable().unwrap_or_else(|| Diagnostic::new(Kind::Syntax, span, "", "")));
+    }
+    let help =
+        if cursor.is_punctuation(0, '=') { format!("write `{text}dot = …`") } else { SHAPES.to_owned() };
+    block.misspelt_states.push(left);
+    Err(Diagnostic::new(
+        Kind::Name,
+        span,
+        format!("`{text}` is no left-hand side: it does not end in `dot`"),
+        help,
+    ))
+}
+
+fn equals(cursor: &mut Cursor<'_>) -> Parsed<()> {
+    let doubled = cursor.is_pair('=', '=');
+    if cursor.take('=') {
+        if doubled {
+            let span = cursor.behind().to(cursor.here());
+            return Err(Diagnostic::new(
+                Kind::Syntax,
+                span,
+                "`==` compares, it does not define",
+                "write `=`",
+            ));
+        }
+        return Ok(());
+    }
+    if let Some(diagnostic) = cursor.unreadable() {
+        return Err(diagnostic);
+    }
+    let found = cursor.describe_next();
+    let span = cursor.behind().to(cursor.here());
+    Err(Diagnostic::new(
+        Kind::Syntax,
+        span,
+        format!("expected `=`, found {found}"),
+        "write `=` after the name",
+    ))
+}
+
+fn semicolon(cursor: &mut Cursor<'_>) -> Parsed<()> {
+    if cursor.take(';') {
+        return Ok(());
+    }
+    let found = cursor.describe_next();
+    let span = cursor.behind().to(cursor.here());
+    Err(Diagnostic::new(Kind::Syntax, span, format!("expected `;`, found {found}"), "end the line with `;`"))
+}
+
+fn claim(cursor: &mut Cursor<'_>, block: &mut Block, kind: ClaimKind) -> Parsed<()> {
+    cursor.advance();
+    let name = cursor.expect_name("the name of a claim")?;
+    let mut claim = Claim { kind, name, body: None, conditions: Vec::new() };
+    let outcome = claim_body(cursor, &mut claim);
+    block.claims.push(claim);
+    outcome
+}
+
+/// Fills `claim`; its body is set only when all of it was read.
+fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
+    let body = if claim.kind == ClaimKind::Bracket {
+        ClaimBody::Tensor(entries(cursor, &claim.name)?)
+    } else {
+        equals(cursor)?;
+        ClaimBody::Function(parse_expr(cursor)?)
+    };
+    conditions(cursor, &mut claim.conditions)?;
+    if claim.kind == ClaimKind::Bracket {
+        cursor.take(';');
+    } else {
+        semicolon(cursor)?;
+    }
+    claim.body = Some(body);
+    Ok(())
+}
+
+/// Reads `{ {x,y} = expr; … }`.
+fn entries(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<Vec<Entry>> {
+    if !cursor.is_open(0, '{') {
+        let found = cursor.describe_next();
+        let help = format!("write `bracket {} {{ {{x,y}} = …; }}`", name.text);
+        let span = name.span.to(cursor.here());
+        return Err(Diagnostic::new(Kind::Claim, span, format!("expected `{{`, found {found}"), help));
+    }
+    cursor.advance();
+    let mut entries = Vec::new();
+    while !cursor.is_close('}') {
+        match entry(cursor) {
+            Ok(entry) => entries.push(entry),
+            Err(diagnostic) => {
+                leave_group(cursor);
+                return Err(diagnostic);
+            }
+        }
+    }
+    cursor.advance();
+    Ok(entries)
+}
+
+fn entry(cursor: &mut Cursor<'_>) -> Parsed<Entry> {
+    let wrong = |cursor: &Cursor<'_>| {
+        let found = cursor.describe_next();
+        Diagnostic::new(
+            Kind::Claim,
+            cursor.here(),
+            format!("expected an entry, found {found}"),
+            "write `{x,y} = …;`",
+        )
+    };
+    if !cursor.is_open(0, '{') {
+        return Err(wrong(cursor));
+    }
+    cursor.advance();
+    let row = cursor.expect_name("a state")?;
+    if !cursor.take(',') {
+        return Err(wrong(cursor));
+    }
+    let column = cursor.expect_name("a state")?;
+    if !cursor.is_close('}') {
+        return Err(wrong(cursor));
+    }
+    cursor.advance();
+    equals(cursor)?;
+    let value = parse_expr(cursor)?;
+    semicolon(cursor)?;
+    Ok(Entry { row, column, value })
+}
+
+/// Leaves the braces of a bracket in which a mistake was found.
+fn leave_group(cursor: &mut Cursor<'_>) {
+    while !cursor.is_at_end() && !cursor.begins_item(0) {
+        if cursor.is_close('}') {
+            cursor.advance();
+            if !cursor.is_punctuation(0, '=') && !cursor.is_punctuation(0, ',') {
+                return;
+            }
+        } else {
+            cursor.advance();
+        }
+    }
+}
+
+/// Reads `when NAME = number, …` if it is there.
+fn conditions(cursor: &mut Cursor<'_>, conditions: &mut Vec<Condition>) -> Parsed<()> {
+    if cursor.identifier(0) != Some("when") {
+        return Ok(());
+    }
+    cursor.advance();
+    loop {
+        let name = cursor.expect_name("a parameter or `eps`")?;
+        equals(cursor)?;
+        conditions.push(Condition { name, value: parse_expr(cursor)? });
+        if !cursor.take(',') {
+            return Ok(());
+        }
+    }
+}

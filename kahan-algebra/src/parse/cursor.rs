@@ -1,0 +1,162 @@
+//! A place in the token list, with what every parsing function asks of it.
+
+use crate::diagnostics::{Diagnostic, Kind};
+use crate::syntax::Name;
+use crate::token::{Span, Token, TokenKind};
+
+use super::Parsed;
+
+/// A reading position in a token list.
+pub(super) struct Cursor<'a> {
+    tokens: &'a [Token],
+    at: usize,
+}
+
+impl<'a> Cursor<'a> {
+    pub(super) fn new(tokens: &'a [Token]) -> Self {
+        Cursor { tokens, at: 0 }
+    }
+
+    pub(super) fn position(&self) -> usize {
+        self.at
+    }
+
+    pub(super) fn is_at_end(&self) -> bool {
+        self.at >= self.tokens.len()
+    }
+
+    pub(super) fn peek(&self, ahead: usize) -> Option<&'a Token> {
+        self.tokens.get(self.at + ahead)
+    }
+
+    pub(super) fn advance(&mut self) {
+        self.at += 1;
+    }
+
+    /// The span of the next token, or of the last one at the end.
+    pub(super) fn here(&self) -> Span {
+        Span::token(self.at.min(self.tokens.len().saturating_sub(1)))
+    }
+
+    /// The span of the token just read.
+    pub(super) fn behind(&self) -> Span {
+        Span::token(self.at.saturating_sub(1))
+    }
+
+    pub(super) fn identifier(&self, ahead: usize) -> Option<&'a str> {
+        self.peek(ahead).filter(|token| token.kind == TokenKind::Identifier).map(|token| token.text.as_str())
+    }
+
+    pub(super) fn is_punctuation(&self, ahead: usize, c: char) -> bool {
+        self.peek(ahead).is_some_and(|token| token.kind == TokenKind::Punctuation(c))
+    }
+
+    pub(super) fn is_open(&self, ahead: usize, c: char) -> bool {
+        self.peek(ahead).is_some_and(|token| token.kind == TokenKind::Open(c))
+    }
+
+    pub(super) fn is_close(&self, c: char) -> bool {
+        self.peek(0).is_some_and(|token| token.kind == TokenKind::Close(c))
+    }
+
+    /// Whether the next two tokens are `first` and `second` and touch, as in `**`.
+    pub(super) fn is_pair(&self, first: char, second: char) -> bool {
+        self.is_punctuation(0, first)
+            && self.is_punctuation(1, second)
+            && self.peek(0).is_some_and(|token| token.touches_next)
+    }
+
+    /// Whether the token just read is `=`.
+    pub(super) fn is_after_equals(&self) -> bool {
+        self.at > 0 && self.tokens[self.at - 1].kind == TokenKind::Punctuation('=')
+    }
+
+    /// Reads the punctuation `c` if it is next.
+    pub(super) fn take(&mut self, c: char) -> bool {
+        let found = self.is_punctuation(0, c);
+        self.at += usize::from(found);
+        found
+    }
+
+    /// Reads an identifier if one is next.
+    pub(super) fn take_name(&mut self) -> Option<Name> {
+        let text = self.identifier(0)?.to_owned();
+        let span = self.here();
+        self.advance();
+        Some(Name { text, span })
+    }
+
+    /// Reads a name or says what was expected.
+    pub(super) fn expect_name(&mut self, what: &str) -> Parsed<Name> {
+        self.take_name().ok_or_else(|| {
+            let found = self.describe_next();
+            Diagnostic::new(
+                Kind::Syntax,
+                self.here(),
+                format!("expected {what}, found {found}"),
+                "write a name here",
+            )
+        })
+    }
+
+    /// The next token in words.
+    pub(super) fn describe_next(&self) -> String {
+        self.peek(0).map_or_else(|| "the end of the block".to_owned(), |token| format!("`{}`", token.text))
+    }
+
+    /// Whether an item begins `ahead` tokens from here: `xdot =`, `const c =`, `integral H =`, `bracket P {`.
+    pub(super) fn begins_item(&self, ahead: usize) -> bool {
+        let Some(word) = self.identifier(ahead) else { return false };
+        let equation = word.len() > 3 && word.ends_with("dot") && self.is_punctuation(ahead + 1, '=');
+        let named = self.identifier(ahead + 1).is_some()
+            && (self.is_punctuation(ahead + 2, '=') || self.is_open(ahead + 2, '{'));
+        equation || (named && matches!(word, "const" | "integral" | "density" | "bracket"))
+    }
+
+    /// Leaves a broken item that began at `start`: past its `;`, or up to the line that begins the next item. Always
+    /// moves on.
+    pub(super) fn skip_item(&mut self, start: usize) {
+        let mut depth = 0usize;
+        while let Some(token) = self.peek(0) {
+            match token.kind {
+                TokenKind::Open(_) => depth += 1,
+                TokenKind::Close(_) => depth = depth.saturating_sub(1),
+                TokenKind::Punctuation(';') if depth == 0 => {
+                    self.advance();
+                    return;
+                }
+                _ if self.at > start && depth == 0 && self.begins_item(0) => return,
+                _ => {}
+            }
+            self.advance();
+        }
+    }
+
+    /// Skips a bracketed group that begins here and returns its span; to the end if it never closes.
+    pub(super) fn skip_group(&mut self) -> Span {
+        let start = self.here();
+        let mut depth = 0usize;
+        while let Some(token) = self.peek(0) {
+            self.advance();
+            match token.kind {
+                TokenKind::Open(_) => depth += 1,
+                TokenKind::Close(_) => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            if depth == 0 {
+                break;
+            }
+        }
+        start.to(self.behind())
+    }
+
+    /// The mistake that the next token is, if the lexer could not read it.
+    pub(super) fn unreadable(&self) -> Option<Diagnostic> {
+        match &self.peek(0)?.kind {
+            TokenKind::Unreadable { message, help } => {
+                Some(Diagnostic::new(Kind::Syntax, self.here(), message.clone(), help.clone()))
+            }
+            _ => None,
+        }
+    }
+}

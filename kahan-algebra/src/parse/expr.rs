@@ -1,0 +1,313 @@
+//! Expressions.
+//!
+//! | binds | operator | note |
+//! |---|---|---|
+//! | tightest | `^` | `a^b^c` is refused; the exponent is an integer literal, `-` allowed before it |
+//! | | unary `-` | `-x^2` is −(x²) |
+//! | | `*`, `/` | from left to right |
+//! | loosest | `+`, `-` | from left to right |
+//!
+//! Operands are numbers, names and parentheses. Everything else that may stand there in other languages (calls, paths,
+//! indices, `**`, juxtaposition) is recognised and answered with the way to write it here.
+
+use crate::diagnostics::{Diagnostic, Kind};
+use crate::syntax::{Expr, ExprKind, Factor, Term};
+use crate::token::{Span, TokenKind};
+
+use super::Parsed;
+use super::cursor::Cursor;
+use super::number::parse_number;
+
+/// How deep parentheses and unary signs may nest.
+const DEEPEST_NESTING: usize = 256;
+
+/// Reads an expression that ends before `;`, `,`, a closing bracket, `when` or the end of the block.
+pub(super) fn parse_expr(cursor: &mut Cursor<'_>) -> Parsed<Expr> {
+    let expr = sum(cursor, 0)?;
+    match cursor.unreadable() {
+        Some(diagnostic) => Err(diagnostic),
+        None => Ok(expr),
+    }
+}
+
+fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Parsed<T> {
+    Err(Diagnostic::new(kind, span, message, help))
+}
+
+fn sum(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
+    let first = product(cursor, depth)?;
+    if !cursor.is_punctuation(0, '+') && !cursor.is_punctuation(0, '-') {
+        return Ok(first);
+    }
+    let mut span = first.span;
+    let mut terms = vec![Term { negative: false, expr: first }];
+    loop {
+        let negative = cursor.is_punctuation(0, '-');
+        if !negative && !cursor.is_punctuation(0, '+') {
+            return Ok(Expr { kind: ExprKind::Sum(terms), span });
+        }
+        cursor.advance();
+        let expr = product(cursor, depth)?;
+        span = span.to(expr.span);
+        terms.push(Term { negative, expr });
+    }
+}
+
+fn product(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
+    let first = unary(cursor, depth)?;
+    if !cursor.is_punctuation(0, '*') && !cursor.is_punctuation(0, '/') {
+        return Ok(first);
+    }
+    let mut span = first.span;
+    let mut factors = vec![Factor { divides: false, expr: first }];
+    loop {
+        let divides = cursor.is_punctuation(0, '/');
+        if !divides && !cursor.is_punctuation(0, '*') {
+            return Ok(Expr { kind: ExprKind::Product(factors), span });
+        }
+        if cursor.is_pair('*', '*') {
+            let span = cursor.here().to(Span::token(cursor.position() + 1));
+            return error(Kind::Syntax, span, "`**` is not a power here", "write `^`, as in `x^2`");
+        }
+        cursor.advance();
+        let expr = unary(cursor, depth)?;
+        span = span.to(expr.span);
+        factors.push(Factor { divides, expr });
+    }
+}
+
+fn unary(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
+    if !cursor.is_punctuation(0, '-') {
+        return power(cursor, depth);
+    }
+    check_depth(cursor, depth)?;
+    let sign = cursor.here();
+    cursor.advance();
+    let operand = unary(cursor, depth + 1)?;
+    let span = sign.to(operand.span);
+    Ok(Expr { kind: ExprKind::Negation(Box::new(operand)), span })
+}
+
+fn power(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
+    let base = atom(cursor, depth)?;
+    if !cursor.take('^') {
+        return after_operand(cursor, base);
+    }
+    let exponent = exponent(cursor)?;
+    if cursor.is_punctuation(0, '^') {
+        return error(
+            Kind::Exponent,
+            base.span.to(cursor.here()),
+            "`a^b^c` can be read in two ways",
+            "write `(a^b)^c`, or multiply the exponents",
+        );
+    }
+    let span = base.span.to(cursor.behind());
+    after_operand(cursor, Expr { kind: ExprKind::Power(Box::new(base), exponent), span })
+}
+
+/// Reads `[-] INTEGER`.
+fn exponent(cursor: &mut Cursor<'_>) -> Parsed<i64> {
+    const HELP: &str = "write an integer literal, as in `x^2`";
+    let negative = cursor.take('-');
+    let span = cursor.here();
+    let found = cursor.describe_next();
+    let Some(token) = cursor.peek(0).filter(|token| token.kind == TokenKind::Literal) else {
+        return error(Kind::Exponent, span, format!("an exponent is an integer literal, not {found}"), HELP);
+    };
+    let value = parse_number(&token.text, span)?;
+    if !value.is_integer() || token.text.contains('.') {
+        return error(Kind::Exponent, span, format!("the exponent {found} is not an integer"), HELP);
+    }
+    cursor.advance();
+    let magnitude = value.as_i64().unwrap_or(i64::MAX);
+    Ok(if negative { -magnitude } else { magnitude })
+}
+
+fn atom(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
+    let span = cursor.here();
+    let Some(token) = cursor.peek(0) else { return missing_operand(cursor) };
+    match &token.kind {
+        TokenKind::Literal => {
+            let value = parse_number(&token.text, span)?;
+            cursor.advance();
+            Ok(Expr { kind: ExprKind::Number(value), span })
+        }
+        TokenKind::Identifier => {
+            cursor.advance();
+            check_plain_name(cursor, &token.text, span)?;
+            Ok(Expr { kind: ExprKind::Name(token.text.clone()), span })
+        }
+        TokenKind::Open('(') => {
+            check_depth(cursor, depth)?;
+            cursor.advance();
+            let inner = sum(cursor, depth + 1)?;
+            if !cursor.is_close(')') {
+                let found = cursor.describe_next();
+                return error(
+                    Kind::Syntax,
+                    span,
+                    format!("this `(` is not closed before {found}"),
+                    "write `)`",
+                );
+            }
+            cursor.advance();
+            Ok(Expr { kind: inner.kind, span: span.to(cursor.behind()) })
+        }
+        TokenKind::Open(bracket) => {
+            let group = cursor.skip_group();
+            error(
+                Kind::Syntax,
+                group,
+                format!("`{bracket}` does not group a formula"),
+                "write parentheses: `( … )`",
+            )
+        }
+        TokenKind::Punctuation('.') if cursor.peek(1).is_some_and(|next| next.kind == TokenKind::Literal) => {
+            let digits = cursor.peek(1).map_or("", |next| next.text.as_str());
+            let span = span.to(Span::token(span.last + 1));
+            error(Kind::Number, span, format!("`.{digits}` is not a number"), format!("write `0.{digits}`"))
+        }
+        TokenKind::Punctuation('+') => {
+            let span = if cursor.position() == 0 { span } else { cursor.behind().to(span) };
+            error(
+                Kind::Syntax,
+                span,
+                "a `+` needs an operand on its left",
+                "remove the `+`, or write the operand",
+            )
+        }
+        TokenKind::Unreadable { message, help } => error(Kind::Syntax, span, message.clone(), help.clone()),
+        _ => missing_operand(cursor),
+    }
+}
+
+/// The operator just read (or `=`) is followed by something that is no operand.
+fn missing_operand(cursor: &Cursor<'_>) -> Parsed<Expr> {
+    let found = cursor.describe_next();
+    let before = cursor.behind();
+    let empty = cursor.position() > 0 && cursor.is_after_equals();
+    let (message, help) = if empty {
+        (
+            format!("the right-hand side is empty: expected an expression, found {found}"),
+            "write an expression, `0` if it vanishes",
+        )
+    } else {
+        (
+            format!("an operand is missing: expected a number, a name or `(`, found {found}"),
+            "write the operand, or remove the operator",
+        )
+    };
+    error(Kind::Syntax, before.to(cursor.here()), message, help)
+}
+
+/// A name is a whole operand: no call, path, field, method or index follows it.
+fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<()> {
+    if cursor.is_open(0, '(') {
+        let group = cursor.skip_group();
+        let (message, help) = if is_function(name) {
+            (
+                format!("`{name}(…)` is a function call, and the field must be polynomial"),
+                format!("introduce a new variable for `{name}`, so that the system becomes quadratic"),
+            )
+        } else {
+            (format!("`{name}(…)` reads as a function call"), format!("for a product write `{name}*(…)`"))
+        };
+        return error(Kind::NotAPolynomial, span.to(group), message, help);
+    }
+    let is_path = cursor.is_pair(':', ':');
+    let dotted = cursor.is_punctuation(0, '.').then(|| cursor.identifier(1)).flatten();
+    if let Some(member) = dotted
+        && cursor.is_open(2, '(')
+    {
+        let span = span.to(Span::token(cursor.position() + 1));
+        let help = if matches!(member, "powi" | "pow" | "powf") {
+            format!("write `{name}^2`")
+        } else {
+            "write the expression out; the field must be polynomial".to_owned()
+        };
+        return error(Kind::NotAPolynomial, span, format!("`{name}.{member}(…)` is a method call"), help);
+    }
+    if is_path || cursor.is_punctuation(0, '.') || cursor.is_open(0, '[') {
+        let until = cursor.position() + if is_path { 2 } else { 1 };
+        let span = span.to(Span::token(if cursor.peek(until - cursor.position()).is_some() {
+            until
+        } else {
+            until - 1
+        }));
+        let last = dotted.unwrap_or("value");
+        return error(
+            Kind::NotAPolynomial,
+            span,
+            format!(
+                "only plain names are read here, and `{name}` is followed by a path, a field or an index"
+            ),
+            format!("bind it first: `let {last} = {name}…;`, then write `{last}`"),
+        );
+    }
+    Ok(())
+}
+
+fn is_function(name: &str) -> bool {
+    const FUNCTIONS: [&str; 22] = [
+        "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp",
+        "log", "ln", "sqrt", "cbrt", "abs", "sign", "max", "min", "pow",
+    ];
+    FUNCTIONS.contains(&name)
+}
+
+/// After an operand stands an operator or the end of the expression.
+fn after_operand(cursor: &Cursor<'_>, operand: Expr) -> Parsed<Expr> {
+    let Some(token) = cursor.peek(0) else { return Ok(operand) };
+    let span = operand.span.to(cursor.here());
+    match &token.kind {
+        TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
+        TokenKind::Unreadable { .. } => Ok(operand),
+        TokenKind::Identifier if token.text == "when" => Ok(operand),
+        TokenKind::Identifier if cursor.begins_item(0) => error(
+            Kind::Syntax,
+            cursor.behind().to(cursor.here()),
+            format!("a `;` is missing before `{}`", token.text),
+            format!("write `;` before `{}`", token.text),
+        ),
+        TokenKind::Identifier | TokenKind::Literal | TokenKind::Open('(') => {
+            let help = match token.kind {
+                TokenKind::Open(_) => "write `*` before `(`".to_owned(),
+                _ => format!("write `*` before `{}`", token.text),
+            };
+            error(Kind::Syntax, span, "two operands stand side by side: a product needs its `*`", help)
+        }
+        TokenKind::Punctuation('.') => {
+            let method = cursor.identifier(1).unwrap_or("");
+            let help = match method {
+                "powi" | "pow" | "powf" => "write `(…)^2`",
+                _ => "write the expression out; the field must be polynomial",
+            };
+            error(Kind::NotAPolynomial, span, format!("`.{method}` is a method call or a field"), help)
+        }
+        TokenKind::Punctuation('=') => error(
+            Kind::Syntax,
+            span,
+            "an `=` inside an expression",
+            "an equation has one `=`; if a new one begins here, write `;` before it",
+        ),
+        _ => error(
+            Kind::Syntax,
+            cursor.here(),
+            format!("`{}` is not an operator of the language", token.text),
+            "the operators are `+`, `-`, `*`, `/` and `^`",
+        ),
+    }
+}
+
+fn check_depth(cursor: &Cursor<'_>, depth: usize) -> Parsed<()> {
+    if depth < DEEPEST_NESTING {
+        return Ok(());
+    }
+    error(
+        Kind::TooLarge,
+        cursor.here(),
+        format!("the expression nests deeper than {DEEPEST_NESTING} levels"),
+        "remove parentheses that are not needed, or split the expression",
+    )
+}

@@ -1,0 +1,172 @@
+//! The header: `attributes visibility struct Name;` or `… struct Name { a, b }`.
+//!
+//! Parameters are bare names: the macro adds their type, and the type's parameter. Attributes are skipped, not read;
+//! whoever emits Rust keeps them.
+
+use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use crate::syntax::{Block, Header, Name};
+use crate::token::{Span, TokenKind};
+
+use super::Parsed;
+use super::cursor::Cursor;
+
+/// Reads the header if the block begins with one.
+pub(super) fn parse_header(cursor: &mut Cursor<'_>, block: &mut Block, diagnostics: &mut Diagnostics) {
+    let begins = cursor.is_punctuation(0, '#') || matches!(cursor.identifier(0), Some("pub" | "struct"));
+    if !begins {
+        return;
+    }
+    match header(cursor, diagnostics) {
+        Ok(header) => block.header = Some(header),
+        Err(diagnostic) => {
+            diagnostics.push(diagnostic);
+            skip_header(cursor);
+        }
+    }
+}
+
+fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Header> {
+    let start = cursor.position();
+    skip_attributes(cursor);
+    if cursor.identifier(0) == Some("pub") {
+        cursor.advance();
+        if cursor.is_open(0, '(') {
+            cursor.skip_group();
+        }
+    }
+    let prefix = start..cursor.position();
+    if cursor.identifier(0) != Some("struct") {
+        let found = cursor.describe_next();
+        return Err(Diagnostic::new(
+            Kind::Header,
+            cursor.here(),
+            format!("expected `struct`, found {found}"),
+            "a header reads `pub struct Name;` or `pub struct Name { mu, nu }`",
+        ));
+    }
+    cursor.advance();
+    let name = cursor.expect_name("the name of the system")?;
+    let mut header = Header { prefix, name, parameters: Vec::new() };
+    if cursor.is_punctuation(0, '<') {
+        let start = cursor.here();
+        while !cursor.is_at_end()
+            && !cursor.is_punctuation(0, '>')
+            && !cursor.is_open(0, '{')
+            && !cursor.is_punctuation(0, ';')
+        {
+            cursor.advance();
+        }
+        cursor.take('>');
+        diagnostics.report(
+            Kind::Header,
+            header.name.span.to(start).to(cursor.behind()),
+            format!("`{}` takes no type parameters: the macro adds the scalar type itself", header.name.text),
+            format!("write `struct {} {{ … }}` with the names of the parameters only", header.name.text),
+        );
+    }
+    if cursor.is_open(0, '{') {
+        parameters(cursor, &mut header.parameters, diagnostics);
+        cursor.take(';');
+    } else if !cursor.take(';') {
+        return Err(missing_end(cursor, &header.name));
+    }
+    Ok(header)
+}
+
+fn missing_end(cursor: &Cursor<'_>, name: &Name) -> Diagnostic {
+    let (span, help) = if cursor.is_open(0, '(') {
+        (cursor.here(), format!("write `struct {} {{ mu, nu }}`: parameters have names", name.text))
+    } else {
+        (name.span.to(cursor.here()), format!("write `struct {};`", name.text))
+    };
+    let found = cursor.describe_next();
+    Diagnostic::new(
+        Kind::Header,
+        span,
+        format!("a header ends with `;` or its parameters, found {found}"),
+        help,
+    )
+}
+
+/// Reads `{ a, b }`; every parameter may carry attributes.
+fn parameters(cursor: &mut Cursor<'_>, names: &mut Vec<Name>, diagnostics: &mut Diagnostics) {
+    cursor.advance();
+    while !cursor.is_at_end() && !cursor.is_close('}') {
+        skip_attributes(cursor);
+        let start = cursor.here();
+        if cursor.identifier(0) == Some("pub") && cursor.identifier(1).is_some() {
+            cursor.advance();
+            diagnostics.report(Kind::Header, start, "a parameter is public as it is", "remove the `pub`");
+        }
+        match cursor.expect_name("the name of a parameter") {
+            Ok(name) => names.push(name),
+            Err(diagnostic) => {
+                diagnostics.push(Diagnostic { kind: Kind::Header, ..diagnostic });
+                skip_to_comma(cursor);
+                continue;
+            }
+        }
+        if !cursor.is_punctuation(0, ',') && !cursor.is_close('}') {
+            let name = names.last().map_or(String::new(), |name| name.text.clone());
+            let from = cursor.here();
+            let typed = cursor.is_punctuation(0, ':');
+            skip_to_comma_or_end(cursor);
+            let message = if typed {
+                format!("the parameter `{name}` carries a type: the macro gives it the scalar type itself")
+            } else {
+                format!("expected `,` after the parameter `{name}`")
+            };
+            let help =
+                if typed { format!("write `{name}` alone") } else { "separate parameters by `,`".to_owned() };
+            diagnostics.report(Kind::Header, start.to(from).to(cursor.behind()), message, help);
+        }
+        cursor.take(',');
+    }
+    if cursor.is_at_end() {
+        diagnostics.report(Kind::Header, cursor.here(), "the list of parameters is not closed", "write `}`");
+    }
+    cursor.advance();
+}
+
+fn skip_attributes(cursor: &mut Cursor<'_>) {
+    while cursor.is_punctuation(0, '#') {
+        cursor.advance();
+        cursor.take('!');
+        if cursor.is_open(0, '[') {
+            cursor.skip_group();
+        }
+    }
+}
+
+fn skip_to_comma(cursor: &mut Cursor<'_>) {
+    skip_to_comma_or_end(cursor);
+    cursor.take(',');
+}
+
+/// Stops at the next `,` or `}` of this list.
+fn skip_to_comma_or_end(cursor: &mut Cursor<'_>) {
+    while let Some(token) = cursor.peek(0) {
+        match token.kind {
+            TokenKind::Punctuation(',') | TokenKind::Close('}') => return,
+            TokenKind::Open(_) => {
+                let _: Span = cursor.skip_group();
+            }
+            _ => cursor.advance(),
+        }
+    }
+}
+
+/// Leaves a broken header: past its braces or its `;`, or up to the first item.
+fn skip_header(cursor: &mut Cursor<'_>) {
+    while !cursor.is_at_end() && !cursor.begins_item(0) {
+        if cursor.is_open(0, '{') {
+            cursor.skip_group();
+            cursor.take(';');
+            return;
+        }
+        if cursor.take(';') {
+            return;
+        }
+        cursor.advance();
+    }
+}

@@ -1,0 +1,36 @@
+//! Tokens to syntax: a recursive-descent parser of the language of `kahan!`.
+//!
+//! Never through Rust's own expression parser, whose `^` binds looser than `+`. A mistake ends its item, not the block:
+//! the parser skips to the next `;` (or to the next line that begins an item) and goes on, so that several mistakes
+//! are reported at once. Whatever the tokens, it returns a block and never panics.
+
+mod block;
+mod cursor;
+mod expr;
+mod header;
+mod number;
+
+use crate::diagnostics::{Diagnostic, Diagnostics};
+use crate::syntax::Block;
+use crate::token::Token;
+
+use cursor::Cursor;
+
+/// What a parsing function gives: its syntax, or the first mistake in it.
+type Parsed<T> = Result<T, Diagnostic>;
+
+/// Reads a whole block.
+#[must_use]
+pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
+    let mut cursor = Cursor::new(tokens);
+    let mut block = Block::default();
+    header::parse_header(&mut cursor, &mut block, diagnostics);
+    while !cursor.is_at_end() {
+        let start = cursor.position();
+        if let Err(diagnostic) = block::parse_item(&mut cursor, &mut block) {
+            diagnostics.push(diagnostic);
+            cursor.skip_item(start);
+        }
+    }
+    block
+}

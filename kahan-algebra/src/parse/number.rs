@@ -1,0 +1,117 @@
+//! Literal text to an exact rational: `0.1` is 1/10, with as many digits as are written, never through `f64`.
+
+use num_bigint::BigInt;
+use num_traits::Num;
+
+use crate::diagnostics::{Diagnostic, Kind};
+use crate::rational::Rational;
+use crate::token::Span;
+
+use super::Parsed;
+
+/// The largest size of a decimal exponent, and the largest number of digits of a literal.
+const LARGEST_EXPONENT: i64 = 4096;
+
+/// A literal split where its parts meet.
+struct Parts<'a> {
+    whole: &'a str,
+    fraction: &'a str,
+    exponent: &'a str,
+    suffix: &'a str,
+}
+
+/// The exact value of the literal `text`.
+pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
+    let wrong = |message: String, help: String| Err(Diagnostic::new(Kind::Number, span, message, help));
+    if !text.starts_with(|c: char| c.is_ascii_digit()) {
+        return wrong(format!("{text} is not a number"), "write a number or a name".to_owned());
+    }
+    if let Some(radix) = radix(text) {
+        let digits: String = text[2..].chars().filter(|&c| c != '_').collect();
+        let help = BigInt::from_str_radix(&digits, radix)
+            .map_or_else(|_| "write it in decimal".to_owned(), |value| format!("write `{value}`"));
+        return wrong(format!("`{text}` is not decimal"), help);
+    }
+    let parts = split(text);
+    if !parts.suffix.is_empty() {
+        let number = &text[..text.len() - parts.suffix.len()];
+        return if is_type_suffix(parts.suffix) {
+            wrong(
+                format!("`{text}` carries a type, but numbers here are exact"),
+                format!("write `{}`", number.trim_end_matches('_')),
+            )
+        } else {
+            let help = format!("write `{number}*{}`", parts.suffix);
+            Err(Diagnostic::new(Kind::Syntax, span, format!("`{text}`: a product needs its `*`"), help))
+        };
+    }
+    let exponent = parts.exponent.parse::<i64>().unwrap_or(i64::MAX);
+    let digits = format!("{}{}", parts.whole, parts.fraction).replace('_', "");
+    let scale = exponent.saturating_sub(parts.fraction.chars().filter(char::is_ascii_digit).count() as i64);
+    if !(-LARGEST_EXPONENT..=LARGEST_EXPONENT).contains(&exponent)
+        || digits.len() as i64 > 2 * LARGEST_EXPONENT
+    {
+        return Err(Diagnostic::new(
+            Kind::TooLarge,
+            span,
+            format!("this literal is too large: decimal exponents go to {LARGEST_EXPONENT}"),
+            "rescale the variables or the time",
+        ));
+    }
+    Ok(decimal(&digits, scale))
+}
+
+/// digits · 10^scale.
+fn decimal(digits: &str, scale: i64) -> Rational {
+    if let (Ok(value), 0) = (digits.parse::<i64>(), scale) {
+        return Rational::from(value);
+    }
+    let digits = BigInt::from_str_radix(digits, 10).unwrap_or_default();
+    let power = num_traits::pow(BigInt::from(10), scale.unsigned_abs() as usize);
+    let value = if scale < 0 {
+        num_rational::BigRational::new(digits, power)
+    } else {
+        num_rational::BigRational::from(digits * power)
+    };
+    Rational::from(value)
+}
+
+fn radix(text: &str) -> Option<u32> {
+    match text.get(..2)? {
+        "0x" | "0X" => Some(16),
+        "0o" => Some(8),
+        "0b" => Some(2),
+        _ => None,
+    }
+}
+
+fn is_type_suffix(suffix: &str) -> bool {
+    let suffix = suffix.trim_start_matches('_');
+    let (letter, width) = suffix.split_at(suffix.len().min(1));
+    matches!(letter, "f" | "i" | "u") && matches!(width, "8" | "16" | "32" | "64" | "128" | "size")
+}
+
+/// Splits `1_2.5e-3f64` into `1_2`, `5`, `-3`, `f64`.
+fn split(text: &str) -> Parts<'_> {
+    let digits =
+        |from: usize| from + text[from..].bytes().take_while(|b| b.is_ascii_digit() || *b == b'_').count();
+    let byte = |at: usize| text.as_bytes().get(at).copied();
+    let whole_end = digits(0);
+    let mut end = whole_end;
+    let mut fraction = "";
+    if byte(end) == Some(b'.') {
+        let fraction_end = digits(end + 1);
+        fraction = &text[end + 1..fraction_end];
+        end = fraction_end;
+    }
+    let mut exponent = "0";
+    if matches!(byte(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(byte(end + 1), Some(b'+' | b'-')));
+        let exponent_end = digits(end + 1 + sign);
+        if text[end + 1 + sign..exponent_end].bytes().any(|b| b.is_ascii_digit()) {
+            exponent = text[end + 1..exponent_end].trim_matches('_');
+            end = exponent_end;
+        }
+    }
+    Parts { whole: &text[..whole_end], fraction, exponent, suffix: &text[end..] }
+}

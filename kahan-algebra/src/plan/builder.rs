@@ -1,0 +1,292 @@
+//! Building plans: hash-consed operations with the obvious simplifications, and polynomials in nested (Horner) form.
+//!
+//! Simplifications are exact identities only (0 + a, 1 · a, a − (−b), …), so a plan computes what was asked over ℚ.
+
+use std::collections::HashMap;
+
+use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational::Rational;
+
+use super::{Node, Operation, Plan};
+
+/// A plan under construction.
+#[derive(Clone, Debug, Default)]
+pub struct PlanBuilder {
+    operations: Vec<Operation>,
+    known: HashMap<Operation, Node>,
+}
+
+impl PlanBuilder {
+    /// Closes the plan with these results; steps that no result needs are dropped.
+    #[must_use]
+    pub fn finish(&self, outputs: &[Node]) -> Plan {
+        let mut needed = vec![false; self.operations.len()];
+        for output in outputs {
+            needed[output.0] = true;
+        }
+        for index in (0..self.operations.len()).rev() {
+            if needed[index] {
+                for operand in self.operations[index].operands().into_iter().flatten() {
+                    needed[operand.0] = true;
+                }
+            }
+        }
+        let mut renamed = vec![Node(0); self.operations.len()];
+        let mut operations = Vec::new();
+        for (index, operation) in self.operations.iter().enumerate().filter(|(index, _)| needed[*index]) {
+            renamed[index] = Node(operations.len());
+            operations.push(rename(operation, &renamed));
+        }
+        Plan { operations, outputs: outputs.iter().map(|output| renamed[output.0]).collect() }
+    }
+
+    /// Adds the steps of another plan and returns its results here.
+    pub fn include(&mut self, plan: &Plan) -> Vec<Node> {
+        let mut renamed: Vec<Node> = Vec::with_capacity(plan.operations.len());
+        for operation in &plan.operations {
+            let node = self.intern(rename(operation, &renamed));
+            renamed.push(node);
+        }
+        plan.outputs.iter().map(|output| renamed[output.0]).collect()
+    }
+
+    fn intern(&mut self, operation: Operation) -> Node {
+        if let Some(&node) = self.known.get(&operation) {
+            return node;
+        }
+        let node = Node(self.operations.len());
+        self.operations.push(operation.clone());
+        self.known.insert(operation, node);
+        node
+    }
+
+    fn operation(&self, node: Node) -> &Operation {
+        &self.operations[node.0]
+    }
+
+    fn value(&self, node: Node) -> Option<&Rational> {
+        match self.operation(node) {
+            Operation::Constant(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    fn is_constant(&self, node: Node, value: i64) -> bool {
+        self.value(node).is_some_and(|constant| constant.as_i64() == Some(value))
+    }
+
+    /// Whether a node is the constant 0.
+    #[must_use]
+    pub fn is_zero(&self, node: Node) -> bool {
+        self.is_constant(node, 0)
+    }
+
+    /// A variable.
+    pub fn input(&mut self, variable: Variable) -> Node {
+        self.intern(Operation::Input(variable))
+    }
+
+    /// A constant; a negative one is the negation of its size, so that signs can move.
+    pub fn constant(&mut self, value: &Rational) -> Node {
+        if value.is_negative() {
+            let size = self.intern(Operation::Constant(-value));
+            return self.intern(Operation::Negate(size));
+        }
+        self.intern(Operation::Constant(value.clone()))
+    }
+
+    /// −a
+    pub fn negate(&mut self, a: Node) -> Node {
+        match *self.operation(a) {
+            Operation::Negate(inner) => inner,
+            Operation::Subtract(x, y) => self.intern(Operation::Subtract(y, x)),
+            _ if self.is_constant(a, 0) => a,
+            _ => self.intern(Operation::Negate(a)),
+        }
+    }
+
+    /// a + b
+    pub fn add(&mut self, a: Node, b: Node) -> Node {
+        if self.is_constant(a, 0) {
+            return b;
+        }
+        if self.is_constant(b, 0) {
+            return a;
+        }
+        match (self.operation(a).clone(), self.operation(b).clone()) {
+            (_, Operation::Negate(b)) => self.subtract(a, b),
+            (Operation::Negate(a), _) => self.subtract(b, a),
+            _ => self.intern(Operation::Add(a, b)),
+        }
+    }
+
+    /// a − b
+    pub fn subtract(&mut self, a: Node, b: Node) -> Node {
+        if self.is_constant(b, 0) {
+            return a;
+        }
+        if self.is_constant(a, 0) {
+            return self.negate(b);
+        }
+        match *self.operation(b) {
+            Operation::Negate(b) => self.add(a, b),
+            _ => self.intern(Operation::Subtract(a, b)),
+        }
+    }
+
+    /// a · b
+    pub fn multiply(&mut self, a: Node, b: Node) -> Node {
+        if self.is_constant(a, 0) || self.is_constant(b, 1) {
+            return a;
+        }
+        if self.is_constant(b, 0) || self.is_constant(a, 1) {
+            return b;
+        }
+        match (self.operation(a).clone(), self.operation(b).clone()) {
+            (Operation::Negate(a), Operation::Negate(b)) => self.multiply(a, b),
+            (Operation::Negate(inner), _) => {
+                let product = self.multiply(inner, b);
+                self.negate(product)
+            }
+            (_, Operation::Negate(inner)) => {
+                let product = self.multiply(a, inner);
+                self.negate(product)
+            }
+            // One order for both orders: a·b and b·a are the same step.
+            _ => self.intern(Operation::Multiply(a.min(b), a.max(b))),
+        }
+    }
+
+    /// a / b; a zero constant b stays, as a quotient without a value.
+    pub fn divide(&mut self, a: Node, b: Node) -> Node {
+        if self.is_constant(b, 1) {
+            return a;
+        }
+        match (self.operation(a).clone(), self.operation(b).clone()) {
+            (Operation::Constant(a), Operation::Constant(b)) if !b.is_zero() => {
+                let quotient = a.checked_div(&b).unwrap_or_default();
+                self.constant(&quotient)
+            }
+            (Operation::Negate(inner), _) => {
+                let quotient = self.divide(inner, b);
+                self.negate(quotient)
+            }
+            (_, Operation::Negate(inner)) => {
+                let quotient = self.divide(a, inner);
+                self.negate(quotient)
+            }
+            _ => self.intern(Operation::Divide(a, b)),
+        }
+    }
+
+    /// a^n by repeated squaring; a^0 is 1.
+    pub fn power(&mut self, a: Node, exponent: u32) -> Node {
+        if exponent == 0 {
+            return self.constant(&Rational::one());
+        }
+        let half = self.power_or_self(a, exponent / 2);
+        match (half, exponent % 2) {
+            (None, _) => a,
+            (Some(half), 0) => self.multiply(half, half),
+            (Some(half), _) => {
+                let square = self.multiply(half, half);
+                self.multiply(square, a)
+            }
+        }
+    }
+
+    fn power_or_self(&mut self, a: Node, exponent: u32) -> Option<Node> {
+        (exponent > 0).then(|| self.power(a, exponent))
+    }
+
+    /// A polynomial in nested form: content and common monomial first, then v·q + r in the variable v of most terms.
+    pub fn polynomial(&mut self, polynomial: &Polynomial) -> Node {
+        if let Some(value) = polynomial.as_constant() {
+            return self.constant(&value);
+        }
+        let common = polynomial.monomial_content();
+        if !common.is_one() || polynomial.len() == 1 {
+            return self.scaled_by_monomial(polynomial, &common);
+        }
+        let content = polynomial.content();
+        if !content.is_one() {
+            let inner = self.polynomial(&polynomial.primitive_part());
+            let factor = self.constant(&content);
+            return self.multiply(factor, inner);
+        }
+        let Some(variable) = most_frequent_variable(polynomial) else {
+            return self.sum_of_terms(polynomial);
+        };
+        let (quotient, rest) = split(polynomial, variable);
+        let quotient = self.polynomial(&quotient);
+        let input = self.input(variable);
+        let product = self.multiply(input, quotient);
+        let rest = self.polynomial(&rest);
+        self.add(rest, product)
+    }
+
+    fn scaled_by_monomial(&mut self, polynomial: &Polynomial, common: &Monomial) -> Node {
+        let quotient = polynomial.div_monomial(common).unwrap_or_default();
+        let inner = self.polynomial(&quotient);
+        let mut product: Option<Node> = None;
+        for &(variable, exponent) in common.powers() {
+            let input = self.input(variable);
+            for _ in 0..exponent {
+                product = Some(product.map_or(input, |product| self.multiply(product, input)));
+            }
+        }
+        product.map_or(inner, |product| self.multiply(inner, product))
+    }
+
+    fn sum_of_terms(&mut self, polynomial: &Polynomial) -> Node {
+        let mut sum: Option<Node> = None;
+        for (monomial, coefficient) in polynomial.terms() {
+            let term = self.polynomial(&Polynomial::from_terms([(monomial.clone(), coefficient.clone())]));
+            sum = Some(match sum {
+                Some(sum) => self.add(sum, term),
+                None => term,
+            });
+        }
+        sum.unwrap_or_else(|| self.constant(&Rational::zero()))
+    }
+}
+
+/// The variable that most terms contain, the later one of equals; none where no variable is in two terms.
+fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
+    let mut counts: Vec<(Variable, usize)> = Vec::new();
+    for (variable, _) in polynomial.terms().flat_map(|(monomial, _)| monomial.powers().iter().copied()) {
+        match counts.iter_mut().find(|(known, _)| *known == variable) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((variable, 1)),
+        }
+    }
+    counts
+        .into_iter()
+        .filter(|&(_, count)| count > 1)
+        .max_by_key(|&(variable, count)| (count, variable))
+        .map(|(v, _)| v)
+}
+
+/// p = v·q + r with r free of v.
+fn split(polynomial: &Polynomial, variable: Variable) -> (Polynomial, Polynomial) {
+    let by = Monomial::variable(variable);
+    let (mut quotient, mut rest) = (Vec::new(), Vec::new());
+    for (monomial, coefficient) in polynomial.terms() {
+        match monomial.div(&by) {
+            Some(monomial) => quotient.push((monomial, coefficient.clone())),
+            None => rest.push((monomial.clone(), coefficient.clone())),
+        }
+    }
+    (Polynomial::from_terms(quotient), Polynomial::from_terms(rest))
+}
+
+fn rename(operation: &Operation, renamed: &[Node]) -> Operation {
+    match operation {
+        Operation::Input(_) | Operation::Constant(_) => operation.clone(),
+        Operation::Negate(a) => Operation::Negate(renamed[a.0]),
+        Operation::Add(a, b) => Operation::Add(renamed[a.0], renamed[b.0]),
+        Operation::Subtract(a, b) => Operation::Subtract(renamed[a.0], renamed[b.0]),
+        Operation::Multiply(a, b) => Operation::Multiply(renamed[a.0], renamed[b.0]),
+        Operation::Divide(a, b) => Operation::Divide(renamed[a.0], renamed[b.0]),
+    }
+}

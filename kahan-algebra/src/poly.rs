@@ -1,0 +1,207 @@
+//! Multivariate polynomials over ℚ in a sparse normal form.
+//!
+//! In come variables and rational coefficients; out go sums, products, derivatives, exact quotients and
+//! greatest common divisors. What holds: the terms stand strictly decreasing in graded lexicographic order
+//! and none has a zero coefficient, so equal polynomials are equal as data and every iteration is
+//! deterministic. Absent on purpose: names of variables (whoever renders knows them) and evaluation (the
+//! plans evaluate).
+
+mod arithmetic;
+mod budget;
+mod calculus;
+mod content;
+mod division;
+mod gcd;
+mod images;
+mod monomial;
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+pub use budget::{Budget, OverBudget};
+pub use gcd::{gcd, gcd_all, gcd_all_within, gcd_within};
+pub use monomial::{Monomial, Variable};
+
+use crate::rational::Rational;
+
+/// One monomial with its coefficient.
+type Term = (Monomial, Rational);
+
+/// A polynomial with rational coefficients.
+///
+/// The zero polynomial has no terms and, by convention here, degree 0.
+#[derive(Clone, PartialEq, Eq, Hash, Default)]
+pub struct Polynomial {
+    terms: Vec<Term>,
+}
+
+impl Polynomial {
+    /// The polynomial 0.
+    pub fn zero() -> Self {
+        Self::default()
+    }
+
+    /// The polynomial 1.
+    pub fn one() -> Self {
+        Self::constant(Rational::ONE)
+    }
+
+    /// A constant.
+    pub fn constant(value: Rational) -> Self {
+        Self::term(Monomial::one(), value)
+    }
+
+    /// A single variable.
+    pub fn variable(variable: Variable) -> Self {
+        Self::term(Monomial::variable(variable), Rational::ONE)
+    }
+
+    /// The monomial times the coefficient.
+    pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
+        if coefficient.is_zero() { Self::zero() } else { Self { terms: vec![(monomial, coefficient)] } }
+    }
+
+    /// The sum of the given terms, in any order, repeated monomials added up. Costs a sort.
+    pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, Rational)>) -> Self {
+        let mut unsorted: Vec<Term> = terms.into_iter().collect();
+        unsorted.sort_by(|left, right| right.0.cmp(&left.0));
+        let mut terms: Vec<Term> = Vec::with_capacity(unsorted.len());
+        for (monomial, coefficient) in unsorted {
+            match terms.last_mut() {
+                Some(last) if last.0 == monomial => last.1 = &last.1 + &coefficient,
+                _ => {
+                    drop_if_zero(&mut terms);
+                    terms.push((monomial, coefficient));
+                }
+            }
+        }
+        drop_if_zero(&mut terms);
+        Self { terms }
+    }
+
+    /// Takes terms that are already strictly decreasing and without zeros.
+    fn from_sorted(terms: Vec<Term>) -> Self {
+        debug_assert!(terms.is_sorted_by(|left, right| left.0 > right.0));
+        Self { terms }
+    }
+
+    /// The terms, highest first in graded lexicographic order.
+    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> + ExactSizeIterator {
+        self.terms.iter().map(|(monomial, coefficient)| (monomial, coefficient))
+    }
+
+    /// The highest term; `None` for zero.
+    pub fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
+        self.terms.first().map(|(monomial, coefficient)| (monomial, coefficient))
+    }
+
+    /// The number of terms.
+    pub fn len(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// Whether there are no terms, the same as [`is_zero`](Self::is_zero).
+    pub fn is_empty(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// Whether this is 0.
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// Whether this is 1.
+    pub fn is_one(&self) -> bool {
+        self.terms.len() == 1 && self.terms[0].0.is_one() && self.terms[0].1.is_one()
+    }
+
+    /// The value, if no variable occurs.
+    pub fn as_constant(&self) -> Option<Rational> {
+        match self.leading_term() {
+            None => Some(Rational::ZERO),
+            // The order is graded: if the highest monomial is 1, it is the only one.
+            Some((monomial, coefficient)) => monomial.is_one().then(|| coefficient.clone()),
+        }
+    }
+
+    /// The coefficient of `monomial`, 0 where it does not occur. Costs a binary search.
+    pub fn coefficient(&self, monomial: &Monomial) -> Rational {
+        match self.terms.binary_search_by(|term| monomial.cmp(&term.0)) {
+            Ok(index) => self.terms[index].1.clone(),
+            Err(_) => Rational::ZERO,
+        }
+    }
+
+    /// The total degree.
+    pub fn degree(&self) -> u32 {
+        self.terms.first().map_or(0, |(monomial, _)| monomial.degree())
+    }
+
+    /// The highest exponent of `variable`.
+    pub fn degree_in(&self, variable: Variable) -> u32 {
+        let mut degree = 0;
+        for (monomial, _) in &self.terms {
+            degree = degree.max(monomial.exponent(variable));
+        }
+        degree
+    }
+
+    /// The degree in the variables that `belongs` picks, the others counted as coefficients.
+    pub fn degree_where(&self, mut belongs: impl FnMut(Variable) -> bool) -> u32 {
+        let mut degree = 0;
+        for (monomial, _) in &self.terms {
+            degree = degree.max(monomial.degree_where(&mut belongs));
+        }
+        degree
+    }
+
+    /// The variables that occur, in order.
+    pub fn variables(&self) -> BTreeSet<Variable> {
+        let mut variables = BTreeSet::new();
+        for (monomial, _) in &self.terms {
+            for (variable, _) in monomial.powers() {
+                variables.insert(*variable);
+            }
+        }
+        variables
+    }
+
+    /// Whether `variable` occurs.
+    pub fn contains(&self, variable: Variable) -> bool {
+        self.terms.iter().any(|(monomial, _)| monomial.exponent(variable) > 0)
+    }
+}
+
+fn drop_if_zero(terms: &mut Vec<Term>) {
+    if terms.last().is_some_and(|term| term.1.is_zero()) {
+        terms.pop();
+    }
+}
+
+impl From<Rational> for Polynomial {
+    fn from(value: Rational) -> Self {
+        Self::constant(value)
+    }
+}
+
+/// For test output: `3*v0^2*v1 + -1/2`.
+impl fmt::Debug for Polynomial {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_zero() {
+            return f.write_str("0");
+        }
+        for (index, (monomial, coefficient)) in self.terms.iter().enumerate() {
+            let plus = if index == 0 { "" } else { " + " };
+            write!(f, "{plus}{coefficient}")?;
+            for (variable, exponent) in monomial.powers() {
+                write!(f, "*v{}", variable.0)?;
+                if *exponent != 1 {
+                    write!(f, "^{exponent}")?;
+                }
+            }
+        }
+        Ok(())
+    }
+}

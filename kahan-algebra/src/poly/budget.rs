@@ -1,0 +1,149 @@
+//! Products and powers that stop before they grow out of hand.
+//!
+//! A [`Budget`] limits the terms of any one result and the work of everything charged to it. Work is counted
+//! in term products, a product of longer coefficients counting as often as it has pairs of machine words;
+//! sizes that can be predicted are refused before any work is done. What holds: whatever returns `Ok` is
+//! exact.
+
+use std::error::Error;
+use std::fmt;
+
+use super::Polynomial;
+use crate::rational::Rational;
+
+/// Total degrees beyond this are over any budget, so that exponents never overflow.
+const MAX_DEGREE: u64 = 1 << 24;
+
+/// What may still be spent on a computation with polynomials.
+#[derive(Clone, Debug)]
+pub struct Budget {
+    max_terms: usize,
+    work: u64,
+}
+
+/// The computation would exceed its budget of terms or of work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OverBudget;
+
+impl Budget {
+    /// At most `max_terms` terms in any result, and `work` term products in all.
+    pub fn new(max_terms: usize, work: u64) -> Self {
+        Self { max_terms, work }
+    }
+
+    /// No limit but that on degrees.
+    pub fn unlimited() -> Self {
+        Self::new(usize::MAX, u64::MAX)
+    }
+
+    /// The term products that may still be formed.
+    pub fn work_left(&self) -> u64 {
+        self.work
+    }
+
+    /// Takes `work` off the budget.
+    pub fn charge(&mut self, work: u64) -> Result<(), OverBudget> {
+        match self.work.checked_sub(work) {
+            Some(rest) => {
+                self.work = rest;
+                Ok(())
+            }
+            None => {
+                self.work = 0;
+                Err(OverBudget)
+            }
+        }
+    }
+
+    /// Whether a result may have that many terms.
+    pub fn admit(&self, terms: usize) -> Result<(), OverBudget> {
+        if terms <= self.max_terms { Ok(()) } else { Err(OverBudget) }
+    }
+}
+
+impl fmt::Display for OverBudget {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the expansion exceeds its budget of terms or of work")
+    }
+}
+
+impl Error for OverBudget {}
+
+impl Polynomial {
+    /// The sum, if it has no more terms than the budget admits.
+    pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
+        budget.charge((self.len() + other.len()) as u64)?;
+        let sum = self + other;
+        budget.admit(sum.len())?;
+        Ok(sum)
+    }
+
+    /// The product, if the budget allows for it.
+    pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
+        if u64::from(self.degree()) + u64::from(other.degree()) > MAX_DEGREE {
+            return Err(OverBudget);
+        }
+        let words = self.coefficient_words() * other.coefficient_words();
+        budget.charge((self.len() as u64).saturating_mul(other.len() as u64).saturating_mul(words))?;
+        let product = self * other;
+        budget.admit(product.len())?;
+        Ok(product)
+    }
+
+    /// The power, if the budget allows for it; the zeroth power is 1.
+    ///
+    /// The size is bounded beforehand: by the number C(e+t−1, t−1) of products of e out of t terms, and by
+    /// the number of monomials whose degree in each variable is at most e times that of the base.
+    pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> Result<Self, OverBudget> {
+        if u64::from(self.degree()) * u64::from(exponent) > MAX_DEGREE {
+            return Err(OverBudget);
+        }
+        if exponent == 0 || self.is_one() {
+            return Ok(Self::one());
+        }
+        if exponent == 1 || self.is_zero() {
+            return Ok(self.clone());
+        }
+        if let [(monomial, coefficient)] = self.terms.as_slice() {
+            let words = coefficient.bits().saturating_mul(u64::from(exponent)) / 64 + 1;
+            budget.charge(words.saturating_mul(words))?;
+            let exponent = i32::try_from(exponent).map_err(|_| OverBudget)?;
+            let coefficient = coefficient.pow(exponent).unwrap_or(Rational::ZERO);
+            return Ok(Self::term(monomial.pow(exponent.unsigned_abs()), coefficient));
+        }
+        budget.admit(self.power_size(exponent))?;
+        // One factor at a time: for sparse bases this takes fewer term products than squaring.
+        let mut power = self.clone();
+        for _ in 1..exponent {
+            power = power.mul_within(self, budget)?;
+        }
+        Ok(power)
+    }
+
+    /// An upper bound for the number of terms of a power.
+    fn power_size(&self, exponent: u32) -> usize {
+        // C(e+t-1, t-1) as the product of (e+k)/k, each partial product being an integer itself.
+        let mut choices: u128 = 1;
+        for k in 1..self.len() as u128 {
+            choices = choices * (u128::from(exponent) + k) / k;
+            if choices > usize::MAX as u128 {
+                break;
+            }
+        }
+        let mut grid: u128 = 1;
+        for variable in self.variables() {
+            let points = u128::from(self.degree_in(variable)) * u128::from(exponent) + 1;
+            grid = grid.saturating_mul(points);
+        }
+        usize::try_from(choices.min(grid)).unwrap_or(usize::MAX)
+    }
+
+    /// The machine words of the longest coefficient.
+    pub(super) fn coefficient_words(&self) -> u64 {
+        let mut bits = 0;
+        for (_, coefficient) in &self.terms {
+            bits = bits.max(coefficient.bits());
+        }
+        bits / 64 + 1
+    }
+}

@@ -1,0 +1,47 @@
+//! Exact division: the quotient where there is one, and nothing where there is a remainder.
+//!
+//! Leading terms are divided out one after another; the order is admissible, so the first leading term that
+//! the divisor's does not divide proves that no polynomial quotient exists. Degrees and lowest terms are
+//! compared first: in most cases that do not divide, they tell.
+
+use super::arithmetic::merge;
+use super::{Budget, OverBudget, Polynomial};
+
+impl Polynomial {
+    /// The quotient self/divisor if it is a polynomial; `None` if not, or if `divisor` is zero.
+    pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
+        self.div_within(divisor, &mut Budget::unlimited()).ok().flatten()
+    }
+
+    /// [`checked_div`](Self::checked_div) with the work charged to a budget.
+    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
+        let Some((lead, lead_coefficient)) = divisor.leading_term() else { return Ok(None) };
+        let Some(inverse) = lead_coefficient.recip() else { return Ok(None) };
+        if lead.is_one() {
+            return Ok(Some(self.scale(&inverse)));
+        }
+        if !self.may_be_divisible_by(divisor) {
+            return Ok(None);
+        }
+        let tail = Self { terms: divisor.terms[1..].to_vec() };
+        let mut quotient = Vec::new();
+        let mut rest = self.terms.clone();
+        while let Some((monomial, coefficient)) = rest.first() {
+            let Some(monomial) = monomial.div(lead) else { return Ok(None) };
+            let coefficient = coefficient * &inverse;
+            budget.charge((rest.len() + tail.len()) as u64 * (coefficient.bits() / 64 + 1))?;
+            rest.remove(0);
+            rest = merge(rest, tail.mul_term(&monomial, &-&coefficient).terms);
+            quotient.push((monomial, coefficient));
+            budget.admit(quotient.len())?;
+        }
+        Ok(Some(Self::from_sorted(quotient)))
+    }
+
+    /// Necessary conditions that cost one pass.
+    fn may_be_divisible_by(&self, divisor: &Self) -> bool {
+        let (Some(low), Some(divisor_low)) = (self.terms.last(), divisor.terms.last()) else { return true };
+        low.0.div(&divisor_low.0).is_some()
+            && divisor.variables().into_iter().all(|v| divisor.degree_in(v) <= self.degree_in(v))
+    }
+}

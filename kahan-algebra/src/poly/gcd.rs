@@ -1,0 +1,213 @@
+//! Greatest common divisors of multivariate polynomials over ℚ.
+//!
+//! In go two polynomials, out comes their gcd with coprime integer coefficients, the leading one positive.
+//! Monomials are taken out first; images modulo a prime then bound the degree in each variable, which settles
+//! the common case (the gcd is 1) and removes every variable that the gcd does not contain. What is left goes
+//! through trial division and the subresultant remainder sequence in the variable of least degree, stopped as
+//! soon as the bound is met. All results are exact: the prime decides how fast, never what.
+
+use std::collections::BTreeMap;
+
+use super::images::degree_bounds;
+use super::{Budget, Monomial, OverBudget, Polynomial, Variable};
+use crate::rational::Rational;
+
+/// The greatest common divisor, primitive with positive leading coefficient; gcd(0, b) is the primitive part
+/// of b.
+///
+/// # Panics
+/// If a total degree exceeds 2^24 on the way.
+pub fn gcd(a: &Polynomial, b: &Polynomial) -> Polynomial {
+    gcd_within(a, b, &mut Budget::unlimited()).expect("within no limit")
+}
+
+/// [`gcd`], or an error once the budget is spent.
+pub fn gcd_within(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+    if a.is_zero() || b.is_zero() {
+        return Ok((if a.is_zero() { b } else { a }).primitive_part());
+    }
+    let (monomial_a, monomial_b) = (a.monomial_content(), b.monomial_content());
+    let common = monomial_a.gcd(&monomial_b);
+    if a.len() == 1 || b.len() == 1 {
+        return Ok(Polynomial::term(common, Rational::ONE));
+    }
+    let stripped_a = strip(a, &monomial_a);
+    let stripped_b = strip(b, &monomial_b);
+    Ok(gcd_stripped(&stripped_a, &stripped_b, budget)?.mul_monomial(&common))
+}
+
+/// The gcd of all; 0 for none. Starts with the shortest and stops at 1.
+///
+/// # Panics
+/// As [`gcd`].
+pub fn gcd_all<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Polynomial {
+    gcd_all_within(polynomials, &mut Budget::unlimited()).expect("within no limit")
+}
+
+/// [`gcd_all`], or an error once the budget is spent.
+pub fn gcd_all_within<'a>(
+    polynomials: impl IntoIterator<Item = &'a Polynomial>,
+    budget: &mut Budget,
+) -> Result<Polynomial, OverBudget> {
+    let mut shortest_first: Vec<&Polynomial> = polynomials.into_iter().collect();
+    shortest_first.sort_by_key(|polynomial| polynomial.len());
+    let mut common = Polynomial::zero();
+    for polynomial in shortest_first {
+        common = gcd_within(&common, polynomial, budget)?;
+        if common.is_one() {
+            break;
+        }
+    }
+    Ok(common)
+}
+
+/// The primitive part without the monomial that divides every term.
+fn strip(polynomial: &Polynomial, monomial: &Monomial) -> Polynomial {
+    polynomial.div_monomial(monomial).expect("the monomial content divides every term").primitive_part()
+}
+
+/// For primitive polynomials that no monomial divides.
+fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+    if a == b {
+        return Ok(a.clone());
+    }
+    let mut bounds = degree_bounds(a, b, budget)?;
+    bounds.retain(|_, bound| *bound > 0);
+    if bounds.is_empty() {
+        return Ok(Polynomial::one());
+    }
+    if !a.variables().iter().chain(&b.variables()).all(|variable| bounds.contains_key(variable)) {
+        return gcd_of_coefficients(a, b, &bounds, budget);
+    }
+    for (divisor, multiple) in [(a, b), (b, a)] {
+        let fits = bounds.iter().all(|(variable, bound)| divisor.degree_in(*variable) == *bound);
+        if fits && multiple.div_within(divisor, budget)?.is_some() {
+            return Ok(divisor.clone());
+        }
+    }
+    gcd_in_main_variable(a, b, &bounds, budget)
+}
+
+/// Only the variables in `bounds` occur in the gcd, so it is the gcd of all coefficients with respect to the
+/// others.
+fn gcd_of_coefficients(
+    a: &Polynomial,
+    b: &Polynomial,
+    bounds: &BTreeMap<Variable, u32>,
+    budget: &mut Budget,
+) -> Result<Polynomial, OverBudget> {
+    let outside = |variable| !bounds.contains_key(&variable);
+    let (groups_a, groups_b) = (a.group(outside), b.group(outside));
+    gcd_all_within(groups_a.values().chain(groups_b.values()), budget)
+}
+
+/// gcd(a, b) = gcd(contents)·gcd(primitive parts) with respect to the variable of least degree.
+fn gcd_in_main_variable(
+    a: &Polynomial,
+    b: &Polynomial,
+    bounds: &BTreeMap<Variable, u32>,
+    budget: &mut Budget,
+) -> Result<Polynomial, OverBudget> {
+    let degree = |variable: Variable| a.degree_in(variable).min(b.degree_in(variable));
+    let (&main, &bound) =
+        bounds.iter().min_by_key(|(variable, _)| degree(**variable)).expect("some variable is left");
+    let content_a = gcd_all_within(a.coefficients_in(main).values(), budget)?;
+    let content_b = gcd_all_within(b.coefficients_in(main).values(), budget)?;
+    if content_a.is_one() && content_b.is_one() {
+        return subresultants(a, b, main, bound, budget);
+    }
+    let contents = gcd_within(&content_a, &content_b, budget)?;
+    let rest_a = a.div_within(&content_a, budget)?.expect("a content divides");
+    let rest_b = b.div_within(&content_b, budget)?.expect("a content divides");
+    let parts = gcd_within(&rest_a, &rest_b, budget)?;
+    Ok(contents.mul_within(&parts, budget)?.primitive_part())
+}
+
+/// The gcd of a and b, both primitive in `main`, whose degree in it is at most `bound`.
+///
+/// Knuth, The Art of Computer Programming 4.6.1, Algorithm C. The gcd divides every member of the sequence over
+/// the field of the coefficients, so a member whose primitive part divides a and b is the gcd; it is tried as
+/// soon as the degree has come down to `bound`.
+fn subresultants(
+    a: &Polynomial,
+    b: &Polynomial,
+    main: Variable,
+    bound: u32,
+    budget: &mut Budget,
+) -> Result<Polynomial, OverBudget> {
+    let (mut upper, mut lower) =
+        if a.degree_in(main) >= b.degree_in(main) { (a.clone(), b.clone()) } else { (b.clone(), a.clone()) };
+    let (mut lead, mut scale) = (Polynomial::one(), Polynomial::one());
+    loop {
+        let degree = lower.degree_in(main);
+        if degree == 0 {
+            return Ok(Polynomial::one());
+        }
+        if degree <= bound {
+            let candidate = primitive_in(&lower, main, budget)?;
+            if a.div_within(&candidate, budget)?.is_some() && b.div_within(&candidate, budget)?.is_some() {
+                return Ok(candidate);
+            }
+        }
+        let gap = upper.degree_in(main) - degree;
+        let remainder = pseudo_remainder(&upper, &lower, main, budget)?;
+        if remainder.is_zero() {
+            return primitive_in(&lower, main, budget);
+        }
+        let divisor = lead.mul_within(&scale.pow_within(gap, budget)?, budget)?;
+        let next = remainder.div_within(&divisor, budget)?.expect("subresultants divide exactly");
+        upper = std::mem::replace(&mut lower, next.primitive_part());
+        lead = leading_coefficient(&upper, main);
+        // h ← g^δ h^(1-δ), up to a rational factor as everything here
+        if gap > 0 {
+            let numerator = lead.pow_within(gap, budget)?;
+            let denominator = scale.pow_within(gap - 1, budget)?;
+            scale = numerator.div_within(&denominator, budget)?.expect("subresultants divide exactly");
+        }
+    }
+}
+
+/// lc(divisor)^(δ+1)·dividend modulo divisor, as polynomials in `main`, δ the difference of the degrees.
+fn pseudo_remainder(
+    dividend: &Polynomial,
+    divisor: &Polynomial,
+    main: Variable,
+    budget: &mut Budget,
+) -> Result<Polynomial, OverBudget> {
+    let degree = divisor.degree_in(main);
+    let lead = leading_coefficient(divisor, main);
+    let mut rest = dividend.clone();
+    let mut steps_left = (dividend.degree_in(main) + 1).saturating_sub(degree);
+    while !rest.is_zero() && rest.degree_in(main) >= degree {
+        let shift = Monomial::power(main, rest.degree_in(main) - degree);
+        let subtrahend = leading_coefficient(&rest, main).mul_within(divisor, budget)?.mul_monomial(&shift);
+        rest = lead.mul_within(&rest, budget)? - subtrahend;
+        budget.admit(rest.len())?;
+        steps_left -= 1;
+    }
+    rest.mul_within(&lead.pow_within(steps_left, budget)?, budget)
+}
+
+/// The coefficient of the highest power of `main`.
+fn leading_coefficient(polynomial: &Polynomial, main: Variable) -> Polynomial {
+    let degree = polynomial.degree_in(main);
+    let power = Monomial::power(main, degree);
+    Polynomial::from_sorted(
+        polynomial
+            .terms()
+            .filter(|(monomial, _)| monomial.exponent(main) == degree)
+            .filter_map(|(monomial, coefficient)| Some((monomial.div(&power)?, coefficient.clone())))
+            .collect(),
+    )
+}
+
+/// The part that is primitive as a polynomial in `main`, with coprime integer coefficients.
+fn primitive_in(
+    polynomial: &Polynomial,
+    main: Variable,
+    budget: &mut Budget,
+) -> Result<Polynomial, OverBudget> {
+    let content = gcd_all_within(polynomial.coefficients_in(main).values(), budget)?;
+    let primitive = polynomial.div_within(&content, budget)?.expect("a content divides");
+    Ok(primitive.primitive_part())
+}

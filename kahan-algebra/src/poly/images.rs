@@ -1,0 +1,143 @@
+//! Bounds for the degrees of a greatest common divisor, from images modulo a prime.
+//!
+//! For each variable v, all other variables are replaced by fixed points of F_p; the gcd of the two
+//! univariate images bounds the degree of the true gcd in v. A bound of zero for every variable proves that
+//! two polynomials are coprime.
+//!
+//! *Proof.* Let a, b have integer coefficients, a primitive, g their primitive gcd. By Gauss's lemma a = g·h
+//! with h integral, so lc_v(a) = lc_v(g)·lc_v(h). If the image of a keeps its degree in v, the image of lc_v(a)
+//! is not zero, hence neither is that of lc_v(g): the image of g has degree deg_v g, and it divides both
+//! images. So deg_v g ≤ deg gcd(images). The same holds with b in place of a; one of the two is enough. ∎
+//!
+//! The points are fixed, so results are reproducible; unlucky points loosen a bound and never falsify it.
+
+use std::collections::BTreeMap;
+
+use super::{Budget, OverBudget, Polynomial, Variable};
+use crate::prime_field::{PrimeField, SplitMix64};
+
+/// Where the images are taken.
+const FIELD: PrimeField = PrimeField::MERSENNE_61;
+
+/// About that many products of residues take as long as one product of terms.
+const RESIDUES_PER_TERM: u64 = 32;
+
+/// Coefficients in F_p by exponent, without zeros at the end.
+type Univariate = Vec<u64>;
+
+/// For each variable that both contain, an upper bound of the degree of gcd(a, b) in it. Both must be
+/// primitive. Costs a few multiplications in F_p for each factor of each term, and one univariate gcd a
+/// variable.
+pub(super) fn degree_bounds(
+    a: &Polynomial,
+    b: &Polynomial,
+    budget: &mut Budget,
+) -> Result<BTreeMap<Variable, u32>, OverBudget> {
+    let (degrees_a, degrees_b) = (degrees(a), degrees(b));
+    budget.charge((a.len() + b.len()) as u64)?;
+    for (variable, &degree_a) in &degrees_a {
+        let degree_b = degrees_b.get(variable).copied().unwrap_or(0);
+        let steps = (u64::from(degree_a) + 1) * (u64::from(degree_b) + 1);
+        budget.charge(steps / RESIDUES_PER_TERM)?;
+    }
+    let (images_a, images_b) = (images(a, &degrees_a), images(b, &degrees_b));
+    let mut bounds = BTreeMap::new();
+    for (variable, &degree_a) in &degrees_a {
+        let Some(&degree_b) = degrees_b.get(variable) else { continue };
+        let (image_a, image_b) = (&images_a[variable], &images_b[variable]);
+        let kept = image_a.len() > degree_a as usize || image_b.len() > degree_b as usize;
+        let bound = if kept { gcd_degree(image_a, image_b) } else { u32::MAX };
+        bounds.insert(*variable, bound.min(degree_a).min(degree_b));
+    }
+    Ok(bounds)
+}
+
+fn degrees(polynomial: &Polynomial) -> BTreeMap<Variable, u32> {
+    let mut degrees = BTreeMap::new();
+    for (monomial, _) in polynomial.terms() {
+        for &(variable, exponent) in monomial.powers() {
+            let degree = degrees.entry(variable).or_insert(exponent);
+            *degree = exponent.max(*degree);
+        }
+    }
+    degrees
+}
+
+/// The value of a variable, its powers, and the inverses of these.
+struct Point {
+    powers: Vec<u64>,
+    inverse_powers: Vec<u64>,
+}
+
+impl Point {
+    fn new(variable: Variable, degree: u32) -> Self {
+        let mut rng = SplitMix64::new(u64::from(variable.0));
+        // Points other than 0 have inverses.
+        let value = 1 + rng.below(FIELD.prime() - 1);
+        let inverse = FIELD.inverse(value).unwrap_or(1);
+        Self { powers: powers(value, degree), inverse_powers: powers(inverse, degree) }
+    }
+}
+
+fn powers(base: u64, degree: u32) -> Vec<u64> {
+    let mut powers = vec![1];
+    for exponent in 0..degree as usize {
+        powers.push(FIELD.mul(powers[exponent], base));
+    }
+    powers
+}
+
+/// For each variable the image in which only it is kept.
+fn images(polynomial: &Polynomial, degrees: &BTreeMap<Variable, u32>) -> BTreeMap<Variable, Univariate> {
+    let points: BTreeMap<Variable, Point> =
+        degrees.iter().map(|(&v, &degree)| (v, Point::new(v, degree))).collect();
+    let mut values: BTreeMap<Variable, Univariate> =
+        degrees.iter().map(|(&v, &degree)| (v, vec![0; degree as usize + 1])).collect();
+    for (monomial, coefficient) in polynomial.terms() {
+        let factors: Vec<(&Point, usize)> =
+            monomial.powers().iter().map(|(v, exponent)| (&points[v], *exponent as usize)).collect();
+        let mut value = FIELD.reduce(coefficient).expect("a primitive polynomial has integer coefficients");
+        for (point, exponent) in &factors {
+            value = FIELD.mul(value, point.powers[*exponent]);
+        }
+        for (variable, image) in &mut values {
+            // The factor of this variable is taken out again.
+            let (term, exponent) = match monomial.powers().iter().position(|(v, _)| v == variable) {
+                Some(index) => {
+                    let (point, exponent) = factors[index];
+                    (FIELD.mul(value, point.inverse_powers[exponent]), exponent)
+                }
+                None => (value, 0),
+            };
+            image[exponent] = FIELD.add(image[exponent], term);
+        }
+    }
+    for image in values.values_mut() {
+        trim(image);
+    }
+    values
+}
+
+fn trim(polynomial: &mut Univariate) {
+    while polynomial.last() == Some(&0) {
+        polynomial.pop();
+    }
+}
+
+/// The degree of the gcd by Euclid's algorithm; `u32::MAX` where both are zero, as then nothing is known.
+fn gcd_degree(a: &Univariate, b: &Univariate) -> u32 {
+    let (mut a, mut b) = (a.clone(), b.clone());
+    while let Some(&lead) = b.last() {
+        let inverse = FIELD.inverse(lead).expect("a leading coefficient is not zero");
+        while a.len() >= b.len() {
+            let shift = a.len() - b.len();
+            let factor = FIELD.mul(a[a.len() - 1], inverse);
+            for (index, coefficient) in b.iter().enumerate() {
+                a[shift + index] = FIELD.sub(a[shift + index], FIELD.mul(factor, *coefficient));
+            }
+            trim(&mut a);
+        }
+        (a, b) = (b, a);
+    }
+    u32::try_from(a.len()).map_or(u32::MAX, |len| len.wrapping_sub(1))
+}

@@ -1,0 +1,224 @@
+//! Arithmetic modulo a prime of up to 62 bits, and the primes themselves.
+//!
+//! Identities between rational functions are tested by evaluating them in such a field at seeded points. In
+//! go seeds and rationals, out go residues in 0..p. What holds: primality is decided, not guessed, and equal
+//! seeds give equal primes and points on every machine. Absent on purpose: Montgomery form; one `u128`
+//! remainder is fast enough here.
+
+#[cfg(test)]
+mod tests;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::ToPrimitive;
+
+use crate::rational::Rational;
+
+/// The field ℤ/p; elements are `u64` below p.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PrimeField {
+    prime: u64,
+}
+
+impl PrimeField {
+    /// The field of 2^61 − 1 elements, for computations whose result does not depend on the prime.
+    pub const MERSENNE_61: Self = Self { prime: (1 << 61) - 1 };
+
+    /// The field with `prime` elements; `None` unless `prime` is a prime below 2^62.
+    pub fn new(prime: u64) -> Option<Self> {
+        (prime < 1 << 62 && is_prime_u64(prime)).then_some(Self { prime })
+    }
+
+    /// A field with a uniformly drawn prime of 61 bits.
+    pub fn random(rng: &mut SplitMix64) -> Self {
+        Self { prime: random_prime_61(rng) }
+    }
+
+    /// The number of elements.
+    pub fn prime(self) -> u64 {
+        self.prime
+    }
+
+    /// a + b.
+    pub fn add(self, a: u64, b: u64) -> u64 {
+        let sum = a + b;
+        if sum >= self.prime { sum - self.prime } else { sum }
+    }
+
+    /// a − b.
+    pub fn sub(self, a: u64, b: u64) -> u64 {
+        if a >= b { a - b } else { a + self.prime - b }
+    }
+
+    /// a·b.
+    pub fn mul(self, a: u64, b: u64) -> u64 {
+        mul_mod(a, b, self.prime)
+    }
+
+    /// −a.
+    pub fn neg(self, a: u64) -> u64 {
+        if a == 0 { 0 } else { self.prime - a }
+    }
+
+    /// a^exponent; 0^0 is 1.
+    pub fn pow(self, a: u64, exponent: u64) -> u64 {
+        pow_mod(a, exponent, self.prime)
+    }
+
+    /// 1/a by the extended Euclidean algorithm; `None` for 0.
+    pub fn inverse(self, a: u64) -> Option<u64> {
+        if a == 0 {
+            return None;
+        }
+        // Invariant: r = s·a mod p for both rows; |s| stays below p < 2^62.
+        let (mut r, mut next_r) = (self.prime as i64, a as i64);
+        let (mut s, mut next_s) = (0_i64, 1_i64);
+        while next_r != 0 {
+            let quotient = r / next_r;
+            (r, next_r) = (next_r, r - quotient * next_r);
+            (s, next_s) = (next_s, s - quotient * next_s);
+        }
+        Some(if s < 0 { (s + self.prime as i64) as u64 } else { s as u64 })
+    }
+
+    /// The residue of an integer.
+    pub fn reduce_i64(self, value: i64) -> u64 {
+        let residue = value.unsigned_abs() % self.prime;
+        if value < 0 { self.neg(residue) } else { residue }
+    }
+
+    /// The residue of a rational; `None` if p divides the denominator.
+    pub fn reduce(self, value: &Rational) -> Option<u64> {
+        let (num, den) = match value.as_small_ratio() {
+            Some((num, 1)) => return Some(self.reduce_i64(num)),
+            Some((num, den)) => (self.reduce_i64(num), self.reduce_i64(den)),
+            None => (self.reduce_big(&value.numerator()), self.reduce_big(&value.denominator())),
+        };
+        Some(self.mul(num, self.inverse(den)?))
+    }
+
+    fn reduce_big(self, value: &BigInt) -> u64 {
+        value.mod_floor(&BigInt::from(self.prime)).to_u64().expect("a residue is below p")
+    }
+
+    /// A uniformly drawn element.
+    pub fn sample(self, rng: &mut SplitMix64) -> u64 {
+        rng.below(self.prime)
+    }
+}
+
+fn mul_mod(a: u64, b: u64, modulus: u64) -> u64 {
+    (u128::from(a) * u128::from(b) % u128::from(modulus)) as u64
+}
+
+fn pow_mod(mut base: u64, mut exponent: u64, modulus: u64) -> u64 {
+    let mut power = 1 % modulus;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            power = mul_mod(power, base, modulus);
+        }
+        base = mul_mod(base, base, modulus);
+        exponent >>= 1;
+    }
+    power
+}
+
+/// The first twelve primes. As Miller–Rabin bases they decide primality below 3.3·10^24 (Sorenson and
+/// Webster, "Strong pseudoprimes to twelve prime bases", Math. Comp. 86, 2017).
+const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+
+/// Trial divisors beyond the bases: cheap, and they settle most composites.
+const TRIAL_LIMIT: u64 = 256;
+
+/// Whether `n` is prime, for certain.
+pub fn is_prime_u64(n: u64) -> bool {
+    if n < 4 {
+        return n >= 2;
+    }
+    if n.is_multiple_of(2) {
+        return false;
+    }
+    let mut divisor = 3;
+    while divisor < TRIAL_LIMIT {
+        if n.is_multiple_of(divisor) {
+            return n == divisor;
+        }
+        divisor += 2;
+    }
+    if n < TRIAL_LIMIT * TRIAL_LIMIT {
+        return true;
+    }
+    BASES.iter().all(|&base| is_strong_probable_prime(n, base))
+}
+
+/// n − 1 = d·2^s with d odd: a prime n has base^d = 1 or base^(d·2^r) = −1 for some r < s.
+fn is_strong_probable_prime(n: u64, base: u64) -> bool {
+    let twos = (n - 1).trailing_zeros();
+    let mut power = pow_mod(base, (n - 1) >> twos, n);
+    if power == 1 || power == n - 1 {
+        return true;
+    }
+    for _ in 1..twos {
+        power = mul_mod(power, power, n);
+        if power == n - 1 {
+            return true;
+        }
+    }
+    false
+}
+
+/// A prime drawn uniformly among those between 2^60 and 2^61, about 42 odd numbers tried on average.
+pub fn random_prime_61(rng: &mut SplitMix64) -> u64 {
+    loop {
+        let candidate = (1 << 60) | (rng.next_u64() >> 4) | 1;
+        if is_prime_u64(candidate) {
+            return candidate;
+        }
+    }
+}
+
+/// A small reproducible generator: SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number
+/// generators", OOPSLA 2014). Not for secrets.
+#[derive(Clone, Debug)]
+pub struct SplitMix64 {
+    state: u64,
+}
+
+impl SplitMix64 {
+    /// The stream of a seed.
+    pub fn new(seed: u64) -> Self {
+        Self { state: seed }
+    }
+
+    /// The stream of a text, seeded by its FNV-1a hash of 64 bits.
+    pub fn from_bytes(bytes: &[u8]) -> Self {
+        let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+        for byte in bytes {
+            hash = (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+        Self::new(hash)
+    }
+
+    /// The next 64 bits.
+    pub fn next_u64(&mut self) -> u64 {
+        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// A uniformly drawn number below `bound`.
+    ///
+    /// # Panics
+    /// If `bound` is zero.
+    pub fn below(&mut self, bound: u64) -> u64 {
+        let accepted = u64::MAX - u64::MAX % bound;
+        loop {
+            let draw = self.next_u64();
+            if draw < accepted {
+                return draw % bound;
+            }
+        }
+    }
+}

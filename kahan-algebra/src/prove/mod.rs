@@ -1,0 +1,115 @@
+//! The prover: are the claims of a block true?
+//!
+//! A claim is an identity between rational functions of the states, the parameters and ε (a residual that vanishes).
+//! [`modular`] evaluates it at random points modulo random primes, with an error below 2⁻¹⁰⁰ that is derived there, and
+//! at one exact point; that is quick enough for a compiler. [`normal_form`] expands it over ℚ, for `kahan verify`.
+//! [`refute`] finds a small exact counterexample to a false one.
+
+mod modular;
+mod normal_form;
+mod refute;
+mod residual;
+mod sample;
+mod sizes;
+
+pub use modular::Proof;
+pub use normal_form::prove_by_normal_form;
+pub use refute::Refutation;
+pub use sizes::{ERROR_EXPONENT, points_needed};
+
+use crate::diagnostics::{Diagnostics, Kind};
+use crate::poly::Variable;
+use crate::prime_field::SplitMix64;
+use crate::rational::Rational;
+use crate::system::{Claim, System};
+
+use sample::{Samples, Scheme};
+
+/// What is known of a claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It holds.
+    Proved(Proof),
+    /// It is false, and this point shows it.
+    Refuted(Refutation),
+    /// It says nothing: an integral that depends on no state, a zero density, a zero bracket.
+    Vacuous,
+    /// It divides by zero identically.
+    Undefined,
+    /// Its degree is so high that no reasonable number of points bounds the error.
+    TooLarge,
+}
+
+/// Decides every claim of a system that was understood, in order; the others give `None`.
+#[must_use]
+pub fn prove_all(system: &System, seed: u64) -> Vec<Option<Verdict>> {
+    if system.claims.is_empty() || system.field.dimension() == 0 {
+        return vec![None; system.claims.len()];
+    }
+    let scheme = Scheme::of(&system.field);
+    let mut random = SplitMix64::new(seed);
+    // Claims on the same specialisation share their points.
+    let mut groups: Vec<(&[(Variable, Rational)], Samples)> = Vec::new();
+    let mut verdicts = Vec::new();
+    for claim in &system.claims {
+        if claim.body.is_none() {
+            verdicts.push(None);
+            continue;
+        }
+        let known = groups.iter().position(|(conditions, _)| *conditions == claim.conditions.as_slice());
+        let group = known.unwrap_or_else(|| {
+            groups.push((&claim.conditions, Samples::new(random.next_u64())));
+            groups.len() - 1
+        });
+        verdicts.push(Some(modular::decide(&scheme, claim, &mut groups[group].1)));
+    }
+    verdicts
+}
+
+/// Reports the claims that do not hold.
+pub fn check_claims(system: &System, seed: u64, diagnostics: &mut Diagnostics) {
+    for (claim, verdict) in system.claims.iter().zip(prove_all(system, seed)) {
+        if let Some(verdict) = verdict {
+            report(system, claim, &verdict, diagnostics);
+        }
+    }
+}
+
+fn report(system: &System, claim: &Claim, verdict: &Verdict, diagnostics: &mut Diagnostics) {
+    let name = &claim.name.text;
+    let keyword = claim.kind.keyword();
+    let span = claim.name.span;
+    match verdict {
+        Verdict::Proved(_) => {}
+        Verdict::Refuted(refutation) => diagnostics.report(
+            Kind::FalseClaim,
+            span,
+            format!("the {keyword} `{name}` does not hold: {}", refutation.describe(&system.field.symbols)),
+            "correct the formula, or remove the claim; eps is half the time step",
+        ),
+        Verdict::Vacuous => diagnostics.report(
+            Kind::Claim,
+            span,
+            format!(
+                "the {keyword} `{name}` says nothing: {}",
+                match claim.kind {
+                    crate::syntax::ClaimKind::Integral => "it depends on no state",
+                    _ => "it is zero",
+                }
+            ),
+            "claim something that depends on the states, or remove the claim",
+        ),
+        Verdict::Undefined => diagnostics.report(
+            Kind::Claim,
+            span,
+            format!("the {keyword} `{name}` divides by zero identically"),
+            "no point gives it a value: correct its divisors",
+        ),
+        Verdict::TooLarge => diagnostics.report(
+            Kind::TooLarge,
+            span,
+            format!("the {keyword} `{name}` has too high a degree to be proved"),
+            "write the claim with smaller powers",
+        ),
+    }
+}

@@ -1,0 +1,84 @@
+//! The quick proof: random points modulo random primes, and one exact point. The error bound is derived in
+//! [`super::sizes`].
+
+use crate::arithmetic::{Arithmetic, Exact};
+use crate::syntax::ClaimKind;
+use crate::system::Claim;
+
+use super::Verdict;
+use super::refute::{Refutation, refute};
+use super::residual::{gradients, pairs};
+use super::sample::{MOST_DRAWS, Sample, Samples, Scheme};
+use super::sizes::points_for;
+
+/// On what a proof rests.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Proof {
+    /// The number of points, each modulo a prime of its own; the error is below 2⁻¹⁰⁰.
+    pub points: u32,
+}
+
+/// What one point says of a claim.
+struct Finding {
+    holds: bool,
+    /// Whether the claim says something at this point: an integral has a gradient, a density or bracket is not zero.
+    says_something: bool,
+}
+
+/// Decides one claim.
+pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> Verdict {
+    let Some(needed) = points_for(scheme, claim) else { return Verdict::TooLarge };
+    let n = scheme.dimension();
+    let (mut accepted, mut drawn, mut says_something) = (0, 0, false);
+    while accepted < needed {
+        if drawn >= accepted as usize + MOST_DRAWS {
+            return Verdict::Undefined;
+        }
+        let Some((arithmetic, sample)) = samples.modular(scheme, &claim.conditions, drawn) else {
+            return Verdict::Undefined;
+        };
+        drawn += 1;
+        let Some(finding) = examine(claim, arithmetic, sample, n) else { continue };
+        if !finding.holds {
+            return Verdict::Refuted(refute(scheme, claim));
+        }
+        accepted += 1;
+        says_something |= finding.says_something;
+    }
+    if !says_something {
+        return Verdict::Vacuous;
+    }
+    match exact_check(scheme, claim, samples) {
+        Some(true) => Verdict::Proved(Proof { points: needed }),
+        Some(false) => Verdict::Refuted(refute(scheme, claim)),
+        None => Verdict::Undefined,
+    }
+}
+
+/// Whether the claim holds at an exact point of small rationals; `None` if it has a value at none.
+fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> Option<bool> {
+    for index in 0..MOST_DRAWS {
+        let sample = samples.exact(scheme, &claim.conditions, index)?;
+        if let Some(finding) = examine(claim, &Exact, sample, scheme.dimension()) {
+            return Some(finding.holds);
+        }
+    }
+    // Small points can lie on a divisor all together; small heights are no part of the proof.
+    Some(refute(scheme, claim) == Refutation::NoPoint)
+}
+
+fn examine<A: Arithmetic>(
+    claim: &Claim,
+    arithmetic: &A,
+    sample: &Sample<A::Value>,
+    n: usize,
+) -> Option<Finding> {
+    let pairs = pairs(claim, arithmetic, sample, n)?;
+    let holds = pairs.iter().all(|pair| arithmetic.is_zero(&arithmetic.subtract(&pair.left, &pair.right)));
+    let values = gradients(claim, arithmetic, &sample.here, n)?;
+    let says_something = values.iter().any(|value| match claim.kind {
+        ClaimKind::Integral => value.gradient.iter().any(|slope| !arithmetic.is_zero(slope)),
+        ClaimKind::Density | ClaimKind::Bracket => !arithmetic.is_zero(&value.value),
+    });
+    Some(Finding { holds, says_something })
+}

@@ -1,0 +1,78 @@
+//! The thorough proof: both sides of every identity as rational functions over ℚ, compared by expanding their
+//! difference. Independent of the modular proof, and of any probability.
+
+use crate::arithmetic::{Arithmetic, Function, Functions};
+use crate::kahan::RationalMap;
+use crate::plan::PlanBuilder;
+use crate::poly::{Budget, Polynomial, Variable};
+use crate::rational::Rational;
+use crate::system::{Claim, System};
+
+use super::residual::pairs;
+use super::sample::{Sample, Scheme, rows, run};
+
+/// Terms of any intermediate result, and products of terms in all.
+const MOST_TERMS: usize = 200_000;
+const MOST_WORK: u64 = 20_000_000;
+
+/// `Some(true)` if the claim holds, `Some(false)` if not, `None` if expanding it takes more than the budget.
+#[must_use]
+pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
+    let map = RationalMap::of(&system.field)?;
+    let scheme = Scheme::of(&system.field);
+    let functions = Functions::new(Budget::new(MOST_TERMS, MOST_WORK));
+    let sample = sample(&scheme, &map, claim, &functions)?;
+    let mut holds = true;
+    for pair in pairs(claim, &functions, &sample, scheme.dimension())? {
+        match functions.subtract(&pair.left, &pair.right) {
+            Function::TooLarge => return None,
+            difference => holds &= functions.is_zero(&difference),
+        }
+    }
+    Some(holds)
+}
+
+/// One step with symbols for everything that the claim leaves generic.
+fn sample(
+    scheme: &Scheme,
+    map: &RationalMap,
+    claim: &Claim,
+    functions: &Functions,
+) -> Option<Sample<Function>> {
+    let n = scheme.dimension();
+    let variable = |index: usize| Variable(u16::try_from(index).unwrap_or(u16::MAX));
+    let mut here: Vec<Function> = (0..scheme.variables)
+        .map(|index| Function::polynomial(Polynomial::variable(variable(index))))
+        .collect();
+    for (variable, value) in &claim.conditions {
+        here[usize::from(variable.0)] = functions.constant(value)?;
+    }
+    let eps = usize::from(scheme.symbols.epsilon().0);
+    let specialised = |polynomial: &Polynomial| {
+        let fixed = claim
+            .conditions
+            .iter()
+            .fold(polynomial.clone(), |p, (variable, value)| p.substitute(*variable, value));
+        Function::polynomial(fixed)
+    };
+    let denominator = specialised(&map.reduced.denominator);
+    let two_eps = functions.multiply(&functions.constant(&Rational::from(2))?, &here[eps]);
+    let mut there = here.clone();
+    for (value, increment) in there.iter_mut().zip(&map.reduced.increments) {
+        let quotient = functions.divide(&specialised(increment), &denominator)?;
+        *value = functions.add(value, &functions.multiply(&two_eps, &quotient));
+    }
+    let mut back = there.clone();
+    back[eps] = functions.negate(&here[eps]);
+    let determinant = {
+        let mut builder = PlanBuilder::default();
+        let node = builder.polynomial(&map.denominator);
+        builder.finish(&[node])
+    };
+    let matrix = rows(&run(functions, &scheme.matrix, &here)?, n);
+    let back_matrix = rows(&run(functions, &scheme.matrix, &back)?, n);
+    let above = run(functions, &determinant, &back)?.pop()?;
+    let below = run(functions, &determinant, &here)?.pop()?;
+    let jacobian_determinant = functions.divide(&above, &below)?;
+    Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
+}

@@ -1,0 +1,118 @@
+//! A counterexample to a false claim: the first point of small rationals at which its two sides differ.
+
+use crate::arithmetic::{Arithmetic, Exact, solve};
+use crate::prime_field::SplitMix64;
+use crate::rational::Rational;
+use crate::symbols::Symbols;
+use crate::syntax::ClaimKind;
+use crate::system::{Claim, upper_index};
+
+use super::residual::{Place, congruence, pairs};
+use super::sample::{Sample, Scheme, run, small_point, take_step};
+
+/// Heights searched, and points tried at each.
+const HIGHEST: u64 = 24;
+const POINTS_PER_HEIGHT: usize = 48;
+
+/// Why a claim is false.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refutation {
+    /// At this point the two sides differ.
+    At {
+        /// What was claimed.
+        kind: ClaimKind,
+        /// Which identity fails.
+        place: Place,
+        /// States, parameters and ε.
+        point: Vec<Rational>,
+        /// The left side.
+        left: Rational,
+        /// The right side.
+        right: Rational,
+    },
+    /// The claim fails modulo a prime, and no small point shows it.
+    NoPoint,
+}
+
+/// Searches heights 1, 2, 3, … from a fixed seed.
+pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
+    let mut random = SplitMix64::from_bytes(claim.name.text.as_bytes());
+    for height in 1..=HIGHEST {
+        for _ in 0..POINTS_PER_HEIGHT {
+            let here = small_point(scheme, &claim.conditions, height, &mut random);
+            let Some(sample) = take_step(scheme, &Exact, here) else { continue };
+            if let Some(refutation) = at(claim, &sample, scheme.dimension()) {
+                return refutation;
+            }
+        }
+    }
+    Refutation::NoPoint
+}
+
+/// The refutation that this point is, if it is one.
+fn at(claim: &Claim, sample: &Sample<Rational>, n: usize) -> Option<Refutation> {
+    let failing = pairs(claim, &Exact, sample, n)?.into_iter().find(|pair| pair.left != pair.right)?;
+    let (left, right) = match failing.place {
+        Place::Entry(i, j) => transported(claim, sample, i, j, n)?,
+        Place::Value | Place::Jacobi(..) => (failing.left, failing.right),
+    };
+    Some(Refutation::At { kind: claim.kind, place: failing.place, point: sample.here.clone(), left, right })
+}
+
+/// (J P(x) Jᵀ)ᵢⱼ and Pᵢⱼ(x̃), the two sides as a person would compare them.
+fn transported(
+    claim: &Claim,
+    sample: &Sample<Rational>,
+    i: usize,
+    j: usize,
+    n: usize,
+) -> Option<(Rational, Rational)> {
+    let jacobian = solve(&Exact, &sample.matrix, &sample.back_matrix)?.solution;
+    let entry = upper_index(n, i, j);
+    let here = run(&Exact, &claim.plan, &sample.here)?;
+    let left = congruence(&Exact, &jacobian, &here, n).into_iter().nth(entry)?;
+    let right = run(&Exact, &claim.plan, &sample.there)?.into_iter().nth(entry)?;
+    (!Exact.is_zero(&Exact.subtract(&left, &right))).then_some((left, right))
+}
+
+impl Refutation {
+    /// The counterexample in words.
+    #[must_use]
+    pub fn describe(&self, symbols: &Symbols) -> String {
+        let Refutation::At { kind, place, point, left, right } = self else {
+            return "it fails modulo a prime".to_owned();
+        };
+        let names = symbols.states.iter().chain(&symbols.parameters).map(String::as_str).chain(["eps"]);
+        let at: Vec<String> = names.zip(point).map(|(name, value)| format!("{name} = {value}")).collect();
+        let at = at.join(", ");
+        let (left, right) = (shorten(left), shorten(right));
+        let state = |i: usize| symbols.states[i].as_str();
+        match (place, kind) {
+            (Place::Entry(i, j), _) => format!(
+                "at {at} the map carries {{{0},{1}}} to {left}, but {{{0},{1}}} at the next point is {right}",
+                state(*i),
+                state(*j)
+            ),
+            (Place::Jacobi(i, j, k), _) => format!(
+                "at {at} the Jacobi sum of {}, {}, {} is {left}, not 0",
+                state(*i),
+                state(*j),
+                state(*k)
+            ),
+            (Place::Value, ClaimKind::Density) => {
+                format!("at {at} it is {right}, but its next value times the Jacobian determinant is {left}")
+            }
+            (Place::Value, _) => format!("at {at} it is {right}, and at the next point {left}"),
+        }
+    }
+}
+
+/// A number in full, or its beginning and its length.
+fn shorten(value: &Rational) -> String {
+    let text = value.to_string();
+    if text.len() <= 80 {
+        return text;
+    }
+    let start: String = text.chars().take(24).collect();
+    format!("{start}… ({} characters, about {:e})", text.len(), value.to_f64())
+}

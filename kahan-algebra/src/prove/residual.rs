@@ -1,0 +1,164 @@
+//! The identities that a claim consists of, as pairs of values that must agree at every point.
+//!
+//! | claim | left | right |
+//! |---|---|---|
+//! | integral F | F(x̃) | F(x) |
+//! | density ρ | ρ(x̃) det ∂x̃/∂x | ρ(x) |
+//! | bracket P, invariance | Â(x̃,−ε) P(x) Â(x̃,−ε)ᵀ | Â(x,ε) P(x̃) Â(x,ε)ᵀ |
+//! | bracket P, Jacobi | Σ Pᵢₗ ∂ₗPⱼₖ over the cyclic permutations of i, j, k | 0 |
+//!
+//! Because ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the third line is J P Jᵀ = P(x̃) without an inverse. Derivatives are those of
+//! dual numbers.
+
+use crate::arithmetic::{Arithmetic, Dual, DualNumber};
+use crate::rational::Rational;
+use crate::syntax::ClaimKind;
+use crate::system::{Claim, upper_index};
+
+use super::sample::{Sample, run};
+
+/// Two values that must agree, and where they stand.
+pub(super) struct Pair<V> {
+    pub(super) place: Place,
+    pub(super) left: V,
+    pub(super) right: V,
+}
+
+/// Which identity of a claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The only one.
+    Value,
+    /// The entry {i, j} of the invariance of a bracket.
+    Entry(usize, usize),
+    /// The Jacobi identity for i, j, k.
+    Jacobi(usize, usize, usize),
+}
+
+/// All pairs of a claim at a sample; `None` where the claim has no value.
+pub(super) fn pairs<A: Arithmetic>(
+    claim: &Claim,
+    arithmetic: &A,
+    sample: &Sample<A::Value>,
+    n: usize,
+) -> Option<Vec<Pair<A::Value>>> {
+    let here = run(arithmetic, &claim.plan, &sample.here)?;
+    let there = run(arithmetic, &claim.plan, &sample.there)?;
+    match claim.kind {
+        ClaimKind::Integral => {
+            Some(vec![Pair { place: Place::Value, left: there[0].clone(), right: here[0].clone() }])
+        }
+        ClaimKind::Density => {
+            let left = arithmetic.multiply(&there[0], &sample.jacobian_determinant);
+            Some(vec![Pair { place: Place::Value, left, right: here[0].clone() }])
+        }
+        ClaimKind::Bracket => {
+            let mut pairs = invariance(arithmetic, &here, &there, sample, n);
+            pairs.extend(jacobi(claim, arithmetic, sample, n)?);
+            Some(pairs)
+        }
+    }
+}
+
+fn invariance<A: Arithmetic>(
+    arithmetic: &A,
+    here: &[A::Value],
+    there: &[A::Value],
+    sample: &Sample<A::Value>,
+    n: usize,
+) -> Vec<Pair<A::Value>> {
+    let left = congruence(arithmetic, &sample.back_matrix, here, n);
+    let right = congruence(arithmetic, &sample.matrix, there, n);
+    let places = (0..n).flat_map(|i| (i + 1..n).map(move |j| Place::Entry(i, j)));
+    places
+        .zip(left.into_iter().zip(right))
+        .map(|(place, (left, right))| Pair { place, left, right })
+        .collect()
+}
+
+/// The entries above the diagonal of M P Mᵀ, P given by its own: Σ_{k<l} (MᵢₖMⱼₗ − MᵢₗMⱼₖ) Pₖₗ.
+pub(super) fn congruence<A: Arithmetic>(
+    arithmetic: &A,
+    matrix: &[Vec<A::Value>],
+    upper: &[A::Value],
+    n: usize,
+) -> Vec<A::Value> {
+    let mut entries = Vec::new();
+    for i in 0..n {
+        for j in i + 1..n {
+            let mut sum: Option<A::Value> = None;
+            for k in 0..n {
+                for l in k + 1..n {
+                    let value = &upper[upper_index(n, k, l)];
+                    if arithmetic.is_zero(value) {
+                        continue;
+                    }
+                    let minor = arithmetic.subtract(
+                        &arithmetic.multiply(&matrix[i][k], &matrix[j][l]),
+                        &arithmetic.multiply(&matrix[i][l], &matrix[j][k]),
+                    );
+                    let term = arithmetic.multiply(&minor, value);
+                    sum = Some(sum.map_or_else(|| term.clone(), |sum| arithmetic.add(&sum, &term)));
+                }
+            }
+            entries.push(sum.unwrap_or_else(|| upper[0].clone()));
+        }
+    }
+    entries
+}
+
+fn jacobi<A: Arithmetic>(
+    claim: &Claim,
+    arithmetic: &A,
+    sample: &Sample<A::Value>,
+    n: usize,
+) -> Option<Vec<Pair<A::Value>>> {
+    let zero = arithmetic.constant(&Rational::zero())?;
+    let upper = gradients(claim, arithmetic, &sample.here, n)?;
+    // Pᵢⱼ for any i, j; the diagonal is zero.
+    let entry = |i: usize, j: usize| -> Option<(&DualNumber<A::Value>, bool)> {
+        (i != j).then(|| (&upper[upper_index(n, i.min(j), i.max(j))], i > j))
+    };
+    let signed = |value: A::Value, negative: bool| if negative { arithmetic.negate(&value) } else { value };
+    let mut pairs = Vec::new();
+    for i in 0..n {
+        for j in i + 1..n {
+            for k in j + 1..n {
+                let mut sum = zero.clone();
+                for (a, b, c) in [(i, j, k), (j, k, i), (k, i, j)] {
+                    let Some((tensor, tensor_negative)) = entry(b, c) else { continue };
+                    for l in 0..n {
+                        let (Some((weight, weight_negative)), Some(slope)) =
+                            (entry(a, l), tensor.gradient.get(l))
+                        else {
+                            continue;
+                        };
+                        let product = arithmetic.multiply(&weight.value, slope);
+                        sum = arithmetic.add(&sum, &signed(product, weight_negative != tensor_negative));
+                    }
+                }
+                pairs.push(Pair { place: Place::Jacobi(i, j, k), left: sum, right: zero.clone() });
+            }
+        }
+    }
+    Some(pairs)
+}
+
+/// The claim's values with their gradients in the states.
+pub(super) fn gradients<A: Arithmetic>(
+    claim: &Claim,
+    arithmetic: &A,
+    here: &[A::Value],
+    n: usize,
+) -> Option<Vec<DualNumber<A::Value>>> {
+    let dual = Dual { base: arithmetic, directions: n };
+    let mut values = Vec::with_capacity(here.len());
+    for (index, value) in here.iter().enumerate() {
+        values.push(if index < n {
+            dual.coordinate(value.clone(), index)?
+        } else {
+            dual.fixed(value.clone())
+        });
+    }
+    run(&dual, &claim.plan, &values)
+}

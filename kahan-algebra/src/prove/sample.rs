@@ -1,0 +1,161 @@
+//! One step of the map at one point, in any field, with all that claims are tested on.
+
+use crate::arithmetic::{Arithmetic, Exact, Modular, determinant, solve};
+use crate::field::Field;
+use crate::kahan::scaled_matrix;
+use crate::plan::{Plan, PlanBuilder};
+use crate::poly::Variable;
+use crate::prime_field::{PrimeField, SplitMix64};
+use crate::rational::Rational;
+use crate::symbols::Symbols;
+
+/// What a step needs, as plans: the numerators p of the field and the matrix Â.
+pub(super) struct Scheme {
+    pub(super) symbols: Symbols,
+    pub(super) numerators: Plan,
+    pub(super) matrix: Plan,
+    /// The number of variables: states, parameters and ε.
+    pub(super) variables: usize,
+}
+
+impl Scheme {
+    pub(super) fn of(field: &Field) -> Self {
+        let mut builder = PlanBuilder::default();
+        let numerators: Vec<_> = field.components.iter().map(|c| builder.polynomial(&c.numerator)).collect();
+        let numerators = builder.finish(&numerators);
+        let entries: Vec<_> =
+            scaled_matrix(field).iter().flatten().map(|entry| builder.polynomial(entry)).collect();
+        let matrix = builder.finish(&entries);
+        let variables = usize::from(field.symbols.epsilon().0) + 1;
+        Scheme { symbols: field.symbols.clone(), numerators, matrix, variables }
+    }
+
+    pub(super) fn dimension(&self) -> usize {
+        self.symbols.dimension()
+    }
+}
+
+/// A point x, its image x̃, and the matrices Â(x,ε), Â(x̃,−ε).
+pub(super) struct Sample<V> {
+    /// The values of all variables at x: states, parameters, ε.
+    pub(super) here: Vec<V>,
+    /// The same at x̃ (ε unchanged).
+    pub(super) there: Vec<V>,
+    pub(super) matrix: Vec<Vec<V>>,
+    pub(super) back_matrix: Vec<Vec<V>>,
+    /// det Â(x̃,−ε) / det Â(x,ε) = det ∂x̃/∂x.
+    pub(super) jacobian_determinant: V,
+}
+
+/// Evaluates a plan whose variables have these values.
+pub(super) fn run<A: Arithmetic>(arithmetic: &A, plan: &Plan, values: &[A::Value]) -> Option<Vec<A::Value>> {
+    plan.evaluate(arithmetic, |variable: Variable| values[usize::from(variable.0)].clone())
+        .into_iter()
+        .collect()
+}
+
+/// Cuts the entries of an n×n matrix into rows.
+pub(super) fn rows<V: Clone>(entries: &[V], n: usize) -> Vec<Vec<V>> {
+    entries.chunks(n).map(<[V]>::to_vec).collect()
+}
+
+/// One step from `here`; `None` at a pole and where the arithmetic lacks a constant.
+pub(super) fn take_step<A: Arithmetic>(
+    scheme: &Scheme,
+    arithmetic: &A,
+    here: Vec<A::Value>,
+) -> Option<Sample<A::Value>> {
+    let n = scheme.dimension();
+    let eps = usize::from(scheme.symbols.epsilon().0);
+    let two_eps = arithmetic.add(&here[eps], &here[eps]);
+    let matrix = rows(&run(arithmetic, &scheme.matrix, &here)?, n);
+    let right: Vec<Vec<A::Value>> =
+        run(arithmetic, &scheme.numerators, &here)?.into_iter().map(|value| vec![value]).collect();
+    let solved = solve(arithmetic, &matrix, &right)?;
+    let mut there = here.clone();
+    for (value, increment) in there.iter_mut().zip(&solved.solution) {
+        *value = arithmetic.add(value, &arithmetic.multiply(&two_eps, &increment[0]));
+    }
+    let mut back = there.clone();
+    back[eps] = arithmetic.negate(&here[eps]);
+    let back_matrix = rows(&run(arithmetic, &scheme.matrix, &back)?, n);
+    let jacobian_determinant =
+        arithmetic.divide(&determinant(arithmetic, &back_matrix)?, &solved.determinant)?;
+    Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
+}
+
+/// How often a point is drawn again before a claim counts as undefined.
+pub(super) const MOST_DRAWS: usize = 16;
+
+/// The random points of one specialisation, drawn as they are asked for.
+pub(super) struct Samples {
+    random: SplitMix64,
+    modular: Vec<(Modular, Sample<u64>)>,
+    exact: Vec<Sample<Rational>>,
+}
+
+impl Samples {
+    pub(super) fn new(seed: u64) -> Self {
+        Samples { random: SplitMix64::new(seed), modular: Vec::new(), exact: Vec::new() }
+    }
+
+    /// The point `index` modulo a prime of its own; `None` if no step could be taken in [`MOST_DRAWS`] draws.
+    pub(super) fn modular(
+        &mut self,
+        scheme: &Scheme,
+        conditions: &[(Variable, Rational)],
+        index: usize,
+    ) -> Option<&(Modular, Sample<u64>)> {
+        while self.modular.len() <= index {
+            let sample = (0..MOST_DRAWS).find_map(|_| {
+                let arithmetic = Modular(PrimeField::random(&mut self.random));
+                let mut here: Vec<u64> =
+                    (0..scheme.variables).map(|_| arithmetic.0.sample(&mut self.random)).collect();
+                for (variable, value) in conditions {
+                    here[usize::from(variable.0)] = arithmetic.constant(value)?;
+                }
+                Some((arithmetic, take_step(scheme, &arithmetic, here)?))
+            })?;
+            self.modular.push(sample);
+        }
+        self.modular.get(index)
+    }
+
+    /// The exact point `index`, of small rationals; `None` as above.
+    pub(super) fn exact(
+        &mut self,
+        scheme: &Scheme,
+        conditions: &[(Variable, Rational)],
+        index: usize,
+    ) -> Option<&Sample<Rational>> {
+        while self.exact.len() <= index {
+            let sample = (0..MOST_DRAWS).find_map(|_| {
+                take_step(scheme, &Exact, small_point(scheme, conditions, 3, &mut self.random))
+            })?;
+            self.exact.push(sample);
+        }
+        self.exact.get(index)
+    }
+}
+
+/// A random point whose coordinates have height at most `height`; ε is positive, parameters are not zero.
+pub(super) fn small_point(
+    scheme: &Scheme,
+    conditions: &[(Variable, Rational)],
+    height: u64,
+    random: &mut SplitMix64,
+) -> Vec<Rational> {
+    let states = scheme.dimension();
+    let mut here: Vec<Rational> = (0..scheme.variables)
+        .map(|index| {
+            let denominator = 1 + random.below(height);
+            let numerator = if index < states { random.below(height + 1) } else { 1 + random.below(height) };
+            let sign = if index + 1 < scheme.variables && random.below(2) == 1 { -1 } else { 1 };
+            Rational::new(sign * numerator as i64, denominator as i64)
+        })
+        .collect();
+    for (variable, value) in conditions {
+        here[usize::from(variable.0)] = value.clone();
+    }
+    here
+}

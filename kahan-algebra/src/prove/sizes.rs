@@ -1,0 +1,75 @@
+//! How many points prove a claim: a degree and size bound of its residuals, computed, not assumed.
+//!
+//! Let F/G be one residual (left − right) as the formal fraction that the evaluation forms, F and G integer
+//! polynomials in the states, parameters and ε. If the claim is false, some F is not the zero polynomial. A point is a
+//! fresh random prime p between 2⁶⁰ and 2⁶¹ and random residues for all variables. The claim passes it wrongly only if
+//!
+//! * p divides every coefficient of F: at most b/60 primes do, b = log₂ ‖F‖₁, out of more than 2⁵⁴ primes in that
+//!   range (there are about 2⁶⁰/ln 2^60.5 ≈ 2^54.6), or
+//! * F is not zero modulo p but vanishes at the point: at most deg F / p < deg F · 2⁻⁶⁰ (Schwartz and Zippel).
+//!
+//! A point where something divides by zero is drawn again, up to 16 times, which multiplies both by at most 16. Points
+//! are independent, so k of them err with probability at most e^k, e = 16 (b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰), and k is chosen
+//! such that e^k < 2⁻¹⁰⁰ (k ≥ 2). "Random" is a generator seeded by a hash of the block: whoever writes a block cannot
+//! aim at its primes except by trial, and builds are reproducible. deg F and b come from running the very same residuals
+//! in the arithmetic of sizes ([`Bounds`]).
+
+use crate::arithmetic::{Arithmetic, Bounds, Size};
+use crate::system::Claim;
+
+use super::residual::pairs;
+use super::sample::{Sample, Scheme, rows, run};
+
+/// The error of a proof is below 2 to minus this.
+pub const ERROR_EXPONENT: u32 = 100;
+
+/// More points than this are not worth it: the degree would be astronomical.
+const MOST_POINTS: u32 = 16;
+
+/// The number of points that proves a claim; `None` if no reasonable number does.
+pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
+    let n = scheme.dimension();
+    let sample = sample(scheme, claim)?;
+    let residuals = pairs(claim, &Bounds, &sample, n)?;
+    let worst = residuals
+        .iter()
+        .map(|pair| Bounds.subtract(&pair.left, &pair.right))
+        .fold(Size::default(), |a, b| Size { degree: a.degree.max(b.degree), bits: a.bits.max(b.bits), ..a });
+    points_needed(worst.degree, worst.bits)
+}
+
+/// The number of points for residuals of this degree and size: the least k ≥ 2 with e^k < 2⁻¹⁰⁰.
+#[must_use]
+pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
+    // Everything in units of 2⁻⁶⁰: e·2⁶⁰ ≤ 16 (64·(b/60 + 1) + deg F), rounded up to a power of two.
+    let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(16)?;
+    let lost = u64::BITS - units.leading_zeros();
+    let gained = 60u32.checked_sub(lost).filter(|&gained| gained > 0)?;
+    Some(ERROR_EXPONENT.div_ceil(gained).max(2)).filter(|&points| points <= MOST_POINTS)
+}
+
+/// One step in the arithmetic of sizes: x̃ by Cramer's rule, determinants by their expansion.
+fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<Size>> {
+    let n = scheme.dimension();
+    let mut here = vec![Size::variable(); scheme.variables];
+    for (variable, value) in &claim.conditions {
+        here[usize::from(variable.0)] = Size::constant(value);
+    }
+    let eps = here[usize::from(scheme.symbols.epsilon().0)];
+    let matrix = rows(&run(&Bounds, &scheme.matrix, &here)?, n);
+    let right = run(&Bounds, &scheme.numerators, &here)?;
+    let mut extended = matrix.clone();
+    for (row, right) in extended.iter_mut().zip(&right) {
+        row.push(*right);
+    }
+    // A bound for every n×n minor of (Â | p), so for n̂ⱼ and D̂ alike.
+    let minor = Bounds.determinant(&extended);
+    let increment = Bounds.multiply(&Bounds.add(&eps, &eps), &Bounds.divide(&minor, &minor)?);
+    let mut there = here.clone();
+    for value in &mut there[..n] {
+        *value = Bounds.add(value, &increment);
+    }
+    let back_matrix = rows(&run(&Bounds, &scheme.matrix, &there)?, n);
+    let jacobian_determinant = Bounds.divide(&Bounds.determinant(&back_matrix), &minor)?;
+    Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
+}

@@ -1,0 +1,233 @@
+//! Exact rational numbers, the coefficients of everything in this crate.
+//!
+//! In come integers, decimals as written, and other rationals; out go sums, products, quotients and the one
+//! correctly rounded float. What holds: every value is in lowest terms with a positive denominator, and it
+//! lives in two machine words whenever it fits there, so equal numbers have equal representations. Absent on
+//! purpose: conversion *from* decimal text through floats, and a division operator, since
+//! [`Rational::checked_div`] makes the zero divisor visible.
+
+mod arithmetic;
+mod rounding;
+#[cfg(test)]
+mod tests;
+mod text;
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive};
+
+/// An exact rational number p/q in lowest terms, q > 0.
+///
+/// Arithmetic on small values costs a few machine operations and never allocates; beyond 63 bits it moves to
+/// big integers, and back as soon as the value fits again.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Rational(Repr);
+
+/// Canonical: `Big` only where |p| or q exceeds `i64::MAX`, so the derived equality and hash are those of the
+/// numbers. `i64::MIN` counts as big, which makes negation total on the small case.
+#[derive(Clone, PartialEq, Eq, Hash)]
+enum Repr {
+    Small { num: i64, den: i64 },
+    Big(Box<BigRational>),
+}
+
+impl Rational {
+    /// The number 0.
+    pub const ZERO: Self = Self(Repr::Small { num: 0, den: 1 });
+    /// The number 1.
+    pub const ONE: Self = Self(Repr::Small { num: 1, den: 1 });
+
+    /// The fraction `num/den`, reduced.
+    ///
+    /// # Panics
+    /// If `den` is zero.
+    pub fn new(num: i64, den: i64) -> Self {
+        assert!(den != 0, "a rational needs a denominator other than zero");
+        if den == 1 && num != i64::MIN {
+            return Self(Repr::Small { num, den });
+        }
+        let divisor = gcd(num.unsigned_abs(), den.unsigned_abs());
+        let sign = if den < 0 { -1 } else { 1 };
+        Self::from_reduced(
+            sign * i128::from(num) / i128::from(divisor),
+            sign * i128::from(den) / i128::from(divisor),
+        )
+    }
+
+    /// The number 0.
+    pub fn zero() -> Self {
+        Self::ZERO
+    }
+
+    /// The number 1.
+    pub fn one() -> Self {
+        Self::ONE
+    }
+
+    /// The exact value of a finite float; `None` for infinities and NaN.
+    pub fn from_f64(value: f64) -> Option<Self> {
+        BigRational::from_float(value).map(Self::from)
+    }
+
+    /// The value as a big rational.
+    pub fn to_big(&self) -> BigRational {
+        match &self.0 {
+            Repr::Small { num, den } => BigRational::new_raw(BigInt::from(*num), BigInt::from(*den)),
+            Repr::Big(big) => (**big).clone(),
+        }
+    }
+
+    /// The numerator p, with the sign of the number.
+    pub fn numerator(&self) -> BigInt {
+        match &self.0 {
+            Repr::Small { num, .. } => BigInt::from(*num),
+            Repr::Big(big) => big.numer().clone(),
+        }
+    }
+
+    /// The denominator q > 0.
+    pub fn denominator(&self) -> BigInt {
+        match &self.0 {
+            Repr::Small { den, .. } => BigInt::from(*den),
+            Repr::Big(big) => big.denom().clone(),
+        }
+    }
+
+    /// The value, if it is an integer that an `i64` holds.
+    pub fn as_i64(&self) -> Option<i64> {
+        match &self.0 {
+            Repr::Small { num, den: 1 } => Some(*num),
+            Repr::Small { .. } => None,
+            Repr::Big(big) if big.is_integer() => big.numer().to_i64(),
+            Repr::Big(_) => None,
+        }
+    }
+
+    /// Numerator and denominator, if both are at most `i64::MAX` in size.
+    pub fn as_small_ratio(&self) -> Option<(i64, i64)> {
+        match &self.0 {
+            Repr::Small { num, den } => Some((*num, *den)),
+            Repr::Big(_) => None,
+        }
+    }
+
+    /// Whether the number is 0.
+    pub fn is_zero(&self) -> bool {
+        matches!(self.0, Repr::Small { num: 0, .. })
+    }
+
+    /// Whether the number is 1.
+    pub fn is_one(&self) -> bool {
+        matches!(self.0, Repr::Small { num: 1, den: 1 })
+    }
+
+    /// Whether the number is below 0.
+    pub fn is_negative(&self) -> bool {
+        match &self.0 {
+            Repr::Small { num, .. } => *num < 0,
+            Repr::Big(big) => big.is_negative(),
+        }
+    }
+
+    /// Whether the denominator is 1.
+    pub fn is_integer(&self) -> bool {
+        match &self.0 {
+            Repr::Small { den, .. } => *den == 1,
+            Repr::Big(big) => big.is_integer(),
+        }
+    }
+
+    /// The bit length of the larger of |p| and q; at least 1.
+    pub fn bits(&self) -> u64 {
+        match &self.0 {
+            Repr::Small { num, den } => {
+                u64::from(64 - (num.unsigned_abs() | den.unsigned_abs()).leading_zeros())
+            }
+            Repr::Big(big) => big.numer().bits().max(big.denom().bits()),
+        }
+    }
+
+    /// For a big rational that is already in lowest terms with a positive denominator.
+    fn from_normal(value: BigRational) -> Self {
+        match (value.numer().to_i64(), value.denom().to_i64()) {
+            (Some(num), Some(den)) if num != i64::MIN => Self(Repr::Small { num, den }),
+            _ => Self(Repr::Big(Box::new(value))),
+        }
+    }
+
+    /// p/q for p and q coprime, q > 0.
+    fn from_reduced(num: i128, den: i128) -> Self {
+        const LIMIT: u128 = i64::MAX as u128;
+        if num.unsigned_abs() <= LIMIT && den.unsigned_abs() <= LIMIT {
+            return Self(Repr::Small { num: num as i64, den: den as i64 });
+        }
+        Self(Repr::Big(Box::new(BigRational::new_raw(BigInt::from(num), BigInt::from(den)))))
+    }
+}
+
+/// Greatest common divisor by Euclid; gcd(0, b) = b.
+pub(crate) fn gcd(mut a: u64, mut b: u64) -> u64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
+}
+
+impl Default for Rational {
+    fn default() -> Self {
+        Self::ZERO
+    }
+}
+
+impl From<i64> for Rational {
+    fn from(value: i64) -> Self {
+        Self::new(value, 1)
+    }
+}
+
+impl From<BigInt> for Rational {
+    fn from(value: BigInt) -> Self {
+        match value.to_i64() {
+            Some(small) => Self::from(small),
+            None => Self(Repr::Big(Box::new(BigRational::new_raw(value, BigInt::one())))),
+        }
+    }
+}
+
+/// Takes any big rational with a non-zero denominator, reduced or not.
+impl From<BigRational> for Rational {
+    fn from(value: BigRational) -> Self {
+        Self::from_normal(value.reduced())
+    }
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.0, &other.0) {
+            (Repr::Small { num: a, den: 1 }, Repr::Small { num: b, den: 1 }) => a.cmp(b),
+            (Repr::Small { num: a, den: b }, Repr::Small { num: c, den: d }) => {
+                (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
+            }
+            _ => self.to_big().cmp(&other.to_big()),
+        }
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+#[cfg(test)]
+pub(crate) fn is_canonical(value: &Rational) -> bool {
+    match &value.0 {
+        Repr::Small { num, den } => *den > 0 && *num != i64::MIN && gcd(num.unsigned_abs(), *den as u64) == 1,
+        Repr::Big(big) => {
+            let fits = big.numer().to_i64().is_some_and(|n| n != i64::MIN) && big.denom().to_i64().is_some();
+            !fits && big.denom().is_positive() && big.reduced() == **big
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! Rational functions over ℚ in normal form.
+//!
+//! In come polynomials, out go sums, products, quotients, powers and derivatives of their quotients. What
+//! holds: numerator and denominator are coprime, and the denominator is primitive with a positive leading
+//! coefficient, so two equal functions are equal as data. Each operation exists within a [`Budget`] and
+//! without one; cancellation uses that the operands are reduced already (Henrici: only factors named below
+//! can be common), which keeps each gcd small. Absent on purpose: evaluation, and quotients left unreduced.
+
+#[cfg(test)]
+mod tests;
+
+use std::fmt;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_within};
+use crate::rational::Rational;
+
+/// A quotient of two polynomials, in lowest terms.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct RationalFunction {
+    numerator: Polynomial,
+    denominator: Polynomial,
+}
+
+impl RationalFunction {
+    /// The function 0.
+    pub fn zero() -> Self {
+        Self::from(Polynomial::zero())
+    }
+
+    /// The function 1.
+    pub fn one() -> Self {
+        Self::from(Polynomial::one())
+    }
+
+    /// A constant.
+    pub fn constant(value: Rational) -> Self {
+        Self::from(Polynomial::constant(value))
+    }
+
+    /// A single variable.
+    pub fn variable(variable: Variable) -> Self {
+        Self::from(Polynomial::variable(variable))
+    }
+
+    /// The quotient in lowest terms; `None` if the denominator is zero.
+    pub fn new(numerator: Polynomial, denominator: Polynomial) -> Option<Self> {
+        unlimited(|budget| Self::new_within(numerator, denominator, budget))
+    }
+
+    /// [`new`](Self::new) within a budget.
+    pub fn new_within(
+        numerator: Polynomial,
+        denominator: Polynomial,
+        budget: &mut Budget,
+    ) -> Result<Option<Self>, OverBudget> {
+        if denominator.is_zero() {
+            return Ok(None);
+        }
+        let (numerator, denominator) = cancel(&numerator, &denominator, budget)?;
+        Ok(Some(Self::from_coprime(numerator, denominator)))
+    }
+
+    /// The numerator; it carries the rational content and the sign.
+    pub fn numerator(&self) -> &Polynomial {
+        &self.numerator
+    }
+
+    /// The denominator, primitive with positive leading coefficient; 1 exactly for polynomials.
+    pub fn denominator(&self) -> &Polynomial {
+        &self.denominator
+    }
+
+    /// Whether this is 0.
+    pub fn is_zero(&self) -> bool {
+        self.numerator.is_zero()
+    }
+
+    /// The function as a polynomial, if it is one.
+    pub fn as_polynomial(&self) -> Option<&Polynomial> {
+        self.denominator.is_one().then_some(&self.numerator)
+    }
+
+    /// The quotient; `None` if `divisor` is zero.
+    pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
+        unlimited(|budget| self.div_within(divisor, budget))
+    }
+
+    /// The reciprocal; `None` for zero.
+    pub fn recip(&self) -> Option<Self> {
+        if self.is_zero() {
+            return None;
+        }
+        Some(Self::from_coprime(self.denominator.clone(), self.numerator.clone()))
+    }
+
+    /// The power; `None` for zero to a negative exponent.
+    pub fn pow(&self, exponent: i32) -> Option<Self> {
+        unlimited(|budget| self.pow_within(exponent, budget))
+    }
+
+    /// The partial derivative.
+    pub fn derivative(&self, variable: Variable) -> Self {
+        unlimited(|budget| self.derivative_within(variable, budget))
+    }
+
+    /// The function with `variable` replaced by a number; `None` where the denominator vanishes identically
+    /// then.
+    pub fn substitute(&self, variable: Variable, value: &Rational) -> Option<Self> {
+        Self::new(self.numerator.substitute(variable, value), self.denominator.substitute(variable, value))
+    }
+
+    /// The sum, within a budget.
+    pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
+        // a/b + c/d = (a·d/g + c·b/g) / (b·d/g) with g = gcd(b, d); only divisors of g can still cancel.
+        let common = gcd_within(&self.denominator, &other.denominator, budget)?;
+        let own_cofactor = divide(&self.denominator, &common, budget)?;
+        let other_cofactor = divide(&other.denominator, &common, budget)?;
+        let left = self.numerator.mul_within(&other_cofactor, budget)?;
+        let right = other.numerator.mul_within(&own_cofactor, budget)?;
+        let sum = left.add_within(&right, budget)?;
+        if sum.is_zero() {
+            return Ok(Self::zero());
+        }
+        let (sum, common) = cancel(&sum, &common, budget)?;
+        let denominator = own_cofactor.mul_within(&other_cofactor, budget)?.mul_within(&common, budget)?;
+        Ok(Self::from_coprime(sum, denominator))
+    }
+
+    /// The difference, within a budget.
+    pub fn sub_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
+        self.add_within(&-other, budget)
+    }
+
+    /// The product, within a budget.
+    pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
+        // Both factors are reduced, so what cancels cancels crosswise.
+        let (a, d) = cancel(&self.numerator, &other.denominator, budget)?;
+        let (c, b) = cancel(&other.numerator, &self.denominator, budget)?;
+        Ok(Self::from_coprime(a.mul_within(&c, budget)?, b.mul_within(&d, budget)?))
+    }
+
+    /// The quotient, within a budget; `None` if `divisor` is zero.
+    pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
+        divisor.recip().map(|inverse| self.mul_within(&inverse, budget)).transpose()
+    }
+
+    /// The power, within a budget; `None` for zero to a negative exponent.
+    pub fn pow_within(&self, exponent: i32, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
+        let base = if exponent < 0 { self.recip() } else { Some(self.clone()) };
+        let Some(base) = base else { return Ok(None) };
+        // Powers of coprime polynomials are coprime: no gcd.
+        let numerator = base.numerator.pow_within(exponent.unsigned_abs(), budget)?;
+        let denominator = base.denominator.pow_within(exponent.unsigned_abs(), budget)?;
+        Ok(Some(Self::from_coprime(numerator, denominator)))
+    }
+
+    /// The partial derivative, within a budget.
+    pub fn derivative_within(&self, variable: Variable, budget: &mut Budget) -> Result<Self, OverBudget> {
+        // (n/d)′ = (n′·d/g − n·d′/g) / (d·d/g) with g = gcd(d, d′)
+        let slope = self.denominator.derivative(variable);
+        let common = gcd_within(&self.denominator, &slope, budget)?;
+        let cofactor = divide(&self.denominator, &common, budget)?;
+        let slope = divide(&slope, &common, budget)?;
+        let rising = self.numerator.derivative(variable).mul_within(&cofactor, budget)?;
+        let falling = self.numerator.mul_within(&slope, budget)?;
+        let numerator = rising.add_within(&-&falling, budget)?;
+        let denominator = self.denominator.mul_within(&cofactor, budget)?;
+        let (numerator, denominator) = cancel(&numerator, &denominator, budget)?;
+        Ok(Self::from_coprime(numerator, denominator))
+    }
+
+    /// The normal form of a quotient of coprime polynomials, the denominator not zero.
+    fn from_coprime(numerator: Polynomial, denominator: Polynomial) -> Self {
+        if numerator.is_zero() {
+            return Self::zero();
+        }
+        match denominator.content().recip() {
+            Some(inverse) if !inverse.is_one() => {
+                Self { numerator: numerator.scale(&inverse), denominator: denominator.scale(&inverse) }
+            }
+            _ => Self { numerator, denominator },
+        }
+    }
+}
+
+/// Both polynomials divided by their gcd; not both may be zero.
+fn cancel(
+    a: &Polynomial,
+    b: &Polynomial,
+    budget: &mut Budget,
+) -> Result<(Polynomial, Polynomial), OverBudget> {
+    if a.is_one() || b.is_one() {
+        return Ok((a.clone(), b.clone()));
+    }
+    let common = gcd_within(a, b, budget)?;
+    Ok((divide(a, &common, budget)?, divide(b, &common, budget)?))
+}
+
+/// The quotient by a known divisor.
+fn divide(
+    multiple: &Polynomial,
+    divisor: &Polynomial,
+    budget: &mut Budget,
+) -> Result<Polynomial, OverBudget> {
+    if divisor.is_one() {
+        return Ok(multiple.clone());
+    }
+    Ok(multiple.div_within(divisor, budget)?.expect("a common divisor divides"))
+}
+
+/// Runs a budgeted computation with nothing but the limit on degrees.
+///
+/// # Panics
+/// Beyond a total degree of 2^24, where exponents might overflow.
+fn unlimited<T>(compute: impl FnOnce(&mut Budget) -> Result<T, OverBudget>) -> T {
+    compute(&mut Budget::unlimited()).expect("total degrees stay below 2^24")
+}
+
+impl From<Polynomial> for RationalFunction {
+    fn from(numerator: Polynomial) -> Self {
+        Self { numerator, denominator: Polynomial::one() }
+    }
+}
+
+impl Add for &RationalFunction {
+    type Output = RationalFunction;
+
+    fn add(self, other: &RationalFunction) -> RationalFunction {
+        unlimited(|budget| self.add_within(other, budget))
+    }
+}
+
+impl Sub for &RationalFunction {
+    type Output = RationalFunction;
+
+    fn sub(self, other: &RationalFunction) -> RationalFunction {
+        unlimited(|budget| self.sub_within(other, budget))
+    }
+}
+
+impl Mul for &RationalFunction {
+    type Output = RationalFunction;
+
+    fn mul(self, other: &RationalFunction) -> RationalFunction {
+        unlimited(|budget| self.mul_within(other, budget))
+    }
+}
+
+impl Neg for &RationalFunction {
+    type Output = RationalFunction;
+
+    fn neg(self) -> RationalFunction {
+        RationalFunction { numerator: -&self.numerator, denominator: self.denominator.clone() }
+    }
+}
+
+/// For test output: `(numerator)/(denominator)`.
+impl fmt::Debug for RationalFunction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "({:?})/({:?})", self.numerator, self.denominator)
+    }
+}

@@ -1,0 +1,56 @@
+//! A mistake as a paragraph: what is wrong, the source line with a caret under the place, what to write instead.
+
+use std::fmt::Write;
+use std::ops::Range;
+
+use crate::diagnostics::Diagnostic;
+
+/// Writes `diagnostic` about `text`; `ranges` are the byte ranges of its tokens, `origin` names the text.
+#[must_use]
+pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], origin: &str) -> String {
+    let mut out = format!("error: {}\n", diagnostic.message);
+    let end_of_text = text.len()..text.len();
+    let last = ranges.len().saturating_sub(1);
+    let first_range = ranges.get(diagnostic.span.first.min(last)).cloned().unwrap_or(end_of_text);
+    let last_range = ranges.get(diagnostic.span.last.min(last)).cloned().unwrap_or(first_range.clone());
+    let line_start = text[..first_range.start].rfind('\n').map_or(0, |at| at + 1);
+    let line_end = text[first_range.start..].find('\n').map_or(text.len(), |at| first_range.start + at);
+    let number = text[..first_range.start].matches('\n').count() + 1;
+    let line = &text[line_start..line_end];
+    let column = text[line_start..first_range.start].chars().count();
+    let marked = &text[first_range.start..last_range.end.clamp(first_range.start, line_end)];
+    let (line, column) = shorten(line, column);
+    let gutter = number.to_string();
+    let margin = " ".repeat(gutter.len());
+    // Tabs keep their width, so that the caret stands under its place.
+    let indent: String = line.chars().take(column).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
+    let room = line.chars().count().saturating_sub(column).max(1);
+    let carets = "^".repeat(marked.chars().count().clamp(1, room));
+    let _ = writeln!(
+        out,
+        "{margin}--> {origin}:{number}:{}",
+        text[line_start..first_range.start].chars().count() + 1
+    );
+    let _ = writeln!(out, "{margin} |");
+    let _ = writeln!(out, "{gutter} | {line}");
+    let _ = writeln!(out, "{margin} | {indent}{carets}");
+    if !diagnostic.help.is_empty() {
+        let _ = writeln!(out, "help: {}", diagnostic.help);
+    }
+    out
+}
+
+/// A long line is cut around its place.
+fn shorten(line: &str, column: usize) -> (String, usize) {
+    const WIDTH: usize = 160;
+    const BEFORE: usize = 60;
+    let length = line.chars().count();
+    if length <= WIDTH {
+        return (line.to_owned(), column);
+    }
+    let start = column.saturating_sub(BEFORE);
+    let cut: String = line.chars().skip(start).take(WIDTH).collect();
+    let head = if start > 0 { "…" } else { "" };
+    let tail = if start + WIDTH < length { "…" } else { "" };
+    (format!("{head}{cut}{tail}"), column - start + usize::from(start > 0))
+}

@@ -1,0 +1,96 @@
+//! Which variable of the polynomials stands for which name.
+//!
+//! The order is fixed: states, parameters, ε, then a second copy of the states for bilinear forms.
+
+use crate::poly::Variable;
+
+/// The names of a system, and the variables that stand for them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Symbols {
+    /// The state variables, in the order of their equations.
+    pub states: Vec<String>,
+    /// The parameters, in the order of the header.
+    pub parameters: Vec<String>,
+}
+
+/// What a variable stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Symbol {
+    /// The state with this index.
+    State(usize),
+    /// The parameter with this index.
+    Parameter(usize),
+    /// Half the time step.
+    Epsilon,
+    /// The state with this index at the second point of a bilinear form.
+    SecondState(usize),
+}
+
+impl Symbols {
+    /// The number of states.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.states.len()
+    }
+
+    /// The variable of a symbol.
+    #[must_use]
+    pub fn variable(&self, symbol: Symbol) -> Variable {
+        let (states, parameters) = (self.states.len(), self.parameters.len());
+        let index = match symbol {
+            Symbol::State(i) => i,
+            Symbol::Parameter(k) => states + k,
+            Symbol::Epsilon => states + parameters,
+            Symbol::SecondState(i) => states + parameters + 1 + i,
+        };
+        Variable(u16::try_from(index).unwrap_or(u16::MAX))
+    }
+
+    /// The variable of state `i`.
+    #[must_use]
+    pub fn state(&self, i: usize) -> Variable {
+        self.variable(Symbol::State(i))
+    }
+
+    /// The variable of parameter `k`.
+    #[must_use]
+    pub fn parameter(&self, k: usize) -> Variable {
+        self.variable(Symbol::Parameter(k))
+    }
+
+    /// The variable of ε.
+    #[must_use]
+    pub fn epsilon(&self) -> Variable {
+        self.variable(Symbol::Epsilon)
+    }
+
+    /// What `variable` stands for.
+    #[must_use]
+    pub fn symbol(&self, variable: Variable) -> Symbol {
+        let index = usize::from(variable.0);
+        let (states, parameters) = (self.states.len(), self.parameters.len());
+        match index {
+            i if i < states => Symbol::State(i),
+            i if i < states + parameters => Symbol::Parameter(i - states),
+            i if i == states + parameters => Symbol::Epsilon,
+            i => Symbol::SecondState(i - states - parameters - 1),
+        }
+    }
+
+    /// Whether `variable` is a state.
+    #[must_use]
+    pub fn is_state(&self, variable: Variable) -> bool {
+        usize::from(variable.0) < self.states.len()
+    }
+
+    /// The name of a variable as the user wrote it; the second copy of a state with a prime.
+    #[must_use]
+    pub fn name(&self, variable: Variable) -> String {
+        match self.symbol(variable) {
+            Symbol::State(i) => self.states[i].clone(),
+            Symbol::Parameter(k) => self.parameters[k].clone(),
+            Symbol::Epsilon => "eps".to_owned(),
+            Symbol::SecondState(i) => format!("{}'", self.states[i]),
+        }
+    }
+}

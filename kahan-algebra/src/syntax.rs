@@ -1,0 +1,172 @@
+//! What was written: a block of `kahan!`, item by item, with the place of everything.
+//!
+//! Nothing here is checked: names may be unknown, degrees too high, claims false. [`crate::check`] turns a block into
+//! a [`crate::field::Field`] and claims about it. Sums and products are flat lists, so that a sum of 20 000 terms is
+//! as shallow as one of two.
+
+use std::ops::Range;
+
+use crate::rational::Rational;
+use crate::token::Span;
+
+/// A name and its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Name {
+    /// The identifier, a raw one without `r#`.
+    pub text: String,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// `[header] (const | equation | claim)*`.
+#[derive(Clone, Debug, Default)]
+pub struct Block {
+    /// `pub struct E7 { xi }`, where there is one.
+    pub header: Option<Header>,
+    /// `const xi = 1/2;`
+    pub constants: Vec<Constant>,
+    /// `xdot = y*z;`
+    pub equations: Vec<Equation>,
+    /// `integral`, `density`, `bracket`.
+    pub claims: Vec<Claim>,
+    /// Left-hand sides without `dot`: mistakes already, but their names are not to be reported a second time.
+    pub misspelt_states: Vec<Name>,
+}
+
+/// `attributes visibility struct Name (; | { param, … })`.
+#[derive(Clone, Debug)]
+pub struct Header {
+    /// The tokens of attributes and visibility.
+    pub prefix: Range<usize>,
+    /// The type's name.
+    pub name: Name,
+    /// The parameters in order.
+    pub parameters: Vec<Name>,
+}
+
+/// `const NAME = constant expr;`
+#[derive(Clone, Debug)]
+pub struct Constant {
+    /// The constant's name.
+    pub name: Name,
+    /// Its value; absent where it could not be read.
+    pub value: Option<Expr>,
+}
+
+/// `STATEdot = expr;`
+#[derive(Clone, Debug)]
+pub struct Equation {
+    /// The state: the left-hand side without `dot`.
+    pub state: Name,
+    /// The right-hand side; absent where it could not be read.
+    pub value: Option<Expr>,
+}
+
+/// What a claim asserts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ClaimKind {
+    /// F(x̃) = F(x).
+    Integral,
+    /// ρ(x̃) det ∂x̃/∂x = ρ(x).
+    Density,
+    /// J P(x) Jᵀ = P(x̃), and the Jacobi identity.
+    Bracket,
+}
+
+impl ClaimKind {
+    /// The keyword that begins such a claim.
+    #[must_use]
+    pub fn keyword(self) -> &'static str {
+        match self {
+            ClaimKind::Integral => "integral",
+            ClaimKind::Density => "density",
+            ClaimKind::Bracket => "bracket",
+        }
+    }
+}
+
+/// `integral NAME = expr [when];`, `density NAME = expr [when];`, `bracket NAME { {x,y} = expr; … } [when] [;]`.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// What is claimed.
+    pub kind: ClaimKind,
+    /// The claim's name.
+    pub name: Name,
+    /// The claimed function or tensor; absent where it could not be read.
+    pub body: Option<ClaimBody>,
+    /// `when NAME = number, …`.
+    pub conditions: Vec<Condition>,
+}
+
+/// The right-hand side of a claim.
+#[derive(Clone, Debug)]
+pub enum ClaimBody {
+    /// Of an integral or a density.
+    Function(Expr),
+    /// Of a bracket.
+    Tensor(Vec<Entry>),
+}
+
+/// `{x, y} = expr;`
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// The first state.
+    pub row: Name,
+    /// The second state.
+    pub column: Name,
+    /// Its value.
+    pub value: Expr,
+}
+
+/// `NAME = number` behind `when`.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// A parameter, or `eps`.
+    pub name: Name,
+    /// A constant expression.
+    pub value: Expr,
+}
+
+/// An expression and its place.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The shapes of an expression.
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// A literal, exactly.
+    Number(Rational),
+    /// An identifier.
+    Name(String),
+    /// `a + b − c …`
+    Sum(Vec<Term>),
+    /// `a * b / c …`
+    Product(Vec<Factor>),
+    /// `−a`
+    Negation(Box<Expr>),
+    /// `a^n`
+    Power(Box<Expr>, i64),
+}
+
+/// One term of a sum.
+#[derive(Clone, Debug)]
+pub struct Term {
+    /// Whether `−` stands before it.
+    pub negative: bool,
+    /// The term.
+    pub expr: Expr,
+}
+
+/// One factor of a product.
+#[derive(Clone, Debug)]
+pub struct Factor {
+    /// Whether `/` stands before it.
+    pub divides: bool,
+    /// The factor.
+    pub expr: Expr,
+}

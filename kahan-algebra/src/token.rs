@@ -1,0 +1,61 @@
+//! Tokens: the one input of the parser, made from text ([`crate::lexer`]) or from a macro's tokens (`kahan-derive`).
+//!
+//! A token knows its text and whether the next one touches it, not where it stands: places are indices into the
+//! token list ([`Span`]), and whoever made the list keeps the map from index to byte range or compiler span.
+//! So one parser and one set of messages serve both.
+
+/// A run of tokens, from `first` to `last` inclusive, as indices into the token list of its block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Span {
+    /// Index of the first token.
+    pub first: usize,
+    /// Index of the last token.
+    pub last: usize,
+}
+
+impl Span {
+    /// The span of the single token `index`.
+    #[must_use]
+    pub fn token(index: usize) -> Self {
+        Span { first: index, last: index }
+    }
+
+    /// The smallest span that covers `self` and `other`.
+    #[must_use]
+    pub fn to(self, other: Span) -> Self {
+        Span { first: self.first.min(other.first), last: self.last.max(other.last) }
+    }
+}
+
+/// What a token is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TokenKind {
+    /// An identifier or keyword; a raw identifier without its `r#`.
+    Identifier,
+    /// A literal of any sort, its suffix included; only numbers have a meaning here.
+    Literal,
+    /// One punctuation character.
+    Punctuation(char),
+    /// `(`, `[` or `{`.
+    Open(char),
+    /// `)`, `]` or `}`.
+    Close(char),
+    /// Something that no token of the language begins with; the lexer says what to write instead.
+    Unreadable {
+        /// What is wrong.
+        message: String,
+        /// What to write instead.
+        help: String,
+    },
+}
+
+/// One token.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Token {
+    /// What it is.
+    pub kind: TokenKind,
+    /// Its text as written.
+    pub text: String,
+    /// Whether the next token follows without white space (`**` is two touching stars).
+    pub touches_next: bool,
+}

@@ -1,0 +1,48 @@
+//! Kahan's method for quadratic differential equations: `kahan!` turns ẋ = f(x) into its birational map x ↦ x̃.
+//!
+//! A field f(x) = Q(x) + Bx + c, with Q(x,y) the symmetric bilinear form of Q, has the map
+//! (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, which is linear in x̃ and is inverted by ε ↦ −ε.
+//! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
+//!
+//! In: a system written with [`kahan!`], or the two traits [`QuadraticField`] and [`KahanMap`] written by hand.
+//! Out: steps, matrices, Jacobians and orbits over any [`Scalar`]: `f32`, `f64`, exact rationals, or the user's.
+//! Nothing here knows the syntax of fields or algebra with symbols; that lies behind the macro.
+//! Without default features the crate is `no_std`; float scalars never allocate in any configuration.
+
+#![no_std]
+
+#[cfg(test)]
+extern crate std;
+
+mod error;
+mod field;
+mod kahan_macro;
+mod linear;
+mod map;
+mod named;
+mod orbit;
+mod prepared;
+mod scalar;
+mod try_step;
+mod vector_macro;
+
+pub mod prelude;
+
+#[doc(hidden)]
+pub mod __private;
+
+#[cfg(test)]
+mod tests;
+
+pub use error::SingularStep;
+pub use field::QuadraticField;
+pub use map::{KahanMap, eps_from_dt};
+pub use named::{Integrals, Named};
+pub use orbit::Orbit;
+pub use prepared::KahanAt;
+pub use scalar::{Constant, Pivot, Scalar};
+
+pub use nalgebra;
+#[cfg(feature = "exact")]
+pub use num_rational;
+pub use num_traits;

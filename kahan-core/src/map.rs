@@ -1,0 +1,174 @@
+//! Kahan's map of a quadratic field, and everything that follows from it.
+//!
+//! In: a state x and ε, half the time step. Out: x̃, the matrix A and right-hand side b of the linear system A·x̃ = b,
+//! Jacobians, determinants, orbits.
+//! All but one method have defaults, correct for every field; the macro overrides those for which it knows a closed
+//! form of the reduced map. What a prepared map or an orbit holds between steps lives in modules of their own.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::linear::{determinant, determinant_and_adjugate_product, solve};
+use crate::try_step::try_step;
+use crate::{Constant, KahanAt, Orbit, Pivot, QuadraticField, Scalar, SingularStep};
+
+/// ε from the time step: ε = dt/2.
+#[inline]
+pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
+    T::constant(&Constant::ratio(1, 2)) * dt
+}
+
+/// Kahan's map x ↦ x̃ of a quadratic field f, defined by (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c.
+///
+/// In every method `eps` is ε, **half the time step**. The inverse of the map is the map with −ε.
+///
+/// # Poles
+/// The map is the *reduced* rational map: numerators and denominators without common factors. A pole is a point where
+/// that has no value; there a float result is not finite, and an exact scalar panics, except in
+/// [`try_step`](Self::try_step), which says so, and in an [`Orbit`], which ends. Where det A(x,ε) = 0 but the
+/// reduced map has a value, the steps and the Jacobian are that value's. Fields too large to be reduced while
+/// compiling are stepped by elimination, and for them every point with det A = 0 is a pole.
+///
+/// # Range
+/// A float step whose denominator overflows may silently be wrong; `try_step` looks, the other methods do not.
+///
+/// ```
+/// use kahan_core::prelude::*;
+///
+/// kahan! {
+///     /// Predator and prey.
+///     pub struct LotkaVolterra;
+///     xdot = x*(1 - y);
+///     ydot = y*(x - 1);
+/// }
+///
+/// let x = vector![1.5_f64, 1.0];
+/// let eps = kahan_core::eps_from_dt(0.1);
+/// let next = LotkaVolterra.step(&x, eps);
+///
+/// // The defining equation.
+/// let increment = LotkaVolterra.polarized(&x, &next) * (2.0 * eps);
+/// assert!((next - x - increment).norm() < 1e-15);
+/// ```
+pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> {
+    /// x̃ − x, or `None` at a pole of a scalar that has no reciprocal of zero.
+    ///
+    /// The one thing the macro must write: a closed form by `increment_from_quotient`, or `increment_by_elimination`.
+    #[doc(hidden)]
+    fn increment(&self, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>;
+
+    /// A(x,ε) = I − εf′(x), the matrix of the linear system A(x,ε)·x̃ = b(x,ε).
+    fn matrix(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
+        let slopes = self.field_jacobian(x);
+        SMatrix::from_fn(|i, j| {
+            let entry = -(eps.clone() * slopes[(i, j)].clone());
+            if i == j { T::one() + entry } else { entry }
+        })
+    }
+
+    /// b(x,ε) = x + εBx + 2εc, the right-hand side of A(x,ε)·x̃ = b(x,ε).
+    fn rhs(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
+        let origin = SVector::from_fn(|_, _| T::zero());
+        // ½Bx + c
+        let affine = self.polarized(x, &origin);
+        let dt = eps.clone() + eps;
+        SVector::from_fn(|i, _| x[i].clone() + dt.clone() * affine[i].clone())
+    }
+
+    /// x̃, the state one time step of 2ε later.
+    ///
+    /// The fast tier: for the fields of ordinary size the reduced closed form with one reciprocal, whose error is of
+    /// the order of the scalar's rounding unit away from poles; it neither branches nor allocates over floats.
+    ///
+    /// # Panics
+    /// At a pole, for exact scalars; floats give a result that is not finite.
+    #[inline]
+    fn step(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
+        match self.increment(x, &eps) {
+            Some(increment) => advance(x, &increment),
+            None => pole(&eps),
+        }
+    }
+
+    /// x̃, or why there is none.
+    ///
+    /// `Ok` holds finite numbers of the accuracy of [`step`](Self::step), or, where that left the scalar's range,
+    /// of elimination with partial pivoting. No bound on the error is established: a point very near a pole gives
+    /// a result as inaccurate as its distance makes it.
+    ///
+    /// # Errors
+    /// [`SingularStep`] at a pole, at a point that is not finite, and where neither way stays within range.
+    fn try_step(&self, x: &SVector<T, N>, eps: T) -> Result<SVector<T, N>, SingularStep>
+    where
+        T: Pivot,
+    {
+        try_step(self, x, eps)
+    }
+
+    /// The inverse map, which is the map with −ε: the state one time step of 2ε earlier.
+    ///
+    /// # Panics
+    /// At a pole of the inverse map, for exact scalars, as [`step`](Self::step).
+    #[inline]
+    fn step_back(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
+        self.step(x, -eps)
+    }
+
+    /// ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε), with the entry ∂x̃ᵢ/∂xⱼ in row i, column j.
+    ///
+    /// # Panics
+    /// At a pole, for exact scalars; floats give entries that are not finite.
+    fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
+        let next = self.step(x, eps.clone());
+        let back = self.matrix(&next, -eps.clone());
+        solve(self.matrix(x, eps.clone()), back).unwrap_or_else(|| pole(&eps))
+    }
+
+    /// D(x,ε) = det A(x,ε): 0 at every pole, and also at the poles that the reduced map has lost.
+    fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
+        determinant(self.matrix(x, eps))
+    }
+
+    /// det ∂x̃/∂x; where det A is not 0, it is det A(x̃,−ε)/det A(x,ε).
+    ///
+    /// # Panics
+    /// At a pole, for exact scalars; a float is not finite there.
+    fn det_jacobian(&self, x: &SVector<T, N>, eps: T) -> T {
+        determinant(self.jacobian(x, eps))
+    }
+
+    /// (N, D) = (adj A·b, det A), unreduced, without a division: x̃ = N/D where D is not 0. Defined everywhere.
+    fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
+        determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps))
+    }
+
+    /// The map at one ε, prepared to be stepped many times; it owns a copy of this map.
+    fn at(&self, eps: T) -> KahanAt<Self, T, N>
+    where
+        Self: Clone,
+    {
+        KahanAt::new(self.clone(), eps)
+    }
+
+    /// The orbit x₀, x₁, …, beginning with x₀ = `x`; it owns a copy of this map.
+    fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<Self, T, N>
+    where
+        Self: Clone,
+    {
+        Orbit::new(self.clone(), x, eps)
+    }
+}
+
+/// x + increment.
+#[inline]
+pub(crate) fn advance<T: Scalar, const N: usize>(
+    x: &SVector<T, N>,
+    increment: &SVector<T, N>,
+) -> SVector<T, N> {
+    SVector::from_fn(|i, _| x[i].clone() + increment[i].clone())
+}
+
+/// The end of a call that has no way to report a pole.
+#[cold]
+pub(crate) fn pole<T: Scalar>(eps: &T) -> ! {
+    panic!("{}", SingularStep::pole(eps.approximate()))
+}

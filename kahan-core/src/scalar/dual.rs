@@ -1,0 +1,164 @@
+//! Dual numbers v + g·d with d² = 0: a value that carries its gradient in N directions.
+//!
+//! In: the closed form of a step. Out: the same formula's value and exact derivatives, without a second formula.
+//! They are for rational formulas only (no ordering, no roots), and live on the stack whenever T does.
+
+use core::array::from_fn;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use super::{Constant, Scalar};
+
+/// A value with its derivatives along N directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dual<T, const N: usize> {
+    /// The value.
+    pub value: T,
+    /// The derivatives of the value.
+    pub gradient: [T; N],
+}
+
+impl<T: Scalar, const N: usize> Dual<T, N> {
+    /// A number that depends on no direction.
+    pub fn lift(value: T) -> Self {
+        Self { value, gradient: from_fn(|_| T::zero()) }
+    }
+
+    /// The coordinate of direction `i`: its derivative is 1 along `i` and 0 along the others.
+    pub fn coordinate(value: T, i: usize) -> Self {
+        Self { value, gradient: from_fn(|j| if i == j { T::one() } else { T::zero() }) }
+    }
+}
+
+impl<T: Scalar, const N: usize> Add for Dual<T, N> {
+    type Output = Self;
+
+    #[inline]
+    fn add(mut self, other: Self) -> Self {
+        self += other;
+        self
+    }
+}
+
+impl<T: Scalar, const N: usize> Sub for Dual<T, N> {
+    type Output = Self;
+
+    #[inline]
+    fn sub(mut self, other: Self) -> Self {
+        self -= other;
+        self
+    }
+}
+
+impl<T: Scalar, const N: usize> Neg for Dual<T, N> {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self { value: -self.value, gradient: self.gradient.map(|g| -g) }
+    }
+}
+
+#[expect(clippy::suspicious_arithmetic_impl, reason = "the product rule adds")]
+impl<T: Scalar, const N: usize> Mul for Dual<T, N> {
+    type Output = Self;
+
+    // (uv)′ = u′v + uv′
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let (u, v) = (self.value, other.value);
+        let gradient =
+            from_fn(|i| self.gradient[i].clone() * v.clone() + u.clone() * other.gradient[i].clone());
+        Self { value: u * v, gradient }
+    }
+}
+
+#[expect(clippy::suspicious_arithmetic_impl, reason = "the quotient rule subtracts and multiplies")]
+impl<T: Scalar, const N: usize> Div for Dual<T, N> {
+    type Output = Self;
+
+    // (u/v)′ = (u′ − (u/v)v′)/v
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let quotient = self.value / other.value.clone();
+        let gradient = from_fn(|i| {
+            (self.gradient[i].clone() - quotient.clone() * other.gradient[i].clone()) / other.value.clone()
+        });
+        Self { value: quotient, gradient }
+    }
+}
+
+impl<T: Scalar, const N: usize> AddAssign for Dual<T, N> {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        self.value += other.value;
+        for (mine, theirs) in self.gradient.iter_mut().zip(other.gradient) {
+            *mine += theirs;
+        }
+    }
+}
+
+impl<T: Scalar, const N: usize> SubAssign for Dual<T, N> {
+    #[inline]
+    fn sub_assign(&mut self, other: Self) {
+        self.value -= other.value;
+        for (mine, theirs) in self.gradient.iter_mut().zip(other.gradient) {
+            *mine -= theirs;
+        }
+    }
+}
+
+impl<T: Scalar, const N: usize> MulAssign for Dual<T, N> {
+    #[inline]
+    fn mul_assign(&mut self, other: Self) {
+        *self = self.clone() * other;
+    }
+}
+
+impl<T: Scalar, const N: usize> DivAssign for Dual<T, N> {
+    #[inline]
+    fn div_assign(&mut self, other: Self) {
+        *self = self.clone() / other;
+    }
+}
+
+impl<T: Scalar, const N: usize> Zero for Dual<T, N> {
+    fn zero() -> Self {
+        Self::lift(T::zero())
+    }
+
+    fn is_zero(&self) -> bool {
+        self.value.is_zero() && self.gradient.iter().all(T::is_zero)
+    }
+}
+
+impl<T: Scalar, const N: usize> One for Dual<T, N> {
+    fn one() -> Self {
+        Self::lift(T::one())
+    }
+}
+
+impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
+    #[inline]
+    fn constant(c: &Constant) -> Self {
+        Self::lift(T::constant(c))
+    }
+
+    // (1/v)′ = −v′/v². A dual number with value 0 has no reciprocal even when it is not 0 itself.
+    #[inline]
+    fn reciprocal(&self) -> Option<Self> {
+        let value = self.value.reciprocal()?;
+        let slope = -(value.clone() * value.clone());
+        Some(Self { value, gradient: from_fn(|i| slope.clone() * self.gradient[i].clone()) })
+    }
+
+    #[inline]
+    fn is_better_pivot(&self, than: &Self) -> bool {
+        self.value.is_better_pivot(&than.value)
+    }
+
+    fn approximate(&self) -> f64 {
+        self.value.approximate()
+    }
+}

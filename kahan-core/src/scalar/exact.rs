@@ -1,0 +1,28 @@
+//! Rationals of any size as scalars: every result is the number itself.
+//!
+//! A pole is an exact zero, reported as a missing reciprocal and never divided by.
+
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive};
+
+use super::{Constant, Pivot, Scalar};
+
+impl Scalar for BigRational {
+    fn constant(c: &Constant) -> Self {
+        c.to_ratio()
+    }
+
+    fn approximate(&self) -> f64 {
+        self.to_f64().unwrap_or(f64::NAN)
+    }
+}
+
+impl Pivot for BigRational {
+    fn magnitude_exceeds(&self, other: &Self) -> bool {
+        self.abs() > other.abs()
+    }
+
+    fn is_finite_number(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,83 @@
+//! What a number must do to run through a Kahan map.
+//!
+//! In: any type with the four operations and the rationals inside it. Out: the same code over floats, exact
+//! rationals, dual numbers, or lanes of floats.
+//! [`Scalar`] asks for no ordering, no square root and no conversion; [`Pivot`] adds order by magnitude and
+//! finiteness, which lanes lack. No method shares its name with one of num-traits, so both can be in scope.
+
+mod constant;
+mod dual;
+#[cfg(feature = "exact")]
+mod exact;
+mod float;
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+pub use constant::Constant;
+pub use dual::Dual;
+
+/// A number that a Kahan map computes with.
+///
+/// To make a type one, implement the operators and [`constant`](Scalar::constant); the other methods have defaults
+/// that suit an exact field.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a scalar that a Kahan map can compute with",
+    label = "not a `Scalar`; for a number, write `1.0`, not `1`",
+    note = "`f32` and `f64` are scalars, with the feature `exact` also `BigRational`, and every type that implements \
+            `kahan_core::Scalar`"
+)]
+pub trait Scalar:
+    Clone
+    + PartialEq
+    + Debug
+    + 'static
+    + Zero
+    + One
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+{
+    /// The scalar nearest to an exact rational.
+    fn constant(c: &Constant) -> Self;
+
+    /// 1/self, or `None` where the scalar has no such value and dividing would panic.
+    ///
+    /// Floats always answer (1/0 is infinite), so that their steps never branch.
+    fn reciprocal(&self) -> Option<Self> {
+        if self.is_zero() { None } else { Some(Self::one() / self.clone()) }
+    }
+
+    /// Whether elimination should divide by `self` rather than by `than`: here, a nonzero number rather than zero.
+    fn is_better_pivot(&self, than: &Self) -> bool {
+        than.is_zero() && !self.is_zero()
+    }
+
+    /// A nearby `f64` for reports, not for computing; not a number where there is none, as here.
+    fn approximate(&self) -> f64 {
+        f64::NAN
+    }
+}
+
+/// A scalar ordered by magnitude that can tell whether it is a finite number; what
+/// [`try_step`](crate::KahanMap::try_step) needs to judge a result.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot judge whether a step is finite",
+    label = "not a `Pivot`; for a number, write `1.0`, not `1`",
+    note = "`step` and `orbit` need `Scalar` only"
+)]
+pub trait Pivot: Scalar {
+    /// Whether |self| > |other|; false if either is not a number.
+    fn magnitude_exceeds(&self, other: &Self) -> bool;
+
+    /// Whether this is a number and not infinite; always true for exact scalars.
+    fn is_finite_number(&self) -> bool;
+}

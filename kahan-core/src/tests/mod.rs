@@ -1,0 +1,22 @@
+//! The laws of the method on hand-written systems, one topic a file.
+//!
+//! The systems have the form that the macro emits, so a change of the hidden door breaks a test before it breaks the
+//! macro. Over rationals every law is tested with `==`; over floats only what floats promise.
+
+mod constants;
+mod duals;
+mod floats;
+mod hygiene;
+mod linear;
+mod orbits;
+mod overflow;
+mod systems;
+
+#[cfg(feature = "exact")]
+mod exact_laws;
+#[cfg(feature = "exact")]
+mod exact_linear;
+#[cfg(feature = "exact")]
+mod exact_poles;
+#[cfg(feature = "exact")]
+mod rationals;

@@ -1,0 +1,120 @@
+//! Accessors of unconditional claims: `integrals`, `density`, `bracket_NAME`.
+
+use kahan_algebra::plan::{Plan, PlanBuilder};
+use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::{Claim, upper_index};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::plan::{emit_inputs, emit_plan};
+use super::{Context, docs, items};
+
+/// Expands to the accessors of all claims; to nothing where there are none.
+pub(super) fn emit_claims(context: &Context<'_>) -> TokenStream {
+    let integrals = emit_integrals(context);
+    let density = context.system.accessors(ClaimKind::Density).map(|claim| emit_density(context, claim));
+    let brackets = context.system.accessors(ClaimKind::Bracket).map(|claim| emit_bracket(context, claim));
+    quote! { #integrals #(#density)* #(#brackets)* }
+}
+
+/// `impl<T: Scalar> E7<T> { pub fn …(&self, …) }`, or `impl E6 { pub fn …<T: Scalar>(&self, …) }`.
+fn emit_method(
+    context: &Context<'_>,
+    documentation: &TokenStream,
+    name: &str,
+    result: &TokenStream,
+    body: &TokenStream,
+) -> TokenStream {
+    let (this, scalar, vector) = (context.self_type(), &context.scalar, context.vector());
+    let name = format_ident!("{name}");
+    let bounds = quote!(<#scalar: __kahan::Scalar>);
+    let nothing = quote!();
+    let (on_impl, on_method) =
+        if context.has_parameters() { (&bounds, &nothing) } else { (&nothing, &bounds) };
+    quote! {
+        impl #on_impl #this {
+            #documentation
+            pub fn #name #on_method (&self, state: &#vector, half_step: #scalar) -> #result {
+                #body
+            }
+        }
+    }
+}
+
+fn emit_integrals(context: &Context<'_>) -> TokenStream {
+    let claims: Vec<&Claim> = context.system.accessors(ClaimKind::Integral).collect();
+    if claims.is_empty() {
+        return TokenStream::new();
+    }
+    let names: Vec<String> = claims.iter().map(|claim| claim.name.text.clone()).collect();
+    let list = items::emit_list("INTEGRALS", "The names of the integrals, in order.", &names);
+    let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
+    let vector = context.vector();
+    let count = Literal::usize_unsuffixed(claims.len());
+    let result = quote!(__kahan::SVector<#scalar, #count>);
+    let body = {
+        let (bindings, results) =
+            emit_together(context, &claims.iter().map(|claim| &claim.plan).collect::<Vec<_>>());
+        quote! { #bindings __kahan::vector([#(#results),*]) }
+    };
+    let method = emit_method(context, &docs::integrals(&claims), "integrals", &result, &body);
+    let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
+    quote! {
+        impl #generics #this {
+            #list
+        }
+        #method
+        impl<#scalar: __kahan::Scalar> __kahan::Integrals<#scalar, #dimension, #count> for #this {
+            fn integral_names(&self) -> &'static [&'static __kahan::core::primitive::str] {
+                &Self::INTEGRALS
+            }
+            fn integrals(&self, state: &#vector, half_step: #scalar) -> #result {
+                Self::integrals(self, state, half_step)
+            }
+        }
+    }
+}
+
+fn emit_density(context: &Context<'_>, claim: &Claim) -> TokenStream {
+    let scalar = &context.scalar;
+    let (bindings, results) = emit_together(context, &[&claim.plan]);
+    emit_method(context, &docs::density(claim), "density", &quote!(#scalar), &quote!(#bindings #(#results)*))
+}
+
+fn emit_bracket(context: &Context<'_>, claim: &Claim) -> TokenStream {
+    let n = context.system.field.dimension();
+    let (bindings, entries) = emit_together(context, &[&claim.plan]);
+    let upper: Vec<_> = (0..n).flat_map(|i| (i + 1..n).map(move |j| format_ident!("p_{i}_{j}"))).collect();
+    let rows = (0..n).map(|i| {
+        let row = (0..n).map(|j| match i.cmp(&j) {
+            std::cmp::Ordering::Equal => {
+                let scalar = &context.scalar;
+                quote!(__kahan::integer::<#scalar>(0))
+            }
+            std::cmp::Ordering::Less => {
+                let entry = &upper[upper_index(n, i, j)];
+                quote!(#entry.clone())
+            }
+            std::cmp::Ordering::Greater => {
+                let entry = &upper[upper_index(n, j, i)];
+                quote!(-#entry.clone())
+            }
+        });
+        quote!([#(#row),*])
+    });
+    let body = quote! { #bindings #(let #upper = #entries;)* __kahan::matrix([#(#rows),*]) };
+    let name = format!("bracket_{}", claim.name.text);
+    emit_method(context, &docs::bracket(claim), &name, &context.matrix(), &body)
+}
+
+/// Several plans as one, with what they share computed once: bindings and results.
+fn emit_together(context: &Context<'_>, plans: &[&Plan]) -> (TokenStream, Vec<TokenStream>) {
+    let symbols = &context.system.field.symbols;
+    let mut builder = PlanBuilder::default();
+    let outputs: Vec<_> = plans.iter().flat_map(|plan| builder.include(plan)).collect();
+    let plan = builder.finish(&outputs);
+    let inputs = emit_inputs(&plan, symbols, &quote!(self));
+    let emitted = emit_plan(&plan, symbols, &context.scalar);
+    let bindings = emitted.bindings;
+    (quote! { #inputs #bindings }, emitted.results)
+}

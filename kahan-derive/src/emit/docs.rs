@@ -1,0 +1,102 @@
+//! Documentation of the generated items: the formulas themselves.
+
+use kahan_algebra::render::{Formulas, Notation, claim_statement, claim_text};
+use kahan_algebra::system::Claim;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::Context;
+
+/// Formulas longer than this are left to `kahan show`.
+const LONGEST: usize = 2_000;
+
+fn emit_lines(lines: &[String]) -> TokenStream {
+    lines.iter().map(|line| quote!(#[doc = #line])).collect()
+}
+
+/// The documentation of a system: field, A(x,ε), reduced map, claims. `follows` tells that the user's own comes first.
+pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
+    let system = context.system;
+    let states = &system.field.symbols.states;
+    let formulas = Formulas { field: &system.field, map: context.map.as_ref(), notation: Notation::Text };
+    let mut lines = Vec::new();
+    if follows {
+        lines.push(String::new());
+    }
+    lines.push(
+        " Kahan's method, x ↦ x̃ with time step 2ε (`eps` is ε, half the time step), for the field".to_owned(),
+    );
+    lines.push(String::new());
+    lines.push(" ```text".to_owned());
+    lines.extend(states.iter().zip(formulas.field()).map(|(state, value)| format!(" {state}dot = {value}")));
+    lines.push(" ```".to_owned());
+    push_block(&mut lines, "Matrix A(x,ε) = I − ε f′(x), row by row:", &rows(&formulas));
+    match formulas.map() {
+        Some(map) => {
+            let images: Vec<String> =
+                states.iter().zip(map).map(|(state, image)| format!("{state}~ = {image}")).collect();
+            push_block(&mut lines, "The map in lowest terms:", &images);
+        }
+        None => lines.push(
+            " The map is computed by elimination: its closed form exceeds the budget of terms.".to_owned(),
+        ),
+    }
+    let claims: Vec<String> = system.claims.iter().map(|claim| claim_text(system, claim)).collect();
+    if !claims.is_empty() {
+        push_block(&mut lines, "Proved while compiling:", &claims);
+    }
+    emit_lines(&lines)
+}
+
+fn rows(formulas: &Formulas<'_>) -> Vec<String> {
+    formulas.matrix().iter().map(|row| format!("[ {} ]", row.join(", "))).collect()
+}
+
+fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
+    if text.iter().map(String::len).sum::<usize>() > LONGEST {
+        return;
+    }
+    lines.push(String::new());
+    lines.push(format!(" {title}"));
+    lines.push(String::new());
+    lines.push(" ```text".to_owned());
+    lines.extend(text.iter().map(|line| format!(" {line}")));
+    lines.push(" ```".to_owned());
+}
+
+/// The documentation of `integrals`.
+pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
+    let mut lines = vec![
+        " The integrals of motion of the map at `state`; `half_step` is ε, half the time step.".to_owned(),
+    ];
+    let statements: Vec<String> = claims.iter().flat_map(|claim| statement(claim)).collect();
+    push_block(&mut lines, "In order:", &statements);
+    lines.push(String::new());
+    lines.push(" Where a divisor is zero, floats are not finite and exact scalars panic.".to_owned());
+    emit_lines(&lines)
+}
+
+/// The documentation of `density`.
+pub(super) fn density(claim: &Claim) -> TokenStream {
+    let mut lines = vec![
+        " The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `half_step` is ε, half the time step.".to_owned(),
+    ];
+    push_block(&mut lines, "Namely", &statement(claim));
+    emit_lines(&lines)
+}
+
+/// The documentation of `bracket_NAME`.
+pub(super) fn bracket(claim: &Claim) -> TokenStream {
+    let mut lines = vec![
+        " An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `half_step` is ε, half the time step.".to_owned(),
+    ];
+    push_block(&mut lines, "Its entries, those not given being zero:", &statement(claim));
+    emit_lines(&lines)
+}
+
+fn statement(claim: &Claim) -> Vec<String> {
+    claim_statement(claim, Notation::Text)
+        .into_iter()
+        .map(|(name, value)| format!("{name} = {value}"))
+        .collect()
+}

@@ -1,0 +1,42 @@
+//! Exact constants as Rust.
+
+use kahan_algebra::rational::Rational;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+/// Quotients of integers up to this size are rounded correctly by one division, in `f32` too.
+const EXACT_IN_F32: i64 = 1 << 24;
+
+/// A positive constant of type `scalar`: `__kahan::integer::<T>(3)`, `__kahan::ratio::<T>(1, 2)`, or all its digits.
+pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
+    if let Some(integer) = value.as_i64() {
+        let integer = Literal::i64_unsuffixed(integer);
+        return quote!(__kahan::integer::<#scalar>(#integer));
+    }
+    if let Some((numerator, denominator)) =
+        value.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32)
+    {
+        let (numerator, denominator) =
+            (Literal::i64_unsuffixed(numerator), Literal::i64_unsuffixed(denominator));
+        return quote!(__kahan::ratio::<#scalar>(#numerator, #denominator));
+    }
+    let negative = value.is_negative();
+    let limbs = |digits: Vec<u64>| {
+        let digits = digits.into_iter().map(Literal::u64_unsuffixed);
+        quote!(&[#(#digits),*])
+    };
+    let numerator = limbs(value.numerator().iter_u64_digits().collect());
+    let denominator = limbs(value.denominator().iter_u64_digits().collect());
+    let (high, low) = value.to_double_double();
+    let (single, double, low) = (value.to_f32().to_bits(), high.to_bits(), low.to_bits());
+    let bits = |bits: u64| Literal::u64_unsuffixed(bits);
+    let (single, double, low) = (bits(single.into()), bits(double), bits(low));
+    quote! {
+        <#scalar as __kahan::Scalar>::constant(&__kahan::Constant::exact(
+            #negative, #numerator, #denominator,
+            __kahan::core::primitive::f32::from_bits(#single),
+            __kahan::core::primitive::f64::from_bits(#double),
+            __kahan::core::primitive::f64::from_bits(#low),
+        ))
+    }
+}

@@ -1,0 +1,70 @@
+//! Compiler tokens to the front end's tokens, groups flattened, with the compiler's span of each.
+
+use kahan_algebra::token::{Token, TokenKind};
+use proc_macro2::{Delimiter, Group, Spacing, Span, TokenStream, TokenTree};
+
+/// The tokens of a block and where they stand.
+pub(crate) struct Flat {
+    pub(crate) tokens: Vec<Token>,
+    pub(crate) spans: Vec<Span>,
+}
+
+/// Flattens a token stream. Nesting costs no stack: open groups wait in a list.
+pub(crate) fn flatten(stream: TokenStream) -> Flat {
+    let mut flat = Flat { tokens: Vec::new(), spans: Vec::new() };
+    let mut open: Vec<(proc_macro2::token_stream::IntoIter, Option<Group>)> =
+        vec![(stream.into_iter(), None)];
+    while let Some((trees, _)) = open.last_mut() {
+        match trees.next() {
+            Some(TokenTree::Group(group)) => {
+                let (opening, _) = brackets(&group);
+                flat.push(TokenKind::Open(opening), opening.to_string(), group.span_open(), false);
+                open.push((group.stream().into_iter(), Some(group)));
+            }
+            Some(tree) => flat.push_leaf(&tree),
+            None => {
+                if let Some((_, Some(group))) = open.pop() {
+                    let (_, closing) = brackets(&group);
+                    flat.push(TokenKind::Close(closing), closing.to_string(), group.span_close(), false);
+                }
+            }
+        }
+    }
+    flat
+}
+
+/// The brackets of a group; one without any (a captured `$e:expr`) binds like parentheses.
+fn brackets(group: &Group) -> (char, char) {
+    match group.delimiter() {
+        Delimiter::Parenthesis | Delimiter::None => ('(', ')'),
+        Delimiter::Bracket => ('[', ']'),
+        Delimiter::Brace => ('{', '}'),
+    }
+}
+
+impl Flat {
+    fn push(&mut self, kind: TokenKind, text: String, span: Span, touches_next: bool) {
+        self.tokens.push(Token { kind, text, touches_next });
+        self.spans.push(span);
+    }
+
+    fn push_leaf(&mut self, tree: &TokenTree) {
+        match tree {
+            TokenTree::Ident(ident) => {
+                let text = ident.to_string();
+                let text = text.strip_prefix("r#").map(str::to_owned).unwrap_or(text);
+                self.push(TokenKind::Identifier, text, ident.span(), false);
+            }
+            TokenTree::Literal(literal) => {
+                self.push(TokenKind::Literal, literal.to_string(), literal.span(), false)
+            }
+            TokenTree::Punct(punct) => self.push(
+                TokenKind::Punctuation(punct.as_char()),
+                punct.as_char().to_string(),
+                punct.span(),
+                punct.spacing() == Spacing::Joint,
+            ),
+            TokenTree::Group(_) => {}
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! E3: section 3 of the paper, Table 1, i = 3, the pair A(3,3), so(3).
+//!
+//! In the limit eps = 0: H = y/x, K = (x^2 + y^2 + z^2)/2, c = 1/x^2; the flow is -P dK = -(1/c) Q dH.
+//! Claims: the integrals H and K of Table 2, the volume form c/(H K) of Theorem 1 with the continuous c, H, K, and the
+//! compatible Poisson pair of Theorem 2: `P` from Table 3, and `Q`, which is the tensor of Table 4 divided by c.
+//! Not rational, so not a claim: the solution of the flow, hyperbolic functions (Table 5). The map has one
+//! of the same kind (Theorem 3).
+//! Every component of N and det A have the factor 1 + eps z, so 1 + eps z = 0 is a removable pole of the map.
+//! Table 4 prints z for z^2 in {y,z} and {z,x} of Q (erratum A1); the printed tensor is Poisson but not invariant.
+
+use kahan_core::prelude::*;
+
+use crate::registry::Entry;
+
+kahan! {
+    /// E3, the Kahan map with the integrals of Table 2, row 3.
+    pub struct E3;
+
+    xdot = -x*z;
+    ydot = -y*z;
+    zdot = x^2 + y^2;
+
+    integral H = y/x;
+    integral K = 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
+    density rho = 2/(x*y*(x^2 + y^2 + z^2));
+    bracket P {
+        {y,z} = y*(1 + eps^2*(x^2 + y^2));
+        {z,x} = -x*(1 + eps^2*(x^2 + y^2));
+    }
+    bracket Q {
+        {x,y} = x^2*z;
+        {y,z} = x^3*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2));
+        {z,x} = x^2*y*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2));
+    }
+}
+
+/// The catalog's entry.
+pub(crate) const ENTRY: Entry = Entry {
+    command: "e3",
+    type_name: "E3",
+    title: "two Lie-Poisson structures, A(3,3) and so(3); solved by hyperbolic functions",
+    file: include_str!("e3.rs"),
+    sources: &[
+        ("H", "Table 2, i = 3"),
+        ("K", "Table 2, i = 3"),
+        ("rho", "Theorem 1"),
+        ("P", "Table 3, i = 3, and Theorem 2"),
+        ("Q", "Table 4, i = 3 (corrected, erratum A1), and Theorem 2"),
+    ],
+};

@@ -1,0 +1,49 @@
+//! E4: section 3 of the paper, Table 1, i = 4, the pair e(1,1), so(3).
+//!
+//! In the limit eps = 0: H = x*y, K = (x^2 + y^2 + z^2)/2, c = 1; the flow is -P dK = -(1/c) Q dH.
+//! Claims: the integrals H and K of Table 2, the volume form c/(H K) of Theorem 1 with the continuous c, H, K, and the
+//! compatible Poisson pair of Theorem 2: `P` from Table 3, and `Q`, which is the tensor of Table 4 divided by c.
+//! Not rational, so not a claim: the solution of the flow, Jacobi's elliptic functions (Table 5). The map has one
+//! of the same kind (Theorem 3).
+//! In the coordinates x - y, x + y, z it is the Euler top with a = (-1, -1, 1).
+
+use kahan_core::prelude::*;
+
+use crate::registry::Entry;
+
+kahan! {
+    /// E4, the Kahan map with the integrals of Table 2, row 4.
+    pub struct E4;
+
+    xdot = -x*z;
+    ydot = y*z;
+    zdot = x^2 - y^2;
+
+    integral H = x*y/(1 + eps^2*(x^2 + y^2));
+    integral K = 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
+    density rho = 2/(x*y*(x^2 + y^2 + z^2));
+    bracket P {
+        {y,z} = -y*(1 - eps^2*(x^2 - y^2));
+        {z,x} = -x*(1 + eps^2*(x^2 - y^2));
+    }
+    bracket Q {
+        {x,y} = z*(1 + eps^2*(x^2 + y^2));
+        {y,z} = x*(1 - eps^2*z^2);
+        {z,x} = y*(1 - eps^2*z^2);
+    }
+}
+
+/// The catalog's entry.
+pub(crate) const ENTRY: Entry = Entry {
+    command: "e4",
+    type_name: "E4",
+    title: "two Lie-Poisson structures, e(1,1) and so(3); solved by elliptic functions",
+    file: include_str!("e4.rs"),
+    sources: &[
+        ("H", "Table 2, i = 4"),
+        ("K", "Table 2, i = 4"),
+        ("rho", "Theorem 1"),
+        ("P", "Table 3, i = 4, and Theorem 2"),
+        ("Q", "Table 4, i = 4, and Theorem 2"),
+    ],
+};

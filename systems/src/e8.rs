@@ -1,0 +1,28 @@
+//! E8: section 6 (dE8) of the paper; Lie-Poisson structures with H = x e^(-y/x), K = x z + y^2, c = -e^(-y/x)/x (erratum A2).
+//!
+//! Rational: the density alone, which the paper does not state. Not rational, so not claims: the integral
+//! y/x + digamma(1/2 + u), u = 1/(2 eps x), its bracket, and a second integral given by a series.
+
+use kahan_core::prelude::*;
+
+use crate::registry::Entry;
+
+kahan! {
+    /// E8, whose integral is a digamma function.
+    pub struct E8;
+
+    xdot = -x^2;
+    ydot = -x*(x + y);
+    zdot = 2*y*(x + y) + x*z;
+
+    density rho = 1/(x^2*(1 - eps^2*x^2));
+}
+
+/// The catalog's entry.
+pub(crate) const ENTRY: Entry = Entry {
+    command: "e8",
+    type_name: "E8",
+    title: "a Lie-Poisson pair with a digamma-function integral",
+    file: include_str!("e8.rs"),
+    sources: &[("rho", "Section 6 (dE8), not stated there")],
+};

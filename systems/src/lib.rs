@@ -1,0 +1,31 @@
+//! The catalog: the Euler top, Lotka-Volterra and the systems E1 to E9 of Hone and Petrera, one file each.
+//!
+//! A file holds the `kahan!` block with every rational claim that holds, and names what no rational claim can hold. The
+//! macro proves the claims while it compiles the block. [`registry`] offers the same blocks as text with the place of
+//! each claim in the paper, and the `kahan` command proves them again from there. The half step ε is written `eps`.
+
+pub mod registry;
+
+mod e1;
+mod e2;
+mod e3;
+mod e4;
+mod e5;
+mod e6;
+mod e7;
+mod e8;
+mod e9;
+mod euler;
+mod lotka_volterra;
+
+pub use e1::E1;
+pub use e2::E2;
+pub use e3::E3;
+pub use e4::E4;
+pub use e5::E5;
+pub use e6::E6;
+pub use e7::E7;
+pub use e8::E8;
+pub use e9::E9;
+pub use euler::EulerTop;
+pub use lotka_volterra::LotkaVolterra;

@@ -1,0 +1,40 @@
+//! The Lotka-Volterra system: section 1 of the paper, prey x and predators y.
+//!
+//! The flow has {x,y} = x y and the integral log(x y) - (x + y), which is not rational. The map keeps the bracket and the
+//! area dx dy/(x y) for every eps. It has a rational integral for eps = 1 and eps = -1, where one map is the inverse of the
+//! other, and for no other eps: elsewhere the logarithmic heights of its orbits double in each step (section 7).
+//! For eps = 1 the map is x_{n+1} x_{n-1} = x_n (2 - x_n), and H - 2 is the square of (x - y)(x + y - 2)/(x y), which
+//! changes its sign in each step: a level set of H is a pair of conics that the map exchanges (erratum B8).
+
+use kahan_core::prelude::*;
+
+use crate::registry::Entry;
+
+kahan! {
+    /// The Lotka–Volterra system: prey `x`, predators `y`.
+    pub struct LotkaVolterra;
+
+    xdot = x*(1 - y);
+    ydot = y*(x - 1);
+
+    density rho = 1/(x*y);
+    bracket P {
+        {x,y} = x*y;
+    }
+    integral H_forward = x^2/y^2 + y^2/x^2 + 4*(1/x - 1/y)^2*(1 - x - y) when eps = 1;
+    integral H_backward = x^2/y^2 + y^2/x^2 + 4*(1/x - 1/y)^2*(1 - x - y) when eps = -1;
+}
+
+/// The catalog's entry.
+pub(crate) const ENTRY: Entry = Entry {
+    command: "lv",
+    type_name: "LotkaVolterra",
+    title: "the Lotka-Volterra system of prey and predators",
+    file: include_str!("lotka_volterra.rs"),
+    sources: &[
+        ("rho", "Section 1, symplectic form"),
+        ("P", "Section 1, Poisson bracket"),
+        ("H_forward", "Section 1, integral at eps = 1"),
+        ("H_backward", "Section 1, integral at eps = -1"),
+    ],
+};

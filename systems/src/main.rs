@@ -1,0 +1,2 @@
+//! The kahan command.
+fn main() {}
