@@ -37,6 +37,9 @@ pub struct Point<V> {
     pub eps: V,
 }
 
+/// A bracket's name and its n×n matrix, where it has a value.
+pub type NamedTensor<V> = (String, Option<Vec<Vec<V>>>);
+
 /// All objects at a point. `None` where something has no value there.
 #[derive(Clone, Debug)]
 pub struct Evaluation<V> {
@@ -61,7 +64,7 @@ pub struct Evaluation<V> {
     /// The unconditional density; the outer `None` where none is declared.
     pub density: Option<Option<V>>,
     /// The unconditional brackets as n×n matrices.
-    pub brackets: Vec<(String, Option<Vec<Vec<V>>>)>,
+    pub brackets: Vec<NamedTensor<V>>,
 }
 
 /// A parameter value at which the field itself divides by zero.
@@ -284,11 +287,7 @@ impl<'a> Interpreter<'a> {
         self.system.accessors(kind).map(|claim| (claim.name.text.clone(), value(&claim.plan))).collect()
     }
 
-    fn brackets<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        point: &Point<A::Value>,
-    ) -> Vec<(String, Option<Vec<Vec<A::Value>>>)> {
+    fn brackets<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Vec<NamedTensor<A::Value>> {
         let n = point.state.len();
         let full = |upper: &[A::Value]| -> Option<Vec<Vec<A::Value>>> {
             let zero = arithmetic.constant(&crate::rational::Rational::zero())?;

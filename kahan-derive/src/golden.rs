@@ -1,1 +1,68 @@
-//! Golden expansions.
+//! Golden expansions: a block and the Rust that it becomes, to be read in review like any code.
+//!
+//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-derive` writes the files anew.
+
+use std::fs;
+use std::path::PathBuf;
+
+use proc_macro2::TokenStream;
+
+/// Expands `block` and formats the result; a block without a header is put where an expression may stand.
+fn expansion(block: &str) -> String {
+    let input: TokenStream =
+        format!("[::kahan_core] {block}").parse().expect("the block is made of Rust tokens");
+    let (_, expansion) = crate::expand(input);
+    let file = syn::parse2::<syn::File>(expansion.clone())
+        .or_else(|_| syn::parse2(quote::quote! { fn scope() { let value = #expansion; } }))
+        .expect("the expansion is Rust");
+    prettyplease::unparse(&file)
+}
+
+fn check(name: &str) {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src/golden");
+    let block = fs::read_to_string(folder.join(format!("{name}.kahan"))).expect("the block is there");
+    let expanded = expansion(&block);
+    let path = folder.join(format!("{name}.expanded.rs"));
+    if std::env::var("KAHAN_GOLDEN").is_ok_and(|mode| mode == "overwrite") {
+        fs::write(&path, &expanded).expect("the folder can be written");
+        return;
+    }
+    let golden = fs::read_to_string(&path).expect("the expansion is there");
+    let differs = golden.lines().zip(expanded.lines()).position(|(golden, now)| golden != now);
+    assert!(
+        golden == expanded,
+        "{name}: the expansion changed, first at line {}. If that is meant, write it anew with KAHAN_GOLDEN=overwrite.\n{expanded}",
+        differs.map_or_else(|| golden.lines().count().min(expanded.lines().count()) + 1, |line| line + 1),
+    );
+}
+
+#[test]
+fn a_system_with_claims_expands_as_written_down() {
+    check("e3");
+}
+
+#[test]
+fn parameters_and_their_divisors_expand_as_written_down() {
+    check("parameters");
+}
+
+#[test]
+fn a_block_without_a_header_expands_to_a_value() {
+    check("anonymous");
+}
+
+#[test]
+fn a_broken_block_still_expands_to_its_type() {
+    check("broken");
+}
+
+#[test]
+fn a_field_beyond_the_budget_steps_by_elimination() {
+    check("dense");
+}
+
+#[test]
+fn expanding_twice_gives_the_same_tokens() {
+    let block = "struct S { a } xdot = a*x*y; ydot = x - y/a; integral h = x - x + 1/x;";
+    assert_eq!(expansion(block), expansion(block));
+}

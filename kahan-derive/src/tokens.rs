@@ -56,7 +56,7 @@ impl Flat {
                 self.push(TokenKind::Identifier, text, ident.span(), false);
             }
             TokenTree::Literal(literal) => {
-                self.push(TokenKind::Literal, literal.to_string(), literal.span(), false)
+                self.push(TokenKind::Literal, literal.to_string(), literal.span(), false);
             }
             TokenTree::Punct(punct) => self.push(
                 TokenKind::Punctuation(punct.as_char()),

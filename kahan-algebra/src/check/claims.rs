@@ -31,8 +31,9 @@ pub(super) fn compile_all(block: &Block, scope: &mut Scope, diagnostics: &mut Di
             .as_ref()
             .filter(|body| {
                 // Every expression is looked at, so that all unknown names are reported.
-                let sound = expressions(body).into_iter().map(|expr| scope.resolve(expr, true, diagnostics));
-                sound.fold(true, |all, one| all && one)
+                let unsound =
+                    expressions(body).into_iter().filter(|expr| !scope.resolve(expr, true, diagnostics));
+                unsound.count() == 0
             })
             .and_then(|body| match compiler.body(body, claim, scope, diagnostics) {
                 Ok(outputs) => outputs,

@@ -2,12 +2,12 @@
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::field::Component;
-use crate::poly::{Monomial, Polynomial};
+use crate::poly::{Budget, Monomial, Polynomial};
 use crate::rational_function::RationalFunction;
 use crate::syntax::{Block, Expr, ExprKind};
 use crate::token::Span;
 
-use super::expand::{Expansion, expand};
+use super::expand::{Expansion, MOST_TERMS, MOST_WORK, expand, too_large};
 use super::names::Scope;
 
 /// Expands every equation; a broken one becomes zero.
@@ -32,7 +32,7 @@ fn zero() -> Component {
 fn component(value: &Expr, scope: &Scope, diagnostics: &mut Diagnostics) -> Component {
     let outcome = expand(value, scope).and_then(|expansion| match check_degree(value, &expansion, scope) {
         Some(diagnostic) => Err(diagnostic),
-        None => Ok(reduced(expansion)),
+        None => reduced(expansion, value.span),
     });
     outcome.unwrap_or_else(|diagnostic| {
         diagnostics.push(diagnostic);
@@ -41,15 +41,18 @@ fn component(value: &Expr, scope: &Scope, diagnostics: &mut Diagnostics) -> Comp
 }
 
 /// p/q in lowest terms. A constant divisor is a factor of p already.
-fn reduced(expansion: Expansion) -> Component {
+fn reduced(expansion: Expansion, span: Span) -> Result<Component, Diagnostic> {
     if expansion.denominator.is_one() {
-        return Component { numerator: expansion.numerator, denominator: expansion.denominator };
+        return Ok(Component { numerator: expansion.numerator, denominator: expansion.denominator });
     }
-    let quotient = RationalFunction::new(expansion.numerator, expansion.denominator);
-    quotient.map_or_else(zero, |function| Component {
-        numerator: function.numerator().clone(),
-        denominator: function.denominator().clone(),
-    })
+    let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+    match RationalFunction::new_within(expansion.numerator, expansion.denominator, &mut budget) {
+        Ok(Some(function)) => Ok(Component {
+            numerator: function.numerator().clone(),
+            denominator: function.denominator().clone(),
+        }),
+        Ok(None) | Err(_) => Err(too_large(span)),
+    }
 }
 
 /// Kahan's method is for quadratic fields: no term of degree three or more may be left.

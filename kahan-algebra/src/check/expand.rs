@@ -13,9 +13,9 @@ use super::equations::too_high;
 use super::names::{Meaning, Scope};
 
 /// The largest number of terms of an expansion.
-const MOST_TERMS: usize = 100_000;
+pub(super) const MOST_TERMS: usize = 100_000;
 /// The largest number of products of terms in one expansion.
-const MOST_WORK: u64 = 1_000_000;
+pub(super) const MOST_WORK: u64 = 1_000_000;
 /// The largest exponent of something that depends on parameters.
 const HIGHEST_PARAMETER_POWER: i64 = 64;
 /// The largest size of a number, in bits.
@@ -209,7 +209,7 @@ impl Expander<'_> {
     }
 }
 
-fn too_large(span: Span) -> Diagnostic {
+pub(super) fn too_large(span: Span) -> Diagnostic {
     Diagnostic::new(
         Kind::TooLarge,
         span,

@@ -64,7 +64,10 @@ fn write(expr: &Expr, notation: Notation) -> (String, Level) {
                     (_, false, Notation::Text) => text.push('*'),
                     (_, false, Notation::Latex) => text.push(' '),
                 }
-                text.push_str(&at_least(&factor.expr, Level::Power, notation));
+                // A sign at the front needs no parentheses: −a·b is (−a)·b.
+                let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
+                let level = if signed { Level::Sum } else { Level::Power };
+                text.push_str(&at_least(&factor.expr, level, notation));
             }
             (text, Level::Product)
         }

@@ -112,8 +112,7 @@ fn emit_errors(diagnostics: &[Diagnostic], spans: &[Span]) -> TokenStream {
             // Two tokens carry the first and the last place; syn spans the error over both.
             let first = Ident::new("first", at(diagnostic.span.first));
             let last = Ident::new("last", at(diagnostic.span.last));
-            let error = syn::Error::new_spanned(quote! { #first #last }, diagnostic).to_compile_error();
-            error
+            syn::Error::new_spanned(quote! { #first #last }, diagnostic).to_compile_error()
         })
         .collect()
 }

@@ -2,11 +2,13 @@
 //!
 //! ```text
 //! let t_eps_x = half_step.clone() * s_x.clone();
-//! let t_1 = __kahan::integer::<T>(1) + t_eps_x.clone();
+//! let sum_1 = __kahan::integer::<T>(1) + t_eps_x.clone();
 //! ```
 //!
 //! The order of operations is the plan's, whatever the nesting. Values are cloned where they are used: free for floats,
 //! and little beside an operation for big rationals.
+
+use std::collections::BTreeSet;
 
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
@@ -49,6 +51,8 @@ struct Emitter<'a> {
     expressions: Vec<Option<Expression>>,
     names: Vec<Option<Ident>>,
     bindings: TokenStream,
+    /// The product names given so far.
+    products: BTreeSet<String>,
     counter: usize,
 }
 
@@ -62,6 +66,7 @@ pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitt
         expressions: vec![None; plan.operations.len()],
         names: vec![None; plan.operations.len()],
         bindings: TokenStream::new(),
+        products: BTreeSet::new(),
         counter: 0,
     };
     for index in 0..plan.operations.len() {
@@ -130,7 +135,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// `t_eps_x` for the product ε·x, `c_3` for a constant, else a number.
+    /// `t_eps_x` for the product ε·x, `c_3` for a constant, else `sum_1`, `product_2` by what it is.
     fn name_of(&mut self, node: Node) -> Ident {
         if let Operation::Constant(value) = &self.plan.operations[node.0]
             && let Some((numerator, denominator)) = value.as_small_ratio()
@@ -141,11 +146,18 @@ impl Emitter<'_> {
                 format_ident!("c_{numerator}_{denominator}")
             };
         }
-        match self.product_name(node) {
+        // States `x_y`, `z` and `x`, `y_z` have the same product name: the second one is numbered.
+        match self.product_name(node).filter(|factors| self.products.insert(factors.clone())) {
             Some(factors) => format_ident!("t_{factors}"),
             None => {
                 self.counter += 1;
-                format_ident!("t_{}", self.counter)
+                let what = match &self.plan.operations[node.0] {
+                    Operation::Multiply(..) => "product",
+                    Operation::Divide(..) => "quotient",
+                    Operation::Negate(_) => "negative",
+                    _ => "sum",
+                };
+                format_ident!("{what}_{}", self.counter)
             }
         }
     }
@@ -153,11 +165,7 @@ impl Emitter<'_> {
     /// The names of the inputs of a short product of inputs.
     fn product_name(&self, node: Node) -> Option<String> {
         match &self.plan.operations[node.0] {
-            Operation::Input(variable) => {
-                let name = self.symbols.name(*variable).replace('\'', "_second");
-                // A name that begins with a digit after `t_` would be one of the numbered ones.
-                (!name.starts_with(|c: char| c.is_ascii_digit())).then_some(name)
-            }
+            Operation::Input(variable) => Some(self.symbols.name(*variable).replace('\'', "_second")),
             Operation::Multiply(a, b) => {
                 let name = format!("{}_{}", self.product_name(*a)?, self.product_name(*b)?);
                 (name.len() <= 24).then_some(name)

@@ -1,0 +1,172 @@
+::core::compile_error! {
+    "the term `x^3` has degree 3 in the states, and Kahan's method needs a quadratic field\nhelp: lower the degree with a new variable, for example `w` for `x^2` with its own equation"
+}
+::core::compile_error! {
+    "`sin(…)` is a function call, and the field must be polynomial\nhelp: introduce a new variable for `sin`, so that the system becomes quadratic"
+}
+/// Kahan's method, x ↦ x̃ with time step 2ε (`eps` is ε, half the time step), for the field
+///
+/// ```text
+/// xdot = 0
+/// ydot = 0
+/// ```
+///
+/// Matrix A(x,ε) = I − ε f′(x), row by row:
+///
+/// ```text
+/// [ 1, 0 ]
+/// [ 0, 1 ]
+/// ```
+///
+/// The map in lowest terms:
+///
+/// ```text
+/// x~ = x
+/// y~ = y
+/// ```
+///
+/// Proved while compiling:
+///
+/// ```text
+/// integral H = x;
+/// ```
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct Broken<T> {
+    /// The parameter `mu`.
+    pub mu: T,
+}
+#[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
+#[allow(non_snake_case, non_upper_case_globals, unused, missing_docs)]
+const _: () = {
+    use ::kahan_core::__private as __kahan;
+    use __kahan::Clone as _;
+    impl<T> Broken<T> {
+        /// The state variables, in order.
+        pub const VARIABLES: [&'static __kahan::core::primitive::str; 2] = ["x", "y"];
+        /// The parameters, in order.
+        pub const PARAMETERS: [&'static __kahan::core::primitive::str; 1] = ["mu"];
+    }
+    impl<T> __kahan::Named for Broken<T> {
+        fn variables(&self) -> &'static [&'static __kahan::core::primitive::str] {
+            &Self::VARIABLES
+        }
+        fn parameters(&self) -> &'static [&'static __kahan::core::primitive::str] {
+            &Self::PARAMETERS
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Broken<T> {
+        fn field(&self, state: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
+            let c_0 = __kahan::integer::<T>(0);
+            __kahan::vector([c_0.clone(), c_0.clone()])
+        }
+        fn field_jacobian(
+            &self,
+            state: &__kahan::SVector<T, 2>,
+        ) -> __kahan::SMatrix<T, 2, 2> {
+            let c_0 = __kahan::integer::<T>(0);
+            __kahan::matrix([[c_0.clone(), c_0.clone()], [c_0.clone(), c_0.clone()]])
+        }
+        fn bilinear(
+            &self,
+            state: &__kahan::SVector<T, 2>,
+            other: &__kahan::SVector<T, 2>,
+        ) -> __kahan::SVector<T, 2> {
+            let c_0 = __kahan::integer::<T>(0);
+            __kahan::vector([c_0.clone(), c_0.clone()])
+        }
+        fn polarized(
+            &self,
+            state: &__kahan::SVector<T, 2>,
+            other: &__kahan::SVector<T, 2>,
+        ) -> __kahan::SVector<T, 2> {
+            let c_0 = __kahan::integer::<T>(0);
+            __kahan::vector([c_0.clone(), c_0.clone()])
+        }
+    }
+    fn reduced<T: __kahan::Scalar>(
+        system: &Broken<T>,
+        state: &__kahan::SVector<T, 2>,
+        half_step: &T,
+    ) -> (__kahan::SVector<T, 2>, T) {
+        let c_0 = __kahan::integer::<T>(0);
+        (__kahan::vector([c_0.clone(), c_0.clone()]), __kahan::integer::<T>(1))
+    }
+    impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Broken<T> {
+        fn increment(
+            &self,
+            state: &__kahan::SVector<T, 2>,
+            half_step: &T,
+        ) -> __kahan::Option<__kahan::SVector<T, 2>> {
+            let (numerators, denominator) = reduced(self, state, half_step);
+            __kahan::increment_from_quotient(numerators, denominator, half_step)
+        }
+        fn jacobian(
+            &self,
+            state: &__kahan::SVector<T, 2>,
+            half_step: T,
+        ) -> __kahan::SMatrix<T, 2, 2> {
+            let lifted = Broken {
+                mu: __kahan::Dual::lift(self.mu.clone()),
+            };
+            __kahan::jacobian_of_reduced(
+                |state, half_step| {
+                    let (numerators, denominator) = reduced(&lifted, state, half_step);
+                    __kahan::increment_from_quotient(numerators, denominator, half_step)
+                },
+                state,
+                &half_step,
+            )
+        }
+        fn det_matrix(&self, state: &__kahan::SVector<T, 2>, half_step: T) -> T {
+            __kahan::integer::<T>(1)
+        }
+        fn rational_map(
+            &self,
+            state: &__kahan::SVector<T, 2>,
+            half_step: T,
+        ) -> (__kahan::SVector<T, 2>, T) {
+            let [s_x, s_y] = __kahan::components(state);
+            (__kahan::vector([s_x.clone(), s_y.clone()]), __kahan::integer::<T>(1))
+        }
+    }
+    impl<T> Broken<T> {
+        /// The names of the integrals, in order.
+        pub const INTEGRALS: [&'static __kahan::core::primitive::str; 1] = ["H"];
+    }
+    impl<T: __kahan::Scalar> Broken<T> {
+        /// The integrals of motion of the map at `state`; `half_step` is ε, half the time step.
+        ///
+        /// In order:
+        ///
+        /// ```text
+        /// H = x
+        /// ```
+        ///
+        /// Where a divisor is zero, floats are not finite and exact scalars panic.
+        pub fn integrals(
+            &self,
+            state: &__kahan::SVector<T, 2>,
+            half_step: T,
+        ) -> __kahan::SVector<T, 1> {
+            let [s_x, _] = __kahan::components(state);
+            __kahan::vector([s_x.clone()])
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::Integrals<T, 2, 1> for Broken<T> {
+        fn integral_names(&self) -> &'static [&'static __kahan::core::primitive::str] {
+            &Self::INTEGRALS
+        }
+        fn integrals(
+            &self,
+            state: &__kahan::SVector<T, 2>,
+            half_step: T,
+        ) -> __kahan::SVector<T, 1> {
+            Self::integrals(self, state, half_step)
+        }
+    }
+};
