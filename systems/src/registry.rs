@@ -24,7 +24,7 @@ pub struct Entry {
 }
 
 /// The catalog, in the order in which it is listed.
-pub const SYSTEMS: [Entry; 11] = [
+pub static SYSTEMS: [Entry; 11] = [
     crate::euler::ENTRY,
     crate::lotka_volterra::ENTRY,
     crate::e1::ENTRY,

@@ -45,6 +45,17 @@ impl Scope {
         scope.collect_states(block, diagnostics);
         let states = scope.symbols.states.clone();
         scope.poisoned.retain(|name| !states.contains(name));
+        if let Some(header) = &block.header
+            && is_keyword(&header.name.text)
+        {
+            let name = &header.name;
+            diagnostics.report(
+                Kind::Header,
+                name.span,
+                format!("the system's name `{}` is a keyword of Rust", name.text),
+                "choose another name",
+            );
+        }
         match &block.header {
             Some(header) => scope.collect_parameters(&header.parameters, block, diagnostics),
             None => scope.collect_free_names(block, diagnostics),

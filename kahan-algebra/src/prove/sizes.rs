@@ -23,8 +23,8 @@ use super::sample::{Sample, Scheme, rows, run};
 /// The error of a proof is below 2 to minus this.
 pub const ERROR_EXPONENT: u32 = 100;
 
-/// More points than this are not worth it: the degree would be astronomical.
-const MOST_POINTS: u32 = 16;
+/// Beyond this degree the exact point alone, with its numbers of millions of digits, would take too long.
+const HIGHEST_DEGREE: u64 = 1 << 20;
 
 /// The number of points that proves a claim; `None` if no reasonable number does.
 pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
@@ -35,7 +35,7 @@ pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
         .iter()
         .map(|pair| Bounds.subtract(&pair.left, &pair.right))
         .fold(Size::default(), |a, b| Size { degree: a.degree.max(b.degree), bits: a.bits.max(b.bits), ..a });
-    points_needed(worst.degree, worst.bits)
+    points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 
 /// The number of points for residuals of this degree and size: the least k ≥ 2 with e^k < 2⁻¹⁰⁰.
@@ -45,7 +45,7 @@ pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
     let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(16)?;
     let lost = u64::BITS - units.leading_zeros();
     let gained = 60u32.checked_sub(lost).filter(|&gained| gained > 0)?;
-    Some(ERROR_EXPONENT.div_ceil(gained).max(2)).filter(|&points| points <= MOST_POINTS)
+    Some(ERROR_EXPONENT.div_ceil(gained).max(2))
 }
 
 /// One step in the arithmetic of sizes: x̃ by Cramer's rule, determinants by their expansion.

@@ -1,0 +1,197 @@
+//! What the commands read: a system of the catalog, a field from the command line or from a file, exact numbers.
+//!
+//! Texts become checked systems here; everything that is wrong with them becomes a [`Refusal`].
+
+use std::path::PathBuf;
+
+use clap::Args;
+use kahan_algebra::diagnostics::{Diagnostic, Diagnostics};
+use kahan_algebra::lexer::{Lexed, lex};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::report;
+use kahan_algebra::system::System;
+use kahan_algebra::{check, parse, read};
+use kahan_systems::registry::{Entry, SYSTEMS, block_range, find};
+
+use super::output::Refusal;
+
+/// The system that a command is about.
+#[derive(Args, Debug, Default)]
+pub(crate) struct Source {
+    /// A system of the catalog: euler, lv, e1 to e9.
+    #[arg(value_name = "SYSTEM")]
+    system: Option<String>,
+
+    /// A field in the language of `kahan!`; without a header its free names are parameters.
+    #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
+    field: Option<String>,
+
+    /// A file with such a field, or a Rust file whose first `kahan! {` begins a line.
+    #[arg(long, value_name = "FILE")]
+    file: Option<PathBuf>,
+}
+
+/// A text with a block in it.
+#[derive(Debug)]
+pub(crate) struct Block {
+    /// The catalog's entry, where it is one.
+    pub(crate) entry: Option<&'static Entry>,
+    text: String,
+    lexed: Lexed,
+    /// What the text is called in reports.
+    origin: String,
+}
+
+impl Source {
+    /// The block that was named; `None` if none was.
+    pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
+        match (&self.system, &self.field, &self.file) {
+            (None, None, None) => Ok(None),
+            (Some(name), None, None) => match find(name) {
+                Some(entry) => Ok(Some(Block::of_catalog(entry))),
+                None => Err(unknown_system(name)),
+            },
+            (None, Some(text), None) => Ok(Some(Block::new(None, text.clone(), "--field".to_owned()))),
+            (None, None, Some(path)) => match std::fs::read_to_string(path) {
+                Ok(text) => Ok(Some(Block::new(None, text, path.display().to_string()))),
+                Err(error) => Err(Refusal::new(format!("cannot read the file {}: {error}", path.display()))),
+            },
+            _ => Err(Refusal::new("one field at a time: give a SYSTEM, or --field, or --file")),
+        }
+    }
+
+    /// The block that was named, of a command that needs one.
+    pub(crate) fn required_block(&self) -> Result<Block, Refusal> {
+        self.block()?.ok_or_else(|| {
+            Refusal::new(format!("which system? give one of {}, or --field TEXT, or --file FILE", names().join(", ")))
+        })
+    }
+}
+
+impl Block {
+    /// A block of the catalog.
+    pub(crate) fn of_catalog(entry: &'static Entry) -> Self {
+        Block::new(Some(entry), entry.text().to_owned(), entry.command.to_owned())
+    }
+
+    fn new(entry: Option<&'static Entry>, text: String, origin: String) -> Self {
+        let body = block_range(&text).unwrap_or(0..text.len());
+        let mut lexed = lex(&text[body.clone()]);
+        for range in &mut lexed.ranges {
+            *range = range.start + body.start..range.end + body.start;
+        }
+        Block { entry, text, lexed, origin }
+    }
+
+    /// The system, with its claims proved as the macro does it.
+    pub(crate) fn system(&self) -> Result<System, Refusal> {
+        let reading = read(&self.lexed.tokens);
+        self.accept(reading.system, &reading.diagnostics)
+    }
+
+    /// The system, its claims read but not proved.
+    pub(crate) fn unproved_system(&self) -> Result<System, Refusal> {
+        let mut diagnostics = Diagnostics::default();
+        let block = parse::parse(&self.lexed.tokens, &mut diagnostics);
+        let system = check::check(block, &mut diagnostics);
+        self.accept(system, &diagnostics.finish())
+    }
+
+    /// The seed of the macro's proof.
+    pub(crate) fn seed(&self) -> u64 {
+        kahan_algebra::seed(&self.lexed.tokens)
+    }
+
+    /// The name of the system in answers: the catalog's, or the header's, or `field`.
+    pub(crate) fn name(&self, system: &System) -> String {
+        self.entry.map_or_else(|| system.name().to_owned(), |entry| entry.command.to_owned())
+    }
+
+    fn accept(&self, system: System, diagnostics: &[Diagnostic]) -> Result<System, Refusal> {
+        if diagnostics.is_empty() {
+            return Ok(system);
+        }
+        let reports = diagnostics.iter().map(|one| report(one, &self.text, &self.lexed.ranges, &self.origin));
+        Err(Refusal::reports(reports.collect()))
+    }
+}
+
+/// An exact number; `what` names it in the refusal.
+pub(crate) fn number(text: &str, what: &str) -> Result<Rational, Refusal> {
+    let text = text.trim();
+    Rational::parse(text).ok_or_else(|| {
+        let zero_divisor = text.split_once('/').is_some_and(|(_, below)| Rational::parse(below).is_some_and(|q| q.is_zero()));
+        Refusal::new(if zero_divisor {
+            format!("{what}: `{text}` divides by zero")
+        } else {
+            format!("{what}: `{text}` is not an exact number; write it as 3/7, -2, 0.25 or 1e-3")
+        })
+    })
+}
+
+/// The coordinates behind `--at`, one a state.
+pub(crate) fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>, Refusal> {
+    let parts: Vec<&str> = text.split(',').collect();
+    if parts.len() != states.len() {
+        let (expected, plural) = (states.len(), if states.len() == 1 { "" } else { "s" });
+        let names = states.join(",");
+        return Err(Refusal::new(format!("--at: {expected} coordinate{plural} {names} expected, {} given", parts.len())));
+    }
+    parts.iter().zip(states).map(|(part, state)| number(part, &format!("--at, coordinate {state}"))).collect()
+}
+
+/// The values behind `--param NAME=V`, one a parameter, in the order of the parameters.
+pub(crate) fn parameter_values(given: &[String], names: &[String], system: &str) -> Result<Vec<Rational>, Refusal> {
+    let mut values: Vec<Option<Rational>> = vec![None; names.len()];
+    for text in given {
+        let Some((name, value)) = text.split_once('=') else {
+            return Err(Refusal::new(format!("--param: `{text}` is not NAME=VALUE, as in --param xi=1/2")));
+        };
+        let name = name.trim();
+        let Some(index) = names.iter().position(|known| known == name) else {
+            let known = if names.is_empty() { "it has none".to_owned() } else { format!("it has {}", names.join(", ")) };
+            return Err(Refusal::new(format!("--param: `{name}` is no parameter of {system}: {known}")));
+        };
+        if values[index].is_some() {
+            return Err(Refusal::new(format!("--param: `{name}` is given twice")));
+        }
+        values[index] = Some(number(value, &format!("--param {name}"))?);
+    }
+    let missing: Vec<String> =
+        names.iter().zip(&values).filter(|(_, value)| value.is_none()).map(|(name, _)| format!("--param {name}=VALUE")).collect();
+    if !missing.is_empty() {
+        return Err(Refusal::new(format!("{system} needs a value for each of its parameters: add {}", missing.join(" "))));
+    }
+    Ok(values.into_iter().flatten().collect())
+}
+
+fn names() -> Vec<&'static str> {
+    SYSTEMS.iter().map(|entry| entry.command).collect()
+}
+
+fn unknown_system(name: &str) -> Refusal {
+    let wanted = name.to_lowercase();
+    let distance = |known: &str| edit_distance(&wanted, &known.to_lowercase());
+    let nearest = SYSTEMS
+        .iter()
+        .min_by_key(|entry| distance(entry.command).min(distance(entry.type_name)))
+        .filter(|entry| distance(entry.command).min(distance(entry.type_name)) <= wanted.chars().count() / 2);
+    let hint = nearest.map_or_else(String::new, |entry| format!(" Did you mean `{}`?", entry.command));
+    let names = names().join(", ");
+    Refusal::new(format!("there is no system `{name}`.{hint} The catalog has {names}; --field TEXT takes a field of your own."))
+}
+
+/// The number of insertions, deletions and substitutions between two words.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let mut row: Vec<usize> = (0..=b.chars().count()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.chars().enumerate() {
+            let substituted = diagonal + usize::from(x != y);
+            diagonal = row[j + 1];
+            row[j + 1] = substituted.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[row.len() - 1]
+}

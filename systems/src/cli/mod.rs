@@ -1,0 +1,81 @@
+//! The command line: one file a command, and what they share.
+//!
+//! Arguments go in; an [`Answer`] or a [`Refusal`] comes out, and only [`run`] prints and chooses the exit status:
+//! 0, or 1 for a failed check or a pole, or 2 for bad usage or input. Nothing is printed before all of it is known.
+
+mod eval;
+mod input;
+mod list;
+mod output;
+mod scalar;
+mod show;
+mod verify;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::error::ErrorKind;
+use clap::{Parser, Subcommand};
+
+use output::{Answer, Refusal, finish};
+
+/// Kahan's method for quadratic differential equations, exactly.
+///
+/// A quadratic vector field x' = f(x) has a birational map x ↦ x~ that approximates its flow over the time step 2 eps.
+/// This command proves what is claimed of the maps of the catalog, shows their formulas, and evaluates them. Every
+/// number is exact: 3/7, -2, 0.25, 1e-3. `eps` is half the time step. Without a command it runs `verify`.
+#[derive(Debug, Parser)]
+#[command(name = "kahan", version, after_long_help = EXAMPLES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan                                       prove every claim of the catalog
+  kahan show e6                               the formulas of E6
+  kahan eval e1 --eps 1/2 --at -2,1,1/3       every object at a point
+  kahan show --field 'xdot = y; ydot = x^2 - a'";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Proves every claim of the catalog, of one system, or of a field of your own.
+    Verify(verify::Verify),
+    /// Lists the systems of the catalog.
+    List(list::List),
+    /// Shows the formulas of a system: field, A, b, bilinear form, map, claims.
+    Show(show::Show),
+    /// Evaluates every object of a system at a point.
+    Eval(eval::Eval),
+}
+
+/// Runs the command with these arguments, the program's name first.
+pub(crate) fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    finish(match Cli::try_parse_from(arguments) {
+        Ok(cli) => answer(&cli),
+        Err(error) => usage(&error),
+    })
+}
+
+fn answer(cli: &Cli) -> Result<Answer, Refusal> {
+    match &cli.command {
+        None => verify::Verify::default().run(),
+        Some(Command::Verify(command)) => command.run(),
+        Some(Command::List(command)) => command.run(),
+        Some(Command::Show(command)) => command.run(),
+        Some(Command::Eval(command)) => command.run(),
+    }
+}
+
+/// Help and version are answers; everything else that clap has to say becomes one paragraph.
+fn usage(error: &clap::Error) -> Result<Answer, Refusal> {
+    let text = error.render().to_string();
+    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        return Ok(Answer::text(text));
+    }
+    let lines = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
+    let said: Vec<&str> = lines.filter(|line| !line.is_empty()).collect();
+    let said = said.join(" ");
+    Err(Refusal::new(format!("{}; `kahan --help` lists the commands, `kahan COMMAND --help` explains one", said.trim_start_matches("error: "))))
+}

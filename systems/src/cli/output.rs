@@ -1,0 +1,102 @@
+//! What a command hands back, how it is printed, and the layout of tables and matrices.
+
+use std::io::{self, ErrorKind, Write};
+use std::process::ExitCode;
+
+use serde_json::Value;
+
+/// The result of a command that was understood.
+#[derive(Debug)]
+pub(crate) struct Answer {
+    /// For standard output.
+    pub(crate) text: String,
+    /// A failed check or a pole, for standard error; then the exit status is 1.
+    pub(crate) complaint: Option<String>,
+}
+
+/// Bad usage or input: one paragraph for standard error; the exit status is 2.
+#[derive(Debug)]
+pub(crate) struct Refusal(String);
+
+impl Answer {
+    /// Plain text.
+    pub(crate) fn text(text: String) -> Self {
+        Answer { text, complaint: None }
+    }
+
+    /// One JSON object.
+    pub(crate) fn json(object: &Value) -> Self {
+        Answer::text(format!("{object:#}\n"))
+    }
+}
+
+impl Refusal {
+    /// What is wrong and what to write instead, without `error:`.
+    pub(crate) fn new(message: impl AsRef<str>) -> Self {
+        Refusal(format!("error: {}\n", message.as_ref()))
+    }
+
+    /// Reports that begin with `error:` and end with a line break already.
+    pub(crate) fn reports(reports: String) -> Self {
+        Refusal(reports)
+    }
+}
+
+/// Prints a result and chooses the exit status. A reader that has gone away (`kahan | head`) is no error.
+pub(crate) fn finish(result: Result<Answer, Refusal>) -> ExitCode {
+    let (text, complaint, status) = match result {
+        Ok(Answer { text, complaint: None }) => (text, String::new(), 0),
+        Ok(Answer { text, complaint: Some(complaint) }) => (text, format!("error: {complaint}\n"), 1),
+        Err(Refusal(reports)) => (String::new(), reports, 2),
+    };
+    let written = io::stdout().write_all(text.as_bytes()).and_then(|()| io::stdout().flush());
+    // Where standard error is closed there is nobody left to tell.
+    let _ = io::stderr().write_all(complaint.as_bytes());
+    match written {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            let _ = writeln!(io::stderr(), "error: cannot write the answer: {error}");
+            ExitCode::from(1)
+        }
+        _ => ExitCode::from(status),
+    }
+}
+
+/// The width of each column of `rows`.
+pub(crate) fn widths<'a>(rows: impl IntoIterator<Item = &'a Vec<String>>) -> Vec<usize> {
+    let mut widths = Vec::new();
+    for row in rows {
+        for (index, cell) in row.iter().enumerate() {
+            if index == widths.len() {
+                widths.push(0);
+            }
+            widths[index] = widths[index].max(cell.chars().count());
+        }
+    }
+    widths
+}
+
+/// One row in columns of these widths, two spaces apart, without spaces at the end.
+pub(crate) fn columns(row: &[String], widths: &[usize]) -> String {
+    let cells: Vec<String> = row.iter().zip(widths).map(|(cell, &width)| format!("{cell:<width$}")).collect();
+    cells.join("  ").trim_end().to_owned()
+}
+
+/// A matrix, a line a row, between `left` and `right`.
+pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
+    let widths = widths(rows);
+    rows.iter()
+        .map(|row| {
+            let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, &width)| format!("{cell:>width$}")).collect();
+            format!("{left} {} {right}", cells.join("  "))
+        })
+        .collect()
+}
+
+/// At most `width` characters, the last of them `…` where something was cut off.
+pub(crate) fn shorten(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        return text.to_owned();
+    }
+    let kept: String = text.chars().take(width.saturating_sub(1)).collect();
+    format!("{}…", kept.trim_end())
+}

@@ -1,0 +1,73 @@
+//! The numbers that `eval` computes with, and how they are read and printed.
+
+use clap::ValueEnum;
+use kahan_algebra::arithmetic::{Arithmetic, Exact, Float32, Float64};
+use kahan_algebra::rational::Rational;
+use serde_json::Value;
+
+/// The scalar type of an evaluation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ScalarKind {
+    /// Rational numbers.
+    Exact,
+    /// Single precision.
+    F32,
+    /// Double precision.
+    F64,
+    /// Accepted, so that it can be refused with a reason.
+    #[value(hide = true)]
+    Dd,
+}
+
+/// An arithmetic whose values can be printed.
+pub(crate) trait Printable: Arithmetic {
+    /// The value nearest to an exact number.
+    fn round(value: &Rational) -> Self::Value;
+    /// Exact numbers as strings, floats as numbers, what is not finite as `null`.
+    fn json(value: &Self::Value) -> Value;
+    /// Whether it is a number.
+    fn is_finite(value: &Self::Value) -> bool;
+}
+
+impl Printable for Exact {
+    fn round(value: &Rational) -> Rational {
+        value.clone()
+    }
+
+    fn json(value: &Rational) -> Value {
+        Value::String(value.to_string())
+    }
+
+    fn is_finite(_: &Rational) -> bool {
+        true
+    }
+}
+
+impl Printable for Float64 {
+    fn round(value: &Rational) -> f64 {
+        value.to_f64()
+    }
+
+    fn json(value: &f64) -> Value {
+        Value::from(*value)
+    }
+
+    fn is_finite(value: &f64) -> bool {
+        value.is_finite()
+    }
+}
+
+impl Printable for Float32 {
+    fn round(value: &Rational) -> f32 {
+        value.to_f32()
+    }
+
+    /// The shortest decimal that reads back as this `f32`: 0.1, not 0.10000000149011612.
+    fn json(value: &f32) -> Value {
+        value.to_string().parse::<f64>().map_or(Value::Null, Value::from)
+    }
+
+    fn is_finite(value: &f32) -> bool {
+        value.is_finite()
+    }
+}

@@ -1,0 +1,258 @@
+//! `kahan show`: the formulas of a system as text, as LaTeX, or as the block of the macro.
+
+use clap::Args;
+use kahan_algebra::kahan::TERM_BUDGET;
+use kahan_algebra::render::{Formulas, MatrixText, Notation, claim_statement, claim_text, condition_text, macro_block};
+use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::{Claim, System};
+use serde_json::{Value, json};
+
+use super::input::{Block, Source};
+use super::output::{Answer, Refusal, matrix};
+
+/// Shows a system: field, f', A, b, bilinear form, det A, reduced map, Jacobian, claims.
+///
+/// The map is x~ = x + 2 eps n/d in lowest terms, where eps is half the time step; a prime marks the second argument of
+/// the bilinear form Q(x,x'). For a field so large that the map is computed by elimination, det A is shown as a
+/// determinant.
+#[derive(Args, Debug)]
+#[command(after_long_help = EXAMPLES)]
+pub(crate) struct Show {
+    #[command(flatten)]
+    source: Source,
+
+    /// Write the formulas in LaTeX.
+    #[arg(long, conflicts_with = "as_macro")]
+    latex: bool,
+
+    /// Print the block of `kahan!`, ready to paste.
+    #[arg(long = "macro")]
+    as_macro: bool,
+
+    /// Print one JSON object.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan show e6
+  kahan show euler --latex
+  kahan show --field 'xdot = a*y*z; ydot = -x*z; zdot = x*y' --macro
+  kahan show --file field.txt --json";
+
+/// Everything that is shown, in one notation.
+struct Sheet<'a> {
+    block: &'a Block,
+    system: &'a System,
+    notation: Notation,
+    field: Vec<String>,
+    field_jacobian: MatrixText,
+    matrix: MatrixText,
+    rhs: Vec<String>,
+    bilinear: Vec<String>,
+    /// `None` beyond the budget, like the map.
+    determinant: Option<String>,
+    map: Option<Vec<String>>,
+    removed_factor: Option<String>,
+}
+
+impl Show {
+    /// The formulas of the system.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let block = self.source.required_block()?;
+        let system = block.system()?;
+        if self.as_macro && !self.json {
+            return Ok(Answer::text(macro_block(&system) + "\n"));
+        }
+        let notation = if self.latex { Notation::Latex } else { Notation::Text };
+        let formulas = Formulas { field: &system.field, notation };
+        let sheet = Sheet {
+            block: &block,
+            system: &system,
+            notation,
+            field: formulas.field(),
+            field_jacobian: formulas.field_jacobian(),
+            matrix: formulas.matrix(),
+            rhs: formulas.rhs(),
+            bilinear: formulas.bilinear(),
+            determinant: formulas.determinant(),
+            map: formulas.map(),
+            removed_factor: formulas.removed_factor(),
+        };
+        Ok(match (self.json, self.latex) {
+            (true, _) => Answer::json(&sheet.json()),
+            (false, true) => Answer::text(sheet.latex()),
+            (false, false) => Answer::text(sheet.text()),
+        })
+    }
+}
+
+impl Sheet<'_> {
+    fn states(&self) -> &[String] {
+        &self.system.field.symbols.states
+    }
+
+    fn source(&self, claim: &Claim) -> Option<&'static str> {
+        self.block.entry.and_then(|entry| entry.source(&claim.name.text))
+    }
+
+    fn json(&self) -> Value {
+        let claims = self.system.claims.iter().map(|claim| {
+            json!({
+                "name": claim.name.text,
+                "kind": claim.kind.keyword(),
+                "statement": claim_text(self.system, claim),
+                "when": condition_text(self.system, claim),
+                "source": self.source(claim),
+            })
+        });
+        json!({
+            "system": self.block.name(self.system),
+            "title": self.block.entry.map(|entry| entry.title),
+            "variables": self.states(),
+            "parameters": self.system.field.symbols.parameters,
+            "field": self.field,
+            "field_jacobian": self.field_jacobian,
+            "A": self.matrix,
+            "b": self.rhs,
+            "bilinear": self.bilinear,
+            "det_A": self.determinant,
+            "map": self.map,
+            "removed_factor": self.removed_factor,
+            "claims": claims.collect::<Vec<_>>(),
+            "macro": macro_block(self.system),
+        })
+    }
+
+    fn text(&self) -> String {
+        let name = self.block.name(self.system);
+        let mut page = Page::default();
+        page.line(&self.block.entry.map_or_else(|| name.clone(), |entry| format!("{name}: {}", entry.title)));
+        let parameters = &self.system.field.symbols.parameters;
+        if !parameters.is_empty() {
+            page.line(&format!("parameters: {}", parameters.join(", ")));
+        }
+        page.section("field", self.equations(|state| format!("{state}dot"), &self.field));
+        page.section("f'(x)", matrix(&self.field_jacobian, '[', ']'));
+        page.section("A(x,eps) = I - eps f'(x)", matrix(&self.matrix, '[', ']'));
+        page.section("b(x,eps) = x + eps B x + 2 eps c, and A(x,eps) x~ = b(x,eps)", column(&self.rhs));
+        page.section("bilinear form Q(x,x')", column(&self.bilinear));
+        match &self.determinant {
+            Some(determinant) => page.section("D = det A(x,eps)", vec![determinant.clone()]),
+            None => page.section(
+                &format!("D = det A(x,eps), not expanded: N and D would have more than {TERM_BUDGET} terms in all"),
+                matrix(&self.matrix, '|', '|'),
+            ),
+        }
+        match &self.map {
+            Some(map) => page.section("map, in lowest terms", self.equations(|state| format!("{state}~"), map)),
+            None => page.section("map", vec!["x~ = x + 2 eps A(x,eps)^-1 f(x), computed by elimination".to_owned()]),
+        }
+        if let Some(factor) = &self.removed_factor {
+            page.section("divided out of N and D (a removable pole where it vanishes)", vec![factor.clone()]);
+        }
+        page.section(
+            "Jacobian",
+            vec![
+                "dx~/dx = A(x,eps)^-1 A(x~,-eps)".to_owned(),
+                "det dx~/dx = det A(x~,-eps)/det A(x,eps)".to_owned(),
+            ],
+        );
+        if !self.system.claims.is_empty() {
+            let claims = self.system.claims.iter().map(|claim| {
+                let source = self.source(claim).map_or_else(String::new, |source| format!("    // {source}"));
+                claim_text(self.system, claim) + &source
+            });
+            page.section("claims, proved", claims.collect());
+        }
+        page.text
+    }
+
+    fn equations(&self, left: impl Fn(&str) -> String, right: &[String]) -> Vec<String> {
+        self.states().iter().zip(right).map(|(state, value)| format!("{} = {value}", left(state))).collect()
+    }
+
+    fn latex(&self) -> String {
+        let name = |text: &str| self.notation.name(text);
+        let mut page = Page::default();
+        page.line(&format!("% {}", self.block.name(self.system)));
+        page.display(&aligned(self.equations_latex(|state| format!("\\dot {{{state}}}"), &self.field)));
+        page.display(&format!("f'(x) = {}", environment("pmatrix", &self.field_jacobian)));
+        page.display(&format!("A(x,\\varepsilon) = I - \\varepsilon f'(x) = {}", environment("pmatrix", &self.matrix)));
+        page.display(&format!("b(x,\\varepsilon) = {}", environment("pmatrix", &singletons(&self.rhs))));
+        page.display(&format!("Q(x,x') = {}", environment("pmatrix", &singletons(&self.bilinear))));
+        let determinant = self.determinant.clone().unwrap_or_else(|| environment("vmatrix", &self.matrix));
+        page.display(&format!("D = \\det A(x,\\varepsilon) = {determinant}"));
+        match &self.map {
+            Some(map) => page.display(&aligned(self.equations_latex(|state| format!("\\widetilde {{{state}}}"), map))),
+            None => page.display("\\widetilde x = x + 2\\varepsilon A(x,\\varepsilon)^{-1} f(x)"),
+        }
+        if let Some(factor) = &self.removed_factor {
+            page.line("% divided out of the numerators and D:");
+            page.display(factor);
+        }
+        page.display(
+            "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
+             \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
+             \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}",
+        );
+        for claim in &self.system.claims {
+            let source = self.source(claim).map_or_else(String::new, |source| format!(": {source}"));
+            let condition = condition_text(self.system, claim);
+            let when = if condition.is_empty() { String::new() } else { format!(", when {condition}") };
+            page.line(&format!("% {} {}{when}{source}", claim.kind.keyword(), claim.name.text));
+            let index = if claim.kind == ClaimKind::Bracket { format!("_{{{}}}", name(&claim.name.text)) } else { String::new() };
+            let statements = claim_statement(claim, self.notation).into_iter();
+            page.display(&aligned(statements.map(|(left, right)| format!("{left}{index} &= {right}")).collect()));
+        }
+        page.text
+    }
+
+    fn equations_latex(&self, left: impl Fn(&str) -> String, right: &[String]) -> Vec<String> {
+        let states = self.states().iter().map(|state| self.notation.name(state));
+        states.zip(right).map(|(state, value)| format!("{} &= {value}", left(&state))).collect()
+    }
+}
+
+/// Text that grows downwards.
+#[derive(Default)]
+struct Page {
+    text: String,
+}
+
+impl Page {
+    fn line(&mut self, line: &str) {
+        self.text.push_str(line);
+        self.text.push('\n');
+    }
+
+    fn section(&mut self, title: &str, lines: Vec<String>) {
+        self.line("");
+        self.line(title);
+        for line in lines {
+            self.line(&format!("  {line}"));
+        }
+    }
+
+    fn display(&mut self, formula: &str) {
+        self.line(&format!("\\[\n{formula}\n\\]"));
+    }
+}
+
+fn singletons(entries: &[String]) -> MatrixText {
+    entries.iter().map(|entry| vec![entry.clone()]).collect()
+}
+
+fn column(entries: &[String]) -> Vec<String> {
+    matrix(&singletons(entries), '[', ']')
+}
+
+fn environment(name: &str, rows: &[Vec<String>]) -> String {
+    let rows: Vec<String> = rows.iter().map(|row| row.join(" & ")).collect();
+    format!("\\begin{{{name}}}\n{}\n\\end{{{name}}}", rows.join(" \\\\\n"))
+}
+
+fn aligned(lines: Vec<String>) -> String {
+    format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n"))
+}

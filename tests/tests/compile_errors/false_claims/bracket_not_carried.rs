@@ -1,0 +1,13 @@
+//! Poisson, and not invariant.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct E1;
+    xdot = -x^2;
+    ydot = -x*y;
+    zdot = 2*y^2 + x*z;
+    bracket P { {x,y} = 1; }
+}
+
+fn main() {}

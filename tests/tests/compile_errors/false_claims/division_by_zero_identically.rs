@@ -1,0 +1,13 @@
+//! Without a value at any point.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct E1;
+    xdot = -x^2;
+    ydot = -x*y;
+    zdot = 2*y^2 + x*z;
+    integral H = x/(y - y);
+}
+
+fn main() {}

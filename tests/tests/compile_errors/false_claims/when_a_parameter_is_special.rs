@@ -1,0 +1,13 @@
+//! True at xi = 1, claimed at xi = -1.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct E7 { xi }
+    xdot = -x^2;
+    ydot = -xi*x*y;
+    zdot = 2*xi*y^2 + x*z;
+    integral H = y/x when xi = -1;
+}
+
+fn main() {}

@@ -1,0 +1,13 @@
+//! No measure.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct E1;
+    xdot = -x^2;
+    ydot = -x*y;
+    zdot = 2*y^2 + x*z;
+    density rho = x - x;
+}
+
+fn main() {}

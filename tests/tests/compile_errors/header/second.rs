@@ -1,0 +1,12 @@
+//! A block is one system.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Growth;
+    xdot = x;
+    pub struct Decay;
+    ydot = -y;
+}
+
+fn main() {}

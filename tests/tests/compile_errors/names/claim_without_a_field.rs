@@ -1,0 +1,10 @@
+//! A claim is about a field.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Nothing;
+    integral H = 1;
+}
+
+fn main() {}

@@ -1,0 +1,12 @@
+//! One equation a state.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Rotation;
+    xdot = y;
+    ydot = -x;
+    xdot = -y;
+}
+
+fn main() {}

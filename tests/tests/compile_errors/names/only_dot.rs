@@ -1,0 +1,10 @@
+//! `dot` of what?
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Growth;
+    dot = 1;
+}
+
+fn main() {}

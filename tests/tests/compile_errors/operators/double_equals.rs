@@ -1,0 +1,10 @@
+//! `==` compares.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Growth;
+    xdot == x;
+}
+
+fn main() {}

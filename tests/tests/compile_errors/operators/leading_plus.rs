@@ -1,0 +1,10 @@
+//! Only `-` stands before an operand.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Growth;
+    xdot = + x;
+}
+
+fn main() {}

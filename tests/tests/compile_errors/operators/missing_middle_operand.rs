@@ -1,0 +1,10 @@
+//! Two operators in a row.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Growth;
+    xdot = x + * 2;
+}
+
+fn main() {}

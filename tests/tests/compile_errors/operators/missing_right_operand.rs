@@ -1,0 +1,10 @@
+//! Something is to be multiplied with what?
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Growth;
+    xdot = x*;
+}
+
+fn main() {}

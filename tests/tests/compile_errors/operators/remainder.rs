@@ -1,0 +1,10 @@
+//! `%` is no operation on polynomials.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Growth;
+    xdot = x%2;
+}
+
+fn main() {}
