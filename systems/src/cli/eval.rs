@@ -8,7 +8,7 @@ use kahan_algebra::system::System;
 use serde_json::{Map, Value, json};
 
 use super::input::{Source, coordinates, number, parameter_values};
-use super::output::{Answer, Refusal, matrix};
+use super::output::{Answer, Refusal, matrix, shorten};
 use super::scalar::{Printable, ScalarKind};
 
 /// Evaluates every object of a system at a point: field, matrices, next point, Jacobian, claims.
@@ -47,7 +47,7 @@ Examples:
   kahan eval e6 --eps 1/2 --at 1,2,3
   kahan eval e7 --eps -1/2 --at 3/7,11/13,23/47 --param xi=19/17 --json
   kahan eval lv --eps 0.1 --at 1/2,5/3 --scalar f64
-  kahan eval --field 'xdot = y; ydot = 6*x^2 - a' --param a=2 --eps 1e-2 --at 0,1";
+  kahan eval --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1";
 
 /// The evaluated objects, and what to complain of.
 struct Evaluated {
@@ -125,9 +125,11 @@ impl Request<'_> {
         Ok(Evaluated { objects, complaint })
     }
 
-    /// `x = 1, y = 2`
+    /// `x = 1, y = 2`, long numbers cut.
     fn assignments(names: &[String], values: &[Rational]) -> String {
-        let parts: Vec<String> = names.iter().zip(values).map(|(name, value)| format!("{name} = {value}")).collect();
+        const DIGITS: usize = 40;
+        let value = |value: &Rational| shorten(&value.to_string(), DIGITS);
+        let parts: Vec<String> = names.iter().zip(values).map(|(name, number)| format!("{name} = {}", value(number))).collect();
         parts.join(", ")
     }
 
@@ -141,7 +143,7 @@ impl Request<'_> {
         let place = [
             Self::assignments(&symbols.states, &self.point.state),
             Self::assignments(&symbols.parameters, &self.point.parameters),
-            format!("eps = {}", self.point.eps),
+            Self::assignments(&["eps".to_owned()], std::slice::from_ref(&self.point.eps)),
         ];
         let place: Vec<String> = place.into_iter().filter(|part| !part.is_empty()).collect();
         let (name, place) = (self.name, place.join(", "));

@@ -36,17 +36,13 @@ Examples:
   kahan                                       prove every claim of the catalog
   kahan show e6                               the formulas of E6
   kahan eval e1 --eps 1/2 --at -2,1,1/3       every object at a point
-  kahan show --field 'xdot = y; ydot = x^2 - a'";
+  kahan show --field 'xdot = y; ydot = x^2 - a;'";
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Proves every claim of the catalog, of one system, or of a field of your own.
     Verify(verify::Verify),
-    /// Lists the systems of the catalog.
     List(list::List),
-    /// Shows the formulas of a system: field, A, b, bilinear form, map, claims.
     Show(show::Show),
-    /// Evaluates every object of a system at a point.
     Eval(eval::Eval),
 }
 
@@ -75,7 +71,8 @@ fn usage(error: &clap::Error) -> Result<Answer, Refusal> {
         return Ok(Answer::text(text));
     }
     let lines = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
-    let said: Vec<&str> = lines.filter(|line| !line.is_empty()).collect();
-    let said = said.join(" ");
-    Err(Refusal::new(format!("{}; `kahan --help` lists the commands, `kahan COMMAND --help` explains one", said.trim_start_matches("error: "))))
+    // How to pass a flag as a value is never what was meant.
+    let said: Vec<&str> = lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass")).collect();
+    let said = said.join(" ").replace(" tip: ", "; ");
+    Err(Refusal::new(format!("{}; `kahan COMMAND --help` shows examples", said.trim_start_matches("error: "))))
 }

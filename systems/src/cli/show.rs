@@ -1,7 +1,7 @@
 //! `kahan show`: the formulas of a system as text, as LaTeX, or as the block of the macro.
 
 use clap::Args;
-use kahan_algebra::kahan::TERM_BUDGET;
+use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 use kahan_algebra::render::{Formulas, MatrixText, Notation, claim_statement, claim_text, condition_text, macro_block};
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
@@ -38,7 +38,7 @@ const EXAMPLES: &str = "\
 Examples:
   kahan show e6
   kahan show euler --latex
-  kahan show --field 'xdot = a*y*z; ydot = -x*z; zdot = x*y' --macro
+  kahan show --field 'xdot = a*y*z; ydot = -x*z; zdot = x*y;' --macro
   kahan show --file field.txt --json";
 
 /// Everything that is shown, in one notation.
@@ -66,7 +66,8 @@ impl Show {
             return Ok(Answer::text(macro_block(&system) + "\n"));
         }
         let notation = if self.latex { Notation::Latex } else { Notation::Text };
-        let formulas = Formulas { field: &system.field, notation };
+        let map = RationalMap::of(&system.field);
+        let formulas = Formulas { field: &system.field, map: map.as_ref(), notation };
         let sheet = Sheet {
             block: &block,
             system: &system,

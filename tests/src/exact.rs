@@ -1,0 +1,167 @@
+//! Exact numbers for tests: rationals, vectors and matrices of them, and seeded small ones.
+//!
+//! In: text `p/q`, pairs of integers, seeds. Out: [`Q`] and plain vectors of it, compared with `==`.
+//! Determinants are Laplace's expansion on purpose: slow, but not the elimination that is under test.
+
+use kahan_algebra::prime_field::SplitMix64;
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+/// An exact number.
+pub type Q = BigRational;
+/// A point or a vector.
+pub type Vector = Vec<Q>;
+/// A matrix, row by row.
+pub type Matrix = Vec<Vec<Q>>;
+
+/// p/d.
+#[must_use]
+pub fn q(p: i64, d: i64) -> Q {
+    Q::new(p.into(), d.into())
+}
+
+/// The number written as `p/q` or `p`.
+///
+/// # Panics
+/// If it is written otherwise.
+#[must_use]
+pub fn number(text: &str) -> Q {
+    let (p, d) = text.split_once('/').unwrap_or((text, "1"));
+    let integer =
+        |digits: &str| digits.parse::<BigInt>().unwrap_or_else(|_| panic!("`{text}` is not a number"));
+    Q::new(integer(p), integer(d))
+}
+
+/// The numbers written with commas between them: `3/7, -2`.
+#[must_use]
+pub fn numbers(text: &str) -> Vector {
+    text.split(',').map(|entry| number(entry.trim())).collect()
+}
+
+/// a + b
+#[must_use]
+pub fn sum(a: &[Q], b: &[Q]) -> Vector {
+    a.iter().zip(b).map(|(a, b)| a + b).collect()
+}
+
+/// a − b
+#[must_use]
+pub fn difference(a: &[Q], b: &[Q]) -> Vector {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+/// factor · v
+#[must_use]
+pub fn scaled(factor: &Q, v: &[Q]) -> Vector {
+    v.iter().map(|entry| factor * entry).collect()
+}
+
+/// M v
+#[must_use]
+pub fn product(m: &[Vec<Q>], v: &[Q]) -> Vector {
+    m.iter().map(|row| row.iter().zip(v).map(|(a, b)| a * b).sum()).collect()
+}
+
+/// M N
+#[must_use]
+pub fn matrix_product(m: &[Vec<Q>], n: &[Vec<Q>]) -> Matrix {
+    let columns = transposed(n);
+    m.iter().map(|row| product(&columns, row)).collect()
+}
+
+/// Mᵀ
+#[must_use]
+pub fn transposed(m: &[Vec<Q>]) -> Matrix {
+    (0..m.len()).map(|j| m.iter().map(|row| row[j].clone()).collect()).collect()
+}
+
+/// det M, by Laplace's expansion along the first column.
+#[must_use]
+pub fn determinant(m: &[Vec<Q>]) -> Q {
+    let Some(first) = m.first() else { return q(1, 1) };
+    let zero = q(0, 1);
+    let mut total = zero.clone();
+    for i in 0..first.len() {
+        if m[i][0] == zero {
+            continue;
+        }
+        let minor: Matrix =
+            m.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, row)| row[1..].to_vec()).collect();
+        let term = &m[i][0] * determinant(&minor);
+        total = if i % 2 == 0 { total + term } else { total - term };
+    }
+    total
+}
+
+/// adj(M) b: entry i is det M with column i replaced by b (Cramer's rule without the quotient).
+#[must_use]
+pub fn adjugate_product(m: &[Vec<Q>], b: &[Q]) -> Vector {
+    let replaced = |column: usize| -> Matrix {
+        let with_entry = |(row, entry): (&Vec<Q>, &Q)| {
+            let mut row = row.clone();
+            row[column] = entry.clone();
+            row
+        };
+        m.iter().zip(b).map(with_entry).collect()
+    };
+    (0..m.len()).map(|column| determinant(&replaced(column))).collect()
+}
+
+/// Seeded rationals p/d with |p| ≤ 9 and 1 ≤ d ≤ 7.
+#[derive(Clone, Debug)]
+pub struct Rationals {
+    random: SplitMix64,
+}
+
+impl Rationals {
+    /// The sequence of a seed.
+    #[must_use]
+    pub fn seeded(seed: u64) -> Self {
+        Self { random: SplitMix64::new(seed) }
+    }
+
+    /// The next one.
+    pub fn next(&mut self) -> Q {
+        let p = self.random.below(19) as i64 - 9;
+        q(p, self.random.below(7) as i64 + 1)
+    }
+
+    /// The next one that is not zero.
+    pub fn nonzero(&mut self) -> Q {
+        loop {
+            let next = self.next();
+            if next != q(0, 1) {
+                return next;
+            }
+        }
+    }
+
+    /// The next `n` as a point.
+    pub fn point(&mut self, n: usize) -> Vector {
+        (0..n).map(|_| self.next()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_determinant_changes_sign_with_two_rows_and_is_multiplicative() {
+        let mut rationals = Rationals::seeded(1);
+        let a: Matrix = (0..4).map(|_| rationals.point(4)).collect();
+        let b: Matrix = (0..4).map(|_| rationals.point(4)).collect();
+        let mut swapped = a.clone();
+        swapped.swap(1, 3);
+        assert_eq!(determinant(&swapped), -determinant(&a));
+        assert_eq!(determinant(&matrix_product(&a, &b)), determinant(&a) * determinant(&b));
+    }
+
+    #[test]
+    fn the_adjugate_inverts_up_to_the_determinant() {
+        let mut rationals = Rationals::seeded(2);
+        let a: Matrix = (0..4).map(|_| rationals.point(4)).collect();
+        let b = rationals.point(4);
+        assert_eq!(product(&a, &adjugate_product(&a, &b)), scaled(&determinant(&a), &b));
+    }
+}
