@@ -18,8 +18,8 @@ use nalgebra::ArrayStorage;
 pub use crate::scalar::Dual;
 pub use crate::{Constant, Integrals, KahanMap, Named, Pivot, QuadraticField, Scalar};
 
-use crate::linear::solve;
-use crate::map::pole;
+use crate::error::pole;
+use crate::linear;
 
 /// The entries of a state, to be bound to names by a pattern.
 #[inline]
@@ -77,9 +77,7 @@ where
     M: KahanMap<T, N> + ?Sized,
     T: Scalar,
 {
-    let velocity = solve(map.matrix(x, eps.clone()), map.field(x))?;
-    let dt = eps.clone() + eps.clone();
-    Some(SVector::from_fn(|i, _| dt.clone() * velocity[i].clone()))
+    linear::increment_by_elimination(map.matrix(x, eps.clone()), map.field(x), eps)
 }
 
 /// ∂x̃/∂x = I + ∂(x̃ − x)/∂x, by running the increment's closed form once over dual numbers.

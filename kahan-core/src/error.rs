@@ -6,6 +6,8 @@
 
 use core::fmt;
 
+use crate::Scalar;
+
 /// There is no (finite) step from this point: the point is a pole of the map, or the numbers overflow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -55,3 +57,9 @@ impl fmt::Display for SingularStep {
 }
 
 impl core::error::Error for SingularStep {}
+
+/// The end of a call that has no way to report a pole.
+#[cold]
+pub(crate) fn pole<T: Scalar>(eps: &T) -> ! {
+    panic!("{}", SingularStep::pole(eps.approximate()))
+}

@@ -176,3 +176,24 @@ fn subtract_row<T: Scalar, const N: usize, const M: usize>(
         a[(i, j)] -= product;
     }
 }
+
+/// x̃ − x = 2ε·A(x,ε)⁻¹·f(x) by elimination.
+#[inline]
+pub(crate) fn increment_by_elimination<T: Scalar, const N: usize>(
+    matrix: SMatrix<T, N, N>,
+    field: SVector<T, N>,
+    eps: &T,
+) -> Option<SVector<T, N>> {
+    let velocity = solve(matrix, field)?;
+    let dt = eps.clone() + eps.clone();
+    Some(SVector::from_fn(|i, _| dt.clone() * velocity[i].clone()))
+}
+
+/// x + increment.
+#[inline]
+pub(crate) fn advance<T: Scalar, const N: usize>(
+    x: &SVector<T, N>,
+    increment: &SVector<T, N>,
+) -> SVector<T, N> {
+    SVector::from_fn(|i, _| x[i].clone() + increment[i].clone())
+}

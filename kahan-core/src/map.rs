@@ -7,7 +7,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::linear::{determinant, determinant_and_adjugate_product, solve};
+use crate::error::pole;
+use crate::linear::{advance, determinant, determinant_and_adjugate_product, solve};
 use crate::try_step::try_step;
 use crate::{Constant, KahanAt, Orbit, Pivot, QuadraticField, Scalar, SingularStep};
 
@@ -101,7 +102,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> {
     where
         T: Pivot,
     {
-        try_step(self, x, eps)
+        try_step(x, &eps, self.increment(x, &eps), || self.matrix(x, eps.clone()), || self.field(x))
     }
 
     /// The inverse map, which is the map with −ε: the state one time step of 2ε earlier.
@@ -156,19 +157,4 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> {
     {
         Orbit::new(self.clone(), x, eps)
     }
-}
-
-/// x + increment.
-#[inline]
-pub(crate) fn advance<T: Scalar, const N: usize>(
-    x: &SVector<T, N>,
-    increment: &SVector<T, N>,
-) -> SVector<T, N> {
-    SVector::from_fn(|i, _| x[i].clone() + increment[i].clone())
-}
-
-/// The end of a call that has no way to report a pole.
-#[cold]
-pub(crate) fn pole<T: Scalar>(eps: &T) -> ! {
-    panic!("{}", SingularStep::pole(eps.approximate()))
 }

@@ -9,7 +9,7 @@ use core::iter::FusedIterator;
 
 use nalgebra::SVector;
 
-use crate::map::advance;
+use crate::linear::advance;
 use crate::{KahanMap, Scalar, SingularStep};
 
 /// The orbit x₀, x₁, … of a Kahan map, x₀ first; made by [`KahanMap::orbit`].

@@ -1,13 +1,13 @@
 //! Equations: expanded exactly, of degree at most two in the states.
 
-use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use crate::diagnostics::{Diagnostic, Diagnostics};
 use crate::field::Component;
 use crate::poly::{Budget, Monomial, Polynomial};
 use crate::rational_function::RationalFunction;
 use crate::syntax::{Block, Expr, ExprKind};
 use crate::token::Span;
 
-use super::expand::{Expansion, MOST_TERMS, MOST_WORK, expand, too_large};
+use super::expand::{Expansion, MOST_TERMS, MOST_WORK, expand, too_high, too_large};
 use super::names::Scope;
 
 /// Expands every equation; a broken one becomes zero.
@@ -64,16 +64,6 @@ fn check_degree(value: &Expr, expansion: &Expansion, scope: &Scope) -> Option<Di
         return None;
     }
     Some(too_high(raising_factor(value, scope), &describe(monomial, scope), highest.into()))
-}
-
-/// The mistake of a term of degree `degree` > 2.
-pub(super) fn too_high(span: Span, term: &str, degree: u64) -> Diagnostic {
-    Diagnostic::new(
-        Kind::Degree,
-        span,
-        format!("{term} has degree {degree} in the states, and Kahan's method needs a quadratic field"),
-        "lower the degree with a new variable, for example `w` for `x^2` with its own equation",
-    )
 }
 
 /// The term in words, parameters left out.

@@ -9,7 +9,6 @@ use crate::rational::Rational;
 use crate::syntax::{Expr, ExprKind, Factor, Term};
 use crate::token::Span;
 
-use super::equations::too_high;
 use super::names::{Meaning, Scope};
 
 /// The largest number of terms of an expansion.
@@ -209,6 +208,17 @@ impl Expander<'_> {
     }
 }
 
+/// The mistake of a term of degree `degree` > 2.
+pub(super) fn too_high(span: Span, term: &str, degree: u64) -> Diagnostic {
+    Diagnostic::new(
+        Kind::Degree,
+        span,
+        format!("{term} has degree {degree} in the states, and Kahan's method needs a quadratic field"),
+        "lower the degree with a new variable, for example `w` for `x^2` with its own equation",
+    )
+}
+
+/// The mistake of an expansion beyond the limits.
 pub(super) fn too_large(span: Span) -> Diagnostic {
     Diagnostic::new(
         Kind::TooLarge,
