@@ -10,7 +10,7 @@
 //!
 //! A point where something divides by zero is drawn again, up to 16 times, which multiplies both by at most 16. Points
 //! are independent, so k of them err with probability at most e^k, e = 16 (b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰), and k is chosen
-//! such that e^k < 2⁻¹⁰⁰ (k ≥ 2). "Random" is a generator seeded by a hash of the block: whoever writes a block cannot
+//! such that e^k < 2⁻¹⁰⁰; it is never below 3. "Random" is a generator seeded by a hash of the block: whoever writes a block cannot
 //! aim at its primes except by trial, and builds are reproducible. deg F and b come from running the very same residuals
 //! in the arithmetic of sizes ([`Bounds`]).
 
@@ -38,14 +38,14 @@ pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 
-/// The number of points for residuals of this degree and size: the least k ≥ 2 with e^k < 2⁻¹⁰⁰.
+/// The number of points for residuals of this degree and size: the least k with e^k < 2⁻¹⁰⁰.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
     // Everything in units of 2⁻⁶⁰: e·2⁶⁰ ≤ 16 (64·(b/60 + 1) + deg F), rounded up to a power of two.
     let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(16)?;
     let lost = u64::BITS - units.leading_zeros();
     let gained = 60u32.checked_sub(lost).filter(|&gained| gained > 0)?;
-    Some(ERROR_EXPONENT.div_ceil(gained).max(2))
+    Some(ERROR_EXPONENT.div_ceil(gained))
 }
 
 /// One step in the arithmetic of sizes: x̃ by Cramer's rule, determinants by their expansion.

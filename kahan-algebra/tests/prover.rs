@@ -1,0 +1,126 @@
+//! The provers: what is true is proved, what is false is refuted at a point that shows it, and both provers agree.
+
+use kahan_algebra::diagnostics::Kind;
+use kahan_algebra::prove::{Refutation, Verdict, points_needed, prove_all, prove_by_normal_form};
+use kahan_algebra::{Reading, lexer, read, seed};
+
+const E3: &str = "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;";
+const E6: &str = "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);";
+
+fn reading(text: &str) -> Reading {
+    read(&lexer::lex(text).tokens)
+}
+
+fn verdicts(text: &str) -> Vec<Option<Verdict>> {
+    let tokens = lexer::lex(text).tokens;
+    prove_all(&read(&tokens).system, seed(&tokens))
+}
+
+#[test]
+fn both_provers_agree_on_true_and_on_false_claims() {
+    let claims = [
+        (E3, "integral F = y/x;", true),
+        (E3, "integral F = x/y + 7;", true),
+        (E3, "integral F = y/x + x;", false),
+        (E3, "integral F = (x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));", true),
+        (E3, "integral F = (x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2 + z^2));", false),
+        (E6, "density F = 1/((x*z + y^2)*(x^2 + y^2 + z^2));", true),
+        (E6, "density F = 1/((x*z + y^2)^2*(x^2 + y^2 + z^2));", false),
+        (E6, "density F = 1/(x*z + y^2)^2;", true),
+        (E6, "density F = 1/(x*z + y^2)^2 when eps = 1/3;", true),
+        (E6, "density F = 1/(x*z + y^2) when eps = 1/3;", false),
+        (
+            E6,
+            "bracket F { {x,y} = x*(1 + 3*eps^2*y^2); {y,z} = z*(1 + 3*eps^2*y^2); {z,x} = 2*y*(1 - 3*eps^2*x*z); }",
+            true,
+        ),
+        (E6, "bracket F { {x,y} = x*(1 + 3*eps^2*y^2); {y,z} = z*(1 + 3*eps^2*y^2); {z,x} = 2*y; }", false),
+    ];
+    for (field, claim, holds) in claims {
+        let text = format!("{field} {claim}");
+        let system = reading(&text).system;
+        assert_eq!(prove_by_normal_form(&system, &system.claims[0]), Some(holds), "{claim}");
+        let proved = matches!(verdicts(&text)[..], [Some(Verdict::Proved(_))]);
+        assert_eq!(proved, holds, "{claim}");
+    }
+}
+
+#[test]
+fn an_invariant_tensor_that_is_not_poisson_is_refused() {
+    // Invariant under the identity-like map of a zero field, but Jacobi fails.
+    let text = "xdot = 0; ydot = 0; zdot = 0; bracket P { {x,y} = z; {y,z} = x; {z,x} = x*y; }";
+    let [diagnostic] = &reading(text).diagnostics[..] else { panic!("one mistake") };
+    assert_eq!(diagnostic.kind, Kind::FalseClaim);
+    assert!(diagnostic.message.contains("Jacobi sum of x, y, z"), "{}", diagnostic.message);
+}
+
+#[test]
+fn a_refutation_shows_two_different_values() {
+    let text = format!("{E3} integral F = z;");
+    let [Some(Verdict::Refuted(Refutation::At { left, right, .. }))] = &verdicts(&text)[..] else {
+        panic!("z is no integral")
+    };
+    assert_ne!(left, right);
+}
+
+#[test]
+fn claims_that_say_nothing_are_refused() {
+    for claim in [
+        "integral F = 3;",
+        "integral F = eps;",
+        "integral F = x - x;",
+        "integral F = (y/x)^0;",
+        "density F = 0;",
+        "density F = x - x;",
+        "bracket F { {x,y} = 0; }",
+    ] {
+        let text = format!("{E3} {claim}");
+        assert_eq!(verdicts(&text), [Some(Verdict::Vacuous)], "{claim}");
+        assert_eq!(reading(&text).diagnostics.len(), 1, "{claim}");
+    }
+}
+
+#[test]
+fn a_claim_that_divides_by_zero_identically_is_undefined() {
+    for claim in
+        ["integral F = x/(y - y);", "integral F = 1/(x*y - y*x);", "density F = 1/(1 - eps) when eps = 1;"]
+    {
+        assert_eq!(verdicts(&format!("{E3} {claim}")), [Some(Verdict::Undefined)], "{claim}");
+    }
+}
+
+#[test]
+fn multiples_of_large_primes_are_no_hiding_place() {
+    // 2^61 − 1 and other 61-bit primes: a fixed prime would see zeros.
+    for prime in ["2305843009213693951", "2305843009213693921", "1152921504606846883"] {
+        let text = format!("{E3} integral F = y/x + {prime}*z;");
+        assert!(matches!(verdicts(&text)[..], [Some(Verdict::Refuted(_))]), "{prime}");
+    }
+}
+
+#[test]
+fn the_number_of_points_follows_from_the_bound() {
+    // e = 16 (64 (b/60 + 1) + d) 2⁻⁶⁰; k is the least with e^k < 2⁻¹⁰⁰.
+    assert_eq!(points_needed(1, 1), Some(3));
+    assert_eq!(points_needed(900, 100), Some(3));
+    assert_eq!(points_needed(1 << 36, 0), Some(6));
+    assert_eq!(points_needed(u64::MAX, 0), None);
+}
+
+#[test]
+fn a_proof_is_the_same_every_time() {
+    let text = format!("{E6} integral F = x;");
+    assert_eq!(reading(&text).diagnostics, reading(&text).diagnostics);
+}
+
+#[test]
+fn conditions_specialise_the_map() {
+    let lv = "xdot = x*(1 - y); ydot = y*(x - 1);";
+    let integral = "x^2/y^2 + y^2/x^2 + 4*(1/x - 1/y)^2*(1 - x - y)";
+    for (when, holds) in
+        [("when eps = 1", true), ("when eps = -1", true), ("when eps = 2", false), ("", false)]
+    {
+        let text = format!("{lv} integral F = {integral} {when};");
+        assert_eq!(reading(&text).diagnostics.is_empty(), holds, "{when}");
+    }
+}

@@ -1,0 +1,131 @@
+//! Reading: exact numbers, precedence, what cancels, and blocks that survive being printed.
+
+use kahan_algebra::diagnostics::Kind;
+use kahan_algebra::render::macro_block;
+use kahan_algebra::{Reading, lexer, read};
+
+fn reading(text: &str) -> Reading {
+    read(&lexer::lex(text).tokens)
+}
+
+/// The equations as the printer writes them.
+fn equations(text: &str) -> Vec<String> {
+    let reading = reading(text);
+    assert_eq!(reading.diagnostics, [], "{text}");
+    macro_block(&reading.system)
+        .lines()
+        .filter(|line| line.contains("dot ="))
+        .map(|line| line.trim().to_owned())
+        .collect()
+}
+
+#[test]
+fn spellings_of_one_field_are_one_field() {
+    let same = [
+        ("xdot = x^2 - 4;", "xdot = -4 + x*x;"),
+        ("xdot = -x^2;", "xdot = 0 - (x^2);"),
+        ("xdot = (-x)^2;", "xdot = x^2;"),
+        ("xdot = x/2/3;", "xdot = x/6;"),
+        ("xdot = 2*x/4*6;", "xdot = 3*x;"),
+        ("xdot = x - 1 - 2;", "xdot = x - 3;"),
+        ("xdot = 0.1*x + 1.5e-3;", "xdot = x/10 + 3/2000;"),
+        ("xdot = 1_000*x + 1E2;", "xdot = 1000*x + 100;"),
+        ("xdot = 1.*x;", "xdot = x;"),
+        ("xdot = --x;", "xdot = x;"),
+        ("xdot = 2*-x;", "xdot = -2*x;"),
+        ("xdot = x^0 + x^1;", "xdot = 1 + x;"),
+        ("xdot = x^3 + x^2 - x*x*x;", "xdot = x^2;"),
+        ("const c = 1/3; const d = c^2; xdot = c*x - d;", "xdot = x/3 - 1/9;"),
+        ("xdot = 2^10*x;", "xdot = 1024*x;"),
+        ("xdot = a*x/a;", "xdot = x;"),
+        ("xdot = x/(a - b) + x/(b - a) + a + b;", "xdot = a + b;"),
+        ("xdot = x/(a*b)*a;", "xdot = x/b;"),
+    ];
+    for (spelling, canonical) in same {
+        // Parameters that cancel are still parameters; only the equations are compared.
+        assert_eq!(equations(spelling), equations(canonical), "{spelling}");
+    }
+}
+
+#[test]
+fn literals_keep_all_their_digits() {
+    assert_eq!(
+        equations("xdot = 12345678901234567890.123456789*x;"),
+        ["xdot = 12345678901234567890123456789/1000000000*x;"]
+    );
+}
+
+#[test]
+fn a_printed_block_reads_as_the_same_system() {
+    let text =
+        "pub struct Top { a1, a2, a3 } xdot = a1*y*z/(1 + a2); ydot = a2*z*x - 1/2; zdot = a3*x*y + 0.1*x;
+        integral s = -x*(y - z)^2/-(x) when a1 = 1/2;";
+    let first = reading(text);
+    let printed = macro_block(&first.system);
+    let inner = printed.trim_start_matches("kahan! {").trim_end_matches('}');
+    let second = reading(inner);
+    assert_eq!(second.system.field, first.system.field);
+    assert_eq!(macro_block(&second.system), printed);
+    assert_eq!(second.system.claims[0].plan, first.system.claims[0].plan);
+}
+
+#[test]
+fn sums_of_twenty_thousand_terms_are_read() {
+    let terms: Vec<String> = (0..20_000).map(|i| format!("{}*x*y/{}", i + 1, i % 97 + 1)).collect();
+    let text = format!("xdot = {}; ydot = x;", terms.join(" + "));
+    assert!(reading(&text).diagnostics.is_empty());
+    let claim = vec!["x/x*y/y"; 20_000].join(" + ");
+    let text = format!("xdot = 0; ydot = 0; integral f = x + {claim};");
+    assert!(reading(&text).diagnostics.is_empty());
+}
+
+#[test]
+fn limits_are_errors_at_their_place() {
+    let nested = format!("xdot = {}x{};", "(".repeat(5_000), ")".repeat(5_000));
+    let cases = [
+        ("xdot = x^1000000000;", Kind::Degree),
+        ("xdot = (x + y + z)^5000; ydot = x; zdot = x;", Kind::Degree),
+        (nested.as_str(), Kind::TooLarge),
+        ("xdot = 1e5000*x;", Kind::TooLarge),
+        ("xdot = a^65*x;", Kind::TooLarge),
+        ("xdot = 2^1000000000*x;", Kind::TooLarge),
+        ("xdot = (a + b + c + d + e + f + g + h)^60*x;", Kind::TooLarge),
+    ];
+    for (text, kind) in cases {
+        let kinds: Vec<Kind> = reading(text).diagnostics.iter().map(|diagnostic| diagnostic.kind).collect();
+        assert_eq!(kinds, [kind], "{:.60}", text);
+    }
+}
+
+#[test]
+fn one_mistake_makes_one_error_and_three_make_three() {
+    let text = "xdot = y*z + sin(x); ydot = zz*x; zdot = x^2*y; integral H = x + ydot;";
+    assert_eq!(reading(text).diagnostics.len(), 3, "{:?}", reading(text).diagnostics);
+    for text in ["x = y; ydot = x;", "xdot = y ydot = x;", "xdot = yy + yy*yy; ydot = x; zdot = yy;"] {
+        let header = format!("struct S; {text}");
+        assert_eq!(reading(&header).diagnostics.len(), 1, "{:?}", reading(&header).diagnostics);
+    }
+}
+
+#[test]
+fn places_point_at_the_token_to_change() {
+    let cases = [
+        ("xdot = x*y*z; ydot = 0; zdot = 0;", "z"),
+        ("xdot = x*(y - 1)*(2 + x) + y; ydot = 0;", "(2 + x)"),
+        ("xdot = x + (y*x)^2; ydot = 0;", "(y*x)^2"),
+        ("xdot = y/(1 + x); ydot = 0;", "(1 + x)"),
+        ("xdot = y/(a - a); ydot = 0;", "(a - a)"),
+        ("struct S; xdot = y + mu*x; ydot = 0;", "mu"),
+        ("struct S { mu } xdot = x;", "mu"),
+        ("xdot = 2x;", "2x"),
+        ("xdot = x; xdot = 1;", "xdot"),
+        ("xdot = x; integral H = x;", "H"),
+    ];
+    for (text, place) in cases {
+        let lexed = lexer::lex(text);
+        let diagnostics = read(&lexed.tokens).diagnostics;
+        let [diagnostic] = &diagnostics[..] else { panic!("{text}: {diagnostics:?}") };
+        let (first, last) = (&lexed.ranges[diagnostic.span.first], &lexed.ranges[diagnostic.span.last]);
+        assert_eq!(&text[first.start..last.end], place, "{text}");
+    }
+}
