@@ -266,7 +266,7 @@ impl Compiler {
                 Kind::ZeroDivisor,
                 span,
                 "this divisor is zero",
-                "divide by something else",
+                "correct the divisor, or remove the division",
             ));
         }
         Ok(self.builder.divide(dividend, divisor))

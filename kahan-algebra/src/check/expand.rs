@@ -14,7 +14,9 @@ use super::names::{Meaning, Scope};
 /// The largest number of terms of an expansion.
 pub(super) const MOST_TERMS: usize = 100_000;
 /// The largest number of products of terms in one expansion.
-pub(super) const MOST_WORK: u64 = 1_000_000;
+pub(super) const MOST_WORK: u64 = 300_000;
+/// The largest degree in the states that a power of a sum may have; more does not cancel in earnest, and takes long.
+const HIGHEST_DEGREE: u64 = 64;
 /// The largest exponent of something that depends on parameters.
 const HIGHEST_PARAMETER_POWER: i64 = 64;
 /// The largest size of a number, in bits.
@@ -131,7 +133,7 @@ impl Expander<'_> {
                 Kind::ZeroDivisor,
                 span,
                 "this divisor is zero",
-                "divide by something else",
+                "correct the divisor, or remove the division",
             ));
         }
         let state = divisor.variables().into_iter().find(|&variable| self.scope.symbols.is_state(variable));
@@ -177,15 +179,16 @@ impl Expander<'_> {
         if is_trivial {
             return Ok(self.trivial_power(&base, exponent));
         }
+        let reached = u64::from(degree).saturating_mul(exponent.unsigned_abs());
+        if base.numerator.len() > 1 && reached > HIGHEST_DEGREE {
+            return Err(too_high(span, "this power", reached));
+        }
         let exponent_or_most = u32::try_from(exponent).unwrap_or(u32::MAX);
         let power =
             |polynomial: &Polynomial, budget: &mut Budget| polynomial.pow_within(exponent_or_most, budget);
         match (power(&base.numerator, &mut self.budget), power(&base.denominator, &mut self.budget)) {
             (Ok(numerator), Ok(denominator)) => Ok(Expansion { numerator, denominator }),
-            _ if degree > 0 => {
-                let degree = u64::from(degree).saturating_mul(exponent.unsigned_abs());
-                Err(too_high(span, "this power", degree))
-            }
+            _ if degree > 0 => Err(too_high(span, "this power", reached)),
             _ => Err(too_large(span)),
         }
     }

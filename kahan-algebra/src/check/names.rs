@@ -26,6 +26,9 @@ pub(super) struct Scope {
     /// Names that are mistakes already, or whose owner is: not to be reported again.
     poisoned: BTreeSet<String>,
     used: BTreeSet<String>,
+    /// Claims of the whole block.
+    all_claims: BTreeSet<String>,
+    has_unknown_names: bool,
 }
 
 /// Whether `name` is the half time step.
@@ -41,10 +44,13 @@ impl Scope {
             claims: Vec::new(),
             poisoned: block.misspelt_states.iter().map(|name| name.text.clone()).collect(),
             used: BTreeSet::new(),
+            all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
+            has_unknown_names: false,
         };
+        for equation in &block.equations {
+            scope.poisoned.remove(&equation.state.text);
+        }
         scope.collect_states(block, diagnostics);
-        let states = scope.symbols.states.clone();
-        scope.poisoned.retain(|name| !states.contains(name));
         if let Some(header) = &block.header
             && is_keyword(&header.name.text)
         {
@@ -74,7 +80,9 @@ impl Scope {
                     "remove one of the equations, or rename its state",
                 );
             } else {
-                report_reserved(state, diagnostics);
+                if report_reserved(state, diagnostics) {
+                    self.poison(&state.text);
+                }
                 self.symbols.states.push(state.text.clone());
             }
         }
@@ -219,6 +227,17 @@ impl Scope {
     }
 
     fn report_unknown(&mut self, name: &str, span: Span, in_claim: bool, diagnostics: &mut Diagnostics) {
+        self.has_unknown_names = true;
+        if in_claim && self.all_claims.contains(name) {
+            diagnostics.report(
+                Kind::UnknownName,
+                span,
+                format!("`{name}` is not known yet: a claim may use the claims above it"),
+                format!("move the claim `{name}` above this one"),
+            );
+            self.poison(name);
+            return;
+        }
         let help = if name == "ϵ" {
             "for half the time step write `eps` (in claims)".to_owned()
         } else if let Some(nearest) = self.nearest(name, in_claim) {
@@ -251,7 +270,7 @@ impl Scope {
     }
 
     /// The known name closest to `name`, if close enough to be a slip.
-    fn nearest(&self, name: &str, in_claim: bool) -> Option<String> {
+    pub(super) fn nearest(&self, name: &str, in_claim: bool) -> Option<String> {
         let mut candidates: Vec<String> = self.symbols.states.clone();
         candidates.extend(self.symbols.parameters.iter().cloned());
         let mut constants: Vec<String> = self.constants.keys().cloned().collect();
@@ -276,7 +295,9 @@ impl Scope {
 
     /// Parameters of the header that neither equations nor claims use.
     pub(super) fn report_unused(&self, block: &Block, diagnostics: &mut Diagnostics) {
-        let unread = block.equations.iter().any(|equation| equation.value.is_none())
+        // A parameter that only a misspelt name would use is not a second mistake.
+        let unread = self.has_unknown_names
+            || block.equations.iter().any(|equation| equation.value.is_none())
             || block.claims.iter().any(|claim| claim.body.is_none());
         let Some(header) = block.header.as_ref().filter(|_| !unread && !block.equations.is_empty()) else {
             return;
@@ -301,7 +322,7 @@ impl Scope {
         } else if self.symbols.parameters.contains(text) {
             "a parameter"
         } else if self.constants.contains_key(text) {
-            "a constant"
+            if what == "constant" { "an earlier constant" } else { "a constant" }
         } else if self.claims.contains(text) {
             "an earlier claim"
         } else {

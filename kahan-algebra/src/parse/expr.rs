@@ -168,15 +168,12 @@ fn atom(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
             let span = span.to(Span::token(span.last + 1));
             error(Kind::Number, span, format!("`.{digits}` is not a number"), format!("write `0.{digits}`"))
         }
-        TokenKind::Punctuation('+') => {
-            let span = if cursor.position() == 0 { span } else { cursor.behind().to(span) };
-            error(
-                Kind::Syntax,
-                span,
-                "a `+` needs an operand on its left",
-                "remove the `+`, or write the operand",
-            )
-        }
+        TokenKind::Punctuation('+') => error(
+            Kind::Syntax,
+            span,
+            "a `+` needs an operand on its left",
+            "remove the `+`, or write the operand",
+        ),
         TokenKind::Unreadable { message, help } => error(Kind::Syntax, span, message.clone(), help.clone()),
         _ => missing_operand(cursor),
     }
@@ -207,8 +204,8 @@ fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<(
         let group = cursor.skip_group();
         let (message, help) = if is_function(name) {
             (
-                format!("`{name}(…)` is a function call, and the field must be polynomial"),
-                format!("introduce a new variable for `{name}`, so that the system becomes quadratic"),
+                format!("`{name}(…)` is a function call: fields here are polynomial, claims rational"),
+                format!("introduce a state for `{name}(…)`, with an equation of its own that is quadratic"),
             )
         } else {
             (format!("`{name}(…)` reads as a function call"), format!("for a product write `{name}*(…)`"))
@@ -228,24 +225,40 @@ fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<(
         };
         return error(Kind::NotAPolynomial, span, format!("`{name}.{member}(…)` is a method call"), help);
     }
-    if is_path || cursor.is_punctuation(0, '.') || cursor.is_open(0, '[') {
-        let until = cursor.position() + if is_path { 2 } else { 1 };
-        let span = span.to(Span::token(if cursor.peek(until - cursor.position()).is_some() {
-            until
-        } else {
-            until - 1
-        }));
-        let last = dotted.unwrap_or("value");
-        return error(
-            Kind::NotAPolynomial,
-            span,
-            format!(
-                "only plain names are read here, and `{name}` is followed by a path, a field or an index"
-            ),
-            format!("bind it first: `let {last} = {name}…;`, then write `{last}`"),
-        );
+    if is_path || dotted.is_some() || cursor.is_open(0, '[') {
+        return error_of_access(cursor, name, span);
     }
     Ok(())
+}
+
+/// `self.mu`, `physics::RATE` or `mu[0]` stands where a name should; the cursor is behind its first name.
+fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<T> {
+    let mut access = name.to_owned();
+    let mut last = name;
+    loop {
+        let steps = if cursor.is_pair(':', ':') { 2 } else { usize::from(cursor.is_punctuation(0, '.')) };
+        if let Some(member) = cursor.identifier(steps).filter(|_| steps > 0) {
+            access.push_str(if steps == 2 { "::" } else { "." });
+            access.push_str(member);
+            last = member;
+            (0..=steps).for_each(|_| cursor.advance());
+        } else if cursor.is_open(0, '[') {
+            access.push_str("[…]");
+            cursor.skip_group();
+        } else {
+            break;
+        }
+    }
+    let bound = last.to_lowercase();
+    error(
+        Kind::NotAPolynomial,
+        span.to(cursor.behind()),
+        format!("only plain names are read here, and `{access}` is a path, a field or an index"),
+        format!(
+            "bind it first: `let {bound} = {access};`, then write `{bound}`; in a system with a header, \
+             make it a parameter"
+        ),
+    )
 }
 
 fn is_function(name: &str) -> bool {
@@ -254,6 +267,11 @@ fn is_function(name: &str) -> bool {
         "log", "ln", "sqrt", "cbrt", "abs", "sign", "max", "min", "pow",
     ];
     FUNCTIONS.contains(&name)
+}
+
+/// Whether the operand just read begins a statement of Rust. (A state may have the name of a keyword; what follows tells.)
+fn is_statement(operand: &Expr) -> bool {
+    matches!(&operand.kind, ExprKind::Name(name) if matches!(name.as_str(), "if" | "match" | "let" | "for" | "while"))
 }
 
 /// After an operand stands an operator or the end of the expression.
@@ -270,6 +288,12 @@ fn after_operand(cursor: &Cursor<'_>, operand: Expr) -> Parsed<Expr> {
             format!("a `;` is missing before `{}`", token.text),
             format!("write `;` before `{}`", token.text),
         ),
+        TokenKind::Identifier if is_statement(&operand) => error(
+            Kind::NotAPolynomial,
+            span,
+            "a formula has no conditions, loops or statements",
+            "write one polynomial that holds everywhere",
+        ),
         TokenKind::Identifier | TokenKind::Literal | TokenKind::Open('(') => {
             let help = match token.kind {
                 TokenKind::Open(_) => "write `*` before `(`".to_owned(),
@@ -277,6 +301,12 @@ fn after_operand(cursor: &Cursor<'_>, operand: Expr) -> Parsed<Expr> {
             };
             error(Kind::Syntax, span, "two operands stand side by side: a product needs its `*`", help)
         }
+        TokenKind::Punctuation('.') if matches!(operand.kind, ExprKind::Number(_)) => error(
+            Kind::Number,
+            span,
+            "a number ends before this point",
+            "write `2.0` for the number, and `2*x` for a product",
+        ),
         TokenKind::Punctuation('.') => {
             let method = cursor.identifier(1).unwrap_or("");
             let help = match method {

@@ -12,7 +12,10 @@ use super::cursor::Cursor;
 
 /// Reads the header if the block begins with one.
 pub(super) fn parse_header(cursor: &mut Cursor<'_>, block: &mut Block, diagnostics: &mut Diagnostics) {
-    let begins = cursor.is_punctuation(0, '#') || matches!(cursor.identifier(0), Some("pub" | "struct"));
+    let names_a_type = cursor.identifier(1).is_some();
+    let begins = cursor.is_punctuation(0, '#')
+        || matches!(cursor.identifier(0), Some("pub" | "struct"))
+        || (matches!(cursor.identifier(0), Some("enum" | "union" | "type")) && names_a_type);
     if !begins {
         return;
     }
@@ -37,12 +40,17 @@ fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Head
     let prefix = start..cursor.position();
     if cursor.identifier(0) != Some("struct") {
         let found = cursor.describe_next();
-        return Err(Diagnostic::new(
+        let wrong = Diagnostic::new(
             Kind::Header,
             cursor.here(),
             format!("expected `struct`, found {found}"),
             "a header reads `pub struct Name;` or `pub struct Name { mu, nu }`",
-        ));
+        );
+        // `enum Name` and the like are read on as if they were a struct, so that the type exists.
+        if cursor.identifier(0).is_none() || cursor.identifier(1).is_none() {
+            return Err(wrong);
+        }
+        diagnostics.push(wrong);
     }
     cursor.advance();
     let name = cursor.expect_name("the name of the system")?;
@@ -65,10 +73,14 @@ fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Head
         );
     }
     if cursor.is_open(0, '{') {
-        parameters(cursor, &mut header.parameters, diagnostics);
+        parameters(cursor, '}', &mut header.parameters, diagnostics);
         cursor.take(';');
     } else if !cursor.take(';') {
-        return Err(missing_end(cursor, &header.name));
+        diagnostics.push(missing_end(cursor, &header.name));
+        if cursor.is_open(0, '(') {
+            parameters(cursor, ')', &mut header.parameters, diagnostics);
+            cursor.take(';');
+        }
     }
     Ok(header)
 }
@@ -88,10 +100,10 @@ fn missing_end(cursor: &Cursor<'_>, name: &Name) -> Diagnostic {
     )
 }
 
-/// Reads `{ a, b }`; every parameter may carry attributes.
-fn parameters(cursor: &mut Cursor<'_>, names: &mut Vec<Name>, diagnostics: &mut Diagnostics) {
+/// Reads `{ a, b }`, which `close` ends; every parameter may carry attributes.
+fn parameters(cursor: &mut Cursor<'_>, close: char, names: &mut Vec<Name>, diagnostics: &mut Diagnostics) {
     cursor.advance();
-    while !cursor.is_at_end() && !cursor.is_close('}') {
+    while !cursor.is_at_end() && !cursor.is_close(close) {
         skip_attributes(cursor);
         let start = cursor.here();
         if cursor.identifier(0) == Some("pub") && cursor.identifier(1).is_some() {
@@ -106,10 +118,20 @@ fn parameters(cursor: &mut Cursor<'_>, names: &mut Vec<Name>, diagnostics: &mut 
                 continue;
             }
         }
-        if !cursor.is_punctuation(0, ',') && !cursor.is_close('}') {
+        if !cursor.is_punctuation(0, ',') && !cursor.is_close(close) {
             let name = names.last().map_or(String::new(), |name| name.text.clone());
             let from = cursor.here();
             let typed = cursor.is_punctuation(0, ':');
+            // Behind a forgotten comma the next parameter is read as one.
+            if cursor.identifier(0).is_some() {
+                diagnostics.report(
+                    Kind::Header,
+                    start.to(from),
+                    format!("expected `,` after the parameter `{name}`"),
+                    "separate parameters by `,`",
+                );
+                continue;
+            }
             skip_to_comma_or_end(cursor);
             let message = if typed {
                 format!("the parameter `{name}` carries a type: the macro gives it the scalar type itself")
@@ -143,11 +165,11 @@ fn skip_to_comma(cursor: &mut Cursor<'_>) {
     cursor.take(',');
 }
 
-/// Stops at the next `,` or `}` of this list.
+/// Stops at the next `,` or the end of this list.
 fn skip_to_comma_or_end(cursor: &mut Cursor<'_>) {
     while let Some(token) = cursor.peek(0) {
         match token.kind {
-            TokenKind::Punctuation(',') | TokenKind::Close('}') => return,
+            TokenKind::Punctuation(',') | TokenKind::Close(_) => return,
             TokenKind::Open(_) => {
                 let _: Span = cursor.skip_group();
             }
