@@ -5,7 +5,7 @@
 //! knows Rust: the macro (`kahan-derive`) and the command (`kahan-systems`) are two users of one pipeline, [`read`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`], [`system`], [`kahan`],
-//! [`plan`], [`prove`], [`interpret`], [`render`]; beneath them the exact arithmetic of [`rational`], [`poly`] and
+//! [`plan`], [`prove`], [`specialise`], [`interpret`], [`render`]; beneath them the exact arithmetic of [`rational`], [`poly`] and
 //! [`rational_function`].
 
 pub mod arithmetic;
@@ -23,6 +23,7 @@ pub mod prove;
 pub mod rational;
 pub mod rational_function;
 pub mod render;
+pub mod specialise;
 pub mod symbols;
 pub mod syntax;
 pub mod system;

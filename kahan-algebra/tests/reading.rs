@@ -70,6 +70,17 @@ fn a_printed_block_reads_as_the_same_system() {
 }
 
 #[test]
+fn the_semicolon_after_a_bracket_is_optional() {
+    let field = "xdot = 0; ydot = 0;";
+    for end in ["", ";"] {
+        let bracket = format!("bracket P {{ {{x,y}} = 1; }} when eps = 1{end}");
+        let text = format!("{field} {bracket} integral H = x; {bracket} const c = 2;")
+            .replace("bracket P", "bracket Q");
+        assert!(reading(&text.replacen("bracket Q", "bracket P", 1)).diagnostics.is_empty(), "{text}");
+    }
+}
+
+#[test]
 fn sums_of_twenty_thousand_terms_are_read() {
     let terms: Vec<String> = (0..20_000).map(|i| format!("{}*x*y/{}", i + 1, i % 97 + 1)).collect();
     let text = format!("xdot = {}; ydot = x;", terms.join(" + "));

@@ -17,7 +17,9 @@ const SHOWN: f64 = 3.6;
 
 fn main() {
     let size = SCALE * SHOWN;
-    println!(r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {size} {size}" width="{size}" height="{size}">"#);
+    println!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {size} {size}" width="{size}" height="{size}">"#
+    );
     println!(r#"<rect width="100%" height="100%" fill="white"/>"#);
     for (orbit, colour) in COLOURS.iter().enumerate() {
         let start = vector![1.0 - 0.088 * (orbit + 1) as f64, 1.0];

@@ -1,9 +1,9 @@
-//! E5: section 3 of the paper, Table 1, i = 5, the pair e(2), sl(2,R).
+//! E5: section 3 of the paper; Table 1, i = 5; the Lie-Poisson pair e(2), sl(2,R).
 //!
-//! In the limit eps = 0: H = (x^2 + y^2)/2, K = x*z + y^2, c = -1; the flow is -P dK = -(1/c) Q dH.
-//! Claims: the integrals H and K of Table 2, the volume form c/(H K) of Theorem 1 with the continuous c, H, K, and the
-//! compatible Poisson pair of Theorem 2: `P` from Table 3, and `Q`, which is the tensor of Table 4 divided by c.
-//! Not rational, so not a claim: the solution of the flow, hyperbolic functions (Table 5). The map has one
+//! At eps = 0: `H = (x^2 + y^2)/2`, `K = x z + y^2`, `c = -1`; the flow is `-P dK = -(1/c) Q dH`.
+//! Claims: the integrals H and K of Table 2; the volume form c/(H K) of Theorem 1, with c, H, K at eps = 0; the
+//! compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q`, the tensor of Table 4 divided by c.
+//! Not rational, so not claimed: the solution of the flow by hyperbolic functions (Table 5); that of the map,
 //! of the same kind (Theorem 3).
 
 use kahan_core::prelude::*;

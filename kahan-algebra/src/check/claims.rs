@@ -1,23 +1,28 @@
-//! Claims: names resolved, entries and conditions in order, compiled to plans.
+//! Claims: names resolved, entries of brackets in order, compiled to plans.
 
 use std::collections::HashMap;
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use crate::field::Component;
 use crate::plan::{Node, Plan, PlanBuilder};
-use crate::poly::Variable;
 use crate::rational::Rational;
-use crate::syntax::{self, Block, ClaimBody, ClaimKind, Condition, Entry, Expr, ExprKind};
+use crate::syntax::{self, Block, ClaimBody, ClaimKind, Entry, Expr, ExprKind};
 use crate::system::{Claim, upper_index};
 use crate::token::Span;
 
-use super::constants::constant_value;
-use super::names::{Meaning, Scope, expressions, is_epsilon};
+use super::conditions;
+use super::names::{Meaning, Scope, expressions};
 
 /// The largest exponent in a claim.
 const HIGHEST_POWER: i64 = 64;
 
 /// Compiles the claims in order. One that is broken keeps its name and a harmless zero, and is not proved.
-pub(super) fn compile_all(block: &Block, scope: &mut Scope, diagnostics: &mut Diagnostics) -> Vec<Claim> {
+pub(super) fn compile_all(
+    block: &Block,
+    components: &[Component],
+    scope: &mut Scope,
+    diagnostics: &mut Diagnostics,
+) -> Vec<Claim> {
     let mut compiler = Compiler { builder: PlanBuilder::default(), functions: HashMap::new() };
     let mut claims: Vec<Claim> = Vec::new();
     for claim in &block.claims {
@@ -25,7 +30,8 @@ pub(super) fn compile_all(block: &Block, scope: &mut Scope, diagnostics: &mut Di
             continue;
         }
         check_density_is_single(claim, &claims, diagnostics);
-        let conditions = conditions(&claim.conditions, scope, diagnostics);
+        let conditions = conditions::evaluate(&claim.conditions, components, scope, diagnostics);
+        let entries = entry_places(claim, scope, diagnostics);
         let outputs = claim
             .body
             .as_ref()
@@ -35,8 +41,9 @@ pub(super) fn compile_all(block: &Block, scope: &mut Scope, diagnostics: &mut Di
                     expressions(body).into_iter().filter(|expr| !scope.resolve(expr, true, diagnostics));
                 unsound.count() == 0
             })
-            .and_then(|body| match compiler.body(body, claim, scope, diagnostics) {
-                Ok(outputs) => outputs,
+            .zip(entries)
+            .and_then(|(body, entries)| match compiler.body(body, &entries, scope) {
+                Ok(outputs) => Some(outputs),
                 Err(diagnostic) => {
                     diagnostics.push(diagnostic);
                     None
@@ -77,117 +84,33 @@ fn check_density_is_single(claim: &syntax::Claim, earlier: &[Claim], diagnostics
     }
 }
 
-/// The values behind `when`; `None` if one is broken.
-fn conditions(
-    written: &[Condition],
-    scope: &mut Scope,
-    diagnostics: &mut Diagnostics,
-) -> Option<Vec<(Variable, Rational)>> {
-    let mut values: Vec<(Variable, Rational)> = Vec::new();
-    let mut sound = true;
-    for condition in written {
-        match one_condition(condition, &values, scope) {
-            Ok(Some(value)) => values.push(value),
-            Ok(None) => sound = false,
-            Err(diagnostic) => {
-                diagnostics.push(diagnostic);
-                sound = false;
-            }
-        }
-    }
-    sound.then_some(values)
-}
-
-fn one_condition(
-    condition: &Condition,
-    earlier: &[(Variable, Rational)],
-    scope: &mut Scope,
-) -> Result<Option<(Variable, Rational)>, Diagnostic> {
-    let name = &condition.name;
-    let wrong = |message: String, help: &str| Err(Diagnostic::new(Kind::Claim, name.span, message, help));
-    let variable = scope.variable(&name.text).filter(|&variable| !scope.symbols.is_state(variable));
-    let Some(variable) = variable else {
-        return wrong(
-            format!("`{}` is neither a parameter nor `eps`, so it cannot be fixed by `when`", name.text),
-            "`when` fixes parameters and `eps`, as in `when eps = 1`",
-        );
-    };
-    if earlier.iter().any(|(known, _)| *known == variable) {
-        return wrong(format!("`{}` is fixed twice", name.text), "remove one of the conditions");
-    }
-    scope.mark_used(&name.text);
-    let Some(value) = constant_value(&condition.value, scope)? else { return Ok(None) };
-    if is_epsilon(&name.text) && value.is_zero() {
-        return wrong(
-            "at eps = 0 the map is the identity, and every claim says nothing".to_owned(),
-            "choose another value",
-        );
-    }
-    Ok(Some((variable, value)))
-}
-
 struct Compiler {
     builder: PlanBuilder,
     functions: HashMap<String, Node>,
 }
 
 impl Compiler {
-    /// The results of a claim; `None` where a mistake in it was reported elsewhere.
+    /// The results of a claim whose names and entries are sound.
     fn body(
         &mut self,
         body: &ClaimBody,
-        claim: &syntax::Claim,
+        entries: &[(usize, usize)],
         scope: &Scope,
-        diagnostics: &mut Diagnostics,
-    ) -> Result<Option<Vec<Node>>, Diagnostic> {
+    ) -> Result<Vec<Node>, Diagnostic> {
         match body {
-            ClaimBody::Function(expr) => Ok(Some(vec![self.node(expr, scope)?])),
-            ClaimBody::Tensor(entries) => self.tensor(entries, claim, scope, diagnostics),
-        }
-    }
-
-    fn tensor(
-        &mut self,
-        entries: &[Entry],
-        claim: &syntax::Claim,
-        scope: &Scope,
-        diagnostics: &mut Diagnostics,
-    ) -> Result<Option<Vec<Node>>, Diagnostic> {
-        let n = scope.symbols.dimension();
-        if entries.is_empty() {
-            return Err(Diagnostic::new(
-                Kind::Claim,
-                claim.name.span,
-                format!("the bracket `{}` has no entries", claim.name.text),
-                "write its entries, as in `{x,y} = x*y;`",
-            ));
-        }
-        let zero = self.builder.constant(&Rational::zero());
-        let mut upper: Vec<Option<Node>> = vec![None; n * (n.max(1) - 1) / 2];
-        let mut sound = true;
-        for entry in entries {
-            match entry_place(entry, scope) {
-                Err(diagnostic) => {
-                    diagnostics.push(diagnostic);
-                    sound = false;
-                }
-                Ok((row, column)) => {
-                    let place = &mut upper[upper_index(n, row.min(column), row.max(column))];
-                    if place.is_some() {
-                        diagnostics.report(
-                            Kind::Claim,
-                            entry.row.span.to(entry.column.span),
-                            format!("the entry {{{},{}}} is given twice", entry.row.text, entry.column.text),
-                            "give each pair once; {y,x} is −{x,y} by itself",
-                        );
-                        sound = false;
-                    }
+            ClaimBody::Function(expr) => Ok(vec![self.node(expr, scope)?]),
+            ClaimBody::Tensor(values) => {
+                let n = scope.symbols.dimension();
+                let zero = self.builder.constant(&Rational::zero());
+                let mut upper = vec![zero; n * (n.max(1) - 1) / 2];
+                for (entry, &(row, column)) in values.iter().zip(entries) {
                     let node = self.node(&entry.value, scope)?;
-                    *place = Some(if row < column { node } else { self.builder.negate(node) });
+                    let place = upper_index(n, row.min(column), row.max(column));
+                    upper[place] = if row < column { node } else { self.builder.negate(node) };
                 }
+                Ok(upper)
             }
         }
-        Ok(sound.then(|| upper.into_iter().map(|node| node.unwrap_or(zero)).collect()))
     }
 
     fn node(&mut self, expr: &Expr, scope: &Scope) -> Result<Node, Diagnostic> {
@@ -283,8 +206,39 @@ impl Compiler {
     }
 }
 
+/// The indices of the states of a bracket's entries, none for other claims; `None` if an entry is wrong. All wrong
+/// entries are reported.
+fn entry_places(
+    claim: &syntax::Claim,
+    scope: &Scope,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<(usize, usize)>> {
+    let Some(ClaimBody::Tensor(entries)) = &claim.body else { return Some(Vec::new()) };
+    if entries.is_empty() {
+        diagnostics.report(
+            Kind::Claim,
+            claim.name.span,
+            format!("the bracket `{}` has no entries", claim.name.text),
+            "write its entries, as in `{x,y} = x*y;`",
+        );
+        return None;
+    }
+    let mut places: Vec<(usize, usize)> = Vec::new();
+    for entry in entries {
+        match entry_place(entry, &places, scope) {
+            Ok(place) => places.push(place),
+            Err(diagnostic) => diagnostics.push(diagnostic),
+        }
+    }
+    (places.len() == entries.len()).then_some(places)
+}
+
 /// The indices of an entry's states.
-fn entry_place(entry: &Entry, scope: &Scope) -> Result<(usize, usize), Diagnostic> {
+fn entry_place(
+    entry: &Entry,
+    earlier: &[(usize, usize)],
+    scope: &Scope,
+) -> Result<(usize, usize), Diagnostic> {
     let index = |name: &syntax::Name| {
         scope.symbols.states.iter().position(|state| *state == name.text).ok_or_else(|| {
             Diagnostic::new(
@@ -296,13 +250,20 @@ fn entry_place(entry: &Entry, scope: &Scope) -> Result<(usize, usize), Diagnosti
         })
     };
     let (row, column) = (index(&entry.row)?, index(&entry.column)?);
+    let wrong = |message: String, help: &str| {
+        Err(Diagnostic::new(Kind::Claim, entry.row.span.to(entry.column.span), message, help))
+    };
     if row == column {
-        return Err(Diagnostic::new(
-            Kind::Claim,
-            entry.row.span.to(entry.column.span),
+        return wrong(
             format!("{{{0},{0}}} is zero for every bracket", entry.row.text),
             "remove the entry, or name two different states",
-        ));
+        );
+    }
+    if earlier.contains(&(row, column)) || earlier.contains(&(column, row)) {
+        return wrong(
+            format!("the entry {{{},{}}} is given twice", entry.row.text, entry.column.text),
+            "give each pair once; {y,x} is −{x,y} by itself",
+        );
     }
     Ok((row, column))
 }

@@ -5,6 +5,7 @@
 //! can always emit.
 
 mod claims;
+mod conditions;
 mod constants;
 mod equations;
 mod expand;
@@ -38,7 +39,7 @@ pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
         && !block.equations.is_empty()
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
-    let claims = claims::compile_all(&block, &mut scope, diagnostics);
+    let claims = claims::compile_all(&block, &field.components, &mut scope, diagnostics);
     scope.report_unused(&block, diagnostics);
     System { header: block.header, constants, field, is_field_sound, claims }
 }

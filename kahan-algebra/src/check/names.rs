@@ -28,7 +28,8 @@ pub(super) struct Scope {
     used: BTreeSet<String>,
     /// Claims of the whole block.
     all_claims: BTreeSet<String>,
-    has_unknown_names: bool,
+    /// Left-hand sides without `dot`, as written.
+    misspelt_states: Vec<String>,
 }
 
 /// Whether `name` is the half time step.
@@ -42,14 +43,11 @@ impl Scope {
             symbols: Symbols { states: Vec::new(), parameters: Vec::new() },
             constants: HashMap::new(),
             claims: Vec::new(),
-            poisoned: block.misspelt_states.iter().map(|name| name.text.clone()).collect(),
+            poisoned: BTreeSet::new(),
             used: BTreeSet::new(),
             all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
-            has_unknown_names: false,
+            misspelt_states: block.misspelt_states.iter().map(|name| name.text.clone()).collect(),
         };
-        for equation in &block.equations {
-            scope.poisoned.remove(&equation.state.text);
-        }
         scope.collect_states(block, diagnostics);
         if let Some(header) = &block.header
             && is_keyword(&header.name.text)
@@ -72,6 +70,9 @@ impl Scope {
     fn collect_states(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
         for equation in &block.equations {
             let state = &equation.state;
+            if self.is_state_name(&state.text) && self.misspelt_states.contains(&state.text) {
+                continue;
+            }
             if self.is_state_name(&state.text) {
                 diagnostics.report(
                     Kind::Name,
@@ -227,7 +228,10 @@ impl Scope {
     }
 
     fn report_unknown(&mut self, name: &str, span: Span, in_claim: bool, diagnostics: &mut Diagnostics) {
-        self.has_unknown_names = true;
+        // Who writes `dxdt = …` means `x`: its equation is the mistake.
+        if self.misspelt_states.iter().any(|left| left.contains(name)) {
+            return;
+        }
         if in_claim && self.all_claims.contains(name) {
             diagnostics.report(
                 Kind::UnknownName,
@@ -241,7 +245,11 @@ impl Scope {
         let help = if name == "ϵ" {
             "for half the time step write `eps` (in claims)".to_owned()
         } else if let Some(nearest) = self.nearest(name, in_claim) {
+            // Nothing else may use the name that was meant; that is not a second mistake.
+            self.mark_used(&nearest);
             format!("did you mean `{nearest}`?")
+        } else if is_keyword(name) {
+            "it is a keyword of Rust: write a name".to_owned()
         } else if in_claim {
             format!("a claim may use {}, `eps` and earlier claims", self.list())
         } else {
@@ -295,9 +303,7 @@ impl Scope {
 
     /// Parameters of the header that neither equations nor claims use.
     pub(super) fn report_unused(&self, block: &Block, diagnostics: &mut Diagnostics) {
-        // A parameter that only a misspelt name would use is not a second mistake.
-        let unread = self.has_unknown_names
-            || block.equations.iter().any(|equation| equation.value.is_none())
+        let unread = block.equations.iter().any(|equation| equation.value.is_none())
             || block.claims.iter().any(|claim| claim.body.is_none());
         let Some(header) = block.header.as_ref().filter(|_| !unread && !block.equations.is_empty()) else {
             return;

@@ -99,8 +99,15 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
         block.misspelt_states.push(left);
         return Err(cursor.unreadable().unwrap_or_else(|| Diagnostic::new(Kind::Syntax, span, "", "")));
     }
-    let help =
-        if cursor.is_punctuation(0, '=') { format!("write `{text}dot = …`") } else { SHAPES.to_owned() };
+    let help = if cursor.is_punctuation(0, '=') {
+        format!("write `{}dot = …`", meant(&text))
+    } else {
+        SHAPES.to_owned()
+    };
+    // Read as an equation all the same, so that the field keeps its dimension.
+    if cursor.is_punctuation(0, '=') {
+        block.equations.push(Equation { state: left.clone(), value: None });
+    }
     block.misspelt_states.push(left);
     Err(Diagnostic::new(
         Kind::Name,
@@ -108,6 +115,17 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
         format!("`{text}` is no left-hand side: it does not end in `dot`"),
         help,
     ))
+}
+
+/// The state that a left-hand side without `dot` probably means: `x` for `xdto`, `xDot` and `dxdt`.
+fn meant(left: &str) -> &str {
+    let leibniz = left.strip_prefix('d').and_then(|rest| rest.strip_suffix("dt"));
+    let twisted = left.char_indices().rev().nth(2).and_then(|(at, _)| {
+        let mut ending: Vec<char> = left[at..].to_lowercase().chars().collect();
+        ending.sort_unstable();
+        (ending == ['d', 'o', 't']).then_some(&left[..at])
+    });
+    leibniz.or(twisted).filter(|state| !state.is_empty()).unwrap_or(left)
 }
 
 fn equals(cursor: &mut Cursor<'_>) -> Parsed<()> {
@@ -163,7 +181,10 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
         equals(cursor)?;
         ClaimBody::Function(parse_expr(cursor)?)
     };
-    conditions(cursor, &mut claim.conditions)?;
+    cursor.item_may_follow = claim.kind == ClaimKind::Bracket;
+    let outcome = conditions(cursor, &mut claim.conditions);
+    cursor.item_may_follow = false;
+    outcome?;
     if claim.kind == ClaimKind::Bracket {
         cursor.take(';');
     } else {

@@ -10,11 +10,13 @@ use super::Parsed;
 pub(super) struct Cursor<'a> {
     tokens: &'a [Token],
     at: usize,
+    /// Whether an item may follow an operand without `;`: behind the `when` of a bracket.
+    pub(super) item_may_follow: bool,
 }
 
 impl<'a> Cursor<'a> {
     pub(super) fn new(tokens: &'a [Token]) -> Self {
-        Cursor { tokens, at: 0 }
+        Cursor { tokens, at: 0, item_may_follow: false }
     }
 
     pub(super) fn position(&self) -> usize {

@@ -282,6 +282,7 @@ fn after_operand(cursor: &Cursor<'_>, operand: Expr) -> Parsed<Expr> {
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
         TokenKind::Unreadable { .. } => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),
+        TokenKind::Identifier if cursor.begins_item(0) && cursor.item_may_follow => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) => error(
             Kind::Syntax,
             cursor.behind().to(cursor.here()),

@@ -53,7 +53,10 @@ fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Head
         diagnostics.push(wrong);
     }
     cursor.advance();
-    let name = cursor.expect_name("the name of the system")?;
+    let name = cursor.expect_name("the name of the system").unwrap_or_else(|missing| {
+        diagnostics.push(Diagnostic { kind: Kind::Header, ..missing });
+        Name { text: "Nameless".to_owned(), span: cursor.here() }
+    });
     let mut header = Header { prefix, name, parameters: Vec::new() };
     if cursor.is_punctuation(0, '<') {
         let start = cursor.here();
@@ -122,6 +125,7 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, names: &mut Vec<Name>, diagn
             let name = names.last().map_or(String::new(), |name| name.text.clone());
             let from = cursor.here();
             let typed = cursor.is_punctuation(0, ':');
+            let valued = cursor.is_punctuation(0, '=');
             // Behind a forgotten comma the next parameter is read as one.
             if cursor.identifier(0).is_some() {
                 diagnostics.report(
@@ -133,13 +137,24 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, names: &mut Vec<Name>, diagn
                 continue;
             }
             skip_to_comma_or_end(cursor);
-            let message = if typed {
-                format!("the parameter `{name}` carries a type: the macro gives it the scalar type itself")
+            let (message, help) = if typed {
+                (
+                    format!(
+                        "the parameter `{name}` carries a type: the macro gives it the scalar type itself"
+                    ),
+                    format!("write `{name}` alone"),
+                )
+            } else if valued {
+                (
+                    format!("the parameter `{name}` carries a value"),
+                    format!("write `{name}` alone, or fix it by `const {name} = …;` after the header"),
+                )
             } else {
-                format!("expected `,` after the parameter `{name}`")
+                (
+                    format!("expected `,` after the parameter `{name}`"),
+                    "separate parameters by `,`".to_owned(),
+                )
             };
-            let help =
-                if typed { format!("write `{name}` alone") } else { "separate parameters by `,`".to_owned() };
             diagnostics.report(Kind::Header, start.to(from).to(cursor.behind()), message, help);
         }
         cursor.take(',');

@@ -42,9 +42,21 @@ impl PlanBuilder {
 
     /// Adds the steps of another plan and returns its results here.
     pub fn include(&mut self, plan: &Plan) -> Vec<Node> {
+        self.include_mapped(plan, Self::input)
+    }
+
+    /// Adds the steps of another plan, `input` standing for its variables, and returns its results here.
+    pub fn include_mapped(
+        &mut self,
+        plan: &Plan,
+        mut input: impl FnMut(&mut Self, Variable) -> Node,
+    ) -> Vec<Node> {
         let mut renamed: Vec<Node> = Vec::with_capacity(plan.operations.len());
         for operation in &plan.operations {
-            let node = self.intern(rename(operation, &renamed));
+            let node = match operation {
+                Operation::Input(variable) => input(self, *variable),
+                _ => self.intern(rename(operation, &renamed)),
+            };
             renamed.push(node);
         }
         plan.outputs.iter().map(|output| renamed[output.0]).collect()

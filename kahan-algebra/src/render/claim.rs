@@ -100,7 +100,8 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
                 let value = expr_text(&entry.value, Notation::Text);
                 text.push_str(&format!(" {{{},{}}} = {value};", entry.row.text, entry.column.text));
             }
-            format!("{text} }}{when}")
+            let end = if when.is_empty() { "" } else { ";" };
+            format!("{text} }}{when}{end}")
         }
         None => head,
     }

@@ -12,7 +12,8 @@ use super::{Context, docs, items};
 /// Expands to the accessors of all claims; to nothing where there are none.
 pub(super) fn emit_claims(context: &Context<'_>) -> TokenStream {
     let integrals = emit_integrals(context);
-    let density = context.system.accessors(ClaimKind::Density).map(|claim| emit_density(context, claim));
+    let density =
+        context.system.accessors(ClaimKind::Density).take(1).map(|claim| emit_density(context, claim));
     let brackets = context.system.accessors(ClaimKind::Bracket).map(|claim| emit_bracket(context, claim));
     quote! { #integrals #(#density)* #(#brackets)* }
 }

@@ -97,7 +97,12 @@ fn emit_without_field(
     errors: &TokenStream,
 ) -> TokenStream {
     if header.is_none() {
-        return quote! { { #errors } };
+        // A single `compile_error!` is right as an item and as an expression; there is no telling which is wanted.
+        return if reading.diagnostics.len() == 1 {
+            errors.clone()
+        } else {
+            quote! { { #errors } }
+        };
     }
     let definition = items::emit_struct(&Context::of(&reading.system, spans), header);
     quote! { #errors #definition }

@@ -7,7 +7,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use serde_json::{Map, Value, json};
 
-use super::input::{Source, coordinates, number, parameter_values};
+use super::input::{Source, coordinates, number};
 use super::output::{Answer, Refusal, matrix, shorten};
 use super::scalar::{Printable, ScalarKind};
 
@@ -28,10 +28,6 @@ pub(crate) struct Eval {
     /// The point, its coordinates separated by commas: 1,-2/3,0.5.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     at: String,
-
-    /// The value of a parameter; once for each parameter.
-    #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
-    parameters: Vec<String>,
 
     /// The numbers to compute with.
     #[arg(long, value_enum, default_value = "exact")]
@@ -71,7 +67,7 @@ impl Eval {
         let symbols = &system.field.symbols;
         let point = Point {
             state: coordinates(&self.at, &symbols.states)?,
-            parameters: parameter_values(&self.parameters, &symbols.parameters, &name)?,
+            parameters: self.source.parameter_values(&system, &name)?,
             eps: number(&self.eps, "--eps")?,
         };
         let request = Request { name: &name, system: &system, point };
@@ -89,9 +85,13 @@ impl Eval {
 impl Request<'_> {
     fn evaluate<A: Printable>(&self, arithmetic: &A) -> Result<Evaluated, Refusal> {
         let round = |values: &[Rational]| values.iter().map(A::round).collect::<Vec<_>>();
-        let point =
-            Point { state: round(&self.point.state), parameters: round(&self.point.parameters), eps: A::round(&self.point.eps) };
-        let values = Interpreter::new(self.system).evaluate(arithmetic, &point).map_err(|_| self.undefined_field())?;
+        let point = Point {
+            state: round(&self.point.state),
+            parameters: round(&self.point.parameters),
+            eps: A::round(&self.point.eps),
+        };
+        let values =
+            Interpreter::new(self.system).evaluate(arithmetic, &point).map_err(|_| self.undefined_field())?;
         let next = values.next.filter(|next| next.iter().all(A::is_finite));
         let is_singular = arithmetic.is_zero(&values.det_matrix);
         let complaint = next.is_none().then(|| self.undefined_step(is_singular));
@@ -102,8 +102,10 @@ impl Request<'_> {
         let rows = |rows: &Vec<Vec<A::Value>>| rows.iter().map(vector).collect::<Value>();
         let symbols = &self.system.field.symbols;
         let parameters = symbols.parameters.iter().cloned().zip(point.parameters.iter().map(A::json));
-        let integrals = values.integrals.iter().map(|(name, value)| (name.clone(), json!(value.as_ref().map(A::json))));
-        let brackets = values.brackets.iter().map(|(name, value)| (name.clone(), json!(value.as_ref().map(rows))));
+        let integrals =
+            values.integrals.iter().map(|(name, value)| (name.clone(), json!(value.as_ref().map(A::json))));
+        let brackets =
+            values.brackets.iter().map(|(name, value)| (name.clone(), json!(value.as_ref().map(rows))));
         let objects = json!({
             "system": self.name,
             "variables": symbols.states,
@@ -129,7 +131,8 @@ impl Request<'_> {
     fn assignments(names: &[String], values: &[Rational]) -> String {
         const DIGITS: usize = 40;
         let value = |value: &Rational| shorten(&value.to_string(), DIGITS);
-        let parts: Vec<String> = names.iter().zip(values).map(|(name, number)| format!("{name} = {}", value(number))).collect();
+        let parts: Vec<String> =
+            names.iter().zip(values).map(|(name, number)| format!("{name} = {}", value(number))).collect();
         parts.join(", ")
     }
 
@@ -148,9 +151,13 @@ impl Request<'_> {
         let place: Vec<String> = place.into_iter().filter(|part| !part.is_empty()).collect();
         let (name, place) = (self.name, place.join(", "));
         if is_singular {
-            format!("the map of {name} has a pole at {place}: det A = 0 there, and the next point has no value")
+            format!(
+                "the map of {name} has a pole at {place}: det A = 0 there, and the next point has no value"
+            )
         } else {
-            format!("the next point of {name} is beyond the range of the scalar at {place}; try --scalar exact")
+            format!(
+                "the next point of {name} is beyond the range of the scalar at {place}; try --scalar exact"
+            )
         }
     }
 }
@@ -163,7 +170,9 @@ fn readable(objects: &Value) -> String {
             ("variables", _) => {}
             ("parameters" | "integrals" | "brackets", Value::Object(named)) => {
                 let kind = key.trim_end_matches('s');
-                lines.extend(named.iter().flat_map(|(name, value)| labelled(&format!("{kind} {name}"), value)));
+                lines.extend(
+                    named.iter().flat_map(|(name, value)| labelled(&format!("{kind} {name}"), value)),
+                );
             }
             _ => lines.extend(labelled(key, value)),
         }

@@ -29,6 +29,10 @@ pub(crate) struct Source {
     /// A file with such a field, or a Rust file whose first `kahan! {` begins a line.
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
+
+    /// The value of a parameter; once for each.
+    #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
+    parameters: Vec<String>,
 }
 
 /// A text with a block in it.
@@ -60,10 +64,45 @@ impl Source {
         }
     }
 
+    /// The values of all parameters of a system, in their order.
+    pub(crate) fn parameter_values(&self, system: &System, name: &str) -> Result<Vec<Rational>, Refusal> {
+        let names = &system.field.symbols.parameters;
+        let values = given_values(&self.parameters, names, name)?;
+        let missing: Vec<String> = names
+            .iter()
+            .zip(&values)
+            .filter(|(_, value)| value.is_none())
+            .map(|(name, _)| format!("--param {name}=VALUE"))
+            .collect();
+        if !missing.is_empty() {
+            return Err(Refusal::new(format!(
+                "{name} needs a value for each of its parameters: add {}",
+                missing.join(" ")
+            )));
+        }
+        Ok(values.into_iter().flatten().collect())
+    }
+
+    /// The system with the given parameters fixed, the others generic.
+    pub(crate) fn specialised(&self, system: System, name: &str) -> Result<System, Refusal> {
+        let values = given_values(&self.parameters, &system.field.symbols.parameters, name)?;
+        let fixed: Vec<(usize, Rational)> =
+            values.into_iter().enumerate().filter_map(|(k, value)| Some((k, value?))).collect();
+        if fixed.is_empty() {
+            return Ok(system);
+        }
+        system.specialise(&fixed).ok_or_else(|| {
+            Refusal::new(format!("at {} the field of {name} divides by zero", self.parameters.join(", ")))
+        })
+    }
+
     /// The block that was named, of a command that needs one.
     pub(crate) fn required_block(&self) -> Result<Block, Refusal> {
         self.block()?.ok_or_else(|| {
-            Refusal::new(format!("which system? give one of {}, or --field TEXT, or --file FILE", names().join(", ")))
+            Refusal::new(format!(
+                "which system? give one of {}, or --field TEXT, or --file FILE",
+                names().join(", ")
+            ))
         })
     }
 }
@@ -120,7 +159,9 @@ impl Block {
 pub(crate) fn number(text: &str, what: &str) -> Result<Rational, Refusal> {
     let text = text.trim();
     Rational::parse(text).ok_or_else(|| {
-        let zero_divisor = text.split_once('/').is_some_and(|(_, below)| Rational::parse(below).is_some_and(|q| q.is_zero()));
+        let zero_divisor = text
+            .split_once('/')
+            .is_some_and(|(_, below)| Rational::parse(below).is_some_and(|q| q.is_zero()));
         Refusal::new(if zero_divisor {
             format!("{what}: `{text}` divides by zero")
         } else {
@@ -135,13 +176,16 @@ pub(crate) fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>
     if parts.len() != states.len() {
         let (expected, plural) = (states.len(), if states.len() == 1 { "" } else { "s" });
         let names = states.join(",");
-        return Err(Refusal::new(format!("--at: {expected} coordinate{plural} {names} expected, {} given", parts.len())));
+        return Err(Refusal::new(format!(
+            "--at: {expected} coordinate{plural} {names} expected, {} given",
+            parts.len()
+        )));
     }
     parts.iter().zip(states).map(|(part, state)| number(part, &format!("--at, coordinate {state}"))).collect()
 }
 
-/// The values behind `--param NAME=V`, one a parameter, in the order of the parameters.
-pub(crate) fn parameter_values(given: &[String], names: &[String], system: &str) -> Result<Vec<Rational>, Refusal> {
+/// The values behind `--param NAME=V`, in the order of the parameters; `None` for one not given.
+fn given_values(given: &[String], names: &[String], system: &str) -> Result<Vec<Option<Rational>>, Refusal> {
     let mut values: Vec<Option<Rational>> = vec![None; names.len()];
     for text in given {
         let Some((name, value)) = text.split_once('=') else {
@@ -149,7 +193,11 @@ pub(crate) fn parameter_values(given: &[String], names: &[String], system: &str)
         };
         let name = name.trim();
         let Some(index) = names.iter().position(|known| known == name) else {
-            let known = if names.is_empty() { "it has none".to_owned() } else { format!("it has {}", names.join(", ")) };
+            let known = if names.is_empty() {
+                "it has none".to_owned()
+            } else {
+                format!("it has {}", names.join(", "))
+            };
             return Err(Refusal::new(format!("--param: `{name}` is no parameter of {system}: {known}")));
         };
         if values[index].is_some() {
@@ -157,12 +205,7 @@ pub(crate) fn parameter_values(given: &[String], names: &[String], system: &str)
         }
         values[index] = Some(number(value, &format!("--param {name}"))?);
     }
-    let missing: Vec<String> =
-        names.iter().zip(&values).filter(|(_, value)| value.is_none()).map(|(name, _)| format!("--param {name}=VALUE")).collect();
-    if !missing.is_empty() {
-        return Err(Refusal::new(format!("{system} needs a value for each of its parameters: add {}", missing.join(" "))));
-    }
-    Ok(values.into_iter().flatten().collect())
+    Ok(values)
 }
 
 fn names() -> Vec<&'static str> {
@@ -178,7 +221,9 @@ fn unknown_system(name: &str) -> Refusal {
         .filter(|entry| distance(entry.command).min(distance(entry.type_name)) <= wanted.chars().count() / 2);
     let hint = nearest.map_or_else(String::new, |entry| format!(" Did you mean `{}`?", entry.command));
     let names = names().join(", ");
-    Refusal::new(format!("there is no system `{name}`.{hint} The catalog has {names}; --field TEXT takes a field of your own."))
+    Refusal::new(format!(
+        "there is no system `{name}`.{hint} The catalog has {names}; --field TEXT takes a field of your own."
+    ))
 }
 
 /// The number of insertions, deletions and substitutions between two words.

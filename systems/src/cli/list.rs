@@ -19,7 +19,8 @@ pub(crate) struct List {
 impl List {
     /// The table, or `systems`: [{`name`, `type`, `title`, `variables`, `parameters`, `claims`}].
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let mut rows = vec![["name", "variables", "parameters", "claims", "title"].map(str::to_owned).to_vec()];
+        let mut rows =
+            vec![["name", "variables", "parameters", "claims", "title"].map(str::to_owned).to_vec()];
         let mut objects: Vec<Value> = Vec::new();
         for entry in &SYSTEMS {
             let system = Block::of_catalog(entry).unproved_system()?;

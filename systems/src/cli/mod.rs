@@ -70,9 +70,16 @@ fn usage(error: &clap::Error) -> Result<Answer, Refusal> {
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         return Ok(Answer::text(text));
     }
-    let lines = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
+    let lines = text
+        .lines()
+        .map(str::trim)
+        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
     // How to pass a flag as a value is never what was meant.
-    let said: Vec<&str> = lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass")).collect();
+    let said: Vec<&str> =
+        lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass")).collect();
     let said = said.join(" ").replace(" tip: ", "; ");
-    Err(Refusal::new(format!("{}; `kahan COMMAND --help` shows examples", said.trim_start_matches("error: "))))
+    Err(Refusal::new(format!(
+        "{}; `kahan COMMAND --help` shows examples",
+        said.trim_start_matches("error: ")
+    )))
 }

@@ -86,7 +86,8 @@ pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<Strin
     let widths = widths(rows);
     rows.iter()
         .map(|row| {
-            let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, &width)| format!("{cell:>width$}")).collect();
+            let cells: Vec<String> =
+                row.iter().zip(&widths).map(|(cell, &width)| format!("{cell:>width$}")).collect();
             format!("{left} {} {right}", cells.join("  "))
         })
         .collect()

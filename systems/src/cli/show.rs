@@ -2,7 +2,9 @@
 
 use clap::Args;
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
-use kahan_algebra::render::{Formulas, MatrixText, Notation, claim_statement, claim_text, condition_text, macro_block};
+use kahan_algebra::render::{
+    Formulas, MatrixText, Notation, claim_statement, claim_text, condition_text, macro_block,
+};
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
 use serde_json::{Value, json};
@@ -38,6 +40,7 @@ const EXAMPLES: &str = "\
 Examples:
   kahan show e6
   kahan show euler --latex
+  kahan show e9 --param xi=1
   kahan show --field 'xdot = a*y*z; ydot = -x*z; zdot = x*y;' --macro
   kahan show --file field.txt --json";
 
@@ -62,6 +65,8 @@ impl Show {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let block = self.source.required_block()?;
         let system = block.system()?;
+        let name = block.name(&system);
+        let system = self.source.specialised(system, &name)?;
         if self.as_macro && !self.json {
             return Ok(Answer::text(macro_block(&system) + "\n"));
         }
@@ -142,13 +147,16 @@ impl Sheet<'_> {
         match &self.determinant {
             Some(determinant) => page.section("D = det A(x,eps)", vec![determinant.clone()]),
             None => page.section(
-                &format!("D = det A(x,eps), not expanded: N and D would have more than {TERM_BUDGET} terms in all"),
+                &format!("D = det A(x,eps), not expanded: N and D exceed the budget of {TERM_BUDGET} terms"),
                 matrix(&self.matrix, '|', '|'),
             ),
         }
         match &self.map {
-            Some(map) => page.section("map, in lowest terms", self.equations(|state| format!("{state}~"), map)),
-            None => page.section("map", vec!["x~ = x + 2 eps A(x,eps)^-1 f(x), computed by elimination".to_owned()]),
+            Some(map) => {
+                page.section("map, in lowest terms", self.equations(|state| format!("{state}~"), map));
+            }
+            None => page
+                .section("map", vec!["x~ = x + 2 eps A(x,eps)^-1 f(x), computed by elimination".to_owned()]),
         }
         if let Some(factor) = &self.removed_factor {
             page.section("divided out of N and D (a removable pole where it vanishes)", vec![factor.clone()]);
@@ -180,13 +188,18 @@ impl Sheet<'_> {
         page.line(&format!("% {}", self.block.name(self.system)));
         page.display(&aligned(self.equations_latex(|state| format!("\\dot {{{state}}}"), &self.field)));
         page.display(&format!("f'(x) = {}", environment("pmatrix", &self.field_jacobian)));
-        page.display(&format!("A(x,\\varepsilon) = I - \\varepsilon f'(x) = {}", environment("pmatrix", &self.matrix)));
+        page.display(&format!(
+            "A(x,\\varepsilon) = I - \\varepsilon f'(x) = {}",
+            environment("pmatrix", &self.matrix)
+        ));
         page.display(&format!("b(x,\\varepsilon) = {}", environment("pmatrix", &singletons(&self.rhs))));
         page.display(&format!("Q(x,x') = {}", environment("pmatrix", &singletons(&self.bilinear))));
         let determinant = self.determinant.clone().unwrap_or_else(|| environment("vmatrix", &self.matrix));
         page.display(&format!("D = \\det A(x,\\varepsilon) = {determinant}"));
         match &self.map {
-            Some(map) => page.display(&aligned(self.equations_latex(|state| format!("\\widetilde {{{state}}}"), map))),
+            Some(map) => {
+                page.display(&aligned(self.equations_latex(|state| format!("\\widetilde {{{state}}}"), map)));
+            }
             None => page.display("\\widetilde x = x + 2\\varepsilon A(x,\\varepsilon)^{-1} f(x)"),
         }
         if let Some(factor) = &self.removed_factor {
@@ -203,9 +216,15 @@ impl Sheet<'_> {
             let condition = condition_text(self.system, claim);
             let when = if condition.is_empty() { String::new() } else { format!(", when {condition}") };
             page.line(&format!("% {} {}{when}{source}", claim.kind.keyword(), claim.name.text));
-            let index = if claim.kind == ClaimKind::Bracket { format!("_{{{}}}", name(&claim.name.text)) } else { String::new() };
+            let index = if claim.kind == ClaimKind::Bracket {
+                format!("_{{{}}}", name(&claim.name.text))
+            } else {
+                String::new()
+            };
             let statements = claim_statement(claim, self.notation).into_iter();
-            page.display(&aligned(statements.map(|(left, right)| format!("{left}{index} &= {right}")).collect()));
+            page.display(&aligned(
+                statements.map(|(left, right)| format!("{left}{index} &= {right}")).collect(),
+            ));
         }
         page.text
     }

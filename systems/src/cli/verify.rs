@@ -36,6 +36,7 @@ const EXAMPLES: &str = "\
 Examples:
   kahan verify
   kahan verify e6 --json
+  kahan verify e9 --param xi=1
   kahan verify --field 'xdot = y; ydot = -x; integral H = x^2 + y^2;'";
 
 /// What is known of a claim.
@@ -74,11 +75,15 @@ impl Verify {
             Some(block) => vec![block],
             None => SYSTEMS.iter().map(Block::of_catalog).collect(),
         };
-        let groups = blocks.iter().map(verify_block).collect::<Result<Vec<Group>, Refusal>>()?;
+        let groups = blocks
+            .iter()
+            .map(|block| verify_block(block, &self.source))
+            .collect::<Result<Vec<Group>, Refusal>>()?;
         let claims: Vec<&Verified> = groups.iter().flat_map(|group| &group.claims).collect();
-        let failed: Vec<&str> = with_outcome(&claims, Outcome::Failed).map(|claim| claim.id.as_str()).collect();
-        let complaint =
-            (!failed.is_empty()).then(|| format!("{} of {} claims failed: {}", failed.len(), claims.len(), failed.join(", ")));
+        let failed: Vec<&str> =
+            with_outcome(&claims, Outcome::Failed).map(|claim| claim.id.as_str()).collect();
+        let complaint = (!failed.is_empty())
+            .then(|| format!("{} of {} claims failed: {}", failed.len(), claims.len(), failed.join(", ")));
         let answer = if self.json {
             let objects: Vec<Value> = claims.iter().map(|claim| claim.json()).collect();
             Answer::json(&json!({ "claims": objects, "failed": failed.len() }))
@@ -89,9 +94,10 @@ impl Verify {
     }
 }
 
-fn verify_block(block: &Block) -> Result<Group, Refusal> {
+fn verify_block(block: &Block, source: &Source) -> Result<Group, Refusal> {
     let system = block.unproved_system()?;
     let name = block.name(&system);
+    let system = source.specialised(system, &name)?;
     let title = block.entry.map_or_else(|| name.clone(), |entry| format!("{name}: {}", entry.title));
     let claims = system.claims.iter().map(|claim| verify_claim(block, &system, &name, claim)).collect();
     Ok(Group { title, claims })
@@ -127,14 +133,21 @@ fn decide(system: &System, claim: &Claim, seed: u64) -> (Outcome, String) {
     let alone = System { claims: vec![claim.clone()], ..system.clone() };
     let points = match prove_all(&alone, seed).pop().flatten() {
         Some(Verdict::Proved(proof)) => proof.points,
-        Some(Verdict::Refuted(refutation)) => return (Outcome::Failed, refutation.describe(&system.field.symbols)),
+        Some(Verdict::Refuted(refutation)) => {
+            return (Outcome::Failed, refutation.describe(&system.field.symbols));
+        }
         Some(Verdict::Vacuous) => return (Outcome::Failed, "it says nothing".to_owned()),
         Some(Verdict::Undefined) => return (Outcome::Failed, "it divides by zero identically".to_owned()),
-        Some(Verdict::TooLarge) | None => return (Outcome::Failed, "its degree is too high to be proved".to_owned()),
+        Some(Verdict::TooLarge) | None => {
+            return (Outcome::Failed, "its degree is too high to be proved".to_owned());
+        }
     };
     match prove_by_normal_form(system, claim) {
         Some(true) => (Outcome::Proved, "by normal forms over Q, and modulo primes".to_owned()),
-        None => (Outcome::ProvedModP, format!("at {points} random points modulo primes, error < 2^-{ERROR_EXPONENT}")),
+        None => (
+            Outcome::ProvedModP,
+            format!("at {points} random points modulo primes, error < 2^-{ERROR_EXPONENT}"),
+        ),
         Some(false) => (Outcome::Failed, "the normal forms of its two sides differ".to_owned()),
     }
 }
