@@ -1,6 +1,6 @@
 //! The procedural macro behind `kahan_core::kahan!`: tokens to the front end, its result to Rust.
 //!
-//! Reading, checking and proving are `kahan-algebra`'s; [`emit`] writes the Rust. A crate of this type can export only
+//! Reading, checking and proving are `kahan-algebra`'s; `emit` writes the Rust. A crate of this type can export only
 //! macros, so it holds nothing else.
 
 mod emit;
