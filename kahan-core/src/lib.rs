@@ -46,3 +46,8 @@ pub use nalgebra;
 #[cfg(feature = "exact")]
 pub use num_rational;
 pub use num_traits;
+
+/// The examples of the README, as tests.
+#[cfg(all(doctest, feature = "exact"))]
+#[doc = include_str!("../../README.md")]
+struct Readme;

@@ -38,6 +38,12 @@ pub fn numbers(text: &str) -> Vector {
     text.split(',').map(|entry| number(entry.trim())).collect()
 }
 
+/// The numbers with commas between them, as [`numbers`] reads them.
+#[must_use]
+pub fn shown(x: &[Q]) -> String {
+    x.iter().map(Q::to_string).collect::<Vec<_>>().join(", ")
+}
+
 /// a + b
 #[must_use]
 pub fn sum(a: &[Q], b: &[Q]) -> Vector {
@@ -107,7 +113,7 @@ pub fn adjugate_product(m: &[Vec<Q>], b: &[Q]) -> Vector {
     (0..m.len()).map(|column| determinant(&replaced(column))).collect()
 }
 
-/// Seeded rationals p/d with |p| ≤ 9 and 1 ≤ d ≤ 7.
+/// Seeded rationals p/d with |p| ≤ 9 and 1 ≤ d ≤ 4: small common denominators keep exact work on six states cheap.
 #[derive(Clone, Debug)]
 pub struct Rationals {
     random: SplitMix64,
@@ -121,15 +127,15 @@ impl Rationals {
     }
 
     /// The next one.
-    pub fn next(&mut self) -> Q {
+    pub fn draw(&mut self) -> Q {
         let p = self.random.below(19) as i64 - 9;
-        q(p, self.random.below(7) as i64 + 1)
+        q(p, self.random.below(4) as i64 + 1)
     }
 
     /// The next one that is not zero.
     pub fn nonzero(&mut self) -> Q {
         loop {
-            let next = self.next();
+            let next = self.draw();
             if next != q(0, 1) {
                 return next;
             }
@@ -138,7 +144,7 @@ impl Rationals {
 
     /// The next `n` as a point.
     pub fn point(&mut self, n: usize) -> Vector {
-        (0..n).map(|_| self.next()).collect()
+        (0..n).map(|_| self.draw()).collect()
     }
 }
 

@@ -1,1 +1,12 @@
-//! To be written.
+//! What the tests share: exact numbers, both back ends behind one face, the oracle, random fields, rounding bounds.
+
+pub mod back_end;
+pub mod compile_cases;
+pub mod exact;
+pub mod expression;
+pub mod float_maps;
+pub mod oracle;
+pub mod random_fields;
+pub mod random_systems;
+pub mod rounding;
+pub mod subject;

@@ -10,6 +10,7 @@ mod constants;
 mod equations;
 mod expand;
 mod names;
+mod spelling;
 
 use crate::diagnostics::{Diagnostics, Kind};
 use crate::field::Field;

@@ -9,6 +9,8 @@ use crate::symbols::Symbols;
 use crate::syntax::{Block, ClaimBody, Expr, ExprKind, Name};
 use crate::token::Span;
 
+use super::spelling::{edit_distance, is_keyword};
+
 /// What a name means in an equation.
 #[derive(Clone, Debug)]
 pub(super) enum Meaning {
@@ -378,31 +380,4 @@ pub(super) fn expressions(body: &ClaimBody) -> Vec<&Expr> {
         ClaimBody::Function(expr) => vec![expr],
         ClaimBody::Tensor(entries) => entries.iter().map(|entry| &entry.value).collect(),
     }
-}
-
-fn edit_distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.iter().enumerate() {
-            let substituted = diagonal + usize::from(x != *y);
-            diagonal = row[j + 1];
-            row[j + 1] = substituted.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
-}
-
-/// Keywords of Rust, strict and reserved, which cannot name a field of a struct.
-fn is_keyword(name: &str) -> bool {
-    const KEYWORDS: [&str; 52] = [
-        "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern",
-        "false", "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref",
-        "return", "self", "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use",
-        "where", "while", "abstract", "become", "box", "do", "final", "gen", "macro", "override", "priv",
-        "try", "typeof", "unsized", "virtual", "yield",
-    ];
-    KEYWORDS.contains(&name)
 }

@@ -106,7 +106,7 @@ fn missing_end(cursor: &Cursor<'_>, name: &Name) -> Diagnostic {
 /// Reads `{ a, b }`, which `close` ends; every parameter may carry attributes.
 fn parameters(cursor: &mut Cursor<'_>, close: char, names: &mut Vec<Name>, diagnostics: &mut Diagnostics) {
     cursor.advance();
-    while !cursor.is_at_end() && !cursor.is_close(close) {
+    while cursor.peek(0).is_some_and(|token| !matches!(token.kind, TokenKind::Close(_))) {
         skip_attributes(cursor);
         let start = cursor.here();
         if cursor.identifier(0) == Some("pub") && cursor.identifier(1).is_some() {
@@ -159,10 +159,12 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, names: &mut Vec<Name>, diagn
         }
         cursor.take(',');
     }
-    if cursor.is_at_end() {
-        diagnostics.report(Kind::Header, cursor.here(), "the list of parameters is not closed", "write `}`");
+    if cursor.is_close(close) {
+        cursor.advance();
+    } else {
+        let help = format!("write `{close}`");
+        diagnostics.report(Kind::Header, cursor.here(), "the list of parameters is not closed", help);
     }
-    cursor.advance();
 }
 
 fn skip_attributes(cursor: &mut Cursor<'_>) {

@@ -87,8 +87,8 @@ fn radix(text: &str) -> Option<u32> {
 
 fn is_type_suffix(suffix: &str) -> bool {
     let suffix = suffix.trim_start_matches('_');
-    let (letter, width) = suffix.split_at(suffix.len().min(1));
-    matches!(letter, "f" | "i" | "u") && matches!(width, "8" | "16" | "32" | "64" | "128" | "size")
+    let width = suffix.strip_prefix(['f', 'i', 'u']);
+    matches!(width, Some("8" | "16" | "32" | "64" | "128" | "size"))
 }
 
 /// Splits `1_2.5e-3f64` into `1_2`, `5`, `-3`, `f64`.

@@ -2,7 +2,7 @@
     "the term `x^3` has degree 3 in the states, and Kahan's method needs a quadratic field\nhelp: lower the degree with a new variable, for example `w` for `x^2` with its own equation"
 }
 ::core::compile_error! {
-    "`sin(…)` is a function call, and the field must be polynomial\nhelp: introduce a new variable for `sin`, so that the system becomes quadratic"
+    "`sin(…)` is a function call: fields here are polynomial, claims rational\nhelp: introduce a state for `sin(…)`, with an equation of its own that is quadratic"
 }
 /// Kahan's method, x ↦ x̃ with time step 2ε (`eps` is ε, half the time step), for the field
 ///

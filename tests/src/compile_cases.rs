@@ -1,0 +1,90 @@
+//! The compile-error cases as data: each file's blocks of `kahan!` as text, and what rustc is expected to print.
+//!
+//! So that the front end can be asked about the very text that the macro was given. Blocks are found by their brackets;
+//! the cases hold no brackets in comments or strings.
+
+use std::fs;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// Where the cases stand, relative to the package.
+pub const FOLDER: &str = "tests/compile_errors";
+
+/// One case.
+#[derive(Clone, Debug)]
+pub struct CompileCase {
+    /// `topic/name`.
+    pub name: String,
+    /// The Rust source.
+    pub source: String,
+    /// The byte range between the brackets of each `kahan!`, in order.
+    pub blocks: Vec<Range<usize>>,
+    /// The expected output of rustc.
+    pub expected: String,
+}
+
+/// All cases, by topic and name.
+///
+/// # Panics
+/// If a case cannot be read or lacks its expected output.
+#[must_use]
+pub fn compile_cases() -> Vec<CompileCase> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(FOLDER);
+    let topics = entries(&root);
+    let sources = topics.iter().flat_map(|topic| entries(topic));
+    let sources = sources.filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    sources
+        .map(|path| {
+            let source = read(&path);
+            CompileCase {
+                name: path.strip_prefix(&root).unwrap_or(&path).with_extension("").display().to_string(),
+                blocks: blocks(&source),
+                expected: read(&path.with_extension("stderr")),
+                source,
+            }
+        })
+        .collect()
+}
+
+impl CompileCase {
+    /// The line and column, from 1, of a byte of the source.
+    #[must_use]
+    pub fn line_and_column(&self, byte: usize) -> (usize, usize) {
+        let before = &self.source[..byte];
+        let line = before.rsplit('\n').next().unwrap_or_default();
+        (before.matches('\n').count() + 1, line.chars().count() + 1)
+    }
+}
+
+/// The byte range between the brackets of each `kahan! {`.
+fn blocks(source: &str) -> Vec<Range<usize>> {
+    let starts = source.match_indices("kahan! {").map(|(at, opening)| at + opening.len());
+    starts.map(|start| start..start + end_of_group(&source[start..])).collect()
+}
+
+/// The place of the bracket that closes a group whose opening bracket stands before `text`.
+fn end_of_group(text: &str) -> usize {
+    let mut depth = 1;
+    for (place, c) in text.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return place;
+        }
+    }
+    text.len()
+}
+
+fn entries(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("a readable folder").path()).collect();
+    paths.sort();
+    paths
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}

@@ -1,0 +1,105 @@
+//! Formulas of the paper as text, read by the front end's own parser: to evaluate, or to compare as polynomials.
+//!
+//! In: names and a formula in the language of claims, so with `eps` and any divisor. Out: its value at exact numbers, or its
+//! normal form. A formula is smuggled in as a claim of a block whose states are the names; nothing is proved.
+
+use kahan_algebra::arithmetic::{Exact, Function, Functions};
+use kahan_algebra::check::check;
+use kahan_algebra::diagnostics::Diagnostics;
+use kahan_algebra::lexer::lex;
+use kahan_algebra::parse::parse;
+use kahan_algebra::plan::Plan;
+use kahan_algebra::poly::{Budget, Polynomial};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+
+use crate::exact::{Q, q};
+
+/// A formula in some names and `eps`; variable k is the k-th name, and ε comes after them.
+#[derive(Clone, Debug)]
+pub struct Expression {
+    plan: Plan,
+}
+
+/// Parses and checks a block without proving its claims.
+///
+/// # Panics
+/// With the mistakes, if there are any.
+#[must_use]
+pub fn read_unproved(text: &str) -> System {
+    let mut diagnostics = Diagnostics::default();
+    let block = parse(&lex(text).tokens, &mut diagnostics);
+    let system = check(block, &mut diagnostics);
+    let mistakes = diagnostics.finish();
+    assert!(mistakes.is_empty(), "{text}\n{mistakes:?}");
+    system
+}
+
+impl Expression {
+    /// Reads a formula.
+    ///
+    /// # Panics
+    /// If it is none in these names.
+    #[must_use]
+    pub fn new(names: &[&str], formula: &str) -> Self {
+        let equations: String = names.iter().map(|name| format!("{name}dot = 0;\n")).collect();
+        let mut system = read_unproved(&format!("{equations}integral the_formula = {formula};"));
+        let claim = system.claims.pop().expect("the block has one claim");
+        Self { plan: claim.plan }
+    }
+
+    /// The value at these values of the names and of ε; `None` where a divisor is zero.
+    #[must_use]
+    pub fn at(&self, values: &[Q], eps: &Q) -> Option<Q> {
+        let value = |index: usize| values.get(index).unwrap_or(eps).clone();
+        let results = self.plan.evaluate(&Exact, |variable| Rational::from(value(usize::from(variable.0))));
+        results.into_iter().next().flatten().map(|value| value.to_big())
+    }
+
+    /// The formula expanded.
+    ///
+    /// # Panics
+    /// If it has a divisor.
+    #[must_use]
+    pub fn polynomial(&self) -> Polynomial {
+        let functions = Functions::new(Budget::unlimited());
+        let results =
+            self.plan.evaluate(&functions, |variable| Function::polynomial(Polynomial::variable(variable)));
+        match results.into_iter().next().flatten() {
+            Some(Function::Known { numerator, denominator }) if denominator.is_empty() => numerator,
+            other => panic!("not a polynomial: {other:?}"),
+        }
+    }
+}
+
+/// The value of a polynomial, term by term.
+#[must_use]
+pub fn evaluate(polynomial: &Polynomial, values: &[Q]) -> Q {
+    let term = |(monomial, coefficient): (&kahan_algebra::poly::Monomial, &Rational)| {
+        monomial.powers().iter().fold(coefficient.to_big(), |product, (variable, exponent)| {
+            (0..*exponent).fold(product, |product, _| product * &values[usize::from(variable.0)])
+        })
+    };
+    polynomial.terms().map(term).fold(q(0, 1), |sum, term| sum + term)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_formula_has_the_value_that_it_says() {
+        let formula = Expression::new(&["x", "T"], "x^2/(1 - eps*T) - 1/2");
+        assert_eq!(formula.at(&[q(3, 1), q(1, 1)], &q(1, 4)), Some(q(23, 2)));
+        assert_eq!(formula.at(&[q(3, 1), q(4, 1)], &q(1, 4)), None);
+    }
+
+    #[test]
+    fn two_spellings_of_a_polynomial_are_one() {
+        let names = ["x", "y"];
+        let factored = Expression::new(&names, "(x + eps*y)*(x - eps*y)").polynomial();
+        let expanded = Expression::new(&names, "x^2 - eps^2*y^2").polynomial();
+        assert_eq!(factored, expanded);
+        assert_eq!(evaluate(&factored, &[q(3, 1), q(2, 1), q(1, 2)]), q(8, 1));
+    }
+}

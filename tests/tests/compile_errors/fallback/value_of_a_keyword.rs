@@ -1,0 +1,8 @@
+//! A keyword has no value to capture.
+
+use kahan_core::prelude::*;
+
+fn main() {
+    let field = kahan! { xdot = -self*x; };
+    let _: SVector<f64, 1> = field.step(&vector![1.0], 0.1);
+}

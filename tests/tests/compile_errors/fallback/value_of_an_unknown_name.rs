@@ -1,0 +1,12 @@
+//! A free name is a value of the scope, and rustc knows the scope.
+
+use kahan_core::prelude::*;
+
+fn main() {
+    let omega = 0.5_f64;
+    let field = kahan! {
+        xdot = omega*y;
+        ydot = -omgea*x;
+    };
+    let _: SVector<f64, 2> = field.step(&vector![1.0, 2.0], 0.1);
+}

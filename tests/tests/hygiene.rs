@@ -1,0 +1,67 @@
+//! Blocks in hostile surroundings: whatever is in scope, a valid block compiles without a warning and means the same.
+//!
+//! That it means the same is shown over ℚ: the step satisfies the defining equation of Kahan's map, and an integral
+//! keeps its value. Crates with another edition, without `std` or with a renamed dependency are in `user_crate.rs`.
+
+#![deny(warnings, missing_docs, unused, clippy::pedantic)]
+
+#[path = "hygiene/blocks_in_bodies.rs"]
+mod blocks_in_bodies;
+#[path = "hygiene/headers.rs"]
+mod headers;
+#[path = "hygiene/items_in_scope.rs"]
+mod items_in_scope;
+#[path = "hygiene/names_in_blocks.rs"]
+mod names_in_blocks;
+#[path = "hygiene/within_macros.rs"]
+mod within_macros;
+#[path = "hygiene/without_prelude.rs"]
+mod without_prelude;
+
+use kahan_core::prelude::*;
+
+/// p/q
+fn ratio(p: i64, q: i64) -> BigRational {
+    BigRational::new(p.into(), q.into())
+}
+
+/// Asserts that a step satisfies (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, and gives it.
+fn assert_kahan<M, const N: usize>(map: &M) -> (SVector<BigRational, N>, SVector<BigRational, N>)
+where
+    M: KahanMap<BigRational, N>,
+{
+    let eps = ratio(2, 7);
+    let x = SVector::<BigRational, N>::from_fn(|i, _| ratio(i64::try_from(3 * i).unwrap() + 2, 5));
+    let next = map.step(&x, eps.clone());
+    let increment = map.polarized(&x, &next).map(|entry| entry * ratio(4, 7));
+    assert_eq!(next.clone() - x.clone(), increment);
+    assert_ne!(next, x);
+    assert_eq!(map.step_back(&next, eps.clone()), x);
+    let unit = map.jacobian(&x, eps.clone()).determinant_by_rows();
+    assert_eq!(unit, map.det_jacobian(&x, eps));
+    (x, next)
+}
+
+/// A determinant that does not go through the crate under test.
+trait DeterminantByRows {
+    fn determinant_by_rows(&self) -> BigRational;
+}
+
+impl<const N: usize> DeterminantByRows for SMatrix<BigRational, N, N> {
+    /// Laplace's expansion along the rows.
+    fn determinant_by_rows(&self) -> BigRational {
+        fn minor<const N: usize>(
+            matrix: &SMatrix<BigRational, N, N>,
+            row: usize,
+            columns: &[usize],
+        ) -> BigRational {
+            let term = |(k, &column): (usize, &usize)| {
+                let rest: Vec<usize> = columns.iter().copied().filter(|&other| other != column).collect();
+                let product = matrix[(row, column)].clone() * minor(matrix, row + 1, &rest);
+                if k % 2 == 0 { product } else { -product }
+            };
+            if columns.is_empty() { ratio(1, 1) } else { columns.iter().enumerate().map(term).sum() }
+        }
+        minor(self, 0, &(0..N).collect::<Vec<usize>>())
+    }
+}

@@ -1,0 +1,107 @@
+//! Blocks whose own names are those of the prelude, of keywords, and of what the macro itself would like to use.
+
+use kahan_core::prelude::*;
+
+use crate::{assert_kahan, ratio};
+
+kahan! {
+    /// States with short names, a type with the shortest.
+    pub(super) struct T { N, S }
+    tdot = h + eps_;
+    hdot = -N*t*x_;
+    eps_dot = S*t;
+    x_dot = t^2 - h^2/N;
+}
+
+kahan! {
+    /// States that are keywords.
+    pub(super) struct Keywords;
+    indot = as*in;
+    asdot = self - type;
+    selfdot = -as*self + loop;
+    typedot = 1;
+    loopdot = in^2;
+}
+
+kahan! {
+    /// Names of the prelude.
+    pub(super) struct Vec { Vec, Some, None, Clone, str, f64 }
+    Resultdot = Vec*Option - Some;
+    Optiondot = None*Result + Clone*Option^2;
+    Boxdot = str*Option - f64*Result*Box;
+}
+
+kahan! {
+    /// Names of temporaries.
+    pub(super) struct Temporaries { p_x, half_step, state, other, system, field, lifted, numerators, denominator }
+    s_xdot = p_x*t_1 + half_step*o_x;
+    t_1dot = state*s_x - other*o_x^2;
+    o_xdot = system*field*s_x*t_1 + lifted;
+    c_2dot = numerators*s_x + 2*c_2*denominator;
+}
+
+kahan! {
+    /// Letters beyond ASCII, and capitals beside small letters.
+    pub(super) struct Größe { größe, Größe }
+    Xdot = größe*x*X;
+    xdot = Größe*X - x;
+}
+
+kahan! {
+    /// A state and a parameter that differ by an underscore only.
+    pub(super) struct Underscores { x_, __x }
+    xdot = x_*_x - __x*x;
+    _xdot = x;
+}
+
+kahan! {
+    /// Claims with the names of methods and of constants.
+    pub(super) struct Claims { k }
+    xdot = k*y;
+    ydot = -k*x;
+    integral step = x^2 + y^2;
+    integral VARIABLES = step^2;
+    density density = 1/step;
+    bracket bracket { {x,y} = 1; }
+    bracket type { {x,y} = step; }
+}
+
+#[test]
+fn names_of_blocks_do_not_meet_names_of_the_macro() {
+    assert_kahan(&T { N: ratio(3, 2), S: ratio(1, 3) });
+    assert_kahan(&Keywords);
+    assert_kahan(&Vec {
+        Vec: ratio(1, 2),
+        Some: ratio(1, 3),
+        None: ratio(1, 4),
+        Clone: ratio(1, 5),
+        str: ratio(1, 6),
+        f64: ratio(1, 7),
+    });
+    assert_kahan(&Temporaries {
+        p_x: ratio(1, 2),
+        half_step: ratio(1, 3),
+        state: ratio(1, 4),
+        other: ratio(1, 5),
+        system: ratio(1, 6),
+        field: ratio(1, 7),
+        lifted: ratio(1, 8),
+        numerators: ratio(1, 9),
+        denominator: ratio(1, 10),
+    });
+    assert_kahan(&Größe { größe: ratio(1, 2), Größe: ratio(1, 3) });
+    assert_kahan(&Underscores { x_: ratio(1, 2), __x: ratio(1, 3) });
+    assert_eq!(T::<f64>::VARIABLES, ["t", "h", "eps_", "x_"]);
+    assert_eq!(Keywords::VARIABLES, ["in", "as", "self", "type", "loop"]);
+}
+
+#[test]
+fn claims_may_have_the_names_of_methods() {
+    let (x, next) = assert_kahan(&Claims { k: ratio(3, 2) });
+    let claims = Claims { k: ratio(3, 2) };
+    assert_eq!(claims.integrals(&x, ratio(1, 2)), claims.integrals(&next, ratio(1, 2)));
+    assert_eq!(claims.density(&x, ratio(1, 2)), claims.density(&next, ratio(1, 2)));
+    assert_eq!(claims.bracket_bracket(&x, ratio(1, 2))[(1, 0)], ratio(-1, 1));
+    assert_eq!(claims.bracket_type(&x, ratio(1, 2)), claims.bracket_type(&next, ratio(1, 2)));
+    assert_eq!(Claims::<BigRational>::INTEGRALS, ["step", "VARIABLES"]);
+}

@@ -1,0 +1,58 @@
+//! One mistake has one text and one place, whether rustc prints it or the command does.
+//!
+//! The blocks of the compile-error cases go through the front end as text, as `kahan show --field` reads them; each
+//! mistake it finds must stand in rustc's output, and rustc must print no other.
+
+use kahan_algebra::lexer::lex;
+use kahan_algebra::render::report;
+use kahan_tests::compile_cases::{CompileCase, compile_cases};
+
+/// `<line>:<column>` as rustc prints it, with the lines of the message, for each mistake.
+fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
+    let mut mistakes = Vec::new();
+    for block in &case.blocks {
+        let text = &case.source[block.clone()];
+        let lexed = lex(text);
+        for diagnostic in kahan_algebra::read(&lexed.tokens).diagnostics {
+            let place = lexed.ranges.get(diagnostic.span.first).map(|range| {
+                let (line, column) = case.line_and_column(block.start + range.start);
+                format!("{line}:{column}")
+            });
+            let lines: Vec<String> = diagnostic.to_string().lines().map(str::to_owned).collect();
+            let paragraph = report(&diagnostic, text, &lexed.ranges, "--field");
+            for line in &lines {
+                assert!(paragraph.contains(line.as_str()), "{}: the command leaves out {line}", case.name);
+            }
+            mistakes.push((place, lines));
+        }
+    }
+    mistakes
+}
+
+#[test]
+fn rustc_prints_every_mistake_of_the_front_end_at_its_place() {
+    for case in compile_cases() {
+        for (place, lines) in mistakes(&case) {
+            let place = place.map(|place| format!("{}.rs:{place}\n", case.name));
+            assert!(
+                place.as_ref().is_none_or(|place| case.expected.contains(place)),
+                "{}: rustc prints nothing at {place:?}",
+                case.name
+            );
+            for line in lines {
+                assert!(case.expected.contains(&line), "{}: rustc does not print: {line}", case.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn rustc_prints_nothing_else() {
+    for case in compile_cases() {
+        let found = mistakes(&case).len();
+        if found > 0 {
+            let printed = case.expected.lines().filter(|line| line.starts_with("error"));
+            assert_eq!(printed.count(), found, "{}:\n{}", case.name, case.expected);
+        }
+    }
+}

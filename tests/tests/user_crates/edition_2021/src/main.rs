@@ -1,0 +1,25 @@
+//! The edition before, the default features, nothing but the prelude.
+
+#![deny(missing_docs, unused, warnings)]
+#![deny(clippy::pedantic)]
+
+use kahan_core::prelude::*;
+
+kahan! {
+    /// A rotation with the speed `omega`.
+    pub struct Rotation { omega }
+    xdot = omega*y;
+    ydot = -omega*x;
+    integral H = x^2 + y^2;
+    bracket P { {x,y} = 1; }
+}
+
+fn main() {
+    let rotation = Rotation { omega: 2.0_f64 };
+    let start = vector![0.6, 0.8];
+    let end = rotation.orbit(start, 0.05).nth(100).expect("an orbit of floats does not end");
+    assert!((rotation.integrals(&end, 0.05)[0] - 1.0).abs() < 1e-13);
+    let omega = 2.0_f64;
+    let value = kahan! { xdot = omega*y; ydot = -omega*x; };
+    assert_eq!(value.step(&start, 0.05), rotation.step(&start, 0.05));
+}
