@@ -105,7 +105,7 @@ fn limits_are_errors_at_their_place() {
     ];
     for (text, kind) in cases {
         let kinds: Vec<Kind> = reading(text).diagnostics.iter().map(|diagnostic| diagnostic.kind).collect();
-        assert_eq!(kinds, [kind], "{:.60}", text);
+        assert_eq!(kinds, [kind], "{text:.60}");
     }
 }
 

@@ -74,7 +74,7 @@ pub fn increment_by_elimination<M, T, const N: usize>(
     eps: &T,
 ) -> Option<SVector<T, N>>
 where
-    M: KahanMap<T, N> + ?Sized,
+    M: KahanMap<T, N>,
     T: Scalar,
 {
     linear::increment_by_elimination(map.matrix(x, eps.clone()), map.field(x), eps)

@@ -50,7 +50,7 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// let increment = LotkaVolterra.polarized(&x, &next) * (2.0 * eps);
 /// assert!((next - x - increment).norm() < 1e-15);
 /// ```
-pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> {
+pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// x̃ − x, or `None` at a pole of a scalar that has no reciprocal of zero.
     ///
     /// The one thing the macro must write: a closed form by `increment_from_quotient`, or `increment_by_elimination`.
@@ -143,18 +143,12 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> {
     }
 
     /// The map at one ε, prepared to be stepped many times; it owns a copy of this map.
-    fn at(&self, eps: T) -> KahanAt<Self, T, N>
-    where
-        Self: Clone,
-    {
+    fn at(&self, eps: T) -> KahanAt<Self, T, N> {
         KahanAt::new(self.clone(), eps)
     }
 
     /// The orbit x₀, x₁, …, beginning with x₀ = `x`; it owns a copy of this map.
-    fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<Self, T, N>
-    where
-        Self: Clone,
-    {
+    fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<Self, T, N> {
         Orbit::new(self.clone(), x, eps)
     }
 }

@@ -35,7 +35,7 @@ fn emit_method(
     quote! {
         impl #on_impl #this {
             #documentation
-            pub fn #name #on_method (&self, state: &#vector, half_step: #scalar) -> #result {
+            pub fn #name #on_method (&self, __state: &#vector, __half_step: #scalar) -> #result {
                 #body
             }
         }
@@ -69,8 +69,8 @@ fn emit_integrals(context: &Context<'_>) -> TokenStream {
             fn integral_names(&self) -> &'static [&'static __kahan::core::primitive::str] {
                 &Self::INTEGRALS
             }
-            fn integrals(&self, state: &#vector, half_step: #scalar) -> #result {
-                Self::integrals(self, state, half_step)
+            fn integrals(&self, __state: &#vector, __half_step: #scalar) -> #result {
+                Self::integrals(self, __state, __half_step)
             }
         }
     }
@@ -85,7 +85,7 @@ fn emit_density(context: &Context<'_>, claim: &Claim) -> TokenStream {
 fn emit_bracket(context: &Context<'_>, claim: &Claim) -> TokenStream {
     let n = context.system.field.dimension();
     let (bindings, entries) = emit_together(context, &[&claim.plan]);
-    let upper: Vec<_> = (0..n).flat_map(|i| (i + 1..n).map(move |j| format_ident!("p_{i}_{j}"))).collect();
+    let upper: Vec<_> = (0..n).flat_map(|i| (i + 1..n).map(move |j| format_ident!("__p_{i}_{j}"))).collect();
     let rows = (0..n).map(|i| {
         let row = (0..n).map(|j| match i.cmp(&j) {
             std::cmp::Ordering::Equal => {

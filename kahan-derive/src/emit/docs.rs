@@ -35,10 +35,10 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
         Some(map) => {
             let images: Vec<String> =
                 states.iter().zip(map).map(|(state, image)| format!("{state}~ = {image}")).collect();
-            push_block(&mut lines, "The map in lowest terms:", &images);
+            push_block(&mut lines, "The map, over its common denominator in lowest terms:", &images);
         }
         None => lines.push(
-            " The map is computed by elimination: its closed form exceeds the budget of terms.".to_owned(),
+            " The map is computed by elimination: its closed form exceeds the budget of terms. Where det A = 0 it counts as a pole.".to_owned(),
         ),
     }
     let claims: Vec<String> = system.claims.iter().map(|claim| claim_text(system, claim)).collect();
@@ -67,7 +67,7 @@ fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
 /// The documentation of `integrals`.
 pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
     let mut lines = vec![
-        " The integrals of motion of the map at `state`; `half_step` is ε, half the time step.".to_owned(),
+        " The integrals of motion of the map at `__state`; `__half_step` is ε, half the time step.".to_owned(),
     ];
     let statements: Vec<String> = claims.iter().flat_map(|claim| statement(claim)).collect();
     push_block(&mut lines, "In order:", &statements);
@@ -79,7 +79,7 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 /// The documentation of `density`.
 pub(super) fn density(claim: &Claim) -> TokenStream {
     let mut lines = vec![
-        " The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `half_step` is ε, half the time step.".to_owned(),
+        " The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `__half_step` is ε, half the time step.".to_owned(),
     ];
     push_block(&mut lines, "Namely", &statement(claim));
     emit_lines(&lines)
@@ -88,7 +88,7 @@ pub(super) fn density(claim: &Claim) -> TokenStream {
 /// The documentation of `bracket_NAME`.
 pub(super) fn bracket(claim: &Claim) -> TokenStream {
     let mut lines = vec![
-        " An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `half_step` is ε, half the time step.".to_owned(),
+        " An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `__half_step` is ε, half the time step.".to_owned(),
     ];
     push_block(&mut lines, "Its entries, those not given being zero:", &statement(claim));
     emit_lines(&lines)

@@ -24,16 +24,16 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let (vector, matrix) = (context.vector(), context.matrix());
     quote! {
         impl<#scalar: __kahan::Scalar> __kahan::QuadraticField<#scalar, #dimension> for #this {
-            fn field(&self, state: &#vector) -> #vector {
+            fn field(&self, __state: &#vector) -> #vector {
                 #value
             }
-            fn field_jacobian(&self, state: &#vector) -> #matrix {
+            fn field_jacobian(&self, __state: &#vector) -> #matrix {
                 #slope
             }
-            fn bilinear(&self, state: &#vector, other: &#vector) -> #vector {
+            fn bilinear(&self, __state: &#vector, __other: &#vector) -> #vector {
                 #bilinear
             }
-            fn polarized(&self, state: &#vector, other: &#vector) -> #vector {
+            fn polarized(&self, __state: &#vector, __other: &#vector) -> #vector {
                 #polarized
             }
         }

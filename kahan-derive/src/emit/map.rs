@@ -21,25 +21,25 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     quote! {
         #reduced
         impl<#scalar: __kahan::Scalar> __kahan::KahanMap<#scalar, #dimension> for #this {
-            fn increment(&self, state: &#vector, half_step: &#scalar) -> __kahan::Option<#vector> {
-                let (numerators, denominator) = reduced(self, state, half_step);
-                __kahan::increment_from_quotient(numerators, denominator, half_step)
+            fn increment(&self, __state: &#vector, __half_step: &#scalar) -> __kahan::Option<#vector> {
+                let (__numerators, __denominator) = __reduced(self, __state, __half_step);
+                __kahan::increment_from_quotient(__numerators, __denominator, __half_step)
             }
-            fn jacobian(&self, state: &#vector, half_step: #scalar) -> #matrix {
-                let lifted = #lifted;
+            fn jacobian(&self, __state: &#vector, __half_step: #scalar) -> #matrix {
+                let __lifted = #lifted;
                 __kahan::jacobian_of_reduced(
-                    |state, half_step| {
-                        let (numerators, denominator) = reduced(&lifted, state, half_step);
-                        __kahan::increment_from_quotient(numerators, denominator, half_step)
+                    |__state, __half_step| {
+                        let (__numerators, __denominator) = __reduced(&__lifted, __state, __half_step);
+                        __kahan::increment_from_quotient(__numerators, __denominator, __half_step)
                     },
-                    state,
-                    &half_step,
+                    __state,
+                    &__half_step,
                 )
             }
-            fn det_matrix(&self, state: &#vector, half_step: #scalar) -> #scalar {
+            fn det_matrix(&self, __state: &#vector, __half_step: #scalar) -> #scalar {
                 #determinant
             }
-            fn rational_map(&self, state: &#vector, half_step: #scalar) -> (#vector, #scalar) {
+            fn rational_map(&self, __state: &#vector, __half_step: #scalar) -> (#vector, #scalar) {
                 #rational_map
             }
         }
@@ -52,14 +52,14 @@ fn emit_elimination(context: &Context<'_>) -> TokenStream {
         (context.self_type(), &context.scalar, &context.dimension, context.vector());
     quote! {
         impl<#scalar: __kahan::Scalar> __kahan::KahanMap<#scalar, #dimension> for #this {
-            fn increment(&self, state: &#vector, half_step: &#scalar) -> __kahan::Option<#vector> {
-                __kahan::increment_by_elimination(self, state, half_step)
+            fn increment(&self, __state: &#vector, __half_step: &#scalar) -> __kahan::Option<#vector> {
+                __kahan::increment_by_elimination(self, __state, __half_step)
             }
         }
     }
 }
 
-/// Expands to `fn reduced(system, state, half_step) -> (n, d)` with x̃ = x + 2ε n/d in lowest terms; generic, because the
+/// Expands to `fn __reduced(system, state, half_step) -> (n, d)` with x̃ = x + 2ε n/d in lowest terms; generic, because the
 /// Jacobian runs it on dual numbers.
 fn emit_reduced(context: &Context<'_>, map: &RationalMap) -> TokenStream {
     let symbols = &context.system.field.symbols;
@@ -68,16 +68,16 @@ fn emit_reduced(context: &Context<'_>, map: &RationalMap) -> TokenStream {
         map.reduced.increments.iter().map(|increment| builder.polynomial(increment)).collect();
     outputs.push(builder.polynomial(&map.reduced.denominator));
     let plan = builder.finish(&outputs);
-    let inputs = emit_inputs(&plan, symbols, &quote!(system));
+    let inputs = emit_inputs(&plan, symbols, &quote!(__system));
     let emitted = emit_plan(&plan, symbols, &context.scalar);
     let (bindings, mut increments) = (emitted.bindings, emitted.results);
     let denominator = increments.pop();
     let (this, scalar, vector) = (context.self_type(), &context.scalar, context.vector());
     quote! {
-        fn reduced<#scalar: __kahan::Scalar>(
-            system: &#this,
-            state: &#vector,
-            half_step: &#scalar,
+        fn __reduced<#scalar: __kahan::Scalar>(
+            __system: &#this,
+            __state: &#vector,
+            __half_step: &#scalar,
         ) -> (#vector, #scalar) {
             #inputs
             #bindings

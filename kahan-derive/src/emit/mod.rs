@@ -16,8 +16,8 @@
 //! and without one to `{ …the same with an anonymous type…; Field { mu: mu.clone() } }`. Mistakes become
 //! `compile_error!` beside all of that, so that code which uses the type stays quiet.
 //!
-//! Names: everything of ours is reached through `__kahan`; a state `x` is bound as `s_x`, a parameter `mu` as `p_mu`, so
-//! that no name of the user's, nor a constant or a unit struct in scope, can capture a binding.
+//! Names: everything of ours is reached through `__kahan`, and every binding begins with `__` (a state `x` is `__s_x`, a
+//! parameter `mu` is `__p_mu`): a constant or a unit struct of the user's in scope would capture a pattern of its name.
 
 mod claims;
 mod docs;

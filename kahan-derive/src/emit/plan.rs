@@ -1,8 +1,8 @@
 //! A plan as Rust: one `let` for each step that is used more than once, everything else nested where it is used.
 //!
 //! ```text
-//! let t_eps_x = half_step.clone() * s_x.clone();
-//! let sum_1 = __kahan::integer::<T>(1) + t_eps_x.clone();
+//! let __t_eps_x = __half_step.clone() * __s_x.clone();
+//! let __sum_1 = __kahan::integer::<T>(1) + __t_eps_x.clone();
 //! ```
 //!
 //! The order of operations is the plan's, whatever the nesting. Values are cloned where they are used: free for floats,
@@ -135,20 +135,20 @@ impl Emitter<'_> {
         }
     }
 
-    /// `t_eps_x` for the product ε·x, `c_3` for a constant, else `sum_1`, `product_2` by what it is.
+    /// `__t_eps_x` for the product ε·x, `__c_3` for a constant, else `__sum_1`, `__product_2` by what it is.
     fn name_of(&mut self, node: Node) -> Ident {
         if let Operation::Constant(value) = &self.plan.operations[node.0]
             && let Some((numerator, denominator)) = value.as_small_ratio()
         {
             return if denominator == 1 {
-                format_ident!("c_{numerator}")
+                format_ident!("__c_{numerator}")
             } else {
-                format_ident!("c_{numerator}_{denominator}")
+                format_ident!("__c_{numerator}_{denominator}")
             };
         }
         // States `x_y`, `z` and `x`, `y_z` have the same product name: the second one is numbered.
         match self.product_name(node).filter(|factors| self.products.insert(factors.clone())) {
-            Some(factors) => format_ident!("t_{factors}"),
+            Some(factors) => format_ident!("__t_{factors}"),
             None => {
                 self.counter += 1;
                 let what = match &self.plan.operations[node.0] {
@@ -157,7 +157,7 @@ impl Emitter<'_> {
                     Operation::Negate(_) => "negative",
                     _ => "sum",
                 };
-                format_ident!("{what}_{}", self.counter)
+                format_ident!("__{what}_{}", self.counter)
             }
         }
     }
@@ -183,15 +183,15 @@ fn grouped(expression: &Expression, at_least: Level) -> TokenStream {
 /// The name that a variable is bound to.
 fn binding(symbols: &Symbols, variable: Variable) -> Ident {
     match symbols.symbol(variable) {
-        Symbol::State(i) => format_ident!("s_{}", symbols.states[i]),
-        Symbol::Parameter(k) => format_ident!("p_{}", symbols.parameters[k]),
-        Symbol::Epsilon => format_ident!("half_step"),
-        Symbol::SecondState(i) => format_ident!("o_{}", symbols.states[i]),
+        Symbol::State(i) => format_ident!("__s_{}", symbols.states[i]),
+        Symbol::Parameter(k) => format_ident!("__p_{}", symbols.parameters[k]),
+        Symbol::Epsilon => format_ident!("__half_step"),
+        Symbol::SecondState(i) => format_ident!("__o_{}", symbols.states[i]),
     }
 }
 
-/// Binds what a plan reads: `let [s_x, _, s_z] = __kahan::components(state);`, the parameters from `system`; ε stands in
-/// `half_step`, the second point in `other`.
+/// Binds what a plan reads: `let [__s_x, _, __s_z] = __kahan::components(__state);`, the parameters from `system`; ε stands in
+/// `__half_step`, the second point in `__other`.
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols, system: &TokenStream) -> TokenStream {
     let inputs = plan.inputs();
     let pattern = |symbol: &dyn Fn(usize) -> Symbol| {
@@ -206,10 +206,10 @@ pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols, system: &TokenStream) 
     };
     let mut bindings = TokenStream::new();
     if let Some(states) = pattern(&Symbol::State) {
-        bindings.extend(quote! { let #states = __kahan::components(state); });
+        bindings.extend(quote! { let #states = __kahan::components(__state); });
     }
     if let Some(states) = pattern(&Symbol::SecondState) {
-        bindings.extend(quote! { let #states = __kahan::components(other); });
+        bindings.extend(quote! { let #states = __kahan::components(__other); });
     }
     for (k, parameter) in symbols.parameters.iter().enumerate() {
         let variable = symbols.parameter(k);

@@ -14,7 +14,7 @@ fn scope() {
         /// [ -eps, 1 + eps ]
         /// ```
         ///
-        /// The map in lowest terms:
+        /// The map, over its common denominator in lowest terms:
         ///
         /// ```text
         /// x~ = x + 2*eps*(mu*x*y + eps*mu*x^2)/(1 + eps - eps*mu*y - eps^2*mu*x - eps^2*mu*y)
@@ -61,153 +61,167 @@ fn scope() {
             impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Field<T> {
                 fn field(
                     &self,
-                    state: &__kahan::SVector<T, 2>,
+                    __state: &__kahan::SVector<T, 2>,
                 ) -> __kahan::SVector<T, 2> {
-                    let [s_x, s_y] = __kahan::components(state);
-                    let p_mu = &self.mu;
+                    let [__s_x, __s_y] = __kahan::components(__state);
+                    let __p_mu = &self.mu;
                     __kahan::vector([
-                        s_x.clone() * s_y.clone() * p_mu.clone(),
-                        s_x.clone() - s_y.clone(),
+                        __s_x.clone() * __s_y.clone() * __p_mu.clone(),
+                        __s_x.clone() - __s_y.clone(),
                     ])
                 }
                 fn field_jacobian(
                     &self,
-                    state: &__kahan::SVector<T, 2>,
+                    __state: &__kahan::SVector<T, 2>,
                 ) -> __kahan::SMatrix<T, 2, 2> {
-                    let [s_x, s_y] = __kahan::components(state);
-                    let p_mu = &self.mu;
-                    let c_1 = __kahan::integer::<T>(1);
+                    let [__s_x, __s_y] = __kahan::components(__state);
+                    let __p_mu = &self.mu;
+                    let __c_1 = __kahan::integer::<T>(1);
                     __kahan::matrix([
-                        [s_y.clone() * p_mu.clone(), p_mu.clone() * s_x.clone()],
-                        [c_1.clone(), -c_1.clone()],
+                        [__s_y.clone() * __p_mu.clone(), __p_mu.clone() * __s_x.clone()],
+                        [__c_1.clone(), -__c_1.clone()],
                     ])
                 }
                 fn bilinear(
                     &self,
-                    state: &__kahan::SVector<T, 2>,
-                    other: &__kahan::SVector<T, 2>,
+                    __state: &__kahan::SVector<T, 2>,
+                    __other: &__kahan::SVector<T, 2>,
                 ) -> __kahan::SVector<T, 2> {
-                    let [s_x, s_y] = __kahan::components(state);
-                    let [o_x, o_y] = __kahan::components(other);
-                    let p_mu = &self.mu;
+                    let [__s_x, __s_y] = __kahan::components(__state);
+                    let [__o_x, __o_y] = __kahan::components(__other);
+                    let __p_mu = &self.mu;
                     __kahan::vector([
-                        (s_x.clone() * o_y.clone() + s_y.clone() * o_x.clone())
-                            * __kahan::ratio::<T>(1, 2) * p_mu.clone(),
+                        (__s_x.clone() * __o_y.clone() + __s_y.clone() * __o_x.clone())
+                            * __kahan::ratio::<T>(1, 2) * __p_mu.clone(),
                         __kahan::integer::<T>(0),
                     ])
                 }
                 fn polarized(
                     &self,
-                    state: &__kahan::SVector<T, 2>,
-                    other: &__kahan::SVector<T, 2>,
+                    __state: &__kahan::SVector<T, 2>,
+                    __other: &__kahan::SVector<T, 2>,
                 ) -> __kahan::SVector<T, 2> {
-                    let [s_x, s_y] = __kahan::components(state);
-                    let [o_x, o_y] = __kahan::components(other);
-                    let p_mu = &self.mu;
-                    let c_1_2 = __kahan::ratio::<T>(1, 2);
+                    let [__s_x, __s_y] = __kahan::components(__state);
+                    let [__o_x, __o_y] = __kahan::components(__other);
+                    let __p_mu = &self.mu;
+                    let __c_1_2 = __kahan::ratio::<T>(1, 2);
                     __kahan::vector([
-                        (s_x.clone() * o_y.clone() + s_y.clone() * o_x.clone())
-                            * c_1_2.clone() * p_mu.clone(),
-                        c_1_2.clone()
-                            * (s_x.clone() - s_y.clone() + o_x.clone() - o_y.clone()),
+                        (__s_x.clone() * __o_y.clone() + __s_y.clone() * __o_x.clone())
+                            * __c_1_2.clone() * __p_mu.clone(),
+                        __c_1_2.clone()
+                            * (__s_x.clone() - __s_y.clone() + __o_x.clone()
+                                - __o_y.clone()),
                     ])
                 }
             }
-            fn reduced<T: __kahan::Scalar>(
-                system: &Field<T>,
-                state: &__kahan::SVector<T, 2>,
-                half_step: &T,
+            fn __reduced<T: __kahan::Scalar>(
+                __system: &Field<T>,
+                __state: &__kahan::SVector<T, 2>,
+                __half_step: &T,
             ) -> (__kahan::SVector<T, 2>, T) {
-                let [s_x, s_y] = __kahan::components(state);
-                let p_mu = &system.mu;
-                let c_1 = __kahan::integer::<T>(1);
+                let [__s_x, __s_y] = __kahan::components(__state);
+                let __p_mu = &__system.mu;
+                let __c_1 = __kahan::integer::<T>(1);
                 (
                     __kahan::vector([
-                        (s_x.clone() * half_step.clone() + s_y.clone())
-                            * (s_x.clone() * p_mu.clone()),
-                        s_x.clone()
-                            + s_y.clone()
-                                * (half_step.clone() * (s_y.clone() * p_mu.clone())
-                                    - c_1.clone()),
+                        (__s_x.clone() * __half_step.clone() + __s_y.clone())
+                            * (__s_x.clone() * __p_mu.clone()),
+                        __s_x.clone()
+                            + __s_y.clone()
+                                * (__half_step.clone() * (__s_y.clone() * __p_mu.clone())
+                                    - __c_1.clone()),
                     ]),
-                    c_1.clone()
-                        - half_step.clone()
-                            * (p_mu.clone()
-                                * (s_y.clone()
-                                    + half_step.clone() * (s_x.clone() + s_y.clone()))
-                                - c_1.clone()),
+                    __c_1.clone()
+                        - __half_step.clone()
+                            * (__p_mu.clone()
+                                * (__s_y.clone()
+                                    + __half_step.clone() * (__s_x.clone() + __s_y.clone()))
+                                - __c_1.clone()),
                 )
             }
             impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Field<T> {
                 fn increment(
                     &self,
-                    state: &__kahan::SVector<T, 2>,
-                    half_step: &T,
+                    __state: &__kahan::SVector<T, 2>,
+                    __half_step: &T,
                 ) -> __kahan::Option<__kahan::SVector<T, 2>> {
-                    let (numerators, denominator) = reduced(self, state, half_step);
-                    __kahan::increment_from_quotient(numerators, denominator, half_step)
+                    let (__numerators, __denominator) = __reduced(
+                        self,
+                        __state,
+                        __half_step,
+                    );
+                    __kahan::increment_from_quotient(
+                        __numerators,
+                        __denominator,
+                        __half_step,
+                    )
                 }
                 fn jacobian(
                     &self,
-                    state: &__kahan::SVector<T, 2>,
-                    half_step: T,
+                    __state: &__kahan::SVector<T, 2>,
+                    __half_step: T,
                 ) -> __kahan::SMatrix<T, 2, 2> {
-                    let lifted = Field {
+                    let __lifted = Field {
                         mu: __kahan::Dual::lift(self.mu.clone()),
                     };
                     __kahan::jacobian_of_reduced(
-                        |state, half_step| {
-                            let (numerators, denominator) = reduced(
-                                &lifted,
-                                state,
-                                half_step,
+                        |__state, __half_step| {
+                            let (__numerators, __denominator) = __reduced(
+                                &__lifted,
+                                __state,
+                                __half_step,
                             );
                             __kahan::increment_from_quotient(
-                                numerators,
-                                denominator,
-                                half_step,
+                                __numerators,
+                                __denominator,
+                                __half_step,
                             )
                         },
-                        state,
-                        &half_step,
+                        __state,
+                        &__half_step,
                     )
                 }
-                fn det_matrix(&self, state: &__kahan::SVector<T, 2>, half_step: T) -> T {
-                    let [s_x, s_y] = __kahan::components(state);
-                    let p_mu = &self.mu;
-                    let c_1 = __kahan::integer::<T>(1);
-                    c_1.clone()
-                        - half_step.clone()
-                            * ((s_y.clone()
-                                + (s_x.clone() + s_y.clone()) * half_step.clone())
-                                * p_mu.clone() - c_1.clone())
+                fn det_matrix(
+                    &self,
+                    __state: &__kahan::SVector<T, 2>,
+                    __half_step: T,
+                ) -> T {
+                    let [__s_x, __s_y] = __kahan::components(__state);
+                    let __p_mu = &self.mu;
+                    let __c_1 = __kahan::integer::<T>(1);
+                    __c_1.clone()
+                        - __half_step.clone()
+                            * ((__s_y.clone()
+                                + (__s_x.clone() + __s_y.clone()) * __half_step.clone())
+                                * __p_mu.clone() - __c_1.clone())
                 }
                 fn rational_map(
                     &self,
-                    state: &__kahan::SVector<T, 2>,
-                    half_step: T,
+                    __state: &__kahan::SVector<T, 2>,
+                    __half_step: T,
                 ) -> (__kahan::SVector<T, 2>, T) {
-                    let [s_x, s_y] = __kahan::components(state);
-                    let p_mu = &self.mu;
-                    let c_1 = __kahan::integer::<T>(1);
-                    let sum_1 = c_1.clone()
-                        + (s_y.clone() + (s_x.clone() - s_y.clone()) * half_step.clone())
-                            * p_mu.clone();
+                    let [__s_x, __s_y] = __kahan::components(__state);
+                    let __p_mu = &self.mu;
+                    let __c_1 = __kahan::integer::<T>(1);
+                    let __sum_1 = __c_1.clone()
+                        + (__s_y.clone()
+                            + (__s_x.clone() - __s_y.clone()) * __half_step.clone())
+                            * __p_mu.clone();
                     (
                         __kahan::vector([
-                            s_x.clone()
-                                * (c_1.clone() + half_step.clone() * sum_1.clone()),
-                            s_y.clone()
-                                - half_step.clone()
-                                    * (s_y.clone() * sum_1.clone()
-                                        - s_x.clone() * __kahan::integer::<T>(2)),
+                            __s_x.clone()
+                                * (__c_1.clone() + __half_step.clone() * __sum_1.clone()),
+                            __s_y.clone()
+                                - __half_step.clone()
+                                    * (__s_y.clone() * __sum_1.clone()
+                                        - __s_x.clone() * __kahan::integer::<T>(2)),
                         ]),
-                        c_1.clone()
-                            - half_step.clone()
-                                * (p_mu.clone()
-                                    * (s_y.clone()
-                                        + half_step.clone() * (s_x.clone() + s_y.clone()))
-                                    - c_1.clone()),
+                        __c_1.clone()
+                            - __half_step.clone()
+                                * (__p_mu.clone()
+                                    * (__s_y.clone()
+                                        + __half_step.clone() * (__s_x.clone() + __s_y.clone()))
+                                    - __c_1.clone()),
                     )
                 }
             }

@@ -18,7 +18,7 @@
 /// [ 0, 1 ]
 /// ```
 ///
-/// The map in lowest terms:
+/// The map, over its common denominator in lowest terms:
 ///
 /// ```text
 /// x~ = x
@@ -60,78 +60,89 @@ const _: () = {
         }
     }
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Broken<T> {
-        fn field(&self, state: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
-            let c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([c_0.clone(), c_0.clone()])
+        fn field(&self, __state: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
+            let __c_0 = __kahan::integer::<T>(0);
+            __kahan::vector([__c_0.clone(), __c_0.clone()])
         }
         fn field_jacobian(
             &self,
-            state: &__kahan::SVector<T, 2>,
+            __state: &__kahan::SVector<T, 2>,
         ) -> __kahan::SMatrix<T, 2, 2> {
-            let c_0 = __kahan::integer::<T>(0);
-            __kahan::matrix([[c_0.clone(), c_0.clone()], [c_0.clone(), c_0.clone()]])
+            let __c_0 = __kahan::integer::<T>(0);
+            __kahan::matrix([
+                [__c_0.clone(), __c_0.clone()],
+                [__c_0.clone(), __c_0.clone()],
+            ])
         }
         fn bilinear(
             &self,
-            state: &__kahan::SVector<T, 2>,
-            other: &__kahan::SVector<T, 2>,
+            __state: &__kahan::SVector<T, 2>,
+            __other: &__kahan::SVector<T, 2>,
         ) -> __kahan::SVector<T, 2> {
-            let c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([c_0.clone(), c_0.clone()])
+            let __c_0 = __kahan::integer::<T>(0);
+            __kahan::vector([__c_0.clone(), __c_0.clone()])
         }
         fn polarized(
             &self,
-            state: &__kahan::SVector<T, 2>,
-            other: &__kahan::SVector<T, 2>,
+            __state: &__kahan::SVector<T, 2>,
+            __other: &__kahan::SVector<T, 2>,
         ) -> __kahan::SVector<T, 2> {
-            let c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([c_0.clone(), c_0.clone()])
+            let __c_0 = __kahan::integer::<T>(0);
+            __kahan::vector([__c_0.clone(), __c_0.clone()])
         }
     }
-    fn reduced<T: __kahan::Scalar>(
-        system: &Broken<T>,
-        state: &__kahan::SVector<T, 2>,
-        half_step: &T,
+    fn __reduced<T: __kahan::Scalar>(
+        __system: &Broken<T>,
+        __state: &__kahan::SVector<T, 2>,
+        __half_step: &T,
     ) -> (__kahan::SVector<T, 2>, T) {
-        let c_0 = __kahan::integer::<T>(0);
-        (__kahan::vector([c_0.clone(), c_0.clone()]), __kahan::integer::<T>(1))
+        let __c_0 = __kahan::integer::<T>(0);
+        (__kahan::vector([__c_0.clone(), __c_0.clone()]), __kahan::integer::<T>(1))
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Broken<T> {
         fn increment(
             &self,
-            state: &__kahan::SVector<T, 2>,
-            half_step: &T,
+            __state: &__kahan::SVector<T, 2>,
+            __half_step: &T,
         ) -> __kahan::Option<__kahan::SVector<T, 2>> {
-            let (numerators, denominator) = reduced(self, state, half_step);
-            __kahan::increment_from_quotient(numerators, denominator, half_step)
+            let (__numerators, __denominator) = __reduced(self, __state, __half_step);
+            __kahan::increment_from_quotient(__numerators, __denominator, __half_step)
         }
         fn jacobian(
             &self,
-            state: &__kahan::SVector<T, 2>,
-            half_step: T,
+            __state: &__kahan::SVector<T, 2>,
+            __half_step: T,
         ) -> __kahan::SMatrix<T, 2, 2> {
-            let lifted = Broken {
+            let __lifted = Broken {
                 mu: __kahan::Dual::lift(self.mu.clone()),
             };
             __kahan::jacobian_of_reduced(
-                |state, half_step| {
-                    let (numerators, denominator) = reduced(&lifted, state, half_step);
-                    __kahan::increment_from_quotient(numerators, denominator, half_step)
+                |__state, __half_step| {
+                    let (__numerators, __denominator) = __reduced(
+                        &__lifted,
+                        __state,
+                        __half_step,
+                    );
+                    __kahan::increment_from_quotient(
+                        __numerators,
+                        __denominator,
+                        __half_step,
+                    )
                 },
-                state,
-                &half_step,
+                __state,
+                &__half_step,
             )
         }
-        fn det_matrix(&self, state: &__kahan::SVector<T, 2>, half_step: T) -> T {
+        fn det_matrix(&self, __state: &__kahan::SVector<T, 2>, __half_step: T) -> T {
             __kahan::integer::<T>(1)
         }
         fn rational_map(
             &self,
-            state: &__kahan::SVector<T, 2>,
-            half_step: T,
+            __state: &__kahan::SVector<T, 2>,
+            __half_step: T,
         ) -> (__kahan::SVector<T, 2>, T) {
-            let [s_x, s_y] = __kahan::components(state);
-            (__kahan::vector([s_x.clone(), s_y.clone()]), __kahan::integer::<T>(1))
+            let [__s_x, __s_y] = __kahan::components(__state);
+            (__kahan::vector([__s_x.clone(), __s_y.clone()]), __kahan::integer::<T>(1))
         }
     }
     impl<T> Broken<T> {
@@ -139,7 +150,7 @@ const _: () = {
         pub const INTEGRALS: [&'static __kahan::core::primitive::str; 1] = ["H"];
     }
     impl<T: __kahan::Scalar> Broken<T> {
-        /// The integrals of motion of the map at `state`; `half_step` is ε, half the time step.
+        /// The integrals of motion of the map at `__state`; `__half_step` is ε, half the time step.
         ///
         /// In order:
         ///
@@ -150,11 +161,11 @@ const _: () = {
         /// Where a divisor is zero, floats are not finite and exact scalars panic.
         pub fn integrals(
             &self,
-            state: &__kahan::SVector<T, 2>,
-            half_step: T,
+            __state: &__kahan::SVector<T, 2>,
+            __half_step: T,
         ) -> __kahan::SVector<T, 1> {
-            let [s_x, _] = __kahan::components(state);
-            __kahan::vector([s_x.clone()])
+            let [__s_x, _] = __kahan::components(__state);
+            __kahan::vector([__s_x.clone()])
         }
     }
     impl<T: __kahan::Scalar> __kahan::Integrals<T, 2, 1> for Broken<T> {
@@ -163,10 +174,10 @@ const _: () = {
         }
         fn integrals(
             &self,
-            state: &__kahan::SVector<T, 2>,
-            half_step: T,
+            __state: &__kahan::SVector<T, 2>,
+            __half_step: T,
         ) -> __kahan::SVector<T, 1> {
-            Self::integrals(self, state, half_step)
+            Self::integrals(self, __state, __half_step)
         }
     }
 };

@@ -8,7 +8,7 @@
 /// vdot = 1/7*b + 7/6*x*v + 7/5*c*x + 1/6*y*z - 2*y*v + c*y + 4/3*a*z + 1/4*u^2 + 1/3*a*u + b*v + 1/2*c*w + 1/2*c*x^2 - 5/2*c*x*y + 1/2*b*x*z + 1/4*c*x*u - 5/2*b*x*w + 1/5*b*y^2 + 4/3*b*y*u + 1/5*c*y*w - 1/2*a*z^2 - 5/4*c*z*u + c*z*v + 1/2*a*z*w + c*u*v + 1/6*c*u*w + 1/2*a*v^2 + 2/3*c*v*w + 2/5*a*w^2
 /// wdot = 1/7*c - 5*x^2 - 1/5*x*y + 3/2*x*v - x*w + 2*c*x + 1/2*y^2 + y*z - 5/4*y*v + 4*b*y + 2*b*z + 2/5*a*u + 3/2*b*v - 3/5*w^2 + 1/2*b*w - 2/3*c*x*z - a*x*u + 3/5*a*y*u + 1/3*c*y*w + 4/3*b*z^2 - 5/2*b*z*u - 2/5*b*z*v + 7/5*a*z*w + a*u^2 + 1/3*a*u*v - 1/3*c*u*w + 3/2*a*v^2 - 5/6*b*v*w
 /// ```
-/// The map is computed by elimination: its closed form exceeds the budget of terms.
+/// The map is computed by elimination: its closed form exceeds the budget of terms. Where det A = 0 it counts as a pole.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -54,1486 +54,1590 @@ const _: () = {
         }
     }
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 6> for Dense<T> {
-        fn field(&self, state: &__kahan::SVector<T, 6>) -> __kahan::SVector<T, 6> {
-            let [s_x, s_y, s_z, s_u, s_v, s_w] = __kahan::components(state);
-            let p_a = &self.a;
-            let p_b = &self.b;
-            let p_c = &self.c;
-            let c_6 = __kahan::integer::<T>(6);
-            let product_1 = c_6.clone() * s_y.clone();
-            let c_15 = __kahan::integer::<T>(15);
-            let product_2 = c_6.clone() * s_v.clone();
-            let c_2 = __kahan::integer::<T>(2);
-            let c_5 = __kahan::integer::<T>(5);
-            let product_3 = c_5.clone() * s_x.clone();
-            let c_1 = __kahan::integer::<T>(1);
-            let c_42 = __kahan::integer::<T>(42);
-            let c_3 = __kahan::integer::<T>(3);
-            let c_8 = __kahan::integer::<T>(8);
-            let c_14 = __kahan::integer::<T>(14);
-            let c_12 = __kahan::integer::<T>(12);
-            let c_18 = __kahan::integer::<T>(18);
-            let product_4 = s_w.clone() * c_8.clone();
-            let c_9 = __kahan::integer::<T>(9);
-            let c_7 = __kahan::integer::<T>(7);
-            let t_z_u = s_z.clone() * s_u.clone();
-            let c_4 = __kahan::integer::<T>(4);
-            let c_21 = __kahan::integer::<T>(21);
-            let t_w_w = s_w.clone() * s_w.clone();
-            let product_5 = s_y.clone() * c_9.clone();
-            let product_6 = c_6.clone() * s_u.clone();
-            let t_v_v = s_v.clone() * s_v.clone();
-            let c_1_420 = __kahan::ratio::<T>(1, 420);
-            let c_40 = __kahan::integer::<T>(40);
-            let c_75 = __kahan::integer::<T>(75);
-            let product_7 = c_6.clone() * s_x.clone();
-            let product_8 = s_u.clone() * c_4.clone();
-            let product_9 = s_w.clone() * c_5.clone();
-            let product_10 = s_y.clone() * c_2.clone();
-            let product_11 = s_w.clone() * c_3.clone();
-            let c_28 = __kahan::integer::<T>(28);
-            let product_12 = c_7.clone() * t_v_v.clone();
-            let product_13 = c_3.clone() * s_u.clone();
-            let c_16 = __kahan::integer::<T>(16);
-            let c_20 = __kahan::integer::<T>(20);
-            let product_14 = s_y.clone() * c_3.clone();
-            let c_24 = __kahan::integer::<T>(24);
-            let product_15 = s_y.clone() * c_16.clone();
-            let product_16 = c_15.clone() * s_u.clone();
-            let c_35 = __kahan::integer::<T>(35);
-            let product_17 = s_x.clone() * c_9.clone();
-            let c_10 = __kahan::integer::<T>(10);
-            let product_18 = c_2.clone() * s_u.clone();
-            let product_19 = s_v.clone() * c_24.clone();
-            let product_20 = s_z.clone() * c_12.clone();
-            let product_21 = s_y.clone() * c_4.clone();
-            let t_u_u = s_u.clone() * s_u.clone();
-            let product_22 = s_z.clone() * c_3.clone();
-            let product_23 = c_5.clone() * s_u.clone();
-            let c_50 = __kahan::integer::<T>(50);
-            let product_24 = c_15.clone() * t_v_v.clone();
-            let product_25 = s_v.clone() * c_5.clone();
-            let product_26 = c_15.clone() * s_v.clone();
+        fn field(&self, __state: &__kahan::SVector<T, 6>) -> __kahan::SVector<T, 6> {
+            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(
+                __state,
+            );
+            let __p_a = &self.a;
+            let __p_b = &self.b;
+            let __p_c = &self.c;
+            let __c_6 = __kahan::integer::<T>(6);
+            let __product_1 = __c_6.clone() * __s_y.clone();
+            let __c_15 = __kahan::integer::<T>(15);
+            let __product_2 = __c_6.clone() * __s_v.clone();
+            let __c_2 = __kahan::integer::<T>(2);
+            let __c_5 = __kahan::integer::<T>(5);
+            let __product_3 = __c_5.clone() * __s_x.clone();
+            let __c_1 = __kahan::integer::<T>(1);
+            let __c_42 = __kahan::integer::<T>(42);
+            let __c_3 = __kahan::integer::<T>(3);
+            let __c_8 = __kahan::integer::<T>(8);
+            let __c_14 = __kahan::integer::<T>(14);
+            let __c_12 = __kahan::integer::<T>(12);
+            let __c_18 = __kahan::integer::<T>(18);
+            let __product_4 = __s_w.clone() * __c_8.clone();
+            let __c_9 = __kahan::integer::<T>(9);
+            let __c_7 = __kahan::integer::<T>(7);
+            let __t_z_u = __s_z.clone() * __s_u.clone();
+            let __c_4 = __kahan::integer::<T>(4);
+            let __c_21 = __kahan::integer::<T>(21);
+            let __t_w_w = __s_w.clone() * __s_w.clone();
+            let __product_5 = __s_y.clone() * __c_9.clone();
+            let __product_6 = __c_6.clone() * __s_u.clone();
+            let __t_v_v = __s_v.clone() * __s_v.clone();
+            let __c_1_420 = __kahan::ratio::<T>(1, 420);
+            let __c_40 = __kahan::integer::<T>(40);
+            let __c_75 = __kahan::integer::<T>(75);
+            let __product_7 = __c_6.clone() * __s_x.clone();
+            let __product_8 = __s_u.clone() * __c_4.clone();
+            let __product_9 = __s_w.clone() * __c_5.clone();
+            let __product_10 = __s_y.clone() * __c_2.clone();
+            let __product_11 = __s_w.clone() * __c_3.clone();
+            let __c_28 = __kahan::integer::<T>(28);
+            let __product_12 = __c_7.clone() * __t_v_v.clone();
+            let __product_13 = __c_3.clone() * __s_u.clone();
+            let __c_16 = __kahan::integer::<T>(16);
+            let __c_20 = __kahan::integer::<T>(20);
+            let __product_14 = __s_y.clone() * __c_3.clone();
+            let __c_24 = __kahan::integer::<T>(24);
+            let __product_15 = __s_y.clone() * __c_16.clone();
+            let __product_16 = __c_15.clone() * __s_u.clone();
+            let __c_35 = __kahan::integer::<T>(35);
+            let __product_17 = __s_x.clone() * __c_9.clone();
+            let __c_10 = __kahan::integer::<T>(10);
+            let __product_18 = __c_2.clone() * __s_u.clone();
+            let __product_19 = __s_v.clone() * __c_24.clone();
+            let __product_20 = __s_z.clone() * __c_12.clone();
+            let __product_21 = __s_y.clone() * __c_4.clone();
+            let __t_u_u = __s_u.clone() * __s_u.clone();
+            let __product_22 = __s_z.clone() * __c_3.clone();
+            let __product_23 = __c_5.clone() * __s_u.clone();
+            let __c_50 = __kahan::integer::<T>(50);
+            let __product_24 = __c_15.clone() * __t_v_v.clone();
+            let __product_25 = __s_v.clone() * __c_5.clone();
+            let __product_26 = __c_15.clone() * __s_v.clone();
             __kahan::vector([
-                (c_14.clone()
-                    * (c_2.clone()
-                        * (c_5.clone()
-                            * (c_21.clone() * (s_y.clone() * s_x.clone())
-                                + c_2.clone() * t_w_w.clone())
-                            + s_v.clone()
-                                * (c_6.clone() * (product_3.clone() - s_y.clone())))
-                        * p_c.clone()
-                        - c_5.clone()
-                            * (s_z.clone() * s_x.clone()
-                                + c_6.clone() * (s_y.clone() * s_w.clone())
-                                - c_4.clone() * t_v_v.clone()
-                                + s_u.clone()
-                                    * (s_w.clone() * c_4.clone()
-                                        - (product_5.clone() + product_6.clone()))))
-                    + c_5.clone()
-                        * (s_x.clone()
-                            * (c_14.clone()
-                                * (s_x.clone() - s_u.clone() * c_12.clone() + c_18.clone()))
-                            - c_3.clone()
-                                * ((c_7.clone() * t_z_u.clone() - c_1.clone()) * c_4.clone()
-                                    - s_v.clone()
-                                        * ((product_4.clone() + c_9.clone()) * c_7.clone())))
-                        * p_b.clone()
-                    + (s_w.clone() * ((product_3.clone() + c_1.clone()) * c_42.clone())
-                        - c_5.clone()
-                            * (s_y.clone() * (s_y.clone() * c_5.clone() - c_8.clone())
-                                - c_3.clone() * (s_v.clone() + c_3.clone()) * s_u.clone())
-                        + s_z.clone()
-                            * ((product_1.clone() - c_15.clone() * s_z.clone()
-                                + product_2.clone() - c_2.clone() * s_w.clone()
-                                + c_2.clone()) * c_5.clone())) * c_14.clone() * p_a.clone())
-                    * c_1_420.clone(),
-                -(c_1_420.clone()
-                    * (c_5.clone()
-                        * (p_a.clone()
-                            * (c_2.clone()
-                                * (c_2.clone() * (product_12.clone() - c_3.clone())
-                                    + s_x.clone()
-                                        * (c_7.clone() * (product_3.clone() + product_1.clone())))
-                                + s_z.clone()
-                                    * (c_21.clone() * (s_z.clone() * c_2.clone() - s_u.clone()))
-                                - s_w.clone()
-                                    * ((product_10.clone() + product_8.clone()
-                                        + s_v.clone() * c_9.clone() + product_11.clone())
-                                        * c_28.clone()))
-                            - c_7.clone()
-                                * (p_c.clone()
-                                    * (c_3.clone()
-                                        * (c_4.clone() * (s_w.clone() * s_x.clone())
-                                            - c_20.clone() * (s_z.clone() * s_v.clone())
-                                            + product_14.clone())
-                                        + s_u.clone()
-                                            * (s_x.clone() * c_28.clone() + product_13.clone()
-                                                + c_16.clone()))
-                                    - c_24.clone() * (s_v.clone() * s_u.clone())))
-                        - p_b.clone()
-                            * (c_7.clone()
-                                * (s_z.clone()
-                                    * (c_2.clone()
-                                        * (s_x.clone() * c_40.clone() + s_y.clone() * c_42.clone()
-                                            - s_w.clone() * c_75.clone() + c_18.clone()))
-                                    - (c_5.clone()
-                                        * (s_y.clone()
-                                            * (c_2.clone() * (product_5.clone() + product_8.clone()))
-                                            - c_3.clone() * (s_x.clone() + product_9.clone()))
-                                        + s_v.clone()
-                                            * (c_6.clone()
-                                                * (product_7.clone()
-                                                    - s_y.clone() * __kahan::integer::<T>(70)
-                                                    - c_15.clone()))))))),
-                -(c_1_420.clone()
-                    * (c_7.clone()
-                        * (c_10.clone()
-                            * (s_v.clone() * (product_7.clone() - s_u.clone())
-                                + p_c.clone()
-                                    * (s_u.clone()
-                                        * (product_18.clone() - s_w.clone() * c_9.clone())
-                                        - product_19.clone()))
-                            + p_a.clone()
-                                * (s_w.clone()
-                                    * (c_6.clone()
-                                        * (s_v.clone() * __kahan::integer::<T>(25)
-                                            - product_4.clone()))
-                                    - c_5.clone()
-                                        * (product_14.clone() + s_u.clone() * c_8.clone())
-                                    + s_x.clone()
-                                        * (c_5.clone()
-                                            * (product_17.clone() - product_15.clone() - c_8.clone()))
-                                    - s_z.clone()
-                                        * ((product_10.clone() + product_6.clone()
-                                            + s_w.clone() * c_21.clone() + c_18.clone())
-                                            * c_10.clone())))
-                        + p_b.clone()
-                            * (s_z.clone()
-                                * (c_35.clone()
-                                    * (product_17.clone() - s_z.clone() * c_8.clone()
-                                        - s_v.clone() * c_16.clone()))
-                                - (c_12.clone()
-                                    * (__kahan::integer::<T>(49) * (s_x.clone() * s_u.clone())
-                                        + product_12.clone() + c_5.clone())
-                                    + s_w.clone()
-                                        * (c_35.clone()
-                                            * (s_x.clone() * c_4.clone() + c_3.clone())))
-                                - s_y.clone()
-                                    * ((product_15.clone() - product_16.clone()
-                                        + s_v.clone() * c_4.clone() + s_w.clone() * c_16.clone())
-                                        * c_35.clone())))),
-                -(c_1_420.clone()
-                    * (p_c.clone()
-                        * (c_5.clone()
-                            * (s_z.clone()
-                                * (c_28.clone() * (product_3.clone() - c_1.clone()))
-                                - c_3.clone()
-                                    * (c_21.clone() * t_u_u.clone() + c_4.clone()))
-                            - s_w.clone()
-                                * (c_7.clone()
-                                    * (s_y.clone() * __kahan::integer::<T>(36)
-                                        + s_u.clone() * c_40.clone() + c_15.clone())))
-                        - c_35.clone()
-                            * (s_x.clone()
-                                * (product_7.clone() + product_13.clone()
-                                    + s_v.clone() * c_28.clone())
-                                - s_z.clone()
-                                    * (c_2.clone() * (product_22.clone() - product_18.clone()))
-                                + p_a.clone()
-                                    * (s_y.clone()
-                                        * (s_z.clone() * c_4.clone() + product_19.clone()
-                                            + c_9.clone())))
-                        + p_b.clone()
-                            * (c_21.clone()
-                                * (c_5.clone()
-                                    * (s_y.clone()
-                                        * (c_2.clone() * s_x.clone() + product_21.clone()
-                                            - product_13.clone())
-                                        - (product_3.clone() + s_u.clone() * c_16.clone()))
-                                    - s_w.clone()
-                                        * (c_2.clone()
-                                            * (s_x.clone() * c_14.clone() + s_z.clone() * c_35.clone()
-                                                + s_w.clone() * __kahan::integer::<T>(30)))
-                                    - s_v.clone()
-                                        * (c_5.clone()
-                                            * (product_20.clone() - s_u.clone() + product_2.clone()
-                                                + s_w.clone() + c_2.clone())))))),
-                c_1_420.clone()
-                    * (p_b.clone()
-                        * (c_2.clone()
-                            * (c_15.clone()
-                                * (c_2.clone() * (s_v.clone() * c_7.clone() + c_1.clone())
-                                    + s_x.clone()
-                                        * (c_7.clone() * (s_z.clone() - product_9.clone())))
-                                + s_y.clone()
-                                    * (c_14.clone()
-                                        * (product_14.clone() + s_u.clone() * c_20.clone()))))
-                        - c_7.clone()
-                            * (p_a.clone()
-                                * (c_2.clone()
-                                    * (s_z.clone()
-                                        * (c_5.clone()
-                                            * (product_22.clone() - product_11.clone() - c_8.clone()))
-                                        - (product_24.clone() + c_12.clone() * t_w_w.clone()
-                                            + s_u.clone() * c_10.clone())))
-                                - c_5.clone()
-                                    * (c_2.clone() * (s_y.clone() * s_z.clone())
-                                        + c_3.clone() * t_u_u.clone()
-                                        + s_v.clone()
-                                            * (c_2.clone()
-                                                * (s_x.clone() * c_7.clone()
-                                                    - s_y.clone() * c_12.clone()))))
-                        + p_c.clone()
-                            * (c_7.clone()
-                                * (c_3.clone()
-                                    * (s_x.clone()
-                                        * (s_x.clone() * c_10.clone() - s_y.clone() * c_50.clone()
-                                            + product_23.clone() + c_28.clone())
-                                        - c_5.clone()
-                                            * (c_5.clone() * t_z_u.clone() - product_21.clone()
-                                                - s_v.clone()
-                                                    * (c_4.clone() * (s_z.clone() + s_u.clone()))))
-                                    + s_w.clone()
-                                        * (c_2.clone()
-                                            * (product_1.clone() + product_23.clone()
-                                                + s_v.clone() * c_20.clone() + c_15.clone()))))),
-                -(c_1_420.clone()
-                    * (c_4.clone()
-                        * (t_w_w.clone() * __kahan::integer::<T>(63)
-                            + p_c.clone()
-                                * (c_5.clone()
-                                    * (c_7.clone() * (s_w.clone() * s_u.clone())
-                                        - c_3.clone())))
-                        - s_y.clone()
-                            * (c_35.clone()
-                                * (c_4.clone() * (s_w.clone() * p_c.clone())
-                                    + product_1.clone() + product_20.clone()
-                                    - product_26.clone()))
-                        + s_x.clone()
-                            * (c_14.clone()
-                                * (c_3.clone()
-                                    * (s_x.clone() * c_50.clone() + product_10.clone()
-                                        - product_26.clone() + s_w.clone() * c_10.clone())
-                                    + p_c.clone()
-                                        * (c_20.clone() * (s_z.clone() - c_3.clone()))))
-                        + p_a.clone()
-                            * (c_14.clone()
-                                * (s_u.clone()
-                                    * (c_2.clone()
-                                        * (c_15.clone() * s_x.clone() - product_5.clone()
-                                            - product_16.clone() - product_25.clone() - c_6.clone()))
-                                    - c_3.clone()
-                                        * (c_14.clone() * (s_z.clone() * s_w.clone())
-                                            + product_24.clone())))
-                        - p_b.clone()
-                            * (c_14.clone()
-                                * (s_z.clone()
-                                    * (s_z.clone() * c_40.clone() - s_u.clone() * c_75.clone()
-                                        - s_v.clone() * c_12.clone() + __kahan::integer::<T>(60))
-                                    - c_5.clone()
-                                        * (s_w.clone() * (product_25.clone() - c_3.clone())
-                                            - c_3.clone()
-                                                * (s_y.clone() * c_8.clone()
-                                                    + s_v.clone() * c_3.clone())))))),
+                (__c_14.clone()
+                    * (__c_2.clone()
+                        * (__c_5.clone()
+                            * (__c_21.clone() * (__s_y.clone() * __s_x.clone())
+                                + __c_2.clone() * __t_w_w.clone())
+                            + __s_v.clone()
+                                * (__c_6.clone() * (__product_3.clone() - __s_y.clone())))
+                        * __p_c.clone()
+                        - __c_5.clone()
+                            * (__s_z.clone() * __s_x.clone()
+                                + __c_6.clone() * (__s_y.clone() * __s_w.clone())
+                                - __c_4.clone() * __t_v_v.clone()
+                                + __s_u.clone()
+                                    * (__s_w.clone() * __c_4.clone()
+                                        - (__product_5.clone() + __product_6.clone()))))
+                    + __c_5.clone()
+                        * (__s_x.clone()
+                            * (__c_14.clone()
+                                * (__s_x.clone() - __s_u.clone() * __c_12.clone()
+                                    + __c_18.clone()))
+                            - __c_3.clone()
+                                * ((__c_7.clone() * __t_z_u.clone() - __c_1.clone())
+                                    * __c_4.clone()
+                                    - __s_v.clone()
+                                        * ((__product_4.clone() + __c_9.clone()) * __c_7.clone())))
+                        * __p_b.clone()
+                    + (__s_w.clone()
+                        * ((__product_3.clone() + __c_1.clone()) * __c_42.clone())
+                        - __c_5.clone()
+                            * (__s_y.clone()
+                                * (__s_y.clone() * __c_5.clone() - __c_8.clone())
+                                - __c_3.clone() * (__s_v.clone() + __c_3.clone())
+                                    * __s_u.clone())
+                        + __s_z.clone()
+                            * ((__product_1.clone() - __c_15.clone() * __s_z.clone()
+                                + __product_2.clone() - __c_2.clone() * __s_w.clone()
+                                + __c_2.clone()) * __c_5.clone())) * __c_14.clone()
+                        * __p_a.clone()) * __c_1_420.clone(),
+                -(__c_1_420.clone()
+                    * (__c_5.clone()
+                        * (__p_a.clone()
+                            * (__c_2.clone()
+                                * (__c_2.clone() * (__product_12.clone() - __c_3.clone())
+                                    + __s_x.clone()
+                                        * (__c_7.clone()
+                                            * (__product_3.clone() + __product_1.clone())))
+                                + __s_z.clone()
+                                    * (__c_21.clone()
+                                        * (__s_z.clone() * __c_2.clone() - __s_u.clone()))
+                                - __s_w.clone()
+                                    * ((__product_10.clone() + __product_8.clone()
+                                        + __s_v.clone() * __c_9.clone() + __product_11.clone())
+                                        * __c_28.clone()))
+                            - __c_7.clone()
+                                * (__p_c.clone()
+                                    * (__c_3.clone()
+                                        * (__c_4.clone() * (__s_w.clone() * __s_x.clone())
+                                            - __c_20.clone() * (__s_z.clone() * __s_v.clone())
+                                            + __product_14.clone())
+                                        + __s_u.clone()
+                                            * (__s_x.clone() * __c_28.clone() + __product_13.clone()
+                                                + __c_16.clone()))
+                                    - __c_24.clone() * (__s_v.clone() * __s_u.clone())))
+                        - __p_b.clone()
+                            * (__c_7.clone()
+                                * (__s_z.clone()
+                                    * (__c_2.clone()
+                                        * (__s_x.clone() * __c_40.clone()
+                                            + __s_y.clone() * __c_42.clone()
+                                            - __s_w.clone() * __c_75.clone() + __c_18.clone()))
+                                    - (__c_5.clone()
+                                        * (__s_y.clone()
+                                            * (__c_2.clone()
+                                                * (__product_5.clone() + __product_8.clone()))
+                                            - __c_3.clone() * (__s_x.clone() + __product_9.clone()))
+                                        + __s_v.clone()
+                                            * (__c_6.clone()
+                                                * (__product_7.clone()
+                                                    - __s_y.clone() * __kahan::integer::<T>(70)
+                                                    - __c_15.clone()))))))),
+                -(__c_1_420.clone()
+                    * (__c_7.clone()
+                        * (__c_10.clone()
+                            * (__s_v.clone() * (__product_7.clone() - __s_u.clone())
+                                + __p_c.clone()
+                                    * (__s_u.clone()
+                                        * (__product_18.clone() - __s_w.clone() * __c_9.clone())
+                                        - __product_19.clone()))
+                            + __p_a.clone()
+                                * (__s_w.clone()
+                                    * (__c_6.clone()
+                                        * (__s_v.clone() * __kahan::integer::<T>(25)
+                                            - __product_4.clone()))
+                                    - __c_5.clone()
+                                        * (__product_14.clone() + __s_u.clone() * __c_8.clone())
+                                    + __s_x.clone()
+                                        * (__c_5.clone()
+                                            * (__product_17.clone() - __product_15.clone()
+                                                - __c_8.clone()))
+                                    - __s_z.clone()
+                                        * ((__product_10.clone() + __product_6.clone()
+                                            + __s_w.clone() * __c_21.clone() + __c_18.clone())
+                                            * __c_10.clone())))
+                        + __p_b.clone()
+                            * (__s_z.clone()
+                                * (__c_35.clone()
+                                    * (__product_17.clone() - __s_z.clone() * __c_8.clone()
+                                        - __s_v.clone() * __c_16.clone()))
+                                - (__c_12.clone()
+                                    * (__kahan::integer::<T>(49)
+                                        * (__s_x.clone() * __s_u.clone()) + __product_12.clone()
+                                        + __c_5.clone())
+                                    + __s_w.clone()
+                                        * (__c_35.clone()
+                                            * (__s_x.clone() * __c_4.clone() + __c_3.clone())))
+                                - __s_y.clone()
+                                    * ((__product_15.clone() - __product_16.clone()
+                                        + __s_v.clone() * __c_4.clone()
+                                        + __s_w.clone() * __c_16.clone()) * __c_35.clone())))),
+                -(__c_1_420.clone()
+                    * (__p_c.clone()
+                        * (__c_5.clone()
+                            * (__s_z.clone()
+                                * (__c_28.clone() * (__product_3.clone() - __c_1.clone()))
+                                - __c_3.clone()
+                                    * (__c_21.clone() * __t_u_u.clone() + __c_4.clone()))
+                            - __s_w.clone()
+                                * (__c_7.clone()
+                                    * (__s_y.clone() * __kahan::integer::<T>(36)
+                                        + __s_u.clone() * __c_40.clone() + __c_15.clone())))
+                        - __c_35.clone()
+                            * (__s_x.clone()
+                                * (__product_7.clone() + __product_13.clone()
+                                    + __s_v.clone() * __c_28.clone())
+                                - __s_z.clone()
+                                    * (__c_2.clone()
+                                        * (__product_22.clone() - __product_18.clone()))
+                                + __p_a.clone()
+                                    * (__s_y.clone()
+                                        * (__s_z.clone() * __c_4.clone() + __product_19.clone()
+                                            + __c_9.clone())))
+                        + __p_b.clone()
+                            * (__c_21.clone()
+                                * (__c_5.clone()
+                                    * (__s_y.clone()
+                                        * (__c_2.clone() * __s_x.clone() + __product_21.clone()
+                                            - __product_13.clone())
+                                        - (__product_3.clone() + __s_u.clone() * __c_16.clone()))
+                                    - __s_w.clone()
+                                        * (__c_2.clone()
+                                            * (__s_x.clone() * __c_14.clone()
+                                                + __s_z.clone() * __c_35.clone()
+                                                + __s_w.clone() * __kahan::integer::<T>(30)))
+                                    - __s_v.clone()
+                                        * (__c_5.clone()
+                                            * (__product_20.clone() - __s_u.clone()
+                                                + __product_2.clone() + __s_w.clone() + __c_2.clone())))))),
+                __c_1_420.clone()
+                    * (__p_b.clone()
+                        * (__c_2.clone()
+                            * (__c_15.clone()
+                                * (__c_2.clone()
+                                    * (__s_v.clone() * __c_7.clone() + __c_1.clone())
+                                    + __s_x.clone()
+                                        * (__c_7.clone() * (__s_z.clone() - __product_9.clone())))
+                                + __s_y.clone()
+                                    * (__c_14.clone()
+                                        * (__product_14.clone() + __s_u.clone() * __c_20.clone()))))
+                        - __c_7.clone()
+                            * (__p_a.clone()
+                                * (__c_2.clone()
+                                    * (__s_z.clone()
+                                        * (__c_5.clone()
+                                            * (__product_22.clone() - __product_11.clone()
+                                                - __c_8.clone()))
+                                        - (__product_24.clone() + __c_12.clone() * __t_w_w.clone()
+                                            + __s_u.clone() * __c_10.clone())))
+                                - __c_5.clone()
+                                    * (__c_2.clone() * (__s_y.clone() * __s_z.clone())
+                                        + __c_3.clone() * __t_u_u.clone()
+                                        + __s_v.clone()
+                                            * (__c_2.clone()
+                                                * (__s_x.clone() * __c_7.clone()
+                                                    - __s_y.clone() * __c_12.clone()))))
+                        + __p_c.clone()
+                            * (__c_7.clone()
+                                * (__c_3.clone()
+                                    * (__s_x.clone()
+                                        * (__s_x.clone() * __c_10.clone()
+                                            - __s_y.clone() * __c_50.clone() + __product_23.clone()
+                                            + __c_28.clone())
+                                        - __c_5.clone()
+                                            * (__c_5.clone() * __t_z_u.clone() - __product_21.clone()
+                                                - __s_v.clone()
+                                                    * (__c_4.clone() * (__s_z.clone() + __s_u.clone()))))
+                                    + __s_w.clone()
+                                        * (__c_2.clone()
+                                            * (__product_1.clone() + __product_23.clone()
+                                                + __s_v.clone() * __c_20.clone() + __c_15.clone()))))),
+                -(__c_1_420.clone()
+                    * (__c_4.clone()
+                        * (__t_w_w.clone() * __kahan::integer::<T>(63)
+                            + __p_c.clone()
+                                * (__c_5.clone()
+                                    * (__c_7.clone() * (__s_w.clone() * __s_u.clone())
+                                        - __c_3.clone())))
+                        - __s_y.clone()
+                            * (__c_35.clone()
+                                * (__c_4.clone() * (__s_w.clone() * __p_c.clone())
+                                    + __product_1.clone() + __product_20.clone()
+                                    - __product_26.clone()))
+                        + __s_x.clone()
+                            * (__c_14.clone()
+                                * (__c_3.clone()
+                                    * (__s_x.clone() * __c_50.clone() + __product_10.clone()
+                                        - __product_26.clone() + __s_w.clone() * __c_10.clone())
+                                    + __p_c.clone()
+                                        * (__c_20.clone() * (__s_z.clone() - __c_3.clone()))))
+                        + __p_a.clone()
+                            * (__c_14.clone()
+                                * (__s_u.clone()
+                                    * (__c_2.clone()
+                                        * (__c_15.clone() * __s_x.clone() - __product_5.clone()
+                                            - __product_16.clone() - __product_25.clone()
+                                            - __c_6.clone()))
+                                    - __c_3.clone()
+                                        * (__c_14.clone() * (__s_z.clone() * __s_w.clone())
+                                            + __product_24.clone())))
+                        - __p_b.clone()
+                            * (__c_14.clone()
+                                * (__s_z.clone()
+                                    * (__s_z.clone() * __c_40.clone()
+                                        - __s_u.clone() * __c_75.clone()
+                                        - __s_v.clone() * __c_12.clone()
+                                        + __kahan::integer::<T>(60))
+                                    - __c_5.clone()
+                                        * (__s_w.clone() * (__product_25.clone() - __c_3.clone())
+                                            - __c_3.clone()
+                                                * (__s_y.clone() * __c_8.clone()
+                                                    + __s_v.clone() * __c_3.clone())))))),
             ])
         }
         fn field_jacobian(
             &self,
-            state: &__kahan::SVector<T, 6>,
+            __state: &__kahan::SVector<T, 6>,
         ) -> __kahan::SMatrix<T, 6, 6> {
-            let [s_x, s_y, s_z, s_u, s_v, s_w] = __kahan::components(state);
-            let p_a = &self.a;
-            let p_b = &self.b;
-            let p_c = &self.c;
-            let c_1 = __kahan::integer::<T>(1);
-            let c_6 = __kahan::integer::<T>(6);
-            let product_1 = c_6.clone() * s_u.clone();
-            let c_9 = __kahan::integer::<T>(9);
-            let c_2 = __kahan::integer::<T>(2);
-            let c_7 = __kahan::integer::<T>(7);
-            let product_2 = c_2.clone() * s_v.clone();
-            let c_42 = __kahan::integer::<T>(42);
-            let t_w_a = s_w.clone() * p_a.clone();
-            let c_1_6 = __kahan::ratio::<T>(1, 6);
-            let c_5 = __kahan::integer::<T>(5);
-            let product_3 = s_y.clone() * c_5.clone();
-            let c_3 = __kahan::integer::<T>(3);
-            let product_4 = s_z.clone() * c_3.clone();
-            let c_4 = __kahan::integer::<T>(4);
-            let c_10 = __kahan::integer::<T>(10);
-            let c_35 = __kahan::integer::<T>(35);
-            let product_5 = s_u.clone() * c_3.clone();
-            let product_6 = c_2.clone() * s_w.clone();
-            let c_1_30 = __kahan::ratio::<T>(1, 30);
-            let product_7 = s_y.clone() * c_3.clone();
-            let c_15 = __kahan::integer::<T>(15);
-            let product_8 = s_z.clone() * c_15.clone();
-            let product_9 = s_v.clone() * c_3.clone();
-            let product_10 = s_x.clone() * c_2.clone();
-            let product_11 = c_9.clone() * s_y.clone();
-            let c_12 = __kahan::integer::<T>(12);
-            let product_12 = s_w.clone() * c_4.clone();
-            let product_13 = s_x.clone() * c_5.clone();
-            let c_24 = __kahan::integer::<T>(24);
-            let c_8 = __kahan::integer::<T>(8);
-            let product_14 = s_w.clone() * c_8.clone();
-            let product_15 = c_2.clone() * s_z.clone();
-            let c_1_60 = __kahan::ratio::<T>(1, 60);
-            let c_105 = __kahan::integer::<T>(105);
-            let product_16 = s_z.clone() * c_5.clone();
-            let c_21 = __kahan::integer::<T>(21);
-            let t_c_w = p_c.clone() * s_w.clone();
-            let product_17 = s_u.clone() * c_2.clone();
-            let product_18 = s_z.clone() * __kahan::integer::<T>(80);
-            let c_36 = __kahan::integer::<T>(36);
-            let product_19 = s_w.clone() * c_3.clone();
-            let c_20 = __kahan::integer::<T>(20);
-            let c_45 = __kahan::integer::<T>(45);
-            let product_20 = s_u.clone() * c_10.clone();
-            let product_21 = s_x.clone() * c_3.clone();
-            let c_40 = __kahan::integer::<T>(40);
-            let c_75 = __kahan::integer::<T>(75);
-            let c_18 = __kahan::integer::<T>(18);
-            let product_22 = s_z.clone() * c_4.clone();
-            let c_16 = __kahan::integer::<T>(16);
-            let product_23 = s_w.clone() * c_16.clone();
-            let t_b_y = p_b.clone() * s_y.clone();
-            let c_1_12 = __kahan::ratio::<T>(1, 12);
-            let product_24 = s_x.clone() * c_6.clone();
-            let c_70 = __kahan::integer::<T>(70);
-            let product_25 = c_9.clone() * s_w.clone();
-            let t_c_z = p_c.clone() * s_z.clone();
-            let product_26 = c_2.clone() * s_y.clone();
-            let product_27 = s_u.clone() * c_4.clone();
-            let product_28 = c_9.clone() * s_v.clone();
-            let product_29 = c_6.clone() * s_w.clone();
-            let t_x_c = s_x.clone() * p_c.clone();
-            let product_30 = s_x.clone() * c_9.clone();
-            let product_31 = s_y.clone() * c_8.clone();
-            let product_32 = c_6.clone() * s_v.clone();
-            let product_33 = s_v.clone() * c_4.clone();
-            let c_28 = __kahan::integer::<T>(28);
-            let product_34 = s_x.clone() * c_28.clone();
-            let c_25 = __kahan::integer::<T>(25);
-            let product_35 = s_x.clone() * c_12.clone();
-            let t_y_a = s_y.clone() * p_a.clone();
-            let product_36 = s_z.clone() * c_12.clone();
-            let product_37 = s_v.clone() * c_12.clone();
-            let product_38 = s_x.clone() * c_7.clone();
-            let product_39 = s_v.clone() * c_5.clone();
-            let product_40 = s_u.clone() * c_5.clone();
-            let t_x_b = s_x.clone() * p_b.clone();
-            let t_u_a = s_u.clone() * p_a.clone();
-            let c_60 = __kahan::integer::<T>(60);
+            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(
+                __state,
+            );
+            let __p_a = &self.a;
+            let __p_b = &self.b;
+            let __p_c = &self.c;
+            let __c_1 = __kahan::integer::<T>(1);
+            let __c_6 = __kahan::integer::<T>(6);
+            let __product_1 = __c_6.clone() * __s_u.clone();
+            let __c_9 = __kahan::integer::<T>(9);
+            let __c_2 = __kahan::integer::<T>(2);
+            let __c_7 = __kahan::integer::<T>(7);
+            let __product_2 = __c_2.clone() * __s_v.clone();
+            let __c_42 = __kahan::integer::<T>(42);
+            let __t_w_a = __s_w.clone() * __p_a.clone();
+            let __c_1_6 = __kahan::ratio::<T>(1, 6);
+            let __c_5 = __kahan::integer::<T>(5);
+            let __product_3 = __s_y.clone() * __c_5.clone();
+            let __c_3 = __kahan::integer::<T>(3);
+            let __product_4 = __s_z.clone() * __c_3.clone();
+            let __c_4 = __kahan::integer::<T>(4);
+            let __c_10 = __kahan::integer::<T>(10);
+            let __c_35 = __kahan::integer::<T>(35);
+            let __product_5 = __s_u.clone() * __c_3.clone();
+            let __product_6 = __c_2.clone() * __s_w.clone();
+            let __c_1_30 = __kahan::ratio::<T>(1, 30);
+            let __product_7 = __s_y.clone() * __c_3.clone();
+            let __c_15 = __kahan::integer::<T>(15);
+            let __product_8 = __s_z.clone() * __c_15.clone();
+            let __product_9 = __s_v.clone() * __c_3.clone();
+            let __product_10 = __s_x.clone() * __c_2.clone();
+            let __product_11 = __c_9.clone() * __s_y.clone();
+            let __c_12 = __kahan::integer::<T>(12);
+            let __product_12 = __s_w.clone() * __c_4.clone();
+            let __product_13 = __s_x.clone() * __c_5.clone();
+            let __c_24 = __kahan::integer::<T>(24);
+            let __c_8 = __kahan::integer::<T>(8);
+            let __product_14 = __s_w.clone() * __c_8.clone();
+            let __product_15 = __c_2.clone() * __s_z.clone();
+            let __c_1_60 = __kahan::ratio::<T>(1, 60);
+            let __c_105 = __kahan::integer::<T>(105);
+            let __product_16 = __s_z.clone() * __c_5.clone();
+            let __c_21 = __kahan::integer::<T>(21);
+            let __t_c_w = __p_c.clone() * __s_w.clone();
+            let __product_17 = __s_u.clone() * __c_2.clone();
+            let __product_18 = __s_z.clone() * __kahan::integer::<T>(80);
+            let __c_36 = __kahan::integer::<T>(36);
+            let __product_19 = __s_w.clone() * __c_3.clone();
+            let __c_20 = __kahan::integer::<T>(20);
+            let __c_45 = __kahan::integer::<T>(45);
+            let __product_20 = __s_u.clone() * __c_10.clone();
+            let __product_21 = __s_x.clone() * __c_3.clone();
+            let __c_40 = __kahan::integer::<T>(40);
+            let __c_75 = __kahan::integer::<T>(75);
+            let __c_18 = __kahan::integer::<T>(18);
+            let __product_22 = __s_z.clone() * __c_4.clone();
+            let __c_16 = __kahan::integer::<T>(16);
+            let __product_23 = __s_w.clone() * __c_16.clone();
+            let __t_b_y = __p_b.clone() * __s_y.clone();
+            let __c_1_12 = __kahan::ratio::<T>(1, 12);
+            let __product_24 = __s_x.clone() * __c_6.clone();
+            let __c_70 = __kahan::integer::<T>(70);
+            let __product_25 = __c_9.clone() * __s_w.clone();
+            let __t_c_z = __p_c.clone() * __s_z.clone();
+            let __product_26 = __c_2.clone() * __s_y.clone();
+            let __product_27 = __s_u.clone() * __c_4.clone();
+            let __product_28 = __c_9.clone() * __s_v.clone();
+            let __product_29 = __c_6.clone() * __s_w.clone();
+            let __t_x_c = __s_x.clone() * __p_c.clone();
+            let __product_30 = __s_x.clone() * __c_9.clone();
+            let __product_31 = __s_y.clone() * __c_8.clone();
+            let __product_32 = __c_6.clone() * __s_v.clone();
+            let __product_33 = __s_v.clone() * __c_4.clone();
+            let __c_28 = __kahan::integer::<T>(28);
+            let __product_34 = __s_x.clone() * __c_28.clone();
+            let __c_25 = __kahan::integer::<T>(25);
+            let __product_35 = __s_x.clone() * __c_12.clone();
+            let __t_y_a = __s_y.clone() * __p_a.clone();
+            let __product_36 = __s_z.clone() * __c_12.clone();
+            let __product_37 = __s_v.clone() * __c_12.clone();
+            let __product_38 = __s_x.clone() * __c_7.clone();
+            let __product_39 = __s_v.clone() * __c_5.clone();
+            let __product_40 = __s_u.clone() * __c_5.clone();
+            let __t_x_b = __s_x.clone() * __p_b.clone();
+            let __t_u_a = __s_u.clone() * __p_a.clone();
+            let __c_60 = __kahan::integer::<T>(60);
             __kahan::matrix([
                 [
-                    (c_42.clone() * t_w_a.clone() - s_z.clone()
-                        + c_6.clone() * (c_7.clone() * s_y.clone() + product_2.clone())
-                            * p_c.clone()
-                        + (s_x.clone() - product_1.clone() + c_9.clone()) * c_2.clone()
-                            * p_b.clone()) * c_1_6.clone(),
-                    (c_3.clone()
-                        * (c_5.clone() * (product_5.clone() - product_6.clone())
-                            + p_c.clone()
-                                * (c_2.clone()
-                                    * (s_x.clone() * c_35.clone() - product_2.clone())))
-                        - p_a.clone()
-                            * ((product_3.clone() - product_4.clone() - c_4.clone())
-                                * c_10.clone())) * c_1_30.clone(),
-                    c_1_6.clone()
-                        * (p_a.clone()
-                            * (c_2.clone()
-                                * (product_7.clone() - product_8.clone() + product_9.clone()
-                                    - s_w.clone() + c_1.clone()))
-                            - (c_6.clone() * (s_u.clone() * p_b.clone()) + s_x.clone())),
-                    -(c_1_6.clone()
-                        * (p_b.clone()
-                            * (c_6.clone() * (product_10.clone() + s_z.clone()))
-                            - (product_11.clone() + s_u.clone() * c_12.clone()
-                                - product_12.clone()
-                                + p_a.clone()
-                                    * (c_3.clone() * (s_v.clone() + c_3.clone()))))),
-                    (c_5.clone()
-                        * (c_2.clone()
-                            * (s_v.clone() * c_8.clone()
-                                + p_a.clone()
-                                    * (c_3.clone() * (product_15.clone() + s_u.clone())))
-                            + p_b.clone()
-                                * (c_3.clone() * (product_14.clone() + c_9.clone())))
-                        + p_c.clone()
-                            * ((product_13.clone() - s_y.clone()) * c_24.clone()))
-                        * c_1_60.clone(),
-                    (c_5.clone()
-                        * (c_6.clone() * (p_b.clone() * s_v.clone())
-                            + c_4.clone() * t_c_w.clone() - product_7.clone()
-                            - product_17.clone())
-                        + p_a.clone()
-                            * (s_x.clone() * c_105.clone() - product_16.clone()
-                                + c_21.clone())) * __kahan::ratio::<T>(1, 15),
+                    (__c_42.clone() * __t_w_a.clone() - __s_z.clone()
+                        + __c_6.clone()
+                            * (__c_7.clone() * __s_y.clone() + __product_2.clone())
+                            * __p_c.clone()
+                        + (__s_x.clone() - __product_1.clone() + __c_9.clone())
+                            * __c_2.clone() * __p_b.clone()) * __c_1_6.clone(),
+                    (__c_3.clone()
+                        * (__c_5.clone() * (__product_5.clone() - __product_6.clone())
+                            + __p_c.clone()
+                                * (__c_2.clone()
+                                    * (__s_x.clone() * __c_35.clone() - __product_2.clone())))
+                        - __p_a.clone()
+                            * ((__product_3.clone() - __product_4.clone()
+                                - __c_4.clone()) * __c_10.clone())) * __c_1_30.clone(),
+                    __c_1_6.clone()
+                        * (__p_a.clone()
+                            * (__c_2.clone()
+                                * (__product_7.clone() - __product_8.clone()
+                                    + __product_9.clone() - __s_w.clone() + __c_1.clone()))
+                            - (__c_6.clone() * (__s_u.clone() * __p_b.clone())
+                                + __s_x.clone())),
+                    -(__c_1_6.clone()
+                        * (__p_b.clone()
+                            * (__c_6.clone() * (__product_10.clone() + __s_z.clone()))
+                            - (__product_11.clone() + __s_u.clone() * __c_12.clone()
+                                - __product_12.clone()
+                                + __p_a.clone()
+                                    * (__c_3.clone() * (__s_v.clone() + __c_3.clone()))))),
+                    (__c_5.clone()
+                        * (__c_2.clone()
+                            * (__s_v.clone() * __c_8.clone()
+                                + __p_a.clone()
+                                    * (__c_3.clone() * (__product_15.clone() + __s_u.clone())))
+                            + __p_b.clone()
+                                * (__c_3.clone() * (__product_14.clone() + __c_9.clone())))
+                        + __p_c.clone()
+                            * ((__product_13.clone() - __s_y.clone()) * __c_24.clone()))
+                        * __c_1_60.clone(),
+                    (__c_5.clone()
+                        * (__c_6.clone() * (__p_b.clone() * __s_v.clone())
+                            + __c_4.clone() * __t_c_w.clone() - __product_7.clone()
+                            - __product_17.clone())
+                        + __p_a.clone()
+                            * (__s_x.clone() * __c_105.clone() - __product_16.clone()
+                                + __c_21.clone())) * __kahan::ratio::<T>(1, 15),
                 ],
                 [
-                    -(c_1_60.clone()
-                        * ((p_a.clone() * (product_13.clone() + product_7.clone())
-                            - p_c.clone()
-                                * (s_u.clone() * c_7.clone() + product_19.clone()))
-                            * c_20.clone()
-                            - p_b.clone()
-                                * (product_18.clone() - s_v.clone() * c_36.clone()
-                                    + c_15.clone()))),
-                    -(c_1_60.clone()
-                        * (c_5.clone()
-                            * (p_a.clone()
-                                * (c_4.clone() * (product_21.clone() - product_6.clone()))
-                                - c_9.clone() * p_c.clone())
-                            + p_b.clone()
-                                * (c_4.clone()
-                                    * (s_y.clone() * c_45.clone() - s_z.clone() * c_21.clone()
-                                        + product_20.clone() - s_v.clone() * c_105.clone())))),
-                    c_1_60.clone()
-                        * (p_b.clone()
-                            * (c_2.clone()
-                                * (s_x.clone() * c_40.clone() + s_y.clone() * c_42.clone()
-                                    - s_w.clone() * c_75.clone() + c_18.clone()))
-                            - c_15.clone()
-                                * (c_20.clone() * (s_v.clone() * p_c.clone())
-                                    + p_a.clone() * (product_22.clone() - s_u.clone()))),
-                    (p_a.clone() * (product_4.clone() + product_23.clone())
-                        - c_8.clone() * (t_b_y.clone() + product_9.clone())
-                        + p_c.clone()
-                            * (c_2.clone()
-                                * (s_x.clone() * __kahan::integer::<T>(14)
-                                    + product_5.clone() + c_8.clone()))) * c_1_12.clone(),
-                    -(c_1_30.clone()
-                        * (c_10.clone()
-                            * (c_3.clone()
-                                * (c_5.clone() * t_c_z.clone() + product_17.clone())
-                                + p_a.clone() * (product_2.clone() - product_25.clone()))
-                            + p_b.clone()
-                                * (c_3.clone()
-                                    * (product_24.clone() - s_y.clone() * c_70.clone()
-                                        - c_15.clone())))),
-                    c_1_12.clone()
-                        * (c_3.clone()
-                            * (c_4.clone() * t_x_c.clone()
-                                - p_b.clone()
-                                    * (c_5.clone() * (product_15.clone() - c_1.clone())))
-                            + p_a.clone()
-                                * (c_4.clone()
-                                    * (product_26.clone() + product_27.clone()
-                                        + product_28.clone() + product_29.clone()))),
+                    -(__c_1_60.clone()
+                        * ((__p_a.clone() * (__product_13.clone() + __product_7.clone())
+                            - __p_c.clone()
+                                * (__s_u.clone() * __c_7.clone() + __product_19.clone()))
+                            * __c_20.clone()
+                            - __p_b.clone()
+                                * (__product_18.clone() - __s_v.clone() * __c_36.clone()
+                                    + __c_15.clone()))),
+                    -(__c_1_60.clone()
+                        * (__c_5.clone()
+                            * (__p_a.clone()
+                                * (__c_4.clone()
+                                    * (__product_21.clone() - __product_6.clone()))
+                                - __c_9.clone() * __p_c.clone())
+                            + __p_b.clone()
+                                * (__c_4.clone()
+                                    * (__s_y.clone() * __c_45.clone()
+                                        - __s_z.clone() * __c_21.clone() + __product_20.clone()
+                                        - __s_v.clone() * __c_105.clone())))),
+                    __c_1_60.clone()
+                        * (__p_b.clone()
+                            * (__c_2.clone()
+                                * (__s_x.clone() * __c_40.clone()
+                                    + __s_y.clone() * __c_42.clone()
+                                    - __s_w.clone() * __c_75.clone() + __c_18.clone()))
+                            - __c_15.clone()
+                                * (__c_20.clone() * (__s_v.clone() * __p_c.clone())
+                                    + __p_a.clone() * (__product_22.clone() - __s_u.clone()))),
+                    (__p_a.clone() * (__product_4.clone() + __product_23.clone())
+                        - __c_8.clone() * (__t_b_y.clone() + __product_9.clone())
+                        + __p_c.clone()
+                            * (__c_2.clone()
+                                * (__s_x.clone() * __kahan::integer::<T>(14)
+                                    + __product_5.clone() + __c_8.clone()))) * __c_1_12.clone(),
+                    -(__c_1_30.clone()
+                        * (__c_10.clone()
+                            * (__c_3.clone()
+                                * (__c_5.clone() * __t_c_z.clone() + __product_17.clone())
+                                + __p_a.clone()
+                                    * (__product_2.clone() - __product_25.clone()))
+                            + __p_b.clone()
+                                * (__c_3.clone()
+                                    * (__product_24.clone() - __s_y.clone() * __c_70.clone()
+                                        - __c_15.clone())))),
+                    __c_1_12.clone()
+                        * (__c_3.clone()
+                            * (__c_4.clone() * __t_x_c.clone()
+                                - __p_b.clone()
+                                    * (__c_5.clone() * (__product_15.clone() - __c_1.clone())))
+                            + __p_a.clone()
+                                * (__c_4.clone()
+                                    * (__product_26.clone() + __product_27.clone()
+                                        + __product_28.clone() + __product_29.clone()))),
                 ],
                 [
-                    -(c_1_60.clone()
-                        * (c_10.clone()
-                            * (product_32.clone()
-                                + p_a.clone()
-                                    * (product_30.clone() - product_31.clone() - c_4.clone()))
-                            + p_b.clone()
-                                * (s_z.clone() * c_45.clone()
-                                    - s_u.clone() * __kahan::integer::<T>(84)
-                                    - s_w.clone() * c_20.clone()))),
-                    c_1_12.clone()
-                        * (p_a.clone()
-                            * (s_x.clone() * c_16.clone() + product_22.clone()
-                                + c_3.clone())
-                            + p_b.clone()
-                                * (s_y.clone() * __kahan::integer::<T>(32)
-                                    - s_u.clone() * c_15.clone() + product_33.clone()
-                                    + product_23.clone())),
-                    -(c_1_12.clone()
-                        * (p_b.clone()
-                            * (product_30.clone() - s_z.clone() * c_16.clone()
-                                - s_v.clone() * c_16.clone())
-                            - p_a.clone()
-                                * (c_2.clone()
-                                    * (product_26.clone() + product_1.clone()
-                                        + s_w.clone() * c_21.clone() + c_18.clone())))),
-                    c_1_60.clone()
-                        * (c_10.clone()
-                            * (s_v.clone()
-                                + p_a.clone()
-                                    * (c_2.clone() * (product_4.clone() + c_2.clone())))
-                            + p_b.clone()
-                                * (c_3.clone()
-                                    * (product_34.clone() - s_y.clone() * c_25.clone()))
-                            - p_c.clone()
-                                * (c_10.clone()
-                                    * (product_27.clone() - product_25.clone()))),
-                    c_1_30.clone()
-                        * (p_b.clone()
-                            * (c_2.clone()
-                                * (product_3.clone() + s_z.clone() * c_20.clone()
-                                    + product_32.clone()))
-                            - c_5.clone()
-                                * (t_w_a.clone() * c_15.clone() + product_24.clone()
-                                    - s_u.clone() - p_c.clone() * c_24.clone())),
-                    c_1_60.clone()
-                        * (c_6.clone()
-                            * (c_15.clone() * (s_u.clone() * p_c.clone())
-                                + p_a.clone()
-                                    * (s_z.clone() * c_35.clone() - s_v.clone() * c_25.clone()
-                                        + product_23.clone()))
-                            + p_b.clone()
-                                * (c_5.clone()
-                                    * (s_x.clone() * c_4.clone() + s_y.clone() * c_16.clone()
-                                        + c_3.clone()))),
+                    -(__c_1_60.clone()
+                        * (__c_10.clone()
+                            * (__product_32.clone()
+                                + __p_a.clone()
+                                    * (__product_30.clone() - __product_31.clone()
+                                        - __c_4.clone()))
+                            + __p_b.clone()
+                                * (__s_z.clone() * __c_45.clone()
+                                    - __s_u.clone() * __kahan::integer::<T>(84)
+                                    - __s_w.clone() * __c_20.clone()))),
+                    __c_1_12.clone()
+                        * (__p_a.clone()
+                            * (__s_x.clone() * __c_16.clone() + __product_22.clone()
+                                + __c_3.clone())
+                            + __p_b.clone()
+                                * (__s_y.clone() * __kahan::integer::<T>(32)
+                                    - __s_u.clone() * __c_15.clone() + __product_33.clone()
+                                    + __product_23.clone())),
+                    -(__c_1_12.clone()
+                        * (__p_b.clone()
+                            * (__product_30.clone() - __s_z.clone() * __c_16.clone()
+                                - __s_v.clone() * __c_16.clone())
+                            - __p_a.clone()
+                                * (__c_2.clone()
+                                    * (__product_26.clone() + __product_1.clone()
+                                        + __s_w.clone() * __c_21.clone() + __c_18.clone())))),
+                    __c_1_60.clone()
+                        * (__c_10.clone()
+                            * (__s_v.clone()
+                                + __p_a.clone()
+                                    * (__c_2.clone() * (__product_4.clone() + __c_2.clone())))
+                            + __p_b.clone()
+                                * (__c_3.clone()
+                                    * (__product_34.clone() - __s_y.clone() * __c_25.clone()))
+                            - __p_c.clone()
+                                * (__c_10.clone()
+                                    * (__product_27.clone() - __product_25.clone()))),
+                    __c_1_30.clone()
+                        * (__p_b.clone()
+                            * (__c_2.clone()
+                                * (__product_3.clone() + __s_z.clone() * __c_20.clone()
+                                    + __product_32.clone()))
+                            - __c_5.clone()
+                                * (__t_w_a.clone() * __c_15.clone() + __product_24.clone()
+                                    - __s_u.clone() - __p_c.clone() * __c_24.clone())),
+                    __c_1_60.clone()
+                        * (__c_6.clone()
+                            * (__c_15.clone() * (__s_u.clone() * __p_c.clone())
+                                + __p_a.clone()
+                                    * (__s_z.clone() * __c_35.clone()
+                                        - __s_v.clone() * __c_25.clone() + __product_23.clone()))
+                            + __p_b.clone()
+                                * (__c_5.clone()
+                                    * (__s_x.clone() * __c_4.clone()
+                                        + __s_y.clone() * __c_16.clone() + __c_3.clone()))),
                 ],
                 [
-                    -(c_1_60.clone()
-                        * (c_5.clone()
-                            * (c_20.clone() * t_c_z.clone() - product_35.clone()
-                                - product_5.clone() - s_v.clone() * c_28.clone())
-                            + p_b.clone()
-                                * (c_3.clone()
-                                    * (s_y.clone() * c_10.clone() - s_w.clone() * c_28.clone()
-                                        - c_25.clone())))),
-                    -(c_1_60.clone()
-                        * (p_b.clone()
-                            * (c_15.clone()
-                                * (product_10.clone() + product_31.clone()
-                                    - product_5.clone()))
-                            - (t_c_w.clone() * c_36.clone()
-                                + p_a.clone()
-                                    * (c_5.clone()
-                                        * (product_22.clone() + s_v.clone() * c_24.clone()
-                                            + c_9.clone()))))),
-                    -(c_1_6.clone()
-                        * (p_c.clone()
-                            * (c_2.clone() * (product_13.clone() - c_1.clone()))
-                            - (c_2.clone()
-                                * (t_y_a.clone() - product_4.clone() + s_u.clone())
-                                + p_b.clone()
-                                    * (c_3.clone()
-                                        * (product_32.clone() + c_7.clone() * s_w.clone()))))),
-                    c_1_12.clone()
-                        * (product_21.clone() + product_22.clone()
-                            + p_c.clone()
-                                * (c_2.clone()
-                                    * (s_u.clone() * c_9.clone() + product_12.clone()))
-                            + p_b.clone()
-                                * (c_3.clone()
-                                    * (product_7.clone() - s_v.clone() + c_16.clone()))),
-                    c_1_12.clone()
-                        * (c_4.clone()
-                            * (c_6.clone() * t_y_a.clone() + product_38.clone())
-                            + p_b.clone()
-                                * (c_3.clone()
-                                    * (product_36.clone() - s_u.clone() + product_37.clone()
-                                        + s_w.clone() + c_2.clone()))),
-                    c_1_60.clone()
-                        * (p_c.clone()
-                            * (s_y.clone() * c_36.clone() + s_u.clone() * c_40.clone()
-                                + c_15.clone())
-                            + p_b.clone()
-                                * (c_3.clone()
-                                    * (product_34.clone() + s_z.clone() * c_70.clone()
-                                        + product_39.clone()
-                                        + s_w.clone() * __kahan::integer::<T>(120)))),
+                    -(__c_1_60.clone()
+                        * (__c_5.clone()
+                            * (__c_20.clone() * __t_c_z.clone() - __product_35.clone()
+                                - __product_5.clone() - __s_v.clone() * __c_28.clone())
+                            + __p_b.clone()
+                                * (__c_3.clone()
+                                    * (__s_y.clone() * __c_10.clone()
+                                        - __s_w.clone() * __c_28.clone() - __c_25.clone())))),
+                    -(__c_1_60.clone()
+                        * (__p_b.clone()
+                            * (__c_15.clone()
+                                * (__product_10.clone() + __product_31.clone()
+                                    - __product_5.clone()))
+                            - (__t_c_w.clone() * __c_36.clone()
+                                + __p_a.clone()
+                                    * (__c_5.clone()
+                                        * (__product_22.clone() + __s_v.clone() * __c_24.clone()
+                                            + __c_9.clone()))))),
+                    -(__c_1_6.clone()
+                        * (__p_c.clone()
+                            * (__c_2.clone() * (__product_13.clone() - __c_1.clone()))
+                            - (__c_2.clone()
+                                * (__t_y_a.clone() - __product_4.clone() + __s_u.clone())
+                                + __p_b.clone()
+                                    * (__c_3.clone()
+                                        * (__product_32.clone()
+                                            + __c_7.clone() * __s_w.clone()))))),
+                    __c_1_12.clone()
+                        * (__product_21.clone() + __product_22.clone()
+                            + __p_c.clone()
+                                * (__c_2.clone()
+                                    * (__s_u.clone() * __c_9.clone() + __product_12.clone()))
+                            + __p_b.clone()
+                                * (__c_3.clone()
+                                    * (__product_7.clone() - __s_v.clone() + __c_16.clone()))),
+                    __c_1_12.clone()
+                        * (__c_4.clone()
+                            * (__c_6.clone() * __t_y_a.clone() + __product_38.clone())
+                            + __p_b.clone()
+                                * (__c_3.clone()
+                                    * (__product_36.clone() - __s_u.clone()
+                                        + __product_37.clone() + __s_w.clone() + __c_2.clone()))),
+                    __c_1_60.clone()
+                        * (__p_c.clone()
+                            * (__s_y.clone() * __c_36.clone()
+                                + __s_u.clone() * __c_40.clone() + __c_15.clone())
+                            + __p_b.clone()
+                                * (__c_3.clone()
+                                    * (__product_34.clone() + __s_z.clone() * __c_70.clone()
+                                        + __product_39.clone()
+                                        + __s_w.clone() * __kahan::integer::<T>(120)))),
                 ],
                 [
-                    c_1_60.clone()
-                        * (c_10.clone()
-                            * (c_7.clone() * s_v.clone()
-                                + p_b.clone()
-                                    * (c_3.clone() * (s_z.clone() - s_w.clone() * c_5.clone())))
-                            + p_c.clone()
-                                * (c_3.clone()
-                                    * (s_x.clone() * c_20.clone()
-                                        - s_y.clone() * __kahan::integer::<T>(50)
-                                        + product_40.clone() + c_28.clone()))),
-                    -(c_1_30.clone()
-                        * (p_c.clone()
-                            * (c_3.clone()
-                                * (s_x.clone() * c_25.clone() - product_6.clone()
-                                    - c_10.clone()))
-                            - (c_5.clone() * (s_z.clone() - product_37.clone())
-                                + p_b.clone()
-                                    * (c_4.clone()
-                                        * (product_7.clone() + product_20.clone()))))),
-                    c_1_12.clone()
-                        * (c_2.clone() * (c_3.clone() * t_x_b.clone() + s_y.clone())
-                            - p_c.clone()
-                                * (c_3.clone() * (product_40.clone() - product_33.clone()))
-                            - p_a.clone()
-                                * (c_2.clone()
-                                    * (c_6.clone() * s_z.clone() - product_19.clone()
-                                        - c_8.clone()))),
-                    c_1_12.clone()
-                        * (c_2.clone()
-                            * (c_8.clone() * t_b_y.clone() + product_5.clone()
-                                + c_2.clone() * p_a.clone())
-                            + p_c.clone()
-                                * (product_21.clone() - product_8.clone()
-                                    + product_37.clone() + product_6.clone())),
-                    c_1_6.clone()
-                        * (c_6.clone() * (s_v.clone() * p_a.clone()) + product_38.clone()
-                            - s_y.clone() * c_12.clone() + c_6.clone() * p_b.clone()
-                            + p_c.clone()
-                                * (c_2.clone()
-                                    * (product_4.clone() + product_5.clone()
-                                        + product_6.clone()))),
-                    -(c_1_30.clone()
-                        * (c_3.clone()
-                            * (c_25.clone() * t_x_b.clone()
-                                - p_a.clone() * (product_16.clone() + product_14.clone()))
-                            - p_c.clone()
-                                * (c_6.clone() * s_y.clone() + product_40.clone()
-                                    + s_v.clone() * c_20.clone() + c_15.clone()))),
+                    __c_1_60.clone()
+                        * (__c_10.clone()
+                            * (__c_7.clone() * __s_v.clone()
+                                + __p_b.clone()
+                                    * (__c_3.clone()
+                                        * (__s_z.clone() - __s_w.clone() * __c_5.clone())))
+                            + __p_c.clone()
+                                * (__c_3.clone()
+                                    * (__s_x.clone() * __c_20.clone()
+                                        - __s_y.clone() * __kahan::integer::<T>(50)
+                                        + __product_40.clone() + __c_28.clone()))),
+                    -(__c_1_30.clone()
+                        * (__p_c.clone()
+                            * (__c_3.clone()
+                                * (__s_x.clone() * __c_25.clone() - __product_6.clone()
+                                    - __c_10.clone()))
+                            - (__c_5.clone() * (__s_z.clone() - __product_37.clone())
+                                + __p_b.clone()
+                                    * (__c_4.clone()
+                                        * (__product_7.clone() + __product_20.clone()))))),
+                    __c_1_12.clone()
+                        * (__c_2.clone()
+                            * (__c_3.clone() * __t_x_b.clone() + __s_y.clone())
+                            - __p_c.clone()
+                                * (__c_3.clone()
+                                    * (__product_40.clone() - __product_33.clone()))
+                            - __p_a.clone()
+                                * (__c_2.clone()
+                                    * (__c_6.clone() * __s_z.clone() - __product_19.clone()
+                                        - __c_8.clone()))),
+                    __c_1_12.clone()
+                        * (__c_2.clone()
+                            * (__c_8.clone() * __t_b_y.clone() + __product_5.clone()
+                                + __c_2.clone() * __p_a.clone())
+                            + __p_c.clone()
+                                * (__product_21.clone() - __product_8.clone()
+                                    + __product_37.clone() + __product_6.clone())),
+                    __c_1_6.clone()
+                        * (__c_6.clone() * (__s_v.clone() * __p_a.clone())
+                            + __product_38.clone() - __s_y.clone() * __c_12.clone()
+                            + __c_6.clone() * __p_b.clone()
+                            + __p_c.clone()
+                                * (__c_2.clone()
+                                    * (__product_4.clone() + __product_5.clone()
+                                        + __product_6.clone()))),
+                    -(__c_1_30.clone()
+                        * (__c_3.clone()
+                            * (__c_25.clone() * __t_x_b.clone()
+                                - __p_a.clone()
+                                    * (__product_16.clone() + __product_14.clone()))
+                            - __p_c.clone()
+                                * (__c_6.clone() * __s_y.clone() + __product_40.clone()
+                                    + __s_v.clone() * __c_20.clone() + __c_15.clone()))),
                 ],
                 [
-                    -(c_1_30.clone()
-                        * (c_3.clone()
-                            * (c_10.clone() * t_u_a.clone()
-                                + s_x.clone() * __kahan::integer::<T>(100)
-                                + product_26.clone() - s_v.clone() * c_15.clone()
-                                + s_w.clone() * c_10.clone())
-                            + p_c.clone()
-                                * (c_20.clone() * (s_z.clone() - c_3.clone())))),
-                    c_1_60.clone()
-                        * (c_36.clone() * t_u_a.clone() + t_c_w.clone() * c_20.clone()
-                            - product_35.clone() + s_y.clone() * c_60.clone()
-                            + s_z.clone() * c_60.clone() - s_v.clone() * c_75.clone()
-                            + p_b.clone() * __kahan::integer::<T>(240)),
-                    -(c_1_30.clone()
-                        * (c_2.clone()
-                            * (c_10.clone() * t_x_c.clone()
-                                - t_w_a.clone() * c_21.clone() - s_y.clone() * c_15.clone())
-                            - p_b.clone()
-                                * (product_18.clone() - s_u.clone() * c_75.clone()
-                                    - product_37.clone() + c_60.clone()))),
-                    -(c_1_30.clone()
-                        * (c_5.clone()
-                            * (c_15.clone() * (p_b.clone() * s_z.clone())
-                                + c_2.clone() * t_c_w.clone())
-                            + p_a.clone()
-                                * (c_2.clone()
-                                    * (s_x.clone() * c_15.clone() - product_11.clone()
-                                        - s_u.clone() * __kahan::integer::<T>(30)
-                                        - product_39.clone() - c_6.clone())))),
-                    -(c_1_60.clone()
-                        * (p_b.clone()
-                            * (c_2.clone()
-                                * (product_36.clone() + s_w.clone() * c_25.clone()
-                                    - c_45.clone()))
-                            - c_5.clone()
-                                * (c_3.clone() * (product_24.clone() - product_3.clone())
-                                    + p_a.clone()
-                                        * (c_4.clone() * (s_u.clone() + product_28.clone()))))),
-                    c_1_30.clone()
-                        * (c_6.clone()
-                            * (c_7.clone() * (p_a.clone() * s_z.clone())
-                                - product_13.clone() - product_29.clone())
-                            - p_b.clone()
-                                * (c_5.clone() * (product_39.clone() - c_3.clone()))
-                            + p_c.clone() * (c_10.clone() * (s_y.clone() - s_u.clone()))),
+                    -(__c_1_30.clone()
+                        * (__c_3.clone()
+                            * (__c_10.clone() * __t_u_a.clone()
+                                + __s_x.clone() * __kahan::integer::<T>(100)
+                                + __product_26.clone() - __s_v.clone() * __c_15.clone()
+                                + __s_w.clone() * __c_10.clone())
+                            + __p_c.clone()
+                                * (__c_20.clone() * (__s_z.clone() - __c_3.clone())))),
+                    __c_1_60.clone()
+                        * (__c_36.clone() * __t_u_a.clone()
+                            + __t_c_w.clone() * __c_20.clone() - __product_35.clone()
+                            + __s_y.clone() * __c_60.clone()
+                            + __s_z.clone() * __c_60.clone()
+                            - __s_v.clone() * __c_75.clone()
+                            + __p_b.clone() * __kahan::integer::<T>(240)),
+                    -(__c_1_30.clone()
+                        * (__c_2.clone()
+                            * (__c_10.clone() * __t_x_c.clone()
+                                - __t_w_a.clone() * __c_21.clone()
+                                - __s_y.clone() * __c_15.clone())
+                            - __p_b.clone()
+                                * (__product_18.clone() - __s_u.clone() * __c_75.clone()
+                                    - __product_37.clone() + __c_60.clone()))),
+                    -(__c_1_30.clone()
+                        * (__c_5.clone()
+                            * (__c_15.clone() * (__p_b.clone() * __s_z.clone())
+                                + __c_2.clone() * __t_c_w.clone())
+                            + __p_a.clone()
+                                * (__c_2.clone()
+                                    * (__s_x.clone() * __c_15.clone() - __product_11.clone()
+                                        - __s_u.clone() * __kahan::integer::<T>(30)
+                                        - __product_39.clone() - __c_6.clone())))),
+                    -(__c_1_60.clone()
+                        * (__p_b.clone()
+                            * (__c_2.clone()
+                                * (__product_36.clone() + __s_w.clone() * __c_25.clone()
+                                    - __c_45.clone()))
+                            - __c_5.clone()
+                                * (__c_3.clone()
+                                    * (__product_24.clone() - __product_3.clone())
+                                    + __p_a.clone()
+                                        * (__c_4.clone()
+                                            * (__s_u.clone() + __product_28.clone()))))),
+                    __c_1_30.clone()
+                        * (__c_6.clone()
+                            * (__c_7.clone() * (__p_a.clone() * __s_z.clone())
+                                - __product_13.clone() - __product_29.clone())
+                            - __p_b.clone()
+                                * (__c_5.clone() * (__product_39.clone() - __c_3.clone()))
+                            + __p_c.clone()
+                                * (__c_10.clone() * (__s_y.clone() - __s_u.clone()))),
                 ],
             ])
         }
         fn bilinear(
             &self,
-            state: &__kahan::SVector<T, 6>,
-            other: &__kahan::SVector<T, 6>,
+            __state: &__kahan::SVector<T, 6>,
+            __other: &__kahan::SVector<T, 6>,
         ) -> __kahan::SVector<T, 6> {
-            let [s_x, s_y, s_z, s_u, s_v, s_w] = __kahan::components(state);
-            let [o_x, o_y, o_z, o_u, o_v, o_w] = __kahan::components(other);
-            let p_a = &self.a;
-            let p_b = &self.b;
-            let p_c = &self.c;
-            let c_3 = __kahan::integer::<T>(3);
-            let product_1 = c_3.clone() * s_y.clone();
-            let c_15 = __kahan::integer::<T>(15);
-            let product_2 = c_15.clone() * s_z.clone();
-            let c_2 = __kahan::integer::<T>(2);
-            let c_42 = __kahan::integer::<T>(42);
-            let t_w_second_x = o_w.clone() * s_x.clone();
-            let c_10 = __kahan::integer::<T>(10);
-            let t_v_second_u = o_v.clone() * s_u.clone();
-            let t_v_u_second = s_v.clone() * o_u.clone();
-            let c_5 = __kahan::integer::<T>(5);
-            let product_3 = s_x.clone() * c_5.clone();
-            let c_6 = __kahan::integer::<T>(6);
-            let c_35 = __kahan::integer::<T>(35);
-            let product_4 = s_v.clone() * c_2.clone();
-            let c_7 = __kahan::integer::<T>(7);
-            let c_4 = __kahan::integer::<T>(4);
-            let product_5 = c_2.clone() * s_x.clone();
-            let product_6 = s_u.clone() * c_6.clone();
-            let t_v_w_second = s_v.clone() * o_w.clone();
-            let t_w_v_second = s_w.clone() * o_v.clone();
-            let c_9 = __kahan::integer::<T>(9);
-            let product_7 = s_y.clone() * c_9.clone();
-            let c_12 = __kahan::integer::<T>(12);
-            let product_8 = s_w.clone() * c_4.clone();
-            let product_9 = c_3.clone() * s_u.clone();
-            let product_10 = s_w.clone() * c_2.clone();
-            let t_z_second_x = o_z.clone() * s_x.clone();
-            let t_z_x_second = s_z.clone() * o_x.clone();
-            let sum_11 = t_z_second_x.clone() + t_z_x_second.clone();
-            let c_8 = __kahan::integer::<T>(8);
-            let t_v_v_second = s_v.clone() * o_v.clone();
-            let product_12 = c_8.clone() * t_v_v_second.clone();
-            let product_13 = s_y.clone() * c_2.clone();
-            let product_14 = s_u.clone() * c_4.clone();
-            let product_15 = s_v.clone() * c_9.clone();
-            let product_16 = s_w.clone() * c_6.clone();
-            let product_17 = s_z.clone() * c_4.clone();
-            let t_z_u_second = s_z.clone() * o_u.clone();
-            let product_18 = c_3.clone() * t_z_u_second.clone();
-            let c_45 = __kahan::integer::<T>(45);
-            let c_21 = __kahan::integer::<T>(21);
-            let product_19 = c_10.clone() * s_u.clone();
-            let c_75 = __kahan::integer::<T>(75);
-            let product_20 = c_3.clone() * s_x.clone();
-            let c_20 = __kahan::integer::<T>(20);
-            let product_21 = s_z.clone() * c_20.clone();
-            let t_y_u_second = s_y.clone() * o_u.clone();
-            let t_z_w_second = s_z.clone() * o_w.clone();
-            let c_14 = __kahan::integer::<T>(14);
-            let t_v_z_second = s_v.clone() * o_z.clone();
-            let c_1_120 = __kahan::ratio::<T>(1, 120);
-            let c_16 = __kahan::integer::<T>(16);
-            let product_22 = s_w.clone() * c_16.clone();
-            let product_23 = s_y.clone() * c_5.clone();
-            let product_24 = s_v.clone() * c_6.clone();
-            let product_25 = s_x.clone() * c_9.clone();
-            let c_28 = __kahan::integer::<T>(28);
-            let product_26 = s_x.clone() * c_28.clone();
-            let c_25 = __kahan::integer::<T>(25);
-            let product_27 = s_v.clone() * c_25.clone();
-            let product_28 = s_x.clone() * c_4.clone();
-            let product_29 = s_y.clone() * c_8.clone();
-            let product_30 = s_x.clone() * c_6.clone();
-            let t_v_x_second = s_v.clone() * o_x.clone();
-            let product_31 = s_v.clone() * c_5.clone();
-            let product_32 = s_z.clone() * c_12.clone();
-            let product_33 = s_v.clone() * c_12.clone();
-            let product_34 = c_3.clone() * s_z.clone();
-            let t_y_z_second = s_y.clone() * o_z.clone();
+            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(
+                __state,
+            );
+            let [__o_x, __o_y, __o_z, __o_u, __o_v, __o_w] = __kahan::components(
+                __other,
+            );
+            let __p_a = &self.a;
+            let __p_b = &self.b;
+            let __p_c = &self.c;
+            let __c_3 = __kahan::integer::<T>(3);
+            let __product_1 = __c_3.clone() * __s_y.clone();
+            let __c_15 = __kahan::integer::<T>(15);
+            let __product_2 = __c_15.clone() * __s_z.clone();
+            let __c_2 = __kahan::integer::<T>(2);
+            let __c_42 = __kahan::integer::<T>(42);
+            let __t_w_second_x = __o_w.clone() * __s_x.clone();
+            let __c_10 = __kahan::integer::<T>(10);
+            let __t_v_second_u = __o_v.clone() * __s_u.clone();
+            let __t_v_u_second = __s_v.clone() * __o_u.clone();
+            let __c_5 = __kahan::integer::<T>(5);
+            let __product_3 = __s_x.clone() * __c_5.clone();
+            let __c_6 = __kahan::integer::<T>(6);
+            let __c_35 = __kahan::integer::<T>(35);
+            let __product_4 = __s_v.clone() * __c_2.clone();
+            let __c_7 = __kahan::integer::<T>(7);
+            let __c_4 = __kahan::integer::<T>(4);
+            let __product_5 = __c_2.clone() * __s_x.clone();
+            let __product_6 = __s_u.clone() * __c_6.clone();
+            let __t_v_w_second = __s_v.clone() * __o_w.clone();
+            let __t_w_v_second = __s_w.clone() * __o_v.clone();
+            let __c_9 = __kahan::integer::<T>(9);
+            let __product_7 = __s_y.clone() * __c_9.clone();
+            let __c_12 = __kahan::integer::<T>(12);
+            let __product_8 = __s_w.clone() * __c_4.clone();
+            let __product_9 = __c_3.clone() * __s_u.clone();
+            let __product_10 = __s_w.clone() * __c_2.clone();
+            let __t_z_second_x = __o_z.clone() * __s_x.clone();
+            let __t_z_x_second = __s_z.clone() * __o_x.clone();
+            let __sum_11 = __t_z_second_x.clone() + __t_z_x_second.clone();
+            let __c_8 = __kahan::integer::<T>(8);
+            let __t_v_v_second = __s_v.clone() * __o_v.clone();
+            let __product_12 = __c_8.clone() * __t_v_v_second.clone();
+            let __product_13 = __s_y.clone() * __c_2.clone();
+            let __product_14 = __s_u.clone() * __c_4.clone();
+            let __product_15 = __s_v.clone() * __c_9.clone();
+            let __product_16 = __s_w.clone() * __c_6.clone();
+            let __product_17 = __s_z.clone() * __c_4.clone();
+            let __t_z_u_second = __s_z.clone() * __o_u.clone();
+            let __product_18 = __c_3.clone() * __t_z_u_second.clone();
+            let __c_45 = __kahan::integer::<T>(45);
+            let __c_21 = __kahan::integer::<T>(21);
+            let __product_19 = __c_10.clone() * __s_u.clone();
+            let __c_75 = __kahan::integer::<T>(75);
+            let __product_20 = __c_3.clone() * __s_x.clone();
+            let __c_20 = __kahan::integer::<T>(20);
+            let __product_21 = __s_z.clone() * __c_20.clone();
+            let __t_y_u_second = __s_y.clone() * __o_u.clone();
+            let __t_z_w_second = __s_z.clone() * __o_w.clone();
+            let __c_14 = __kahan::integer::<T>(14);
+            let __t_v_z_second = __s_v.clone() * __o_z.clone();
+            let __c_1_120 = __kahan::ratio::<T>(1, 120);
+            let __c_16 = __kahan::integer::<T>(16);
+            let __product_22 = __s_w.clone() * __c_16.clone();
+            let __product_23 = __s_y.clone() * __c_5.clone();
+            let __product_24 = __s_v.clone() * __c_6.clone();
+            let __product_25 = __s_x.clone() * __c_9.clone();
+            let __c_28 = __kahan::integer::<T>(28);
+            let __product_26 = __s_x.clone() * __c_28.clone();
+            let __c_25 = __kahan::integer::<T>(25);
+            let __product_27 = __s_v.clone() * __c_25.clone();
+            let __product_28 = __s_x.clone() * __c_4.clone();
+            let __product_29 = __s_y.clone() * __c_8.clone();
+            let __product_30 = __s_x.clone() * __c_6.clone();
+            let __t_v_x_second = __s_v.clone() * __o_x.clone();
+            let __product_31 = __s_v.clone() * __c_5.clone();
+            let __product_32 = __s_z.clone() * __c_12.clone();
+            let __product_33 = __s_v.clone() * __c_12.clone();
+            let __product_34 = __c_3.clone() * __s_z.clone();
+            let __t_y_z_second = __s_y.clone() * __o_z.clone();
             __kahan::vector([
-                (c_5.clone()
-                    * (c_2.clone()
-                        * (o_x.clone() * (s_x.clone() - product_6.clone())
-                            - c_3.clone()
-                                * (o_z.clone() * s_u.clone()
-                                    - c_2.clone() * t_v_w_second.clone()
-                                    - c_2.clone() * t_w_v_second.clone())
-                            - o_u.clone()
-                                * (c_3.clone() * (product_5.clone() + s_z.clone())))
-                        * p_b.clone()
-                        - (sum_11.clone() - product_12.clone()
-                            - o_y.clone()
-                                * (c_3.clone() * (product_9.clone() - product_10.clone()))
-                            + o_w.clone()
-                                * (c_2.clone()
-                                    * (product_1.clone() + c_2.clone() * s_u.clone()))
-                            + o_u.clone()
-                                * (product_8.clone()
-                                    - (product_7.clone() + s_u.clone() * c_12.clone()))))
-                    + c_2.clone()
-                        * (c_5.clone()
-                            * (c_4.clone() * (s_w.clone() * o_w.clone())
-                                + o_x.clone()
-                                    * (c_3.clone()
-                                        * (s_y.clone() * c_7.clone() + product_4.clone())))
-                            + o_y.clone()
-                                * (c_3.clone()
-                                    * (s_x.clone() * c_35.clone() - product_4.clone()))
-                            + o_v.clone()
-                                * ((product_3.clone() - s_y.clone()) * c_6.clone()))
-                        * p_c.clone()
-                    + (c_42.clone() * t_w_second_x.clone()
-                        - c_10.clone() * (s_y.clone() * o_y.clone())
-                        + c_3.clone() * t_v_second_u.clone()
-                        + c_3.clone() * t_v_u_second.clone()
-                        + c_42.clone() * (s_w.clone() * o_x.clone())
-                        + s_z.clone()
-                            * (c_2.clone()
-                                * (c_3.clone() * o_y.clone() + c_3.clone() * o_v.clone()
-                                    - o_w.clone()))
-                        + (product_1.clone() - product_2.clone()
-                            + c_3.clone() * s_v.clone() - s_w.clone()) * c_2.clone()
-                            * o_z.clone()) * c_5.clone() * p_a.clone())
-                    * __kahan::ratio::<T>(1, 60),
-                -((p_a.clone()
-                    * (c_5.clone()
-                        * (c_12.clone() * (o_y.clone() * s_x.clone())
-                            - product_18.clone() + product_12.clone()
-                            + o_x.clone()
-                                * (c_4.clone() * (product_3.clone() + product_1.clone()))
-                            + o_z.clone()
-                                * (c_3.clone() * (product_17.clone() - s_u.clone()))
-                            - s_w.clone()
-                                * (c_4.clone()
-                                    * (c_2.clone() * o_y.clone() + o_u.clone() * c_4.clone()
-                                        + o_v.clone() * c_9.clone()))
-                            - o_w.clone()
-                                * (c_4.clone()
-                                    * (product_13.clone() + product_14.clone()
-                                        + product_15.clone() + product_16.clone()))))
-                    - c_2.clone()
-                        * (c_5.clone()
-                            * (p_c.clone()
-                                * (c_2.clone()
-                                    * (c_3.clone()
-                                        * (t_w_second_x.clone()
-                                            - c_5.clone() * (s_z.clone() * o_v.clone())
-                                            - c_5.clone() * t_v_z_second.clone())
-                                        + o_x.clone()
-                                            * (s_u.clone() * c_7.clone() + c_3.clone() * s_w.clone()))
-                                    + o_u.clone()
-                                        * (s_x.clone() * c_14.clone() + product_9.clone()))
-                                - c_12.clone()
-                                    * (t_v_second_u.clone() + t_v_u_second.clone()))
-                            + p_b.clone()
-                                * (o_z.clone()
-                                    * (s_x.clone() * __kahan::integer::<T>(40)
-                                        + s_y.clone() * c_42.clone() - s_w.clone() * c_75.clone())
-                                    - (c_5.clone()
-                                        * (c_4.clone() * t_y_u_second.clone()
-                                            + c_15.clone() * t_z_w_second.clone())
-                                        - o_x.clone()
-                                            * (c_2.clone() * (product_21.clone() - product_15.clone()))
-                                        + o_v.clone()
-                                            * (c_6.clone()
-                                                * (product_20.clone() - s_y.clone() * c_35.clone())))
-                                    - o_y.clone()
-                                        * (c_2.clone()
-                                            * (s_y.clone() * c_45.clone() - s_z.clone() * c_21.clone()
-                                                + product_19.clone()
-                                                - s_v.clone() * __kahan::integer::<T>(105))))))
-                    * c_1_120.clone()),
-                -(c_1_120.clone()
-                    * (c_2.clone()
-                        * (c_5.clone()
-                            * (o_u.clone()
-                                * (p_c.clone()
-                                    * (product_14.clone() - s_w.clone() * c_9.clone())
-                                    - s_v.clone())
-                                - (c_3.clone()
-                                    * (c_3.clone() * (o_w.clone() * (s_u.clone() * p_c.clone()))
-                                        - c_2.clone() * t_v_x_second.clone())
-                                    + o_v.clone() * (s_u.clone() - product_30.clone())))
-                            + p_a.clone()
-                                * (c_5.clone()
-                                    * (o_x.clone() * (product_25.clone() - product_29.clone())
-                                        - c_3.clone()
-                                            * (c_2.clone() * t_z_u_second.clone()
-                                                - c_5.clone() * t_w_v_second.clone())
-                                        - o_y.clone()
-                                            * (c_2.clone() * (product_28.clone() + s_z.clone()))
-                                        - o_z.clone()
-                                            * (product_13.clone() + product_6.clone()
-                                                + s_w.clone() * c_21.clone()))
-                                    - o_w.clone()
-                                        * (c_3.clone()
-                                            * (s_z.clone() * c_35.clone() - product_27.clone()
-                                                + product_22.clone()))))
-                        + p_b.clone()
-                            * (o_z.clone()
-                                * (c_5.clone()
-                                    * (product_25.clone() - s_z.clone() * c_16.clone()
-                                        - s_v.clone() * c_16.clone()))
-                                - (o_u.clone()
-                                    * (c_3.clone()
-                                        * (product_26.clone() - s_y.clone() * c_25.clone()))
-                                    + o_w.clone()
-                                        * (c_20.clone() * (s_x.clone() + s_y.clone() * c_4.clone()))
-                                    + o_x.clone()
-                                        * (s_w.clone() * c_20.clone()
-                                            - (s_z.clone() * c_45.clone()
-                                                - s_u.clone() * __kahan::integer::<T>(84))))
-                                - o_v.clone()
-                                    * (c_4.clone()
-                                        * (product_23.clone() + product_21.clone()
-                                            + product_24.clone()))
-                                - o_y.clone()
-                                    * (c_5.clone()
-                                        * (s_y.clone() * __kahan::integer::<T>(32)
-                                            - c_15.clone() * s_u.clone() + s_v.clone() * c_4.clone()
-                                            + product_22.clone()))))),
-                -(c_1_120.clone()
-                    * (p_c.clone()
-                        * (c_2.clone()
-                            * (c_2.clone()
-                                * (t_z_second_x.clone() * c_25.clone()
-                                    + t_z_x_second.clone() * c_25.clone()
-                                    - c_9.clone() * (s_w.clone() * o_y.clone()))
-                                - o_u.clone()
-                                    * (c_5.clone()
-                                        * (s_u.clone() * c_9.clone() + product_8.clone()))
-                                - o_w.clone()
-                                    * (c_2.clone() * (product_7.clone() + product_19.clone()))))
-                        - c_5.clone()
-                            * (c_4.clone()
-                                * (c_7.clone() * (o_v.clone() * s_x.clone())
-                                    + o_z.clone() * (s_u.clone() - product_34.clone()))
-                                + o_u.clone() * (product_20.clone() + product_17.clone())
-                                + o_x.clone()
-                                    * (s_x.clone() * c_12.clone() + product_9.clone()
-                                        + s_v.clone() * c_28.clone())
-                                + p_a.clone()
-                                    * (c_4.clone()
-                                        * (s_y.clone() * (o_z.clone() + o_v.clone() * c_6.clone())
-                                            + o_y.clone() * (s_z.clone() + product_24.clone()))))
-                        + p_b.clone()
-                            * (c_3.clone()
-                                * (c_2.clone()
-                                    * (o_x.clone()
-                                        * (product_23.clone() - s_w.clone() * c_14.clone())
-                                        - o_z.clone()
-                                            * (c_5.clone()
-                                                * (product_24.clone() + s_w.clone() * c_7.clone())))
-                                    - o_u.clone()
-                                        * (c_5.clone() * (product_1.clone() - s_v.clone()))
-                                    + o_y.clone()
-                                        * (c_5.clone()
-                                            * (product_5.clone() + product_29.clone()
-                                                - product_9.clone()))
-                                    - o_v.clone()
-                                        * (c_5.clone()
-                                            * (product_32.clone() - s_u.clone() + product_33.clone()
-                                                + s_w.clone()))
-                                    - o_w.clone()
-                                        * (product_26.clone()
-                                            + s_z.clone() * __kahan::integer::<T>(70)
-                                            + product_31.clone()
-                                            + s_w.clone() * __kahan::integer::<T>(120)))))),
-                c_1_120.clone()
-                    * (c_2.clone()
-                        * (c_5.clone()
-                            * (t_y_z_second.clone()
-                                + c_3.clone() * (s_u.clone() * o_u.clone())
-                                + c_7.clone() * t_v_x_second.clone()
-                                + o_y.clone() * (s_z.clone() - product_33.clone())
-                                + o_v.clone()
-                                    * (s_x.clone() * c_7.clone() - s_y.clone() * c_12.clone()))
-                            - p_a.clone()
-                                * (c_3.clone()
-                                    * (c_5.clone()
-                                        * (o_z.clone() * (s_z.clone() * c_2.clone() - s_w.clone())
-                                            - c_2.clone() * t_v_v_second.clone())
-                                        - o_w.clone()
-                                            * (s_z.clone() * c_5.clone() + s_w.clone() * c_8.clone())))
-                            + p_b.clone()
-                                * (c_5.clone()
-                                    * (c_8.clone() * t_y_u_second.clone()
-                                        + s_x.clone()
-                                            * (c_3.clone() * (o_z.clone() - o_w.clone() * c_5.clone()))
-                                        + o_x.clone()
-                                            * (c_3.clone() * (s_z.clone() - s_w.clone() * c_5.clone())))
-                                    + o_y.clone()
-                                        * (c_4.clone() * (product_1.clone() + product_19.clone()))))
-                        + p_c.clone()
-                            * (c_2.clone()
-                                * (c_3.clone()
-                                    * (c_5.clone()
-                                        * (c_2.clone() * t_v_z_second.clone()
-                                            + o_x.clone() * (product_5.clone() - product_23.clone()))
-                                        + o_y.clone()
-                                            * (product_10.clone() - s_x.clone() * c_25.clone()))
-                                    + o_v.clone()
-                                        * (c_10.clone() * (product_34.clone() + product_10.clone()))
-                                    + o_w.clone()
-                                        * (c_2.clone()
-                                            * (product_1.clone() + s_v.clone() * c_10.clone())))
-                                + s_u.clone()
-                                    * (c_5.clone()
-                                        * (c_3.clone() * o_x.clone() - c_15.clone() * o_z.clone()
-                                            + o_v.clone() * c_12.clone() + c_2.clone() * o_w.clone()))
-                                + o_u.clone()
-                                    * (c_5.clone()
-                                        * (product_20.clone() - product_2.clone()
-                                            + product_33.clone() + product_10.clone())))),
-                -(c_1_120.clone()
-                    * (c_3.clone()
-                        * (o_w.clone()
-                            * (c_4.clone() * (product_3.clone() + product_16.clone()))
-                            - c_5.clone()
-                                * (c_4.clone() * t_y_z_second.clone()
-                                    + o_v.clone() * (product_30.clone() - product_23.clone()))
-                            + o_x.clone()
-                                * (c_2.clone()
-                                    * (s_x.clone() * __kahan::integer::<T>(100)
-                                        + product_13.clone() - c_15.clone() * s_v.clone()
-                                        + s_w.clone() * c_10.clone()))
-                            + o_y.clone()
-                                * (product_28.clone() - s_y.clone() * c_20.clone()
-                                    - product_21.clone() + product_27.clone()))
-                        + p_c.clone()
-                            * (c_20.clone()
-                                * (c_2.clone() * sum_11.clone()
-                                    + s_w.clone() * (o_u.clone() - o_y.clone())
-                                    + o_w.clone() * (s_u.clone() - s_y.clone())))
-                        - p_b.clone()
-                            * (c_2.clone()
-                                * (o_z.clone()
-                                    * (s_z.clone() * __kahan::integer::<T>(80)
-                                        - s_u.clone() * c_75.clone() - product_33.clone())
-                                    - (c_25.clone()
-                                        * (product_18.clone() + t_v_w_second.clone())
-                                        + o_v.clone()
-                                            * (product_32.clone() + s_w.clone() * c_25.clone()))))
-                        + p_a.clone()
-                            * (c_4.clone()
-                                * (o_u.clone()
-                                    * (c_15.clone() * s_x.clone() - product_7.clone()
-                                        - s_u.clone() * __kahan::integer::<T>(30)
-                                        - product_31.clone())
-                                    - (c_3.clone()
-                                        * (c_7.clone() * t_z_w_second.clone()
-                                            + c_15.clone() * t_v_v_second.clone()
-                                            + c_7.clone() * (s_w.clone() * o_z.clone()))
-                                        + s_u.clone()
-                                            * (o_v.clone() * c_5.clone()
-                                                - (c_15.clone() * o_x.clone()
-                                                    - o_y.clone() * c_9.clone()))))))),
+                (__c_5.clone()
+                    * (__c_2.clone()
+                        * (__o_x.clone() * (__s_x.clone() - __product_6.clone())
+                            - __c_3.clone()
+                                * (__o_z.clone() * __s_u.clone()
+                                    - __c_2.clone() * __t_v_w_second.clone()
+                                    - __c_2.clone() * __t_w_v_second.clone())
+                            - __o_u.clone()
+                                * (__c_3.clone() * (__product_5.clone() + __s_z.clone())))
+                        * __p_b.clone()
+                        - (__sum_11.clone() - __product_12.clone()
+                            - __o_y.clone()
+                                * (__c_3.clone()
+                                    * (__product_9.clone() - __product_10.clone()))
+                            + __o_w.clone()
+                                * (__c_2.clone()
+                                    * (__product_1.clone() + __c_2.clone() * __s_u.clone()))
+                            + __o_u.clone()
+                                * (__product_8.clone()
+                                    - (__product_7.clone() + __s_u.clone() * __c_12.clone()))))
+                    + __c_2.clone()
+                        * (__c_5.clone()
+                            * (__c_4.clone() * (__s_w.clone() * __o_w.clone())
+                                + __o_x.clone()
+                                    * (__c_3.clone()
+                                        * (__s_y.clone() * __c_7.clone() + __product_4.clone())))
+                            + __o_y.clone()
+                                * (__c_3.clone()
+                                    * (__s_x.clone() * __c_35.clone() - __product_4.clone()))
+                            + __o_v.clone()
+                                * ((__product_3.clone() - __s_y.clone()) * __c_6.clone()))
+                        * __p_c.clone()
+                    + (__c_42.clone() * __t_w_second_x.clone()
+                        - __c_10.clone() * (__s_y.clone() * __o_y.clone())
+                        + __c_3.clone() * __t_v_second_u.clone()
+                        + __c_3.clone() * __t_v_u_second.clone()
+                        + __c_42.clone() * (__s_w.clone() * __o_x.clone())
+                        + __s_z.clone()
+                            * (__c_2.clone()
+                                * (__c_3.clone() * __o_y.clone()
+                                    + __c_3.clone() * __o_v.clone() - __o_w.clone()))
+                        + (__product_1.clone() - __product_2.clone()
+                            + __c_3.clone() * __s_v.clone() - __s_w.clone())
+                            * __c_2.clone() * __o_z.clone()) * __c_5.clone()
+                        * __p_a.clone()) * __kahan::ratio::<T>(1, 60),
+                -((__p_a.clone()
+                    * (__c_5.clone()
+                        * (__c_12.clone() * (__o_y.clone() * __s_x.clone())
+                            - __product_18.clone() + __product_12.clone()
+                            + __o_x.clone()
+                                * (__c_4.clone()
+                                    * (__product_3.clone() + __product_1.clone()))
+                            + __o_z.clone()
+                                * (__c_3.clone() * (__product_17.clone() - __s_u.clone()))
+                            - __s_w.clone()
+                                * (__c_4.clone()
+                                    * (__c_2.clone() * __o_y.clone()
+                                        + __o_u.clone() * __c_4.clone()
+                                        + __o_v.clone() * __c_9.clone()))
+                            - __o_w.clone()
+                                * (__c_4.clone()
+                                    * (__product_13.clone() + __product_14.clone()
+                                        + __product_15.clone() + __product_16.clone()))))
+                    - __c_2.clone()
+                        * (__c_5.clone()
+                            * (__p_c.clone()
+                                * (__c_2.clone()
+                                    * (__c_3.clone()
+                                        * (__t_w_second_x.clone()
+                                            - __c_5.clone() * (__s_z.clone() * __o_v.clone())
+                                            - __c_5.clone() * __t_v_z_second.clone())
+                                        + __o_x.clone()
+                                            * (__s_u.clone() * __c_7.clone()
+                                                + __c_3.clone() * __s_w.clone()))
+                                    + __o_u.clone()
+                                        * (__s_x.clone() * __c_14.clone() + __product_9.clone()))
+                                - __c_12.clone()
+                                    * (__t_v_second_u.clone() + __t_v_u_second.clone()))
+                            + __p_b.clone()
+                                * (__o_z.clone()
+                                    * (__s_x.clone() * __kahan::integer::<T>(40)
+                                        + __s_y.clone() * __c_42.clone()
+                                        - __s_w.clone() * __c_75.clone())
+                                    - (__c_5.clone()
+                                        * (__c_4.clone() * __t_y_u_second.clone()
+                                            + __c_15.clone() * __t_z_w_second.clone())
+                                        - __o_x.clone()
+                                            * (__c_2.clone()
+                                                * (__product_21.clone() - __product_15.clone()))
+                                        + __o_v.clone()
+                                            * (__c_6.clone()
+                                                * (__product_20.clone() - __s_y.clone() * __c_35.clone())))
+                                    - __o_y.clone()
+                                        * (__c_2.clone()
+                                            * (__s_y.clone() * __c_45.clone()
+                                                - __s_z.clone() * __c_21.clone() + __product_19.clone()
+                                                - __s_v.clone() * __kahan::integer::<T>(105))))))
+                    * __c_1_120.clone()),
+                -(__c_1_120.clone()
+                    * (__c_2.clone()
+                        * (__c_5.clone()
+                            * (__o_u.clone()
+                                * (__p_c.clone()
+                                    * (__product_14.clone() - __s_w.clone() * __c_9.clone())
+                                    - __s_v.clone())
+                                - (__c_3.clone()
+                                    * (__c_3.clone()
+                                        * (__o_w.clone() * (__s_u.clone() * __p_c.clone()))
+                                        - __c_2.clone() * __t_v_x_second.clone())
+                                    + __o_v.clone() * (__s_u.clone() - __product_30.clone())))
+                            + __p_a.clone()
+                                * (__c_5.clone()
+                                    * (__o_x.clone()
+                                        * (__product_25.clone() - __product_29.clone())
+                                        - __c_3.clone()
+                                            * (__c_2.clone() * __t_z_u_second.clone()
+                                                - __c_5.clone() * __t_w_v_second.clone())
+                                        - __o_y.clone()
+                                            * (__c_2.clone() * (__product_28.clone() + __s_z.clone()))
+                                        - __o_z.clone()
+                                            * (__product_13.clone() + __product_6.clone()
+                                                + __s_w.clone() * __c_21.clone()))
+                                    - __o_w.clone()
+                                        * (__c_3.clone()
+                                            * (__s_z.clone() * __c_35.clone() - __product_27.clone()
+                                                + __product_22.clone()))))
+                        + __p_b.clone()
+                            * (__o_z.clone()
+                                * (__c_5.clone()
+                                    * (__product_25.clone() - __s_z.clone() * __c_16.clone()
+                                        - __s_v.clone() * __c_16.clone()))
+                                - (__o_u.clone()
+                                    * (__c_3.clone()
+                                        * (__product_26.clone() - __s_y.clone() * __c_25.clone()))
+                                    + __o_w.clone()
+                                        * (__c_20.clone()
+                                            * (__s_x.clone() + __s_y.clone() * __c_4.clone()))
+                                    + __o_x.clone()
+                                        * (__s_w.clone() * __c_20.clone()
+                                            - (__s_z.clone() * __c_45.clone()
+                                                - __s_u.clone() * __kahan::integer::<T>(84))))
+                                - __o_v.clone()
+                                    * (__c_4.clone()
+                                        * (__product_23.clone() + __product_21.clone()
+                                            + __product_24.clone()))
+                                - __o_y.clone()
+                                    * (__c_5.clone()
+                                        * (__s_y.clone() * __kahan::integer::<T>(32)
+                                            - __c_15.clone() * __s_u.clone()
+                                            + __s_v.clone() * __c_4.clone() + __product_22.clone()))))),
+                -(__c_1_120.clone()
+                    * (__p_c.clone()
+                        * (__c_2.clone()
+                            * (__c_2.clone()
+                                * (__t_z_second_x.clone() * __c_25.clone()
+                                    + __t_z_x_second.clone() * __c_25.clone()
+                                    - __c_9.clone() * (__s_w.clone() * __o_y.clone()))
+                                - __o_u.clone()
+                                    * (__c_5.clone()
+                                        * (__s_u.clone() * __c_9.clone() + __product_8.clone()))
+                                - __o_w.clone()
+                                    * (__c_2.clone()
+                                        * (__product_7.clone() + __product_19.clone()))))
+                        - __c_5.clone()
+                            * (__c_4.clone()
+                                * (__c_7.clone() * (__o_v.clone() * __s_x.clone())
+                                    + __o_z.clone() * (__s_u.clone() - __product_34.clone()))
+                                + __o_u.clone()
+                                    * (__product_20.clone() + __product_17.clone())
+                                + __o_x.clone()
+                                    * (__s_x.clone() * __c_12.clone() + __product_9.clone()
+                                        + __s_v.clone() * __c_28.clone())
+                                + __p_a.clone()
+                                    * (__c_4.clone()
+                                        * (__s_y.clone()
+                                            * (__o_z.clone() + __o_v.clone() * __c_6.clone())
+                                            + __o_y.clone() * (__s_z.clone() + __product_24.clone()))))
+                        + __p_b.clone()
+                            * (__c_3.clone()
+                                * (__c_2.clone()
+                                    * (__o_x.clone()
+                                        * (__product_23.clone() - __s_w.clone() * __c_14.clone())
+                                        - __o_z.clone()
+                                            * (__c_5.clone()
+                                                * (__product_24.clone() + __s_w.clone() * __c_7.clone())))
+                                    - __o_u.clone()
+                                        * (__c_5.clone() * (__product_1.clone() - __s_v.clone()))
+                                    + __o_y.clone()
+                                        * (__c_5.clone()
+                                            * (__product_5.clone() + __product_29.clone()
+                                                - __product_9.clone()))
+                                    - __o_v.clone()
+                                        * (__c_5.clone()
+                                            * (__product_32.clone() - __s_u.clone()
+                                                + __product_33.clone() + __s_w.clone()))
+                                    - __o_w.clone()
+                                        * (__product_26.clone()
+                                            + __s_z.clone() * __kahan::integer::<T>(70)
+                                            + __product_31.clone()
+                                            + __s_w.clone() * __kahan::integer::<T>(120)))))),
+                __c_1_120.clone()
+                    * (__c_2.clone()
+                        * (__c_5.clone()
+                            * (__t_y_z_second.clone()
+                                + __c_3.clone() * (__s_u.clone() * __o_u.clone())
+                                + __c_7.clone() * __t_v_x_second.clone()
+                                + __o_y.clone() * (__s_z.clone() - __product_33.clone())
+                                + __o_v.clone()
+                                    * (__s_x.clone() * __c_7.clone()
+                                        - __s_y.clone() * __c_12.clone()))
+                            - __p_a.clone()
+                                * (__c_3.clone()
+                                    * (__c_5.clone()
+                                        * (__o_z.clone()
+                                            * (__s_z.clone() * __c_2.clone() - __s_w.clone())
+                                            - __c_2.clone() * __t_v_v_second.clone())
+                                        - __o_w.clone()
+                                            * (__s_z.clone() * __c_5.clone()
+                                                + __s_w.clone() * __c_8.clone())))
+                            + __p_b.clone()
+                                * (__c_5.clone()
+                                    * (__c_8.clone() * __t_y_u_second.clone()
+                                        + __s_x.clone()
+                                            * (__c_3.clone()
+                                                * (__o_z.clone() - __o_w.clone() * __c_5.clone()))
+                                        + __o_x.clone()
+                                            * (__c_3.clone()
+                                                * (__s_z.clone() - __s_w.clone() * __c_5.clone())))
+                                    + __o_y.clone()
+                                        * (__c_4.clone()
+                                            * (__product_1.clone() + __product_19.clone()))))
+                        + __p_c.clone()
+                            * (__c_2.clone()
+                                * (__c_3.clone()
+                                    * (__c_5.clone()
+                                        * (__c_2.clone() * __t_v_z_second.clone()
+                                            + __o_x.clone()
+                                                * (__product_5.clone() - __product_23.clone()))
+                                        + __o_y.clone()
+                                            * (__product_10.clone() - __s_x.clone() * __c_25.clone()))
+                                    + __o_v.clone()
+                                        * (__c_10.clone()
+                                            * (__product_34.clone() + __product_10.clone()))
+                                    + __o_w.clone()
+                                        * (__c_2.clone()
+                                            * (__product_1.clone() + __s_v.clone() * __c_10.clone())))
+                                + __s_u.clone()
+                                    * (__c_5.clone()
+                                        * (__c_3.clone() * __o_x.clone()
+                                            - __c_15.clone() * __o_z.clone()
+                                            + __o_v.clone() * __c_12.clone()
+                                            + __c_2.clone() * __o_w.clone()))
+                                + __o_u.clone()
+                                    * (__c_5.clone()
+                                        * (__product_20.clone() - __product_2.clone()
+                                            + __product_33.clone() + __product_10.clone())))),
+                -(__c_1_120.clone()
+                    * (__c_3.clone()
+                        * (__o_w.clone()
+                            * (__c_4.clone()
+                                * (__product_3.clone() + __product_16.clone()))
+                            - __c_5.clone()
+                                * (__c_4.clone() * __t_y_z_second.clone()
+                                    + __o_v.clone()
+                                        * (__product_30.clone() - __product_23.clone()))
+                            + __o_x.clone()
+                                * (__c_2.clone()
+                                    * (__s_x.clone() * __kahan::integer::<T>(100)
+                                        + __product_13.clone() - __c_15.clone() * __s_v.clone()
+                                        + __s_w.clone() * __c_10.clone()))
+                            + __o_y.clone()
+                                * (__product_28.clone() - __s_y.clone() * __c_20.clone()
+                                    - __product_21.clone() + __product_27.clone()))
+                        + __p_c.clone()
+                            * (__c_20.clone()
+                                * (__c_2.clone() * __sum_11.clone()
+                                    + __s_w.clone() * (__o_u.clone() - __o_y.clone())
+                                    + __o_w.clone() * (__s_u.clone() - __s_y.clone())))
+                        - __p_b.clone()
+                            * (__c_2.clone()
+                                * (__o_z.clone()
+                                    * (__s_z.clone() * __kahan::integer::<T>(80)
+                                        - __s_u.clone() * __c_75.clone() - __product_33.clone())
+                                    - (__c_25.clone()
+                                        * (__product_18.clone() + __t_v_w_second.clone())
+                                        + __o_v.clone()
+                                            * (__product_32.clone() + __s_w.clone() * __c_25.clone()))))
+                        + __p_a.clone()
+                            * (__c_4.clone()
+                                * (__o_u.clone()
+                                    * (__c_15.clone() * __s_x.clone() - __product_7.clone()
+                                        - __s_u.clone() * __kahan::integer::<T>(30)
+                                        - __product_31.clone())
+                                    - (__c_3.clone()
+                                        * (__c_7.clone() * __t_z_w_second.clone()
+                                            + __c_15.clone() * __t_v_v_second.clone()
+                                            + __c_7.clone() * (__s_w.clone() * __o_z.clone()))
+                                        + __s_u.clone()
+                                            * (__o_v.clone() * __c_5.clone()
+                                                - (__c_15.clone() * __o_x.clone()
+                                                    - __o_y.clone() * __c_9.clone()))))))),
             ])
         }
         fn polarized(
             &self,
-            state: &__kahan::SVector<T, 6>,
-            other: &__kahan::SVector<T, 6>,
+            __state: &__kahan::SVector<T, 6>,
+            __other: &__kahan::SVector<T, 6>,
         ) -> __kahan::SVector<T, 6> {
-            let [s_x, s_y, s_z, s_u, s_v, s_w] = __kahan::components(state);
-            let [o_x, o_y, o_z, o_u, o_v, o_w] = __kahan::components(other);
-            let p_a = &self.a;
-            let p_b = &self.b;
-            let p_c = &self.c;
-            let c_3 = __kahan::integer::<T>(3);
-            let product_1 = c_3.clone() * s_y.clone();
-            let c_15 = __kahan::integer::<T>(15);
-            let product_2 = c_15.clone() * s_z.clone();
-            let product_3 = c_3.clone() * s_v.clone();
-            let c_1 = __kahan::integer::<T>(1);
-            let c_10 = __kahan::integer::<T>(10);
-            let c_5 = __kahan::integer::<T>(5);
-            let product_4 = c_5.clone() * s_x.clone();
-            let c_42 = __kahan::integer::<T>(42);
-            let product_5 = s_y.clone() * c_5.clone();
-            let c_4 = __kahan::integer::<T>(4);
-            let product_6 = c_5.clone() * o_x.clone();
-            let c_8 = __kahan::integer::<T>(8);
-            let product_7 = s_y.clone() * c_8.clone();
-            let c_14 = __kahan::integer::<T>(14);
-            let c_6 = __kahan::integer::<T>(6);
-            let product_8 = s_u.clone() * c_6.clone();
-            let c_9 = __kahan::integer::<T>(9);
-            let c_28 = __kahan::integer::<T>(28);
-            let product_9 = s_w.clone() * c_8.clone();
-            let c_7 = __kahan::integer::<T>(7);
-            let c_2 = __kahan::integer::<T>(2);
-            let product_10 = s_x.clone() * c_2.clone();
-            let c_21 = __kahan::integer::<T>(21);
-            let c_35 = __kahan::integer::<T>(35);
-            let product_11 = s_v.clone() * c_2.clone();
-            let product_12 = s_y.clone() * c_9.clone();
-            let c_12 = __kahan::integer::<T>(12);
-            let product_13 = c_3.clone() * s_u.clone();
-            let product_14 = s_w.clone() * c_2.clone();
-            let t_v_v_second = s_v.clone() * o_v.clone();
-            let c_1_840 = __kahan::ratio::<T>(1, 840);
-            let c_40 = __kahan::integer::<T>(40);
-            let c_75 = __kahan::integer::<T>(75);
-            let product_15 = s_w.clone() * c_75.clone();
-            let c_18 = __kahan::integer::<T>(18);
-            let c_45 = __kahan::integer::<T>(45);
-            let product_16 = c_10.clone() * s_u.clone();
-            let product_17 = s_x.clone() * c_6.clone();
-            let c_70 = __kahan::integer::<T>(70);
-            let product_18 = s_z.clone() * __kahan::integer::<T>(80);
-            let c_36 = __kahan::integer::<T>(36);
-            let t_y_u_second = s_y.clone() * o_u.clone();
-            let product_19 = c_15.clone() * s_x.clone();
-            let product_20 = s_y.clone() * c_2.clone();
-            let product_21 = c_4.clone() * s_u.clone();
-            let product_22 = s_w.clone() * c_6.clone();
-            let product_23 = o_y.clone() * c_2.clone();
-            let product_24 = s_z.clone() * c_4.clone();
-            let c_84 = __kahan::integer::<T>(84);
-            let c_24 = __kahan::integer::<T>(24);
-            let product_25 = s_x.clone() * c_14.clone();
-            let product_26 = c_3.clone() * s_w.clone();
-            let c_60 = __kahan::integer::<T>(60);
-            let c_16 = __kahan::integer::<T>(16);
-            let product_27 = s_u.clone() * c_16.clone();
-            let product_28 = o_y.clone() * c_9.clone();
-            let product_29 = s_v.clone() * c_4.clone();
-            let product_30 = s_w.clone() * c_16.clone();
-            let product_31 = s_x.clone() * c_4.clone();
-            let c_20 = __kahan::integer::<T>(20);
-            let product_32 = s_z.clone() * c_20.clone();
-            let product_33 = s_v.clone() * c_6.clone();
-            let product_34 = s_x.clone() * c_9.clone();
-            let product_35 = s_x.clone() * c_28.clone();
-            let c_25 = __kahan::integer::<T>(25);
-            let product_36 = s_w.clone() * c_7.clone();
-            let product_37 = s_v.clone() * c_25.clone();
-            let c_30 = __kahan::integer::<T>(30);
-            let product_38 = s_z.clone() * c_12.clone();
-            let product_39 = s_v.clone() * c_12.clone();
-            let product_40 = s_v.clone() * c_5.clone();
-            let product_41 = s_y.clone() * c_10.clone();
-            let t_u_second_u = o_u.clone() * s_u.clone();
-            let product_42 = c_3.clone() * s_x.clone();
-            let product_43 = c_3.clone() * s_z.clone();
-            let product_44 = c_5.clone() * s_u.clone();
-            let product_45 = s_w.clone() * c_5.clone();
-            let t_y_z_second = s_y.clone() * o_z.clone();
+            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(
+                __state,
+            );
+            let [__o_x, __o_y, __o_z, __o_u, __o_v, __o_w] = __kahan::components(
+                __other,
+            );
+            let __p_a = &self.a;
+            let __p_b = &self.b;
+            let __p_c = &self.c;
+            let __c_3 = __kahan::integer::<T>(3);
+            let __product_1 = __c_3.clone() * __s_y.clone();
+            let __c_15 = __kahan::integer::<T>(15);
+            let __product_2 = __c_15.clone() * __s_z.clone();
+            let __product_3 = __c_3.clone() * __s_v.clone();
+            let __c_1 = __kahan::integer::<T>(1);
+            let __c_10 = __kahan::integer::<T>(10);
+            let __c_5 = __kahan::integer::<T>(5);
+            let __product_4 = __c_5.clone() * __s_x.clone();
+            let __c_42 = __kahan::integer::<T>(42);
+            let __product_5 = __s_y.clone() * __c_5.clone();
+            let __c_4 = __kahan::integer::<T>(4);
+            let __product_6 = __c_5.clone() * __o_x.clone();
+            let __c_8 = __kahan::integer::<T>(8);
+            let __product_7 = __s_y.clone() * __c_8.clone();
+            let __c_14 = __kahan::integer::<T>(14);
+            let __c_6 = __kahan::integer::<T>(6);
+            let __product_8 = __s_u.clone() * __c_6.clone();
+            let __c_9 = __kahan::integer::<T>(9);
+            let __c_28 = __kahan::integer::<T>(28);
+            let __product_9 = __s_w.clone() * __c_8.clone();
+            let __c_7 = __kahan::integer::<T>(7);
+            let __c_2 = __kahan::integer::<T>(2);
+            let __product_10 = __s_x.clone() * __c_2.clone();
+            let __c_21 = __kahan::integer::<T>(21);
+            let __c_35 = __kahan::integer::<T>(35);
+            let __product_11 = __s_v.clone() * __c_2.clone();
+            let __product_12 = __s_y.clone() * __c_9.clone();
+            let __c_12 = __kahan::integer::<T>(12);
+            let __product_13 = __c_3.clone() * __s_u.clone();
+            let __product_14 = __s_w.clone() * __c_2.clone();
+            let __t_v_v_second = __s_v.clone() * __o_v.clone();
+            let __c_1_840 = __kahan::ratio::<T>(1, 840);
+            let __c_40 = __kahan::integer::<T>(40);
+            let __c_75 = __kahan::integer::<T>(75);
+            let __product_15 = __s_w.clone() * __c_75.clone();
+            let __c_18 = __kahan::integer::<T>(18);
+            let __c_45 = __kahan::integer::<T>(45);
+            let __product_16 = __c_10.clone() * __s_u.clone();
+            let __product_17 = __s_x.clone() * __c_6.clone();
+            let __c_70 = __kahan::integer::<T>(70);
+            let __product_18 = __s_z.clone() * __kahan::integer::<T>(80);
+            let __c_36 = __kahan::integer::<T>(36);
+            let __t_y_u_second = __s_y.clone() * __o_u.clone();
+            let __product_19 = __c_15.clone() * __s_x.clone();
+            let __product_20 = __s_y.clone() * __c_2.clone();
+            let __product_21 = __c_4.clone() * __s_u.clone();
+            let __product_22 = __s_w.clone() * __c_6.clone();
+            let __product_23 = __o_y.clone() * __c_2.clone();
+            let __product_24 = __s_z.clone() * __c_4.clone();
+            let __c_84 = __kahan::integer::<T>(84);
+            let __c_24 = __kahan::integer::<T>(24);
+            let __product_25 = __s_x.clone() * __c_14.clone();
+            let __product_26 = __c_3.clone() * __s_w.clone();
+            let __c_60 = __kahan::integer::<T>(60);
+            let __c_16 = __kahan::integer::<T>(16);
+            let __product_27 = __s_u.clone() * __c_16.clone();
+            let __product_28 = __o_y.clone() * __c_9.clone();
+            let __product_29 = __s_v.clone() * __c_4.clone();
+            let __product_30 = __s_w.clone() * __c_16.clone();
+            let __product_31 = __s_x.clone() * __c_4.clone();
+            let __c_20 = __kahan::integer::<T>(20);
+            let __product_32 = __s_z.clone() * __c_20.clone();
+            let __product_33 = __s_v.clone() * __c_6.clone();
+            let __product_34 = __s_x.clone() * __c_9.clone();
+            let __product_35 = __s_x.clone() * __c_28.clone();
+            let __c_25 = __kahan::integer::<T>(25);
+            let __product_36 = __s_w.clone() * __c_7.clone();
+            let __product_37 = __s_v.clone() * __c_25.clone();
+            let __c_30 = __kahan::integer::<T>(30);
+            let __product_38 = __s_z.clone() * __c_12.clone();
+            let __product_39 = __s_v.clone() * __c_12.clone();
+            let __product_40 = __s_v.clone() * __c_5.clone();
+            let __product_41 = __s_y.clone() * __c_10.clone();
+            let __t_u_second_u = __o_u.clone() * __s_u.clone();
+            let __product_42 = __c_3.clone() * __s_x.clone();
+            let __product_43 = __c_3.clone() * __s_z.clone();
+            let __product_44 = __c_5.clone() * __s_u.clone();
+            let __product_45 = __s_w.clone() * __c_5.clone();
+            let __t_y_z_second = __s_y.clone() * __o_z.clone();
             __kahan::vector([
-                (c_14.clone()
-                    * (c_2.clone()
-                        * (c_5.clone()
-                            * (c_4.clone() * (s_w.clone() * o_w.clone())
-                                + o_x.clone()
-                                    * (c_3.clone()
-                                        * (s_y.clone() * c_7.clone() + product_11.clone())))
-                            + o_y.clone()
-                                * (c_3.clone()
-                                    * (s_x.clone() * c_35.clone() - product_11.clone()))
-                            + o_v.clone()
-                                * (c_6.clone() * (product_4.clone() - s_y.clone())))
-                        * p_c.clone()
-                        - c_5.clone()
-                            * (o_z.clone() * s_x.clone() + s_z.clone() * o_x.clone()
-                                - c_8.clone() * t_v_v_second.clone()
-                                - o_y.clone()
-                                    * (c_3.clone() * (product_13.clone() - product_14.clone()))
-                                + o_w.clone()
-                                    * (c_2.clone()
-                                        * (product_1.clone() + s_u.clone() * c_2.clone()))
-                                + o_u.clone()
-                                    * (s_w.clone() * c_4.clone()
-                                        - (product_12.clone() + s_u.clone() * c_12.clone()))))
-                    + c_5.clone()
-                        * (o_x.clone()
-                            * ((s_x.clone() - product_8.clone() + c_9.clone())
-                                * c_28.clone())
-                            - c_3.clone()
-                                * (c_4.clone()
-                                    * (c_7.clone() * (o_z.clone() * s_u.clone())
-                                        - s_x.clone() * c_21.clone() - c_2.clone())
-                                    - s_v.clone()
-                                        * (c_7.clone() * (o_w.clone() * c_8.clone() + c_9.clone()))
-                                    + o_u.clone()
-                                        * (c_28.clone() * (product_10.clone() + s_z.clone()))
-                                    - o_v.clone()
-                                        * ((product_9.clone() + c_9.clone()) * c_7.clone())))
-                        * p_b.clone()
-                    + (c_15.clone() * (s_v.clone() + c_3.clone()) * o_u.clone()
-                        - (o_y.clone()
-                            * (c_10.clone() * (product_5.clone() - c_4.clone()))
-                            - (c_5.clone()
-                                * (product_7.clone()
-                                    + c_3.clone() * (o_v.clone() + c_3.clone()) * s_u.clone())
-                                + s_w.clone()
-                                    * (c_42.clone() * (product_6.clone() + c_1.clone()))))
-                        + o_w.clone()
-                            * ((product_4.clone() + c_1.clone()) * c_42.clone())
-                        + s_z.clone()
-                            * (c_10.clone()
-                                * (c_3.clone() * o_y.clone() + c_3.clone() * o_v.clone()
-                                    - o_w.clone() + c_1.clone()))
-                        + (product_1.clone() - product_2.clone() + product_3.clone()
-                            - s_w.clone() + c_1.clone()) * c_10.clone() * o_z.clone())
-                        * c_14.clone() * p_a.clone()) * c_1_840.clone(),
-                -(c_1_840.clone()
-                    * (c_5.clone()
-                        * (p_a.clone()
-                            * (c_84.clone() * (o_y.clone() * s_x.clone())
-                                - c_21.clone() * (s_z.clone() * o_u.clone())
-                                + t_v_v_second.clone() * __kahan::integer::<T>(56)
-                                - c_24.clone()
-                                + o_x.clone()
-                                    * (c_28.clone() * (product_4.clone() + product_1.clone()))
-                                + o_z.clone()
-                                    * (c_21.clone() * (product_24.clone() - s_u.clone()))
-                                - s_w.clone()
-                                    * (c_28.clone()
-                                        * (product_23.clone() + o_u.clone() * c_4.clone()
-                                            + o_v.clone() * c_9.clone()))
-                                - o_w.clone()
-                                    * (c_28.clone()
-                                        * (product_20.clone() + product_21.clone()
-                                            + s_v.clone() * c_9.clone() + product_22.clone())))
-                            - c_7.clone()
-                                * (p_c.clone()
-                                    * (c_12.clone() * (o_w.clone() * s_x.clone())
-                                        - c_60.clone() * (s_z.clone() * o_v.clone())
-                                        - c_60.clone() * (s_v.clone() * o_z.clone())
-                                        + product_12.clone() + product_27.clone()
-                                        + product_28.clone()
-                                        + o_x.clone()
-                                            * (c_4.clone()
-                                                * (s_u.clone() * c_7.clone() + product_26.clone()))
-                                        + o_u.clone()
-                                            * (c_2.clone()
-                                                * (product_25.clone() + product_13.clone() + c_8.clone())))
-                                    - c_24.clone()
-                                        * (o_v.clone() * s_u.clone() + s_v.clone() * o_u.clone())))
-                        - p_b.clone()
-                            * (c_7.clone()
-                                * (o_z.clone()
-                                    * (c_2.clone()
-                                        * (s_x.clone() * c_40.clone() + s_y.clone() * c_42.clone()
-                                            - product_15.clone() + c_18.clone()))
-                                    - (c_40.clone() * t_y_u_second.clone() - product_19.clone()
-                                        - s_z.clone() * c_36.clone()
-                                        - s_v.clone() * __kahan::integer::<T>(90)
-                                        - product_15.clone()
-                                        + o_w.clone()
-                                            * (c_75.clone() * (s_z.clone() * c_2.clone() - c_1.clone()))
-                                        - o_x.clone()
-                                            * (product_18.clone() - s_v.clone() * c_36.clone()
-                                                + c_15.clone())
-                                        + o_v.clone()
-                                            * (c_6.clone()
-                                                * (product_17.clone() - s_y.clone() * c_70.clone()
-                                                    - c_15.clone()))
-                                        + o_y.clone()
-                                            * (c_4.clone()
-                                                * (s_y.clone() * c_45.clone() - s_z.clone() * c_21.clone()
-                                                    + product_16.clone()
-                                                    - s_v.clone() * __kahan::integer::<T>(105)))))))),
-                -(c_1_840.clone()
-                    * (c_7.clone()
-                        * (c_10.clone()
-                            * (s_v.clone() * (o_x.clone() * c_6.clone() - o_u.clone())
-                                + o_v.clone() * (product_17.clone() - s_u.clone())
-                                + p_c.clone()
-                                    * (o_u.clone()
-                                        * (product_21.clone() - s_w.clone() * c_9.clone())
-                                        - c_3.clone()
-                                            * (c_3.clone() * (o_w.clone() * s_u.clone())
-                                                + s_v.clone() * c_8.clone() + o_v.clone() * c_8.clone())))
-                            + p_a.clone()
-                                * (o_w.clone()
-                                    * (c_6.clone() * (product_37.clone() - product_30.clone()))
-                                    - c_5.clone()
-                                        * (o_u.clone() * c_8.clone()
-                                            - (c_30.clone() * (s_w.clone() * o_v.clone())
-                                                - s_x.clone() * c_8.clone() - product_1.clone()
-                                                - s_u.clone() * c_8.clone())
-                                            + o_y.clone() * (s_x.clone() * c_16.clone() + c_3.clone()))
-                                    + o_x.clone()
-                                        * (c_10.clone()
-                                            * (product_34.clone() - product_7.clone() - c_4.clone()))
-                                    - s_z.clone()
-                                        * (c_10.clone()
-                                            * (product_23.clone() + o_u.clone() * c_6.clone()
-                                                + o_w.clone() * c_21.clone() + c_18.clone()))
-                                    - o_z.clone()
-                                        * (c_10.clone()
-                                            * (product_20.clone() + product_8.clone()
-                                                + s_w.clone() * c_21.clone() + c_18.clone()))))
-                        + p_b.clone()
-                            * (o_x.clone()
-                                * (c_7.clone()
-                                    * (s_z.clone() * c_45.clone() - s_u.clone() * c_84.clone()
-                                        - s_w.clone() * c_20.clone()))
-                                - c_3.clone()
-                                    * (c_5.clone() * (product_36.clone() + c_8.clone())
-                                        + o_u.clone()
-                                            * (c_7.clone()
-                                                * (product_35.clone() - s_y.clone() * c_25.clone())))
-                                + o_z.clone()
-                                    * (c_35.clone()
-                                        * (product_34.clone() - s_z.clone() * c_16.clone()
-                                            - s_v.clone() * c_16.clone()))
-                                - o_v.clone()
-                                    * (c_28.clone()
-                                        * (product_5.clone() + product_32.clone()
-                                            + product_33.clone()))
-                                - o_w.clone()
-                                    * (c_35.clone()
-                                        * (product_31.clone() + s_y.clone() * c_16.clone()
-                                            + c_3.clone()))
-                                - o_y.clone()
-                                    * (c_35.clone()
-                                        * (s_y.clone() * __kahan::integer::<T>(32)
-                                            - c_15.clone() * s_u.clone() + product_29.clone()
-                                            + product_30.clone()))))),
-                -(c_1_840.clone()
-                    * (p_c.clone()
-                        * (c_10.clone()
-                            * (s_z.clone()
-                                * (c_14.clone() * (product_6.clone() - c_1.clone()))
-                                - c_3.clone()
-                                    * (c_21.clone() * t_u_second_u.clone() + c_4.clone())
-                                + o_z.clone()
-                                    * (c_14.clone() * (product_4.clone() - c_1.clone())))
-                            - s_w.clone()
-                                * (c_7.clone()
-                                    * (o_y.clone() * c_36.clone() + o_u.clone() * c_40.clone()
-                                        + c_15.clone()))
-                            - o_w.clone()
-                                * (c_7.clone()
-                                    * (s_y.clone() * c_36.clone() + s_u.clone() * c_40.clone()
-                                        + c_15.clone())))
-                        - c_35.clone()
-                            * (c_4.clone()
-                                * (c_7.clone() * (o_v.clone() * s_x.clone())
-                                    + o_z.clone() * (s_u.clone() - product_43.clone()))
-                                + o_u.clone() * (product_42.clone() + product_24.clone())
-                                + o_x.clone()
-                                    * (s_x.clone() * c_12.clone() + product_13.clone()
-                                        + s_v.clone() * c_28.clone())
-                                + p_a.clone()
-                                    * (s_y.clone()
-                                        * (o_z.clone() * c_4.clone() + o_v.clone() * c_24.clone()
-                                            + c_9.clone())
-                                        + o_y.clone()
-                                            * (product_24.clone() + s_v.clone() * c_24.clone()
-                                                + c_9.clone())))
-                        + p_b.clone()
-                            * (c_21.clone()
-                                * (o_x.clone()
-                                    * (product_41.clone() - s_w.clone() * c_28.clone()
-                                        - c_25.clone())
-                                    - c_5.clone()
-                                        * (product_4.clone() + product_27.clone()
-                                            + product_11.clone()
-                                            + o_z.clone()
-                                                * (c_2.clone() * (product_33.clone() + product_36.clone())))
-                                    + o_y.clone()
-                                        * (c_5.clone()
-                                            * (product_10.clone() + product_7.clone()
-                                                - product_13.clone()))
-                                    - o_u.clone()
-                                        * (c_5.clone()
-                                            * (product_1.clone() - s_v.clone() + c_16.clone()))
-                                    - o_w.clone()
-                                        * (product_35.clone() + s_z.clone() * c_70.clone()
-                                            + product_40.clone()
-                                            + s_w.clone() * __kahan::integer::<T>(120))
-                                    - o_v.clone()
-                                        * (c_5.clone()
-                                            * (product_38.clone() - s_u.clone() + product_39.clone()
-                                                + s_w.clone() + c_2.clone())))))),
-                c_1_840.clone()
-                    * (c_2.clone()
-                        * (p_b.clone()
-                            * (c_5.clone()
-                                * (c_2.clone()
-                                    * (c_28.clone() * t_y_u_second.clone()
-                                        + s_v.clone() * c_21.clone() + o_v.clone() * c_21.clone()
-                                        + c_6.clone())
-                                    + s_x.clone()
-                                        * (c_21.clone() * (o_z.clone() - o_w.clone() * c_5.clone()))
-                                    + o_x.clone()
-                                        * (c_21.clone() * (s_z.clone() - product_45.clone())))
-                                + o_y.clone()
-                                    * (c_28.clone() * (product_1.clone() + product_16.clone())))
-                            - c_7.clone()
-                                * (p_a.clone()
-                                    * (o_z.clone()
-                                        * (c_5.clone()
-                                            * (s_z.clone() * c_6.clone() - product_26.clone()
-                                                - c_8.clone()))
-                                        - (c_10.clone()
-                                            * (c_3.clone() * t_v_v_second.clone() + product_24.clone()
-                                                + s_u.clone() + o_u.clone())
-                                            + o_w.clone()
-                                                * (c_3.clone()
-                                                    * (s_z.clone() * c_5.clone() + product_9.clone()))))
-                                    - c_5.clone()
-                                        * (t_y_z_second.clone() + c_3.clone() * t_u_second_u.clone()
-                                            + c_7.clone() * (s_v.clone() * o_x.clone())
-                                            + o_y.clone() * (s_z.clone() - product_39.clone())
-                                            + o_v.clone()
-                                                * (s_x.clone() * c_7.clone()
-                                                    - s_y.clone() * c_12.clone()))))
-                        + p_c.clone()
-                            * (c_7.clone()
-                                * (o_v.clone()
-                                    * (c_20.clone()
-                                        * (product_43.clone() + product_13.clone()
-                                            + product_14.clone()))
-                                    - c_3.clone()
-                                        * (o_z.clone()
-                                            * (c_5.clone() * (product_44.clone() - product_29.clone()))
-                                            - c_2.clone()
-                                                * (product_25.clone() + product_41.clone()
-                                                    + product_45.clone())
-                                            + o_y.clone()
-                                                * (c_2.clone()
-                                                    * (s_x.clone() * c_25.clone() - product_14.clone()
-                                                        - c_10.clone())))
-                                    + o_x.clone()
-                                        * (c_3.clone()
-                                            * (s_x.clone() * c_20.clone()
-                                                - s_y.clone() * __kahan::integer::<T>(50)
-                                                + product_44.clone() + c_28.clone()))
-                                    + o_u.clone()
-                                        * (c_5.clone()
-                                            * (product_42.clone() - product_2.clone()
-                                                + product_39.clone() + product_14.clone()))
-                                    + o_w.clone()
-                                        * (c_2.clone()
-                                            * (s_y.clone() * c_6.clone() + product_44.clone()
-                                                + s_v.clone() * c_20.clone() + c_15.clone()))))),
-                -(c_1_840.clone()
-                    * (c_21.clone()
-                        * (o_w.clone()
-                            * (c_4.clone() * (product_4.clone() + product_22.clone()))
-                            - c_5.clone()
-                                * (c_4.clone() * t_y_z_second.clone()
-                                    + o_v.clone() * (product_17.clone() - product_5.clone()))
-                            + o_x.clone()
-                                * (c_2.clone()
-                                    * (s_x.clone() * __kahan::integer::<T>(100)
-                                        + product_20.clone() - c_15.clone() * s_v.clone()
-                                        + s_w.clone() * c_10.clone()))
-                            + o_y.clone()
-                                * (product_31.clone() - s_y.clone() * c_20.clone()
-                                    - product_32.clone() + product_37.clone()))
-                        + p_c.clone()
-                            * (c_20.clone()
-                                * (c_2.clone()
-                                    * (s_x.clone() * (c_7.clone() * (o_z.clone() - c_3.clone()))
-                                        - c_3.clone())
-                                    - s_w.clone() * (c_7.clone() * (o_y.clone() - o_u.clone()))
-                                    + o_x.clone() * (c_14.clone() * (s_z.clone() - c_3.clone()))
-                                    - o_w.clone()
-                                        * (c_7.clone() * (s_y.clone() - s_u.clone()))))
-                        + p_a.clone()
-                            * (c_28.clone()
-                                * (o_u.clone()
-                                    * (product_19.clone() - product_12.clone()
-                                        - s_u.clone() * c_30.clone() - product_40.clone()
-                                        - c_6.clone())
-                                    - (c_3.clone()
-                                        * (c_7.clone() * (s_z.clone() * o_w.clone())
-                                            + c_15.clone() * t_v_v_second.clone()
-                                            + c_7.clone() * (s_w.clone() * o_z.clone()))
-                                        + s_u.clone()
-                                            * (c_6.clone()
-                                                - (c_15.clone() * o_x.clone() - product_28.clone()
-                                                    - o_v.clone() * c_5.clone())))))
-                        - p_b.clone()
-                            * (c_14.clone()
-                                * (o_z.clone()
-                                    * (product_18.clone() - s_u.clone() * c_75.clone()
-                                        - product_39.clone() + c_60.clone())
-                                    - (c_5.clone()
-                                        * (c_3.clone()
-                                            * (s_z.clone() * (c_5.clone() * o_u.clone() - c_4.clone())
-                                                - (product_7.clone() + product_3.clone() + s_w.clone()
-                                                    + o_y.clone() * c_8.clone()))
-                                            + o_w.clone() * (product_40.clone() - c_3.clone()))
-                                        + o_v.clone()
-                                            * (product_38.clone() + s_w.clone() * c_25.clone()
-                                                - c_45.clone())))))),
+                (__c_14.clone()
+                    * (__c_2.clone()
+                        * (__c_5.clone()
+                            * (__c_4.clone() * (__s_w.clone() * __o_w.clone())
+                                + __o_x.clone()
+                                    * (__c_3.clone()
+                                        * (__s_y.clone() * __c_7.clone() + __product_11.clone())))
+                            + __o_y.clone()
+                                * (__c_3.clone()
+                                    * (__s_x.clone() * __c_35.clone() - __product_11.clone()))
+                            + __o_v.clone()
+                                * (__c_6.clone() * (__product_4.clone() - __s_y.clone())))
+                        * __p_c.clone()
+                        - __c_5.clone()
+                            * (__o_z.clone() * __s_x.clone()
+                                + __s_z.clone() * __o_x.clone()
+                                - __c_8.clone() * __t_v_v_second.clone()
+                                - __o_y.clone()
+                                    * (__c_3.clone()
+                                        * (__product_13.clone() - __product_14.clone()))
+                                + __o_w.clone()
+                                    * (__c_2.clone()
+                                        * (__product_1.clone() + __s_u.clone() * __c_2.clone()))
+                                + __o_u.clone()
+                                    * (__s_w.clone() * __c_4.clone()
+                                        - (__product_12.clone() + __s_u.clone() * __c_12.clone()))))
+                    + __c_5.clone()
+                        * (__o_x.clone()
+                            * ((__s_x.clone() - __product_8.clone() + __c_9.clone())
+                                * __c_28.clone())
+                            - __c_3.clone()
+                                * (__c_4.clone()
+                                    * (__c_7.clone() * (__o_z.clone() * __s_u.clone())
+                                        - __s_x.clone() * __c_21.clone() - __c_2.clone())
+                                    - __s_v.clone()
+                                        * (__c_7.clone()
+                                            * (__o_w.clone() * __c_8.clone() + __c_9.clone()))
+                                    + __o_u.clone()
+                                        * (__c_28.clone() * (__product_10.clone() + __s_z.clone()))
+                                    - __o_v.clone()
+                                        * ((__product_9.clone() + __c_9.clone()) * __c_7.clone())))
+                        * __p_b.clone()
+                    + (__c_15.clone() * (__s_v.clone() + __c_3.clone()) * __o_u.clone()
+                        - (__o_y.clone()
+                            * (__c_10.clone() * (__product_5.clone() - __c_4.clone()))
+                            - (__c_5.clone()
+                                * (__product_7.clone()
+                                    + __c_3.clone() * (__o_v.clone() + __c_3.clone())
+                                        * __s_u.clone())
+                                + __s_w.clone()
+                                    * (__c_42.clone() * (__product_6.clone() + __c_1.clone()))))
+                        + __o_w.clone()
+                            * ((__product_4.clone() + __c_1.clone()) * __c_42.clone())
+                        + __s_z.clone()
+                            * (__c_10.clone()
+                                * (__c_3.clone() * __o_y.clone()
+                                    + __c_3.clone() * __o_v.clone() - __o_w.clone()
+                                    + __c_1.clone()))
+                        + (__product_1.clone() - __product_2.clone()
+                            + __product_3.clone() - __s_w.clone() + __c_1.clone())
+                            * __c_10.clone() * __o_z.clone()) * __c_14.clone()
+                        * __p_a.clone()) * __c_1_840.clone(),
+                -(__c_1_840.clone()
+                    * (__c_5.clone()
+                        * (__p_a.clone()
+                            * (__c_84.clone() * (__o_y.clone() * __s_x.clone())
+                                - __c_21.clone() * (__s_z.clone() * __o_u.clone())
+                                + __t_v_v_second.clone() * __kahan::integer::<T>(56)
+                                - __c_24.clone()
+                                + __o_x.clone()
+                                    * (__c_28.clone()
+                                        * (__product_4.clone() + __product_1.clone()))
+                                + __o_z.clone()
+                                    * (__c_21.clone() * (__product_24.clone() - __s_u.clone()))
+                                - __s_w.clone()
+                                    * (__c_28.clone()
+                                        * (__product_23.clone() + __o_u.clone() * __c_4.clone()
+                                            + __o_v.clone() * __c_9.clone()))
+                                - __o_w.clone()
+                                    * (__c_28.clone()
+                                        * (__product_20.clone() + __product_21.clone()
+                                            + __s_v.clone() * __c_9.clone() + __product_22.clone())))
+                            - __c_7.clone()
+                                * (__p_c.clone()
+                                    * (__c_12.clone() * (__o_w.clone() * __s_x.clone())
+                                        - __c_60.clone() * (__s_z.clone() * __o_v.clone())
+                                        - __c_60.clone() * (__s_v.clone() * __o_z.clone())
+                                        + __product_12.clone() + __product_27.clone()
+                                        + __product_28.clone()
+                                        + __o_x.clone()
+                                            * (__c_4.clone()
+                                                * (__s_u.clone() * __c_7.clone() + __product_26.clone()))
+                                        + __o_u.clone()
+                                            * (__c_2.clone()
+                                                * (__product_25.clone() + __product_13.clone()
+                                                    + __c_8.clone())))
+                                    - __c_24.clone()
+                                        * (__o_v.clone() * __s_u.clone()
+                                            + __s_v.clone() * __o_u.clone())))
+                        - __p_b.clone()
+                            * (__c_7.clone()
+                                * (__o_z.clone()
+                                    * (__c_2.clone()
+                                        * (__s_x.clone() * __c_40.clone()
+                                            + __s_y.clone() * __c_42.clone() - __product_15.clone()
+                                            + __c_18.clone()))
+                                    - (__c_40.clone() * __t_y_u_second.clone()
+                                        - __product_19.clone() - __s_z.clone() * __c_36.clone()
+                                        - __s_v.clone() * __kahan::integer::<T>(90)
+                                        - __product_15.clone()
+                                        + __o_w.clone()
+                                            * (__c_75.clone()
+                                                * (__s_z.clone() * __c_2.clone() - __c_1.clone()))
+                                        - __o_x.clone()
+                                            * (__product_18.clone() - __s_v.clone() * __c_36.clone()
+                                                + __c_15.clone())
+                                        + __o_v.clone()
+                                            * (__c_6.clone()
+                                                * (__product_17.clone() - __s_y.clone() * __c_70.clone()
+                                                    - __c_15.clone()))
+                                        + __o_y.clone()
+                                            * (__c_4.clone()
+                                                * (__s_y.clone() * __c_45.clone()
+                                                    - __s_z.clone() * __c_21.clone() + __product_16.clone()
+                                                    - __s_v.clone() * __kahan::integer::<T>(105)))))))),
+                -(__c_1_840.clone()
+                    * (__c_7.clone()
+                        * (__c_10.clone()
+                            * (__s_v.clone()
+                                * (__o_x.clone() * __c_6.clone() - __o_u.clone())
+                                + __o_v.clone() * (__product_17.clone() - __s_u.clone())
+                                + __p_c.clone()
+                                    * (__o_u.clone()
+                                        * (__product_21.clone() - __s_w.clone() * __c_9.clone())
+                                        - __c_3.clone()
+                                            * (__c_3.clone() * (__o_w.clone() * __s_u.clone())
+                                                + __s_v.clone() * __c_8.clone()
+                                                + __o_v.clone() * __c_8.clone())))
+                            + __p_a.clone()
+                                * (__o_w.clone()
+                                    * (__c_6.clone()
+                                        * (__product_37.clone() - __product_30.clone()))
+                                    - __c_5.clone()
+                                        * (__o_u.clone() * __c_8.clone()
+                                            - (__c_30.clone() * (__s_w.clone() * __o_v.clone())
+                                                - __s_x.clone() * __c_8.clone() - __product_1.clone()
+                                                - __s_u.clone() * __c_8.clone())
+                                            + __o_y.clone()
+                                                * (__s_x.clone() * __c_16.clone() + __c_3.clone()))
+                                    + __o_x.clone()
+                                        * (__c_10.clone()
+                                            * (__product_34.clone() - __product_7.clone()
+                                                - __c_4.clone()))
+                                    - __s_z.clone()
+                                        * (__c_10.clone()
+                                            * (__product_23.clone() + __o_u.clone() * __c_6.clone()
+                                                + __o_w.clone() * __c_21.clone() + __c_18.clone()))
+                                    - __o_z.clone()
+                                        * (__c_10.clone()
+                                            * (__product_20.clone() + __product_8.clone()
+                                                + __s_w.clone() * __c_21.clone() + __c_18.clone()))))
+                        + __p_b.clone()
+                            * (__o_x.clone()
+                                * (__c_7.clone()
+                                    * (__s_z.clone() * __c_45.clone()
+                                        - __s_u.clone() * __c_84.clone()
+                                        - __s_w.clone() * __c_20.clone()))
+                                - __c_3.clone()
+                                    * (__c_5.clone() * (__product_36.clone() + __c_8.clone())
+                                        + __o_u.clone()
+                                            * (__c_7.clone()
+                                                * (__product_35.clone() - __s_y.clone() * __c_25.clone())))
+                                + __o_z.clone()
+                                    * (__c_35.clone()
+                                        * (__product_34.clone() - __s_z.clone() * __c_16.clone()
+                                            - __s_v.clone() * __c_16.clone()))
+                                - __o_v.clone()
+                                    * (__c_28.clone()
+                                        * (__product_5.clone() + __product_32.clone()
+                                            + __product_33.clone()))
+                                - __o_w.clone()
+                                    * (__c_35.clone()
+                                        * (__product_31.clone() + __s_y.clone() * __c_16.clone()
+                                            + __c_3.clone()))
+                                - __o_y.clone()
+                                    * (__c_35.clone()
+                                        * (__s_y.clone() * __kahan::integer::<T>(32)
+                                            - __c_15.clone() * __s_u.clone() + __product_29.clone()
+                                            + __product_30.clone()))))),
+                -(__c_1_840.clone()
+                    * (__p_c.clone()
+                        * (__c_10.clone()
+                            * (__s_z.clone()
+                                * (__c_14.clone() * (__product_6.clone() - __c_1.clone()))
+                                - __c_3.clone()
+                                    * (__c_21.clone() * __t_u_second_u.clone() + __c_4.clone())
+                                + __o_z.clone()
+                                    * (__c_14.clone() * (__product_4.clone() - __c_1.clone())))
+                            - __s_w.clone()
+                                * (__c_7.clone()
+                                    * (__o_y.clone() * __c_36.clone()
+                                        + __o_u.clone() * __c_40.clone() + __c_15.clone()))
+                            - __o_w.clone()
+                                * (__c_7.clone()
+                                    * (__s_y.clone() * __c_36.clone()
+                                        + __s_u.clone() * __c_40.clone() + __c_15.clone())))
+                        - __c_35.clone()
+                            * (__c_4.clone()
+                                * (__c_7.clone() * (__o_v.clone() * __s_x.clone())
+                                    + __o_z.clone() * (__s_u.clone() - __product_43.clone()))
+                                + __o_u.clone()
+                                    * (__product_42.clone() + __product_24.clone())
+                                + __o_x.clone()
+                                    * (__s_x.clone() * __c_12.clone() + __product_13.clone()
+                                        + __s_v.clone() * __c_28.clone())
+                                + __p_a.clone()
+                                    * (__s_y.clone()
+                                        * (__o_z.clone() * __c_4.clone()
+                                            + __o_v.clone() * __c_24.clone() + __c_9.clone())
+                                        + __o_y.clone()
+                                            * (__product_24.clone() + __s_v.clone() * __c_24.clone()
+                                                + __c_9.clone())))
+                        + __p_b.clone()
+                            * (__c_21.clone()
+                                * (__o_x.clone()
+                                    * (__product_41.clone() - __s_w.clone() * __c_28.clone()
+                                        - __c_25.clone())
+                                    - __c_5.clone()
+                                        * (__product_4.clone() + __product_27.clone()
+                                            + __product_11.clone()
+                                            + __o_z.clone()
+                                                * (__c_2.clone()
+                                                    * (__product_33.clone() + __product_36.clone())))
+                                    + __o_y.clone()
+                                        * (__c_5.clone()
+                                            * (__product_10.clone() + __product_7.clone()
+                                                - __product_13.clone()))
+                                    - __o_u.clone()
+                                        * (__c_5.clone()
+                                            * (__product_1.clone() - __s_v.clone() + __c_16.clone()))
+                                    - __o_w.clone()
+                                        * (__product_35.clone() + __s_z.clone() * __c_70.clone()
+                                            + __product_40.clone()
+                                            + __s_w.clone() * __kahan::integer::<T>(120))
+                                    - __o_v.clone()
+                                        * (__c_5.clone()
+                                            * (__product_38.clone() - __s_u.clone()
+                                                + __product_39.clone() + __s_w.clone()
+                                                + __c_2.clone())))))),
+                __c_1_840.clone()
+                    * (__c_2.clone()
+                        * (__p_b.clone()
+                            * (__c_5.clone()
+                                * (__c_2.clone()
+                                    * (__c_28.clone() * __t_y_u_second.clone()
+                                        + __s_v.clone() * __c_21.clone()
+                                        + __o_v.clone() * __c_21.clone() + __c_6.clone())
+                                    + __s_x.clone()
+                                        * (__c_21.clone()
+                                            * (__o_z.clone() - __o_w.clone() * __c_5.clone()))
+                                    + __o_x.clone()
+                                        * (__c_21.clone() * (__s_z.clone() - __product_45.clone())))
+                                + __o_y.clone()
+                                    * (__c_28.clone()
+                                        * (__product_1.clone() + __product_16.clone())))
+                            - __c_7.clone()
+                                * (__p_a.clone()
+                                    * (__o_z.clone()
+                                        * (__c_5.clone()
+                                            * (__s_z.clone() * __c_6.clone() - __product_26.clone()
+                                                - __c_8.clone()))
+                                        - (__c_10.clone()
+                                            * (__c_3.clone() * __t_v_v_second.clone()
+                                                + __product_24.clone() + __s_u.clone() + __o_u.clone())
+                                            + __o_w.clone()
+                                                * (__c_3.clone()
+                                                    * (__s_z.clone() * __c_5.clone() + __product_9.clone()))))
+                                    - __c_5.clone()
+                                        * (__t_y_z_second.clone()
+                                            + __c_3.clone() * __t_u_second_u.clone()
+                                            + __c_7.clone() * (__s_v.clone() * __o_x.clone())
+                                            + __o_y.clone() * (__s_z.clone() - __product_39.clone())
+                                            + __o_v.clone()
+                                                * (__s_x.clone() * __c_7.clone()
+                                                    - __s_y.clone() * __c_12.clone()))))
+                        + __p_c.clone()
+                            * (__c_7.clone()
+                                * (__o_v.clone()
+                                    * (__c_20.clone()
+                                        * (__product_43.clone() + __product_13.clone()
+                                            + __product_14.clone()))
+                                    - __c_3.clone()
+                                        * (__o_z.clone()
+                                            * (__c_5.clone()
+                                                * (__product_44.clone() - __product_29.clone()))
+                                            - __c_2.clone()
+                                                * (__product_25.clone() + __product_41.clone()
+                                                    + __product_45.clone())
+                                            + __o_y.clone()
+                                                * (__c_2.clone()
+                                                    * (__s_x.clone() * __c_25.clone() - __product_14.clone()
+                                                        - __c_10.clone())))
+                                    + __o_x.clone()
+                                        * (__c_3.clone()
+                                            * (__s_x.clone() * __c_20.clone()
+                                                - __s_y.clone() * __kahan::integer::<T>(50)
+                                                + __product_44.clone() + __c_28.clone()))
+                                    + __o_u.clone()
+                                        * (__c_5.clone()
+                                            * (__product_42.clone() - __product_2.clone()
+                                                + __product_39.clone() + __product_14.clone()))
+                                    + __o_w.clone()
+                                        * (__c_2.clone()
+                                            * (__s_y.clone() * __c_6.clone() + __product_44.clone()
+                                                + __s_v.clone() * __c_20.clone() + __c_15.clone()))))),
+                -(__c_1_840.clone()
+                    * (__c_21.clone()
+                        * (__o_w.clone()
+                            * (__c_4.clone()
+                                * (__product_4.clone() + __product_22.clone()))
+                            - __c_5.clone()
+                                * (__c_4.clone() * __t_y_z_second.clone()
+                                    + __o_v.clone()
+                                        * (__product_17.clone() - __product_5.clone()))
+                            + __o_x.clone()
+                                * (__c_2.clone()
+                                    * (__s_x.clone() * __kahan::integer::<T>(100)
+                                        + __product_20.clone() - __c_15.clone() * __s_v.clone()
+                                        + __s_w.clone() * __c_10.clone()))
+                            + __o_y.clone()
+                                * (__product_31.clone() - __s_y.clone() * __c_20.clone()
+                                    - __product_32.clone() + __product_37.clone()))
+                        + __p_c.clone()
+                            * (__c_20.clone()
+                                * (__c_2.clone()
+                                    * (__s_x.clone()
+                                        * (__c_7.clone() * (__o_z.clone() - __c_3.clone()))
+                                        - __c_3.clone())
+                                    - __s_w.clone()
+                                        * (__c_7.clone() * (__o_y.clone() - __o_u.clone()))
+                                    + __o_x.clone()
+                                        * (__c_14.clone() * (__s_z.clone() - __c_3.clone()))
+                                    - __o_w.clone()
+                                        * (__c_7.clone() * (__s_y.clone() - __s_u.clone()))))
+                        + __p_a.clone()
+                            * (__c_28.clone()
+                                * (__o_u.clone()
+                                    * (__product_19.clone() - __product_12.clone()
+                                        - __s_u.clone() * __c_30.clone() - __product_40.clone()
+                                        - __c_6.clone())
+                                    - (__c_3.clone()
+                                        * (__c_7.clone() * (__s_z.clone() * __o_w.clone())
+                                            + __c_15.clone() * __t_v_v_second.clone()
+                                            + __c_7.clone() * (__s_w.clone() * __o_z.clone()))
+                                        + __s_u.clone()
+                                            * (__c_6.clone()
+                                                - (__c_15.clone() * __o_x.clone() - __product_28.clone()
+                                                    - __o_v.clone() * __c_5.clone())))))
+                        - __p_b.clone()
+                            * (__c_14.clone()
+                                * (__o_z.clone()
+                                    * (__product_18.clone() - __s_u.clone() * __c_75.clone()
+                                        - __product_39.clone() + __c_60.clone())
+                                    - (__c_5.clone()
+                                        * (__c_3.clone()
+                                            * (__s_z.clone()
+                                                * (__c_5.clone() * __o_u.clone() - __c_4.clone())
+                                                - (__product_7.clone() + __product_3.clone() + __s_w.clone()
+                                                    + __o_y.clone() * __c_8.clone()))
+                                            + __o_w.clone() * (__product_40.clone() - __c_3.clone()))
+                                        + __o_v.clone()
+                                            * (__product_38.clone() + __s_w.clone() * __c_25.clone()
+                                                - __c_45.clone())))))),
             ])
         }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 6> for Dense<T> {
         fn increment(
             &self,
-            state: &__kahan::SVector<T, 6>,
-            half_step: &T,
+            __state: &__kahan::SVector<T, 6>,
+            __half_step: &T,
         ) -> __kahan::Option<__kahan::SVector<T, 6>> {
-            __kahan::increment_by_elimination(self, state, half_step)
+            __kahan::increment_by_elimination(self, __state, __half_step)
         }
     }
 };

@@ -17,7 +17,7 @@
 /// [ -2*eps*x, -2*eps*y, 1 ]
 /// ```
 ///
-/// The map in lowest terms:
+/// The map, over its common denominator in lowest terms:
 ///
 /// ```text
 /// x~ = x + 2*eps*(-x*z - eps*x^3 - eps*x*y^2)/(1 + eps*z + 2*eps^2*x^2 + 2*eps^2*y^2)
@@ -64,153 +64,168 @@ const _: () = {
         }
     }
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 3> for E3 {
-        fn field(&self, state: &__kahan::SVector<T, 3>) -> __kahan::SVector<T, 3> {
-            let [s_x, s_y, s_z] = __kahan::components(state);
+        fn field(&self, __state: &__kahan::SVector<T, 3>) -> __kahan::SVector<T, 3> {
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
             __kahan::vector([
-                -(s_x.clone() * s_z.clone()),
-                -(s_z.clone() * s_y.clone()),
-                s_x.clone() * s_x.clone() + s_y.clone() * s_y.clone(),
+                -(__s_x.clone() * __s_z.clone()),
+                -(__s_z.clone() * __s_y.clone()),
+                __s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone(),
             ])
         }
         fn field_jacobian(
             &self,
-            state: &__kahan::SVector<T, 3>,
+            __state: &__kahan::SVector<T, 3>,
         ) -> __kahan::SMatrix<T, 3, 3> {
-            let [s_x, s_y, s_z] = __kahan::components(state);
-            let negative_1 = -s_z.clone();
-            let c_0 = __kahan::integer::<T>(0);
-            let c_2 = __kahan::integer::<T>(2);
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let __negative_1 = -__s_z.clone();
+            let __c_0 = __kahan::integer::<T>(0);
+            let __c_2 = __kahan::integer::<T>(2);
             __kahan::matrix([
-                [negative_1.clone(), c_0.clone(), -s_x.clone()],
-                [c_0.clone(), negative_1.clone(), -s_y.clone()],
-                [s_x.clone() * c_2.clone(), s_y.clone() * c_2.clone(), c_0.clone()],
+                [__negative_1.clone(), __c_0.clone(), -__s_x.clone()],
+                [__c_0.clone(), __negative_1.clone(), -__s_y.clone()],
+                [
+                    __s_x.clone() * __c_2.clone(),
+                    __s_y.clone() * __c_2.clone(),
+                    __c_0.clone(),
+                ],
             ])
         }
         fn bilinear(
             &self,
-            state: &__kahan::SVector<T, 3>,
-            other: &__kahan::SVector<T, 3>,
+            __state: &__kahan::SVector<T, 3>,
+            __other: &__kahan::SVector<T, 3>,
         ) -> __kahan::SVector<T, 3> {
-            let [s_x, s_y, s_z] = __kahan::components(state);
-            let [o_x, o_y, o_z] = __kahan::components(other);
-            let c_1_2 = __kahan::ratio::<T>(1, 2);
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let [__o_x, __o_y, __o_z] = __kahan::components(__other);
+            let __c_1_2 = __kahan::ratio::<T>(1, 2);
             __kahan::vector([
-                -((s_x.clone() * o_z.clone() + s_z.clone() * o_x.clone())
-                    * c_1_2.clone()),
-                -(c_1_2.clone()
-                    * (o_z.clone() * s_y.clone() + s_z.clone() * o_y.clone())),
-                s_x.clone() * o_x.clone() + s_y.clone() * o_y.clone(),
+                -((__s_x.clone() * __o_z.clone() + __s_z.clone() * __o_x.clone())
+                    * __c_1_2.clone()),
+                -(__c_1_2.clone()
+                    * (__o_z.clone() * __s_y.clone() + __s_z.clone() * __o_y.clone())),
+                __s_x.clone() * __o_x.clone() + __s_y.clone() * __o_y.clone(),
             ])
         }
         fn polarized(
             &self,
-            state: &__kahan::SVector<T, 3>,
-            other: &__kahan::SVector<T, 3>,
+            __state: &__kahan::SVector<T, 3>,
+            __other: &__kahan::SVector<T, 3>,
         ) -> __kahan::SVector<T, 3> {
-            let [s_x, s_y, s_z] = __kahan::components(state);
-            let [o_x, o_y, o_z] = __kahan::components(other);
-            let c_1_2 = __kahan::ratio::<T>(1, 2);
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let [__o_x, __o_y, __o_z] = __kahan::components(__other);
+            let __c_1_2 = __kahan::ratio::<T>(1, 2);
             __kahan::vector([
-                -((s_x.clone() * o_z.clone() + s_z.clone() * o_x.clone())
-                    * c_1_2.clone()),
-                -(c_1_2.clone()
-                    * (o_z.clone() * s_y.clone() + s_z.clone() * o_y.clone())),
-                s_x.clone() * o_x.clone() + s_y.clone() * o_y.clone(),
+                -((__s_x.clone() * __o_z.clone() + __s_z.clone() * __o_x.clone())
+                    * __c_1_2.clone()),
+                -(__c_1_2.clone()
+                    * (__o_z.clone() * __s_y.clone() + __s_z.clone() * __o_y.clone())),
+                __s_x.clone() * __o_x.clone() + __s_y.clone() * __o_y.clone(),
             ])
         }
     }
-    fn reduced<T: __kahan::Scalar>(
-        system: &E3,
-        state: &__kahan::SVector<T, 3>,
-        half_step: &T,
+    fn __reduced<T: __kahan::Scalar>(
+        __system: &E3,
+        __state: &__kahan::SVector<T, 3>,
+        __half_step: &T,
     ) -> (__kahan::SVector<T, 3>, T) {
-        let [s_x, s_y, s_z] = __kahan::components(state);
-        let sum_1 = s_x.clone() * s_x.clone() + s_y.clone() * s_y.clone();
-        let sum_2 = s_z.clone() + sum_1.clone() * half_step.clone();
+        let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+        let __sum_1 = __s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone();
+        let __sum_2 = __s_z.clone() + __sum_1.clone() * __half_step.clone();
         (
             __kahan::vector([
-                -(s_x.clone() * sum_2.clone()),
-                -(s_y.clone() * sum_2.clone()),
-                sum_1.clone() - half_step.clone() * (sum_1.clone() * s_z.clone()),
+                -(__s_x.clone() * __sum_2.clone()),
+                -(__s_y.clone() * __sum_2.clone()),
+                __sum_1.clone() - __half_step.clone() * (__sum_1.clone() * __s_z.clone()),
             ]),
             __kahan::integer::<T>(1)
-                + half_step.clone()
-                    * (s_z.clone()
-                        + half_step.clone() * (sum_1.clone() * __kahan::integer::<T>(2))),
+                + __half_step.clone()
+                    * (__s_z.clone()
+                        + __half_step.clone()
+                            * (__sum_1.clone() * __kahan::integer::<T>(2))),
         )
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 3> for E3 {
         fn increment(
             &self,
-            state: &__kahan::SVector<T, 3>,
-            half_step: &T,
+            __state: &__kahan::SVector<T, 3>,
+            __half_step: &T,
         ) -> __kahan::Option<__kahan::SVector<T, 3>> {
-            let (numerators, denominator) = reduced(self, state, half_step);
-            __kahan::increment_from_quotient(numerators, denominator, half_step)
+            let (__numerators, __denominator) = __reduced(self, __state, __half_step);
+            __kahan::increment_from_quotient(__numerators, __denominator, __half_step)
         }
         fn jacobian(
             &self,
-            state: &__kahan::SVector<T, 3>,
-            half_step: T,
+            __state: &__kahan::SVector<T, 3>,
+            __half_step: T,
         ) -> __kahan::SMatrix<T, 3, 3> {
-            let lifted = E3;
+            let __lifted = E3;
             __kahan::jacobian_of_reduced(
-                |state, half_step| {
-                    let (numerators, denominator) = reduced(&lifted, state, half_step);
-                    __kahan::increment_from_quotient(numerators, denominator, half_step)
+                |__state, __half_step| {
+                    let (__numerators, __denominator) = __reduced(
+                        &__lifted,
+                        __state,
+                        __half_step,
+                    );
+                    __kahan::increment_from_quotient(
+                        __numerators,
+                        __denominator,
+                        __half_step,
+                    )
                 },
-                state,
-                &half_step,
+                __state,
+                &__half_step,
             )
         }
-        fn det_matrix(&self, state: &__kahan::SVector<T, 3>, half_step: T) -> T {
-            let [s_x, s_y, s_z] = __kahan::components(state);
-            let c_2 = __kahan::integer::<T>(2);
-            let product_1 = (s_x.clone() * s_x.clone() + s_y.clone() * s_y.clone())
-                * c_2.clone();
+        fn det_matrix(&self, __state: &__kahan::SVector<T, 3>, __half_step: T) -> T {
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let __c_2 = __kahan::integer::<T>(2);
+            let __product_1 = (__s_x.clone() * __s_x.clone()
+                + __s_y.clone() * __s_y.clone()) * __c_2.clone();
             __kahan::integer::<T>(1)
-                + half_step.clone()
-                    * (c_2.clone() * s_z.clone()
-                        + half_step.clone()
-                            * (product_1.clone()
-                                + s_z.clone()
-                                    * (s_z.clone() + product_1.clone() * half_step.clone())))
+                + __half_step.clone()
+                    * (__c_2.clone() * __s_z.clone()
+                        + __half_step.clone()
+                            * (__product_1.clone()
+                                + __s_z.clone()
+                                    * (__s_z.clone()
+                                        + __product_1.clone() * __half_step.clone())))
         }
         fn rational_map(
             &self,
-            state: &__kahan::SVector<T, 3>,
-            half_step: T,
+            __state: &__kahan::SVector<T, 3>,
+            __half_step: T,
         ) -> (__kahan::SVector<T, 3>, T) {
-            let [s_x, s_y, s_z] = __kahan::components(state);
-            let c_1 = __kahan::integer::<T>(1);
-            let t_z_z = s_z.clone() * s_z.clone();
-            let sum_1 = c_1.clone()
-                - half_step.clone() * (t_z_z.clone() * half_step.clone());
-            let c_2 = __kahan::integer::<T>(2);
-            let t_x_x = s_x.clone() * s_x.clone();
-            let t_y_y = s_y.clone() * s_y.clone();
-            let product_2 = s_z.clone() * c_2.clone();
-            let product_3 = c_2.clone() * (t_x_x.clone() + t_y_y.clone());
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let __c_1 = __kahan::integer::<T>(1);
+            let __t_z_z = __s_z.clone() * __s_z.clone();
+            let __sum_1 = __c_1.clone()
+                - __half_step.clone() * (__t_z_z.clone() * __half_step.clone());
+            let __c_2 = __kahan::integer::<T>(2);
+            let __t_x_x = __s_x.clone() * __s_x.clone();
+            let __t_y_y = __s_y.clone() * __s_y.clone();
+            let __product_2 = __s_z.clone() * __c_2.clone();
+            let __product_3 = __c_2.clone() * (__t_x_x.clone() + __t_y_y.clone());
             (
                 __kahan::vector([
-                    sum_1.clone() * s_x.clone(),
-                    sum_1.clone() * s_y.clone(),
-                    s_z.clone()
-                        + half_step.clone()
-                            * (product_3.clone()
-                                + s_z.clone()
-                                    * (product_2.clone()
-                                        + half_step.clone()
-                                            * (c_2.clone() * t_x_x.clone() + c_2.clone() * t_y_y.clone()
-                                                + t_z_z.clone()))),
+                    __sum_1.clone() * __s_x.clone(),
+                    __sum_1.clone() * __s_y.clone(),
+                    __s_z.clone()
+                        + __half_step.clone()
+                            * (__product_3.clone()
+                                + __s_z.clone()
+                                    * (__product_2.clone()
+                                        + __half_step.clone()
+                                            * (__c_2.clone() * __t_x_x.clone()
+                                                + __c_2.clone() * __t_y_y.clone() + __t_z_z.clone()))),
                 ]),
-                c_1.clone()
-                    + half_step.clone()
-                        * (product_2.clone()
-                            + half_step.clone()
-                                * (product_3.clone()
-                                    + s_z.clone()
-                                        * (s_z.clone() + half_step.clone() * product_3.clone()))),
+                __c_1.clone()
+                    + __half_step.clone()
+                        * (__product_2.clone()
+                            + __half_step.clone()
+                                * (__product_3.clone()
+                                    + __s_z.clone()
+                                        * (__s_z.clone()
+                                            + __half_step.clone() * __product_3.clone()))),
             )
         }
     }
@@ -219,7 +234,7 @@ const _: () = {
         pub const INTEGRALS: [&'static __kahan::core::primitive::str; 2] = ["H", "K"];
     }
     impl E3 {
-        /// The integrals of motion of the map at `state`; `half_step` is ε, half the time step.
+        /// The integrals of motion of the map at `__state`; `__half_step` is ε, half the time step.
         ///
         /// In order:
         ///
@@ -231,16 +246,17 @@ const _: () = {
         /// Where a divisor is zero, floats are not finite and exact scalars panic.
         pub fn integrals<T: __kahan::Scalar>(
             &self,
-            state: &__kahan::SVector<T, 3>,
-            half_step: T,
+            __state: &__kahan::SVector<T, 3>,
+            __half_step: T,
         ) -> __kahan::SVector<T, 2> {
-            let [s_x, s_y, s_z] = __kahan::components(state);
-            let sum_1 = s_x.clone() * s_x.clone() + s_y.clone() * s_y.clone();
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let __sum_1 = __s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone();
             __kahan::vector([
-                s_y.clone() / s_x.clone(),
-                __kahan::ratio::<T>(1, 2) * (sum_1.clone() + s_z.clone() * s_z.clone())
+                __s_y.clone() / __s_x.clone(),
+                __kahan::ratio::<T>(1, 2)
+                    * (__sum_1.clone() + __s_z.clone() * __s_z.clone())
                     / (__kahan::integer::<T>(1)
-                        + sum_1.clone() * (half_step.clone() * half_step.clone())),
+                        + __sum_1.clone() * (__half_step.clone() * __half_step.clone())),
             ])
         }
     }
@@ -250,14 +266,14 @@ const _: () = {
         }
         fn integrals(
             &self,
-            state: &__kahan::SVector<T, 3>,
-            half_step: T,
+            __state: &__kahan::SVector<T, 3>,
+            __half_step: T,
         ) -> __kahan::SVector<T, 2> {
-            Self::integrals(self, state, half_step)
+            Self::integrals(self, __state, __half_step)
         }
     }
     impl E3 {
-        /// The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `half_step` is ε, half the time step.
+        /// The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `__half_step` is ε, half the time step.
         ///
         /// Namely
         ///
@@ -266,17 +282,17 @@ const _: () = {
         /// ```
         pub fn density<T: __kahan::Scalar>(
             &self,
-            state: &__kahan::SVector<T, 3>,
-            half_step: T,
+            __state: &__kahan::SVector<T, 3>,
+            __half_step: T,
         ) -> T {
-            let [s_x, s_y, s_z] = __kahan::components(state);
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
             __kahan::integer::<T>(2)
-                / ((s_x.clone() * s_x.clone() + s_y.clone() * s_y.clone()
-                    + s_z.clone() * s_z.clone()) * (s_y.clone() * s_x.clone()))
+                / ((__s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone()
+                    + __s_z.clone() * __s_z.clone()) * (__s_y.clone() * __s_x.clone()))
         }
     }
     impl E3 {
-        /// An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `half_step` is ε, half the time step.
+        /// An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `__half_step` is ε, half the time step.
         ///
         /// Its entries, those not given being zero:
         ///
@@ -286,20 +302,20 @@ const _: () = {
         /// ```
         pub fn bracket_P<T: __kahan::Scalar>(
             &self,
-            state: &__kahan::SVector<T, 3>,
-            half_step: T,
+            __state: &__kahan::SVector<T, 3>,
+            __half_step: T,
         ) -> __kahan::SMatrix<T, 3, 3> {
-            let [s_x, s_y, _] = __kahan::components(state);
-            let sum_1 = __kahan::integer::<T>(1)
-                + (s_x.clone() * s_x.clone() + s_y.clone() * s_y.clone())
-                    * (half_step.clone() * half_step.clone());
-            let p_0_1 = __kahan::integer::<T>(0);
-            let p_0_2 = s_x.clone() * sum_1.clone();
-            let p_1_2 = s_y.clone() * sum_1.clone();
+            let [__s_x, __s_y, _] = __kahan::components(__state);
+            let __sum_1 = __kahan::integer::<T>(1)
+                + (__s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone())
+                    * (__half_step.clone() * __half_step.clone());
+            let __p_0_1 = __kahan::integer::<T>(0);
+            let __p_0_2 = __s_x.clone() * __sum_1.clone();
+            let __p_1_2 = __s_y.clone() * __sum_1.clone();
             __kahan::matrix([
-                [__kahan::integer::<T>(0), p_0_1.clone(), p_0_2.clone()],
-                [-p_0_1.clone(), __kahan::integer::<T>(0), p_1_2.clone()],
-                [-p_0_2.clone(), -p_1_2.clone(), __kahan::integer::<T>(0)],
+                [__kahan::integer::<T>(0), __p_0_1.clone(), __p_0_2.clone()],
+                [-__p_0_1.clone(), __kahan::integer::<T>(0), __p_1_2.clone()],
+                [-__p_0_2.clone(), -__p_1_2.clone(), __kahan::integer::<T>(0)],
             ])
         }
     }
