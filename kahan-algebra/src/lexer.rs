@@ -60,7 +60,7 @@ impl Lexer<'_> {
         } else if self.text[self.at..].starts_with("//") {
             self.at += self.run(self.at, |c| c != '\n');
         } else if self.text[self.at..].starts_with("/*") {
-            self.skip_block_comment();
+            self.block_comment();
         } else if c.is_ascii_digit() {
             let length = self.number_length();
             self.push(TokenKind::Literal, length);
@@ -85,24 +85,30 @@ impl Lexer<'_> {
         true
     }
 
-    /// Skips `/* … */`, which nests in Rust; an open one ends with the text.
-    fn skip_block_comment(&mut self) {
+    /// Skips `/* … */`, which nests in Rust; one that is not closed is a mistake at its beginning.
+    fn block_comment(&mut self) {
         let mut depth = 0;
-        while self.at < self.text.len() {
-            let rest = &self.text[self.at..];
+        let mut end = self.at;
+        while end < self.text.len() {
+            let rest = &self.text[end..];
             if rest.starts_with("/*") {
                 depth += 1;
-                self.at += 2;
+                end += 2;
             } else if rest.starts_with("*/") {
                 depth -= 1;
-                self.at += 2;
+                end += 2;
                 if depth == 0 {
+                    self.at = end;
                     return;
                 }
             } else {
-                self.at += rest.chars().next().map_or(1, char::len_utf8);
+                end += rest.chars().next().map_or(1, char::len_utf8);
             }
         }
+        let (message, help) =
+            ("this comment is not closed".to_owned(), "write `*/` where it ends".to_owned());
+        self.push(TokenKind::Unreadable { message, help }, 2);
+        self.at = self.text.len();
     }
 
     /// A number and whatever letters touch it: `1`, `1.`, `1.5e-3`, `0x1F`, `2x`, `3eps`.
@@ -159,5 +165,5 @@ fn explain_unreadable(c: char) -> (String, String) {
         '½' => ("fractions are written out", "write `1/2`"),
         _ => ("this character has no meaning in a field", "remove it"),
     };
-    (format!("`{c}`: {what}"), help.to_owned())
+    (format!("`{}`: {what}", c.escape_debug()), help.to_owned())
 }

@@ -124,3 +124,20 @@ fn conditions_specialise_the_map() {
         assert_eq!(reading(&text).diagnostics.is_empty(), holds, "{when}");
     }
 }
+
+#[test]
+fn a_claim_where_there_is_no_map_says_so() {
+    // det A = 1 − ε for the field x.
+    let text = "xdot = x; integral F = x when eps = 1;";
+    assert_eq!(verdicts(text), [Some(Verdict::NoMap)]);
+    assert!(reading(text).diagnostics[0].message.contains("eps = 1"));
+}
+
+#[test]
+fn a_normal_form_that_grows_too_large_is_given_up() {
+    let text = "sdot = -b*s*i; idot = b*s*i - g*i; rdot = g*i; integral N = (s + i + r)^64;
+        integral M = 1/N; integral Q = M*N^2 + b*g*eps;";
+    let system = reading(text).system;
+    assert_eq!(prove_by_normal_form(&system, &system.claims[2]), None);
+    assert!(verdicts(text).iter().all(|verdict| matches!(verdict, Some(Verdict::Proved(_)))));
+}

@@ -141,3 +141,24 @@ fn places_point_at_the_token_to_change() {
         assert_eq!(&text[first.start..last.end], place, "{text}");
     }
 }
+
+/// Inputs that once went wrong, each with what it must be now.
+#[test]
+fn what_once_went_wrong_stays_mended() {
+    // A literal that a letter outside ASCII touches.
+    for text in ["xdot = 2α*x;", "xdot = 1.5ü*x;", "xdot = x^2é;", "xdot = 0é;", "xdot = 1_é*x;"] {
+        assert_eq!(reading(text).diagnostics.len(), 1, "{text}");
+    }
+    // An open comment swallowed the rest without a word.
+    assert_eq!(reading("xdot = x; /* open; ydot = y;").diagnostics.len(), 1);
+    // An underscore in an exponent is Rust's spelling too.
+    assert_eq!(equations("xdot = 1e1_0*x;"), equations("xdot = 10000000000*x;"));
+    // An underscore is no name.
+    assert_eq!(reading("xdot = _*x;").diagnostics.len(), 1);
+    assert_eq!(reading("struct _; xdot = x;").diagnostics.len(), 1);
+    // A claim without any equation is one mistake: the field is missing.
+    assert_eq!(reading("integral H = x;").diagnostics.len(), 1);
+    // What is not there cannot be called empty.
+    let message = &reading("xdot = @x;").diagnostics[0].message;
+    assert!(message.contains('@') && !message.contains("empty"), "{message}");
+}

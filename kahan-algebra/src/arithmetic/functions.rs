@@ -101,9 +101,34 @@ impl Functions {
         };
         let (mut a, mut b) = (a.clone(), b.clone());
         let mut denominator = Vec::new();
-        cancel(&mut a, below_b, &mut denominator);
-        cancel(&mut b, below_a, &mut denominator);
+        self.cancel(&mut a, below_b, &mut denominator)?;
+        self.cancel(&mut b, below_a, &mut denominator)?;
         Some(Function::Known { numerator: self.product(&a, &b)?, denominator })
+    }
+
+    /// Moves the factors of `below` into `denominator`, except where one equals `numerator`, which it then cancels.
+    fn cancel(
+        &self,
+        numerator: &mut Polynomial,
+        below: &[(Polynomial, u32)],
+        denominator: &mut Vec<(Polynomial, u32)>,
+    ) -> Option<()> {
+        for (factor, exponent) in below {
+            let mut exponent = *exponent;
+            while exponent > 0 && numerator.len() == factor.len() {
+                let quotient = numerator.div_within(factor, &mut self.budget.borrow_mut()).ok()?;
+                let Some(quotient) = quotient else { break };
+                *numerator = quotient;
+                exponent -= 1;
+            }
+            if exponent > 0 {
+                match denominator.iter_mut().find(|(known, _)| known == factor) {
+                    Some((_, known)) => *known += exponent,
+                    None => denominator.push((factor.clone(), exponent)),
+                }
+            }
+        }
+        Some(())
     }
 
     /// 1/b as numerator ∏ factorᵏ over the numerator of b; `None` over budget. b is not zero.
@@ -117,24 +142,6 @@ impl Functions {
         let above = above.scale(&numerator.content().recip()?);
         let denominator = if primitive.as_constant().is_some() { Vec::new() } else { vec![(primitive, 1)] };
         Some(Function::Known { numerator: above, denominator })
-    }
-}
-
-/// Moves the factors of `below` into `denominator`, except where one equals `numerator`, which it then cancels.
-fn cancel(numerator: &mut Polynomial, below: &[(Polynomial, u32)], denominator: &mut Vec<(Polynomial, u32)>) {
-    for (factor, exponent) in below {
-        let mut exponent = *exponent;
-        while exponent > 0 && numerator.len() == factor.len() {
-            let Some(quotient) = numerator.checked_div(factor) else { break };
-            *numerator = quotient;
-            exponent -= 1;
-        }
-        if exponent > 0 {
-            match denominator.iter_mut().find(|(known, _)| known == factor) {
-                Some((_, known)) => *known += exponent,
-                None => denominator.push((factor.clone(), exponent)),
-            }
-        }
     }
 }
 

@@ -40,7 +40,12 @@ pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
         && !block.equations.is_empty()
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
-    let claims = claims::compile_all(&block, &field.components, &mut scope, diagnostics);
+    // Without a field there is nothing to claim of it.
+    let claims = if block.equations.is_empty() {
+        Vec::new()
+    } else {
+        claims::compile_all(&block, &field.components, &mut scope, diagnostics)
+    };
     scope.report_unused(&block, diagnostics);
     System { header: block.header, constants, field, is_field_sound, claims }
 }

@@ -18,8 +18,8 @@ pub(super) fn edit_distance(a: &str, b: &str) -> usize {
 
 /// Keywords of Rust, strict and reserved, which cannot name a field of a struct.
 pub(super) fn is_keyword(name: &str) -> bool {
-    const KEYWORDS: [&str; 52] = [
-        "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern",
+    const KEYWORDS: [&str; 53] = [
+        "_", "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern",
         "false", "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref",
         "return", "self", "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use",
         "where", "while", "abstract", "become", "box", "do", "final", "gen", "macro", "override", "priv",

@@ -183,8 +183,12 @@ fn atom(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
 fn missing_operand(cursor: &Cursor<'_>) -> Parsed<Expr> {
     let found = cursor.describe_next();
     let before = cursor.behind();
-    let empty = cursor.position() > 0 && cursor.is_after_equals();
-    let (message, help) = if empty {
+    let ends = cursor
+        .peek(0)
+        .is_none_or(|token| matches!(token.kind, TokenKind::Punctuation(';' | ',') | TokenKind::Close(_)));
+    let (message, help) = if !ends {
+        (format!("{found} begins no operand"), "write a number, a name or `(`")
+    } else if cursor.position() > 0 && cursor.is_after_equals() {
         (
             format!("the right-hand side is empty: expected an expression, found {found}"),
             "write an expression, `0` if it vanishes",

@@ -45,7 +45,7 @@ pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
             Err(Diagnostic::new(Kind::Syntax, span, format!("`{text}`: a product needs its `*`"), help))
         };
     }
-    let exponent = parts.exponent.parse::<i64>().unwrap_or(i64::MAX);
+    let exponent = parts.exponent.replace('_', "").parse::<i64>().unwrap_or(i64::MAX);
     let digits = format!("{}{}", parts.whole, parts.fraction).replace('_', "");
     let scale = exponent.saturating_sub(parts.fraction.chars().filter(char::is_ascii_digit).count() as i64);
     if !(-LARGEST_EXPONENT..=LARGEST_EXPONENT).contains(&exponent)

@@ -21,6 +21,7 @@ use crate::diagnostics::{Diagnostics, Kind};
 use crate::poly::Variable;
 use crate::prime_field::SplitMix64;
 use crate::rational::Rational;
+use crate::render::condition_text;
 use crate::system::{Claim, System};
 
 use sample::{Samples, Scheme};
@@ -36,6 +37,8 @@ pub enum Verdict {
     Vacuous,
     /// It divides by zero identically.
     Undefined,
+    /// On its specialisation det A vanishes identically, so there is no map.
+    NoMap,
     /// Its degree is so high that no reasonable number of points bounds the error.
     TooLarge,
 }
@@ -104,6 +107,15 @@ fn report(system: &System, claim: &Claim, verdict: &Verdict, diagnostics: &mut D
             span,
             format!("the {keyword} `{name}` divides by zero identically"),
             "no point gives it a value: correct its divisors",
+        ),
+        Verdict::NoMap => diagnostics.report(
+            Kind::Claim,
+            span,
+            format!(
+                "the {keyword} `{name}` is about no map: at {} det A is 0 everywhere",
+                condition_text(system, claim)
+            ),
+            "choose other values behind `when`",
         ),
         Verdict::TooLarge => diagnostics.report(
             Kind::TooLarge,

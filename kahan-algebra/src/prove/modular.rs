@@ -35,7 +35,7 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> V
             return Verdict::Undefined;
         }
         let Some((arithmetic, sample)) = samples.modular(scheme, &claim.conditions, drawn) else {
-            return Verdict::Undefined;
+            return Verdict::NoMap;
         };
         drawn += 1;
         let Some(finding) = examine(claim, arithmetic, sample, n) else { continue };

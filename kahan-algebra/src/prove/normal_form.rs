@@ -12,8 +12,8 @@ use super::residual::pairs;
 use super::sample::{Sample, Scheme, rows, run};
 
 /// Terms of any intermediate result, and products of terms in all.
-const MOST_TERMS: usize = 200_000;
-const MOST_WORK: u64 = 20_000_000;
+const MOST_TERMS: usize = 20_000;
+const MOST_WORK: u64 = 1_000_000;
 
 /// `Some(true)` if the claim holds, `Some(false)` if not, `None` if expanding it takes more than the budget.
 #[must_use]

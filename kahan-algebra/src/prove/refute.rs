@@ -114,5 +114,9 @@ fn shorten(value: &Rational) -> String {
         return text;
     }
     let start: String = text.chars().take(24).collect();
-    format!("{start}… ({} characters, about {:e})", text.len(), value.to_f64())
+    let size = match value.to_f64() {
+        float if float.is_normal() => format!(", about {float:e}"),
+        _ => String::new(),
+    };
+    format!("{start}… ({} characters{size})", text.len())
 }

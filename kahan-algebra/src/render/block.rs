@@ -1,16 +1,33 @@
 //! A system as a block of `kahan!`, in one canonical layout.
 
-use crate::system::System;
+use crate::field::Component;
+use crate::system::{Claim, System};
 
 use super::claim::claim_text;
 use super::formula::Formulas;
 use super::notation::Notation;
 
+/// The parameters that something still depends on once the equations are expanded.
+fn used_parameters(system: &System) -> Vec<String> {
+    let symbols = &system.field.symbols;
+    let is_used = |k: usize| {
+        let variable = symbols.parameter(k);
+        let in_field = |c: &Component| c.numerator.contains(variable) || c.denominator.contains(variable);
+        let in_claim = |claim: &Claim| {
+            claim.plan.inputs().contains(&variable)
+                || claim.conditions.iter().any(|(fixed, _)| *fixed == variable)
+        };
+        system.field.components.iter().any(in_field) || system.claims.iter().any(in_claim)
+    };
+    let names = symbols.parameters.iter().enumerate();
+    names.filter(|(k, _)| is_used(*k)).map(|(_, name)| name.clone()).collect()
+}
+
 /// The block: header, equations as expanded (constants folded in), claims as written.
 #[must_use]
 pub fn macro_block(system: &System) -> String {
     let mut lines = vec!["kahan! {".to_owned()];
-    let parameters = &system.field.symbols.parameters;
+    let parameters = used_parameters(system);
     if let Some(header) = &system.header {
         let name = &header.name.text;
         lines.push(if parameters.is_empty() {

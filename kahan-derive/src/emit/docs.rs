@@ -67,7 +67,8 @@ fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
 /// The documentation of `integrals`.
 pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
     let mut lines = vec![
-        " The integrals of motion of the map at `__state`; `__half_step` is ε, half the time step.".to_owned(),
+        " The integrals of motion of the map at `__state`; `__half_step` is ε, half the time step."
+            .to_owned(),
     ];
     let statements: Vec<String> = claims.iter().flat_map(|claim| statement(claim)).collect();
     push_block(&mut lines, "In order:", &statements);

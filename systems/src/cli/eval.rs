@@ -10,6 +10,7 @@ use serde_json::{Map, Value, json};
 use super::input::{Source, coordinates, number};
 use super::output::{Answer, Refusal, matrix, shorten};
 use super::scalar::{Printable, ScalarKind};
+use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 
 /// Evaluates every object of a system at a point: field, matrices, next point, Jacobian, claims.
 ///
@@ -150,7 +151,12 @@ impl Request<'_> {
         ];
         let place: Vec<String> = place.into_iter().filter(|part| !part.is_empty()).collect();
         let (name, place) = (self.name, place.join(", "));
-        if is_singular {
+        if is_singular && RationalMap::of(&self.system.field).is_none() {
+            format!(
+                "det A = 0 at {place}, which counts as a pole of the map of {name}: its closed form is beyond the budget of \
+                 {TERM_BUDGET} terms, so it is not reduced, and it may have a value there"
+            )
+        } else if is_singular {
             format!(
                 "the map of {name} has a pole at {place}: det A = 0 there, and the next point has no value"
             )

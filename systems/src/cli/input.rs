@@ -30,7 +30,7 @@ pub(crate) struct Source {
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 
-    /// The value of a parameter; once for each.
+    /// The value of a parameter; once for each. `show` and `verify` put it in before the map is reduced, `eval` after.
     #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
     parameters: Vec<String>,
 }
@@ -114,6 +114,7 @@ impl Block {
     }
 
     fn new(entry: Option<&'static Entry>, text: String, origin: String) -> Self {
+        let text = text.trim_start_matches('\u{feff}').to_owned();
         let body = block_range(&text).unwrap_or(0..text.len());
         let mut lexed = lex(&text[body.clone()]);
         for range in &mut lexed.ranges {

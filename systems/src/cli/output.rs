@@ -75,9 +75,15 @@ pub(crate) fn widths<'a>(rows: impl IntoIterator<Item = &'a Vec<String>>) -> Vec
     widths
 }
 
+/// The spaces that bring a cell to its width. (A format's own width ends at 65 535 characters.)
+fn gap(cell: &str, width: usize) -> String {
+    " ".repeat(width.saturating_sub(cell.chars().count()))
+}
+
 /// One row in columns of these widths, two spaces apart, without spaces at the end.
 pub(crate) fn columns(row: &[String], widths: &[usize]) -> String {
-    let cells: Vec<String> = row.iter().zip(widths).map(|(cell, &width)| format!("{cell:<width$}")).collect();
+    let cells: Vec<String> =
+        row.iter().zip(widths).map(|(cell, &width)| cell.clone() + &gap(cell, width)).collect();
     cells.join("  ").trim_end().to_owned()
 }
 
@@ -87,7 +93,7 @@ pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<Strin
     rows.iter()
         .map(|row| {
             let cells: Vec<String> =
-                row.iter().zip(&widths).map(|(cell, &width)| format!("{cell:>width$}")).collect();
+                row.iter().zip(&widths).map(|(cell, &width)| gap(cell, width) + cell).collect();
             format!("{left} {} {right}", cells.join("  "))
         })
         .collect()

@@ -153,10 +153,17 @@ impl Sheet<'_> {
         }
         match &self.map {
             Some(map) => {
-                page.section("map, in lowest terms", self.equations(|state| format!("{state}~"), map));
+                page.section(
+                    "map, over its common denominator in lowest terms",
+                    self.equations(|state| format!("{state}~"), map),
+                );
             }
-            None => page
-                .section("map", vec!["x~ = x + 2 eps A(x,eps)^-1 f(x), computed by elimination".to_owned()]),
+            None => page.section(
+                "map",
+                vec![
+                    "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination; det A = 0 counts as a pole".to_owned(),
+                ],
+            ),
         }
         if let Some(factor) = &self.removed_factor {
             page.section("divided out of N and D (a removable pole where it vanishes)", vec![factor.clone()]);

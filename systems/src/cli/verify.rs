@@ -137,6 +137,9 @@ fn decide(system: &System, claim: &Claim, seed: u64) -> (Outcome, String) {
             return (Outcome::Failed, refutation.describe(&system.field.symbols));
         }
         Some(Verdict::Vacuous) => return (Outcome::Failed, "it says nothing".to_owned()),
+        Some(Verdict::NoMap) => {
+            return (Outcome::Failed, "det A is 0 everywhere there: there is no map".to_owned());
+        }
         Some(Verdict::Undefined) => return (Outcome::Failed, "it divides by zero identically".to_owned()),
         Some(Verdict::TooLarge) | None => {
             return (Outcome::Failed, "its degree is too high to be proved".to_owned());
