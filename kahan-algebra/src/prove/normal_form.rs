@@ -11,7 +11,7 @@ use crate::system::{Claim, System};
 use super::residual::pairs;
 use super::sample::{Sample, Scheme, rows, run};
 
-/// Terms of any intermediate result, and products of terms in all.
+/// Terms of any intermediate result, and products of terms in all: about a second at worst, with long coefficients.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 1_000_000;
 
