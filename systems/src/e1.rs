@@ -9,7 +9,7 @@
 
 use kahan_core::prelude::*;
 
-use crate::registry::Entry;
+use crate::entry::Entry;
 
 kahan! {
     /// E1, the Kahan map with the integrals of Table 2, row 1.

@@ -8,7 +8,7 @@
 
 use kahan_core::prelude::*;
 
-use crate::registry::Entry;
+use crate::entry::Entry;
 
 kahan! {
     /// E2, the Kahan map with the integrals of Table 2, row 2.

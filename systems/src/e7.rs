@@ -10,7 +10,7 @@
 
 use kahan_core::prelude::*;
 
-use crate::registry::Entry;
+use crate::entry::Entry;
 
 kahan! {
     /// E7, which joins E1 (`xi = 1`) and E2 (`xi = -1`).

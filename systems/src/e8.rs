@@ -7,7 +7,7 @@
 
 use kahan_core::prelude::*;
 
-use crate::registry::Entry;
+use crate::entry::Entry;
 
 kahan! {
     /// E8, whose integral is a digamma function.

@@ -9,7 +9,7 @@
 
 use kahan_core::prelude::*;
 
-use crate::registry::Entry;
+use crate::entry::Entry;
 
 kahan! {
     /// E9, which joins E3 (`xi = 1`) and E4 (`xi = -1`).

@@ -10,7 +10,7 @@
 
 use kahan_core::prelude::*;
 
-use crate::registry::Entry;
+use crate::entry::Entry;
 
 kahan! {
     /// The Euler top with the coefficients `a1`, `a2`, `a3`.

@@ -1,9 +1,10 @@
 //! The catalog: the Euler top, Lotka-Volterra and the systems E1 to E9 of Hone and Petrera, one file each.
 //!
 //! A file holds the `kahan!` block with every rational claim that holds, and names what no rational claim can hold. The
-//! macro proves the claims while it compiles the block. [`registry`] offers the same blocks as text with the place of
-//! each claim in the paper, and the `kahan` command proves them again from there. The half step ε is written `eps`.
+//! macro proves the claims while it compiles the block. An [`entry`] offers the same block as text with the place of each
+//! claim in the paper, [`registry`] lists the entries, and the `kahan` command proves them again from there. The half step ε is written `eps`.
 
+pub mod entry;
 pub mod registry;
 
 mod e1;

@@ -10,7 +10,7 @@
 
 use kahan_core::prelude::*;
 
-use crate::registry::Entry;
+use crate::entry::Entry;
 
 kahan! {
     /// The Lotka–Volterra system: prey `x`, predators `y`.

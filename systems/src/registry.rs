@@ -1,82 +1,27 @@
-//! The systems by name, each with the text of its block and the place in the paper of every claim.
-//!
-//! The text is the very text that the macro compiles: it is cut out of the system's own source file. So what the
-//! command reads and what the library offers cannot differ. Nothing is parsed here beyond finding the block.
+//! The systems by name.
 
-use std::ops::Range;
-
-use kahan_algebra::lexer::lex;
-use kahan_algebra::token::TokenKind;
-
-/// One system of the catalog.
-#[derive(Clone, Copy, Debug)]
-pub struct Entry {
-    /// Its name on the command line: `e1`.
-    pub command: &'static str,
-    /// Its type in this crate: `E1`.
-    pub type_name: &'static str,
-    /// What it is, in one line.
-    pub title: &'static str,
-    /// The source file with the block.
-    pub(crate) file: &'static str,
-    /// The place in the paper of each claim, by the claim's name.
-    pub sources: &'static [(&'static str, &'static str)],
-}
+use crate::entry::Entry;
+use crate::{e1, e2, e3, e4, e5, e6, e7, e8, e9, euler, lotka_volterra};
 
 /// The catalog, in the order in which it is listed.
 pub static SYSTEMS: [Entry; 11] = [
-    crate::euler::ENTRY,
-    crate::lotka_volterra::ENTRY,
-    crate::e1::ENTRY,
-    crate::e2::ENTRY,
-    crate::e3::ENTRY,
-    crate::e4::ENTRY,
-    crate::e5::ENTRY,
-    crate::e6::ENTRY,
-    crate::e7::ENTRY,
-    crate::e8::ENTRY,
-    crate::e9::ENTRY,
+    euler::ENTRY,
+    lotka_volterra::ENTRY,
+    e1::ENTRY,
+    e2::ENTRY,
+    e3::ENTRY,
+    e4::ENTRY,
+    e5::ENTRY,
+    e6::ENTRY,
+    e7::ENTRY,
+    e8::ENTRY,
+    e9::ENTRY,
 ];
 
 /// The system with this command name or type name, in any case of letters.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Entry> {
-    static CATALOG: [Entry; 11] = SYSTEMS;
-    CATALOG
+    SYSTEMS
         .iter()
         .find(|entry| name.eq_ignore_ascii_case(entry.command) || name.eq_ignore_ascii_case(entry.type_name))
-}
-
-impl Entry {
-    /// The block in the language of `kahan!`, without `kahan! {` and its closing brace.
-    #[must_use]
-    pub fn text(&self) -> &'static str {
-        block_range(self.file).map_or("", |range| &self.file[range])
-    }
-
-    /// The place in the paper of the claim with this name.
-    #[must_use]
-    pub fn source(&self, claim: &str) -> Option<&'static str> {
-        self.sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
-    }
-}
-
-/// Where the first block of a Rust source file stands: the bytes between `kahan! {` at the beginning of a line and the
-/// matching brace. `None` if there is no such line or the brace is never closed.
-#[must_use]
-pub fn block_range(file: &str) -> Option<Range<usize>> {
-    const OPENING: &str = "kahan! {";
-    let line = if file.starts_with(OPENING) { 0 } else { file.find(&format!("\n{OPENING}"))? + 1 };
-    let start = line + OPENING.len();
-    let lexed = lex(&file[start..]);
-    let mut depth = 0;
-    for (token, range) in lexed.tokens.iter().zip(&lexed.ranges) {
-        match token.kind {
-            TokenKind::Close('}') if depth == 0 => return Some(start..start + range.start),
-            TokenKind::Open('{') => depth += 1,
-            TokenKind::Close('}') => depth -= 1,
-            _ => {}
-        }
-    }
-    None
 }

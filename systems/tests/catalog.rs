@@ -3,7 +3,8 @@
 use kahan_algebra::lexer::lex;
 use kahan_algebra::render::report;
 use kahan_algebra::{Reading, read};
-use kahan_systems::registry::{Entry, SYSTEMS, block_range, find};
+use kahan_systems::entry::{Entry, block_range};
+use kahan_systems::registry::{SYSTEMS, find};
 
 fn reading(entry: &Entry) -> Reading {
     let text = entry.text();

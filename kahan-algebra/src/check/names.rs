@@ -9,7 +9,7 @@ use crate::symbols::Symbols;
 use crate::syntax::{Block, ClaimBody, Expr, ExprKind, Name};
 use crate::token::Span;
 
-use super::spelling::{edit_distance, is_keyword};
+use super::spelling::is_keyword;
 
 /// What a name means in an equation.
 #[derive(Clone, Debug)]
@@ -297,7 +297,9 @@ impl Scope {
         };
         candidates
             .into_iter()
-            .map(|candidate| (edit_distance(&name.to_lowercase(), &candidate.to_lowercase()), candidate))
+            .map(|candidate| {
+                (strsim::levenshtein(&name.to_lowercase(), &candidate.to_lowercase()), candidate)
+            })
             .filter(|(distance, _)| *distance <= tolerance)
             .min_by_key(|(distance, _)| *distance)
             .map(|(_, candidate)| candidate)

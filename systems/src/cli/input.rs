@@ -11,7 +11,8 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::render::report;
 use kahan_algebra::system::System;
 use kahan_algebra::{check, parse, read};
-use kahan_systems::registry::{Entry, SYSTEMS, block_range, find};
+use kahan_systems::entry::{Entry, block_range};
+use kahan_systems::registry::{SYSTEMS, find};
 
 use super::output::Refusal;
 
@@ -215,7 +216,7 @@ fn names() -> Vec<&'static str> {
 
 fn unknown_system(name: &str) -> Refusal {
     let wanted = name.to_lowercase();
-    let distance = |known: &str| edit_distance(&wanted, &known.to_lowercase());
+    let distance = |known: &str| strsim::levenshtein(&wanted, &known.to_lowercase());
     let nearest = SYSTEMS
         .iter()
         .min_by_key(|entry| distance(entry.command).min(distance(entry.type_name)))
@@ -225,19 +226,4 @@ fn unknown_system(name: &str) -> Refusal {
     Refusal::new(format!(
         "there is no system `{name}`.{hint} The catalog has {names}; --field TEXT takes a field of your own."
     ))
-}
-
-/// The number of insertions, deletions and substitutions between two words.
-fn edit_distance(a: &str, b: &str) -> usize {
-    let mut row: Vec<usize> = (0..=b.chars().count()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.chars().enumerate() {
-            let substituted = diagonal + usize::from(x != y);
-            diagonal = row[j + 1];
-            row[j + 1] = substituted.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[row.len() - 1]
 }
