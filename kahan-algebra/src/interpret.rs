@@ -2,6 +2,11 @@
 //!
 //! Exact arithmetic gives exact answers and says where something has no value; floats give what floats give.
 
+mod program;
+mod stepper;
+
+pub use stepper::{Pole, Stepper};
+
 use crate::arithmetic::{Arithmetic, Dual, Solved, determinant, solve};
 use crate::kahan::{RationalMap, bilinear_form, field_jacobian, polarization, scaled_matrix, scaled_rhs};
 use crate::plan::{Node, Plan, PlanBuilder};

@@ -5,8 +5,8 @@
 //! knows Rust: the macro (`kahan-derive`) and the command (`kahan-systems`) are two users of one pipeline, [`read`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`], [`system`], [`kahan`],
-//! [`plan`], [`prove`], [`specialise`], [`interpret`], [`render`]; beneath them the exact arithmetic of [`rational`], [`poly`] and
-//! [`rational_function`].
+//! [`plan`], [`prove`], [`specialise`], [`interpret`], [`render`],
+//! [`poisson`]; beneath them the exact arithmetic of [`rational`], [`poly`] and [`rational_function`].
 
 pub mod arithmetic;
 pub mod check;
@@ -17,6 +17,7 @@ pub mod kahan;
 pub mod lexer;
 pub mod parse;
 pub mod plan;
+pub mod poisson;
 pub mod poly;
 pub mod prime_field;
 pub mod prove;

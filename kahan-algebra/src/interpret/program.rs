@@ -1,0 +1,96 @@
+//! A plan whose parameters are known, ready to be run many times: what depends on no state is computed once, and no run
+//! allocates more than the arithmetic itself does.
+
+use crate::arithmetic::Arithmetic;
+use crate::plan::{Node, Operation, Plan};
+use crate::poly::Variable;
+
+/// Where the value of a variable comes from.
+pub(super) enum Input<V> {
+    /// It is this.
+    Fixed(V),
+    /// The state with this index.
+    State(usize),
+}
+
+/// A plan with a register for each of its steps.
+#[derive(Clone, Debug)]
+pub(super) struct Program<V> {
+    /// `None` where a step divides by zero.
+    registers: Vec<Option<V>>,
+    /// Registers that hold states: register, index of the state.
+    states: Vec<(usize, usize)>,
+    /// Steps that depend on states, in order: register, operation.
+    steps: Vec<(usize, Operation)>,
+    outputs: Vec<Node>,
+}
+
+impl<V: Clone> Program<V> {
+    /// Prepares a plan; the same operations in the same order as [`Plan::evaluate`].
+    pub(super) fn new<A: Arithmetic<Value = V>>(
+        plan: &Plan,
+        arithmetic: &A,
+        input: impl Fn(Variable) -> Input<V>,
+    ) -> Self {
+        let mut program = Program {
+            registers: Vec::new(),
+            states: Vec::new(),
+            steps: Vec::new(),
+            outputs: plan.outputs.clone(),
+        };
+        let mut varies = vec![false; plan.operations.len()];
+        for (index, operation) in plan.operations.iter().enumerate() {
+            program.registers.push(None);
+            match operation {
+                Operation::Input(variable) => match input(*variable) {
+                    Input::Fixed(value) => program.registers[index] = Some(value),
+                    Input::State(state) => {
+                        varies[index] = true;
+                        program.states.push((index, state));
+                    }
+                },
+                _ if operation.operands().into_iter().flatten().any(|operand| varies[operand.0]) => {
+                    varies[index] = true;
+                    program.steps.push((index, operation.clone()));
+                }
+                _ => program.registers[index] = compute(arithmetic, operation, &program.registers),
+            }
+        }
+        program
+    }
+
+    /// Runs the plan at a state; the results stand in [`outputs`](Self::outputs) afterwards.
+    pub(super) fn run<A: Arithmetic<Value = V>>(&mut self, arithmetic: &A, state: &[V]) {
+        for &(register, index) in &self.states {
+            self.registers[register] = Some(state[index].clone());
+        }
+        for (register, operation) in &self.steps {
+            self.registers[*register] = compute(arithmetic, operation, &self.registers);
+        }
+    }
+
+    /// The results of the last run, `None` for one that divides by zero on its way.
+    pub(super) fn outputs(&self) -> impl ExactSizeIterator<Item = Option<&V>> {
+        self.outputs.iter().map(|output| self.registers[output.0].as_ref())
+    }
+}
+
+/// The value of one operation; `None` where it, or an operand, has none.
+#[inline]
+fn compute<A: Arithmetic>(
+    arithmetic: &A,
+    operation: &Operation,
+    registers: &[Option<A::Value>],
+) -> Option<A::Value> {
+    let value = |node: &Node| registers[node.0].as_ref();
+    match operation {
+        // Inputs are put into their registers before.
+        Operation::Input(_) => None,
+        Operation::Constant(constant) => arithmetic.constant(constant),
+        Operation::Add(a, b) => Some(arithmetic.add(value(a)?, value(b)?)),
+        Operation::Subtract(a, b) => Some(arithmetic.subtract(value(a)?, value(b)?)),
+        Operation::Multiply(a, b) => Some(arithmetic.multiply(value(a)?, value(b)?)),
+        Operation::Divide(a, b) => arithmetic.divide(value(a)?, value(b)?),
+        Operation::Negate(a) => Some(arithmetic.negate(value(a)?)),
+    }
+}

@@ -1,0 +1,168 @@
+//! Long orbits at run time: one map at fixed parameters and ε, stepped many times.
+//!
+//! [`Interpreter`](super::Interpreter) computes everything at one point; a [`Stepper`] computes the next point and the
+//! integrals only, with everything prepared that does not depend on the state. Its operations and their order are those of
+//! the generated code's `step`, so over floats the orbits of a field with a closed form are the same bit for bit.
+
+use crate::arithmetic::{Arithmetic, Solved, solve};
+use crate::kahan::{RationalMap, scaled_matrix};
+use crate::plan::PlanBuilder;
+use crate::poly::{Polynomial, Variable};
+use crate::rational::Rational;
+use crate::symbols::Symbol;
+use crate::syntax::ClaimKind;
+use crate::system::System;
+
+use super::UndefinedField;
+use super::program::{Input, Program};
+
+/// The step from a point has no value: a pole of the reduced map, or det A = 0 where the map is not reduced (see
+/// [`Stepper::is_reduced`]). Floats are at a pole only where the rounded denominator is zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pole;
+
+/// A Kahan map at fixed parameters and ε (half the time step), in one arithmetic.
+#[derive(Clone, Debug)]
+pub struct Stepper<'a, A: Arithmetic> {
+    arithmetic: &'a A,
+    two_eps: A::Value,
+    one: A::Value,
+    increment: Increment<A::Value>,
+    integral_names: Vec<String>,
+    integrals: Program<A::Value>,
+}
+
+/// How x̃ − x is computed.
+#[derive(Clone, Debug)]
+enum Increment<V> {
+    /// n₁ … nₙ and d of the reduced map x̃ = x + 2ε n/d.
+    Closed(Program<V>),
+    /// Â, row by row, and the numerators p of the field: Â (x̃ − x)/(2ε) = p.
+    Elimination { matrix: Program<V>, right: Program<V> },
+}
+
+impl<'a, A: Arithmetic> Stepper<'a, A> {
+    /// Derives the map and prepares it; `parameters` in the order of the system, `eps` is ε.
+    ///
+    /// Cost: that of deriving and reducing the map once (milliseconds for fields of ordinary size).
+    ///
+    /// # Errors
+    /// Where a parameter makes the field divide by zero, or the arithmetic lacks a constant.
+    ///
+    /// # Panics
+    /// If there are fewer values than parameters.
+    pub fn new(
+        system: &System,
+        arithmetic: &'a A,
+        parameters: &[A::Value],
+        eps: &A::Value,
+    ) -> Result<Self, UndefinedField> {
+        let symbols = &system.field.symbols;
+        let input = |variable: Variable| match symbols.symbol(variable) {
+            Symbol::State(i) | Symbol::SecondState(i) => Input::State(i),
+            Symbol::Parameter(k) => Input::Fixed(parameters[k].clone()),
+            Symbol::Epsilon => Input::Fixed(eps.clone()),
+        };
+        let program = |polynomials: Vec<&Polynomial>| {
+            let mut builder = PlanBuilder::default();
+            let nodes: Vec<_> = polynomials.into_iter().map(|one| builder.polynomial(one)).collect();
+            Program::new(&builder.finish(&nodes), arithmetic, input)
+        };
+        let components = &system.field.components;
+        let divisors = program(components.iter().map(|component| &component.denominator).collect());
+        if divisors.outputs().any(|value| value.is_none_or(|value| arithmetic.is_zero(value))) {
+            return Err(UndefinedField);
+        }
+        let increment = match RationalMap::of(&system.field) {
+            Some(map) => Increment::Closed(program(
+                map.reduced.increments.iter().chain([&map.reduced.denominator]).collect(),
+            )),
+            None => Increment::Elimination {
+                matrix: program(scaled_matrix(&system.field).iter().flatten().collect()),
+                right: program(components.iter().map(|component| &component.numerator).collect()),
+            },
+        };
+        let claims: Vec<_> = system.accessors(ClaimKind::Integral).collect();
+        let mut together = PlanBuilder::default();
+        let outputs: Vec<_> = claims.iter().flat_map(|claim| together.include(&claim.plan)).collect();
+        Ok(Stepper {
+            arithmetic,
+            two_eps: arithmetic.add(eps, eps),
+            one: arithmetic.constant(&Rational::one()).ok_or(UndefinedField)?,
+            increment,
+            integral_names: claims.iter().map(|claim| claim.name.text.clone()).collect(),
+            integrals: Program::new(&together.finish(&outputs), arithmetic, input),
+        })
+    }
+
+    /// Whether the map is the reduced rational map; if not, it is beyond the budget of terms and stepped by elimination, so
+    /// that every point with det A = 0 counts as a pole.
+    #[must_use]
+    pub fn is_reduced(&self) -> bool {
+        matches!(self.increment, Increment::Closed(_))
+    }
+
+    /// The time step 2ε.
+    #[must_use]
+    pub fn time_step(&self) -> &A::Value {
+        &self.two_eps
+    }
+
+    /// Replaces the state x by x̃. Cost: one operation a step of the plan; over floats nothing is allocated, except by
+    /// elimination.
+    ///
+    /// # Errors
+    /// [`Pole`], and the state is then as before. A float step near a pole or beyond the range may be `Ok` with values that
+    /// are not finite.
+    ///
+    /// # Panics
+    /// If the state has too few entries.
+    pub fn advance(&mut self, state: &mut [A::Value]) -> Result<(), Pole> {
+        let arithmetic = self.arithmetic;
+        match &mut self.increment {
+            Increment::Closed(program) => {
+                program.run(arithmetic, state);
+                let denominator = program.outputs().last().flatten().ok_or(Pole)?;
+                if arithmetic.is_zero(denominator) {
+                    return Err(Pole);
+                }
+                let reciprocal = arithmetic.divide(&self.one, denominator).ok_or(Pole)?;
+                for (x, numerator) in state.iter_mut().zip(program.outputs()) {
+                    // (2ε nᵢ)(1/d): 2ε/d, which may underflow where the increment does not, is never formed.
+                    let scaled = arithmetic.multiply(&self.two_eps, numerator.ok_or(Pole)?);
+                    *x = arithmetic.add(x, &arithmetic.multiply(&scaled, &reciprocal));
+                }
+            }
+            Increment::Elimination { matrix, right } => {
+                matrix.run(arithmetic, state);
+                right.run(arithmetic, state);
+                let entries: Option<Vec<A::Value>> =
+                    matrix.outputs().map(Option::<&A::Value>::cloned).collect();
+                let rows: Vec<Vec<A::Value>> =
+                    entries.ok_or(Pole)?.chunks(state.len()).map(<[A::Value]>::to_vec).collect();
+                let right: Option<Vec<Vec<A::Value>>> =
+                    right.outputs().map(|value| Some(vec![value?.clone()])).collect();
+                let Solved { solution, .. } = solve(arithmetic, &rows, &right.ok_or(Pole)?).ok_or(Pole)?;
+                for (x, slope) in state.iter_mut().zip(&solution) {
+                    *x = arithmetic.add(x, &arithmetic.multiply(&self.two_eps, &slope[0]));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The names of the unconditional integrals, in their order.
+    #[must_use]
+    pub fn integral_names(&self) -> &[String] {
+        &self.integral_names
+    }
+
+    /// The values of the unconditional integrals at a state; `None` for one that divides by zero there.
+    ///
+    /// # Panics
+    /// If the state has too few entries.
+    pub fn integrals(&mut self, state: &[A::Value]) -> impl ExactSizeIterator<Item = Option<&A::Value>> {
+        self.integrals.run(self.arithmetic, state);
+        self.integrals.outputs()
+    }
+}
