@@ -1,0 +1,53 @@
+//! What the explicit solutions have in common.
+//!
+//! Each system with a closed solution has two types in its module: `Solution`, the orbit of its Kahan map, with
+//! `Solution::through(&point, &eps)` and `.at(n)` for any integer n, and `FlowSolution`, the trajectory of
+//! its field, with `FlowSolution::through(&point)` and `.at(&t)`. Systems with parameters take them first.
+//! The numbers that fix a solution are public fields under the paper's names. `.at(0)` is the point given.
+//! Rational solutions work over every [`Scalar`], so exactly over big rationals; the others over every
+//! [`Real`](crate::special::Real).
+
+use core::fmt;
+
+use kahan_core::{Constant, Scalar};
+
+/// No solution of the closed form passes through the point given: a condition on it fails.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OutOfDomain {
+    /// What has to hold, as a formula in the point's coordinates, ε and the parameters.
+    pub condition: &'static str,
+}
+
+impl fmt::Display for OutOfDomain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no solution of this form passes through the point: it needs {}", self.condition)
+    }
+}
+
+impl core::error::Error for OutOfDomain {}
+
+/// The real branch that a hyperbolic or elliptic solution of a map belongs to; the map keeps it.
+///
+/// Between the two lies the set where det A vanishes for one sign of ε; no orbit crosses it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Branch {
+    /// The branch that stays bounded and tends to the flow's solution as ε → 0.
+    Inner,
+    /// The branch beyond, which alternates in sign from step to step and has poles.
+    Outer,
+}
+
+/// `Ok` if the condition holds.
+pub(crate) fn require(holds: bool, condition: &'static str) -> Result<(), OutOfDomain> {
+    if holds { Ok(()) } else { Err(OutOfDomain { condition }) }
+}
+
+/// An integer as a scalar.
+pub(crate) fn integer<T: Scalar>(n: i64) -> T {
+    T::constant(&Constant::integer(n))
+}
+
+/// (−1)ⁿ.
+pub(crate) fn alternating<T: Scalar>(n: i64) -> T {
+    if n % 2 == 0 { T::one() } else { -T::one() }
+}

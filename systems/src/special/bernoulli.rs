@@ -1,0 +1,42 @@
+//! The Bernoulli numbers that the asymptotic series of Γ and ψ are made of.
+
+use kahan_core::num_rational::BigRational;
+use kahan_core::num_traits::{One, Zero};
+
+/// How many numbers are kept: enough for 256 bits from an argument of 40 on.
+const COUNT: usize = 64;
+
+/// B₂, B₄, …, B₁₂₈ as exact numbers, from Σ_{j≤m} C(m+1, j) B_j = 0.
+pub(super) fn even_numbers() -> Vec<BigRational> {
+    let order = 2 * COUNT;
+    let mut all: Vec<BigRational> = Vec::with_capacity(order + 1);
+    for m in 0..=order {
+        let mut binomial = BigRational::one();
+        let mut sum = BigRational::zero();
+        for (j, number) in all.iter().enumerate() {
+            sum += &binomial * number;
+            binomial *= ratio(m + 1 - j, j + 1);
+        }
+        all.push(if m == 0 { BigRational::one() } else { -sum / ratio(m + 1, 1) });
+    }
+    all.into_iter().skip(2).step_by(2).collect()
+}
+
+fn ratio(p: usize, q: usize) -> BigRational {
+    BigRational::new(p.into(), q.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{even_numbers, ratio};
+
+    #[test]
+    fn known_bernoulli_numbers() {
+        let numbers = even_numbers();
+        assert_eq!(numbers[0], ratio(1, 6));
+        assert_eq!(numbers[1], -ratio(1, 30));
+        assert_eq!(numbers[5], -ratio(691, 2730));
+        // von Staudt and Clausen: the denominator of B₂₀ is the product of the primes p with p − 1 | 20.
+        assert_eq!(numbers[9].denom(), &(2 * 3 * 5 * 11).into());
+    }
+}

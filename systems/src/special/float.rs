@@ -1,0 +1,97 @@
+//! `f64` as a real number: the machine's elementary functions, and libraries for Γ and ψ.
+
+use std::sync::OnceLock;
+
+use kahan_core::num_rational::BigRational;
+use kahan_core::num_traits::ToPrimitive;
+
+use super::{Real, bernoulli, gamma};
+
+impl Real for f64 {
+    const DIGITS: usize = 15;
+
+    fn epsilon() -> Self {
+        f64::EPSILON
+    }
+
+    fn from_int(n: i64) -> Self {
+        n as f64
+    }
+
+    fn from_rational(q: &BigRational) -> Self {
+        q.to_f64().unwrap_or(f64::NAN)
+    }
+
+    fn from_f64(x: f64) -> Self {
+        x
+    }
+
+    fn pi() -> Self {
+        core::f64::consts::PI
+    }
+
+    fn abs(&self) -> Self {
+        f64::abs(*self)
+    }
+
+    fn sqrt(&self) -> Self {
+        f64::sqrt(*self)
+    }
+
+    fn exp(&self) -> Self {
+        f64::exp(*self)
+    }
+
+    fn exp_m1(&self) -> Self {
+        f64::exp_m1(*self)
+    }
+
+    fn ln(&self) -> Self {
+        f64::ln(*self)
+    }
+
+    fn ln_1p(&self) -> Self {
+        f64::ln_1p(*self)
+    }
+
+    fn sin_cos(&self) -> (Self, Self) {
+        f64::sin_cos(*self)
+    }
+
+    fn atan2(&self, x: &Self) -> Self {
+        f64::atan2(*self, *x)
+    }
+
+    fn sinh_cosh(&self) -> (Self, Self) {
+        (f64::sinh(*self), f64::cosh(*self))
+    }
+
+    fn tanh(&self) -> Self {
+        f64::tanh(*self)
+    }
+
+    fn atanh(&self) -> Self {
+        libm::atanh(*self)
+    }
+
+    fn floor(&self) -> Self {
+        f64::floor(*self)
+    }
+
+    fn gamma(&self) -> Self {
+        if gamma::is_pole(self) { f64::NAN } else { libm::tgamma(*self) }
+    }
+
+    fn digamma(&self) -> Self {
+        if gamma::is_pole(self) { f64::NAN } else { special::Gamma::digamma(*self) }
+    }
+
+    fn bernoulli() -> &'static [Self] {
+        static NUMBERS: OnceLock<Vec<f64>> = OnceLock::new();
+        NUMBERS.get_or_init(|| bernoulli::even_numbers().iter().map(Self::from_rational).collect())
+    }
+
+    fn power_real(&self, y: &Self) -> Self {
+        f64::powf(*self, *y)
+    }
+}

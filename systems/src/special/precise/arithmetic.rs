@@ -1,0 +1,85 @@
+//! The operators of a [`Precise`], and its part in Kahan maps.
+
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use dashu_float::Repr;
+use kahan_core::num_traits::{One, Zero};
+use kahan_core::{Constant, Pivot, Scalar};
+
+use super::{CONTEXT, Precise};
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $assign_trait:ident, $assign:ident) => {
+        impl $trait for Precise {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                match (self.repr(), other.repr()) {
+                    (Some(a), Some(b)) => Self::from_outcome(CONTEXT.$method(a, b)),
+                    _ => Self::UNDEFINED,
+                }
+            }
+        }
+
+        impl $assign_trait for Precise {
+            fn $assign(&mut self, other: Self) {
+                *self = $trait::$method(core::mem::replace(self, Self::UNDEFINED), other);
+            }
+        }
+    };
+}
+
+operator!(Add, add, AddAssign, add_assign);
+operator!(Sub, sub, SubAssign, sub_assign);
+operator!(Mul, mul, MulAssign, mul_assign);
+operator!(Div, div, DivAssign, div_assign);
+
+impl Neg for Precise {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        self.0.map_or(Self::UNDEFINED, |repr| Self::from_repr(-repr))
+    }
+}
+
+impl Zero for Precise {
+    fn zero() -> Self {
+        Self::from_repr(Repr::zero())
+    }
+
+    fn is_zero(&self) -> bool {
+        self.repr().is_some_and(|repr| repr.significand().is_zero())
+    }
+}
+
+impl One for Precise {
+    fn one() -> Self {
+        Self::from_repr(Repr::one())
+    }
+}
+
+impl Scalar for Precise {
+    fn constant(c: &Constant) -> Self {
+        Self::from_rational(&c.to_ratio())
+    }
+
+    /// As for the machine's floats, the larger magnitude; what is undefined is never better.
+    fn is_better_pivot(&self, than: &Self) -> bool {
+        self.magnitude_exceeds(than)
+    }
+
+    fn approximate(&self) -> f64 {
+        self.to_f64()
+    }
+}
+
+impl Pivot for Precise {
+    fn magnitude_exceeds(&self, other: &Self) -> bool {
+        let magnitude = |x: &Self| if *x < Self::zero() { -x.clone() } else { x.clone() };
+        magnitude(self) > magnitude(other)
+    }
+
+    fn is_finite_number(&self) -> bool {
+        self.is_defined()
+    }
+}

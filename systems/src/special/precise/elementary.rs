@@ -1,0 +1,128 @@
+//! The elementary functions of a [`Precise`], each rounded once by the library, and its special functions.
+
+use std::sync::OnceLock;
+
+use dashu_float::{ConstCache, Repr};
+use kahan_core::num_rational::BigRational;
+use kahan_core::num_traits::{One, Zero};
+
+use super::{BITS, CACHE, CONTEXT, Outcome, Precise};
+use crate::special::{Real, bernoulli, gamma};
+
+impl Precise {
+    fn apply(&self, function: impl FnOnce(&Repr<2>, Option<&mut ConstCache>) -> Outcome) -> Self {
+        let Some(repr) = self.repr() else { return Self::UNDEFINED };
+        CACHE.with_borrow_mut(|cache| Self::from_outcome(function(repr, Some(cache))))
+    }
+
+    fn apply_pair(
+        &self,
+        function: impl FnOnce(&Repr<2>, Option<&mut ConstCache>) -> (Outcome, Outcome),
+    ) -> (Self, Self) {
+        let Some(repr) = self.repr() else { return (Self::UNDEFINED, Self::UNDEFINED) };
+        let (first, second) = CACHE.with_borrow_mut(|cache| function(repr, Some(cache)));
+        (Self::from_outcome(first), Self::from_outcome(second))
+    }
+}
+
+impl Real for Precise {
+    const DIGITS: usize = 76;
+
+    fn epsilon() -> Self {
+        Self::from_repr(Repr::new(1.into(), 1 - BITS as isize))
+    }
+
+    fn from_int(n: i64) -> Self {
+        n.into()
+    }
+
+    fn from_rational(q: &BigRational) -> Self {
+        Self::from_rational(q)
+    }
+
+    fn from_f64(x: f64) -> Self {
+        x.into()
+    }
+
+    fn pi() -> Self {
+        CACHE.with_borrow_mut(|cache| Self::from_repr(CONTEXT.pi::<2>(Some(cache)).value().into_repr()))
+    }
+
+    fn abs(&self) -> Self {
+        if *self < Self::zero() { -self.clone() } else { self.clone() }
+    }
+
+    fn sqrt(&self) -> Self {
+        self.apply(|x, _| CONTEXT.sqrt(x))
+    }
+
+    fn exp(&self) -> Self {
+        self.apply(|x, cache| CONTEXT.exp(x, cache))
+    }
+
+    fn exp_m1(&self) -> Self {
+        self.apply(|x, cache| CONTEXT.exp_m1(x, cache))
+    }
+
+    fn ln(&self) -> Self {
+        self.apply(|x, cache| CONTEXT.ln(x, cache))
+    }
+
+    fn ln_1p(&self) -> Self {
+        self.apply(|x, cache| CONTEXT.ln_1p(x, cache))
+    }
+
+    fn sin_cos(&self) -> (Self, Self) {
+        self.apply_pair(|x, cache| CONTEXT.sin_cos(x, cache))
+    }
+
+    fn atan2(&self, x: &Self) -> Self {
+        if self.is_zero() && x.is_zero() {
+            return Self::zero();
+        }
+        let Some(abscissa) = x.repr() else { return Self::UNDEFINED };
+        self.apply(|y, cache| CONTEXT.atan2(y, abscissa, cache))
+    }
+
+    fn sinh_cosh(&self) -> (Self, Self) {
+        self.apply_pair(|x, cache| CONTEXT.sinh_cosh(x, cache))
+    }
+
+    fn tanh(&self) -> Self {
+        self.apply(|x, cache| CONTEXT.tanh(x, cache))
+    }
+
+    fn atanh(&self) -> Self {
+        self.apply(|x, cache| CONTEXT.atanh(x, cache))
+    }
+
+    fn floor(&self) -> Self {
+        let Some(repr) = self.repr() else { return Self::UNDEFINED };
+        if repr.exponent() >= 0 {
+            return self.clone();
+        }
+        // A shift to the right of a negative integer rounds towards minus infinity.
+        Self::from_repr(Repr::new(repr.significand() >> repr.exponent().unsigned_abs(), 0))
+    }
+
+    fn gamma(&self) -> Self {
+        gamma::by_stirling(self)
+    }
+
+    fn digamma(&self) -> Self {
+        gamma::digamma_by_stirling(self)
+    }
+
+    fn bernoulli() -> &'static [Self] {
+        static NUMBERS: OnceLock<Vec<Precise>> = OnceLock::new();
+        NUMBERS.get_or_init(|| bernoulli::even_numbers().iter().map(Self::from_rational).collect())
+    }
+
+    fn power_real(&self, y: &Self) -> Self {
+        let Some(exponent) = y.repr() else { return Self::UNDEFINED };
+        if !self.is_positive() {
+            return if y.is_zero() { Self::one() } else { Self::UNDEFINED };
+        }
+        self.apply(|x, cache| CONTEXT.powf(x, exponent, cache))
+    }
+}

@@ -1,0 +1,79 @@
+//! Numerical integration on a finite interval, to the precision of the number type.
+
+use super::Real;
+use super::real::int;
+
+/// A numerical integral.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Integral<T> {
+    /// The value.
+    pub value: T,
+    /// The difference of the last two sums. Convergence is quadratic, so unless rounding stopped it the value
+    /// is far better than this; it stays large where f is not as smooth as it has to be.
+    pub change: T,
+}
+
+/// ∫ f over [from, to] by the substitution x = tanh(½π sinh u) (Takahasi and Mori): for f analytic inside,
+/// with at most integrable singularities at the ends, which are never evaluated.
+///
+/// The step in u is halved until two sums agree to 2⁸ units of the last place, or until they only differ by
+/// the noise of f, at most 10 times (for `f64` about 60 evaluations suffice for a smooth f, for
+/// [`Precise`](super::Precise) about 400). No maintained library integrates at a chosen precision; this is
+/// all that the solutions need.
+///
+/// ```
+/// use kahan_systems::special::integrate;
+///
+/// assert!((integrate(&0.0, &1.0, |x: &f64| x.exp()).value - (1.0_f64.exp() - 1.0)).abs() < 1e-14);
+/// ```
+pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> {
+    let half_width = (to.clone() - from.clone()) * T::half();
+    if half_width.is_zero() {
+        return Integral { value: T::zero(), change: T::zero() };
+    }
+    // Where the weight has fallen below the rounding: cosh u e^(−π sinh u) < ε².
+    let reach = (int::<T>(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
+    let reach = (reach + (reach * reach + 1.0).sqrt()).ln() + 0.2;
+    let quarter_turn = T::pi() * T::half();
+    // f at the two nodes ±u, with their weight: each node by its distance from its end, 1 − tanh s =
+    // 2/(e^{2s} + 1).
+    let pair = |u: &T| {
+        let rise = u.exp_m1();
+        let fall = rise.clone() / (rise.clone() + T::one());
+        let (twice_sine, twice_cosine) = (rise.clone() + fall.clone(), int::<T>(2) + rise - fall);
+        // e^(2s) with s = ½π sinh u
+        let power = (quarter_turn.clone() * twice_sine).exp();
+        let sum = power.clone() + T::one();
+        let distance = half_width.clone() * int(2) / sum.clone();
+        // cosh u/cosh² s
+        let weight = twice_cosine * int(2) * power / sum.square();
+        let (left, right) = (from.clone() + distance.clone(), to.clone() - distance);
+        // A node that rounds onto an end has no weight left.
+        let value = |x: &T, end: &T| if x == end { T::zero() } else { f(x) };
+        weight * (value(&left, from) + value(&right, to))
+    };
+    let mut step = 1.0;
+    let mut sum = f(&(from.clone() + half_width.clone())) + sum_of(1, 1, step, reach, &pair);
+    let mut estimate = sum.clone();
+    let mut change = estimate.abs();
+    for _ in 0..10 {
+        step *= 0.5;
+        sum += sum_of(1, 2, step, reach, &pair);
+        let next = sum.clone() * T::from_f64(step);
+        let before = core::mem::replace(&mut change, (next.clone() - estimate).abs());
+        estimate = next;
+        let exact = change <= int::<T>(256) * T::epsilon() * estimate.abs();
+        let noise = change < T::epsilon().sqrt() * estimate.abs() && int::<T>(2) * change.clone() > before;
+        if exact || noise {
+            break;
+        }
+    }
+    let scale = half_width * quarter_turn;
+    Integral { value: estimate * scale.clone(), change: change * scale.abs() }
+}
+
+/// Σ pair(j·step) over j = first, first + stride, … as far as `reach`.
+fn sum_of<T: Real>(first: i64, stride: usize, step: f64, reach: f64, pair: &impl Fn(&T) -> T) -> T {
+    let last = (reach / step).floor() as i64;
+    (first..=last).step_by(stride).fold(T::zero(), |sum, j| sum + pair(&T::from_f64(j as f64 * step)))
+}
