@@ -1,0 +1,79 @@
+//! The symmetries of E4 and its map: x → −x, y → −y, and (x, y, z) → (y, x, −z).
+//!
+//! In: any point. Out: the point in the quarter where the elliptic functions are real, in the coordinates s =
+//! x + y and d = x − y, and the way back.
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::vector;
+
+use crate::special::Real;
+
+/// A point in s = x + y, d = x − y, z, moved by a [`Symmetry`] so that x and y have the signs asked for.
+pub(super) struct NormalForm<T> {
+    /// s = x + y.
+    pub(super) sum: T,
+    /// d = x − y.
+    pub(super) difference: T,
+    /// z.
+    pub(super) height: T,
+    /// |xy|.
+    pub(super) product: T,
+}
+
+/// A symmetry of E4, of its field and of its map alike.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Symmetry {
+    /// Whether x changes its sign.
+    pub flip_x: bool,
+    /// Whether y changes its sign.
+    pub flip_y: bool,
+    /// Whether (x, y, z) becomes (y, x, −z), before the signs change: where x = 0.
+    pub swap: bool,
+}
+
+impl Symmetry {
+    /// The point with these s, d, z, moved by the symmetry.
+    pub(super) fn point<T: Real>(&self, sum: T, difference: T, height: T) -> SVector<T, 3> {
+        let x = (sum.clone() + difference.clone()) * T::half();
+        let y = (sum - difference) * T::half();
+        let (x, y, z) = if self.swap { (y, x, -height) } else { (x, y, height) };
+        vector![if self.flip_x { -x } else { x }, if self.flip_y { -y } else { y }, z]
+    }
+}
+
+impl<T: Real> NormalForm<T> {
+    /// The point with x, y ≥ 0.
+    pub(super) fn same_signs(point: &SVector<T, 3>) -> (Self, Symmetry) {
+        Self::with_signs(point, |_| (false, false))
+    }
+
+    /// The point with x of the sign of εz and y of the other.
+    pub(super) fn opposite_signs(point: &SVector<T, 3>, eps: &T) -> (Self, Symmetry) {
+        Self::with_signs(point, |height| {
+            let negative = height.is_negative() != eps.is_negative();
+            (negative, !negative)
+        })
+    }
+
+    /// The point with x and y negative or not as asked for, which may depend on z; a coordinate that is zero
+    /// becomes y, since at modulus 1 the curve has no point with x = 0.
+    fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
+        let [x, y, z] = point.clone().into();
+        let swap = x.is_zero();
+        let (first, second, height) = if swap { (y, x, -z) } else { (x, y, z) };
+        let (first_negative, second_negative) = wanted(&height);
+        let (flip_first, flip_second) =
+            (first.is_negative() != first_negative, second.is_negative() != second_negative);
+        let first = if flip_first { -first } else { first };
+        let second = if flip_second { -second } else { second };
+        let form = Self {
+            sum: first.clone() + second.clone(),
+            difference: first.clone() - second.clone(),
+            height,
+            product: (first * second).abs(),
+        };
+        // After the swap back, the first coordinate is y.
+        let (flip_x, flip_y) = if swap { (flip_second, flip_first) } else { (flip_first, flip_second) };
+        (form, Symmetry { flip_x, flip_y, swap })
+    }
+}

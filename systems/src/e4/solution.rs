@@ -1,0 +1,155 @@
+//! The orbits of dE4: Jacobi's elliptic functions, on two real branches.
+
+use kahan_core::nalgebra::SVector;
+
+use super::normal_form::{NormalForm, Symmetry};
+use crate::solution::{Branch, OutOfDomain, alternating, integer, require};
+use crate::special::{Jacobi, Modulus, Real, jacobi};
+
+/// An orbit of dE4 (Theorem 3, i = 4): with v = 2δn + κ, modulus k, s = x + y and d = x − y,
+///
+/// * inner branch, |εz| < 1: s = (sn δ/cn δ) dn v/ε, d = k (sn δ/dn δ) cn v/ε, z = k sn δ sn v/ε;
+/// * outer branch, |εz| > 1 (not in the paper; δ and κ shifted by iK′):
+///   s = (−1)ⁿ cn v/(ε dn δ sn v), d = (−1)ⁿ dn v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
+///
+/// Both up to the signs of x and y and the swap (x, y, z) → (y, x, −z), which are symmetries of the map: the
+/// inner formula has xy > 0, the outer one xy < 0. Where xy = 0, k is 1 and the functions are hyperbolic.
+/// Together they cover every orbit but those through fixed points (0, 0, z) and through |εz| = 1.
+///
+/// In `f64` the error at n is at most 6 ulp of the point's norm times (1 + |v|) max(1, |ε| norm), the
+/// condition of the formula. On the inner branch with xy > 0:
+///
+/// Ĥ = (1 − k²) sn² δ/(2ε²[2 − (1 + k²) sn² δ]), K̂ = (1/ε²)(1/2 − cn² δ dn² δ/(cn² δ + dn² δ)).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution<T> {
+    /// ε, half the time step.
+    pub eps: T,
+    /// δ, half the advance of v in a step; it has the sign of ε and |δ| < K(k).
+    pub delta: T,
+    /// κ, the value of v at n = 0.
+    pub kappa: T,
+    /// The modulus k, 0 ≤ k ≤ 1.
+    pub modulus: Modulus<T>,
+    /// What leads from the formula to the orbit.
+    pub symmetry: Symmetry,
+    /// Whether |εz| is below or above 1.
+    pub branch: Branch,
+    /// sn, cn and dn of δ, from algebra alone.
+    advance: Jacobi<T>,
+}
+
+impl<T: Real> Solution<T> {
+    /// The orbit with this point at n = 0; ε is half the time step.
+    ///
+    /// # Errors
+    /// Unless ε ≠ 0, x² + y² > 0 (else a fixed point) and ε²z² ≠ 1: there det A vanishes for one sign of ε,
+    /// or the step ends in a fixed point.
+    pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
+        require(!eps.is_zero(), "eps != 0")?;
+        require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
+        let scaled = eps.clone() * point[2].clone();
+        let inner = (T::one() - scaled.clone()) * (T::one() + scaled);
+        require(!inner.is_zero(), "eps^2 z^2 != 1")?;
+        Ok(if inner.is_positive() {
+            Self::inner(NormalForm::same_signs(point), eps, &inner)
+        } else {
+            Self::outer(NormalForm::opposite_signs(point, eps), eps, &-inner)
+        })
+    }
+
+    fn inner((form, symmetry): (NormalForm<T>, Symmetry), eps: &T, width: &T) -> Self {
+        let Squares { sum, difference, wide, narrow } = Squares::of(&form, eps);
+        let modulus = modulus(&form, eps, width);
+        // sn²δ = ε²(s² + z²)/(1 + ε²s²), cn²δ = (1 − ε²z²)/(1 + ε²s²), dn²δ = (1 − ε²z²)/(1 + ε²d²)
+        let advance = Jacobi {
+            sn: eps.clone() * (wide / sum.clone()).sqrt(),
+            cn: (width.clone() / sum).sqrt(),
+            dn: (width.clone() / difference.clone()).sqrt(),
+        };
+        // (k sn δ)² = ε²(d² + z²)/(1 + ε²d²), so (sn κ, cn κ) = (z √(1 + ε²d²), d √(1 − ε²z²))/√(d² + z²).
+        let kappa = if narrow.is_zero() {
+            T::zero()
+        } else {
+            let size = narrow.sqrt();
+            let sn = form.height * difference.sqrt() / size.clone();
+            modulus.inverse(&sn, &(form.difference * width.sqrt() / size))
+        };
+        let delta = modulus.inverse(&advance.sn, &advance.cn);
+        Self { eps: eps.clone(), delta, kappa, modulus, symmetry, branch: Branch::Inner, advance }
+    }
+
+    fn outer((form, symmetry): (NormalForm<T>, Symmetry), eps: &T, width: &T) -> Self {
+        let Squares { sum, difference, wide, narrow } = Squares::of(&form, eps);
+        let modulus = modulus(&form, eps, width);
+        let over = |top: &T, bottom: T| (top.clone() / bottom).sqrt() / eps.clone();
+        // ε²(d² + z²) sn²δ = 1 + ε²d², ε²(d² + z²) cn²δ = ε²z² − 1 = ε²(s² + z²) dn²δ
+        let advance = Jacobi {
+            sn: over(&difference, narrow.clone()),
+            cn: over(width, narrow.clone()).abs(),
+            dn: over(width, wide.clone()).abs(),
+        };
+        // sn κ = 1/(ε k sn δ z) = √(s² + z²)/(z √(1 + ε²s²)), cn κ = ε s dn δ sn κ
+        let sn = (wide / sum).sqrt() / form.height;
+        let cn = eps.clone() * form.sum * advance.dn.clone() * sn.clone();
+        let kappa = modulus.inverse(&sn, &cn);
+        let delta = modulus.inverse(&advance.sn, &advance.cn);
+        Self { eps: eps.clone(), delta, kappa, modulus, symmetry, branch: Branch::Outer, advance }
+    }
+
+    /// The point n steps on, or back for n < 0; not finite where sn v = 0 on the outer branch, a pole.
+    pub fn at(&self, n: i64) -> SVector<T, 3> {
+        let Self { eps, delta, kappa, modulus, symmetry, branch, advance } = self;
+        let k = modulus.k.clone();
+        let Jacobi { sn, cn, dn } = jacobi(&(integer::<T>(2 * n) * delta.clone() + kappa.clone()), modulus);
+        let (sum, difference, height) = match branch {
+            Branch::Inner => (
+                advance.sn.clone() / advance.cn.clone() * dn,
+                k.clone() * advance.sn.clone() / advance.dn.clone() * cn,
+                k * advance.sn.clone() * sn,
+            ),
+            Branch::Outer => {
+                let sign = alternating::<T>(n);
+                (
+                    sign.clone() * cn / (advance.dn.clone() * sn.clone()),
+                    sign * dn / (k.clone() * advance.cn.clone() * sn.clone()),
+                    T::one() / (k * advance.sn.clone() * sn),
+                )
+            }
+        };
+        symmetry.point(sum / eps.clone(), difference / eps.clone(), height / eps.clone())
+    }
+}
+
+/// The positive sums that all parameters are made of.
+struct Squares<T> {
+    /// 1 + ε²s²
+    sum: T,
+    /// 1 + ε²d²
+    difference: T,
+    /// s² + z²
+    wide: T,
+    /// d² + z²
+    narrow: T,
+}
+
+impl<T: Real> Squares<T> {
+    fn of(form: &NormalForm<T>, eps: &T) -> Self {
+        let (s, d, z) = (form.sum.square(), form.difference.square(), form.height.square());
+        Self {
+            sum: T::one() + eps.square() * s.clone(),
+            difference: T::one() + eps.square() * d.clone(),
+            wide: s + z.clone(),
+            narrow: d + z,
+        }
+    }
+}
+
+/// k² = (d² + z²)(1 + ε²s²)/((s² + z²)(1 + ε²d²)), 1 − k² = 4|xy| |1 − ε²z²|/((s² + z²)(1 + ε²d²)).
+fn modulus<T: Real>(form: &NormalForm<T>, eps: &T, width: &T) -> Modulus<T> {
+    let Squares { sum, difference, wide, narrow } = Squares::of(form, eps);
+    let divisor = wide * difference;
+    Modulus::from_squares(
+        &(narrow * sum / divisor.clone()),
+        &(integer::<T>(4) * form.product.clone() * width.clone() / divisor),
+    )
+}

@@ -1,0 +1,48 @@
+//! The trajectories of E5: hyperbolic functions.
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::vector;
+
+use crate::solution::{OutOfDomain, require};
+use crate::special::Real;
+
+/// A trajectory of E5 (Table 5, i = 5): with T = t + α and the sign s of x,
+///
+/// x = sλ sech λT, y = −λ tanh λT, z = s(μ cosh λT + λ sech λT).
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlowSolution<T> {
+    /// α, the shift of time.
+    pub alpha: T,
+    /// λ = √(x² + y²) > 0; H = λ²/2.
+    pub lambda: T,
+    /// μ; K = λ(μ + λ).
+    pub mu: T,
+    /// s, the sign of x: 1 or −1. The paper's table has s = 1; (x, y, z) → (−x, y, −z) is a symmetry.
+    pub sign: T,
+}
+
+impl<T: Real> FlowSolution<T> {
+    /// The trajectory with this point at t = 0.
+    ///
+    /// # Errors
+    /// Unless x ≠ 0: the plane x = 0 is kept, and its solutions are not of this form.
+    pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
+        let [x, y, z] = point.clone().into();
+        require(!x.is_zero(), "x != 0")?;
+        let sign = x.sign();
+        let lambda = (x.square() + y.square()).sqrt();
+        // sinh λα = −y/|x|, cosh λα = λ/|x|
+        let phase = -(y / x.abs()).asinh();
+        let mu = sign.clone() * (z - x.clone()) * x.abs() / lambda.clone();
+        Ok(Self { alpha: phase / lambda.clone(), lambda, mu, sign })
+    }
+
+    /// The point at time t, any real number.
+    pub fn at(&self, t: &T) -> SVector<T, 3> {
+        let Self { alpha, lambda, mu, sign } = self;
+        let phase = lambda.clone() * (t.clone() + alpha.clone());
+        let cosine = phase.cosh();
+        let x = sign.clone() * lambda.clone() / cosine.clone();
+        vector![x.clone(), -lambda.clone() * phase.tanh(), sign.clone() * mu.clone() * cosine + x]
+    }
+}

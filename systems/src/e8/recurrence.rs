@@ -1,0 +1,56 @@
+//! The orbits of dE8 by rational recurrences: exact over big rationals.
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::{Scalar, vector};
+
+use crate::solution::{OutOfDomain, integer, require};
+
+/// An orbit of dE8 in Y = y/x and Z = z/x (section 6): with N = n + τ, x = 1/(2εN) and
+///
+/// Y_{n+1} = Y_n − 1/(N + 1/2), (N − 1/2) Z_{n+1} = (N + 3/2) Z_n + Y_n + Y_{n+1} + 2Y_nY_{n+1}.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recurrence<T> {
+    /// ε, half the time step.
+    pub eps: T,
+    /// τ = 1/(2εx₀), the shift of n.
+    pub tau: T,
+    /// Y₀ = y₀/x₀.
+    pub slope_y: T,
+    /// Z₀ = z₀/x₀.
+    pub slope_z: T,
+}
+
+impl<T: Scalar> Recurrence<T> {
+    /// The orbit with this point at n = 0; ε is half the time step.
+    ///
+    /// # Errors
+    /// Unless εx ≠ 0.
+    pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
+        let [x, y, z] = point.clone().into();
+        let scaled = eps.clone() * x.clone();
+        require(!scaled.is_zero(), "eps x != 0")?;
+        let tau = T::one() / (integer::<T>(2) * scaled);
+        Ok(Self { eps: eps.clone(), tau, slope_y: y / x.clone(), slope_z: z / x })
+    }
+
+    /// The point n steps on, or back for n < 0; |n| steps of the recurrences. At a pole on the way: a panic
+    /// for exact scalars, a result that is not finite for floats.
+    pub fn at(&self, n: i64) -> SVector<T, 3> {
+        let half = T::one() / integer(2);
+        let (mut y, mut z) = (self.slope_y.clone(), self.slope_z.clone());
+        for j in if n < 0 { n..0 } else { 0..n } {
+            // Backwards, from the last step to the first.
+            let index = if n < 0 { n - 1 - j } else { j };
+            let shifted = integer::<T>(index) + self.tau.clone();
+            let step = T::one() / (shifted.clone() + half.clone());
+            let before = shifted.clone() - half.clone();
+            let after = shifted + integer::<T>(3) * half.clone();
+            let next = if n < 0 { y.clone() + step } else { y.clone() - step };
+            let product = y.clone() + next.clone() + integer::<T>(2) * y * next.clone();
+            z = if n < 0 { (before * z - product) / after } else { (after * z + product) / before };
+            y = next;
+        }
+        let x = T::one() / (integer::<T>(2) * self.eps.clone() * (integer::<T>(n) + self.tau.clone()));
+        vector![x.clone(), y * x.clone(), z * x]
+    }
+}

@@ -1,0 +1,56 @@
+//! The orbits of dE9 for ξ = 0, 1, −1; for other ξ the map is not integrable (the heights of section 7).
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::vector;
+
+use crate::solution::OutOfDomain;
+use crate::special::Real;
+use crate::{e3, e4};
+
+/// An orbit of dE9 in closed form.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Solution<T> {
+    /// ξ = 0: y is constant and (x, 0, z) an orbit of dE3.
+    Zero {
+        /// The orbit of (x, 0, z).
+        plane: e3::Solution<T>,
+        /// The constant y.
+        y: T,
+    },
+    /// ξ = 1: dE3.
+    One(e3::Solution<T>),
+    /// ξ = −1: dE4.
+    MinusOne(e4::Solution<T>),
+}
+
+impl<T: Real> Solution<T> {
+    /// The orbit of dE9 with this ξ that has this point at n = 0; ε is half the time step.
+    ///
+    /// # Errors
+    /// Unless ξ is 0, 1 or −1, and where [`e3::Solution::through`] or [`e4::Solution::through`] has one.
+    pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
+        if xi.is_zero() {
+            let [x, y, z] = point.clone().into();
+            let plane = e3::Solution::through(&vector![x, T::zero(), z], eps)?;
+            Ok(Self::Zero { plane, y })
+        } else if *xi == T::one() {
+            e3::Solution::through(point, eps).map(Self::One)
+        } else if *xi == -T::one() {
+            e4::Solution::through(point, eps).map(Self::MinusOne)
+        } else {
+            Err(OutOfDomain { condition: "xi = 0, 1 or -1" })
+        }
+    }
+
+    /// The point n steps on, or back for n < 0.
+    pub fn at(&self, n: i64) -> SVector<T, 3> {
+        match self {
+            Self::Zero { plane, y } => {
+                let [x, _, z] = plane.at(n).into();
+                vector![x, y.clone(), z]
+            }
+            Self::One(solution) => solution.at(n),
+            Self::MinusOne(solution) => solution.at(n),
+        }
+    }
+}
