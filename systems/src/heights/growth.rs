@@ -1,0 +1,93 @@
+//! The growth class of a sequence of heights, from its finite differences.
+
+use std::fmt;
+
+/// How heights grow with the number of steps.
+///
+/// **Rule.** Let h₁ … h_N be the heights of the component that is largest at the end.
+/// 1. *bounded*: N ≥ 4 and the second half holds no value above the greatest of the first half (a bounded orbit over ℚ is
+///    finite, so sooner or later it repeats itself, and this is so from then on).
+/// 2. Otherwise, with N ≥ 8, let m₁ … m₄ be the means over the last four quarters of ⌊N/4⌋ values each, d₁, d₂, d₃ their first
+///    differences, s₁, s₂ their second ones; means over quarters make little of fluctuations. If all d are positive, with ρ = d₃/d₂:
+///    *linear* if 0.87 ≤ ρ ≤ 1.15 (n: 1); *logarithmic* if ρ < 0.75 and d₂/d₁ < 0.75 and N ≥ 16 (log n: 0.66; √n: 0.81); *quadratic* if ρ > 1.15 and
+///    0.7 ≤ s₂/s₁ ≤ 1.3 (n²: 1, n³: 1.67); *exponential* if ρ ≥ 1.5 and the differences of both orders grow by one factor:
+///    d₃/d₂ ≥ 0.9 d₂/d₁ and s₂/s₁ ≥ 0.9 ρ.
+/// 3. With 4 ≤ N < 8: *exponential* if the last three ratios h_n/h_{n−1} are all at least 1.5 and within 5 % of each other.
+/// 4. *undecided* otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Growth {
+    /// The orbit is periodic, or a fixed point.
+    Bounded,
+    /// h_n ~ log n.
+    Logarithmic,
+    /// h_n ~ n.
+    Linear,
+    /// h_n ~ n².
+    Quadratic,
+    /// log h_n ~ n: positive entropy, not integrable.
+    Exponential,
+    /// Too few steps, or none of these.
+    Undecided,
+}
+
+impl Growth {
+    /// The class of h₁, h₂, … by the [rule](Growth). h₀ is not among them: initial data may be as large as one
+    /// likes.
+    #[must_use]
+    pub fn of(heights: &[f64]) -> Self {
+        let n = heights.len();
+        if n < 4 {
+            return Growth::Undecided;
+        }
+        let (first, second) = heights.split_at(n / 2);
+        if greatest(second) <= greatest(first) {
+            return Growth::Bounded;
+        }
+        if n < 8 { Self::of_few(heights) } else { Self::of_quarters(heights) }
+    }
+
+    fn of_few(heights: &[f64]) -> Self {
+        let ratios: Vec<f64> = heights.windows(2).rev().take(3).map(|pair| pair[1] / pair[0]).collect();
+        let (low, high) = (ratios.iter().copied().fold(f64::INFINITY, f64::min), greatest(&ratios));
+        if low >= 1.5 && high <= 1.05 * low { Growth::Exponential } else { Growth::Undecided }
+    }
+
+    fn of_quarters(heights: &[f64]) -> Self {
+        let width = heights.len() / 4;
+        let last = &heights[heights.len() - 4 * width..];
+        let means: Vec<f64> = last.chunks(width).map(|q| q.iter().sum::<f64>() / width as f64).collect();
+        let differences =
+            |values: &[f64]| values.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<_>>();
+        let first = differences(&means);
+        let second = differences(&first);
+        if first.iter().any(|d| *d <= 0.0) {
+            return Growth::Undecided;
+        }
+        let (before, ratio) = (first[1] / first[0], first[2] / first[1]);
+        let curvature = second[1] / second[0];
+        match ratio {
+            r if (0.87..=1.15).contains(&r) => Growth::Linear,
+            r if r < 0.75 && before < 0.75 && heights.len() >= 16 => Growth::Logarithmic,
+            r if r > 1.15 && (0.7..=1.3).contains(&curvature) => Growth::Quadratic,
+            r if r >= 1.5 && r >= 0.9 * before && curvature >= 0.9 * r => Growth::Exponential,
+            _ => Growth::Undecided,
+        }
+    }
+}
+
+fn greatest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
+
+impl fmt::Display for Growth {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Growth::Bounded => "bounded",
+            Growth::Logarithmic => "logarithmic",
+            Growth::Linear => "linear",
+            Growth::Quadratic => "quadratic",
+            Growth::Exponential => "exponential",
+            Growth::Undecided => "undecided",
+        })
+    }
+}

@@ -1,0 +1,104 @@
+//! Big integers: ℤ as an arithmetic for plans, and the ways in from and out to rationals.
+
+use dashu_int::ops::{Abs, BitTest, Gcd, UnsignedAbs};
+use dashu_int::{IBig, Sign, UBig, Word};
+use kahan_algebra::arithmetic::Arithmetic;
+use kahan_algebra::rational::Rational;
+use num_bigint::BigInt;
+
+/// ℤ. A constant that is no integer has no value here, and nothing is divided.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Integers;
+
+impl Arithmetic for Integers {
+    type Value = IBig;
+
+    fn constant(&self, value: &Rational) -> Option<IBig> {
+        value.is_integer().then(|| numerator(value))
+    }
+
+    fn add(&self, a: &IBig, b: &IBig) -> IBig {
+        a + b
+    }
+
+    fn subtract(&self, a: &IBig, b: &IBig) -> IBig {
+        a - b
+    }
+
+    /// A square costs two thirds of a product, and a plan names the same step twice for it.
+    fn multiply(&self, a: &IBig, b: &IBig) -> IBig {
+        if std::ptr::eq(a, b) { a.sqr().into() } else { a * b }
+    }
+
+    fn negate(&self, a: &IBig) -> IBig {
+        -a
+    }
+
+    fn divide(&self, _: &IBig, _: &IBig) -> Option<IBig> {
+        None
+    }
+
+    fn is_zero(&self, a: &IBig) -> bool {
+        a.is_zero()
+    }
+}
+
+/// The numerator of a rational in lowest terms, with its sign.
+pub(crate) fn numerator(value: &Rational) -> IBig {
+    IBig::from_le_bytes(&value.numerator().to_signed_bytes_le())
+}
+
+/// The denominator of a rational in lowest terms.
+pub(crate) fn denominator(value: &Rational) -> UBig {
+    UBig::from_le_bytes(&value.denominator().magnitude().to_bytes_le())
+}
+
+/// The rational p/q, reduced here; q is not zero.
+pub(crate) fn rational(numerator: &IBig, denominator: &IBig) -> Rational {
+    let big = |value: &IBig| BigInt::from_signed_bytes_le(&value.to_le_bytes());
+    let common = numerator.gcd(denominator);
+    let (p, q) = (numerator / &common, denominator / &common);
+    let p = Rational::from(big(&if q.sign() == Sign::Negative { -p } else { p }));
+    let q = Rational::from(big(&q.abs()));
+    p.checked_div(&q).unwrap_or_default()
+}
+
+/// The least common multiple of the denominators.
+pub(crate) fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Rational>) -> UBig {
+    values.into_iter().fold(UBig::ONE, |multiple, value| {
+        let denominator = denominator(value);
+        let common = (&multiple).gcd(&denominator);
+        multiple / common * denominator
+    })
+}
+
+/// The greatest common divisor, 0 of nothing but zeros. The smallest two are taken first: what is left of the others modulo
+/// their divisor is no larger than that.
+pub(crate) fn greatest_common_divisor<'a>(values: impl IntoIterator<Item = &'a IBig>) -> UBig {
+    let mut values: Vec<&IBig> = values.into_iter().filter(|value| !value.is_zero()).collect();
+    values.sort_by_key(|value| bits(value));
+    let mut common = UBig::ZERO;
+    for value in values {
+        if common.is_one() {
+            break;
+        }
+        common =
+            if common.is_zero() { value.unsigned_abs() } else { short_gcd(&common, &value.unsigned_abs()) };
+    }
+    common
+}
+
+/// gcd(a, b) for a ≠ 0, by one division first where b is the longer one.
+pub(crate) fn short_gcd(a: &UBig, b: &UBig) -> UBig {
+    if b.bit_len() < a.bit_len() {
+        return if b.is_zero() { a.clone() } else { a.gcd(b) };
+    }
+    let rest = b % a;
+    if rest.is_zero() { a.clone() } else { a.gcd(rest) }
+}
+
+/// The number of bits of |a|; 0 of 0.
+pub(crate) fn bits(value: &IBig) -> usize {
+    let words = value.as_sign_words().1;
+    words.last().map_or(0, |top| words.len() * Word::BITS as usize - top.leading_zeros() as usize)
+}

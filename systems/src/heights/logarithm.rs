@@ -1,0 +1,56 @@
+//! Logarithms of big integers and of quotients of them, good to the last digits of a double.
+//!
+//! log m = b·log 2 + log(m/2ᵇ) with b the number of bits, m/2ᵇ from the top 128 of them. For m < 2⁵³ the logarithm of the
+//! double itself is taken, so log 1 = 0. All parts have one sign, so nothing cancels.
+
+use std::f64::consts::{LN_2, LN_10};
+
+use dashu_int::ops::BitTest;
+use dashu_int::{UBig, Word};
+
+/// The leading 32 bits of log 2: times a number below 2²¹ the product is exact, and within an ulp beyond.
+const LN_2_HIGH: f64 = f64::from_bits(LN_2.to_bits() & !0x1f_ffff);
+/// log 2 − [`LN_2_HIGH`]: the rest of the double, and what the double lacks.
+const LN_2_LOW: f64 = (LN_2 - LN_2_HIGH) + 2.319_046_813_846_299_6e-17;
+
+/// log m, within an ulp; 0 for m = 0, as the height of 0 = 0/1 is 0.
+pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
+    let bits = m.bit_len();
+    if bits <= 53 {
+        let small = u64::try_from(m).unwrap_or_default();
+        return if small == 0 { 0.0 } else { (small as f64).ln() };
+    }
+    let words = m.as_words();
+    // The top three words hold 128 bits whatever the leading zeros; a word is 64 bits here, and fewer do no harm.
+    let fraction = words.iter().rev().take(3).enumerate().fold(0.0, |sum, (i, &word)| {
+        let place = (words.len() - 1 - i) as i64 * i64::from(Word::BITS) - bits as i64;
+        sum + word as f64 * (place as f64).exp2()
+    });
+    let bits = bits as f64;
+    bits * LN_2_HIGH + (bits * LN_2_LOW + fraction.ln())
+}
+
+/// log(m/d) for d that divides m.
+pub(crate) fn logarithm_of_quotient(m: &UBig, d: &UBig) -> f64 {
+    if d.is_one() {
+        return natural_logarithm(m);
+    }
+    // The difference of logarithms loses nothing that counts where the quotient is long, and the division costs.
+    if m.bit_len() > 4096 && m.bit_len() > 8 * d.bit_len() {
+        natural_logarithm(m) - natural_logarithm(d)
+    } else {
+        natural_logarithm(&(m / d))
+    }
+}
+
+/// The number of decimal digits of m/d for d that divides m > 0.
+pub(crate) fn decimal_digits(m: &UBig, d: &UBig) -> u64 {
+    let digits = logarithm_of_quotient(m, d) / LN_10;
+    // A logarithm this near to an integer could be on either side of it: then the power of ten decides.
+    let nearest = digits.round();
+    if (digits - nearest).abs() > 1e-9 * nearest.max(1.0) {
+        return digits.floor() as u64 + 1;
+    }
+    let power = UBig::from(10_u8).pow(nearest as usize);
+    nearest as u64 + u64::from(*m >= power * d)
+}

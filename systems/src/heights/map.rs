@@ -1,0 +1,235 @@
+//! Kahan's map on projective integers (X₁ : … : X_n : W), the point being xᵢ = σXᵢ/W.
+//!
+//! A system, values of its parameters and ε go in; out comes a step without fractions. Where the map was reduced, its
+//! numerators and its denominator are homogenised with W and their coefficients cleared of denominators, once. Where it is
+//! beyond the budget of terms, A x̃ = b is solved by fraction-free elimination on integers. For a homogeneous field ε is
+//! scaled out (σ = 1/ε), as (x, ε) ↦ (λx, ε/λ) is a symmetry: then no power of ε enters the numbers.
+
+use dashu_int::{IBig, UBig};
+use kahan_algebra::field::Field;
+use kahan_algebra::kahan::{RationalMap, scaled_matrix, scaled_rhs};
+use kahan_algebra::plan::{Node, Plan, PlanBuilder};
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+
+use super::elimination::solve_projectively;
+use super::integers::{
+    Integers, common_denominator, denominator, greatest_common_divisor, numerator, rational,
+};
+use super::split::Splits;
+
+/// A value of a parameter at which the field itself divides by zero, so that there is no map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UndefinedField;
+
+/// A step of Kahan's map in projective integers.
+#[derive(Clone, Debug)]
+pub struct ProjectiveMap {
+    dimension: usize,
+    degree: usize,
+    /// σ of xᵢ = σXᵢ/W.
+    unit: Rational,
+    formula: Formula,
+}
+
+#[derive(Clone, Debug)]
+enum Formula {
+    /// N₁ … N_n and D/m of the reduced map, homogeneous, with m the monomial in D; then the D of the inverse map.
+    Reduced { plan: Plan, monomial: Monomial, split: Splits },
+    /// The n×n entries of A and then the n of b, homogeneous of degree one.
+    Elimination(Plan),
+}
+
+/// What a step gives before anything is divided out.
+#[derive(Clone, Debug)]
+pub(crate) struct Image {
+    /// X̃₁ … X̃_n and W̃; W̃ = 0 at a pole.
+    pub(crate) point: Vec<IBig>,
+    /// Numbers whose product is W̃, as far as they are known.
+    pub(crate) weight_parts: Vec<IBig>,
+    /// The last coordinate of the inverse map at the same point, where that is reduced.
+    pub(crate) weight_behind: Option<IBig>,
+}
+
+impl ProjectiveMap {
+    /// The map of `system` at these parameters (in their order) and ε, half the time step. The values are put in *after* the
+    /// map is reduced over ℚ(ε, parameters), as everywhere: a factor that is common for these values only stays.
+    ///
+    /// # Errors
+    /// Where a parameter makes the field divide by zero.
+    ///
+    /// # Panics
+    /// If the number of parameters is not that of the system.
+    pub fn new(system: &System, parameters: &[Rational], eps: &Rational) -> Result<Self, UndefinedField> {
+        let field = &system.field;
+        assert_eq!(parameters.len(), field.symbols.parameters.len(), "one value a parameter");
+        let is_scaled = field.is_homogeneous() && !eps.is_zero();
+        let unit = eps.recip().filter(|_| is_scaled).unwrap_or_else(Rational::one);
+        let at = |eps: Rational| Values { field, parameters, eps };
+        let ahead = at(if is_scaled { Rational::one() } else { eps.clone() });
+        let behind = at(-&ahead.eps);
+        if field.components.iter().any(|component| ahead.put_into(&component.denominator).is_zero()) {
+            return Err(UndefinedField);
+        }
+        let dimension = field.dimension();
+        let (degree, formula) = match RationalMap::of(field) {
+            Some(map) => {
+                let (degree, mut forms) = ahead.forms(&map);
+                let split = Splits::of(forms.clone());
+                let mut monomial = Monomial::one();
+                if let Some(denominator) = forms.last_mut() {
+                    monomial = denominator.monomial_content();
+                    *denominator = denominator.div_monomial(&monomial).unwrap_or_default();
+                }
+                forms.extend(behind.forms(&map).1.pop());
+                (degree, Formula::Reduced { plan: plan(&forms), monomial, split })
+            }
+            None => (dimension, Formula::Elimination(plan(&ahead.linear_system()))),
+        };
+        Ok(ProjectiveMap { dimension, degree, unit, formula })
+    }
+
+    /// The number of states.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The degree of the step in the projective coordinates: a step multiplies the number of digits by it, before common
+    /// factors are divided out.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// σ of xᵢ = σXᵢ/W: 1/ε for homogeneous fields, else 1.
+    #[must_use]
+    pub fn unit(&self) -> &Rational {
+        &self.unit
+    }
+
+    /// The projective integers of a point, without a common factor.
+    pub(crate) fn point(&self, x: &[Rational]) -> Vec<IBig> {
+        let scale = self.unit.recip().unwrap_or_else(Rational::one);
+        let scaled: Vec<Rational> = x.iter().map(|x| x * &scale).collect();
+        let weight = common_denominator(&scaled);
+        let mut point: Vec<IBig> = scaled.iter().map(|x| numerator(x) * (&weight / denominator(x))).collect();
+        point.push(weight.into());
+        point
+    }
+
+    /// The coordinates of a point with W ≠ 0, in lowest terms.
+    pub(crate) fn coordinates(&self, point: &[IBig]) -> Vec<Rational> {
+        let Some((weight, x)) = point.split_last() else { return Vec::new() };
+        x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
+    }
+
+    /// One step; the content is not divided out, or only in part. `factors` are the gcd(Xᵢ, W). Cost: a few products of numbers
+    /// as long as the coordinates.
+    pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
+        let run = |plan: &Plan| {
+            let values = plan.evaluate(&Integers, |variable| point[usize::from(variable.0)].clone());
+            values.into_iter().map(Option::unwrap_or_default).collect::<Vec<IBig>>()
+        };
+        match &mut self.formula {
+            Formula::Reduced { plan, monomial, split } => {
+                if let Some(point) = split.apply(point, factors) {
+                    return Image { point, weight_parts: Vec::new(), weight_behind: None };
+                }
+                let mut image = run(plan);
+                let weight_behind = image.pop();
+                let mut weight_parts: Vec<IBig> = image.pop().into_iter().collect();
+                for &(variable, exponent) in monomial.powers() {
+                    let factor = &point[usize::from(variable.0)];
+                    weight_parts.extend(std::iter::repeat_n(factor, exponent as usize).cloned());
+                }
+                image.push(weight_parts.iter().product());
+                Image { point: image, weight_parts, weight_behind }
+            }
+            Formula::Elimination(plan) => {
+                let mut entries = run(plan);
+                let rhs = entries.split_off(self.dimension * self.dimension);
+                let rows = entries.chunks(self.dimension).zip(rhs);
+                let rows = rows.map(|(row, b)| row.iter().cloned().chain([b]).collect()).collect();
+                Image { point: solve_projectively(rows), weight_parts: Vec::new(), weight_behind: None }
+            }
+        }
+    }
+}
+
+/// A field at values of its parameters and of ε.
+struct Values<'a> {
+    field: &'a Field,
+    parameters: &'a [Rational],
+    eps: Rational,
+}
+
+impl Values<'_> {
+    /// The polynomial in the states alone.
+    fn put_into(&self, polynomial: &Polynomial) -> Polynomial {
+        let symbols = &self.field.symbols;
+        let at_eps = polynomial.substitute(symbols.epsilon(), &self.eps);
+        self.parameters
+            .iter()
+            .enumerate()
+            .fold(at_eps, |polynomial, (k, value)| polynomial.substitute(symbols.parameter(k), value))
+    }
+
+    /// xᵢd + 2εnᵢ and d of the reduced map x̃ = x + 2εn/d as forms of one degree, the first result.
+    fn forms(&self, map: &RationalMap) -> (usize, Vec<Polynomial>) {
+        let denominator = self.put_into(&map.reduced.denominator);
+        let two_eps = &self.eps + &self.eps;
+        let numerator = |(i, increment): (usize, &Polynomial)| {
+            let start = &Polynomial::variable(self.field.symbols.state(i)) * &denominator;
+            &start + &self.put_into(increment).scale(&two_eps)
+        };
+        let mut forms: Vec<Polynomial> = map.reduced.increments.iter().enumerate().map(numerator).collect();
+        forms.push(denominator);
+        let degree = forms.iter().map(Polynomial::degree).max().unwrap_or(0);
+        (degree as usize, self.homogeneous(&forms, degree))
+    }
+
+    /// The entries of A row by row and then those of b, as forms of degree one; each row with coprime integers.
+    fn linear_system(&self) -> Vec<Polynomial> {
+        let (mut entries, mut right) = (Vec::new(), Vec::new());
+        for (row, b) in scaled_matrix(self.field).iter().zip(scaled_rhs(self.field)) {
+            let row: Vec<Polynomial> = row.iter().chain([&b]).map(|entry| self.put_into(entry)).collect();
+            let mut row = self.homogeneous(&row, 1);
+            right.extend(row.pop());
+            entries.append(&mut row);
+        }
+        entries.append(&mut right);
+        entries
+    }
+
+    /// The polynomials as forms of this degree in the states and W, multiplied by one number so that their coefficients are
+    /// integers without a common factor.
+    fn homogeneous(&self, polynomials: &[Polynomial], degree: u32) -> Vec<Polynomial> {
+        let coefficients = || polynomials.iter().flat_map(|p| p.terms().map(|(_, coefficient)| coefficient));
+        let multiple = IBig::from(common_denominator(coefficients()));
+        let cleared = |c: &Rational| numerator(c) * (&multiple / IBig::from(denominator(c)));
+        let content = greatest_common_divisor(coefficients().map(cleared).collect::<Vec<_>>().iter());
+        let scale = rational(&multiple, &if content.is_zero() { IBig::ONE } else { content.into() });
+        let weight = weight(self.field.dimension());
+        let homogenise = |polynomial: &Polynomial| {
+            Polynomial::from_terms(polynomial.terms().map(|(monomial, coefficient)| {
+                let rest = Monomial::power(weight, degree - monomial.degree());
+                (monomial.mul(&rest), coefficient * &scale)
+            }))
+        };
+        polynomials.iter().map(homogenise).collect()
+    }
+}
+
+/// The variable of W: the one behind the states, which are all that is left.
+fn weight(dimension: usize) -> Variable {
+    Variable(u16::try_from(dimension).unwrap_or(u16::MAX))
+}
+
+/// The plan that computes these forms.
+pub(crate) fn plan(forms: &[Polynomial]) -> Plan {
+    let mut builder = PlanBuilder::default();
+    let nodes: Vec<Node> = forms.iter().map(|form| builder.polynomial(form)).collect();
+    builder.finish(&nodes)
+}

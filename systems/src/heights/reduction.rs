@@ -1,0 +1,70 @@
+//! The common factor of each coordinate with W: what a height needs, and what the content is made of.
+//!
+//! The height of xᵢ is that of Xᵢ/W in lowest terms, so gcd(Xᵢ, W) is needed for every i at every step. They are seldom large,
+//! and then one long gcd serves all: gcd(Xᵢ, W) = gcd(Xᵢ, P) with P = gcd(W, ∏Xᵢ mod W), because gcd(Xᵢ, W) divides P and P
+//! divides W. Long numbers are shared out between two threads, where the machine has two.
+
+use std::thread;
+
+use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
+use dashu_int::{IBig, UBig};
+
+use super::integers::{bits, short_gcd};
+
+/// From this many bits of W on the gcds of several coordinates are worth a thread: they take milliseconds.
+const LONG: usize = 1 << 16;
+
+/// gcd(Xᵢ, W) for each i; W ≠ 0. `parts` are numbers whose product is W, or none. Cost: one gcd of long numbers where all of
+/// them are short; shorter ones where there are several parts.
+pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig]) -> Vec<UBig> {
+    let is_long =
+        weight.bit_len() >= LONG && thread::available_parallelism().is_ok_and(|cores| cores.get() > 1);
+    if parts.len() > 1 && is_long {
+        // ∏ gcd(B, ∏Xᵢ) over the parts B divides W, and gcd(Xᵢ, W) divides it.
+        let shares = in_two_threads(parts, |parts| {
+            let share = |part: &IBig| shared_with_product(x, &part.unsigned_abs());
+            parts.iter().map(share).collect()
+        });
+        return each_with(x, weight, &shares.iter().product());
+    }
+    if x.len() > 1 && is_long {
+        return in_two_threads(x, |x| each_with(x, weight, &shared_with_product(x, weight)));
+    }
+    each_with(x, weight, &shared_with_product(x, weight))
+}
+
+/// The two halves of a list at once.
+fn in_two_threads<T: Sync>(items: &[T], work: impl Fn(&[T]) -> Vec<UBig> + Sync) -> Vec<UBig> {
+    let (left, right) = items.split_at(items.len() / 2);
+    thread::scope(|scope| {
+        let other = scope.spawn(|| work(right));
+        let mut results = work(left);
+        results.extend(other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        results
+    })
+}
+
+/// gcd(B, ∏Xᵢ) over the i with Xᵢ ≠ 0.
+fn shared_with_product(x: &[IBig], part: &UBig) -> UBig {
+    let residues = x.iter().filter(|x| !x.is_zero()).map(|x| residue(x, part));
+    match residues.reduce(|product, residue| product * residue % part) {
+        None => UBig::ONE,
+        Some(product) if product.is_zero() => part.clone(),
+        Some(product) => part.gcd(&product),
+    }
+}
+
+/// gcd(Xᵢ, P), which is gcd(Xᵢ, W): `shared` is P.
+fn each_with(x: &[IBig], weight: &UBig, shared: &UBig) -> Vec<UBig> {
+    let factor = |x: &IBig| match x {
+        x if x.is_zero() => weight.clone(),
+        _ if shared.is_one() => UBig::ONE,
+        x => short_gcd(shared, &x.unsigned_abs()),
+    };
+    x.iter().map(factor).collect()
+}
+
+/// |x| reduced to no more than the size of W, with the same gcd with W.
+fn residue(x: &IBig, weight: &UBig) -> UBig {
+    if bits(x) > weight.bit_len() { x.unsigned_abs() % weight } else { x.unsigned_abs() }
+}

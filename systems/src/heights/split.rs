@@ -1,0 +1,99 @@
+//! A step from a point some of whose coordinates share most of W.
+//!
+//! Where a component is a short fraction beside long ones (x of dE7 has four digits, z ten thousand), its Xᵢ and W are a long common
+//! factor g times short numbers: Xᵢ = g aᵢ, W = g b. A form N of degree d is then Σ gʲ Nⱼ(a, b, the other coordinates), Nⱼ the part of
+//! degree j in the short ones: a few long products are left of it, and the least j of all forms is divided out for nothing.
+
+use dashu_int::ops::{BitTest, Gcd};
+use dashu_int::{IBig, UBig};
+use kahan_algebra::plan::Plan;
+use kahan_algebra::poly::Polynomial;
+
+use super::integers::{Integers, bits};
+use super::map::plan;
+
+/// Below this many bits of W a split gains nothing.
+const LONG: usize = 1 << 12;
+
+/// The forms of a map, and what is known of their splits.
+#[derive(Clone, Debug)]
+pub(crate) struct Splits {
+    /// N₁ … N_n, D.
+    forms: Vec<Polynomial>,
+    /// The split that was used last: an orbit changes it seldom.
+    last: Option<Split>,
+}
+
+#[derive(Clone, Debug)]
+struct Split {
+    /// Which coordinates are short multiples of g, W among them.
+    is_short: Vec<bool>,
+    /// The nonzero parts of all forms, one form after the other.
+    plan: Plan,
+    /// The degree in the short coordinates of each part, less the least degree of all; form by form.
+    degrees: Vec<Vec<usize>>,
+}
+
+impl Splits {
+    /// Nothing is split before it is asked for.
+    pub(crate) fn of(forms: Vec<Polynomial>) -> Self {
+        Splits { forms, last: None }
+    }
+
+    /// The image of a point, its content in part divided out; `None` where no component is short.
+    pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Option<Vec<IBig>> {
+        let size = point.last().map(bits).filter(|size| *size >= LONG)?;
+        let mut is_short: Vec<bool> = factors.iter().map(|factor| 4 * factor.bit_len() >= 3 * size).collect();
+        let shared = factors.iter().zip(&is_short).filter(|(_, short)| **short).map(|(factor, _)| factor);
+        let g = shared.cloned().reduce(Gcd::gcd).filter(|g| 2 * g.bit_len() >= size)?;
+        is_short.push(true);
+        if self.last.as_ref().is_none_or(|split| split.is_short != is_short) {
+            self.last = Some(Split::of(&self.forms, is_short));
+        }
+        self.last.as_ref().map(|split| split.apply(point, &g))
+    }
+}
+
+impl Split {
+    fn of(forms: &[Polynomial], is_short: Vec<bool>) -> Self {
+        let degree_of = |form: &Polynomial, degree: u32| {
+            let part = form.terms().filter(|(monomial, _)| {
+                monomial.degree_where(|variable| is_short[usize::from(variable.0)]) == degree
+            });
+            Polynomial::from_terms(
+                part.map(|(monomial, coefficient)| (monomial.clone(), coefficient.clone())),
+            )
+        };
+        let (mut parts, mut degrees) = (Vec::new(), Vec::new());
+        for form in forms {
+            let of_form = (0..=form.degree()).map(|degree| (degree as usize, degree_of(form, degree)));
+            let (present, mut polynomials): (Vec<usize>, Vec<Polynomial>) =
+                of_form.filter(|(_, part)| !part.is_zero()).unzip();
+            degrees.push(present);
+            parts.append(&mut polynomials);
+        }
+        let least = degrees.iter().flatten().copied().min().unwrap_or(0);
+        degrees.iter_mut().flatten().for_each(|degree| *degree -= least);
+        Split { is_short, plan: plan(&parts), degrees }
+    }
+
+    fn apply(&self, point: &[IBig], g: &UBig) -> Vec<IBig> {
+        let scaled: Vec<IBig> = point
+            .iter()
+            .zip(&self.is_short)
+            .map(|(x, short)| if *short { x / g } else { x.clone() })
+            .collect();
+        let values = self.plan.evaluate(&Integers, |variable| scaled[usize::from(variable.0)].clone());
+        let mut values = values.into_iter().map(Option::unwrap_or_default);
+        let highest = self.degrees.iter().flatten().copied().max().unwrap_or(0);
+        let mut powers = vec![UBig::ONE];
+        for exponent in 1..=highest {
+            powers.push(if exponent == 2 { g.sqr() } else { &powers[exponent - 1] * g });
+        }
+        let form = |degrees: &Vec<usize>| {
+            let parts = degrees.iter().zip(values.by_ref());
+            parts.map(|(&degree, part)| if degree == 0 { part } else { part * &powers[degree] }).sum()
+        };
+        self.degrees.iter().map(form).collect()
+    }
+}

@@ -1,0 +1,58 @@
+//! The whole test: the heights of an orbit, their growth, its entropy.
+
+use super::growth::Growth;
+use super::orbit::{Heights, HeightsOrbit, Stop};
+
+/// What the Diophantine test finds on one orbit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Survey {
+    /// The heights of x₀, x₁, …, as far as the orbit went.
+    pub heights: Vec<Heights>,
+    /// The class of the component that is largest at the end.
+    pub growth: Growth,
+    /// log(h_n/h_{n−1}) at the last step for that component if growth is exponential, else 0. As n grows it tends to the
+    /// Diophantine entropy: log 2 for the Lotka–Volterra map, log 3 for dE9.
+    pub entropy: f64,
+    /// Why the orbit ended before all steps were done.
+    pub stopped: Option<Stop>,
+}
+
+impl Survey {
+    /// Follows an orbit for `steps` steps; `each` sees the heights as they come, h(x₀) first.
+    pub fn of(orbit: &mut HeightsOrbit, steps: usize, mut each: impl FnMut(&Heights)) -> Self {
+        let heights: Vec<Heights> =
+            orbit.take(steps.saturating_add(1)).inspect(|heights| each(heights)).collect();
+        let largest = largest(&heights);
+        let series = series(&heights, largest);
+        let growth = Growth::of(series.get(1..).unwrap_or_default());
+        let entropy = match series.as_slice() {
+            [.., before, last] if growth == Growth::Exponential => (last / before).ln(),
+            _ => 0.0,
+        };
+        Survey { heights, growth, entropy, stopped: orbit.stopped() }
+    }
+
+    /// h(xᵢ) of component `i` at n = 0, 1, ….
+    ///
+    /// # Panics
+    /// If there is no such component.
+    #[must_use]
+    pub fn component(&self, i: usize) -> Vec<f64> {
+        series(&self.heights, i)
+    }
+
+    /// The component with the greatest height at the last step, the first of equals.
+    #[must_use]
+    pub fn largest(&self) -> usize {
+        largest(&self.heights)
+    }
+}
+
+fn series(heights: &[Heights], component: usize) -> Vec<f64> {
+    heights.iter().map(|heights| heights.logarithms[component]).collect()
+}
+
+fn largest(heights: &[Heights]) -> usize {
+    let last = heights.last().map(|last| last.logarithms.as_slice()).unwrap_or_default();
+    (1..last.len()).fold(0, |best, i| if last[i] > last[best] { i } else { best })
+}
