@@ -1,0 +1,184 @@
+//! A formula of the paper: where it stands, what it says, and how it can be checked.
+
+use std::time::Duration;
+
+use kahan_algebra::rational::Rational;
+
+use super::figures::Figure;
+
+/// One formula of the paper (an equation, a cell of a table, a statement with a number in it).
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// A stable name: `table3.e4.P23`.
+    pub id: String,
+    /// The command name of the system it is about, or `general`.
+    pub system: &'static str,
+    /// Its place in the paper.
+    pub source: String,
+    /// What it says: a statement of the language of [`formula`](super::formula), or a claim of `kahan!`.
+    pub statement: String,
+    pub(super) basis: Basis,
+}
+
+/// What a claim rests on.
+#[derive(Clone, Debug)]
+pub(super) enum Basis {
+    /// A claim of the system's own `kahan!` block: invariance, proved by the macro's prover.
+    Block,
+    /// Relations between formulas.
+    Formula {
+        /// Definitions that the statement uses: what other claims establish.
+        given: String,
+        /// Intervals for a numerical test.
+        domain: Vec<(String, Rational, Rational)>,
+        /// The orbit on which it is measured.
+        orbit: Option<&'static Figure>,
+        /// What the paper prints instead, where that is wrong.
+        misprint: Option<Misprint>,
+    },
+}
+
+/// A formula as printed, and an exact point that refutes it.
+#[derive(Clone, Debug)]
+pub(super) struct Misprint {
+    /// Its number in the list of errata: `A1`.
+    pub(super) erratum: &'static str,
+    /// The printed relation, in the language of formulas.
+    pub(super) printed: &'static str,
+    /// Definitions of all names (the point), and the values of both sides there.
+    pub(super) counterexample: &'static str,
+}
+
+/// How a claim came out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Both sides agree expanded over ℚ (and modulo primes).
+    Proved,
+    /// Both sides agree at random points modulo primes, error below 2⁻¹⁰⁰.
+    ProvedModP,
+    /// Both sides agree at so many exact points.
+    Exact(u32),
+    /// Both sides agree to 10⁻ᵏ.
+    Numerical(u32),
+    /// The printed form is refuted, the corrected form established.
+    Misprint,
+    /// It does not hold.
+    Failed,
+}
+
+/// The outcome of one claim, with what was found.
+#[derive(Clone, Debug)]
+pub struct Established {
+    /// How it came out.
+    pub outcome: Outcome,
+    /// What that rests on, or what is wrong.
+    pub detail: String,
+    /// The time it took.
+    pub elapsed: Duration,
+}
+
+impl Outcome {
+    /// The key in `kahan verify --json`.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Outcome::Proved => "proved",
+            Outcome::ProvedModP => "proved-mod-p",
+            Outcome::Exact(_) => "exact",
+            Outcome::Numerical(_) => "numerical",
+            Outcome::Misprint => "misprint",
+            Outcome::Failed => "failed",
+        }
+    }
+
+    /// The outcome in words.
+    #[must_use]
+    pub fn words(self) -> String {
+        match self {
+            Outcome::Proved => "proved".to_owned(),
+            Outcome::ProvedModP => "proved mod p".to_owned(),
+            Outcome::Exact(points) => format!("exact at {points} points"),
+            Outcome::Numerical(decimals) => format!("numerical to 1e-{decimals}"),
+            Outcome::Misprint => "misprint: corrected form established".to_owned(),
+            Outcome::Failed => "FAILED".to_owned(),
+        }
+    }
+}
+
+impl Claim {
+    /// Whether it is measured on an exact orbit.
+    #[must_use]
+    pub fn is_measured(&self) -> bool {
+        matches!(self.basis, Basis::Formula { orbit: Some(_), .. })
+    }
+
+    /// What the paper prints instead, in the language of formulas, where that is wrong.
+    #[must_use]
+    pub fn printed(&self) -> Option<&'static str> {
+        match &self.basis {
+            Basis::Formula { misprint: Some(misprint), .. } => Some(misprint.printed),
+            _ => None,
+        }
+    }
+
+    /// A claim about formulas.
+    pub(super) fn new(
+        id: impl Into<String>,
+        system: &'static str,
+        source: impl Into<String>,
+        statement: impl Into<String>,
+    ) -> Self {
+        let basis = Basis::Formula { given: String::new(), domain: Vec::new(), orbit: None, misprint: None };
+        Claim { id: id.into(), system, source: source.into(), statement: statement.into(), basis }
+    }
+
+    /// Adds definitions that the statement uses.
+    pub(super) fn given(mut self, definitions: &str) -> Self {
+        if let Basis::Formula { given, .. } = &mut self.basis {
+            given.push_str(definitions);
+            if !definitions.trim_end().ends_with(';') {
+                given.push(';');
+            }
+        }
+        self
+    }
+
+    /// Draws a name from (low, high) in numerical tests.
+    pub(super) fn within(mut self, name: &str, low: (i64, i64), high: (i64, i64)) -> Self {
+        if let Basis::Formula { domain, .. } = &mut self.basis {
+            domain.push((name.to_owned(), Rational::new(low.0, low.1), Rational::new(high.0, high.1)));
+        }
+        self
+    }
+
+    /// Measures on the orbit of a figure.
+    pub(super) fn on(mut self, figure: &'static Figure) -> Self {
+        if let Basis::Formula { orbit, .. } = &mut self.basis {
+            *orbit = Some(figure);
+        }
+        self
+    }
+
+    /// Adds the printed form, its counterexample and its number in the list of errata (which the source then names).
+    pub(super) fn misprinted(
+        mut self,
+        erratum: &'static str,
+        printed: &'static str,
+        counterexample: &'static str,
+    ) -> Self {
+        self.source.push_str(&format!(" (erratum {erratum})"));
+        if let Basis::Formula { misprint, .. } = &mut self.basis {
+            *misprint = Some(Misprint { erratum, printed, counterexample });
+        }
+        self
+    }
+
+    /// The erratum that the claim corrects, and what is printed there.
+    #[must_use]
+    pub fn misprint(&self) -> Option<(&'static str, &'static str)> {
+        match &self.basis {
+            Basis::Formula { misprint: Some(misprint), .. } => Some((misprint.erratum, misprint.printed)),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Partial derivatives of formulas.
+
+use super::Formula;
+
+/// ∂formula/∂variable, with zeros and ones removed.
+///
+/// # Errors
+/// Where a call that depends on the variable has no known derivative (`next`, `sum`, …).
+pub(super) fn derivative(formula: &Formula, variable: &str) -> Result<Formula, String> {
+    if !depends_on(formula, variable) {
+        return Ok(Formula::integer(0));
+    }
+    match formula {
+        Formula::Number(_) => Ok(Formula::integer(0)),
+        Formula::Name(_) => Ok(Formula::integer(1)),
+        Formula::Negation(inner) => Ok(Formula::Negation(Box::new(derivative(inner, variable)?))),
+        Formula::Sum(terms) => {
+            let mut sum = Vec::new();
+            for (negative, term) in terms.iter().filter(|(_, term)| depends_on(term, variable)) {
+                sum.push((*negative, derivative(term, variable)?));
+            }
+            Ok(Formula::Sum(sum))
+        }
+        Formula::Product(factors) => {
+            let mut sum = Vec::new();
+            for (index, (divides, factor)) in factors.iter().enumerate() {
+                if !depends_on(factor, variable) {
+                    continue;
+                }
+                let mut term = factors.clone();
+                let slope = derivative(factor, variable)?;
+                if *divides {
+                    // (a/b)′ = −a b′/b² for the factor b.
+                    term.push((true, factor.clone()));
+                    term.push((false, slope));
+                } else {
+                    term[index] = (false, slope);
+                }
+                sum.push((*divides, Formula::Product(term)));
+            }
+            Ok(Formula::Sum(sum))
+        }
+        Formula::Power(base, exponent) => {
+            if depends_on(exponent, variable) {
+                return Err("an exponent depends on the variable of a derivative".to_owned());
+            }
+            let lowered = Formula::Sum(vec![(false, (**exponent).clone()), (true, Formula::integer(1))]);
+            let power = Formula::Power(base.clone(), Box::new(lowered));
+            Ok(chain((**exponent).clone().times(power), base, variable)?)
+        }
+        Formula::Call(name, arguments) => {
+            let [inner, rest @ ..] = arguments.as_slice() else { return Err(unknown(name)) };
+            if rest.iter().any(|argument| depends_on(argument, variable)) {
+                return Err(unknown(name));
+            }
+            let of = |name: &str| {
+                let all = std::iter::once(inner).chain(rest).cloned().collect();
+                Formula::call(name, all)
+            };
+            let outer = match name.as_str() {
+                "exp" => of("exp"),
+                "log" => Formula::integer(1).over(inner.clone()),
+                "sqrt" => Formula::integer(1).over(Formula::integer(2).times(of("sqrt"))),
+                "sin" => of("cos"),
+                "cos" => Formula::Negation(Box::new(of("sin"))),
+                "sinh" => of("cosh"),
+                "cosh" => of("sinh"),
+                "tanh" => of("sech").raised_to(2),
+                "sech" => Formula::Negation(Box::new(of("sech").times(of("tanh")))),
+                "gamma" => of("gamma").times(of("digamma")),
+                "sn" => of("cn").times(of("dn")),
+                "cn" => Formula::Negation(Box::new(of("sn").times(of("dn")))),
+                "dn" => {
+                    let modulus = rest.first().ok_or_else(|| unknown(name))?;
+                    Formula::Negation(Box::new(modulus.clone().raised_to(2).times(of("sn")).times(of("cn"))))
+                }
+                _ => return Err(unknown(name)),
+            };
+            chain(outer, inner, variable)
+        }
+    }
+}
+
+/// outer · ∂inner/∂variable
+fn chain(outer: Formula, inner: &Formula, variable: &str) -> Result<Formula, String> {
+    let slope = derivative(inner, variable)?;
+    Ok(if slope.is_number(1) { outer } else { outer.times(slope) })
+}
+
+fn unknown(name: &str) -> String {
+    format!("`{name}` has no derivative here")
+}
+
+fn depends_on(formula: &Formula, variable: &str) -> bool {
+    match formula {
+        Formula::Number(_) => false,
+        Formula::Name(name) => name == variable,
+        Formula::Negation(inner) => depends_on(inner, variable),
+        Formula::Sum(parts) | Formula::Product(parts) => {
+            parts.iter().any(|(_, part)| depends_on(part, variable))
+        }
+        Formula::Power(base, exponent) => depends_on(base, variable) || depends_on(exponent, variable),
+        // A step of the map moves every state: it depends on all of them.
+        Formula::Call(name, _) if matches!(name.as_str(), "next" | "back" | "f" | "A" | "b" | "J") => true,
+        Formula::Call(_, arguments) => arguments.iter().any(|argument| depends_on(argument, variable)),
+    }
+}

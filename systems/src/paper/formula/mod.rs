@@ -1,0 +1,157 @@
+//! The language in which the paper's formulas are written down, and what is done to a formula before it is evaluated.
+//!
+//! A [`Statement`] is a list of items between semicolons: definitions `name := expr` and `name(a, b) := expr`, equations
+//! `left = right`, inequations `left != right` (they differ as functions), and measured equations `left ~ right` (they
+//! agree in the digits that are written). Expressions have the operators of `kahan!`, any exponent, and calls:
+//!
+//! | call | meaning |
+//! |---|---|
+//! | `next(E)`, `back(E)` | E at the next, the previous point of the map |
+//! | `on(E, a, b, c)` | E at the point (a, b, c) |
+//! | `at(E, v, a)` | E with the name v replaced by a |
+//! | `d(E, v)` | ∂E/∂v |
+//! | `f(i)`, `A(i,j)`, `b(i)`, `J(i,j)`, `detA`, `detJ` | the field, A(x,ε), b(x,ε), ∂x̃/∂x and determinants |
+//! | `sum(j, a, b, E)` | the sum of E over j = a, …, b |
+//! | `exp`, `sinh`, `sn`, `gamma`, … | functions; see [`super::numeric`] |
+//!
+//! `f`, `A`, `b`, `J` and `next` take the name of another system as a first argument. The text of a statement is the one
+//! source of what is shown, of what is checked, and of the mutations that must fail.
+
+mod atoms;
+mod derivative;
+mod inline;
+mod latex;
+mod mutate;
+mod parse;
+
+pub use latex::{LatexItem, latex_of};
+pub use mutate::mutations;
+pub(crate) use {
+    atoms::{has_functions, rationalise},
+    inline::inline,
+    latex::statement_latex,
+    parse::parse,
+};
+
+use kahan_algebra::rational::Rational;
+
+/// An expression.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Formula {
+    /// An exact number.
+    Number(Rational),
+    /// A state, a parameter, `eps`, a defined or a free name.
+    Name(String),
+    /// A sum of terms; `true` marks one that is subtracted.
+    Sum(Vec<(bool, Formula)>),
+    /// A product of factors; `true` marks one that divides.
+    Product(Vec<(bool, Formula)>),
+    /// −a
+    Negation(Box<Formula>),
+    /// a^b
+    Power(Box<Formula>, Box<Formula>),
+    /// name(arguments)
+    Call(String, Vec<Formula>),
+}
+
+/// How the two sides of a relation compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// Equal wherever both have a value.
+    Equal,
+    /// Different as functions.
+    Different,
+    /// Equal in the digits that are written on the right.
+    Approximate,
+}
+
+/// One item of a statement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Item {
+    /// `name(parameters) := body`
+    Definition(Definition),
+    /// `left relation right`
+    Relation {
+        /// The left-hand side.
+        left: Formula,
+        /// How they compare.
+        relation: Relation,
+        /// The right-hand side.
+        right: Formula,
+        /// The unit of the last digit written on the right, where the right is one number.
+        digit: Option<Rational>,
+    },
+}
+
+/// A named formula.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Definition {
+    /// Its name.
+    pub name: String,
+    /// Its parameters; formulas are put in for them.
+    pub parameters: Vec<String>,
+    /// What it stands for.
+    pub body: Formula,
+}
+
+/// A parsed statement.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Statement {
+    /// Its items in order.
+    pub items: Vec<Item>,
+}
+
+impl Formula {
+    /// The integer n.
+    pub(crate) fn integer(n: i64) -> Self {
+        Formula::Number(Rational::from(n))
+    }
+
+    /// name(arguments)
+    pub(crate) fn call(name: &str, arguments: Vec<Formula>) -> Self {
+        Formula::Call(name.to_owned(), arguments)
+    }
+
+    /// a·b
+    pub(crate) fn times(self, other: Formula) -> Self {
+        Formula::Product(vec![(false, self), (false, other)])
+    }
+
+    /// a/b
+    pub(crate) fn over(self, other: Formula) -> Self {
+        Formula::Product(vec![(false, self), (true, other)])
+    }
+
+    /// a^n
+    pub(crate) fn raised_to(self, exponent: i64) -> Self {
+        Formula::Power(Box::new(self), Box::new(Formula::integer(exponent)))
+    }
+
+    /// Whether this is the number n.
+    pub(crate) fn is_number(&self, n: i64) -> bool {
+        matches!(self, Formula::Number(value) if *value == Rational::from(n))
+    }
+
+    /// The value as an exact number, where the formula contains nothing but numbers.
+    pub(crate) fn as_number(&self) -> Option<Rational> {
+        match self {
+            Formula::Number(value) => Some(value.clone()),
+            Formula::Name(_) | Formula::Call(..) => None,
+            Formula::Negation(inner) => Some(-&inner.as_number()?),
+            Formula::Sum(terms) => terms.iter().try_fold(Rational::zero(), |sum, (negative, term)| {
+                let value = term.as_number()?;
+                Some(if *negative { &sum - &value } else { &sum + &value })
+            }),
+            Formula::Product(factors) => {
+                factors.iter().try_fold(Rational::one(), |product, (divides, factor)| {
+                    let value = factor.as_number()?;
+                    if *divides { product.checked_div(&value) } else { Some(&product * &value) }
+                })
+            }
+            Formula::Power(base, exponent) => {
+                let exponent = exponent.as_number()?.as_i64()?;
+                base.as_number()?.pow(i32::try_from(exponent).ok()?)
+            }
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! Mutations: a statement with one coefficient or one sign changed.
+//!
+//! They are made on the text, so that they need no knowledge of what the text says, and apply to blocks of `kahan!` as
+//! well as to statements.
+
+use std::ops::Range;
+
+use kahan_algebra::lexer::lex;
+use kahan_algebra::token::{Token, TokenKind};
+
+/// The text with one number made larger by one, one sign turned, one right-hand side doubled, or the sign
+/// of one exponent turned (`*` for `/`); in that order.
+#[must_use]
+pub fn mutations(text: &str) -> Vec<String> {
+    let lexed = lex(text);
+    let tokens = &lexed.tokens;
+    let replace = |range: &Range<usize>, with: &str| {
+        let mut mutated = text.to_owned();
+        mutated.replace_range(range.clone(), with);
+        mutated
+    };
+    let mut numbers = Vec::new();
+    let mut signs = Vec::new();
+    let mut doubled = Vec::new();
+    let mut inverted = Vec::new();
+    for (index, (token, range)) in tokens.iter().zip(&lexed.ranges).enumerate() {
+        match (&token.kind, token.text.as_str()) {
+            (TokenKind::Literal, literal) => {
+                numbers.extend(raised(literal).map(|next| replace(range, &next)));
+            }
+            (TokenKind::Punctuation('+'), _) => signs.push(replace(range, "-")),
+            (TokenKind::Punctuation('-'), _) if is_binary(tokens, index) => signs.push(replace(range, "+")),
+            (TokenKind::Punctuation('-'), _) => signs.push(replace(range, "")),
+            (TokenKind::Punctuation('='), _) if !follows_bang(tokens, index) => {
+                doubled.push(replace(range, "= 2*"));
+            }
+            (TokenKind::Punctuation('*'), _) => inverted.push(replace(range, "/")),
+            (TokenKind::Punctuation('/'), _) => inverted.push(replace(range, "*")),
+            (TokenKind::Punctuation('~'), _) => doubled.push(replace(range, "~ 2*")),
+            _ => {}
+        }
+    }
+    [numbers, signs, doubled, inverted].concat()
+}
+
+fn is_binary(tokens: &[Token], index: usize) -> bool {
+    let before = index.checked_sub(1).map(|before| &tokens[before].kind);
+    matches!(before, Some(TokenKind::Identifier | TokenKind::Literal | TokenKind::Close(_)))
+}
+
+fn follows_bang(tokens: &[Token], index: usize) -> bool {
+    index > 0 && tokens[index - 1].text == "!"
+}
+
+/// The literal with one added to its last digit's place: `3` to `4`, `14.05` to `14.06`, `1e-3` to `2e-3`.
+fn raised(literal: &str) -> Option<String> {
+    let (mantissa, exponent) = match literal.split_once('e') {
+        Some((mantissa, exponent)) => (mantissa, format!("e{exponent}")),
+        None => (literal, String::new()),
+    };
+    let digits: Vec<char> = mantissa.chars().collect();
+    let mut raised = Vec::new();
+    let mut carry = true;
+    for &c in digits.iter().rev() {
+        raised.push(match (c, carry) {
+            ('9', true) => '0',
+            (c, true) if c.is_ascii_digit() => {
+                carry = false;
+                char::from_digit(c.to_digit(10)? + 1, 10)?
+            }
+            (c, _) => c,
+        });
+    }
+    if carry {
+        raised.push('1');
+    }
+    Some(raised.into_iter().rev().collect::<String>() + &exponent)
+}

@@ -1,0 +1,144 @@
+//! Rational relations: modulo primes, then by normal forms; at exact points where both are too large.
+
+use std::collections::BTreeMap;
+
+use kahan_algebra::arithmetic::{Arithmetic, Bounds, Exact, Function, Functions, Modular, Size};
+use kahan_algebra::poly::{Budget, Polynomial, Variable};
+use kahan_algebra::prime_field::{PrimeField, SplitMix64};
+use kahan_algebra::prove::points_needed;
+use kahan_algebra::rational::Rational;
+
+use super::super::evaluate::Trouble;
+use super::super::formula::{Formula, Relation, rationalise};
+use super::names::uses_map;
+use super::{Evidence, Identity, MOST_DRAWS, words};
+
+/// What an expansion over ℚ may cost: terms of any result, products of terms in all (about a second at worst).
+const MOST_TERMS: usize = 20_000;
+const MOST_WORK: u64 = 2_000_000;
+
+/// The exact points at which a relation is tested that is too large for a proof.
+const EXACT_POINTS: u32 = 12;
+
+impl Identity<'_> {
+    pub(super) fn rational(&self, left: &Formula, right: &Formula) -> Result<Evidence, String> {
+        let names = self.names([left, right]);
+        let mut random = SplitMix64::new(self.seed);
+        let sizes = names.iter().map(|name| (name.clone(), Size::variable())).collect();
+        let points = match self.sides(&Bounds, left, right, sizes).map_err(|trouble| words(&trouble)) {
+            Ok([left, right]) => {
+                let difference = Bounds.subtract(&left, &right);
+                points_needed(difference.degree, difference.bits)
+            }
+            Err(trouble) => return Err(trouble),
+        };
+        for _ in 0..points.unwrap_or(3) {
+            let (left, right) = self.modular_point(left, right, &names, &mut random)?;
+            match self.relation {
+                Relation::Equal if left != right => {
+                    return Err(self.refutation(left, right, &names, &mut random));
+                }
+                // One point where they differ shows that they are not the same function.
+                Relation::Different if left != right => return Ok(Evidence::NormalForm),
+                _ => {}
+            }
+        }
+        if self.relation == Relation::Different {
+            return Err("the two sides are equal".to_owned());
+        }
+        match (self.normal_form(left, right, &names), points) {
+            (Some(true), _) => Ok(Evidence::NormalForm),
+            (Some(false), _) => Err("the normal forms of the two sides differ".to_owned()),
+            (None, Some(points)) => Ok(Evidence::Modular(points)),
+            (None, None) => self.exact(left, right, &names, &mut random),
+        }
+    }
+
+    fn modular_point(
+        &self,
+        left: &Formula,
+        right: &Formula,
+        names: &[String],
+        random: &mut SplitMix64,
+    ) -> Result<(u64, u64), String> {
+        let mut trouble = Trouble::Undefined;
+        for _ in 0..MOST_DRAWS {
+            let field = PrimeField::random(random);
+            let values = names.iter().map(|name| (name.clone(), field.sample(random))).collect();
+            match self.sides(&Modular(field), left, right, values) {
+                Ok([left, right]) => return Ok((left, right)),
+                Err(why) => trouble = why,
+            }
+        }
+        Err(words(&trouble))
+    }
+
+    fn normal_form(&self, left: &Formula, right: &Formula, names: &[String]) -> Option<bool> {
+        // A map that is not expanded cannot be composed with anything.
+        if !self.model.is_expanded() && (uses_map(left) || uses_map(right)) {
+            return None;
+        }
+        let functions = Functions::new(Budget::new(MOST_TERMS, MOST_WORK));
+        let variable =
+            |index: usize| Polynomial::variable(Variable(u16::try_from(index).unwrap_or(u16::MAX)));
+        let values =
+            names.iter().enumerate().map(|(k, name)| (name.clone(), Function::polynomial(variable(k))));
+        let [left, right] = self.sides(&functions, left, right, values.collect()).ok()?;
+        match functions.subtract(&left, &right) {
+            Function::TooLarge => None,
+            difference => Some(functions.is_zero(&difference)),
+        }
+    }
+
+    fn exact(
+        &self,
+        left: &Formula,
+        right: &Formula,
+        names: &[String],
+        random: &mut SplitMix64,
+    ) -> Result<Evidence, String> {
+        for _ in 0..EXACT_POINTS {
+            let [left, right] = self.exact_point(left, right, names, random)?.1;
+            if left != right {
+                return Err(format!("{left} is not {right} at an exact point"));
+            }
+        }
+        Ok(Evidence::Exact(EXACT_POINTS))
+    }
+
+    /// Both sides at a point of small rationals.
+    #[allow(clippy::type_complexity)]
+    fn exact_point(
+        &self,
+        left: &Formula,
+        right: &Formula,
+        names: &[String],
+        random: &mut SplitMix64,
+    ) -> Result<(BTreeMap<String, Rational>, [Rational; 2]), String> {
+        for _ in 0..MOST_DRAWS {
+            let mut small = || Rational::new(1 + random.below(5) as i64, 1 + random.below(5) as i64);
+            let point: BTreeMap<String, Rational> =
+                names.iter().map(|name| (name.clone(), small())).collect();
+            if let Ok(sides) = self.sides(&Exact, left, right, point.clone()) {
+                return Ok((point, sides));
+            }
+        }
+        Err("it divides by zero".to_owned())
+    }
+
+    /// An exact point at which both sides differ, in words.
+    fn refutation(&self, left: u64, right: u64, names: &[String], random: &mut SplitMix64) -> String {
+        if let (Some(a), Some(b)) = (rationalise(self.left), rationalise(self.right)) {
+            for _ in 0..MOST_DRAWS {
+                if let Ok((point, [left, right])) = self.exact_point(&a, &b, names, random)
+                    && left != right
+                {
+                    let shown: Vec<String> =
+                        point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+                    return format!("at {}: {left} on the left, {right} on the right", shown.join(", "));
+                }
+            }
+        }
+        format!("{left} is not {right} modulo a random prime")
+    }
+}

@@ -1,0 +1,99 @@
+//! Misprints: the printed form refuted at an exact point.
+
+use std::collections::BTreeMap;
+
+use kahan_algebra::rational::Rational;
+
+use super::claim::{Claim, Misprint, Outcome};
+use super::formula::{Definition, Item, parse};
+use super::identity::{Evidence, Identity};
+use super::registry::{Paper, outcome};
+
+impl Paper {
+    /// Shows that the printed form is wrong at its counterexample, with the values that are stated there.
+    pub(super) fn misprint(
+        &self,
+        claim: &Claim,
+        misprint: &Misprint,
+        corrected: &Evidence,
+    ) -> (Outcome, String) {
+        match self.refute(claim, misprint) {
+            Ok(shown) => (
+                Outcome::Misprint,
+                format!(
+                    "printed: {}; {shown}; the corrected form is {}",
+                    misprint.printed.split_whitespace().collect::<Vec<_>>().join(" "),
+                    outcome(corrected).0.words()
+                ),
+            ),
+            Err(why) => (Outcome::Failed, format!("the printed form is not refuted: {why}")),
+        }
+    }
+
+    fn refute(&self, claim: &Claim, misprint: &Misprint) -> Result<String, String> {
+        let mut point: BTreeMap<String, Rational> = BTreeMap::new();
+        let (mut others, mut witnesses) = (Vec::new(), Vec::new());
+        for item in parse(misprint.counterexample)?.items {
+            match item {
+                Item::Definition(definition) => match definition.body.as_number() {
+                    Some(value) => {
+                        point.insert(definition.name, value);
+                    }
+                    // log 3, say: put in as it stands.
+                    None => others.push(definition),
+                },
+                witness @ Item::Relation { .. } => witnesses.push(witness),
+            }
+        }
+        let (mut definitions, _) = self.definitions(claim, &claim.statement)?;
+        definitions.retain(|name, _| !point.contains_key(name));
+        definitions.extend(others.into_iter().map(|definition| (definition.name.clone(), definition)));
+        for witness in &witnesses {
+            let (left, right, equal) = self.at_point(claim, witness, &definitions, &point)?;
+            if !equal {
+                return Err(format!("at the counterexample a value is {left}, not {right}"));
+            }
+        }
+        let mut shown: Vec<String> = point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        for item in parse(misprint.printed)?.items {
+            match item {
+                Item::Definition(definition) => {
+                    definitions.insert(definition.name.clone(), definition);
+                }
+                relation @ Item::Relation { .. } => {
+                    let (left, right, equal) = self.at_point(claim, &relation, &definitions, &point)?;
+                    if equal {
+                        return Err(format!("at the counterexample both sides are {left}"));
+                    }
+                    shown.push(format!("{left} on the left, {right} on the right"));
+                }
+            }
+        }
+        Ok(if point.is_empty() { shown.join(", ") } else { format!("at {}", shown.join(", ")) })
+    }
+
+    /// The two sides of a relation at a point, and whether it holds there.
+    fn at_point(
+        &self,
+        claim: &Claim,
+        item: &Item,
+        definitions: &BTreeMap<String, Definition>,
+        point: &BTreeMap<String, Rational>,
+    ) -> Result<(String, String, bool), String> {
+        let Item::Relation { left, right, relation, digit } = item else {
+            return Err("no relation".to_owned());
+        };
+        let [left, right] = self.sides(claim, left, right, definitions)?;
+        let identity = Identity {
+            models: &self.models,
+            model: self.model(claim)?,
+            left: &left,
+            relation: *relation,
+            right: &right,
+            digit: digit.as_ref(),
+            domain: &[],
+            seed: 0,
+        };
+        identity.at_point(point)
+    }
+}

@@ -1,0 +1,121 @@
+//! Section 1: what holds for Kahan's map of every quadratic field; section 2: brackets in three dimensions.
+
+use super::super::claim::Claim;
+
+/// Φᵢ(u,v,w): component i at another point; Qᵢ and Bᵢ: its quadratic and linear part.
+const PARTS: &str = "
+    F1(u, v, w) := at(f1, x, u, y, v, z, w); F2(u, v, w) := at(f2, x, u, y, v, z, w); F3(u, v, w) := at(f3, x, u, y, v, z, w);
+    C1 := F1(0, 0, 0); C2 := F2(0, 0, 0); C3 := F3(0, 0, 0);
+    B1(u, v, w) := (F1(u, v, w) - F1(-u, -v, -w))/2; B2(u, v, w) := (F2(u, v, w) - F2(-u, -v, -w))/2;
+    B3(u, v, w) := (F3(u, v, w) - F3(-u, -v, -w))/2;
+    Q1(u, v, w) := F1(u, v, w) - B1(u, v, w) - C1; Q2(u, v, w) := F2(u, v, w) - B2(u, v, w) - C2;
+    Q3(u, v, w) := F3(u, v, w) - B3(u, v, w) - C3;
+    X := next(x); Y := next(y); Z := next(z);
+";
+
+/// A statement with the component i and the state x_i, for each of the three.
+fn each(pattern: &str) -> String {
+    let components = [("1", "x", "X"), ("2", "y", "Y"), ("3", "z", "Z")];
+    let lines =
+        components.map(|(i, x, next)| pattern.replace("{i}", i).replace("{x}", x).replace("{X}", next));
+    lines.join("; ")
+}
+
+/// A generic quadratic function with coefficients `name`0 … `name`9.
+fn generic_function(name: &str) -> String {
+    let monomials = ["1", "x", "y", "z", "x^2", "y^2", "z^2", "x*y", "y*z", "z*x"];
+    let terms: Vec<String> =
+        monomials.iter().enumerate().map(|(index, monomial)| format!("{name}{index}*{monomial}")).collect();
+    terms.join(" + ")
+}
+
+/// The claims, in the order of the paper.
+pub(super) fn claims() -> Vec<Claim> {
+    let claim = |id: &str, place: &str, statement: String| {
+        Claim::new(format!("section1.{id}"), "general", format!("Section 1, {place}"), statement).given(PARTS)
+    };
+    let homogeneous = |id: &str, place: &str, statement: String| {
+        Claim::new(format!("section1.{id}"), "homogeneous", format!("Section 1, {place}"), statement)
+            .given(PARTS)
+    };
+    let bracket = |id: &str, place: &str, statement: &str| {
+        Claim::new(format!("section2.{id}"), "general", format!("Section 2, {place}"), statement).given(
+            &format!(
+                "phi := {}; I := {}; L := {}; P12 := phi*d(I, z); P23 := phi*d(I, x); P31 := phi*d(I, y)",
+                generic_function("p"),
+                generic_function("i"),
+                generic_function("l")
+            ),
+        )
+    };
+    vec![
+        claim(
+            "scheme",
+            "definition of the map",
+            each(
+                "({X} - {x})/(2*eps) = (Q{i}(x + X, y + Y, z + Z) - Q{i}(x, y, z) - Q{i}(X, Y, Z))/2 \
+                 + B{i}(x + X, y + Y, z + Z)/2 + C{i}",
+            ),
+        ),
+        claim("matrix", "A = I - eps f'", {
+            each("A({i},1) = delta{i}1 - eps*d(f{i}, x); A({i},2) = delta{i}2 - eps*d(f{i}, y); A({i},3) = delta{i}3 - eps*d(f{i}, z)")
+        })
+        .given(
+            "delta11 := 1; delta22 := 1; delta33 := 1; delta12 := 0; delta13 := 0; delta21 := 0; delta23 := 0; \
+             delta31 := 0; delta32 := 0",
+        ),
+        claim("rhs", "b = x + eps B x + 2 eps c", each("b({i}) = {x} + eps*B{i}(x, y, z) + 2*eps*C{i}")),
+        claim("linear_system", "A x~ = b", each("A({i},1)*X + A({i},2)*Y + A({i},3)*Z = b({i})")),
+        claim(
+            "increment",
+            "increment form",
+            each("A({i},1)*(X - x) + A({i},2)*(Y - y) + A({i},3)*(Z - z) = 2*eps*f{i}"),
+        ),
+        claim(
+            "midpoint",
+            "midpoint form, addition",
+            each("({X} - {x})/(2*eps) = 2*F{i}((x + X)/2, (y + Y)/2, (z + Z)/2) - F{i}(x, y, z)/2 - F{i}(X, Y, Z)/2"),
+        ),
+        claim("inverse", "the inverse map has -eps", each("next(back({x})) = {x}; back({X}) = {x}")),
+        claim(
+            "inverse_system",
+            "A(x~,-eps) x = b(x~,-eps)",
+            each(
+                "on(at(A({i},1), eps, -eps), X, Y, Z)*x + on(at(A({i},2), eps, -eps), X, Y, Z)*y \
+                 + on(at(A({i},3), eps, -eps), X, Y, Z)*z = on(at(b({i}), eps, -eps), X, Y, Z)",
+            ),
+        ),
+        claim("jacobian", "A(x,eps) J = A(x~,-eps)", {
+            let entry = |j: &str| {
+                each(&format!(
+                    "A({{i}},1)*J(1,{j}) + A({{i}},2)*J(2,{j}) + A({{i}},3)*J(3,{j}) = on(at(A({{i}},{j}), eps, -eps), X, Y, Z)"
+                ))
+            };
+            [entry("1"), entry("2"), entry("3")].join("; ")
+        }),
+        claim("det_jacobian", "det J", "detA*detJ = on(at(detA, eps, -eps), X, Y, Z)".to_owned()),
+        homogeneous("homogeneous", "homogeneous fields: A x~ = x", {
+            each("A({i},1)*X + A({i},2)*Y + A({i},3)*Z = {x}")
+        }),
+        homogeneous("reversed", "(df56), homogeneous fields: x~ = A(x~,-eps) x", {
+            each(
+                "{X} = on(at(A({i},1), eps, -eps), X, Y, Z)*x + on(at(A({i},2), eps, -eps), X, Y, Z)*y \
+                 + on(at(A({i},3), eps, -eps), X, Y, Z)*z",
+            )
+        }),
+        homogeneous("scaling", "scaling, homogeneous fields", {
+            each("at({X}, x, lambda*x, y, lambda*y, z, lambda*z, eps, eps/lambda) = lambda*{X}")
+        }),
+        bracket("bracket.jacobi", "phi (I_z, I_x, I_y) is a Poisson tensor", "jacobi(P12, P23, P31) = 0"),
+        bracket(
+            "bracket.casimir",
+            "its Casimir function is I",
+            "P12*d(I, y) - P31*d(I, z) = 0; P23*d(I, z) - P12*d(I, x) = 0; P31*d(I, x) - P23*d(I, y) = 0",
+        ),
+        bracket(
+            "bracket.compatible",
+            "brackets with one phi are compatible",
+            "jacobi(P12 + lambda*phi*d(L, z), P23 + lambda*phi*d(L, x), P31 + lambda*phi*d(L, y)) = 0",
+        ),
+    ]
+}

@@ -1,0 +1,195 @@
+//! Theorem 3: the solutions of the maps dE1 to dE5, and what follows for dE6 and the Euler top.
+
+mod branches;
+mod initial_data;
+
+use super::super::claim::Claim;
+use super::structures::structure;
+
+/// A solution of a map: one step is n → n + 1.
+pub(super) struct Solution {
+    /// The system: `e1`.
+    system: &'static str,
+    /// Abbreviations.
+    given: &'static str,
+    /// x_n, y_n and z_n.
+    components: [&'static str; 3],
+    /// The values of H(ε) and K(ε).
+    values: [&'static str; 2],
+}
+
+static SOLUTIONS: [Solution; 5] = [
+    Solution {
+        system: "e1",
+        given: "N(n) := n + tau;",
+        components: [
+            "1/(2*eps*N(n))",
+            "beta/(2*eps*N(n))",
+            "2*gamma*eps*N(n) - (beta^2/eps + gamma*eps)/(2*N(n))",
+        ],
+        values: ["beta", "gamma"],
+    },
+    Solution {
+        system: "e2",
+        given: "N(n) := n + tau;",
+        components: [
+            "1/(2*eps*N(n))",
+            "2*beta*eps*(N(n) - 1/(4*N(n)))",
+            "eps*(2*N(n) - 1/(2*N(n)))*(gamma - beta^2*eps^2*(4*N(n)^2 - 1))",
+        ],
+        values: ["beta", "gamma"],
+    },
+    Solution {
+        system: "e3",
+        given: "T(n) := 2*delta*n + kappa;",
+        components: [
+            "cos(theta)*sinh(delta)/(eps*cosh(T(n)))",
+            "sin(theta)*sinh(delta)/(eps*cosh(T(n)))",
+            "tanh(delta)*tanh(T(n))/eps",
+        ],
+        values: ["tan(theta)", "tanh(delta)^2/(2*eps^2)"],
+    },
+    Solution {
+        system: "e4",
+        given: "v(n) := 2*delta*n + kappa;",
+        components: [
+            "sn(delta, k)/(2*eps)*(dn(v(n), k)/cn(delta, k) + k*cn(v(n), k)/dn(delta, k))",
+            "sn(delta, k)/(2*eps)*(dn(v(n), k)/cn(delta, k) - k*cn(v(n), k)/dn(delta, k))",
+            "k*sn(delta, k)*sn(v(n), k)/eps",
+        ],
+        values: [
+            "(1 - k^2)*sn(delta, k)^2/(2*eps^2*(2 - (1 + k^2)*sn(delta, k)^2))",
+            "1/eps^2*(1/2 - cn(delta, k)^2*dn(delta, k)^2/(cn(delta, k)^2 + dn(delta, k)^2))",
+        ],
+    },
+    Solution {
+        system: "e5",
+        given: "T(n) := 2*delta*n + kappa;",
+        components: [
+            "sinh(delta)/(eps*cosh(T(n)))",
+            "-tanh(delta)*tanh(T(n))/eps",
+            "mu*cosh(T(n)) + (1/eps + mu*sinh(delta))*sinh(delta)/cosh(T(n))",
+        ],
+        values: ["tanh(delta)^2/(2*eps^2)", "mu*sinh(delta)/eps + tanh(delta)^2/eps^2"],
+    },
+];
+
+const STATES: [&str; 3] = ["x", "y", "z"];
+const FUNCTIONS: [&str; 3] = ["X", "Y", "Z"];
+
+/// The claims, in the order of the paper.
+pub(super) fn claims() -> Vec<Claim> {
+    let theorem = SOLUTIONS.iter().flat_map(|solution| solution.claims("", "", ["", "", ""]));
+    [theorem.collect(), proof(), branches::claims(), initial_data::claims(), other_tops()].concat()
+}
+
+impl Solution {
+    /// x_n, y_n, z_n and the integrals of the map as definitions.
+    fn definitions(&self) -> String {
+        let components = FUNCTIONS.iter().zip(self.components);
+        let components: String = components.map(|(name, value)| format!("{name}(n) := {value}; ")).collect();
+        let map = structure(self.system).and_then(|structure| structure.discrete);
+        let integrals =
+            map.map_or_else(String::new, |map| format!("H_eps := {}; K_eps := {};", map.h, map.k));
+        format!("{}{components}{integrals}", self.given)
+    }
+
+    /// Each component solves its equation, the integrals have the stated values. A sign `-` says that a
+    /// component changes its sign in each step besides.
+    fn claims(&self, id: &str, place: &str, signs: [&str; 3]) -> Vec<Claim> {
+        let system = self.system;
+        let claim = |cell: &str, statement: String| {
+            let source = format!("Theorem 3, i = {}, {cell}{place}", &system[1..]);
+            Claim::new(format!("theorem3.{system}.{id}{cell}"), system, source, statement)
+                .given(&self.definitions())
+        };
+        let steps = (0..3).map(|i| {
+            let (state, name, value, sign) = (STATES[i], FUNCTIONS[i], self.components[i], signs[i]);
+            let step =
+                format!("{name}(n) := {value}; on(next({state}), X(n), Y(n), Z(n)) = {sign}{name}(n + 1)");
+            if signs == [""; 3] {
+                return claim(state, step);
+            }
+            // From an odd n to an even one.
+            let [x, y, z] = [0, 1, 2].map(|j| format!("{}{}(n)", signs[j], FUNCTIONS[j]));
+            claim(state, format!("{step}; on(next({state}), {x}, {y}, {z}) = {name}(n + 1)"))
+        });
+        let integrals = ["H", "K"]
+            .iter()
+            .zip(self.values)
+            .map(|(name, value)| claim(name, format!("on({name}_eps, X(n), Y(n), Z(n)) = {value}")));
+        steps.chain(integrals).collect()
+    }
+}
+
+/// What the proof says besides.
+fn proof() -> Vec<Claim> {
+    let solution = &SOLUTIONS[2];
+    let value = "delta := log(u); on(K_eps, X(n), Y(n), Z(n)) = tanh(delta)^2/(2*eps^2);
+    on(H_eps, X(n), Y(n), Z(n)) = tan(theta)";
+    vec![
+        Claim::new("theorem3.e3.proof.K", "e3", "Theorem 3, proof, i = 3, value of K(eps)", value)
+            .given(&solution.definitions())
+            .within("u", (2, 1), (4, 1))
+            .misprinted(
+                "A4",
+                "on(K_eps, X(n), Y(n), Z(n)) = sinh(delta)^2/(2*eps^2)",
+                "eps := 1; u := 3; kappa := 0; theta := 0; n := 0;
+                X(n) = 4/3; Y(n) = 0; Z(n) = 0; on(K_eps, 4/3, 0, 0) = 8/25; sinh(delta)^2/(2*eps^2) = 8/9",
+            ),
+        Claim::new(
+            "theorem3.e4.symmetries",
+            "e4",
+            "Theorem 3, i = 4, addition: the symmetries (x,y,z) -> (x,-y,z) and (y,x,-z)",
+            "on(next(x), x, -y, z) = next(x); on(next(y), x, -y, z) = -next(y);
+            on(next(z), x, -y, z) = next(z);
+            on(next(x), y, x, -z) = next(y); on(next(y), y, x, -z) = next(x);
+            on(next(z), y, x, -z) = -next(z)",
+        ),
+    ]
+}
+
+/// dE6 and the map of the Euler top by the solution of dE4.
+fn other_tops() -> Vec<Claim> {
+    let elliptic = "
+        v(n) := 2*delta*n + kappa;
+        p(n) := k*sn(delta, k)*cn(v(n), k)/(eps*dn(delta, k));
+        q(n) := sn(delta, k)*dn(v(n), k)/(eps*cn(delta, k));
+        r(n) := k*sn(delta, k)*sn(v(n), k)/eps";
+    vec![
+        Claim::new(
+            "theorem3.euler.scaling",
+            "euler",
+            "Theorem 3, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3 is dE4",
+            "step(w) := at(on(next(w), s1*(x - y), s2*(x + y), s3*z),
+                a1, -s1/(s2*s3), a2, -s2/(s3*s1), a3, s3/(s1*s2));
+            step(x) = s1*next(e4, x - y); step(y) = s2*next(e4, x + y); step(z) = s3*next(e4, z)",
+        ),
+        Claim::new(
+            "theorem3.euler.solution",
+            "euler",
+            "Theorem 3, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3",
+            "X(n) := s1*p(n); Y(n) := s2*q(n); Z(n) := s3*r(n);
+            step(w) := at(on(next(w), X(n), Y(n), Z(n)), a1, -s1/(s2*s3), a2, -s2/(s3*s1), a3, s3/(s1*s2));
+            step(x) = X(n + 1); step(y) = Y(n + 1); step(z) = Z(n + 1)",
+        )
+        .given(elliptic),
+        Claim::new(
+            "theorem3.e6.change",
+            "e6",
+            "Theorem 3, addition: dE6 is dE4 with eps -> -eps after a swap of two axes and a scaling",
+            "x4 := sqrt(3)/2*(x - z + y); y4 := sqrt(3)/2*(y - x + z); z4 := x + z;
+            step(w) := at(on(e4, next(w), x4, y4, z4), eps, -eps);
+            step(x) = next(x4); step(y) = next(y4); step(z) = next(z4)",
+        ),
+        Claim::new(
+            "theorem3.e6.solution",
+            "e6",
+            "Theorem 3, addition: the solution of dE6",
+            "X(n) := (r(n) + p(n)/sqrt(3))/2; Y(n) := q(n)/sqrt(3); Z(n) := (r(n) - p(n)/sqrt(3))/2;
+            step(w) := on(at(next(w), eps, -eps), X(n), Y(n), Z(n));
+            step(x) = X(n + 1); step(y) = Y(n + 1); step(z) = Z(n + 1)",
+        )
+        .given(elliptic),
+    ]
+}
