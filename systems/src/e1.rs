@@ -7,9 +7,15 @@
 //! with `T = t + alpha` (Table 5); that of the map, of the same kind (Theorem 3).
 //! All components of N and det A share the factor `1 + eps x`: where it vanishes the map has a removable pole.
 
+mod flow;
+mod solution;
+
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+
+pub use flow::FlowSolution;
+pub use solution::Solution;
 
 kahan! {
     /// E1, the Kahan map with the integrals of Table 2, row 1.

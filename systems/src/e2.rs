@@ -6,9 +6,15 @@
 //! Not rational, so not claimed: the solution of the flow, `x = 1/T`, `y = beta T`,
 //! `z = T (gamma - beta^2 T^2)` with `T = t + alpha` (Table 5); that of the map, of the same kind (Theorem 3).
 
+mod flow;
+mod solution;
+
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+
+pub use flow::FlowSolution;
+pub use solution::Solution;
 
 kahan! {
     /// E2, the Kahan map with the integrals of Table 2, row 2.

@@ -8,9 +8,15 @@
 //! All components of N and det A share the factor `1 + eps z`: where it vanishes the map has a removable pole.
 //! Table 4 prints z for z^2 in {y,z} and {z,x} of Q (erratum A1); as printed it is Poisson, but not invariant.
 
+mod flow;
+mod solution;
+
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+
+pub use flow::FlowSolution;
+pub use solution::Solution;
 
 kahan! {
     /// E3, the Kahan map with the integrals of Table 2, row 3.

@@ -7,9 +7,17 @@
 //! map, of the same kind (Theorem 3).
 //! In the coordinates x - y, x + y, z it is the Euler top with a = (-1, -1, 1).
 
+mod flow;
+mod normal_form;
+mod solution;
+
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+
+pub use flow::FlowSolution;
+pub use normal_form::Symmetry;
+pub use solution::Solution;
 
 kahan! {
     /// E4, the Kahan map with the integrals of Table 2, row 4.

@@ -5,9 +5,13 @@
 //! compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q`, the tensor of Table 4 divided by c.
 //! In the coordinates x - z, x + z, y it is the Euler top with a = (1, -3, 1). The paper gives no solution.
 
+mod solution;
+
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+
+pub use solution::{FlowSolution, Solution};
 
 kahan! {
     /// E6, the Kahan map with the integrals of Table 2, row 6.

@@ -8,9 +8,19 @@
 //! Not rational, so not claimed: integral and bracket (with digamma functions) at other xi; the second integral, a
 //! series; the solutions.
 
+mod flow;
+mod integrals;
+mod recurrence;
+mod solution;
+
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+
+pub use flow::FlowSolution;
+pub use integrals::{bracket_of_h, integral_h, integral_k};
+pub use recurrence::Recurrence;
+pub use solution::Solution;
 
 kahan! {
     /// E7, which joins E1 (`xi = 1`) and E2 (`xi = -1`).

@@ -5,9 +5,19 @@
 //! Not rational, so not claimed: the integral `y/x + digamma(1/2 + u)`, `u = 1/(2 eps x)`, and its bracket; the
 //! second integral, a series; the solutions.
 
+mod flow;
+mod integrals;
+mod recurrence;
+mod solution;
+
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+
+pub use flow::FlowSolution;
+pub use integrals::{integral_h, integral_k};
+pub use recurrence::Recurrence;
+pub use solution::Solution;
 
 kahan! {
     /// E8, whose integral is a digamma function.

@@ -7,9 +7,17 @@
 //! Not rational, so not claimed: the integral `y x^(-xi)` of the flow, whose other one is `(x^2 + y^2 + z^2)/2`.
 //! The map is reduced with xi generic: the factor `1 + eps z` that E3 loses stays in E9 at xi = 1.
 
+mod flow;
+mod quadrature;
+mod solution;
+
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+
+pub use flow::{Elementary, FlowSolution};
+pub use quadrature::{Quadrature, fixed_points, sphere_radius};
+pub use solution::Solution;
 
 kahan! {
     /// E9, which joins E3 (`xi = 1`) and E4 (`xi = -1`).

@@ -8,9 +8,13 @@
 //! eps = 0.
 //! Not rational, so not claimed: the solution by Jacobi's elliptic functions.
 
+mod solution;
+
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+
+pub use solution::{FlowSolution, Reduction, Solution};
 
 kahan! {
     /// The Euler top with the coefficients `a1`, `a2`, `a3`.

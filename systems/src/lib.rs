@@ -5,18 +5,22 @@
 //! claim in the paper, [`registry`] lists the entries, and the `kahan` command proves them again from there. The half step ε is written `eps`.
 
 pub mod entry;
+pub mod heights;
+pub mod paper;
 pub mod registry;
+pub mod solution;
+pub mod special;
 
-mod e1;
-mod e2;
-mod e3;
-mod e4;
-mod e5;
-mod e6;
-mod e7;
-mod e8;
-mod e9;
-mod euler;
+pub mod e1;
+pub mod e2;
+pub mod e3;
+pub mod e4;
+pub mod e5;
+pub mod e6;
+pub mod e7;
+pub mod e8;
+pub mod e9;
+pub mod euler;
 mod lotka_volterra;
 
 pub use e1::E1;

@@ -17,7 +17,7 @@ use kahan_systems::registry::{SYSTEMS, find};
 use super::output::Refusal;
 
 /// The system that a command is about.
-#[derive(Args, Debug, Default)]
+#[derive(Args, Clone, Debug, Default)]
 pub(crate) struct Source {
     /// A system of the catalog: euler, lv, e1 to e9.
     #[arg(value_name = "SYSTEM")]
@@ -31,7 +31,7 @@ pub(crate) struct Source {
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 
-    /// The value of a parameter; once for each. `show` and `verify` put it in before the map is reduced, `eval` after.
+    /// The value of a parameter; once for each. `show` and `verify` put it in before the map is reduced, `eval` and `orbit` after.
     #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
     parameters: Vec<String>,
 }
@@ -48,6 +48,28 @@ pub(crate) struct Block {
 }
 
 impl Source {
+    /// A system by its name.
+    pub(crate) fn of_system(name: String) -> Self {
+        Source { system: Some(name), ..Source::default() }
+    }
+
+    /// The block that was named, unless it is the catalog's as it stands: then the paper's claims are meant.
+    pub(crate) fn block_outside_the_paper(&self) -> Result<Option<Block>, Refusal> {
+        if self.field.is_none() && self.file.is_none() && self.parameters.is_empty() {
+            return Ok(None);
+        }
+        self.required_block().map(Some)
+    }
+
+    /// The command name of the system whose claims are meant; `None` for all.
+    pub(crate) fn system_of_the_paper(&self) -> Result<Option<&'static str>, Refusal> {
+        match self.system.as_deref() {
+            None => Ok(None),
+            Some("general") => Ok(Some("general")),
+            Some(name) => find(name).map(|entry| Some(entry.command)).ok_or_else(|| unknown_system(name)),
+        }
+    }
+
     /// The block that was named; `None` if none was.
     pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
         match (&self.system, &self.field, &self.file) {

@@ -1,14 +1,21 @@
 //! The command line: one file a command, and what they share.
 //!
 //! Arguments go in; an [`Answer`] or a [`Refusal`] comes out, and only [`run`] prints and chooses the exit status:
-//! 0, or 1 for a failed check or a pole, or 2 for bad usage or input. Nothing is printed before all of it is known.
+//! 0, or 1 for a failed check or a pole, or 2 for bad usage or input. Nothing is printed before all of it is known,
+//! except rows of a table that may be long: those go through a [`sink`] while they are made, and the answer is what is left to
+//! say when they end.
 
 mod eval;
+mod heights;
 mod input;
 mod list;
+mod orbit;
 mod output;
+mod progress;
 mod scalar;
 mod show;
+mod sink;
+mod table;
 mod verify;
 
 use std::ffi::OsString;
@@ -22,8 +29,9 @@ use output::{Answer, Refusal, finish};
 /// Kahan's method for quadratic differential equations, exactly.
 ///
 /// A quadratic vector field x' = f(x) has a birational map x ↦ x~ that approximates its flow over the time step 2 eps.
-/// This command proves what is claimed of the maps of the catalog, shows their formulas, and evaluates them. Every
-/// number is exact: 3/7, -2, 0.25, 1e-3. `eps` is half the time step. Without a command it runs `verify`.
+/// This command proves what is claimed of the maps of the catalog, shows their formulas, evaluates them and follows
+/// their orbits. Every number is exact: 3/7, -2, 0.25, 1e-3. `eps` is half the time step. Without a command it runs
+/// `verify`.
 #[derive(Debug, Parser)]
 #[command(name = "kahan", version, after_long_help = EXAMPLES)]
 struct Cli {
@@ -36,6 +44,7 @@ Examples:
   kahan                                       prove every claim of the catalog
   kahan show e6                               the formulas of E6
   kahan eval e1 --eps 1/2 --at -2,1,1/3       every object at a point
+  kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
   kahan show --field 'xdot = y; ydot = x^2 - a;'";
 
 #[derive(Debug, Subcommand)]
@@ -44,6 +53,8 @@ enum Command {
     List(list::List),
     Show(show::Show),
     Eval(eval::Eval),
+    Orbit(orbit::Orbit),
+    Heights(heights::Heights),
 }
 
 /// Runs the command with these arguments, the program's name first.
@@ -61,6 +72,8 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::List(command)) => command.run(),
         Some(Command::Show(command)) => command.run(),
         Some(Command::Eval(command)) => command.run(),
+        Some(Command::Orbit(command)) => command.run(),
+        Some(Command::Heights(command)) => command.run(),
     }
 }
 

@@ -1,11 +1,13 @@
-//! The numbers that `eval` computes with, and how they are read and printed.
+//! The numbers that `eval` and `orbit` compute with, and how they are read and printed.
+
+use std::fmt::Write;
 
 use clap::ValueEnum;
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float32, Float64};
 use kahan_algebra::rational::Rational;
 use serde_json::Value;
 
-/// The scalar type of an evaluation.
+/// The scalar type of a computation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum ScalarKind {
     /// Rational numbers.
@@ -21,15 +23,21 @@ pub(crate) enum ScalarKind {
 
 /// An arithmetic whose values can be printed.
 pub(crate) trait Printable: Arithmetic {
+    /// The scalar's name on the command line.
+    const NAME: &'static str;
     /// The value nearest to an exact number.
     fn round(value: &Rational) -> Self::Value;
     /// Exact numbers as strings, floats as numbers, what is not finite as `null`.
     fn json(value: &Self::Value) -> Value;
+    /// Appends the number as text that reads back as the same number: p/q, or the shortest decimal.
+    fn append(value: &Self::Value, text: &mut String);
     /// Whether it is a number.
     fn is_finite(value: &Self::Value) -> bool;
 }
 
 impl Printable for Exact {
+    const NAME: &'static str = "exact";
+
     fn round(value: &Rational) -> Rational {
         value.clone()
     }
@@ -38,12 +46,18 @@ impl Printable for Exact {
         Value::String(value.to_string())
     }
 
+    fn append(value: &Rational, text: &mut String) {
+        append(format_args!("{value}"), text);
+    }
+
     fn is_finite(_: &Rational) -> bool {
         true
     }
 }
 
 impl Printable for Float64 {
+    const NAME: &'static str = "f64";
+
     fn round(value: &Rational) -> f64 {
         value.to_f64()
     }
@@ -52,12 +66,18 @@ impl Printable for Float64 {
         Value::from(*value)
     }
 
+    fn append(value: &f64, text: &mut String) {
+        append(format_args!("{value:?}"), text);
+    }
+
     fn is_finite(value: &f64) -> bool {
         value.is_finite()
     }
 }
 
 impl Printable for Float32 {
+    const NAME: &'static str = "f32";
+
     fn round(value: &Rational) -> f32 {
         value.to_f32()
     }
@@ -67,7 +87,16 @@ impl Printable for Float32 {
         value.to_string().parse::<f64>().map_or(Value::Null, Value::from)
     }
 
+    fn append(value: &f32, text: &mut String) {
+        append(format_args!("{value:?}"), text);
+    }
+
     fn is_finite(value: &f32) -> bool {
         value.is_finite()
     }
+}
+
+fn append(number: std::fmt::Arguments<'_>, text: &mut String) {
+    // Writing to a string cannot fail.
+    let _ = text.write_fmt(number);
 }

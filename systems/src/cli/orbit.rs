@@ -1,0 +1,274 @@
+//! `kahan orbit`: the points of an orbit with their integrals, row by row.
+//!
+//! Rows are written as they are computed and then forgotten, so the length of an orbit costs no memory. Floats
+//! step as the compiled library does, exact numbers as projective integers ([`exact`]). The table is plain text with
+//! commas: names are identifiers and numbers have no commas, so nothing in it ever needs quoting.
+
+mod exact;
+mod request;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use kahan_algebra::arithmetic::{Arithmetic, Exact, Float32, Float64};
+use kahan_algebra::interpret::{Pole, Stepper};
+use kahan_algebra::rational::Rational;
+use serde_json::{Map, Value, json};
+
+use super::input::{Source, coordinates, number};
+use super::output::{Answer, Refusal};
+use super::progress::Progress;
+use super::scalar::{Printable, ScalarKind};
+use super::sink::{Broken, Sink, has_room_for_progress};
+use super::table::{Format, Table};
+use exact::ExactOrbit;
+use request::Request;
+
+/// Prints an orbit x0, x1, … of a system's map as CSV: n, t = 2 eps n, the variables, the integrals.
+///
+/// The integrals are those of the block without `when`. A cell is empty where an integral is undefined, or beyond the range
+/// of the scalar. Floats are written so that they read back exactly, and the steps are those of the compiled library, bit
+/// for bit; parameters are put in after the map is reduced. At a pole (det A = 0), or where floats overflow, the orbit ends:
+/// the rows up to there are kept, the place is reported, and the exit status is 1. A negative eps steps back.
+#[derive(Args, Debug)]
+#[command(after_long_help = EXAMPLES)]
+pub(crate) struct Orbit {
+    #[command(flatten)]
+    source: Source,
+
+    /// Half the time step: 1/2, -0.25, 1e-3.
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    eps: String,
+
+    /// The first point, its coordinates separated by commas: 1,-2/3,0.5.
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    at: String,
+
+    /// The number of steps; 0 prints the first point.
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = count)]
+    steps: i64,
+
+    /// The numbers to compute with.
+    #[arg(long, value_enum, default_value = "f64")]
+    scalar: ScalarKind,
+
+    /// The order of the method: 2 is Kahan's map.
+    #[arg(long, value_name = "P", default_value = "2", value_parser = ["2", "4", "6", "8"])]
+    order: String,
+
+    /// Print every K-th point only: n = 0, K, 2K, ….
+    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = positive_count)]
+    every: i64,
+
+    /// Write the table to this file, which appears when it is complete.
+    #[arg(long, value_name = "F.csv")]
+    out: Option<PathBuf>,
+
+    /// Print one JSON object; exact numbers are strings p/q, floats are numbers. With --out the rows are in the file only.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000
+  kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
+  kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 100000 --every 100 --out e7.csv
+  kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
+  kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100";
+
+fn count(text: &str) -> Result<i64, String> {
+    at_least(0, text)
+}
+
+fn positive_count(text: &str) -> Result<i64, String> {
+    at_least(1, text)
+}
+
+fn at_least(least: i64, text: &str) -> Result<i64, String> {
+    let count = text.trim().parse().ok().filter(|count| *count >= least);
+    count.ok_or_else(|| format!("write a whole number, {least} or more"))
+}
+
+impl Orbit {
+    /// Writes the rows; what is left to say is the answer.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        if self.order != "2" {
+            return Err(Refusal::new(format!("--order {} is not built yet; use 2", self.order)));
+        }
+        let block = self.source.required_block()?;
+        let system = block.system()?;
+        let name = block.name(&system);
+        let request = Request {
+            name: &name,
+            system: &system,
+            start: coordinates(&self.at, &system.field.symbols.states)?,
+            parameters: self.source.parameter_values(&system, &name)?,
+            eps: number(&self.eps, "--eps")?,
+        };
+        match self.scalar {
+            ScalarKind::Exact => self.exact(&request),
+            ScalarKind::F64 => self.floats(&Float64, &request),
+            ScalarKind::F32 => self.floats(&Float32, &request),
+            ScalarKind::Dd => Err(Refusal::new("--scalar dd is not built yet; use exact, f64 or f32")),
+        }
+    }
+
+    /// Over the integers, without fractions between the rows.
+    fn exact(&self, request: &Request<'_>) -> Result<Answer, Refusal> {
+        let mut orbit = ExactOrbit::new(request)?;
+        let head = self.head::<Exact>(request, &request.parameters, &request.eps, orbit.integral_names());
+        self.write(head, |table, progress| {
+            let rows = Rows { steps: self.steps, every: self.every, progress };
+            rows.follow(&mut orbit, |orbit, n| table.texts(n, &orbit.row(n)), ExactOrbit::advance)
+        })
+    }
+
+    fn floats<A: Printable>(&self, arithmetic: &A, request: &Request<'_>) -> Result<Answer, Refusal> {
+        let (parameters, eps) = request.rounded::<A>()?;
+        let stepper = Stepper::new(request.system, arithmetic, &parameters, &eps)
+            .map_err(|_| request.undefined_field())?;
+        let head = self.head::<A>(request, &parameters, &eps, stepper.integral_names());
+        let state: Vec<A::Value> = request.start.iter().map(A::round).collect();
+        let mut orbit = FloatOrbit { arithmetic, request, stepper, before: state.clone(), state };
+        self.write(head, |table, progress| {
+            let rows = Rows { steps: self.steps, every: self.every, progress };
+            rows.follow(&mut orbit, |orbit, n| orbit.write(table, n), FloatOrbit::advance)
+        })
+    }
+
+    /// Opens the table, lets it be filled (why it ended early comes back), closes it.
+    fn write(
+        &self,
+        head: Map<String, Value>,
+        fill: impl FnOnce(&mut Table, Option<&Progress>) -> Result<Option<String>, Broken>,
+    ) -> Result<Answer, Refusal> {
+        let sink = match &self.out {
+            Some(path) => Sink::file(path)?,
+            None => Sink::standard(),
+        };
+        let format = if self.json && self.out.is_none() { Format::Json } else { Format::Csv };
+        let mut table = Table::new(sink, format);
+        let progress = has_room_for_progress(self.out.is_some())
+            .then(|| Progress::new(self.steps.unsigned_abs(), "steps"));
+        let written = table.begin(&head).and_then(|()| {
+            let stopped = fill(&mut table, progress.as_ref())?;
+            table.end(&json!(stopped))?;
+            Ok(stopped)
+        });
+        if let Some(progress) = progress {
+            progress.finish();
+        }
+        let stopped = match written {
+            Ok(stopped) => stopped,
+            // Nobody wants more rows, which is no error.
+            Err(Broken::ReaderGone) => None,
+            Err(Broken::Failed(why)) => {
+                return Ok(Answer { complaint: Some(why), ..Answer::text(String::new()) });
+            }
+        };
+        // With rows in a file, the object that describes them is the answer.
+        let answer = match &self.out {
+            Some(path) if self.json => {
+                let mut object = head;
+                object.insert("out".to_owned(), json!(path.display().to_string()));
+                object.insert("stopped".to_owned(), json!(stopped));
+                Answer::json(&Value::Object(object))
+            }
+            _ => Answer::text(String::new()),
+        };
+        Ok(Answer { complaint: stopped, ..answer })
+    }
+
+    /// What is known before the first row.
+    fn head<A: Printable>(
+        &self,
+        request: &Request<'_>,
+        parameters: &[A::Value],
+        eps: &A::Value,
+        integrals: &[String],
+    ) -> Map<String, Value> {
+        let symbols = &request.system.field.symbols;
+        let named = symbols.parameters.iter().cloned().zip(parameters.iter().map(A::json));
+        let columns: Vec<&str> = ["n", "t"]
+            .into_iter()
+            .chain(symbols.states.iter().chain(integrals).map(String::as_str))
+            .collect();
+        let head = json!({
+            "system": request.name,
+            "variables": symbols.states,
+            "parameters": named.collect::<Map<_, _>>(),
+            "eps": A::json(eps),
+            "scalar": A::NAME,
+            "order": 2,
+            "steps": self.steps,
+            "every": self.every,
+            "columns": columns,
+        });
+        match head {
+            Value::Object(head) => head,
+            _ => Map::new(),
+        }
+    }
+}
+
+/// Which points become rows.
+struct Rows<'a> {
+    steps: i64,
+    every: i64,
+    progress: Option<&'a Progress>,
+}
+
+impl Rows<'_> {
+    /// Steps from row to row; what to tell the user where a step has no value.
+    fn follow<O>(
+        &self,
+        orbit: &mut O,
+        mut row: impl FnMut(&mut O, i64) -> Result<(), Broken>,
+        mut advance: impl FnMut(&mut O, i64) -> Result<(), String>,
+    ) -> Result<Option<String>, Broken> {
+        for n in 0..=self.steps {
+            if n % self.every == 0 {
+                row(orbit, n)?;
+            }
+            if n == self.steps {
+                break;
+            }
+            if let Err(why) = advance(orbit, n) {
+                return Ok(Some(why));
+            }
+            if let Some(progress) = self.progress {
+                progress.advance(1);
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// An orbit in rounded numbers.
+struct FloatOrbit<'a, A: Arithmetic> {
+    arithmetic: &'a A,
+    request: &'a Request<'a>,
+    stepper: Stepper<'a, A>,
+    state: Vec<A::Value>,
+    /// The last point that was finite.
+    before: Vec<A::Value>,
+}
+
+impl<A: Printable> FloatOrbit<'_, A> {
+    fn write(&mut self, table: &mut Table, n: i64) -> Result<(), Broken> {
+        let number = self.arithmetic.constant(&Rational::from(n));
+        let time = number.map(|n| self.arithmetic.multiply(&n, self.stepper.time_step()));
+        let integrals = self.stepper.integrals(&self.state);
+        table.row::<A>(n, std::iter::once(time.as_ref()).chain(self.state.iter().map(Some)).chain(integrals))
+    }
+
+    fn advance(&mut self, n: i64) -> Result<(), String> {
+        self.before.clone_from(&self.state);
+        match self.stepper.advance(&mut self.state) {
+            Err(Pole) => Err(self.request.pole::<A>(n, &self.before, self.stepper.is_reduced())),
+            Ok(()) if self.state.iter().all(A::is_finite) => Ok(()),
+            Ok(()) => Err(self.request.overflow::<A>(n, &self.before)),
+        }
+    }
+}

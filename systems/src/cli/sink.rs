@@ -1,0 +1,126 @@
+//! Where long output goes while it is made: standard output as it comes, or a file that appears whole or not at all.
+//!
+//! A file is written beside its final place under a temporary name and renamed at the end; one that is not finished is
+//! removed. Rows for standard output are collected for a moment at most, so that a reader sees them while they are made and
+//! a million of them do not take a million system calls.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Stdout, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use tempfile::NamedTempFile;
+
+use super::output::Refusal;
+
+/// A place for rows.
+pub(crate) struct Sink(Place);
+
+enum Place {
+    Standard { writer: BufWriter<Stdout>, flushed: Instant },
+    File { writer: BufWriter<NamedTempFile>, path: PathBuf },
+}
+
+/// Why nothing more can be written.
+#[derive(Debug)]
+pub(crate) enum Broken {
+    /// The reader of standard output has gone away, which is no error: nobody wants more rows.
+    ReaderGone,
+    /// One sentence for the user.
+    Failed(String),
+}
+
+/// The longest time for which rows wait for company.
+const PATIENCE: Duration = Duration::from_millis(100);
+
+impl Sink {
+    /// Standard output.
+    pub(crate) fn standard() -> Self {
+        Sink(Place::Standard { writer: BufWriter::new(io::stdout()), flushed: Instant::now() })
+    }
+
+    /// A file at this path, in place of one that may be there. Nothing is there before [`finish`](Self::finish).
+    pub(crate) fn file(path: &Path) -> Result<Self, Refusal> {
+        let refused =
+            |reason: &str| Refusal::new(format!("--out: cannot write the file {}: {reason}", path.display()));
+        // What a link points to is replaced, not the link; a device or a directory is not replaced by a file.
+        let path = match fs::canonicalize(path) {
+            Ok(found) if found.is_file() => found,
+            Ok(found) if found.is_dir() => return Err(refused("it is a directory; add a file name")),
+            Ok(_) => {
+                return Err(refused("it is no ordinary file; leave --out away to write to standard output"));
+            }
+            Err(_) => path.to_path_buf(),
+        };
+        let folder = match path.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent,
+            _ => Path::new("."),
+        };
+        if path.file_name().is_none() {
+            return Err(refused("it has no file name"));
+        }
+        let file = temporary(folder).map_err(|error| refused(&error.to_string()))?;
+        Ok(Sink(Place::File { writer: BufWriter::new(file), path }))
+    }
+
+    /// Takes some text.
+    pub(crate) fn write(&mut self, text: &str) -> Result<(), Broken> {
+        let written = match &mut self.0 {
+            Place::File { writer, .. } => writer.write_all(text.as_bytes()),
+            Place::Standard { writer, flushed } => writer.write_all(text.as_bytes()).and_then(|()| {
+                if flushed.elapsed() >= PATIENCE {
+                    writer.flush()?;
+                    *flushed = Instant::now();
+                }
+                Ok(())
+            }),
+        };
+        written.map_err(|error| self.broken(&error))
+    }
+
+    /// Writes what is left; a file now appears under its name.
+    pub(crate) fn finish(mut self) -> Result<(), Broken> {
+        let flushed = match &mut self.0 {
+            Place::File { writer, .. } => writer.flush(),
+            Place::Standard { writer, .. } => writer.flush(),
+        };
+        flushed.map_err(|error| self.broken(&error))?;
+        if let Place::File { writer, path } = self.0 {
+            let kept = writer.into_inner().map_err(io::IntoInnerError::into_error).and_then(|file| {
+                file.as_file().sync_all()?;
+                file.persist(&path).map_err(|error| error.error)
+            });
+            kept.map(|_: File| ()).map_err(|error| cannot_write(&path.display().to_string(), &error))?;
+        }
+        Ok(())
+    }
+
+    fn broken(&self, error: &io::Error) -> Broken {
+        match &self.0 {
+            Place::Standard { .. } if error.kind() == ErrorKind::BrokenPipe => Broken::ReaderGone,
+            Place::Standard { .. } => cannot_write("to standard output", error),
+            Place::File { path, .. } => cannot_write(&path.display().to_string(), error),
+        }
+    }
+}
+
+fn cannot_write(place: &str, error: &io::Error) -> Broken {
+    Broken::Failed(format!("cannot write {place}: {error}"))
+}
+
+/// A new file with the permissions that a new file has here, not the narrower ones of secrets.
+fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".kahan-").suffix(".tmp");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
+}
+
+/// Whether a progress bar on standard error does not disturb the rows: they go elsewhere than to the terminal.
+pub(crate) fn has_room_for_progress(to_file: bool) -> bool {
+    to_file || !io::stdout().is_terminal()
+}

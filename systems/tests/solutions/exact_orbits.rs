@@ -1,0 +1,143 @@
+//! Exact orbits to measure solutions by: rational points, stepped by the generated maps.
+
+use kahan_core::prelude::*;
+use kahan_systems::special::{Precise, Real};
+
+use crate::measure::{assert_close_above, ten_to_minus};
+
+pub(crate) type Rational = BigRational;
+pub(crate) type Point<T> = SVector<T, 3>;
+
+/// A rational from `p/q`.
+pub(crate) fn rational(text: &str) -> Rational {
+    text.parse().unwrap_or_else(|_| panic!("{text} is not a rational"))
+}
+
+/// A case of the oracle's tables: its parameters, ε and point.
+pub(crate) struct Case {
+    pub(crate) parameters: Vec<Rational>,
+    pub(crate) eps: Rational,
+    pub(crate) start: Point<Rational>,
+}
+
+/// The cases of a system in tests/data.
+pub(crate) fn cases(system: &str) -> Vec<Case> {
+    let path = format!("{}/../tests/data/{system}.json", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    let data: serde_json::Value = serde_json::from_str(&text).expect("the table is JSON");
+    let number = |value: &serde_json::Value| rational(value.as_str().expect("a number as text"));
+    let names = data["param_names"].as_array().expect("names");
+    let read = |case: &serde_json::Value| Case {
+        parameters: names.iter().map(|name| number(&case["params"][name.as_str().unwrap()])).collect(),
+        eps: number(&case["eps"]),
+        start: vector![number(&case["x"][0]), number(&case["x"][1]), number(&case["x"][2])],
+    };
+    data["cases"].as_array().expect("cases").iter().map(read).collect()
+}
+
+/// The points n = −back, …, forward of the orbit, with their n; shorter on a side where an exact orbit meets
+/// a pole.
+pub(crate) fn orbit<M, T>(
+    map: M,
+    start: &Point<T>,
+    eps: &T,
+    [back, forward]: [i64; 2],
+) -> Vec<(i64, Point<T>)>
+where
+    M: KahanMap<T, 3> + Clone,
+    T: Scalar,
+{
+    let side = |eps: T, count: i64, sign: i64| {
+        let points = map.clone().orbit(start.clone(), eps).take(count as usize + 1);
+        points.zip(0..).map(move |(point, n)| (sign * n, point)).collect::<Vec<_>>()
+    };
+    let mut points = side(-eps.clone(), back, -1);
+    points.reverse();
+    points.pop();
+    points.extend(side(eps.clone(), forward, 1));
+    points
+}
+
+/// A point in 256 bits.
+pub(crate) fn precise(point: &Point<Rational>) -> Point<Precise> {
+    point.map(|value| Precise::from_rational(&value))
+}
+
+/// The largest component.
+pub(crate) fn norm(point: &Point<Precise>) -> Precise {
+    point.iter().fold(Precise::from_int(0), |norm, value| if value.abs() > norm { value.abs() } else { norm })
+}
+
+/// Panics unless the solution agrees with the exact orbit to so many digits of each point's norm; returns how
+/// many points were compared.
+pub(crate) fn assert_on_orbit(
+    exact: &[(i64, Point<Rational>)],
+    at: impl Fn(i64) -> Point<Precise>,
+    digits: i64,
+    what: &str,
+) -> usize {
+    for (n, point) in exact {
+        let (value, expected) = (at(*n), precise(point));
+        let size = norm(&expected);
+        for i in 0..3 {
+            // A floor of a tenth of a unit of the last digit lets the fixed point 0 pass.
+            let floor = if size > ten_to_minus(200) { size.clone() } else { ten_to_minus(200) };
+            assert_close_above(&value[i], &expected[i], digits, &floor, &format!("{what}, n = {n}"));
+        }
+    }
+    exact.len()
+}
+
+/// The case with its numbers rounded to `f64`.
+pub(crate) struct Rounded {
+    pub(crate) parameters: Vec<f64>,
+    pub(crate) eps: f64,
+    pub(crate) start: Point<f64>,
+}
+
+pub(crate) fn rounded(case: &Case) -> Rounded {
+    let float = |value: &Rational| <f64 as Real>::from_rational(value);
+    Rounded {
+        parameters: case.parameters.iter().map(float).collect(),
+        eps: float(&case.eps),
+        start: case.start.map(|value| float(&value)),
+    }
+}
+
+/// The largest distance of a solution in `f64` from the orbit of the map in 256 bits through the same point,
+/// 8 steps back and 12 forward, in units of 2⁻⁵² of each point's norm times its condition.
+///
+/// A solution is a function of an argument (T, v or N) that is itself rounded, and large points are next to a
+/// pole of that function: the condition is (1 + |argument|) max(1, |ε| rate norm), where the rate is 1 unless
+/// the system has coefficients.
+pub(crate) fn ulps<M>(
+    map: M,
+    case: &Rounded,
+    rate: f64,
+    argument: impl Fn(i64) -> f64,
+    at: impl Fn(i64) -> Point<f64>,
+) -> f64
+where
+    M: KahanMap<Precise, 3> + Clone,
+{
+    let mut worst = 0.0_f64;
+    for (n, expected) in orbit(map, &case.start.map(Precise::from), &Precise::from(case.eps), [8, 12]) {
+        // Beyond a pole met in floats there is nothing to compare.
+        if expected.iter().any(|value| !value.is_defined()) {
+            continue;
+        }
+        let size = norm(&expected);
+        let condition = (1.0 + argument(n).abs()) * (case.eps.abs() * rate * size.to_f64()).max(1.0);
+        let error = norm(&(at(n).map(Precise::from) - expected));
+        let units = (error / (size * Precise::from(f64::EPSILON * condition))).to_f64();
+        // What is not a number counts as infinitely wrong.
+        worst = if units <= worst {
+            worst
+        } else if units.is_nan() {
+            f64::INFINITY
+        } else {
+            units
+        };
+    }
+    worst
+}

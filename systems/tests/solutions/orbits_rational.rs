@@ -1,0 +1,63 @@
+//! The rational solutions equal the exact orbits and satisfy their equations exactly.
+
+use kahan_core::num_traits::Zero;
+use kahan_systems::{E1, E2, E7, E8, e1, e2, e7, e8};
+
+use crate::exact_orbits::{Case, Point, Rational, cases, orbit, rational};
+
+/// Compares on the whole orbit, 12 steps to both sides; returns how many points were compared.
+fn assert_equal(exact: &[(i64, Point<Rational>)], at: impl Fn(i64) -> Point<Rational>) -> usize {
+    for (n, point) in exact {
+        assert_eq!(&at(*n), point, "n = {n}");
+    }
+    exact.len()
+}
+
+/// Whether εx is neither 0 nor ±1, the domain of the solutions.
+fn regular(case: &Case) -> bool {
+    let scaled = &case.eps * &case.start[0];
+    !scaled.is_zero() && &scaled * &scaled != rational("1")
+}
+
+#[test]
+fn solutions_of_e1_and_e2_are_the_orbits() {
+    let mut compared = 0;
+    for case in cases("e1") {
+        let solution = e1::Solution::through(&case.start, &case.eps);
+        assert_eq!(solution.is_ok(), regular(&case));
+        if let Ok(solution) = solution {
+            compared += assert_equal(&orbit(E1, &case.start, &case.eps, [12, 12]), |n| solution.at(n));
+            let integrals = E1.integrals(&case.start, case.eps.clone());
+            assert_eq!([&integrals[0], &integrals[1]], [&solution.beta, &solution.gamma]);
+        }
+    }
+    for case in cases("e2") {
+        let solution = e2::Solution::through(&case.start, &case.eps);
+        assert_eq!(solution.is_ok(), regular(&case));
+        if let Ok(solution) = solution {
+            compared += assert_equal(&orbit(E2, &case.start, &case.eps, [12, 12]), |n| solution.at(n));
+            let integrals = E2.integrals(&case.start, case.eps.clone());
+            assert_eq!([&integrals[0], &integrals[1]], [&solution.beta, &solution.gamma]);
+        }
+    }
+    assert!(compared > 400, "{compared}");
+}
+
+#[test]
+fn recurrences_of_e7_and_e8_are_the_orbits() {
+    let mut compared = 0;
+    for case in cases("e7") {
+        let xi = &case.parameters[0];
+        if let Ok(recurrence) = e7::Recurrence::through(xi, &case.start, &case.eps) {
+            compared += assert_equal(&orbit(E7 { xi: xi.clone() }, &case.start, &case.eps, [9, 9]), |n| {
+                recurrence.at(n)
+            });
+        }
+    }
+    for case in cases("e8") {
+        if let Ok(recurrence) = e8::Recurrence::through(&case.start, &case.eps) {
+            compared += assert_equal(&orbit(E8, &case.start, &case.eps, [9, 9]), |n| recurrence.at(n));
+        }
+    }
+    assert!(compared > 300, "{compared}");
+}

@@ -1,0 +1,182 @@
+//! Identities that hold for all arguments: each ties values that are computed in different ways.
+
+use kahan_core::num_traits::One;
+use kahan_systems::special::{
+    Modulus, Precise, Real, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_k, gamma,
+    gamma_ratio, jacobi, theta,
+};
+
+use crate::measure::{assert_close, number};
+
+fn int(n: i64) -> Precise {
+    Precise::from_int(n)
+}
+
+const ARGUMENTS: [&str; 6] = ["1/7", "0.5", "13/11", "41/6", "-2.75", "-31/9"];
+
+#[test]
+fn gamma_satisfies_recurrence_and_duplication() {
+    for x in ARGUMENTS.map(number) {
+        assert_close(&gamma(&(x.clone() + int(1))), &(x.clone() * gamma(&x)), 73, "recurrence");
+        // Γ(x)Γ(x + 1/2) = 2^(1−2x) √π Γ(2x)
+        let left = gamma(&x) * gamma(&(x.clone() + Precise::half()));
+        let power = int(2).power_real(&(int(1) - int(2) * x.clone()));
+        let double = int(2) * x.clone();
+        if double.floor() != double || double.is_positive() {
+            assert_close(&left, &(power * Precise::pi().sqrt() * gamma(&double)), 72, "duplication");
+        }
+    }
+}
+
+#[test]
+fn digamma_satisfies_recurrence_reflection_and_duplication() {
+    for x in ARGUMENTS.map(number) {
+        assert_close(
+            &(digamma(&(x.clone() + int(1))) - digamma(&x)),
+            &(int(1) / x.clone()),
+            73,
+            "recurrence",
+        );
+        let (sine, cosine) = (Precise::pi() * x.clone()).sin_cos();
+        let reflected = digamma(&(int(1) - x.clone())) - digamma(&x);
+        if cosine.abs() > number("1e-60") {
+            assert_close(&reflected, &(Precise::pi() * cosine / sine), 72, "reflection");
+        }
+        // ψ(2x) = ln 2 + (ψ(x) + ψ(x + 1/2))/2
+        let mean = (digamma(&x) + digamma(&(x.clone() + Precise::half()))) * Precise::half();
+        let double = int(2) * x;
+        if double.floor() != double || double.is_positive() {
+            assert_close(&digamma(&double), &(mean + int(2).ln()), 72, "duplication");
+        }
+    }
+}
+
+#[test]
+fn the_ratio_is_the_quotient_of_gammas() {
+    for x in ARGUMENTS.map(number) {
+        for (a, b) in [("1/3", "2/7"), ("-5/3", "9/4"), ("11/2", "-1/5")] {
+            let (a, b) = (number(a), number(b));
+            let quotient = gamma(&(x.clone() + a.clone())) / gamma(&(x.clone() + b.clone()));
+            assert_close(&gamma_ratio(&x, &a, &b), &quotient, 70, "ratio");
+        }
+    }
+}
+
+#[test]
+fn the_centred_ratio_with_an_integer_difference_is_the_limit_of_its_neighbours() {
+    // Where 2σ is an integer the polynomial is used, beside it the series: both must meet.
+    let small = number("1e-40");
+    for w in ARGUMENTS.map(number) {
+        for two_sigma in [-3, -2, -1, 1, 2, 3, 4] {
+            let sigma = Precise::from_ratio(two_sigma, 2);
+            let here = centered_gamma_ratio(&w, &sigma);
+            if here.is_defined() && here.abs() > small {
+                let beside = centered_gamma_ratio(&w, &(sigma + small.clone()));
+                assert_close(&beside, &here, 37, "2 sigma is an integer");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_centred_ratio_has_no_false_poles() {
+    // w + 1/2 + σ = 1 on the left of 0: Γ(1)/Γ(−1/2) = −1/(2√π); and a zero, Γ(5/2)/Γ(0).
+    let ratio = centered_gamma_ratio(&number("-1/4"), &number("3/4"));
+    assert_close(&ratio, &(int(-1) / (int(2) * Precise::pi().sqrt())), 74, "no pole");
+    assert_eq!(centered_gamma_ratio(&number("3/4"), &number("5/4")), int(0));
+    assert!(!centered_gamma_ratio(&number("-3/4"), &number("-3/4")).is_defined());
+    // ψ(1) − ψ(−1/2) = ψ(1) − ψ(1/2) − 2 = 2 ln 2 − 2
+    let difference = centered_digamma_difference(&number("-1/4"), &number("3/4"));
+    assert_close(&difference, &(int(2) * int(2).ln() - int(2)), 73, "no pole");
+}
+
+#[test]
+fn the_centred_difference_is_the_difference_of_digammas() {
+    for w in ["1/7", "13/11", "41/6", "-2.75", "-31/9"].map(number) {
+        for sigma in ["1/5", "-2/3", "17/8"].map(number) {
+            let middle = w.clone() + Precise::half();
+            let difference = digamma(&(middle.clone() + sigma.clone())) - digamma(&(middle - sigma.clone()));
+            assert_close(&centered_digamma_difference(&w, &sigma), &difference, 70, "difference");
+        }
+    }
+}
+
+/// E(k) by the arithmetic-geometric mean: K(1 − Σ 2^(n−1) c_n²).
+fn second_kind(k: &Precise) -> Precise {
+    let (mut a, mut b) = (int(1), ((int(1) - k.clone()) * (int(1) + k.clone())).sqrt());
+    let mut c = k.clone();
+    let mut weight = Precise::half();
+    let mut sum = weight.clone() * c.square();
+    for _ in 0..12 {
+        let mean = (a.clone() + b.clone()) * Precise::half();
+        c = (a.clone() - b.clone()) * Precise::half();
+        b = (a * b).sqrt();
+        a = mean;
+        weight *= int(2);
+        sum += weight.clone() * c.square();
+    }
+    elliptic_k(k) * (int(1) - sum)
+}
+
+#[test]
+fn legendre_relation_holds() {
+    for k in ["1/9", "3/5", "0.9", "0.9999"].map(number) {
+        let complementary = Modulus::new(k.clone()).complement;
+        let (kk, ee) = (elliptic_k(&k), second_kind(&k));
+        let (kc, ec) = (elliptic_k(&complementary), second_kind(&complementary));
+        let relation = ee * kc.clone() + ec * kk.clone() - kk * kc;
+        assert_close(&relation, &(Precise::pi() * Precise::half()), 70, "Legendre");
+    }
+}
+
+#[test]
+fn jacobi_functions_satisfy_the_addition_theorem_and_invert_the_integral() {
+    for k in ["1/9", "3/5", "0.9", "0.9999"] {
+        let modulus = Modulus::new(number(k));
+        let square = modulus.k.square();
+        for (u, v) in [("2/7", "13/11"), ("-5/3", "41/6"), ("1/100", "-31/9")] {
+            let (u, v) = (number(u), number(v));
+            let (at_u, at_v) = (jacobi(&u, &modulus), jacobi(&v, &modulus));
+            let sum = jacobi(&(u.clone() + v.clone()), &modulus);
+            let divisor = Precise::one() - square.clone() * (at_u.sn.clone() * at_v.sn.clone()).square();
+            let left = at_u.sn.clone() * at_v.cn.clone() * at_v.dn.clone()
+                + at_v.sn.clone() * at_u.cn.clone() * at_u.dn.clone();
+            assert_close(&sum.sn, &(left / divisor.clone()), 70, "sn(u+v)");
+            let left = at_u.cn.clone() * at_v.cn.clone()
+                - at_u.sn.clone() * at_v.sn.clone() * at_u.dn.clone() * at_v.dn.clone();
+            assert_close(&sum.cn, &(left / divisor.clone()), 69, "cn(u+v)");
+            let left = at_u.dn.clone() * at_v.dn.clone()
+                - square.clone() * at_u.sn.clone() * at_v.sn * at_u.cn.clone() * at_v.cn;
+            assert_close(&sum.dn, &(left / divisor), 70, "dn(u+v)");
+            assert_close(&(at_u.sn.square() + at_u.cn.square()), &int(1), 74, "circle");
+            let turns = (u.clone() / (int(4) * modulus.quarter_period()) + Precise::half()).floor();
+            let reduced = u.clone() - int(4) * turns * modulus.quarter_period();
+            assert_close(&modulus.inverse(&at_u.sn, &at_u.cn), &reduced, 72, "inverse");
+        }
+    }
+}
+
+#[test]
+fn theta_quotients_are_the_jacobi_functions() {
+    for k in ["1/9", "3/5", "0.99"].map(number) {
+        let modulus = Modulus::new(k);
+        let q = modulus.nome();
+        let zero = theta(&int(0), &q);
+        assert_close(
+            &(zero.two.clone() / zero.three.clone()).square(),
+            &modulus.k,
+            71,
+            "k = (theta2/theta3)^2",
+        );
+        for u in ["2/7", "-5/3", "41/6"].map(number) {
+            let at = theta(&(u.clone() / zero.three.square()), &q);
+            let value = jacobi(&u, &modulus);
+            let sn = zero.three.clone() / zero.two.clone() * at.one / at.four.clone();
+            let cn = zero.four.clone() / zero.two.clone() * at.two / at.four.clone();
+            let dn = zero.four.clone() / zero.three.clone() * at.three / at.four.clone();
+            assert_close(&sn, &value.sn, 70, "sn");
+            assert_close(&cn, &value.cn, 70, "cn");
+            assert_close(&dn, &value.dn, 70, "dn");
+        }
+    }
+}
