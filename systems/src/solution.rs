@@ -42,6 +42,15 @@ pub(crate) fn require(holds: bool, condition: &'static str) -> Result<(), OutOfD
     if holds { Ok(()) } else { Err(OutOfDomain { condition }) }
 }
 
+/// τ = 1/(2εx) and 1 − ε²x², which a rational solution with x = 1/(2ε(n + τ)) needs.
+pub(crate) fn shift_and_divisor<T: Scalar>(x: &T, eps: &T) -> Result<(T, T), OutOfDomain> {
+    let scaled = eps.clone() * x.clone();
+    require(!scaled.is_zero(), "eps x != 0")?;
+    let divisor = T::one() - scaled.clone() * scaled.clone();
+    require(!divisor.is_zero(), "eps^2 x^2 != 1")?;
+    Ok((T::one() / (integer::<T>(2) * scaled), divisor))
+}
+
 /// An integer as a scalar.
 pub(crate) fn integer<T: Scalar>(n: i64) -> T {
     T::constant(&Constant::integer(n))

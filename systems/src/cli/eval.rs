@@ -7,7 +7,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use serde_json::{Map, Value, json};
 
-use super::input::{Source, coordinates, number};
+use super::input::{Start, coordinates, number};
 use super::output::{Answer, Refusal, matrix, shorten};
 use super::scalar::{Printable, ScalarKind};
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
@@ -20,15 +20,7 @@ use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Eval {
     #[command(flatten)]
-    source: Source,
-
-    /// Half the time step: 1/2, -0.25, 1e-3.
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    eps: String,
-
-    /// The point, its coordinates separated by commas: 1,-2/3,0.5.
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
-    at: String,
+    start: Start,
 
     /// The numbers to compute with.
     #[arg(long, value_enum, default_value = "exact")]
@@ -62,14 +54,14 @@ struct Request<'a> {
 impl Eval {
     /// The object of all values; a complaint at a pole.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let block = self.source.required_block()?;
+        let block = self.start.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
         let symbols = &system.field.symbols;
         let point = Point {
-            state: coordinates(&self.at, &symbols.states)?,
-            parameters: self.source.parameter_values(&system, &name)?,
-            eps: number(&self.eps, "--eps")?,
+            state: coordinates(&self.start.at, &symbols.states)?,
+            parameters: self.start.source.parameter_values(&system, &name)?,
+            eps: number(&self.start.eps, "--eps")?,
         };
         let request = Request { name: &name, system: &system, point };
         let Evaluated { objects, complaint } = match self.scalar {

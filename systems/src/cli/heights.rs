@@ -9,7 +9,7 @@ use kahan_algebra::system::System;
 use kahan_systems::heights::{Bounds, Growth, HeightsOrbit, Stop, Survey};
 use serde_json::{Map, Value, json};
 
-use super::input::{Source, coordinates, number};
+use super::input::{Start, coordinates, number};
 use super::output::{Answer, Refusal, columns, widths};
 use super::progress::Progress;
 use super::sink::{Broken, Sink};
@@ -28,15 +28,7 @@ use super::sink::{Broken, Sink};
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Heights {
     #[command(flatten)]
-    source: Source,
-
-    /// Half the time step: 1/2, -0.25, 1e-3.
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    eps: String,
-
-    /// The first point, its coordinates separated by commas: 1,-2/3,0.5.
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
-    at: String,
+    start: Start,
 
     /// The number of steps.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps)]
@@ -91,12 +83,12 @@ struct Finding<'a> {
 impl Heights {
     /// The heights; a complaint at a pole.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let block = self.source.required_block()?;
+        let block = self.start.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
-        let start = coordinates(&self.at, &system.field.symbols.states)?;
-        let parameters = self.source.parameter_values(&system, &name)?;
-        let eps = number(&self.eps, "--eps")?;
+        let start = coordinates(&self.start.at, &system.field.symbols.states)?;
+        let parameters = self.start.source.parameter_values(&system, &name)?;
+        let eps = number(&self.start.eps, "--eps")?;
         let sink = self.csv.as_deref().map(Sink::file).transpose()?;
         let clock = std::time::Instant::now();
         let orbit = HeightsOrbit::new(&system, &parameters, &eps, &start)

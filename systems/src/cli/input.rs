@@ -36,6 +36,21 @@ pub(crate) struct Source {
     parameters: Vec<String>,
 }
 
+/// A system, a step and a point: what an evaluation or an orbit begins with.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Start {
+    #[command(flatten)]
+    pub(crate) source: Source,
+
+    /// Half the time step: 1/2, -0.25, 1e-3.
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    pub(crate) eps: String,
+
+    /// The (first) point, its coordinates separated by commas: 1,-2/3,0.5.
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    pub(crate) at: String,
+}
+
 /// A text with a block in it.
 #[derive(Debug)]
 pub(crate) struct Block {

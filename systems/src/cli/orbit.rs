@@ -15,7 +15,7 @@ use kahan_algebra::interpret::{Pole, Stepper};
 use kahan_algebra::rational::Rational;
 use serde_json::{Map, Value, json};
 
-use super::input::{Source, coordinates, number};
+use super::input::{Start, coordinates, number};
 use super::output::{Answer, Refusal};
 use super::progress::Progress;
 use super::scalar::{Printable, ScalarKind};
@@ -34,15 +34,7 @@ use request::Request;
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Orbit {
     #[command(flatten)]
-    source: Source,
-
-    /// Half the time step: 1/2, -0.25, 1e-3.
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    eps: String,
-
-    /// The first point, its coordinates separated by commas: 1,-2/3,0.5.
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
-    at: String,
+    start: Start,
 
     /// The number of steps; 0 prints the first point.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = count)]
@@ -96,15 +88,15 @@ impl Orbit {
         if self.order != "2" {
             return Err(Refusal::new(format!("--order {} is not built yet; use 2", self.order)));
         }
-        let block = self.source.required_block()?;
+        let block = self.start.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
         let request = Request {
             name: &name,
             system: &system,
-            start: coordinates(&self.at, &system.field.symbols.states)?,
-            parameters: self.source.parameter_values(&system, &name)?,
-            eps: number(&self.eps, "--eps")?,
+            start: coordinates(&self.start.at, &system.field.symbols.states)?,
+            parameters: self.start.source.parameter_values(&system, &name)?,
+            eps: number(&self.start.eps, "--eps")?,
         };
         match self.scalar {
             ScalarKind::Exact => self.exact(&request),

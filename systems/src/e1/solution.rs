@@ -3,7 +3,7 @@
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Scalar, vector};
 
-use crate::solution::{OutOfDomain, integer, require};
+use crate::solution::{OutOfDomain, integer, shift_and_divisor};
 
 /// An orbit of dE1 (Theorem 3, i = 1), exact over big rationals: with N = n + τ,
 ///
@@ -37,13 +37,10 @@ impl<T: Scalar> Solution<T> {
     /// Unless εx ≠ 0 and ε²x² ≠ 1.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = point.clone().into();
-        let scaled = eps.clone() * x.clone();
-        require(!scaled.is_zero(), "eps x != 0")?;
-        let divisor = T::one() - scaled.clone() * scaled.clone();
-        require(!divisor.is_zero(), "eps^2 x^2 != 1")?;
+        let (tau, divisor) = shift_and_divisor(&x, eps)?;
         Ok(Self {
             eps: eps.clone(),
-            tau: T::one() / (integer::<T>(2) * scaled),
+            tau,
             beta: y.clone() / x.clone(),
             gamma: (x * z + y.clone() * y) / divisor,
         })

@@ -3,7 +3,7 @@
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
-use crate::solution::{OutOfDomain, integer, require};
+use crate::solution::{OutOfDomain, integer, shift_and_divisor};
 use crate::special::{Real, centered_gamma_ratio};
 
 /// An orbit of dE7 (section 6.1, equations for x, y and z): with N = n + τ, β = 2εy₀, γ = 2εz₀,
@@ -35,17 +35,9 @@ impl<T: Real> Solution<T> {
     /// Unless εx ≠ 0 and ε²x² ≠ 1 (4τ² ≠ 1).
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = point.clone().into();
-        let scaled = eps.clone() * x;
-        require(!scaled.is_zero(), "eps x != 0")?;
-        require(scaled.square() != T::one(), "eps^2 x^2 != 1")?;
+        let (tau, _) = shift_and_divisor(&x, eps)?;
         let double = integer::<T>(2) * eps.clone();
-        Ok(Self {
-            tau: T::one() / (integer::<T>(2) * scaled),
-            beta: double.clone() * y,
-            gamma: double * z,
-            xi: xi.clone(),
-            eps: eps.clone(),
-        })
+        Ok(Self { tau, beta: double.clone() * y, gamma: double * z, xi: xi.clone(), eps: eps.clone() })
     }
 
     /// The point n steps on, or back for n < 0; a cost of |n| terms. Not finite at a pole.

@@ -6,7 +6,7 @@ use kahan_algebra::rational::Rational;
 
 use super::claim::{Claim, Misprint, Outcome};
 use super::formula::{Definition, Item, parse};
-use super::identity::{Evidence, Identity};
+use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
 impl Paper {
@@ -84,16 +84,6 @@ impl Paper {
             return Err("no relation".to_owned());
         };
         let [left, right] = self.sides(claim, left, right, definitions)?;
-        let identity = Identity {
-            models: &self.models,
-            model: self.model(claim)?,
-            left: &left,
-            relation: *relation,
-            right: &right,
-            digit: digit.as_ref(),
-            domain: &[],
-            seed: 0,
-        };
-        identity.at_point(point)
+        self.identity(claim, [&left, &right], *relation, digit.as_ref())?.at_point(point)
     }
 }

@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::prove::ERROR_EXPONENT;
+use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, claim_statement};
 
 use crate::registry::{SYSTEMS, find};
@@ -16,7 +17,7 @@ use super::block::establish_statement;
 use super::claim::{Basis, Claim, Established, Outcome};
 use super::evaluate::Models;
 use super::figures::{Figure, Measurement, Measurements};
-use super::formula::{Definition, Formula, Item, inline, parse, statement_latex};
+use super::formula::{Definition, Formula, Item, Relation, inline, parse, statement_latex};
 use super::identity::{Evidence, Identity};
 use super::model::Model;
 use super::sections;
@@ -24,7 +25,7 @@ use super::sections;
 /// The systems and claims of the paper.
 #[derive(Debug)]
 pub struct Paper {
-    pub(super) models: Models,
+    models: Models,
     claims: Vec<Claim>,
     measurements: Measurements,
 }
@@ -167,14 +168,9 @@ impl Paper {
             let Item::Relation { left, relation, right, digit } = item else { continue };
             let [left, right] = self.sides(claim, left, right, &definitions)?;
             let identity = Identity {
-                models: &self.models,
-                model: self.model(claim)?,
-                left: &left,
-                relation: *relation,
-                right: &right,
-                digit: digit.as_ref(),
                 domain,
                 seed: SplitMix64::from_bytes(claim.id.as_bytes()).next_u64(),
+                ..self.identity(claim, [&left, &right], *relation, digit.as_ref())?
             };
             let evidence = identity.establish()?;
             weakest = Some(weakest.map_or(evidence.clone(), |weakest: Evidence| weakest.weaker(evidence)));
@@ -182,7 +178,19 @@ impl Paper {
         weakest.ok_or_else(|| "it says nothing".to_owned())
     }
 
-    pub(super) fn model(&self, claim: &Claim) -> Result<&Model, String> {
+    /// A relation in a claim, tested at generic points.
+    pub(super) fn identity<'a>(
+        &'a self,
+        claim: &Claim,
+        [left, right]: [&'a Formula; 2],
+        relation: Relation,
+        digit: Option<&'a Rational>,
+    ) -> Result<Identity<'a>, String> {
+        let model = self.model(claim)?;
+        Ok(Identity { models: &self.models, model, left, relation, right, digit, domain: &[], seed: 0 })
+    }
+
+    fn model(&self, claim: &Claim) -> Result<&Model, String> {
         self.models.get(claim.system).ok_or_else(|| format!("there is no system {}", claim.system))
     }
 

@@ -12,7 +12,7 @@
 //! | `d(E, v)` | ∂E/∂v |
 //! | `f(i)`, `A(i,j)`, `b(i)`, `J(i,j)`, `detA`, `detJ` | the field, A(x,ε), b(x,ε), ∂x̃/∂x and determinants |
 //! | `sum(j, a, b, E)` | the sum of E over j = a, …, b |
-//! | `exp`, `sinh`, `sn`, `gamma`, … | functions; see [`super::numeric`] |
+//! | `exp`, `sinh`, `sn`, `gamma`, … | Jacobi's functions with the modulus second, Γ, ψ (`digamma`), theta functions, … |
 //!
 //! `f`, `A`, `b`, `J` and `next` take the name of another system as a first argument. The text of a statement is the one
 //! source of what is shown, of what is checked, and of the mutations that must fail.
