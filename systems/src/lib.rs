@@ -4,6 +4,7 @@
 //! macro proves the claims while it compiles the block. An [`entry`] offers the same block as text with the place of each
 //! claim in the paper, [`registry`] lists the entries, and the `kahan` command proves them again from there. The half step ε is written `eps`.
 
+pub mod atlas;
 pub mod entry;
 pub mod heights;
 pub mod paper;

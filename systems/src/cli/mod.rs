@@ -5,6 +5,7 @@
 //! except rows of a table that may be long: those go through a [`sink`] while they are made, and the answer is what is left to
 //! say when they end.
 
+mod atlas;
 mod eval;
 mod heights;
 mod input;
@@ -55,6 +56,7 @@ enum Command {
     Eval(eval::Eval),
     Orbit(orbit::Orbit),
     Heights(heights::Heights),
+    Atlas(atlas::Atlas),
 }
 
 /// Runs the command with these arguments, the program's name first.
@@ -74,6 +76,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Eval(command)) => command.run(),
         Some(Command::Orbit(command)) => command.run(),
         Some(Command::Heights(command)) => command.run(),
+        Some(Command::Atlas(command)) => command.run(),
     }
 }
 

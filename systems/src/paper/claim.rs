@@ -112,15 +112,6 @@ impl Claim {
         matches!(self.basis, Basis::Formula { orbit: Some(_), .. })
     }
 
-    /// What the paper prints instead, in the language of formulas, where that is wrong.
-    #[must_use]
-    pub fn printed(&self) -> Option<&'static str> {
-        match &self.basis {
-            Basis::Formula { misprint: Some(misprint), .. } => Some(misprint.printed),
-            _ => None,
-        }
-    }
-
     /// A claim about formulas.
     pub(super) fn new(
         id: impl Into<String>,

@@ -1,8 +1,12 @@
 //! Statements in LaTeX.
 
+mod call;
+
+use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Notation;
 
 use super::{Formula, Item, Relation, Statement, parse};
+use call::{FUNCTIONS, OPEN_ENDED, call};
 
 /// How tightly an expression binds, for parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -18,7 +22,7 @@ enum Level {
 pub struct LatexItem {
     /// The left-hand side: what is defined, or one side of a relation.
     pub left: String,
-    /// `:=`, `=`, `\neq` or `\approx`.
+    /// `\coloneqq`, `=`, `\neq` or `\approx`.
     pub sign: &'static str,
     /// The right-hand side.
     pub right: String,
@@ -47,32 +51,57 @@ fn item(item: &Item) -> LatexItem {
             } else {
                 write(&Formula::Call(definition.name.clone(), parameters)).0
             };
-            LatexItem { left, sign: ":=", right: write(&definition.body).0 }
+            LatexItem { left, sign: "\\coloneqq", right: write(&definition.body).0 }
         }
-        Item::Relation { left, relation, right, .. } => {
+        Item::Relation { left, relation, right, digit } => {
+            let decimals = digit.as_ref().filter(|_| *relation == Relation::Approximate);
+            let number = decimals.zip(right.as_number()).and_then(|(digit, value)| decimal(&value, digit));
             let sign = match relation {
                 Relation::Equal => "=",
                 Relation::Different => "\\neq",
                 Relation::Approximate => "\\approx",
             };
-            LatexItem { left: write(left).0, sign, right: write(right).0 }
+            LatexItem { left: write(left).0, sign, right: number.unwrap_or_else(|| write(right).0) }
         }
     }
 }
 
-/// A name; `H_eps` is H(ε), `H_hat` Ĥ, `P12` has indices.
+/// A number in decimals, as it was written: `digit` is the unit of its last place.
+fn decimal(value: &Rational, digit: &Rational) -> Option<String> {
+    let places = digit.denominator().to_string().len() - 1;
+    let units = value.checked_div(digit).filter(|_| places > 0)?;
+    let size = format!("{:0>width$}", units.numerator().magnitude().to_string(), width = places + 1);
+    let (whole, fraction) = size.split_at(size.len() - places);
+    Some(format!("{}{whole}.{fraction}", if units.is_negative() { "-" } else { "" }))
+}
+
+/// A name; `H_eps` is H(ε), `H_hat` Ĥ, `P12` has indices, `detA` is det A, a word stands upright.
 fn name(text: &str) -> String {
     let written = |stem| Notation::Latex.name(stem);
-    match (text.strip_suffix("_eps"), text.strip_suffix("_hat")) {
-        (Some(stem), _) => format!("{}(\\varepsilon)", written(stem)),
-        (_, Some(stem)) => format!("\\widehat{{{}}}", written(stem)),
-        _ => written(text),
+    match (text.strip_suffix("_eps"), text.strip_suffix("_hat"), text.strip_prefix("det")) {
+        (Some(stem), ..) => format!("{}(\\varepsilon)", written(stem)),
+        (_, Some(stem), _) => format!("\\widehat{{{}}}", written(stem)),
+        (.., Some(matrix @ ("A" | "J"))) => format!("\\det {matrix}"),
+        _ => match text.split_once('_') {
+            // What is said of one system: `C1_e7`.
+            Some((stem, system)) if stem.ends_with(|c: char| c.is_ascii_digit()) => {
+                format!("{{{}}}^{{\\text{{{system}}}}}", name(stem))
+            }
+            Some((stem, index)) => format!("{}_{{{}}}", name(stem), name(index)),
+            None => written(text).replace("\\mathit{", "\\text{"),
+        },
     }
+}
+
+/// In parentheses, as high as what is inside.
+fn enclosed(text: &str) -> String {
+    let is_high = ["\\frac", "\\sum", "\\left"].iter().any(|high| text.contains(high));
+    if is_high { format!("\\left({text}\\right)") } else { format!("({text})") }
 }
 
 fn at_least(formula: &Formula, level: Level) -> String {
     let (text, own) = write(formula);
-    if own >= level { text } else { format!("\\left({text}\\right)") }
+    if own >= level { text } else { enclosed(&text) }
 }
 
 fn write(formula: &Formula) -> (String, Level) {
@@ -101,11 +130,15 @@ fn write(formula: &Formula) -> (String, Level) {
         Formula::Product(factors) if factors.iter().any(|(divides, _)| *divides) => {
             let negative = matches!(factors.first(), Some((false, Formula::Negation(_))));
             let side = |wanted: bool| {
-                let chosen: Vec<&Formula> = factors
+                let mut chosen: Vec<&Formula> = factors
                     .iter()
                     .filter(|(divides, _)| *divides == wanted)
                     .map(|(_, factor)| factor)
                     .collect();
+                // 1/2*a is a/2.
+                if chosen.len() > 1 {
+                    chosen.retain(|factor| !factor.is_number(1));
+                }
                 let level = if chosen.len() > 1 { Level::Product } else { Level::Sum };
                 let written = chosen.iter().enumerate().map(|(index, factor)| match factor {
                     Formula::Negation(inner) if index == 0 && !wanted => at_least(inner, level),
@@ -132,6 +165,10 @@ fn write(formula: &Formula) -> (String, Level) {
             Formula::Call(function, arguments) if FUNCTIONS.contains(&function.as_str()) => {
                 (call(function, arguments, &format!("^{{{}}}", write(exponent).0)), Level::Power)
             }
+            // N(n)² needs no parentheses, nor has x̃² any.
+            Formula::Call(function, arguments) if !OPEN_ENDED.contains(&function.as_str()) => {
+                (format!("{{{}}}^{{{}}}", call(function, arguments, ""), write(exponent).0), Level::Power)
+            }
             _ => (format!("{}^{{{}}}", at_least(base, Level::Atom), write(exponent).0), Level::Power),
         },
         Formula::Call(function, arguments) => (call(function, arguments, ""), Level::Power),
@@ -144,10 +181,13 @@ fn joined(factors: Vec<String>) -> String {
     for factor in factors {
         let digit = factor.starts_with(|c: char| c.is_ascii_digit()) || factor.starts_with("\\frac");
         if !text.is_empty() {
-            text.push_str(if digit && text.ends_with(|c: char| c.is_ascii_digit() || c == '}') {
-                " \\cdot "
-            } else {
-                " "
+            let two_numbers = digit && text.ends_with(|c: char| c.is_ascii_digit() || c == '}');
+            let word = ["\\text", "{\\operatorname"].iter().any(|start| factor.starts_with(start));
+            text.push_str(match (two_numbers, word) {
+                (true, _) => " \\cdot ",
+                // A word keeps its distance.
+                (false, true) => " \\, ",
+                (false, false) => " ",
             });
         }
         text.push_str(&factor);
@@ -155,67 +195,43 @@ fn joined(factors: Vec<String>) -> String {
     text
 }
 
-const FUNCTIONS: [&str; 14] =
-    ["exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "coth", "sech", "sn", "cn", "dn", "atanh"];
+#[cfg(test)]
+mod tests {
+    use super::latex_of;
 
-fn call(function: &str, arguments: &[Formula], power: &str) -> String {
-    let written: Vec<String> = arguments.iter().map(|argument| write(argument).0).collect();
-    let list = written.join(", ");
-    match (function, arguments) {
-        ("next", [inner]) => over("\\widetilde", inner),
-        ("back", [inner]) => format!("\\left.{}\\right|_{{\\text{{previous point}}}}", write(inner).0),
-        ("next", [system, inner]) => {
-            format!("\\left.{}\\right|_{{\\text{{map }}{}}}", over("\\widetilde", inner), write(system).0)
-        }
-        ("d", [inner, Formula::Name(variable)]) => {
-            format!("\\frac{{\\partial {}}}{{\\partial {}}}", at_least(inner, Level::Product), name(variable))
-        }
-        ("on", [inner, ..]) => format!("\\left.{}\\right|_{{({})}}", write(inner).0, written[1..].join(", ")),
-        ("at", [inner, rest @ ..]) => {
-            let replaced: Vec<String> = rest
-                .chunks(2)
-                .map(|pair| pair.iter().map(|part| write(part).0).collect::<Vec<_>>().join(" = "))
-                .collect();
-            format!("\\left.{}\\right|_{{{}}}", write(inner).0, replaced.join(",\\; "))
-        }
-        ("sum", [index, from, to, term]) => format!(
-            "\\sum_{{{} = {}}}^{{{}}} {}",
-            write(index).0,
-            write(from).0,
-            write(to).0,
-            at_least(term, Level::Product)
-        ),
-        ("f" | "A" | "b" | "J", [indices @ .., _]) => {
-            let system = indices.iter().take(1).any(|first| matches!(first, Formula::Name(_)));
-            let (label, indices) = if system {
-                (format!("^{{({})}}", written[0]), &written[1..])
-            } else {
-                (String::new(), &written[..])
-            };
-            format!("{function}{label}_{{{}}}", indices.join(""))
-        }
-        ("sqrt", _) => format!("\\sqrt{{{list}}}{power}"),
-        ("abs", _) => format!("\\left|{list}\\right|{power}"),
-        ("gamma", _) => format!("\\Gamma{power}\\left({list}\\right)"),
-        ("digamma", _) => format!("\\psi{power}\\left({list}\\right)"),
-        ("theta1" | "theta2" | "theta3" | "theta4", _) => {
-            format!("\\vartheta_{{{}}}{power}\\left({list}\\right)", &function[5..])
-        }
-        ("exp", _) => format!("e^{{{list}}}"),
-        ("sn" | "cn" | "dn", [argument, _]) => {
-            format!("\\operatorname{{{function}}}{power}\\left({}\\right)", write(argument).0)
-        }
-        (_, _) if FUNCTIONS.contains(&function) => match arguments {
-            [Formula::Name(_) | Formula::Number(_)] => format!("\\operatorname{{{function}}}{power} {list}"),
-            _ => format!("\\operatorname{{{function}}}{power}\\left({list}\\right)"),
-        },
-        _ => format!("{}{power}\\left({list}\\right)", name(function)),
+    fn latex(text: &str) -> String {
+        let item = latex_of(text).expect("a statement").remove(0);
+        format!("{} {} {}", item.left, item.sign, item.right)
     }
-}
 
-fn over(accent: &str, inner: &Formula) -> String {
-    match inner {
-        Formula::Name(_) => format!("{accent}{{{}}}", write(inner).0),
-        _ => format!("{accent}{{\\left({}\\right)}}", write(inner).0),
+    #[test]
+    fn numbers_stand_as_they_are_written() {
+        assert_eq!(latex("h ~ 9.990"), "h \\approx 9.990");
+        assert_eq!(latex("h ~ -0.05"), "h \\approx -0.05");
+        assert_eq!(latex("h ~ 12"), "h \\approx 12");
+        assert_eq!(latex("h = 1.5"), "h = \\frac{3}{2}");
+    }
+
+    #[test]
+    fn a_factor_of_one_is_left_out() {
+        assert_eq!(latex("K := 1/2*(x + y)"), "K \\coloneqq \\frac{x + y}{2}");
+        assert_eq!(latex("c := 1/x"), "c \\coloneqq \\frac{1}{x}");
+    }
+
+    #[test]
+    fn parentheses_are_as_high_as_they_must_be() {
+        assert_eq!(latex("y*(x + y) = N(n)^2"), "y (x + y) = {N(n)}^{2}");
+        assert_eq!(latex("y*(1 + 1/x) = 0"), "y \\left(1 + \\frac{1}{x}\\right) = 0");
+        assert_eq!(latex("2*tanh(delta)^2 = 0"), "2 \\, {\\operatorname{tanh}}^{2}\\, \\delta = 0");
+    }
+
+    #[test]
+    fn names_are_set_by_their_kind() {
+        assert_eq!(latex("H_eps = H_hat"), "H(\\varepsilon) = \\widehat{H}");
+        assert_eq!(latex("detA = slope(x, 1)"), "\\det A = \\text{slope}(x, 1)");
+        assert_eq!(latex("sn_delta = C1_e7"), "\\text{sn}_{\\delta} = {C_{1}}^{\\text{e7}}");
+        assert_eq!(latex("dot(x - y) = 0"), "\\frac{d}{dt}(x - y) = 0");
+        assert_eq!(latex("dot(H) = next(x + y)"), "\\dot{H} = \\widetilde{(x + y)}");
+        assert_eq!(latex("at(x, eps, 0) = 0"), "\\left.x\\right|_{\\varepsilon \\to 0} = 0");
     }
 }

@@ -1,0 +1,113 @@
+//! The page as a whole: head, table of contents, sections in order, colophon.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::found::Found;
+use super::{errata, figures, solutions, structures, systems, verification};
+
+/// When the page is made, for its foot.
+#[derive(Clone, Debug)]
+pub struct Making {
+    /// The day: `2026-01-31`.
+    pub date: String,
+    /// How long it took so far, in seconds.
+    pub seconds: f64,
+}
+
+const TITLE: &str = "An atlas of Kahan’s maps";
+/// No style sheet, font or script is fetched, and the browser is told to refuse any.
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'";
+
+/// The page: one HTML document with everything in it. Costs a second; nothing is computed but what it draws in double
+/// precision.
+#[must_use]
+pub fn page(found: &Found<'_>, making: &Making) -> String {
+    let document = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                title { (TITLE) }
+                style { (PreEscaped(include_str!("style.css"))) }
+            }
+            body {
+                a.skip href="#systems" { "Skip to the systems" }
+                header {
+                    h1 { (TITLE) }
+                    (introduction(found))
+                }
+                (table_of_contents(found))
+                main {
+                    (systems::section())
+                    (structures::section(found))
+                    (solutions::section(found))
+                    (figures::section(found))
+                    (verification::section(found))
+                    (errata::section(found))
+                    (errata::open())
+                }
+                (colophon(making))
+            }
+        }
+    };
+    document.into_string()
+}
+
+fn introduction(found: &Found<'_>) -> Markup {
+    html! {
+        p.lead {
+            "Kahan’s method turns a quadratic differential equation into a rational map that can be run forwards and backwards, "
+            "and the maps of Hone and Petrera’s paper “Three-dimensional discrete systems of Hirota–Kimura type and deformed "
+            "Lie–Poisson algebras” keep much of what makes their flows solvable. This page shows the paper’s systems, tables, "
+            "solutions and figures, and the " (found.claims.len()) " claims by which every formula was checked. All of it was "
+            "computed when the page was written: "
+            @if found.failed() == 0 { "no claim failed." } @else { b { (found.failed()) " of the claims failed." } }
+        }
+        (verification::counts(found))
+    }
+}
+
+fn table_of_contents(found: &Found<'_>) -> Markup {
+    let tables = [("table1", "Table 1"), ("table2", "Table 2"), ("table3", "Table 3"), ("table4", "Table 4")];
+    html! {
+        nav aria-label="Contents" {
+            h2 { "Contents" }
+            ol {
+                li { a href="#systems" { "The systems" } }
+                li {
+                    a href="#tables" { "Tables 1 to 4" }
+                    ul { @for (id, title) in tables { li { a href=(format!("#{id}")) { (title) } } } }
+                }
+                li {
+                    a href="#solutions" { "Solutions" }
+                    ul { li { a href="#table5" { "Table 5" } } li { a href="#theorem3" { "Theorem 3" } } }
+                }
+                li {
+                    a href="#figures" { "Figures" }
+                    ul.long { @for (id, title) in figures::titles(found) { li { a href=(format!("#{id}")) { (title) } } } }
+                }
+                li { a href="#verification" { "Verification" } }
+                li {
+                    a href="#errata" { "Errata" }
+                    ul { li { a href="#errata-formulas" { "Formulas" } } li { a href="#errata-statements" { "Statements" } } }
+                }
+                li { a href="#open" { "What is left open" } }
+            }
+        }
+    }
+}
+
+fn colophon(making: &Making) -> Markup {
+    html! {
+        footer {
+            p {
+                "Written by kahan " (env!("CARGO_PKG_VERSION")) " on " time datetime=(making.date) { (making.date) } " in "
+                (format!("{:.1}", making.seconds)) " seconds. To write it again: " code { "kahan atlas --out DIR" }
+                ", or in the source tree " code { "cargo run --release -- atlas --out DIR" } "."
+            }
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! The figures: the paper's, one by one, and two more, drawn from orbits that were computed for this page.
+
+mod curve;
+mod heights;
+mod orbit;
+mod portrait;
+
+use maud::{Markup, html};
+
+use super::found::Found;
+use super::readable::readable;
+use super::words::{badge, link};
+
+/// One figure.
+pub(super) struct Plate {
+    /// Its anchor: `figure-de3`.
+    pub(super) id: &'static str,
+    pub(super) title: &'static str,
+    /// One or more drawings, side by side where there is room.
+    pub(super) drawings: Vec<Markup>,
+    /// System, ε, initial point, iterates.
+    pub(super) data: Markup,
+    /// What is seen and what was measured.
+    pub(super) result: Markup,
+    /// The claims about it: what their identifiers begin with.
+    pub(super) claims: &'static [&'static str],
+}
+
+/// The figures that can be drawn from the orbits at hand.
+fn plates(found: &Found<'_>) -> Vec<Plate> {
+    let orbits = &found.orbits;
+    let drawn = [
+        heights::overview(orbits),
+        heights::lotka_volterra(orbits),
+        heights::de3(orbits),
+        heights::de4(orbits),
+        heights::de7(orbits),
+        heights::de9(orbits),
+        curve::plate(),
+        Some(portrait::plate()),
+    ];
+    drawn.into_iter().flatten().collect()
+}
+
+/// The anchors and titles, for the table of contents.
+pub(super) fn titles(found: &Found<'_>) -> Vec<(&'static str, &'static str)> {
+    plates(found).iter().map(|plate| (plate.id, plate.title)).collect()
+}
+
+/// The section.
+pub(super) fn section(found: &Found<'_>) -> Markup {
+    html! {
+        section #figures {
+            h2 { "Figures" }
+            p {
+                "The logarithmic height of a fraction in lowest terms is " i { "h" } "(" i { "p" } "/" i { "q" }
+                ") = log max(|" i { "p" } "|, |" i { "q" } "|): about 2.3 times the number of its digits. Where a map "
+                "is integrable, heights grow like a power of the number " i { "n" } " of steps at most; where it is not, "
+                "they are multiplied by a constant in every step. All logarithms are natural, all steps 2ε long, and all "
+                "orbits exact where the caption does not say otherwise."
+            }
+            @for (index, plate) in plates(found).iter().enumerate() { (figure(found, index + 1, plate)) }
+            (heights::summary(&found.orbits))
+        }
+    }
+}
+
+fn figure(found: &Found<'_>, number: usize, plate: &Plate) -> Markup {
+    let claims = plate.claims.iter().flat_map(|prefix| found.claims_of(prefix));
+    let claims: Vec<_> = claims.collect();
+    html! {
+        figure.single[plate.drawings.len() == 1] id=(plate.id) {
+            h3 { "Figure " (number) ". " (plate.title) }
+            div.drawings { @for drawing in &plate.drawings { (drawing) } }
+            figcaption {
+                p.data { (plate.data) }
+                p { (plate.result) }
+                @if !claims.is_empty() {
+                    details {
+                        summary { (claims.len()) " claims about this figure" }
+                        ul.claims {
+                            @for checked in claims {
+                                li {
+                                    (link(checked)) " " (readable(&checked.claim.source)) " "
+                                    (badge(checked.established.outcome))
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Formulas: LaTeX to MathML, which browsers set without a script.
+
+use maud::{Markup, PreEscaped, html};
+use pulldown_latex::config::{DisplayMode, RenderConfig};
+use pulldown_latex::{Event, Parser, ParserError, Storage, push_mathml};
+
+/// A formula in running text.
+pub(super) fn inline(latex: &str) -> Markup {
+    mathml(latex, DisplayMode::Inline)
+}
+
+/// A formula in a line of its own, which scrolls in its box where it is too wide.
+pub(super) fn display(latex: &str) -> Markup {
+    html! { div.formula tabindex="0" { (mathml(latex, DisplayMode::Block)) } }
+}
+
+/// A formula in a cell of a table: in display style, without a box.
+pub(super) fn cell(latex: &str) -> Markup {
+    inline(&format!("\\displaystyle {latex}"))
+}
+
+/// Several formulas, a line each.
+pub(super) fn displays(formulas: &[String]) -> Markup {
+    html! { @for formula in formulas { (display(formula)) } }
+}
+
+/// What cannot be set is shown as it is written, and marked: the tests look for the mark.
+fn mathml(latex: &str, display_mode: DisplayMode) -> Markup {
+    let storage = Storage::new();
+    let events: Result<Vec<Event<'_>>, _> = Parser::new(latex, &storage).collect();
+    let mut text = String::new();
+    let set = events.map(|events| {
+        let events = events.into_iter().map(Ok::<_, Box<ParserError>>);
+        push_mathml(&mut text, events, RenderConfig { display_mode, ..RenderConfig::default() })
+    });
+    match set {
+        // The micro sign, which is set for \\mu, is no Greek letter and would not become italic.
+        Ok(Ok(())) => PreEscaped(text.replace('\u{b5}', "μ")),
+        _ => html! { code.unset { (latex) } },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{display, inline};
+
+    #[test]
+    fn formulas_of_every_kind_are_set() {
+        for latex in [
+            "\\widetilde{x} = \\frac{x}{1 + \\varepsilon^{2} y}",
+            "\\left.\\widetilde{\\left(x + y\\right)}\\right|_{(a, b, c)} \\neq \\operatorname{sn}^{2}\\left(u\\right)",
+            "\\begin{pmatrix} 1 & 0 \\\\ -\\varepsilon & \\vartheta_{4} \\end{pmatrix}",
+            "\\sum_{j = 0}^{n - 1} \\Gamma\\left(\\frac{1}{2}\\right) \\mathit{slope} < 1",
+        ] {
+            let set = inline(latex).into_string();
+            assert!(set.starts_with("<math") && !set.contains("unset") && !set.contains("merror"), "{set}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_set_is_shown_and_marked() {
+        let set = display("\\frac{<}{").into_string();
+        assert!(set.contains("class=\"unset\"") && set.contains("&lt;"), "{set}");
+    }
+}

@@ -1,0 +1,24 @@
+//! The atlas: the paper as one page, drawn and written from what was established while it was made.
+//!
+//! [`Found::compute`] establishes every claim and follows every orbit; [`page`] writes one self-contained HTML document
+//! from that. No number is stored here: figures come from the measured orbits, tables from the text that the claims check,
+//! outcomes from the claims. The page needs no network and no script; formulas are MathML, drawings are SVG.
+//!
+//! `math` (LaTeX to MathML) and `plot` (points to SVG) know nothing of the paper; `figures` and the other modules are one
+//! section of the page each.
+
+mod contents;
+mod errata;
+mod figures;
+mod found;
+mod math;
+mod plot;
+mod readable;
+mod solutions;
+mod structures;
+mod systems;
+mod verification;
+mod words;
+
+pub use contents::{Making, page};
+pub use found::{Checked, Found, Orbits};

@@ -1,0 +1,131 @@
+//! The registry's plain text for readers: places in the paper, details of what was found.
+
+const GREEK: [(&str, char); 13] = [
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("gamma", 'γ'),
+    ("delta", 'δ'),
+    ("eps", 'ε'),
+    ("kappa", 'κ'),
+    ("lambda", 'λ'),
+    ("mu", 'μ'),
+    ("phi", 'φ'),
+    ("psi", 'ψ'),
+    ("tau", 'τ'),
+    ("xi", 'ξ'),
+    ("zeta", 'ζ'),
+];
+const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
+const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+
+/// The text with letters, indices, powers and signs: `eps` is ε, `alpha1` is α₁, `x~` is x̃, `2^-100` is 2⁻¹⁰⁰, `K_9` is K₉,
+/// `1e-70` is 10⁻⁷⁰, `2.500000` is 2.5.
+pub(super) fn readable(text: &str) -> String {
+    let mut readable = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let length = rest.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(rest.len());
+        let taken = match first {
+            '^' => raised(&rest[1..]).map(|(power, taken)| (power, taken + 1)),
+            '_' => lowered(&rest[1..]).map(|(index, taken)| (index, taken + 1)),
+            '-' => sign(readable.chars().next_back(), &rest[1..]).map(|sign| (sign.to_owned(), 1)),
+            '~' => Some(("\u{303}".to_owned(), 1)),
+            _ if length == 0 => None,
+            _ => number(rest).or_else(|| Some((word(&rest[..length]), length))),
+        };
+        let (written, taken) = taken.unwrap_or_else(|| (first.to_string(), first.len_utf8()));
+        readable.push_str(&written);
+        rest = &rest[taken..];
+    }
+    readable.replace("->", "→")
+}
+
+/// The digits at the beginning of a text.
+fn digits(text: &str) -> &str {
+    &text[..text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len())]
+}
+
+fn in_type(digits: &str, type_face: [char; 10]) -> String {
+    digits.chars().filter_map(|c| c.to_digit(10)).map(|digit| type_face[digit as usize]).collect()
+}
+
+/// A power after `^`: digits, perhaps with a sign.
+fn raised(text: &str) -> Option<(String, usize)> {
+    let (sign, after) = text.strip_prefix('-').map_or(("", text), |after| ("⁻", after));
+    let power = digits(after);
+    (!power.is_empty())
+        .then(|| (format!("{sign}{}", in_type(power, SUPERSCRIPTS)), text.len() - after.len() + power.len()))
+}
+
+/// An index after `_`: digits, or n.
+fn lowered(text: &str) -> Option<(String, usize)> {
+    let index = digits(text);
+    match index.len() {
+        0 => (text.starts_with('n') && !text[1..].starts_with(char::is_alphanumeric))
+            .then(|| ("ₙ".to_owned(), 1)),
+        length => Some((in_type(index, SUBSCRIPTS), length)),
+    }
+}
+
+/// A hyphen that is a sign: it opens a word, or stands alone.
+fn sign(before: Option<char>, after: &str) -> Option<&'static str> {
+    let opens = before.is_none_or(|c| matches!(c, ' ' | '(' | ',' | '='));
+    let alone = before == Some(' ') && after.starts_with(' ');
+    (alone || opens && after.starts_with(char::is_alphanumeric)).then_some("−")
+}
+
+/// A power of ten, or a decimal fraction without the zeros at its end.
+fn number(text: &str) -> Option<(String, usize)> {
+    if let Some(after) = text.strip_prefix("1e-") {
+        let exponent = digits(after);
+        return (!exponent.is_empty())
+            .then(|| (format!("10⁻{}", in_type(exponent, SUPERSCRIPTS)), 3 + exponent.len()));
+    }
+    let whole = digits(text);
+    let decimals = digits(text[whole.len()..].strip_prefix('.')?);
+    // A section's number has one digit after the point, and keeps it.
+    if whole.is_empty() || decimals.len() < 2 {
+        return None;
+    }
+    let kept = decimals.trim_end_matches('0');
+    let point = if kept.is_empty() { "" } else { "." };
+    Some((format!("{whole}{point}{kept}"), whole.len() + 1 + decimals.len()))
+}
+
+/// One word: a Greek name with digits as an index, or the coefficient of an Euler top.
+fn word(word: &str) -> String {
+    let stem = word.trim_end_matches(|c: char| c.is_ascii_digit());
+    let letter = match stem {
+        "a" => 'a',
+        _ => match GREEK.iter().find(|(name, _)| *name == stem) {
+            Some((_, letter)) => *letter,
+            // E1 and (e1) have no indices.
+            None => return word.to_owned(),
+        },
+    };
+    format!("{letter}{}", in_type(&word[stem.len()..], SUBSCRIPTS))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::readable;
+
+    #[test]
+    fn names_become_letters_and_other_words_stay() {
+        assert_eq!(readable("Table 4, i = 3, at eps = 0"), "Table 4, i = 3, at ε = 0");
+        assert_eq!(readable("alpha1 a12 epsilon x~ maxi e1 theta"), "α₁ a₁₂ epsilon x\u{303} maxi e1 theta");
+        assert_eq!(readable("Poincaré’s (tau,xi)"), "Poincaré’s (τ,ξ)");
+        assert_eq!(readable("K_9, x_n, H_eps, x_no, (x,y) -> (y,x)"), "K₉, xₙ, H_ε, x_no, (x,y) → (y,x)");
+    }
+
+    #[test]
+    fn signs_powers_and_decimals_are_set() {
+        assert_eq!(readable("Lenard-Magri at xi = -1, 1 - P, n-2"), "Lenard-Magri at ξ = −1, 1 − P, n-2");
+        assert_eq!(readable("u = s^2, error < 2^-100, x^n"), "u = s², error < 2⁻¹⁰⁰, x^n");
+        assert_eq!(
+            readable("numerical to 1e-70, 2.5000000, 1.000, 0.6066"),
+            "numerical to 10⁻⁷⁰, 2.5, 1, 0.6066"
+        );
+        assert_eq!(readable("Section 6.3, 10 points, 1/200"), "Section 6.3, 10 points, 1/200");
+    }
+}

@@ -1,0 +1,86 @@
+//! The systems: field, A(x,ε) and map of each, as the library derives them from the blocks of the catalog.
+
+use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::lexer::lex;
+use kahan_algebra::render::{Formulas, Notation};
+use kahan_algebra::system::System;
+use maud::{Markup, html};
+
+use super::math::{display, displays, inline};
+use super::readable::readable;
+use crate::entry::Entry;
+use crate::registry::SYSTEMS;
+
+/// The system of an entry.
+pub(super) fn read(entry: &Entry) -> System {
+    kahan_algebra::read(&lex(entry.text()).tokens).system
+}
+
+/// The section.
+pub(super) fn section() -> Markup {
+    html! {
+        section #systems {
+            h2 { "The systems" }
+            p {
+                "A quadratic field " (inline("\\dot{x} = f(x)")) " has Kahan’s map "
+                (inline("\\widetilde{x} = x + 2\\varepsilon A(x,\\varepsilon)^{-1} f(x)")) " with "
+                (inline("A(x,\\varepsilon) = I - \\varepsilon f'(x)")) ". The time step is " (inline("2\\varepsilon"))
+                ", and the inverse map has " (inline("-\\varepsilon")) " in place of " (inline("\\varepsilon"))
+                ". Open a system for its formulas; the maps are in lowest terms."
+            }
+            @for entry in &SYSTEMS { (sheet(entry)) }
+        }
+    }
+}
+
+/// The name as people write it.
+fn name(entry: &Entry) -> &'static str {
+    match entry.command {
+        "euler" => "Euler top",
+        "lv" => "Lotka–Volterra",
+        _ => entry.type_name,
+    }
+}
+
+fn sheet(entry: &Entry) -> Markup {
+    let system = read(entry);
+    let map = RationalMap::of(&system.field);
+    let formulas = Formulas { field: &system.field, map: map.as_ref(), notation: Notation::Latex };
+    let states: Vec<String> =
+        system.field.symbols.states.iter().map(|state| Notation::Latex.name(state)).collect();
+    let equations = |accent: &str, values: &[String]| -> Vec<String> {
+        states.iter().zip(values).map(|(state, value)| format!("\\{accent}{{{state}}} = {value}")).collect()
+    };
+    let field = formulas.field();
+    html! {
+        details.system id=(format!("system-{}", entry.command)) {
+            summary { h3 { (name(entry)) } " " span { (readable(entry.title)) } }
+            h4 { "Field" }
+            (displays(&equations("dot", &field)))
+            h4 { "Matrix" }
+            (display(&format!("A(x,\\varepsilon) = {}", matrix(&formulas.matrix()))))
+            @if system.field.components.iter().any(|component| component.numerator.terms().any(|(monomial, _)| monomial.degree() < 2)) {
+                (display(&format!("b(x,\\varepsilon) = {}", matrix(&column(formulas.rhs())))))
+            }
+            @if let Some(determinant) = formulas.determinant() {
+                (display(&format!("\\det A(x,\\varepsilon) = {determinant}")))
+            }
+            @if let Some(factor) = formulas.removed_factor() {
+                p { "The map has no pole where " (inline(&format!("{factor} = 0"))) ", a factor that cancels." }
+            }
+            @if let Some(map) = formulas.map() {
+                h4 { "Map" }
+                (displays(&equations("widetilde", &map)))
+            }
+        }
+    }
+}
+
+fn column(entries: Vec<String>) -> Vec<Vec<String>> {
+    entries.into_iter().map(|entry| vec![entry]).collect()
+}
+
+fn matrix(rows: &[Vec<String>]) -> String {
+    let rows: Vec<String> = rows.iter().map(|row| row.join(" & ")).collect();
+    format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", rows.join(" \\\\ "))
+}
