@@ -1,4 +1,4 @@
-//! Logarithms of big integers and of quotients of them, good to the last digits of a double.
+//! Logarithms of big integers, good to the last digits of a double.
 //!
 //! log m = b·log 2 + log(m/2ᵇ) with b the number of bits, m/2ᵇ from the top 128 of them. For m < 2⁵³ the logarithm of the
 //! double itself is taken, so log 1 = 0. All parts have one sign, so nothing cancels.
@@ -30,27 +30,14 @@ pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
     bits * LN_2_HIGH + (bits * LN_2_LOW + fraction.ln())
 }
 
-/// log(m/d) for d that divides m.
-pub(crate) fn logarithm_of_quotient(m: &UBig, d: &UBig) -> f64 {
-    if d.is_one() {
-        return natural_logarithm(m);
-    }
-    // The difference of logarithms loses nothing that counts where the quotient is long, and the division costs.
-    if m.bit_len() > 4096 && m.bit_len() > 8 * d.bit_len() {
-        natural_logarithm(m) - natural_logarithm(d)
-    } else {
-        natural_logarithm(&(m / d))
-    }
-}
-
-/// The number of decimal digits of m/d for d that divides m > 0.
-pub(crate) fn decimal_digits(m: &UBig, d: &UBig) -> u64 {
-    let digits = logarithm_of_quotient(m, d) / LN_10;
+/// The number of decimal digits of m > 0, from its logarithm.
+pub(crate) fn decimal_digits(m: &UBig, logarithm: f64) -> u64 {
+    let digits = logarithm / LN_10;
     // A logarithm this near to an integer could be on either side of it: then the power of ten decides.
     let nearest = digits.round();
     if (digits - nearest).abs() > 1e-9 * nearest.max(1.0) {
         return digits.floor() as u64 + 1;
     }
     let power = UBig::from(10_u8).pow(nearest as usize);
-    nearest as u64 + u64::from(*m >= power * d)
+    nearest as u64 + u64::from(*m >= power)
 }

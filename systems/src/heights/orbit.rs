@@ -2,14 +2,14 @@
 
 use std::time::{Duration, Instant};
 
-use dashu_int::ops::{Gcd, UnsignedAbs};
+use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 
 use super::content::{Content, Primitive, longest};
 use super::integers::{denominator, numerator};
-use super::logarithm::{decimal_digits, logarithm_of_quotient};
+use super::logarithm::{decimal_digits, natural_logarithm};
 use super::map::{ProjectiveMap, UndefinedField};
 use super::reduction::common_factors;
 
@@ -163,7 +163,7 @@ impl HeightsOrbit {
         let begun = Instant::now();
         let Some(step) = self.step else {
             let (weight, x) = self.point.split_last().ok_or(Stop::Pole)?;
-            self.factors = common_factors(x, &weight.unsigned_abs(), &[]);
+            self.factors = common_factors(x, &weight.unsigned_abs(), &[], &[]);
             let heights = heights(0, &self.map, &self.point, &self.factors);
             return if self.is_too_long(&heights) { Err(Stop::Digits) } else { Ok(heights) };
         };
@@ -176,8 +176,8 @@ impl HeightsOrbit {
         let size = longest(&image.point);
         let Primitive { mut point, weight_parts } = self.content.divide_out(image, self.before.as_deref());
         let (weight, x) = point.split_last().ok_or(Stop::Pole)?;
-        let mut factors = common_factors(x, &weight.unsigned_abs(), &weight_parts);
-        let rest = factors.iter().cloned().reduce(Gcd::gcd).unwrap_or(UBig::ONE);
+        let mut factors = common_factors(x, &weight.unsigned_abs(), &weight_parts, &self.factors);
+        let rest = common_of(&factors);
         self.content.left(&rest, size);
         if rest > UBig::ONE {
             point.iter_mut().for_each(|x| *x /= &rest);
@@ -243,22 +243,27 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     let weight = point.last().map(UnsignedAbs::unsigned_abs).unwrap_or_default();
     let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));
     let logarithm = |(x, factor): (&IBig, &UBig)| {
-        let x = x.unsigned_abs();
+        let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);
         // With X/W in lowest terms, σX/W with σ = s/t still shares gcd(s, W)·gcd(t, X).
-        let lost = shared_after(&above, &weight, factor) * shared_after(&below, &x, factor);
-        let larger = (&above * x).max(&below * &weight);
-        let common = factor * lost;
-        (logarithm_of_quotient(&larger, &common), decimal_digits(&larger, &common))
+        let lost = shared(&above, &weight) * shared(&below, &x);
+        let larger = (&above * x).max(&below * weight) / lost;
+        let logarithm = natural_logarithm(&larger);
+        (logarithm, decimal_digits(&larger, logarithm))
     };
     let (logarithms, digits) = point.iter().zip(factors).map(logarithm).unzip();
     Heights { step, logarithms, digits }
 }
 
-/// gcd(number, long/factor) for a short number.
-fn shared_after(number: &UBig, long: &UBig, factor: &UBig) -> UBig {
-    if number.is_one() {
-        return UBig::ONE;
-    }
-    let rest = (long / factor) % number;
-    number.gcd(rest)
+/// The common divisor of the gcd(Xᵢ, W), the shortest first.
+fn common_of(factors: &[UBig]) -> UBig {
+    let mut factors: Vec<&UBig> = factors.iter().collect();
+    factors.sort_by_key(|factor| factor.bit_len());
+    let mut factors = factors.into_iter();
+    let shortest = factors.next().cloned().unwrap_or(UBig::ONE);
+    factors.fold(shortest, |common, factor| shared(&common, factor))
+}
+
+/// gcd(number, long) for a number ≠ 0 that is the shorter one.
+fn shared(number: &UBig, long: &UBig) -> UBig {
+    if number.is_one() { UBig::ONE } else { number.gcd(long % number) }
 }

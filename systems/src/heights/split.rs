@@ -3,13 +3,17 @@
 //! Where a component is a short fraction beside long ones (x of dE7 has four digits, z ten thousand), its Xᵢ and W are a long common
 //! factor g times short numbers: Xᵢ = g aᵢ, W = g b. A form N of degree d is then Σ gʲ Nⱼ(a, b, the other coordinates), Nⱼ the part of
 //! degree j in the short ones: a few long products are left of it, and the least j of all forms is divided out for nothing.
+//!
+//! After that every part is a multiple of g but those of degree 0, so what these share with g is content too. For dE7 they are
+//! multiples of y², whose denominator squared is nearly all of W: but for a few digits g is content, and the gcd that finds it is
+//! quick, because Euclid's algorithm ends after as many steps as the quotients by the gcd have digits.
 
-use dashu_int::ops::{BitTest, Gcd};
+use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use kahan_algebra::plan::Plan;
 use kahan_algebra::poly::Polynomial;
 
-use super::integers::{Integers, bits};
+use super::integers::{Integers, bits, short_gcd};
 use super::map::plan;
 
 /// Below this many bits of W a split gains nothing.
@@ -84,16 +88,25 @@ impl Split {
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
         let values = self.plan.evaluate(&Integers, |variable| scaled[usize::from(variable.0)].clone());
-        let mut values = values.into_iter().map(Option::unwrap_or_default);
-        let highest = self.degrees.iter().flatten().copied().max().unwrap_or(0);
-        let mut powers = vec![UBig::ONE];
-        for exponent in 1..=highest {
-            powers.push(if exponent == 2 { g.sqr() } else { &powers[exponent - 1] * g });
-        }
-        let form = |degrees: &Vec<usize>| {
-            let parts = degrees.iter().zip(values.by_ref());
-            parts.map(|(&degree, part)| if degree == 0 { part } else { part * &powers[degree] }).sum()
+        // The quotients by g of the parts of degree 0, and the remainders; all else remains of the others.
+        let divisor = IBig::from(g.clone());
+        let divided = |(part, &j): (Option<IBig>, &usize)| {
+            let part = part.unwrap_or_default();
+            if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) }
         };
+        let degrees = || self.degrees.iter().flatten();
+        let parts: Vec<(IBig, IBig)> = values.into_iter().zip(degrees()).map(divided).collect();
+        let lowest = parts.iter().zip(degrees()).filter(|(_, j)| **j == 0).map(|((_, rest), _)| rest);
+        let content = lowest.fold(g.clone(), |content, rest| short_gcd(&content, &rest.unsigned_abs()));
+        // gʲ/content for j > 0.
+        let highest = degrees().copied().max().unwrap_or(0).max(1);
+        let powers = std::iter::successors(Some(g / &content), |power| Some(power * g));
+        let powers: Vec<UBig> = powers.take(highest).collect();
+        let share = |(&j, (quotient, rest)): (&usize, (IBig, IBig))| {
+            if j == 0 { quotient * &powers[0] + rest / &content } else { rest * &powers[j - 1] }
+        };
+        let mut parts = parts.into_iter();
+        let form = |degrees: &Vec<usize>| degrees.iter().zip(parts.by_ref()).map(share).sum();
         self.degrees.iter().map(form).collect()
     }
 }

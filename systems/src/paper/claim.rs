@@ -5,6 +5,7 @@ use std::time::Duration;
 use kahan_algebra::rational::Rational;
 
 use super::figures::Figure;
+use super::formula::with_definitions;
 
 /// One formula of the paper (an equation, a cell of a table, a statement with a number in it).
 #[derive(Clone, Debug)]
@@ -131,6 +132,12 @@ impl Claim {
                 given.push(';');
             }
         }
+        self
+    }
+
+    /// Puts those of the definitions that the statement uses before it: they are shown, checked and mutated with it.
+    pub(super) fn spelling(mut self, definitions: &str) -> Self {
+        self.statement = with_definitions(definitions, &self.statement);
         self
     }
 

@@ -7,7 +7,6 @@ use kahan_algebra::rational::Rational;
 use crate::heights::{Growth, HeightsOrbit, Survey};
 
 use super::formula::Formula;
-use super::growth_constants::{c1_of_de7, c1_of_de8};
 use super::model::Model;
 use crate::registry::find;
 
@@ -140,47 +139,19 @@ impl Measurement {
     /// | `logslope(v, a, b)` | the same of h against log n |
     /// | `mean(v, a, b)` | the mean of log(h/n) |
     /// | `growth(v)` | the growth class, to be compared with `linear`, `quadratic`, … |
-    /// | `C1_e7(xi, tau)`, `C1_e8(tau)` | the proved growth constants of y |
     ///
     /// # Errors
     /// Where something was not measured.
     pub(super) fn put_into(&self, formula: &Formula) -> Result<Formula, String> {
-        let parts = |parts: &[(bool, Formula)]| {
-            parts
-                .iter()
-                .map(|(mark, part)| Ok((*mark, self.put_into(part)?)))
-                .collect::<Result<Vec<_>, String>>()
-        };
-        Ok(match formula {
-            Formula::Number(_) => formula.clone(),
-            Formula::Name(name) => match class(name) {
-                Some(class) => Formula::integer(class),
-                None => formula.clone(),
-            },
-            Formula::Negation(inner) => Formula::Negation(Box::new(self.put_into(inner)?)),
-            Formula::Sum(terms) => Formula::Sum(parts(terms)?),
-            Formula::Product(factors) => Formula::Product(parts(factors)?),
-            Formula::Power(base, exponent) => {
-                Formula::Power(Box::new(self.put_into(base)?), exponent.clone())
-            }
-            Formula::Call(name, arguments) => match self.quantity(name, arguments)? {
-                Some(value) => Formula::Number(value),
-                None => Formula::Call(
-                    name.clone(),
-                    arguments.iter().map(|argument| self.put_into(argument)).collect::<Result<_, _>>()?,
-                ),
-            },
+        formula.replaced(&|name, arguments| match class(name) {
+            Some(class) if arguments.is_empty() => Ok(Some(Rational::from(class))),
+            _ => self.quantity(name, arguments),
         })
     }
 
     /// A measured quantity; `None` for another call.
     fn quantity(&self, name: &str, arguments: &[Formula]) -> Result<Option<Rational>, String> {
         let numbers: Vec<Rational> = arguments.iter().filter_map(Formula::as_number).collect();
-        match (name, numbers.as_slice()) {
-            ("C1_e7", [xi, tau]) => return Ok(c1_of_de7(xi, tau)),
-            ("C1_e8", [tau]) => return Ok(c1_of_de8(tau)),
-            _ => {}
-        }
         if !matches!(name, "h" | "digits" | "slope" | "logslope" | "mean" | "growth") {
             return Ok(None);
         }

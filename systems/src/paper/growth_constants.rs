@@ -4,12 +4,26 @@ use kahan_algebra::rational::Rational;
 
 use crate::special::{Precise, Real, digamma};
 
+use super::formula::Formula;
+
+/// The formula with `C1_e7(xi, tau)` and `C1_e8(tau)` replaced by their values.
+pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
+    formula.replaced(&|name, arguments| {
+        let numbers: Vec<Rational> = arguments.iter().filter_map(Formula::as_number).collect();
+        Ok(match (name, numbers.as_slice()) {
+            ("C1_e7", [xi, tau]) => c1_of_de7(xi, tau),
+            ("C1_e8", [tau]) => c1_of_de8(tau),
+            _ => None,
+        })
+    })
+}
+
 /// dE7: with a = τ + 1 − ξ/2 and b = τ + ξ/2 of one denominator M, the mean over the units r modulo M of
 /// max(0, ψ(b_r) − ψ(a_r)), where M a_r is M a / r modulo M, and b_r likewise. `None` if the denominators differ.
 ///
 /// The product ∏ (j + a)/(j + b) loses a prime p of the residue class r exactly where its numerators meet p before its
 /// denominators do; log p summed over such p gives the differences of digamma functions.
-pub(super) fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
+fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     let half = Rational::new(1, 2);
     let b = tau + &(xi * &half);
     let a = &(tau + &Rational::from(1)) - &(xi * &half);
@@ -36,7 +50,7 @@ pub(super) fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
 }
 
 /// dE8: (M/φ(M)) Σ 1/m over 0 < m < M prime to M, M the denominator of τ + 1/2; 1 for M = 1.
-pub(super) fn c1_of_de8(tau: &Rational) -> Option<Rational> {
+fn c1_of_de8(tau: &Rational) -> Option<Rational> {
     let modulus = integer(&(tau + &Rational::new(1, 2)).denominator())?;
     let units: Vec<i64> = (1..=modulus).filter(|&m| gcd(m, modulus) == 1).collect();
     let sum = units.iter().fold(Rational::zero(), |sum, &m| &sum + &Rational::new(1, m));

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use kahan_algebra::rational::Rational;
 
 use super::claim::{Claim, Misprint, Outcome};
-use super::formula::{Definition, Item, parse};
+use super::formula::{Definition, Item, Relation, parse};
 use super::identity::Evidence;
 use super::registry::{Paper, outcome};
 
@@ -84,6 +84,13 @@ impl Paper {
             return Err("no relation".to_owned());
         };
         let [left, right] = self.sides(claim, left, right, definitions)?;
-        self.identity(claim, [&left, &right], *relation, digit.as_ref())?.at_point(point)
+        let identity = self.identity(claim, [&left, &right], *relation, digit.as_ref())?;
+        if *relation == Relation::Different {
+            // That two functions differ is refuted by their being equal everywhere, not at one point.
+            let sides = ["one function".to_owned(), "the same function".to_owned()];
+            let [left, right] = sides;
+            return Ok((left, right, identity.establish().is_ok()));
+        }
+        identity.at_point(point)
     }
 }

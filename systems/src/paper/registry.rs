@@ -18,6 +18,7 @@ use super::claim::{Basis, Claim, Established, Outcome};
 use super::evaluate::Models;
 use super::figures::{Figure, Measurement, Measurements};
 use super::formula::{Definition, Formula, Item, Relation, inline, parse, statement_latex};
+use super::growth_constants;
 use super::identity::{Evidence, Identity};
 use super::model::Model;
 use super::sections;
@@ -202,7 +203,10 @@ impl Paper {
         right: &Formula,
         definitions: &BTreeMap<String, Definition>,
     ) -> Result<[Formula; 2], String> {
-        let mut sides = [inline(left, definitions)?, inline(right, definitions)?];
+        let mut sides = [
+            growth_constants::put_into(&inline(left, definitions)?)?,
+            growth_constants::put_into(&inline(right, definitions)?)?,
+        ];
         if let Basis::Formula { orbit: Some(figure), .. } = &claim.basis {
             let measurement = self.measurement(figure)?;
             for side in &mut sides {
@@ -238,7 +242,7 @@ pub(super) fn outcome(evidence: &Evidence) -> (Outcome, String) {
 
 /// What was measured on an orbit is known at the points of that orbit.
 fn measured(evidence: &Evidence, figure: &Figure) -> (Outcome, String) {
-    let detail = format!("on the exact orbit {} of {} iterates", figure.name, figure.steps);
+    let detail = format!("measured on the exact orbit {} of {} iterates", figure.name, figure.steps);
     match evidence {
         Evidence::Numerical(decimals) => (Outcome::Numerical(*decimals), detail),
         _ => (Outcome::Exact(u32::try_from(figure.steps).unwrap_or(u32::MAX)), detail),

@@ -23,6 +23,7 @@ mod inline;
 mod latex;
 mod mutate;
 mod parse;
+mod used;
 
 pub use latex::{LatexItem, latex_of};
 pub use mutate::mutations;
@@ -31,6 +32,7 @@ pub(crate) use {
     inline::inline,
     latex::statement_latex,
     parse::parse,
+    used::with_definitions,
 };
 
 use kahan_algebra::rational::Rational;
@@ -125,6 +127,36 @@ impl Formula {
     /// a^n
     pub(crate) fn raised_to(self, exponent: i64) -> Self {
         Formula::Power(Box::new(self), Box::new(Formula::integer(exponent)))
+    }
+
+    /// The formula with some names and calls replaced by numbers; `number` gets a name and its arguments.
+    pub(crate) fn replaced(
+        &self,
+        number: &impl Fn(&str, &[Formula]) -> Result<Option<Rational>, String>,
+    ) -> Result<Self, String> {
+        let parts = |parts: &[(bool, Formula)]| {
+            parts
+                .iter()
+                .map(|(mark, part)| Ok((*mark, part.replaced(number)?)))
+                .collect::<Result<Vec<_>, String>>()
+        };
+        Ok(match self {
+            Formula::Number(_) => self.clone(),
+            Formula::Name(name) => number(name, &[])?.map_or_else(|| self.clone(), Formula::Number),
+            Formula::Negation(inner) => Formula::Negation(Box::new(inner.replaced(number)?)),
+            Formula::Sum(terms) => Formula::Sum(parts(terms)?),
+            Formula::Product(factors) => Formula::Product(parts(factors)?),
+            Formula::Power(base, exponent) => {
+                Formula::Power(Box::new(base.replaced(number)?), Box::new(exponent.replaced(number)?))
+            }
+            Formula::Call(name, arguments) => match number(name, arguments)? {
+                Some(value) => Formula::Number(value),
+                None => {
+                    let arguments = arguments.iter().map(|argument| argument.replaced(number));
+                    Formula::Call(name.clone(), arguments.collect::<Result<_, _>>()?)
+                }
+            },
+        })
     }
 
     /// Whether this is the number n.

@@ -16,7 +16,8 @@ fn linearisation() -> Vec<Claim> {
         s := 1 + y^2/x^2; K := at(1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2)), eps, 1/2);
         L := (2*(w0^2 + w1^2) + s)/(4*w0*w1 - s)";
     let claim = |id: &str, place: &str, statement: &str| {
-        Claim::new(format!("section7.e3.{id}"), "e3", format!("Section 7, {place}"), statement).given(given)
+        Claim::new(format!("section7.e3.{id}"), "e3", format!("Section 7, {place}"), statement)
+            .spelling(given)
     };
     vec![
         claim(
@@ -67,11 +68,12 @@ fn curve() -> Vec<Claim> {
         ),
         appendix(
             "curve.branch_points",
-            "the four points (s, d, 0), where z changes its sign",
+            "the four points (+-s, +-d, 0) at which the double cover of a conic branches: genus 1, by Riemann-Hurwitz",
             "s2 := 2*H + 2*K*(1 + h)/(1 - g); d2 := 2*K*(1 - h)/(1 - g) - 2*H;
-            (1 - h)*s2 - (1 + h)*d2 = 4*H; (1 - g)*(s2 + d2) = 4*K",
+            (1 - h)*s2 - (1 + h)*d2 = 4*H; (1 - g)*(s2 + d2) = 4*K;
+            genus := 1; points := 2*2; 2*genus - 2 = 2*(2*0 - 2) + points",
         )
-        .given(squares),
+        .spelling(squares),
         appendix(
             "curve.distinct",
             "the four branch points are different",
@@ -79,7 +81,7 @@ fn curve() -> Vec<Claim> {
             s2*d2*(1 - g)^2 = 4*(K*(1 + h) + H*(1 - g))*(K*(1 - h) - H*(1 - g));
             s2 != 0; d2 != 0",
         )
-        .given(squares),
+        .spelling(squares),
         appendix(
             "curve.infinity",
             "no branch point at infinity: there s^2 (1 - h) = d^2 (1 + h), and z is not 0",
@@ -87,18 +89,13 @@ fn curve() -> Vec<Claim> {
             (1 - g)*(s2 + d2) + 2*z2 = 0; (1 - h)*s2 - (1 + h)*d2 = 0; z2 != 0",
         ),
         appendix(
-            "curve.genus",
-            "genus: a double cover of a conic with four branch points (Riemann-Hurwitz)",
-            "genus := 1; 2*genus - 2 = 2*(2*0 - 2) + 4",
-        ),
-        appendix(
             "curve.pencil",
             "the four singular quadrics of the pencil are different: the curve is smooth",
-            "det(r) := (1 - h - r*(1 - g))*(1 + h + r*(1 - g))*r*(r*K - H);
+            "det(r) := ((1 - h) - r*(1 - g))*(-(1 + h) - r*(1 - g))*(-2*r)*(-4*H + 4*r*K);
             det(r1) = 0; det(r2) = 0; det(0) = 0; det(r3) = 0;
             r1 != 0; r2 != 0; r3 != 0; r1 != r2; r1 != r3; r2 != r3",
         )
-        .given(ratios),
+        .spelling(ratios),
     ]
 }
 
@@ -115,19 +112,19 @@ fn bilinear() -> Vec<Claim> {
             "bilinear equations: the equation of x",
             "2*eps*D*D1*(X - x + eps*(x*Z + X*z)) = first + second",
         )
-        .given(given),
+        .spelling(given),
         appendix(
             "bilinear.y",
             "bilinear equations: the equation of y",
             "2*eps*D*D1*(Y - y - eps*(y*Z + Y*z)) = first - second",
         )
-        .given(given),
+        .spelling(given),
         appendix(
             "bilinear.z",
             "bilinear equations: the equation of z",
             "eps*D*D1*(Z - z - 2*eps*(x*X - y*Y)) = third",
         )
-        .given(given),
+        .spelling(given),
     ]
 }
 
@@ -158,14 +155,14 @@ fn elliptic() -> Vec<Claim> {
             "sn(delta, k)^2 = (g + h)/(1 + h); d(sn(u, k), u) = sqrt((1 - sn(u, k)^2)*(1 - k^2*sn(u, k)^2))",
         )
         .given(&level)
-        .given(parameters),
+        .spelling(parameters),
         appendix(
             "kappa",
             "the integral for kappa",
             "sn(kappa, k) = eps*z/(k*sn(delta, k)); dn(kappa, k) = eps*(x + y)*cn(delta, k)/sn(delta, k)",
         )
         .given(&level)
-        .given(parameters),
+        .spelling(parameters),
     ]
 }
 
@@ -180,18 +177,18 @@ fn theta() -> Vec<Claim> {
     };
     vec![
         claim("sn", "theta form of sn", "sn(zeta*t3^2, k) = t3/t2*theta1(zeta, q)/theta4(zeta, q)")
-            .given(constants),
+            .spelling(constants),
         claim("cn", "theta form of cn", "cn(zeta*t3^2, k) = t4/t2*theta2(zeta, q)/theta4(zeta, q)")
-            .given(constants)
+            .spelling(constants)
             .misprinted(
                 "A7",
                 "cn(zeta*t3^2, k) = t4/t2*theta3(zeta, q)/theta4(zeta, q)",
                 "q := 1/10; zeta := 0; cn(zeta*t3^2, k) = 1; theta3(0, 1/10)/theta2(0, 1/10) ~ 1.05658",
             ),
         claim("dn", "theta form of dn", "dn(zeta*t3^2, k) = t4/t3*theta3(zeta, q)/theta4(zeta, q)")
-            .given(constants),
+            .spelling(constants),
         claim("k", "the modulus and its complement", "t3^4 = t2^4 + t4^4; k = (t2/t3)^2; K(k) = pi/2*t3^2")
-            .given("t2 := theta2(0, q); t3 := theta3(0, q); t4 := theta4(0, q); k := sqrt(1 - (t4/t3)^4)"),
+            .spelling("t2 := theta2(0, q); t3 := theta3(0, q); t4 := theta4(0, q); k := sqrt(1 - (t4/t3)^4)"),
         claim(
             "solution",
             "theta functions solve dE4: the solution of Theorem 3",
@@ -200,27 +197,27 @@ fn theta() -> Vec<Claim> {
             B(zeta)/D(zeta) = k*sn(delta, k)*cn(u, k)/dn(delta, k);
             C(zeta)/D(zeta) = k*sn(delta, k)*sn(u, k)",
         )
-        .given(constants)
-        .given(solution),
+        .spelling(solution)
+        .spelling(constants),
         claim(
             "first",
             "(thetarel), the first bilinear equation",
             "A(zeta + 2*v)*D(zeta) - A(zeta)*D(zeta + 2*v)
                 = -(B(zeta + 2*v)*C(zeta) + B(zeta)*C(zeta + 2*v))",
         )
-        .given(solution),
+        .spelling(solution),
         claim(
             "second",
             "(thetarel), the second bilinear equation",
             "B(zeta + 2*v)*D(zeta) - B(zeta)*D(zeta + 2*v)
                 = -(A(zeta + 2*v)*C(zeta) + A(zeta)*C(zeta + 2*v))",
         )
-        .given(solution),
+        .spelling(solution),
         claim(
             "third",
             "(thetarel2), the third bilinear equation",
             "C(zeta + 2*v)*D(zeta) - C(zeta)*D(zeta + 2*v) = A(zeta + 2*v)*B(zeta) + A(zeta)*B(zeta + 2*v)",
         )
-        .given(solution),
+        .spelling(solution),
     ]
 }

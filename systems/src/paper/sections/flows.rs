@@ -94,7 +94,7 @@ fn other_tops() -> Vec<Claim> {
             "x := (p/sqrt(3) + r)/2; y := q/sqrt(3); z := (r - p/sqrt(3))/2;
             d(x, T) = -f1; d(y, T) = -f2; d(z, T) = -f3",
         )
-        .given(p),
+        .spelling(p),
         Claim::new(
             "table5.euler.solution",
             "euler",
@@ -103,6 +103,6 @@ fn other_tops() -> Vec<Claim> {
             a1 := -s1/(s2*s3); a2 := -s2/(s3*s1); a3 := s3/(s1*s2);
             d(x, T) = f1; d(y, T) = f2; d(z, T) = f3",
         )
-        .given(p),
+        .spelling(p),
     ]
 }

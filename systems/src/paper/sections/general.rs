@@ -106,6 +106,17 @@ pub(super) fn claims() -> Vec<Claim> {
         homogeneous("scaling", "scaling, homogeneous fields", {
             each("at({X}, x, lambda*x, y, lambda*y, z, lambda*z, eps, eps/lambda) = lambda*{X}")
         }),
+        Claim::new(
+            "section4.proposition",
+            "general",
+            "Section 4, proposition (n = 3): an invariant I and an invariant volume (1/phi) dx dy dz give an invariant bracket; \
+             m is the Jacobian matrix, g the gradient of I at the next point, v that of I at this point",
+            "v1 := m11*g1 + m21*g2 + m31*g3; v2 := m12*g1 + m22*g2 + m32*g3; v3 := m13*g1 + m23*g2 + m33*g3;
+             det := m11*(m22*m33 - m23*m32) - m12*(m21*m33 - m23*m31) + m13*(m21*m32 - m22*m31);
+             phi*v3*(m11*m22 - m12*m21) + phi*v1*(m12*m23 - m13*m22) + phi*v2*(m13*m21 - m11*m23) = phi*det*g3;
+             phi*v3*(m21*m32 - m22*m31) + phi*v1*(m22*m33 - m23*m32) + phi*v2*(m23*m31 - m21*m33) = phi*det*g1;
+             phi*v3*(m31*m12 - m32*m11) + phi*v1*(m32*m13 - m33*m12) + phi*v2*(m33*m11 - m31*m13) = phi*det*g2",
+        ),
         bracket("bracket.jacobi", "phi (I_z, I_x, I_y) is a Poisson tensor", "jacobi(P12, P23, P31) = 0"),
         bracket(
             "bracket.casimir",

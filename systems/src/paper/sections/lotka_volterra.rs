@@ -75,19 +75,19 @@ fn at_unit_steps() -> Vec<Claim> {
             "H at eps = 1 is 2 + I^2: a pair of conics (erratum B8)",
             "H_hat = 2 + I^2; H_hat - 2 - k^2 = (I - k)*(I + k)",
         )
-        .given(INTEGRAL),
+        .spelling(INTEGRAL),
         claim(
             "exchange",
             "the map exchanges the two conics (erratum B8)",
             "at(next(I), eps, 1) = -I; at(next(I), eps, -1) = -I",
         )
-        .given(INTEGRAL),
+        .spelling(INTEGRAL),
         claim(
             "conics",
             "each conic I = k is rational (erratum B8)",
             "X := 2*(1 - m)/(1 - m^2 - k*m); on(I, X, m*X) = k",
         )
-        .given(INTEGRAL),
+        .spelling(INTEGRAL),
         claim(
             "sum",
             "I(x~) + I(x) has the factor 1 - eps^2, addition",
@@ -95,7 +95,7 @@ fn at_unit_steps() -> Vec<Claim> {
                 /(x*y*(eps^2*(x - y - 1) + eps*(x + y - 2) - 1)*(eps^2*(x - y + 1) + eps*(x + y - 2) + 1));
             next(H_hat) - H_hat = (next(I) + I)*(next(I) - I)",
         )
-        .given(INTEGRAL),
+        .spelling(INTEGRAL),
         // The increments at two points have no common zero but 0, 1 and −1: u a + v b = 48 for their
         // other factors.
         claim(
@@ -110,9 +110,9 @@ fn at_unit_steps() -> Vec<Claim> {
             (1665*eps^4 + 3885*eps^3 + 1001*eps^2 - 1241*eps - 24)*a
                 - (1665*eps^4 - 3885*eps^3 + 1001*eps^2 + 1241*eps - 24)*b = 48",
         )
-        .given(INTEGRAL),
+        .spelling(INTEGRAL),
         claim("linear", "the linear recurrence of order six", "x6 - x = (1 - H_hat)*(x4 - x2)")
-            .given(INTEGRAL)
-            .given(ITERATES),
+            .spelling(INTEGRAL)
+            .spelling(ITERATES),
     ]
 }

@@ -137,7 +137,11 @@ fn fields_and_matrices() -> Vec<Claim> {
     let mut claims = Vec::new();
     for matrix in &MATRICES {
         let system = matrix.system;
-        let section = if system == "euler" { "Section 2" } else { "Section 3" };
+        let section = match system {
+            "euler" => "Section 2",
+            "e7" | "e8" | "e9" => "Section 6",
+            _ => "Section 3",
+        };
         let field: Vec<String> =
             matrix.field.iter().enumerate().map(|(i, value)| format!("f{} = {value}", i + 1)).collect();
         claims.push(Claim::new(
@@ -152,17 +156,25 @@ fn fields_and_matrices() -> Vec<Claim> {
                 entries.push(format!("A({},{}) = {value}", i + 1, j + 1));
             }
         }
-        let place = if system == "euler" { "Section 2" } else { "Section 5" };
+        let place = match system {
+            "euler" => "Section 2",
+            "e7" | "e8" | "e9" => "Section 6",
+            _ => "Section 5",
+        };
         claims.push(Claim::new(
             format!("matrix.{system}"),
             system,
             format!("{place}, A(x, eps)"),
             entries.join("; "),
         ));
+        let of_determinant = match system {
+            "e5" => "Theorem 1, proof, det A".to_owned(),
+            _ => format!("{place}, det A, addition"),
+        };
         claims.push(Claim::new(
             format!("determinant.{system}"),
             system,
-            format!("{place}, det A, addition (det A of dE5 is in the proof of Theorem 1)"),
+            of_determinant,
             format!("detA = {}", matrix.determinant),
         ));
     }
@@ -190,7 +202,7 @@ fn difference_equations() -> Vec<Claim> {
 fn euler_top() -> Vec<Claim> {
     let claim = |id: &str, what: &str, statement: &str| {
         Claim::new(format!("section2.euler.{id}"), "euler", format!("Section 2, {what}"), statement)
-            .given("H1 := a3*y^2 - a2*z^2; H2 := a1*z^2 - a3*x^2; H3 := a2*x^2 - a1*y^2")
+            .spelling("H1 := a3*y^2 - a2*z^2; H2 := a1*z^2 - a3*x^2; H3 := a2*x^2 - a1*y^2")
     };
     vec![
         claim(
@@ -254,6 +266,18 @@ fn changes_of_variables() -> Vec<Claim> {
     let mut claims = Vec::new();
     claims.extend(top("e4.euler", "e4", ["x - y", "x + y", "z"], ["-1", "-1", "1"]));
     claims.extend(top("e6.euler", "e6", ["x - z", "x + z", "y"], ["1", "-3", "1"]));
+    claims.push(Claim::new(
+        "change.e4.sign",
+        "e4",
+        "Section 8, the symmetry (x, y, z) to (-x, -y, z) of dE4, addition",
+        "on(next(x), -x, -y, z) = -next(x); on(next(y), -x, -y, z) = -next(y); on(next(z), -x, -y, z) = next(z)",
+    ));
+    claims.push(Claim::new(
+        "change.e9.inverse.flow",
+        "e9",
+        "Section 6, E9 with x and y exchanged and time multiplied by xi is E9 at 1/xi, the flow, addition",
+        "f1 = xi*at(f2, x, y, y, x, xi, 1/xi); f2 = xi*at(f1, x, y, y, x, xi, 1/xi); f3 = xi*at(f3, x, y, y, x, xi, 1/xi)",
+    ));
     let swapped = "x, y, y, x, xi, 1/xi, eps, xi*eps";
     claims.push(Claim::new(
         "change.e9.inverse",
@@ -269,6 +293,20 @@ fn changes_of_variables() -> Vec<Claim> {
 /// Removable poles: components and det A share a factor.
 fn poles() -> Vec<Claim> {
     vec![
+        Claim::new(
+            "removable.e1",
+            "e1",
+            "Section 5, dE1 on the whole of 1 + eps x = 0, addition",
+            "at(detA, x, -1/eps) = 0; on(next(x), -1/eps, y, z) = 1/eps; on(next(y), -1/eps, y, z) = -y;
+             on(next(z), -1/eps, y, z) = z - 2*eps*y^2",
+        ),
+        Claim::new(
+            "removable.e3",
+            "e3",
+            "Section 5, dE3 on the whole of 1 + eps z = 0, addition",
+            "at(detA, z, -1/eps) = 0; on(next(x), x, y, -1/eps) = x/(eps^2*(x^2 + y^2));
+             on(next(y), x, y, -1/eps) = y/(eps^2*(x^2 + y^2)); on(next(z), x, y, -1/eps) = 1/eps",
+        ),
         Claim::new(
             "pole.e1",
             "e1",

@@ -173,7 +173,7 @@ fn other_tops() -> Vec<Claim> {
             step(w) := at(on(next(w), X(n), Y(n), Z(n)), a1, -s1/(s2*s3), a2, -s2/(s3*s1), a3, s3/(s1*s2));
             step(x) = X(n + 1); step(y) = Y(n + 1); step(z) = Z(n + 1)",
         )
-        .given(elliptic),
+        .spelling(elliptic),
         Claim::new(
             "theorem3.e6.change",
             "e6",
@@ -190,6 +190,6 @@ fn other_tops() -> Vec<Claim> {
             step(w) := on(at(next(w), eps, -eps), X(n), Y(n), Z(n));
             step(x) = X(n + 1); step(y) = Y(n + 1); step(z) = Z(n + 1)",
         )
-        .given(elliptic),
+        .spelling(elliptic),
     ]
 }

@@ -56,7 +56,7 @@ const SL2: Algebra = Algebra { name: "sl(2,R)", basis: ("x", "z", "-2*y"), brack
 const SO3: Algebra = Algebra { name: "so(3)", basis: ("x", "y", "z"), brackets: ["z", "x", "y"] };
 const A32: Algebra = Algebra { name: "A(3,2)", basis: ("x", "y", "z"), brackets: ["0", "x + y", "-x"] };
 const A3XI: Algebra =
-    Algebra { name: "A(3,5), or A(3,4) for xi < 0", basis: ("x", "y", "z"), brackets: ["0", "xi*y", "-x"] };
+    Algebra { name: "A(3,5) with parameter xi", basis: ("x", "y", "z"), brackets: ["0", "xi*y", "-x"] };
 
 /// The rows.
 pub(super) const STRUCTURES: [Structure; 9] = [

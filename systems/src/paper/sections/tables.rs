@@ -145,6 +145,11 @@ fn map(s: &Structure) -> Vec<Claim> {
             format!("Theorem 1, the volume form of the flow, i = {index}"),
             "divergence(c/(H*K)) = 0".to_owned(),
         ),
+        claim(
+            format!("theorem1.{}.map", s.system),
+            format!("Theorem 1, (form), the volume form of the map, i = {index}"),
+            "detJ*next(c/(H*K)) = c/(H*K)".to_owned(),
+        ),
     ];
     let directions = ["z", "x", "y"];
     for (cell, (entry, direction)) in map.p.iter().zip(ENTRIES.iter().zip(directions)) {
@@ -207,6 +212,15 @@ fn map(s: &Structure) -> Vec<Claim> {
             ),
         ),
     ]);
+    if ["e1", "e3"].contains(&s.system) {
+        claims.push(theorem2("factor", "Q(eps) without the factor 1/c is not invariant", {
+            "Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
+             + Q31_eps*(J(1,3)*J(2,1) - J(1,1)*J(2,3)) != next(Q12_eps);
+             (Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
+             + Q31_eps*(J(1,3)*J(2,1) - J(1,1)*J(2,3)))/c = next(Q12_eps/c)"
+                .to_owned()
+        }));
+    }
     claims
 }
 

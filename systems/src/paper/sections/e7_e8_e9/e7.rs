@@ -33,7 +33,8 @@ const BRACKET: &str = "
     P31 := x*(1 - eps^2*x^2)";
 
 fn claim(id: &str, place: &str, statement: &str, given: &str) -> Claim {
-    Claim::new(format!("section6.e7.{id}"), "e7", format!("Section 6 (dE7), {place}"), statement).given(given)
+    Claim::new(format!("section6.e7.{id}"), "e7", format!("Section 6 (dE7), {place}"), statement)
+        .spelling(given)
 }
 
 /// The claims, in the order of the paper.
@@ -145,7 +146,7 @@ fn bracket() -> Vec<Claim> {
             P31*d(H7, x) - P23*d(H7, y) = 0",
             BRACKET,
         )
-        .given(INTEGRAL),
+        .spelling(INTEGRAL),
         claim(
             "bracket.at_1",
             "the bracket at xi = 1 is -P of dE1",
@@ -193,6 +194,16 @@ fn second_integral() -> Vec<Claim> {
             K7(x, y, z, eps, 1) = (x*z + y^2)/(1 - eps^2*x^2)",
             series,
         ),
+        claim(
+            "K.series",
+            "the series for K_7, summed at xi = 41/2, where it converges fast, addition",
+            "ratio(j) := gamma(N + j + 1 - 41/4)*gamma(N + 41/4)/(gamma(N + j + 41/4)*gamma(N + 1 - 41/4));
+            term(j) := 82*Y^2*ratio(j)*ratio(j + 1)/((4*(N + j)^2 - 1)*(2*(N + j) + 3));
+            eps^2*K7(x, y, z, eps, 41/2) = Z/(4*N^2 - 1) + sum(j, 0, 120, term(j))",
+            RATIOS,
+        )
+        .within("x", (1, 5), (2, 5))
+        .within("eps", (1, 5), (2, 5)),
         claim(
             "K.value",
             "K_7 at a point, addition",

@@ -19,34 +19,43 @@ fn quadrature() -> Vec<Claim> {
     // quadratic one, elliptic where it is a cubic one with simple roots.
     let degree = |id: &str, place: &str, statement: &str| {
         let statement = format!("u := x^2; {statement}");
-        claim(&format!("quadrature.{id}"), place, &statement).given(integrals)
+        claim(&format!("quadrature.{id}"), place, &statement).spelling(integrals)
     };
     vec![
         claim("quadrature.y", "y on the orbit; H and K mean K_9 and H_9", "y = K*x^xi")
-            .given(integrals)
+            .spelling(integrals)
             .misprinted(
                 "A8",
                 "H := y*x^(-xi); K := 1/2*(x^2 + y^2 + z^2); y = K*x^xi",
                 "xi := 1; x := 1; y := 2; z := 0; y*x^(-xi) = 2; 1/2*(x^2 + y^2 + z^2) = 5/2",
             ),
-        claim("quadrature.z", "z on the orbit", "z^2 = 2*H - x^2 - K^2*x^(2*xi)").given(integrals),
+        claim("quadrature.z", "z on the orbit", "z^2 = 2*H - x^2 - K^2*x^(2*xi)").spelling(integrals),
         claim("quadrature.t", "the time along the orbit", "f1^2 = x^2*(2*H - x^2 - K^2*x^(2*xi))")
-            .given(integrals),
+            .spelling(integrals),
         degree("xi_1", "xi = 1: elementary", "xi := 1; (d(u, x)*f1)^2 = 4*u^2*(2*H - (1 + K^2)*u)"),
         degree("xi_2", "xi = 2: elementary", "xi := 2; (d(u, x)*f1)^2 = 4*u^2*(2*H - u - K^2*u^2)"),
         degree("xi_minus_1", "xi = -1: elliptic", "xi := -1; (d(u, x)*f1)^2 = 4*u*(2*H*u - u^2 - K^2)"),
         degree("xi_minus_2", "xi = -2: elliptic", "xi := -2; (d(u, x)*f1)^2 = 4*(2*H*u^2 - u^3 - K^2)"),
+        claim("quadrature.xi_half", "xi = 1/2: elementary, x = s^2", {
+            "x := s^2; K := y/s; H := (x^2 + y^2 + z^2)/2; xi := 1/2; f1^2 = x^2*(2*H - x^2 - K^2*x)"
+        }),
+        claim("quadrature.xi_minus_half", "xi = -1/2: elliptic, x = s^2", {
+            "x := s^2; K := y*s; H := (x^2 + y^2 + z^2)/2; xi := -1/2; f1^2 = x*(2*H*x - x^3 - K^2)"
+        }),
+        claim("quadrature.xi_three_halves", "xi = 3/2: elliptic, of the third kind, x = s^2", {
+            "x := s^2; K := y/s^3; H := (x^2 + y^2 + z^2)/2; xi := 3/2; f1^2 = x^2*(2*H - x^2 - K^2*x^3)"
+        }),
         claim(
             "quadrature.elementary",
             "xi = 2: the integral is elementary, by u = s^2",
             "L := -log((2*root*sqrt(R) + 2*root^2 - s^2)/s^2)/(2*root); d(L, s) = 1/(s*sqrt(R))",
         )
-        .given(antiderivative)
+        .spelling(antiderivative)
         .within("H", (2, 1), (3, 1))
         .misprinted(
             "A9",
             "L := -log((2*root*sqrt(R) + 2*root^2 - s^2)/s^2)/(2*root); d(L, s) != 1/(s*sqrt(R))",
-            "H := 9/2; K := 2; s := 1; R = 4; 1/(s*sqrt(R)) = 1/2",
+            "",
         ),
         claim(
             "fixed_points",
@@ -81,20 +90,20 @@ fn closed_cases() -> Vec<Claim> {
             "xi := 2; x := 1/sqrt(w); y := K/w; z := d(w, t)/(2*w);
             d(x, t) = f1; d(y, t) = f2; d(z, t) = f3",
         ))
-        .given(w),
+        .spelling(w),
         real(claim(
             "xi_2.integrals",
             "xi = 2: the values of H and K, addition",
             "1/2*(x^2 + y^2 + z^2) = k^2/8; y/x^2 = K",
         ))
-        .given(w)
-        .given(orbit),
+        .spelling(orbit)
+        .spelling(w),
         real(claim(
             "xi_half.solution",
             "xi = 1/2: the solution, addition",
             "xi := 1/2; x := K/u; y := 1/sqrt(u); z := d(u, t)/u; d(x, t) = f1; d(y, t) = f2; d(z, t) = f3",
         ))
-        .given(half),
+        .spelling(half),
         claim(
             "xi_0.solution",
             "xi = 0: the solution",

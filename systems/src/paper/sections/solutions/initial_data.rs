@@ -116,7 +116,7 @@ fn elliptic() -> Vec<Claim> {
             format!("Theorem 3, i = 4, addition: {place}"),
             statement,
         )
-        .given(given)
+        .spelling(given)
     };
     let values = "
         c := 1 - s; d2 := 1 - k2*s;
