@@ -259,6 +259,15 @@ mod numbers {
     }
 
     #[test]
+    fn variables_and_integrals_keep_their_names_and_columns_differ() {
+        let field = "ndot = t; tdot = n; integral n_ = n^2 - t^2;";
+        let arguments = ["--field", field, "--eps", "1/4", "--at", "1,2", "--steps", "1"];
+        let (header, rows) = table(&answer(&arguments));
+        assert_eq!(header, ["n__", "t_", "n", "t", "n_"]);
+        assert_eq!(rows.len(), 2);
+    }
+
+    #[test]
     fn no_steps_are_one_row() {
         assert_eq!(
             answer(&["e6", "--eps", "1/2", "--at", "1,2,3", "--steps", "0", "--scalar", "exact"]),
@@ -502,7 +511,7 @@ mod files {
         let folder = folder();
         let missing = folder.path().join("no/such/folder/orbit.csv");
         for (place, reason) in
-            [(folder.path(), "directory"), (&missing, "No such file"), (Path::new("/dev/null"), "ordinary")]
+            [(folder.path(), "directory"), (&missing, "does not exist"), (Path::new("/dev/null"), "ordinary")]
         {
             let output = kahan(&SHORT.into_iter().chain(["--out", path_text(place)]).collect::<Vec<_>>());
             let paragraph = text(&output.stderr);

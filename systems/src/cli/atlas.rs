@@ -36,7 +36,7 @@ impl Atlas {
         let clock = Instant::now();
         let path = self.page_path()?;
         // Whether the file can be written shows before half a minute is spent; no trace is left if the work is interrupted.
-        drop(Sink::file(&path)?);
+        drop(Sink::file(&path, "--out")?);
         let paper = Paper::new();
         let progress = Progress::new(Found::steps(&paper) as u64, "claims and orbits");
         let found = Found::compute(&paper, || progress.advance(1));
@@ -44,7 +44,7 @@ impl Atlas {
         // The date alone: the time of day says nothing to a reader.
         let date = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         let date = date.split('T').next().unwrap_or_default().to_owned();
-        let mut sink = Sink::file(&path)?;
+        let mut sink = Sink::file(&path, "--out")?;
         let text = page(&found, &Making { date, seconds: clock.elapsed().as_secs_f64() });
         sink.write(&text).and_then(|()| sink.finish()).map_err(|broken| match broken {
             Broken::Failed(reason) => Refusal::new(reason),

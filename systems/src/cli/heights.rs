@@ -89,7 +89,7 @@ impl Heights {
         let start = coordinates(&self.start.at, &system.field.symbols.states)?;
         let parameters = self.start.source.parameter_values(&system, &name)?;
         let eps = number(&self.start.eps, "--eps")?;
-        let sink = self.csv.as_deref().map(Sink::file).transpose()?;
+        let sink = self.csv.as_deref().map(|path| Sink::file(path, "--csv")).transpose()?;
         let clock = std::time::Instant::now();
         let orbit = HeightsOrbit::new(&system, &parameters, &eps, &start)
             .map_err(|_| undefined_field(&name, &system, &parameters))?;

@@ -136,7 +136,7 @@ impl Orbit {
         fill: impl FnOnce(&mut Table, Option<&Progress>) -> Result<Option<String>, Broken>,
     ) -> Result<Answer, Refusal> {
         let sink = match &self.out {
-            Some(path) => Sink::file(path)?,
+            Some(path) => Sink::file(path, "--out")?,
             None => Sink::standard(),
         };
         let format = if self.json && self.out.is_none() { Format::Json } else { Format::Csv };
@@ -182,10 +182,7 @@ impl Orbit {
     ) -> Map<String, Value> {
         let symbols = &request.system.field.symbols;
         let named = symbols.parameters.iter().cloned().zip(parameters.iter().map(A::json));
-        let columns: Vec<&str> = ["n", "t"]
-            .into_iter()
-            .chain(symbols.states.iter().chain(integrals).map(String::as_str))
-            .collect();
+        let columns = columns(&symbols.states, integrals);
         let head = json!({
             "system": request.name,
             "variables": symbols.states,
@@ -263,4 +260,17 @@ impl<A: Printable> FloatOrbit<'_, A> {
             Ok(()) => Err(self.request.overflow::<A>(n, &self.before)),
         }
     }
+}
+
+/// The names of all columns: n and t, with a `_` behind them where a variable or an integral has that name.
+fn columns(states: &[String], integrals: &[String]) -> Vec<String> {
+    let named: Vec<String> = states.iter().chain(integrals).cloned().collect();
+    let free = |name: &str| {
+        let mut name = name.to_owned();
+        while named.contains(&name) {
+            name.push('_');
+        }
+        name
+    };
+    [vec![free("n"), free("t")], named.clone()].concat()
 }

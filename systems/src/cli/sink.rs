@@ -40,15 +40,18 @@ impl Sink {
     }
 
     /// A file at this path, in place of one that may be there. Nothing is there before [`finish`](Self::finish).
-    pub(crate) fn file(path: &Path) -> Result<Self, Refusal> {
-        let refused =
-            |reason: &str| Refusal::new(format!("--out: cannot write the file {}: {reason}", path.display()));
+    ///
+    /// `option` is the argument that named it, for the refusal.
+    pub(crate) fn file(path: &Path, option: &str) -> Result<Self, Refusal> {
+        let refused = |reason: &str| {
+            Refusal::new(format!("{option}: cannot write the file {}: {reason}", path.display()))
+        };
         // What a link points to is replaced, not the link; a device or a directory is not replaced by a file.
         let path = match fs::canonicalize(path) {
             Ok(found) if found.is_file() => found,
             Ok(found) if found.is_dir() => return Err(refused("it is a directory; add a file name")),
             Ok(_) => {
-                return Err(refused("it is no ordinary file; leave --out away to write to standard output"));
+                return Err(refused("it is no ordinary file; name one"));
             }
             Err(_) => path.to_path_buf(),
         };
@@ -59,7 +62,13 @@ impl Sink {
         if path.file_name().is_none() {
             return Err(refused("it has no file name"));
         }
-        let file = temporary(folder).map_err(|error| refused(&error.to_string()))?;
+        // The temporary file's own name is nobody's business.
+        let file = temporary(folder).map_err(|error| {
+            refused(&match error.kind() {
+                ErrorKind::NotFound => format!("the folder {} does not exist", folder.display()),
+                kind => format!("no file can be made in {} ({kind})", folder.display()),
+            })
+        })?;
         Ok(Sink(Place::File { writer: BufWriter::new(file), path }))
     }
 

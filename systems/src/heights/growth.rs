@@ -4,12 +4,13 @@ use std::fmt;
 
 /// How heights grow with the number of steps.
 ///
-/// **Rule.** Let h₁ … h_N be the heights of the component that is largest at the end.
+/// **Rule.** Let h₁ … h_N be the heights of the component that rises most from h₁ to h_N.
 /// 1. *bounded*: N ≥ 4 and the second half holds no value above the greatest of the first half (a bounded orbit over ℚ is
 ///    finite, so sooner or later it repeats itself, and this is so from then on).
 /// 2. Otherwise, with N ≥ 8, let m₁ … m₄ be the means over the last four quarters of ⌊N/4⌋ values each, d₁, d₂, d₃ their first
 ///    differences, s₁, s₂ their second ones; means over quarters make little of fluctuations. If all d are positive, with ρ = d₃/d₂:
-///    *linear* if 0.87 ≤ ρ ≤ 1.15 (n: 1); *logarithmic* if ρ < 0.75 and d₂/d₁ < 0.75 and N ≥ 16 (log n: 0.66; √n: 0.81); *quadratic* if ρ > 1.15 and
+///    *linear* if 0.87 ≤ ρ ≤ 1.15 (n: 1) and the least squares residual of a line in n is at most half that of a line in log n (else
+///    noise hides which it is; the other way round it is *logarithmic*); *logarithmic* if ρ < 0.75 and d₂/d₁ < 0.75 and N ≥ 16 (log n: 0.66; √n: 0.81); *quadratic* if ρ > 1.15 and
 ///    0.7 ≤ s₂/s₁ ≤ 1.3 (n²: 1, n³: 1.67); *exponential* if ρ ≥ 1.5 and the differences of both orders grow by one factor:
 ///    d₃/d₂ ≥ 0.9 d₂/d₁ and s₂/s₁ ≥ 0.9 ρ.
 /// 3. With 4 ≤ N < 8: *exponential* if the last three ratios h_n/h_{n−1} are all at least 1.5 and within 5 % of each other.
@@ -46,6 +47,18 @@ impl Growth {
         if n < 8 { Self::of_few(heights) } else { Self::of_quarters(heights) }
     }
 
+    /// A line in n or in log n, where one of them is clearly the better.
+    fn of_lines(heights: &[f64]) -> Self {
+        let (linear, logarithmic) = (residual(heights, |n| n), residual(heights, f64::ln));
+        if 2.0 * linear <= logarithmic {
+            Growth::Linear
+        } else if 2.0 * logarithmic <= linear {
+            Growth::Logarithmic
+        } else {
+            Growth::Undecided
+        }
+    }
+
     fn of_few(heights: &[f64]) -> Self {
         let ratios: Vec<f64> = heights.windows(2).rev().take(3).map(|pair| pair[1] / pair[0]).collect();
         let (low, high) = (ratios.iter().copied().fold(f64::INFINITY, f64::min), greatest(&ratios));
@@ -66,13 +79,25 @@ impl Growth {
         let (before, ratio) = (first[1] / first[0], first[2] / first[1]);
         let curvature = second[1] / second[0];
         match ratio {
-            r if (0.87..=1.15).contains(&r) => Growth::Linear,
+            r if (0.87..=1.15).contains(&r) => Self::of_lines(heights),
             r if r < 0.75 && before < 0.75 && heights.len() >= 16 => Growth::Logarithmic,
             r if r > 1.15 && (0.7..=1.3).contains(&curvature) => Growth::Quadratic,
             r if r >= 1.5 && r >= 0.9 * before && curvature >= 0.9 * r => Growth::Exponential,
             _ => Growth::Undecided,
         }
     }
+}
+
+/// The sum of squared residuals of the least squares line through the points (x(n), h_n), n = 1, 2, ….
+fn residual(heights: &[f64], x: impl Fn(f64) -> f64) -> f64 {
+    let points: Vec<(f64, f64)> = (1..).zip(heights).map(|(n, &h)| (x(f64::from(n)), h)).collect();
+    let count = points.len() as f64;
+    let (sum_x, sum_h) = points.iter().fold((0.0, 0.0), |(a, b), (x, h)| (a + x, b + h));
+    let (mean_x, mean_h) = (sum_x / count, sum_h / count);
+    let product =
+        |f: fn(f64, f64) -> f64| -> f64 { points.iter().map(|(x, h)| f(x - mean_x, h - mean_h)).sum() };
+    let slope = product(|x, h| x * h) / product(|x, _| x * x);
+    points.iter().map(|(x, h)| (h - mean_h - slope * (x - mean_x)).powi(2)).sum()
 }
 
 fn greatest(values: &[f64]) -> f64 {

@@ -22,9 +22,8 @@ impl Survey {
     pub fn of(orbit: &mut HeightsOrbit, steps: usize, mut each: impl FnMut(&Heights)) -> Self {
         let heights: Vec<Heights> =
             orbit.take(steps.saturating_add(1)).inspect(|heights| each(heights)).collect();
-        let largest = largest(&heights);
-        let series = series(&heights, largest);
-        let growth = Growth::of(series.get(1..).unwrap_or_default());
+        let growth = Growth::of(series(&heights, steepest(&heights)).get(1..).unwrap_or_default());
+        let series = series(&heights, largest(&heights));
         let entropy = match series.as_slice() {
             [.., before, last] if growth == Growth::Exponential => (last / before).ln(),
             _ => 0.0,
@@ -55,4 +54,11 @@ fn series(heights: &[Heights], component: usize) -> Vec<f64> {
 fn largest(heights: &[Heights]) -> usize {
     let last = heights.last().map(|last| last.logarithms.as_slice()).unwrap_or_default();
     (1..last.len()).fold(0, |best, i| if last[i] > last[best] { i } else { best })
+}
+
+/// The component that rises most from h₁ on: a tall one that hardly moves says nothing of the growth.
+fn steepest(heights: &[Heights]) -> usize {
+    let (Some(first), Some(last)) = (heights.get(1), heights.last()) else { return 0 };
+    let rise = |i: usize| last.logarithms[i] - first.logarithms[i];
+    (1..last.logarithms.len()).fold(0, |best, i| if rise(i) > rise(best) { i } else { best })
 }

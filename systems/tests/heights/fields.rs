@@ -168,3 +168,24 @@ fn a_field_that_is_undefined_is_refused() {
     let system = field("xdot = x^2/k;");
     assert!(HeightsOrbit::new(&system, &[Rational::zero()], &Rational::one(), &[Rational::one()]).is_err());
 }
+
+/// Where noise hides the growth, no class is better than a wrong one; a tall coordinate that hardly moves decides nothing.
+#[test]
+fn noisy_logarithms_are_never_called_linear() {
+    let growth = |name: &str, eps: &str, start: &str, steps: usize| {
+        Survey::of(&mut orbit(&catalog(name), "", eps, start), steps, |_| ()).growth
+    };
+    for steps in [20, 40, 80, 160, 400] {
+        let found = growth("e1", "9/14", "35/12,-19/3,0", steps);
+        assert!(matches!(found, Growth::Logarithmic | Growth::Undecided), "{steps}: {found}");
+    }
+    for (name, eps, start, steps) in
+        [("e1", "-3/7", "13/24,47/43,4", 160), ("e2", "-1/3", "5/14,10/32,49/52", 60)]
+    {
+        let found = growth(name, eps, start, steps);
+        assert!(matches!(found, Growth::Logarithmic | Growth::Undecided), "{name}: {found}");
+    }
+    let tall = "181717957208561472822061132748/3613401719033258215905741,-3";
+    let survey = Survey::of(&mut orbit(&field("xdot = 1; ydot = -1;"), "", "4/5", tall), 500, |_| ());
+    assert_eq!(survey.growth, Growth::Logarithmic);
+}

@@ -63,7 +63,7 @@ impl Report<'_> {
                 text.push_str(&format!("    {}\n", row.established.detail));
             }
         }
-        text + "\n"
+        if self.rows.is_empty() { text } else { text + "\n" }
     }
 
     fn open_problems(&self) -> String {
@@ -75,6 +75,10 @@ impl Report<'_> {
     }
 
     fn totals(&self) -> String {
+        if self.rows.is_empty() {
+            let how = "add `integral NAME = …;`, `density NAME = …;` or `bracket NAME { … }`";
+            return format!("0 claims: the block claims nothing; {how}\n");
+        }
         let count =
             |keep: fn(Outcome) -> bool| self.rows.iter().filter(|row| keep(row.established.outcome)).count();
         let parts = [
