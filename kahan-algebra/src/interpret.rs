@@ -9,8 +9,7 @@ pub use stepper::{Pole, Stepper};
 
 use crate::arithmetic::{Arithmetic, Dual, Solved, determinant, solve};
 use crate::kahan::{RationalMap, bilinear_form, field_jacobian, polarization, scaled_matrix, scaled_rhs};
-use crate::plan::{Node, Plan, PlanBuilder};
-use crate::poly::Polynomial;
+use crate::plan::Plan;
 use crate::symbols::Symbol;
 use crate::syntax::ClaimKind;
 use crate::system::{System, upper_index};
@@ -81,25 +80,19 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub fn new(system: &'a System) -> Self {
         let field = &system.field;
-        let plan = |polynomials: Vec<&Polynomial>| {
-            let mut builder = PlanBuilder::default();
-            let nodes: Vec<Node> =
-                polynomials.into_iter().map(|polynomial| builder.polynomial(polynomial)).collect();
-            builder.finish(&nodes)
-        };
         let reduced = RationalMap::of(field).map(|map| {
             let outputs = map.reduced.increments.iter().chain([&map.reduced.denominator]);
-            plan(outputs.collect())
+            Plan::of(outputs)
         });
         Interpreter {
             system,
-            denominators: plan(field.components.iter().map(|component| &component.denominator).collect()),
-            field: plan(field.components.iter().map(|component| &component.numerator).collect()),
-            field_jacobian: plan(field_jacobian(field).iter().flatten().collect()),
-            matrix: plan(scaled_matrix(field).iter().flatten().collect()),
-            rhs: plan(scaled_rhs(field).iter().collect()),
-            bilinear: plan(bilinear_form(field).iter().collect()),
-            polarized: plan(polarization(field).iter().collect()),
+            denominators: Plan::of(field.components.iter().map(|component| &component.denominator)),
+            field: Plan::of(field.components.iter().map(|component| &component.numerator)),
+            field_jacobian: Plan::of(field_jacobian(field).iter().flatten()),
+            matrix: Plan::of(scaled_matrix(field).iter().flatten()),
+            rhs: Plan::of(scaled_rhs(field).iter()),
+            bilinear: Plan::of(bilinear_form(field).iter()),
+            polarized: Plan::of(polarization(field).iter()),
             reduced,
         }
     }

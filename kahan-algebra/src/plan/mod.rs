@@ -8,7 +8,7 @@ mod builder;
 pub use builder::PlanBuilder;
 
 use crate::arithmetic::Arithmetic;
-use crate::poly::Variable;
+use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
 
 /// The result of an operation: its index in the plan.
@@ -59,6 +59,15 @@ pub struct Plan {
 }
 
 impl Plan {
+    /// The plan that computes these polynomials, one result each.
+    #[must_use]
+    pub fn of<'a>(polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Self {
+        let mut builder = PlanBuilder::default();
+        let nodes: Vec<Node> =
+            polynomials.into_iter().map(|polynomial| builder.polynomial(polynomial)).collect();
+        builder.finish(&nodes)
+    }
+
     /// Runs the plan; `input` gives the value of each variable. A result that divides by zero on its way is `None`;
     /// the others are not touched by that. Cost: one arithmetic operation a step.
     pub fn evaluate<A: Arithmetic>(

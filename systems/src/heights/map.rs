@@ -8,7 +8,7 @@
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{RationalMap, scaled_matrix, scaled_rhs};
-use kahan_algebra::plan::{Node, Plan, PlanBuilder};
+use kahan_algebra::plan::Plan;
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
@@ -83,9 +83,9 @@ impl ProjectiveMap {
                     *denominator = denominator.div_monomial(&monomial).unwrap_or_default();
                 }
                 forms.extend(behind.forms(&map).1.pop());
-                (degree, Formula::Reduced { plan: plan(&forms), monomial, split })
+                (degree, Formula::Reduced { plan: Plan::of(&forms), monomial, split })
             }
-            None => (dimension, Formula::Elimination(plan(&ahead.linear_system()))),
+            None => (dimension, Formula::Elimination(Plan::of(&ahead.linear_system()))),
         };
         Ok(ProjectiveMap { dimension, degree, unit, formula })
     }
@@ -225,11 +225,4 @@ impl Values<'_> {
 /// The variable of W: the one behind the states, which are all that is left.
 fn weight(dimension: usize) -> Variable {
     Variable(u16::try_from(dimension).unwrap_or(u16::MAX))
-}
-
-/// The plan that computes these forms.
-pub(crate) fn plan(forms: &[Polynomial]) -> Plan {
-    let mut builder = PlanBuilder::default();
-    let nodes: Vec<Node> = forms.iter().map(|form| builder.polynomial(form)).collect();
-    builder.finish(&nodes)
 }

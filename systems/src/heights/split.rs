@@ -14,7 +14,6 @@ use kahan_algebra::plan::Plan;
 use kahan_algebra::poly::Polynomial;
 
 use super::integers::{Integers, bits, short_gcd};
-use super::map::plan;
 
 /// Below this many bits of W a split gains nothing.
 const LONG: usize = 1 << 12;
@@ -78,7 +77,7 @@ impl Split {
         }
         let least = degrees.iter().flatten().copied().min().unwrap_or(0);
         degrees.iter_mut().flatten().for_each(|degree| *degree -= least);
-        Split { is_short, plan: plan(&parts), degrees }
+        Split { is_short, plan: Plan::of(&parts), degrees }
     }
 
     fn apply(&self, point: &[IBig], g: &UBig) -> Vec<IBig> {

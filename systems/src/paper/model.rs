@@ -4,7 +4,7 @@ use kahan_algebra::arithmetic::{Arithmetic, Dual, solve};
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::kahan::{RationalMap, field_jacobian, scaled_matrix, scaled_rhs};
 use kahan_algebra::lexer::lex;
-use kahan_algebra::plan::{Node, Plan, PlanBuilder};
+use kahan_algebra::plan::Plan;
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Notation;
@@ -45,19 +45,14 @@ impl Model {
         let mistakes = diagnostics.finish();
         assert!(mistakes.is_empty(), "the block of {name}: {mistakes:?}");
         let field = &system.field;
-        let plan = |polynomials: Vec<&Polynomial>| {
-            let mut builder = PlanBuilder::default();
-            let nodes: Vec<Node> = polynomials.into_iter().map(|p| builder.polynomial(p)).collect();
-            builder.finish(&nodes)
-        };
         let reduced = RationalMap::of(field)
-            .map(|map| plan(map.reduced.increments.iter().chain([&map.reduced.denominator]).collect()));
+            .map(|map| Plan::of(map.reduced.increments.iter().chain([&map.reduced.denominator])));
         Model {
-            denominators: plan(field.components.iter().map(|component| &component.denominator).collect()),
-            field: plan(field.components.iter().map(|component| &component.numerator).collect()),
-            field_jacobian: plan(field_jacobian(field).iter().flatten().collect()),
-            matrix: plan(scaled_matrix(field).iter().flatten().collect()),
-            rhs: plan(scaled_rhs(field).iter().collect()),
+            denominators: Plan::of(field.components.iter().map(|component| &component.denominator)),
+            field: Plan::of(field.components.iter().map(|component| &component.numerator)),
+            field_jacobian: Plan::of(field_jacobian(field).iter().flatten()),
+            matrix: Plan::of(scaled_matrix(field).iter().flatten()),
+            rhs: Plan::of(scaled_rhs(field).iter()),
             reduced,
             system,
         }
