@@ -104,7 +104,7 @@ impl Row {
         vec![
             self.id.clone(),
             shorten(&statement, WIDTH),
-            self.source.clone(),
+            shorten(&self.source, WIDTH),
             self.established.outcome.words(),
             format!("{:>7.1} ms", self.milliseconds()),
         ]
