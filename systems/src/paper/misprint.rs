@@ -87,9 +87,8 @@ impl Paper {
         let identity = self.identity(claim, [&left, &right], *relation, digit.as_ref())?;
         if *relation == Relation::Different {
             // That two functions differ is refuted by their being equal everywhere, not at one point.
-            let sides = ["one function".to_owned(), "the same function".to_owned()];
-            let [left, right] = sides;
-            return Ok((left, right, identity.establish().is_ok()));
+            let differ = identity.establish().is_ok();
+            return Ok(("one function".to_owned(), "the same function".to_owned(), differ));
         }
         identity.at_point(point)
     }

@@ -154,11 +154,11 @@ fn bounds_end_an_orbit_and_keep_what_is_known() {
     assert!(by_digits.heights.iter().all(|heights| heights.longest() <= 5000));
     assert_eq!(by_digits.growth, Growth::Exponential);
 
-    let clock = std::time::Instant::now();
     let by_seconds = endless(Bounds { max_digits: None, seconds: Some(0.3) });
     assert_eq!(by_seconds.stopped, Some(Stop::Seconds));
     assert!(by_seconds.heights.len() > 8);
-    assert!(clock.elapsed().as_secs_f64() < 3.0, "a step may be late, but not by far: {:?}", clock.elapsed());
+    // No step is begun that would end too late, so without time there is none.
+    assert_eq!(endless(Bounds { max_digits: None, seconds: Some(0.0) }).heights.len(), 1);
 
     assert_eq!(endless(Bounds { max_digits: Some(1), seconds: None }).heights.len(), 1);
 }

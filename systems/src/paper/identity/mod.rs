@@ -61,12 +61,18 @@ impl Identity<'_> {
     /// # Errors
     /// Why it does not.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
-        if self.relation != Relation::Approximate
+        let has_functions = has_functions(self.left) || has_functions(self.right);
+        // Functions become names that need not be independent: names that differ then say nothing of the functions.
+        let is_decided_by_names = match self.relation {
+            Relation::Equal => true,
+            Relation::Different => !has_functions,
+            Relation::Approximate => false,
+        };
+        if is_decided_by_names
             && let (Some(left), Some(right)) = (rationalise(self.left), rationalise(self.right))
         {
             let evidence = self.rational(&left, &right);
-            // Functions became names that need not be independent: then only a proof counts.
-            if evidence.is_ok() || !(has_functions(self.left) || has_functions(self.right)) {
+            if evidence.is_ok() || !has_functions {
                 return evidence;
             }
         }

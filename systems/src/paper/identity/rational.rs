@@ -20,6 +20,9 @@ const MOST_WORK: u64 = 2_000_000;
 /// The exact points at which a relation is tested that is too large for a proof.
 const EXACT_POINTS: u32 = 12;
 
+/// The values of all names.
+type Point = BTreeMap<String, Rational>;
+
 impl Identity<'_> {
     pub(super) fn rational(&self, left: &Formula, right: &Formula) -> Result<Evidence, String> {
         let names = self.names([left, right]);
@@ -107,18 +110,16 @@ impl Identity<'_> {
     }
 
     /// Both sides at a point of small rationals.
-    #[allow(clippy::type_complexity)]
     fn exact_point(
         &self,
         left: &Formula,
         right: &Formula,
         names: &[String],
         random: &mut SplitMix64,
-    ) -> Result<(BTreeMap<String, Rational>, [Rational; 2]), String> {
+    ) -> Result<(Point, [Rational; 2]), String> {
         for _ in 0..MOST_DRAWS {
             let mut small = || Rational::new(1 + random.below(5) as i64, 1 + random.below(5) as i64);
-            let point: BTreeMap<String, Rational> =
-                names.iter().map(|name| (name.clone(), small())).collect();
+            let point: Point = names.iter().map(|name| (name.clone(), small())).collect();
             if let Ok(sides) = self.sides(&Exact, left, right, point.clone()) {
                 return Ok((point, sides));
             }
