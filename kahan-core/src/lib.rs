@@ -11,7 +11,7 @@
 
 #![no_std]
 
-#[cfg(test)]
+#[cfg(any(test, feature = "std"))]
 extern crate std;
 
 mod error;
@@ -22,6 +22,7 @@ mod map;
 mod named;
 mod orbit;
 mod prepared;
+mod prepared_step;
 mod scalar;
 mod try_step;
 mod vector_macro;
@@ -40,6 +41,7 @@ pub use map::{KahanMap, eps_from_dt};
 pub use named::{Integrals, Named};
 pub use orbit::Orbit;
 pub use prepared::KahanAt;
+pub use prepared_step::{PreparedStep, Quotients, WideStep};
 pub use scalar::{Constant, Pivot, Scalar};
 
 pub use nalgebra;

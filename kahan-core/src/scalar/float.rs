@@ -1,9 +1,26 @@
 //! The machine's floats as scalars.
 //!
 //! A reciprocal is always given (±∞ at ±0), so nothing branches on a value and nothing panics; poles show as
-//! results that are not finite.
+//! results that are not finite. Multiply-adds are fused where the target is compiled for an instruction that does it;
+//! elsewhere `mul_add` would be a slow library call, so there they are a multiplication and an addition.
 
 use super::{Constant, Pivot, Scalar};
+
+/// a·b + c. Without the standard library `mul_add` does not exist.
+#[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
+macro_rules! fused_or_not {
+    ($a:expr, $b:expr, $c:expr) => {
+        ($a).mul_add($b, $c)
+    };
+}
+
+/// a·b + c, rounded twice.
+#[cfg(not(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64"))))]
+macro_rules! fused_or_not {
+    ($a:expr, $b:expr, $c:expr) => {
+        $a * $b + $c
+    };
+}
 
 macro_rules! implement_for_float {
     ($float:ty, $from_constant:ident) => {
@@ -22,6 +39,21 @@ macro_rules! implement_for_float {
             #[inline]
             fn is_better_pivot(&self, than: &Self) -> bool {
                 self.magnitude_exceeds(than)
+            }
+
+            #[inline(always)]
+            fn multiply_add(self, factor: Self, addend: Self) -> Self {
+                fused_or_not!(self, factor, addend)
+            }
+
+            #[inline(always)]
+            fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+                fused_or_not!(self, factor, -subtrahend)
+            }
+
+            #[inline(always)]
+            fn subtract_product(self, a: Self, b: Self) -> Self {
+                fused_or_not!(-a, b, self)
             }
 
             #[inline]

@@ -61,6 +61,24 @@ pub trait Scalar:
         than.is_zero() && !self.is_zero()
     }
 
+    /// self·factor + addend, rounded once where the target has an instruction for that, else as written.
+    #[inline(always)]
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        self * factor + addend
+    }
+
+    /// self·factor − subtrahend, rounded as [`multiply_add`](Self::multiply_add).
+    #[inline(always)]
+    fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+        self * factor - subtrahend
+    }
+
+    /// self − a·b, rounded as [`multiply_add`](Self::multiply_add).
+    #[inline(always)]
+    fn subtract_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
+
     /// A nearby `f64` for reports, not for computing; not a number where there is none, as here.
     fn approximate(&self) -> f64 {
         f64::NAN

@@ -1,0 +1,67 @@
+//! The step of a map whose ε and parameters are known: what the macro writes, and what orbits, prepared maps and
+//! ensembles run.
+//!
+//! In: constants computed once. Out: for each state the increment x̃ − x, as numerators and the reciprocals of their
+//! denominators, so that whoever finishes the step decides how to round it (fused, compensated, in lanes).
+
+use core::array::from_fn;
+
+use nalgebra::SVector;
+
+use crate::Scalar;
+
+/// x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quotients<T, const N: usize> {
+    /// The numerators, 2ε included.
+    pub numerators: [T; N],
+    /// The reciprocals of the denominators; 1 where there is none.
+    pub reciprocals: [T; N],
+}
+
+/// A step that knows its ε and its parameters.
+///
+/// Nothing in it allocates beyond what the scalar does, and the evaluation order is fixed.
+pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
+    /// The increment at `x` before its last multiplication, or `None` at a pole of a scalar that has no reciprocal
+    /// of zero. The kernel of everything: implementations are `#[inline(always)]`, because lanes must be compiled
+    /// into the function that enables their instructions.
+    fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>>;
+
+    /// x̃ − x.
+    #[inline]
+    fn increment(&self, x: &SVector<T, N>) -> Option<SVector<T, N>> {
+        let Quotients { numerators, reciprocals } = self.quotients(x)?;
+        Some(SVector::from_fn(|i, _| numerators[i].clone() * reciprocals[i].clone()))
+    }
+
+    /// x̃, the last multiplication and addition fused where the scalar can.
+    #[inline]
+    fn next(&self, x: &SVector<T, N>) -> Option<SVector<T, N>> {
+        let quotients = self.quotients(x)?;
+        Some(quotients.added_to(x))
+    }
+}
+
+/// A prepared step whose constants can be spread over the lanes of a vector register.
+pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
+    /// Whether the step is straight-line code; elimination, which chooses its pivots by comparing, has no lanes.
+    const HAS_LANES: bool;
+
+    /// The same step over another scalar.
+    type Wide<L: Scalar>: PreparedStep<L, N>;
+
+    /// Each constant spread over the lanes of `L`.
+    fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> Self::Wide<L>;
+}
+
+impl<T: Scalar, const N: usize> Quotients<T, N> {
+    /// x̃ from x: one multiply-add a component.
+    #[inline(always)]
+    pub fn added_to(self, x: &SVector<T, N>) -> SVector<T, N> {
+        let Quotients { numerators, reciprocals } = self;
+        let next: [T; N] =
+            from_fn(|i| numerators[i].clone().multiply_add(reciprocals[i].clone(), x[i].clone()));
+        SVector::from_array_storage(nalgebra::ArrayStorage([next]))
+    }
+}
