@@ -49,11 +49,11 @@ impl<V: Clone> Program<V> {
                         program.states.push((index, state));
                     }
                 },
-                _ if operation.operands().into_iter().flatten().any(|operand| varies[operand.0]) => {
+                _ if operation.operands().any(|operand| varies[operand.0]) => {
                     varies[index] = true;
                     program.steps.push((index, operation.clone()));
                 }
-                _ => program.registers[index] = compute(arithmetic, operation, &program.registers),
+                _ => program.registers[index] = operation.compute(arithmetic, |node| program.registers[node.0].as_ref()),
             }
         }
         program
@@ -65,32 +65,12 @@ impl<V: Clone> Program<V> {
             self.registers[register] = Some(state[index].clone());
         }
         for (register, operation) in &self.steps {
-            self.registers[*register] = compute(arithmetic, operation, &self.registers);
+            self.registers[*register] = operation.compute(arithmetic, |node| self.registers[node.0].as_ref());
         }
     }
 
     /// The results of the last run, `None` for one that divides by zero on its way.
     pub(super) fn outputs(&self) -> impl ExactSizeIterator<Item = Option<&V>> {
         self.outputs.iter().map(|output| self.registers[output.0].as_ref())
-    }
-}
-
-/// The value of one operation; `None` where it, or an operand, has none.
-#[inline]
-fn compute<A: Arithmetic>(
-    arithmetic: &A,
-    operation: &Operation,
-    registers: &[Option<A::Value>],
-) -> Option<A::Value> {
-    let value = |node: &Node| registers[node.0].as_ref();
-    match operation {
-        // Inputs are put into their registers before.
-        Operation::Input(_) => None,
-        Operation::Constant(constant) => arithmetic.constant(constant),
-        Operation::Add(a, b) => Some(arithmetic.add(value(a)?, value(b)?)),
-        Operation::Subtract(a, b) => Some(arithmetic.subtract(value(a)?, value(b)?)),
-        Operation::Multiply(a, b) => Some(arithmetic.multiply(value(a)?, value(b)?)),
-        Operation::Divide(a, b) => arithmetic.divide(value(a)?, value(b)?),
-        Operation::Negate(a) => Some(arithmetic.negate(value(a)?)),
     }
 }

@@ -26,7 +26,7 @@ impl PlanBuilder {
         }
         for index in (0..self.operations.len()).rev() {
             if needed[index] {
-                for operand in self.operations[index].operands().into_iter().flatten() {
+                for operand in self.operations[index].operands() {
                     needed[operand.0] = true;
                 }
             }
@@ -35,7 +35,7 @@ impl PlanBuilder {
         let mut operations = Vec::new();
         for (index, operation) in self.operations.iter().enumerate().filter(|(index, _)| needed[*index]) {
             renamed[index] = Node(operations.len());
-            operations.push(rename(operation, &renamed));
+            operations.push(operation.with_operands(|node| renamed[node.0]));
         }
         Plan { operations, outputs: outputs.iter().map(|output| renamed[output.0]).collect() }
     }
@@ -55,11 +55,41 @@ impl PlanBuilder {
         for operation in &plan.operations {
             let node = match operation {
                 Operation::Input(variable) => input(self, *variable),
-                _ => self.intern(rename(operation, &renamed)),
+                _ => self.intern(operation.with_operands(|node| renamed[node.0])),
             };
             renamed.push(node);
         }
         plan.outputs.iter().map(|output| renamed[output.0]).collect()
+    }
+
+    /// Every step of another plan, by its index there.
+    pub(super) fn include_all(&mut self, plan: &Plan) -> Vec<Node> {
+        let mut renamed: Vec<Node> = Vec::with_capacity(plan.operations.len());
+        for operation in &plan.operations {
+            renamed.push(self.intern(operation.with_operands(|node| renamed[node.0])));
+        }
+        renamed
+    }
+
+    /// A literal of another plan: a constant, or the negation of one.
+    pub(super) fn include_node(&mut self, plan: &Plan, node: Node) -> Node {
+        let operation = &plan.operations[node.0];
+        let mut renamed = Vec::new();
+        for operand in operation.operands() {
+            renamed.push(self.include_node(plan, operand));
+        }
+        let mut renamed = renamed.into_iter();
+        self.intern(operation.with_operands(|operand| renamed.next().unwrap_or(operand)))
+    }
+
+    /// A prepared constant.
+    pub(super) fn prepared(&mut self, index: usize) -> Node {
+        self.intern(Operation::Prepared(index))
+    }
+
+    /// This very operation, without simplification.
+    pub(super) fn exactly(&mut self, operation: Operation) -> Node {
+        self.intern(operation)
     }
 
     fn intern(&mut self, operation: Operation) -> Node {
@@ -290,15 +320,4 @@ fn split(polynomial: &Polynomial, variable: Variable) -> (Polynomial, Polynomial
         }
     }
     (Polynomial::from_terms(quotient), Polynomial::from_terms(rest))
-}
-
-fn rename(operation: &Operation, renamed: &[Node]) -> Operation {
-    match operation {
-        Operation::Input(_) | Operation::Constant(_) => operation.clone(),
-        Operation::Negate(a) => Operation::Negate(renamed[a.0]),
-        Operation::Add(a, b) => Operation::Add(renamed[a.0], renamed[b.0]),
-        Operation::Subtract(a, b) => Operation::Subtract(renamed[a.0], renamed[b.0]),
-        Operation::Multiply(a, b) => Operation::Multiply(renamed[a.0], renamed[b.0]),
-        Operation::Divide(a, b) => Operation::Divide(renamed[a.0], renamed[b.0]),
-    }
 }

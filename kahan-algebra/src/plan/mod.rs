@@ -4,8 +4,10 @@
 //! field, dual numbers, degree bounds, rational functions, floats. Both see the same operations in the same order.
 
 mod builder;
+mod step;
 
 pub use builder::PlanBuilder;
+pub use step::StepPlan;
 
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Polynomial, Variable};
@@ -32,19 +34,82 @@ pub enum Operation {
     Divide(Node, Node),
     /// −a
     Negate(Node),
+    /// a · b + c, to be rounded once where the scalar can
+    MultiplyAdd(Node, Node, Node),
+    /// a · b − c, likewise
+    MultiplySubtract(Node, Node, Node),
+    /// a − b · c, likewise
+    SubtractProduct(Node, Node, Node),
+    /// The prepared constant with this index, in the kernel of a [`StepPlan`].
+    Prepared(usize),
 }
 
 impl Operation {
-    /// The operands, at most two.
-    #[must_use]
-    pub fn operands(&self) -> [Option<Node>; 2] {
-        match *self {
-            Operation::Input(_) | Operation::Constant(_) => [None, None],
-            Operation::Negate(a) => [Some(a), None],
+    /// The operands, at most three, in order.
+    pub fn operands(&self) -> impl Iterator<Item = Node> + use<> {
+        let operands = match *self {
+            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => [None, None, None],
+            Operation::Negate(a) => [Some(a), None, None],
             Operation::Add(a, b)
             | Operation::Subtract(a, b)
             | Operation::Multiply(a, b)
-            | Operation::Divide(a, b) => [Some(a), Some(b)],
+            | Operation::Divide(a, b) => [Some(a), Some(b), None],
+            Operation::MultiplyAdd(a, b, c)
+            | Operation::MultiplySubtract(a, b, c)
+            | Operation::SubtractProduct(a, b, c) => [Some(a), Some(b), Some(c)],
+        };
+        operands.into_iter().flatten()
+    }
+
+    /// The same operation on other operands.
+    #[must_use]
+    pub fn with_operands(&self, mut rename: impl FnMut(Node) -> Node) -> Self {
+        match *self {
+            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => self.clone(),
+            Operation::Negate(a) => Operation::Negate(rename(a)),
+            Operation::Add(a, b) => Operation::Add(rename(a), rename(b)),
+            Operation::Subtract(a, b) => Operation::Subtract(rename(a), rename(b)),
+            Operation::Multiply(a, b) => Operation::Multiply(rename(a), rename(b)),
+            Operation::Divide(a, b) => Operation::Divide(rename(a), rename(b)),
+            Operation::MultiplyAdd(a, b, c) => Operation::MultiplyAdd(rename(a), rename(b), rename(c)),
+            Operation::MultiplySubtract(a, b, c) => {
+                Operation::MultiplySubtract(rename(a), rename(b), rename(c))
+            }
+            Operation::SubtractProduct(a, b, c) => {
+                Operation::SubtractProduct(rename(a), rename(b), rename(c))
+            }
+        }
+    }
+
+    /// The value of the operation from those of its operands; `None` where it, or one of them, has none, and for an input.
+    /// A multiply-add is a multiplication and an addition: over ℚ there is no difference, and floats that fuse are the
+    /// generated code's business.
+    #[inline]
+    pub fn compute<'a, A: Arithmetic>(
+        &self,
+        arithmetic: &A,
+        value: impl Fn(Node) -> Option<&'a A::Value>,
+    ) -> Option<A::Value>
+    where
+        A::Value: 'a,
+    {
+        match *self {
+            Operation::Input(_) | Operation::Prepared(_) => None,
+            Operation::Constant(ref constant) => arithmetic.constant(constant),
+            Operation::Negate(a) => Some(arithmetic.negate(value(a)?)),
+            Operation::Add(a, b) => Some(arithmetic.add(value(a)?, value(b)?)),
+            Operation::Subtract(a, b) => Some(arithmetic.subtract(value(a)?, value(b)?)),
+            Operation::Multiply(a, b) => Some(arithmetic.multiply(value(a)?, value(b)?)),
+            Operation::Divide(a, b) => arithmetic.divide(value(a)?, value(b)?),
+            Operation::MultiplyAdd(a, b, c) => {
+                Some(arithmetic.add(&arithmetic.multiply(value(a)?, value(b)?), value(c)?))
+            }
+            Operation::MultiplySubtract(a, b, c) => {
+                Some(arithmetic.subtract(&arithmetic.multiply(value(a)?, value(b)?), value(c)?))
+            }
+            Operation::SubtractProduct(a, b, c) => {
+                Some(arithmetic.subtract(value(a)?, &arithmetic.multiply(value(b)?, value(c)?)))
+            }
         }
     }
 }
@@ -75,18 +140,22 @@ impl Plan {
         arithmetic: &A,
         mut input: impl FnMut(Variable) -> A::Value,
     ) -> Vec<Option<A::Value>> {
+        self.evaluate_prepared(arithmetic, &[], |variable| Some(input(variable)))
+    }
+
+    /// The same with values for the prepared constants; an input without a value leaves what depends on it without one.
+    pub fn evaluate_prepared<A: Arithmetic>(
+        &self,
+        arithmetic: &A,
+        prepared: &[Option<A::Value>],
+        mut input: impl FnMut(Variable) -> Option<A::Value>,
+    ) -> Vec<Option<A::Value>> {
         let mut values: Vec<Option<A::Value>> = Vec::with_capacity(self.operations.len());
         for operation in &self.operations {
-            let [a, b] = operation.operands();
-            let value = match (operation, a.map(|a| &values[a.0]), b.map(|b| &values[b.0])) {
-                (Operation::Input(variable), ..) => Some(input(*variable)),
-                (Operation::Constant(value), ..) => arithmetic.constant(value),
-                (Operation::Negate(_), Some(Some(a)), _) => Some(arithmetic.negate(a)),
-                (Operation::Add(..), Some(Some(a)), Some(Some(b))) => Some(arithmetic.add(a, b)),
-                (Operation::Subtract(..), Some(Some(a)), Some(Some(b))) => Some(arithmetic.subtract(a, b)),
-                (Operation::Multiply(..), Some(Some(a)), Some(Some(b))) => Some(arithmetic.multiply(a, b)),
-                (Operation::Divide(..), Some(Some(a)), Some(Some(b))) => arithmetic.divide(a, b),
-                _ => None,
+            let value = match operation {
+                Operation::Input(variable) => input(*variable),
+                Operation::Prepared(index) => prepared.get(*index).cloned().flatten(),
+                _ => operation.compute(arithmetic, |node| values[node.0].as_ref()),
             };
             values.push(value);
         }
@@ -113,7 +182,7 @@ impl Plan {
     pub fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.operations.len()];
         for node in
-            self.operations.iter().flat_map(Operation::operands).flatten().chain(self.outputs.iter().copied())
+            self.operations.iter().flat_map(Operation::operands).chain(self.outputs.iter().copied())
         {
             uses[node.0] += 1;
         }
