@@ -8,8 +8,9 @@ mod stepper;
 pub use stepper::{Pole, Stepper};
 
 use crate::arithmetic::{Arithmetic, Dual, Solved, determinant, solve};
-use crate::kahan::{RationalMap, bilinear_form, field_jacobian, polarization, scaled_matrix, scaled_rhs};
-use crate::plan::Plan;
+use crate::kahan::{bilinear_form, field_jacobian, polarization, scaled_matrix, scaled_rhs};
+use crate::plan::{Plan, StepPlan};
+use crate::poly::Variable;
 use crate::symbols::Symbol;
 use crate::syntax::ClaimKind;
 use crate::system::{System, upper_index};
@@ -26,8 +27,8 @@ pub struct Interpreter<'a> {
     rhs: Plan,
     bilinear: Plan,
     polarized: Plan,
-    /// n₁ … nₙ and d of x̃ = x + 2ε n/d, within the budget.
-    reduced: Option<Plan>,
+    /// The step in straight lines, within the budget.
+    step: Option<StepPlan>,
 }
 
 /// Where to evaluate.
@@ -80,10 +81,6 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub fn new(system: &'a System) -> Self {
         let field = &system.field;
-        let reduced = RationalMap::of(field).map(|map| {
-            let outputs = map.reduced.increments.iter().chain([&map.reduced.denominator]);
-            Plan::of(outputs)
-        });
         Interpreter {
             system,
             denominators: Plan::of(field.components.iter().map(|component| &component.denominator)),
@@ -93,7 +90,7 @@ impl<'a> Interpreter<'a> {
             rhs: Plan::of(scaled_rhs(field).iter()),
             bilinear: Plan::of(bilinear_form(field).iter()),
             polarized: Plan::of(polarization(field).iter()),
-            reduced,
+            step: StepPlan::of(field),
         }
     }
 
@@ -162,27 +159,40 @@ impl<'a> Interpreter<'a> {
 
     /// x̃ of the reduced map; `None` at a pole.
     pub fn next<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
-        let two_eps = arithmetic.add(&point.eps, &point.eps);
-        let increments: Vec<A::Value> = match &self.reduced {
-            Some(plan) => {
-                let mut values = self.run(arithmetic, plan, point, None)?;
-                let denominator = values.pop()?;
-                values.iter().map(|value| arithmetic.divide(value, &denominator)).collect::<Option<_>>()?
-            }
-            None => {
-                let right =
-                    self.run(arithmetic, &self.field, point, None)?.into_iter().map(|value| vec![value]);
-                let Solved { solution, .. } =
-                    solve(arithmetic, &self.scaled_matrix(arithmetic, point)?, &right.collect::<Vec<_>>())?;
-                solution.into_iter().flatten().collect()
-            }
-        };
-        let moved = point
-            .state
-            .iter()
-            .zip(&increments)
-            .map(|(x, increment)| arithmetic.add(x, &arithmetic.multiply(&two_eps, increment)));
+        match &self.step {
+            Some(step) => self.stepped(arithmetic, step, point),
+            None => self.eliminated(arithmetic, point),
+        }
+    }
+
+    /// x̃ = x + numerator · reciprocal, as generated code computes it.
+    fn stepped<A: Arithmetic>(
+        &self,
+        arithmetic: &A,
+        step: &StepPlan,
+        point: &Point<A::Value>,
+    ) -> Option<Vec<A::Value>> {
+        let constants = self.run_partly(arithmetic, &step.constants, point, None);
+        let input = |variable| Some(self.value_of(variable, point, None));
+        let values = step.kernel.evaluate_prepared(arithmetic, &constants, input);
+        let values: Vec<A::Value> = values.into_iter().collect::<Option<_>>()?;
+        let (numerators, reciprocals) = values.split_at(point.state.len());
+        let moved = point.state.iter().zip(numerators).zip(&step.reciprocals);
+        let moved = moved.map(|((x, numerator), place)| match place {
+            Some(place) => arithmetic.add(x, &arithmetic.multiply(numerator, &reciprocals[*place])),
+            None => arithmetic.add(x, numerator),
+        });
         Some(moved.collect())
+    }
+
+    /// x̃ = x + 2ε v with Âv = p, by elimination.
+    fn eliminated<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
+        let field = self.run(arithmetic, &self.field, point, None)?;
+        let right: Vec<Vec<A::Value>> = field.into_iter().map(|value| vec![value]).collect();
+        let Solved { solution, .. } = solve(arithmetic, &self.scaled_matrix(arithmetic, point)?, &right)?;
+        let two_eps = arithmetic.add(&point.eps, &point.eps);
+        let moved = point.state.iter().zip(solution.iter().flatten());
+        Some(moved.map(|(x, slope)| arithmetic.add(x, &arithmetic.multiply(&two_eps, slope))).collect())
     }
 
     /// ∂x̃/∂x: of the reduced map by dual numbers, else A(x,ε)⁻¹A(x̃,−ε).
@@ -192,7 +202,7 @@ impl<'a> Interpreter<'a> {
         point: &Point<A::Value>,
         next: &[A::Value],
     ) -> Option<Vec<Vec<A::Value>>> {
-        if self.reduced.is_none() {
+        if self.step.is_none() {
             let back = Point {
                 state: next.to_vec(),
                 parameters: point.parameters.clone(),
@@ -266,13 +276,16 @@ impl<'a> Interpreter<'a> {
         point: &Point<A::Value>,
         second: Option<&[A::Value]>,
     ) -> Vec<Option<A::Value>> {
-        let symbols = &self.system.field.symbols;
-        plan.evaluate(arithmetic, |variable| match symbols.symbol(variable) {
+        plan.evaluate(arithmetic, |variable| self.value_of(variable, point, second))
+    }
+
+    fn value_of<V: Clone>(&self, variable: Variable, point: &Point<V>, second: Option<&[V]>) -> V {
+        match self.system.field.symbols.symbol(variable) {
             Symbol::State(i) => point.state[i].clone(),
             Symbol::Parameter(k) => point.parameters[k].clone(),
             Symbol::Epsilon => point.eps.clone(),
             Symbol::SecondState(i) => second.unwrap_or(&point.state)[i].clone(),
-        })
+        }
     }
 
     fn functions<A: Arithmetic>(

@@ -14,6 +14,7 @@ mod division;
 mod gcd;
 mod images;
 mod monomial;
+mod root;
 #[cfg(test)]
 mod tests;
 

@@ -14,6 +14,9 @@
 #[cfg(any(test, feature = "std"))]
 extern crate std;
 
+mod elimination;
+#[cfg(feature = "std")]
+mod ensemble;
 mod error;
 mod field;
 mod kahan_macro;
@@ -35,6 +38,9 @@ pub mod __private;
 #[cfg(test)]
 mod tests;
 
+pub use elimination::Elimination;
+#[cfg(feature = "std")]
+pub use ensemble::{Axis, Ensemble, EnsembleScalar, Level, Reciprocal};
 pub use error::SingularStep;
 pub use field::QuadraticField;
 pub use map::{KahanMap, eps_from_dt};

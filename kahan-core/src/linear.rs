@@ -7,7 +7,7 @@
 
 use core::array::from_fn;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{ArrayStorage, SMatrix, SVector};
 
 use crate::Scalar;
 
@@ -189,11 +189,8 @@ pub(crate) fn increment_by_elimination<T: Scalar, const N: usize>(
     Some(SVector::from_fn(|i, _| dt.clone() * velocity[i].clone()))
 }
 
-/// x + increment.
-#[inline]
-pub(crate) fn advance<T: Scalar, const N: usize>(
-    x: &SVector<T, N>,
-    increment: &SVector<T, N>,
-) -> SVector<T, N> {
-    SVector::from_fn(|i, _| x[i].clone() + increment[i].clone())
+/// A vector from its entries.
+#[inline(always)]
+pub fn vector<T, const N: usize>(entries: [T; N]) -> SVector<T, N> {
+    SVector::from_array_storage(ArrayStorage([entries]))
 }

@@ -2,15 +2,16 @@
 //!
 //! In: a state x and ε, half the time step. Out: x̃, the matrix A and right-hand side b of the linear system A·x̃ = b,
 //! Jacobians, determinants, orbits.
-//! All but one method have defaults, correct for every field; the macro overrides those for which it knows a closed
-//! form of the reduced map. What a prepared map or an orbit holds between steps lives in modules of their own.
+//! Every step goes through a prepared one, which knows ε and the parameters: that is what the macro writes, or what
+//! elimination does for any field. All else has defaults, correct for every field; the macro overrides those for which
+//! it knows a closed form. What a prepared map or an orbit holds between steps lives in modules of their own.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::error::pole;
-use crate::linear::{advance, determinant, determinant_and_adjugate_product, solve};
+use crate::linear::{determinant, determinant_and_adjugate_product, solve};
 use crate::try_step::try_step;
-use crate::{Constant, KahanAt, Orbit, Pivot, QuadraticField, Scalar, SingularStep};
+use crate::{Constant, KahanAt, Orbit, Pivot, PreparedStep, QuadraticField, Scalar, SingularStep};
 
 /// ε from the time step: ε = dt/2.
 #[inline]
@@ -51,11 +52,14 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// assert!((next - x - increment).norm() < 1e-15);
 /// ```
 pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
-    /// x̃ − x, or `None` at a pole of a scalar that has no reciprocal of zero.
+    /// The step of this map at a known ε, with all that depends on ε and the parameters alone computed.
     ///
-    /// The one thing the macro must write: a closed form by `increment_from_quotient`, or `increment_by_elimination`.
-    #[doc(hidden)]
-    fn increment(&self, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>;
+    /// The macro writes a type of its own here. A map that is written by hand takes
+    /// [`Elimination<Self, T>`](crate::Elimination), which suits every field, or a [`PreparedStep`] of its own.
+    type Prepared: PreparedStep<T, N>;
+
+    /// Prepares the step at ε: what an orbit or [`at`](Self::at) computes once.
+    fn prepare(&self, eps: &T) -> Self::Prepared;
 
     /// A(x,ε) = I − εf′(x), the matrix of the linear system A(x,ε)·x̃ = b(x,ε).
     fn matrix(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
@@ -78,14 +82,16 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// x̃, the state one time step of 2ε later.
     ///
     /// The fast tier: for the fields of ordinary size the reduced closed form with one reciprocal, whose error is of
-    /// the order of the scalar's rounding unit away from poles; it neither branches nor allocates over floats.
+    /// the order of the scalar's rounding unit away from poles; it neither branches nor allocates over floats. In a
+    /// loop over one ε, [`at`](Self::at) and [`orbit`](Self::orbit) give the same numbers bit for bit and are certain
+    /// to prepare once.
     ///
     /// # Panics
     /// At a pole, for exact scalars; floats give a result that is not finite.
     #[inline]
     fn step(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
-        match self.increment(x, &eps) {
-            Some(increment) => advance(x, &increment),
+        match self.prepare(&eps).next(x) {
+            Some(next) => next,
             None => pole(&eps),
         }
     }
@@ -102,7 +108,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     where
         T: Pivot,
     {
-        try_step(x, &eps, self.increment(x, &eps), || self.matrix(x, eps.clone()), || self.field(x))
+        try_step(self, &self.prepare(&eps), x, &eps)
     }
 
     /// The inverse map, which is the map with −ε: the state one time step of 2ε earlier.
@@ -143,12 +149,14 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     }
 
     /// The map at one ε, prepared to be stepped many times; it owns a copy of this map.
+    #[inline]
     fn at(&self, eps: T) -> KahanAt<Self, T, N> {
         KahanAt::new(self.clone(), eps)
     }
 
-    /// The orbit x₀, x₁, …, beginning with x₀ = `x`; it owns a copy of this map.
+    /// The orbit x₀, x₁, …, beginning with x₀ = `x`; it owns all that it needs.
+    #[inline]
     fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<Self, T, N> {
-        Orbit::new(self.clone(), x, eps)
+        Orbit::new(self.prepare(&eps), x, eps)
     }
 }

@@ -9,6 +9,7 @@ use core::array::from_fn;
 use nalgebra::SVector;
 
 use crate::Scalar;
+use crate::linear::vector;
 
 /// x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,8 +32,7 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// x̃ − x.
     #[inline]
     fn increment(&self, x: &SVector<T, N>) -> Option<SVector<T, N>> {
-        let Quotients { numerators, reciprocals } = self.quotients(x)?;
-        Some(SVector::from_fn(|i, _| numerators[i].clone() * reciprocals[i].clone()))
+        Some(self.quotients(x)?.increment())
     }
 
     /// x̃, the last multiplication and addition fused where the scalar can.
@@ -56,12 +56,16 @@ pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Quotients<T, N> {
+    /// x̃ − x: one multiplication a component.
+    #[inline(always)]
+    pub fn increment(&self) -> SVector<T, N> {
+        vector(from_fn(|i| self.numerators[i].clone() * self.reciprocals[i].clone()))
+    }
+
     /// x̃ from x: one multiply-add a component.
     #[inline(always)]
     pub fn added_to(self, x: &SVector<T, N>) -> SVector<T, N> {
         let Quotients { numerators, reciprocals } = self;
-        let next: [T; N] =
-            from_fn(|i| numerators[i].clone().multiply_add(reciprocals[i].clone(), x[i].clone()));
-        SVector::from_array_storage(nalgebra::ArrayStorage([next]))
+        vector(from_fn(|i| numerators[i].clone().multiply_add(reciprocals[i].clone(), x[i].clone())))
     }
 }

@@ -6,29 +6,26 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::linear::{advance, determinant, increment_by_elimination};
-use crate::{Pivot, SingularStep};
+use crate::linear::{determinant, increment_by_elimination};
+use crate::{KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep};
 
-/// x̃ from the fast `increment`, or from A(x,ε) = `matrix()` and f(x) = `field()`, which are asked for when needed.
-pub(crate) fn try_step<T: Pivot, const N: usize>(
+/// x̃ from the fast step, `prepared` from `map` at `eps`, or by elimination.
+pub(crate) fn try_step<M, T, const N: usize>(
+    map: &M,
+    prepared: &M::Prepared,
     x: &SVector<T, N>,
     eps: &T,
-    increment: Option<SVector<T, N>>,
-    matrix: impl Fn() -> SMatrix<T, N, N>,
-    field: impl Fn() -> SVector<T, N>,
-) -> Result<SVector<T, N>, SingularStep> {
+) -> Result<SVector<T, N>, SingularStep>
+where
+    M: KahanMap<T, N>,
+    T: Pivot,
+{
+    let matrix = || map.matrix(x, eps.clone());
     let singular = || SingularStep::new(determinant(matrix()).approximate(), eps.approximate());
 
-    let increment = increment.ok_or_else(singular)?;
-    let next = advance(x, &increment);
-    let hides_an_overflow = || {
-        let zeros = increment.iter().filter(|entry| entry.is_zero()).count();
-        zeros > 0 && (zeros == N || !can_eliminate(&matrix())) && !field().iter().all(T::is_zero)
-    };
-    // A finite increment may conceal an overflow, because 1/∞ is 0. A denominator that overflows makes the whole
-    // increment 0, where f(x) is not; a pivot that overflows, which only a matrix too large to eliminate has, makes
-    // its own component 0. (Every other overflow leaves ∞ or no number.)
-    if is_finite(&next) && !hides_an_overflow() {
+    let quotients = prepared.quotients(x).ok_or_else(singular)?;
+    let next = quotients.clone().added_to(x);
+    if is_finite(&next) && !hides_an_overflow(map, &quotients, x, eps) {
         return Ok(next);
     }
     let matrix = matrix();
@@ -36,9 +33,37 @@ pub(crate) fn try_step<T: Pivot, const N: usize>(
         // No determinant can be told either.
         return Err(SingularStep::new(f64::NAN, eps.approximate()));
     }
-    let increment = increment_by_elimination(matrix, field(), eps).ok_or_else(singular)?;
+    let increment = increment_by_elimination(matrix, map.field(x), eps).ok_or_else(singular)?;
     let next = advance(x, &increment);
     if is_finite(&next) { Ok(next) } else { Err(singular()) }
+}
+
+/// Whether a finite increment conceals an overflow, which it can because 1/∞ is 0.
+///
+/// A denominator that overflows makes its components' increments 0; with an inner one, all of them or, where the matrix
+/// is too large to eliminate, the one whose pivot overflowed. (Every other overflow leaves ∞ or no number.) Where f(x)
+/// is 0, an increment of 0 conceals nothing.
+fn hides_an_overflow<M, T, const N: usize>(
+    map: &M,
+    quotients: &Quotients<T, N>,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> bool
+where
+    M: KahanMap<T, N>,
+    T: Pivot,
+{
+    let zeros = quotients.increment().iter().filter(|entry| entry.is_zero()).count();
+    let denominator_overflows = || quotients.reciprocals.iter().any(T::is_zero);
+    let pivot_overflows = || !can_eliminate(&map.matrix(x, eps.clone()));
+    zeros > 0
+        && (zeros == N || denominator_overflows() || pivot_overflows())
+        && !map.field(x).iter().all(T::is_zero)
+}
+
+/// x + increment.
+fn advance<T: Scalar, const N: usize>(x: &SVector<T, N>, increment: &SVector<T, N>) -> SVector<T, N> {
+    SVector::from_fn(|i, _| x[i].clone() + increment[i].clone())
 }
 
 /// Whether no pivot of A(x,ε) can overflow: partial pivoting makes entries grow at most by the factor 2ᴺ⁻¹.

@@ -4,7 +4,7 @@
 //! `subject::random` and with the same parameters.
 
 use kahan_core::prelude::*;
-use kahan_core::{Constant, SingularStep};
+use kahan_core::{Constant, Orbit, SingularStep};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
 
 /// A map over a float scalar.
@@ -13,6 +13,9 @@ pub trait FloatMap<T> {
     fn step(&self, x: &[T], eps: T) -> Vec<T>;
     /// x̃ or why there is none.
     fn try_step(&self, x: &[T], eps: T) -> Result<Vec<T>, SingularStep>;
+    /// x₁, …, x_steps by every way to take steps that the map has: `step` with ε each time, the prepared map's, its orbit,
+    /// and the map's.
+    fn every_way(&self, x: &[T], eps: T, steps: usize) -> [Vec<Vec<T>>; 4];
     /// Calls every method; returns the number of points of an orbit of four.
     fn call_everything(&self, x: &[T], eps: T) -> usize;
 }
@@ -29,6 +32,27 @@ where
     fn try_step(&self, x: &[T], eps: T) -> Result<Vec<T>, SingularStep> {
         let next = self.0.try_step(&SVector::from_column_slice(x), eps)?;
         Ok(next.iter().copied().collect())
+    }
+
+    fn every_way(&self, x: &[T], eps: T, steps: usize) -> [Vec<Vec<T>>; 4] {
+        let start = SVector::<T, N>::from_column_slice(x);
+        let (map, prepared) = (&self.0, self.0.at(eps));
+        let entries = |x: &SVector<T, N>| x.iter().copied().collect::<Vec<_>>();
+        let by = |step: &dyn Fn(&SVector<T, N>) -> SVector<T, N>| {
+            let mut x = start;
+            let points = (0..steps).map(|_| {
+                x = step(&x);
+                entries(&x)
+            });
+            points.collect()
+        };
+        let of = |orbit: Orbit<M, T, N>| orbit.skip(1).take(steps).map(|x| entries(&x)).collect();
+        [
+            by(&|x| map.step(x, eps)),
+            by(&|x| prepared.step(x)),
+            of(prepared.orbit(start)),
+            of(map.orbit(start, eps)),
+        ]
     }
 
     fn call_everything(&self, x: &[T], eps: T) -> usize {

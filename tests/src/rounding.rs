@@ -1,21 +1,25 @@
-//! How far a float step may be from the exact one: a bound derived from the plan that the code was written from.
+//! How far a float step may be from the exact one: a bound derived from the plan that the code was written from, with and
+//! without fused multiply-adds.
 //!
 //! In: a system, a point whose numbers the float has exactly, the unit roundoff u. Out: a bound on |x̂̃ − x̃| for each component.
 //! Notation: γ_k = k·u/(1 − k·u); a product of k factors (1 + δ), |δ| ≤ u, or their reciprocals, is 1 + θ with |θ| ≤ γ_k
 //! (Higham, Accuracy and Stability of Numerical Algorithms, Lemma 3.1). Underflow is not covered: callers choose points
 //! away from it. The bound itself is computed in f64 from positive terms, which errs by far less than the last factor.
 
-use kahan_algebra::arithmetic::Exact;
+mod running;
+
 use kahan_algebra::field::{Component, Field};
-use kahan_algebra::kahan::{RationalMap, field_jacobian, scaled_matrix};
-use kahan_algebra::plan::{Operation, Plan, PlanBuilder};
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::kahan::{field_jacobian, scaled_matrix};
+use kahan_algebra::plan::{Plan, StepPlan};
+use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use num_traits::ToPrimitive;
 
 use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, q};
 use crate::expression::evaluate;
 use crate::subject::Subject;
+
+use running::Rounded;
 
 /// 2⁻⁵³ and 2⁻²⁴.
 pub const UNIT_F64: f64 = f64::EPSILON / 2.0;
@@ -35,43 +39,6 @@ fn float(value: &Q) -> f64 {
     value.to_f64().expect("a rational has a nearby f64")
 }
 
-/// The most roundings that any term of each result passes through: inputs are exact, a constant is rounded once, a sum once
-/// more than its operands, a product once more than both together; a negation is exact.
-///
-/// A plan's polynomials are nested without cancellation (v·q + r with the terms of q and r apart), so what is computed is
-/// the sum of the very monomials, each with at most that many factors 1 + δ.
-fn roundings(plan: &Plan) -> Vec<usize> {
-    let mut counts: Vec<usize> = Vec::with_capacity(plan.operations.len());
-    for operation in &plan.operations {
-        counts.push(match *operation {
-            Operation::Input(_) => 0,
-            Operation::Constant(_) => 1,
-            Operation::Negate(a) => counts[a.0],
-            Operation::Add(a, b) | Operation::Subtract(a, b) => counts[a.0].max(counts[b.0]) + 1,
-            Operation::Multiply(a, b) | Operation::Divide(a, b) => counts[a.0] + counts[b.0] + 1,
-        });
-    }
-    plan.outputs.iter().map(|output| counts[output.0]).collect()
-}
-
-/// The polynomials as the emitter plans them: in this order, with what they share computed once.
-fn planned(polynomials: &[&Polynomial]) -> Plan {
-    let mut builder = PlanBuilder::default();
-    let outputs: Vec<_> = polynomials.iter().map(|polynomial| builder.polynomial(polynomial)).collect();
-    builder.finish(&outputs)
-}
-
-/// Σ|coefficient·monomial|
-fn magnitude(polynomial: &Polynomial, sizes: &[f64]) -> f64 {
-    let term = |(monomial, coefficient): (&kahan_algebra::poly::Monomial, &Rational)| {
-        let powers = monomial.powers().iter();
-        powers.fold(coefficient.to_f64().abs(), |product, (variable, exponent)| {
-            product * sizes[usize::from(variable.0)].powi(*exponent as i32)
-        })
-    };
-    polynomial.terms().map(term).sum()
-}
-
 /// Where a float step is taken, with the exact step from there.
 #[derive(Clone, Debug)]
 pub struct Place {
@@ -88,7 +55,7 @@ pub struct Place {
 pub struct StepBound<'a> {
     field: &'a Field,
     parameters: &'a [Q],
-    map: Option<RationalMap>,
+    step: Option<StepPlan>,
     unit: f64,
 }
 
@@ -97,15 +64,15 @@ impl<'a> StepBound<'a> {
     #[must_use]
     pub fn new(subject: &'a Subject, unit: f64) -> Self {
         let field = &subject.system.field;
-        Self { field, parameters: &subject.parameters, map: RationalMap::of(field), unit }
+        Self { field, parameters: &subject.parameters, step: StepPlan::of(field), unit }
     }
 
     /// A bound for each component of x̃; `None` where it cannot promise a digit, because a divisor may round to zero.
     #[must_use]
     pub fn at(&self, place: &Place) -> Option<Vec<f64>> {
         let values: Vec<Q> = place.x.iter().chain(self.parameters).chain([&place.eps]).cloned().collect();
-        let increments = match &self.map {
-            Some(map) => closed_form(map, place, &values, self.unit)?,
+        let increments = match &self.step {
+            Some(step) => closed_form(step, place, &values, self.unit)?,
             None => elimination(self.field, place, &values, self.unit)?,
         };
         // x̃ = fl(x + increment): (1 + δ)(x + increment + error).
@@ -116,56 +83,36 @@ impl<'a> StepBound<'a> {
     }
 }
 
-/// A number as a float has it: what it is, and a bound on how far the float is from it.
-#[derive(Clone, Copy, Debug)]
-struct Approximate {
-    value: f64,
-    error: f64,
+/// The polynomials as the emitted plan computes them.
+fn computed(polynomials: &[&Polynomial], values: &[Q], unit: f64) -> Vec<Rounded> {
+    let plan = Plan::of(polynomials.iter().copied());
+    let results = running::results(&plan, &[], unit, |variable| exact(values, variable));
+    results.into_iter().map(|value| value.expect("a polynomial has a value")).collect()
 }
 
-impl Approximate {
-    /// A quotient of two of them before it is rounded: |p̂/q̂ − p/q| ≤ (e_p + |p/q| e_q)/(|q| − e_q); `None` where q̂ may
-    /// have lost every digit.
-    fn over(self, divisor: Self) -> Option<Self> {
-        let (value, size) = (self.value / divisor.value, divisor.value.abs());
-        let error = (self.error + value.abs() * divisor.error) / (size - divisor.error);
-        (divisor.error < size / 2.0).then_some(Self { value, error })
+fn exact(values: &[Q], variable: Variable) -> Rational {
+    values[usize::from(variable.0)].clone().into()
+}
+
+/// The errors of the products numerator · reciprocal, the prepared constants' own included.
+///
+/// # Panics
+/// If the plan is not that of the map: its exact results are compared with x̃.
+fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
+    let input = |variable| exact(values, variable);
+    let constants = running::results(&step.constants, &[], unit, input);
+    let results = running::results(&step.kernel, &constants, unit, input);
+    let results: Vec<Rounded> = results.into_iter().collect::<Option<_>>()?;
+    let (numerators, reciprocals) = results.split_at(place.x.len());
+    let increments = numerators.iter().zip(&step.reciprocals).map(|(numerator, at)| match at {
+        Some(at) => numerator.times(&reciprocals[*at]).rounded(unit),
+        None => numerator.clone(),
+    });
+    let increments: Vec<Rounded> = increments.collect();
+    for ((increment, x), next) in increments.iter().zip(&place.x).zip(&place.next) {
+        assert_eq!(x + increment.exact.to_big(), *next, "the plan is not that of the map");
     }
-
-    /// After k more roundings.
-    fn rounded(self, k: usize, unit: f64) -> Self {
-        let gamma = gamma(k, unit);
-        Self { value: self.value, error: self.error * (1.0 + gamma) + gamma * self.value.abs() }
-    }
-}
-
-/// The polynomials as the emitted plan computes them: p̂ = p + e with |e| ≤ γ_k Σ|monomials of p|.
-fn computed(polynomials: &[&Polynomial], values: &[Q], unit: f64) -> Vec<Approximate> {
-    let plan = planned(polynomials);
-    let exact: Vec<Rational> = values.iter().cloned().map(Rational::from).collect();
-    let results = plan.evaluate(&Exact, |variable| exact[usize::from(variable.0)].clone());
-    let sizes: Vec<f64> = values.iter().map(|value| float(value).abs()).collect();
-    polynomials
-        .iter()
-        .zip(roundings(&plan))
-        .zip(results)
-        .map(|((polynomial, k), value)| Approximate {
-            value: value.expect("a polynomial has a value").to_f64(),
-            error: gamma(k, unit) * magnitude(polynomial, &sizes),
-        })
-        .collect()
-}
-
-/// The error of 2ε·n·(1/d), computed as fl(fl(fl(2ε)·n̂)·fl(1/d̂)): doubling ε is exact, and three roundings (the product
-/// with 2ε, the reciprocal, the product with it) follow those of n̂ and d̂.
-fn closed_form(map: &RationalMap, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
-    let polynomials: Vec<&Polynomial> =
-        map.reduced.increments.iter().chain([&map.reduced.denominator]).collect();
-    let mut results = computed(&polynomials, values, unit);
-    let denominator = results.pop()?;
-    let two_eps = 2.0 * float(&place.eps).abs();
-    let bound = |numerator: Approximate| Some(two_eps * numerator.over(denominator)?.rounded(3, unit).error);
-    results.into_iter().map(bound).collect()
+    Some(increments.into_iter().map(|increment| increment.error).collect())
 }
 
 /// The error of 2ε·v, v = A⁻¹f by elimination with partial pivoting.
@@ -179,11 +126,11 @@ fn closed_form(map: &RationalMap, place: &Place, values: &[Q], unit: f64) -> Opt
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
     let components = &field.components;
-    let over_divisors = |numerators: &[&Polynomial], width: usize| -> Option<Vec<Approximate>> {
+    let over_divisors = |numerators: &[&Polynomial], width: usize| -> Option<Vec<Rounded>> {
         let divisors: Vec<&Polynomial> = components.iter().map(|component| &component.denominator).collect();
         let divisors = computed(&divisors, values, unit);
         let above = computed(numerators, values, unit).into_iter().enumerate();
-        above.map(|(i, value)| Some(value.over(divisors[i / width])?.rounded(1, unit))).collect()
+        above.map(|(i, value)| Some(value.over(&divisors[i / width])?.rounded(unit))).collect()
     };
     let numerators: Vec<&Polynomial> = components.iter().map(|component| &component.numerator).collect();
     let velocity_error =
@@ -192,14 +139,13 @@ fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<
     let slope_numerators = field_jacobian(field);
     let slopes = over_divisors(&slope_numerators.iter().flatten().collect::<Vec<_>>(), n)?;
     let eps = float(&place.eps).abs();
-    let entry_error = |(index, slope): (usize, &Approximate)| {
+    let entry_error = |(index, slope): (usize, &Rounded)| {
         let diagonal = if index / n == index % n { 1.0 } else { 0.0 };
         let gamma = gamma(2, unit);
-        eps * slope.error * (1.0 + gamma) + gamma * (diagonal + eps * slope.value.abs())
+        eps * slope.error * (1.0 + gamma) + gamma * (diagonal + eps * slope.size())
     };
     let entry_errors: Vec<f64> = slopes.iter().enumerate().map(entry_error).collect();
-    let largest =
-        slopes.iter().map(|slope| 1.0 + eps * (slope.value.abs() + slope.error)).fold(0.0, f64::max);
+    let largest = slopes.iter().map(|slope| 1.0 + eps * (slope.size() + slope.error)).fold(0.0, f64::max);
     let growth = (n * n) as f64 * 2_f64.powi(n as i32) * largest * (1.0 + gamma(2, unit));
     let row_error = entry_errors.chunks(n).map(|row| row.iter().sum()).fold(0.0, f64::max);
     let matrix_error = row_error + gamma(3 * n + 2, unit) * growth;
@@ -212,7 +158,7 @@ fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<
         (0..n).map(|i| float(&(&place.next[i] - &place.x[i])).abs()).fold(0.0, f64::max) / (2.0 * eps);
     let error = inverse * (matrix_error * velocity + velocity_error) / (1.0 - inverse * matrix_error);
     // One more rounding: the product with 2ε.
-    Some(vec![2.0 * eps * Approximate { value: velocity, error }.rounded(1, unit).error; n])
+    Some(vec![2.0 * eps * (error + unit * (velocity + error)); n])
 }
 
 /// A(x,ε): the rows of Â over the parameters' divisors.

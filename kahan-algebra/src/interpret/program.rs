@@ -26,10 +26,11 @@ pub(super) struct Program<V> {
 }
 
 impl<V: Clone> Program<V> {
-    /// Prepares a plan; the same operations in the same order as [`Plan::evaluate`].
+    /// Prepares a plan, given its prepared constants; the same operations in the same order as [`Plan::evaluate`].
     pub(super) fn new<A: Arithmetic<Value = V>>(
         plan: &Plan,
         arithmetic: &A,
+        prepared: &[Option<V>],
         input: impl Fn(Variable) -> Input<V>,
     ) -> Self {
         let mut program = Program {
@@ -49,11 +50,15 @@ impl<V: Clone> Program<V> {
                         program.states.push((index, state));
                     }
                 },
+                Operation::Prepared(constant) => program.registers[index] = prepared[*constant].clone(),
                 _ if operation.operands().any(|operand| varies[operand.0]) => {
                     varies[index] = true;
                     program.steps.push((index, operation.clone()));
                 }
-                _ => program.registers[index] = operation.compute(arithmetic, |node| program.registers[node.0].as_ref()),
+                _ => {
+                    program.registers[index] =
+                        operation.compute(arithmetic, |node| program.registers[node.0].as_ref())
+                }
             }
         }
         program
@@ -72,5 +77,10 @@ impl<V: Clone> Program<V> {
     /// The results of the last run, `None` for one that divides by zero on its way.
     pub(super) fn outputs(&self) -> impl ExactSizeIterator<Item = Option<&V>> {
         self.outputs.iter().map(|output| self.registers[output.0].as_ref())
+    }
+
+    /// One of them.
+    pub(super) fn output(&self, index: usize) -> Option<&V> {
+        self.registers[self.outputs[index].0].as_ref()
     }
 }

@@ -2,13 +2,13 @@
 //!
 //! [`Interpreter`](super::Interpreter) computes everything at one point; a [`Stepper`] computes the next point and the
 //! integrals only, with everything prepared that does not depend on the state. Its operations and their order are those of
-//! the generated code's `step`, so over floats the orbits of a field with a closed form are the same bit for bit.
+//! the generated code's `step`, so over floats the orbits of a field with a closed form are the same bit for bit, unless
+//! that code is compiled for a target with fused multiply-adds: those round once where this rounds twice.
 
 use crate::arithmetic::{Arithmetic, Solved, solve};
 use crate::kahan::{RationalMap, scaled_matrix};
-use crate::plan::PlanBuilder;
+use crate::plan::{Operation, Plan, PlanBuilder, StepPlan};
 use crate::poly::{Polynomial, Variable};
-use crate::rational::Rational;
 use crate::symbols::Symbol;
 use crate::syntax::ClaimKind;
 use crate::system::System;
@@ -26,7 +26,7 @@ pub struct Pole;
 pub struct Stepper<'a, A: Arithmetic> {
     arithmetic: &'a A,
     two_eps: A::Value,
-    one: A::Value,
+    is_reduced: bool,
     increment: Increment<A::Value>,
     integral_names: Vec<String>,
     integrals: Program<A::Value>,
@@ -35,10 +35,35 @@ pub struct Stepper<'a, A: Arithmetic> {
 /// How x̃ − x is computed.
 #[derive(Clone, Debug)]
 enum Increment<V> {
-    /// n₁ … nₙ and d of the reduced map x̃ = x + 2ε n/d.
-    Closed(Program<V>),
+    /// The kernel of the step: numerators, reciprocals, and after these `results` everything that it divides by;
+    /// `reciprocals` are the places of each component's reciprocal among them.
+    Closed { kernel: Program<V>, reciprocals: Vec<Option<usize>>, results: usize },
     /// Â, row by row, and the numerators p of the field: Â (x̃ − x)/(2ε) = p.
     Elimination { matrix: Program<V>, right: Program<V> },
+}
+
+impl<V: Clone> Increment<V> {
+    /// Computes the prepared constants, and prepares the kernel that uses them.
+    fn closed<A: Arithmetic<Value = V>>(
+        step: &StepPlan,
+        arithmetic: &A,
+        input: &impl Fn(Variable) -> Input<V>,
+    ) -> Self {
+        let constants = Program::new(&step.constants, arithmetic, &[], input);
+        let constants: Vec<Option<V>> = constants.outputs().map(|value| value.cloned()).collect();
+        let divisors = step.kernel.operations.iter().filter_map(|operation| match *operation {
+            Operation::Divide(_, divisor) => Some(divisor),
+            _ => None,
+        });
+        let outputs = step.kernel.outputs.iter().copied().chain(divisors).collect();
+        let kernel = Plan { operations: step.kernel.operations.clone(), outputs };
+        let numerators = step.reciprocals.len();
+        Increment::Closed {
+            kernel: Program::new(&kernel, arithmetic, &constants, input),
+            reciprocals: step.reciprocals.iter().map(|place| place.map(|place| numerators + place)).collect(),
+            results: step.kernel.outputs.len(),
+        }
+    }
 }
 
 impl<'a, A: Arithmetic> Stepper<'a, A> {
@@ -66,17 +91,16 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
         let program = |polynomials: Vec<&Polynomial>| {
             let mut builder = PlanBuilder::default();
             let nodes: Vec<_> = polynomials.into_iter().map(|one| builder.polynomial(one)).collect();
-            Program::new(&builder.finish(&nodes), arithmetic, input)
+            Program::new(&builder.finish(&nodes), arithmetic, &[], input)
         };
         let components = &system.field.components;
         let divisors = program(components.iter().map(|component| &component.denominator).collect());
         if divisors.outputs().any(|value| value.is_none_or(|value| arithmetic.is_zero(value))) {
             return Err(UndefinedField);
         }
-        let increment = match RationalMap::of(&system.field) {
-            Some(map) => Increment::Closed(program(
-                map.reduced.increments.iter().chain([&map.reduced.denominator]).collect(),
-            )),
+        let map = RationalMap::of(&system.field);
+        let increment = match StepPlan::of_map(&system.field, map.as_ref()) {
+            Some(step) => Increment::closed(&step, arithmetic, &input),
             None => Increment::Elimination {
                 matrix: program(scaled_matrix(&system.field).iter().flatten().collect()),
                 right: program(components.iter().map(|component| &component.numerator).collect()),
@@ -88,18 +112,18 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
         Ok(Stepper {
             arithmetic,
             two_eps: arithmetic.add(eps, eps),
-            one: arithmetic.constant(&Rational::one()).ok_or(UndefinedField)?,
+            is_reduced: map.is_some(),
             increment,
             integral_names: claims.iter().map(|claim| claim.name.text.clone()).collect(),
-            integrals: Program::new(&together.finish(&outputs), arithmetic, input),
+            integrals: Program::new(&together.finish(&outputs), arithmetic, &[], input),
         })
     }
 
-    /// Whether the map is the reduced rational map; if not, it is beyond the budget of terms and stepped by elimination, so
-    /// that every point with det A = 0 counts as a pole.
+    /// Whether the map is the reduced rational map; if not, it is beyond the budget of terms, and every point with
+    /// det A = 0 counts as a pole.
     #[must_use]
     pub fn is_reduced(&self) -> bool {
-        matches!(self.increment, Increment::Closed(_))
+        self.is_reduced
     }
 
     /// The time step 2ε.
@@ -120,17 +144,21 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
     pub fn advance(&mut self, state: &mut [A::Value]) -> Result<(), Pole> {
         let arithmetic = self.arithmetic;
         match &mut self.increment {
-            Increment::Closed(program) => {
-                program.run(arithmetic, state);
-                let denominator = program.outputs().last().flatten().ok_or(Pole)?;
-                if arithmetic.is_zero(denominator) {
+            Increment::Closed { kernel, reciprocals, results } => {
+                kernel.run(arithmetic, state);
+                // A float has a value where it divides by zero, and still that is a pole.
+                let is_zero = |value: &A::Value| arithmetic.is_zero(value);
+                if kernel.outputs().any(|value| value.is_none())
+                    || kernel.outputs().skip(*results).flatten().any(is_zero)
+                {
                     return Err(Pole);
                 }
-                let reciprocal = arithmetic.divide(&self.one, denominator).ok_or(Pole)?;
-                for (x, numerator) in state.iter_mut().zip(program.outputs()) {
-                    // (2ε nᵢ)(1/d): 2ε/d, which may underflow where the increment does not, is never formed.
-                    let scaled = arithmetic.multiply(&self.two_eps, numerator.ok_or(Pole)?);
-                    *x = arithmetic.add(x, &arithmetic.multiply(&scaled, &reciprocal));
+                for ((x, place), numerator) in state.iter_mut().zip(reciprocals).zip(kernel.outputs()) {
+                    let numerator = numerator.ok_or(Pole)?;
+                    *x = match place.and_then(|place| kernel.output(place)) {
+                        Some(reciprocal) => arithmetic.add(x, &arithmetic.multiply(numerator, reciprocal)),
+                        None => arithmetic.add(x, numerator),
+                    };
                 }
             }
             Increment::Elimination { matrix, right } => {

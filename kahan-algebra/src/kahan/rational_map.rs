@@ -78,6 +78,12 @@ impl RationalMap {
 }
 
 impl Reduced {
+    /// The terms of all numerators and the denominator.
+    #[must_use]
+    pub fn terms(&self) -> usize {
+        self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
+    }
+
     fn of(
         increments: Vec<Polynomial>,
         denominator: &Polynomial,

@@ -92,6 +92,28 @@ impl PlanBuilder {
         self.intern(operation)
     }
 
+    /// The steps so far.
+    pub(super) fn operations(&self) -> &[Operation] {
+        &self.operations
+    }
+
+    /// Forgets all steps but the first `length`.
+    pub(super) fn truncate(&mut self, length: usize) {
+        for operation in self.operations.drain(length..) {
+            self.known.remove(&operation);
+        }
+    }
+
+    /// Whether a step changes a sign.
+    pub(super) fn is_negation(&self, node: Node) -> bool {
+        matches!(self.operations[node.0], Operation::Negate(_))
+    }
+
+    /// Whether the product of two steps is a step already.
+    pub(super) fn has_product(&self, a: Node, b: Node) -> bool {
+        self.known.contains_key(&Operation::Multiply(a.min(b), a.max(b)))
+    }
+
     fn intern(&mut self, operation: Operation) -> Node {
         if let Some(&node) = self.known.get(&operation) {
             return node;
@@ -310,7 +332,7 @@ fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
 }
 
 /// p = v·q + r with r free of v.
-fn split(polynomial: &Polynomial, variable: Variable) -> (Polynomial, Polynomial) {
+pub(super) fn split(polynomial: &Polynomial, variable: Variable) -> (Polynomial, Polynomial) {
     let by = Monomial::variable(variable);
     let (mut quotient, mut rest) = (Vec::new(), Vec::new());
     for (monomial, coefficient) in polynomial.terms() {

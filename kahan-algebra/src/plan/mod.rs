@@ -3,10 +3,23 @@
 //! A plan is data. The emitter turns it into Rust, [`Plan::evaluate`] runs it in any [`Arithmetic`]: rationals, a prime
 //! field, dual numbers, degree bounds, rational functions, floats. Both see the same operations in the same order.
 
+mod blocks;
 mod builder;
+mod candidates;
+mod cost;
+mod draft;
+mod factors;
+mod fuse;
+mod minors;
+mod nesting;
+mod numerators;
+mod scaling;
 mod step;
+mod structure;
+mod writer;
 
 pub use builder::PlanBuilder;
+pub use cost::Cost;
 pub use step::StepPlan;
 
 use crate::arithmetic::Arithmetic;
@@ -181,9 +194,7 @@ impl Plan {
     #[must_use]
     pub fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.operations.len()];
-        for node in
-            self.operations.iter().flat_map(Operation::operands).chain(self.outputs.iter().copied())
-        {
+        for node in self.operations.iter().flat_map(Operation::operands).chain(self.outputs.iter().copied()) {
             uses[node.0] += 1;
         }
         uses

@@ -2,10 +2,10 @@
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
-use crate::poly::Polynomial;
 use crate::rational::Rational;
 
-use super::{Node, Operation, Plan, PlanBuilder};
+use super::writer::Writer;
+use super::{Node, Operation, Plan, PlanBuilder, candidates};
 
 /// A step in straight lines: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -13,38 +13,24 @@ pub struct StepPlan {
     /// From ε and the parameters to the prepared constants, in order. It has no states.
     pub constants: Plan,
     /// From the states and the prepared constants ([`Operation::Prepared`]) to the numerators, one a component, followed
-    /// by the reciprocals, each a quotient 1/d.
+    /// by the reciprocals, each a quotient 2/d.
     pub kernel: Plan,
     /// For each component the index of its reciprocal among the kernel's reciprocals; `None` where there is no division.
     pub reciprocals: Vec<Option<usize>>,
 }
 
 impl StepPlan {
-    /// The plan of a field's step; `None` where the closed form is beyond the budget.
+    /// The plan of a field's step; `None` where the field is too large for straight lines, and is stepped by elimination.
     #[must_use]
     pub fn of(field: &Field) -> Option<Self> {
-        RationalMap::of(field).map(|map| Self::of_map(field, &map))
+        Self::of_map(field, RationalMap::of(field).as_ref())
     }
 
-    /// The plan of a map that has been derived already.
+    /// The same from a map that has been derived already, or was found to be beyond the budget.
     #[must_use]
-    pub fn of_map(field: &Field, map: &RationalMap) -> Self {
-        let mut builder = PlanBuilder::default();
-        let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&Rational::from(2));
-        let two_eps = builder.polynomial(&two_eps);
-        let numerators: Vec<Node> = map
-            .reduced
-            .increments
-            .iter()
-            .map(|increment| {
-                let increment = builder.polynomial(increment);
-                builder.multiply(two_eps, increment)
-            })
-            .collect();
-        let denominator = builder.polynomial(&map.reduced.denominator);
-        let one = builder.constant(&Rational::one());
-        let reciprocal = builder.divide(one, denominator);
-        Self::new(&builder, field, &numerators, &vec![Some(reciprocal); numerators.len()])
+    pub fn of_map(field: &Field, map: Option<&RationalMap>) -> Option<Self> {
+        let best = candidates::best(field, map)?;
+        Some(Self::new(&best.builder, field, &best.numerators, &best.reciprocals))
     }
 
     /// Separates the constants from the kernel.
@@ -60,11 +46,32 @@ impl StepPlan {
         let places: Vec<Option<usize>> = places.collect();
         let outputs: Vec<Node> = numerators.iter().chain(&distinct).copied().collect();
         let (constants, kernel) = builder.finish(&outputs).split(|variable| field.symbols.is_state(variable));
-        StepPlan { constants, kernel, reciprocals: places }
+        StepPlan { constants, kernel: kernel.fused(), reciprocals: places }
     }
 }
 
+/// 2/d: that the increment is 2εn/d costs no multiplication by 2.
+pub(super) fn twice_reciprocal(writer: &mut Writer, denominator: Node) -> Node {
+    let two = writer.draft.constant(&Rational::from(2));
+    writer.draft.builder.divide(two, denominator)
+}
+
 impl Plan {
+    /// How many results are products of two values that both contain ε: constants rounded more than once.
+    pub(super) fn derived_constants(&self, epsilon: crate::poly::Variable) -> usize {
+        let mut contains = vec![false; self.operations.len()];
+        let mut derived = vec![false; self.operations.len()];
+        for (index, operation) in self.operations.iter().enumerate() {
+            let operands: Vec<Node> = operation.operands().collect();
+            contains[index] = matches!(operation, Operation::Input(variable) if *variable == epsilon)
+                || operands.iter().any(|operand| contains[operand.0]);
+            let both = operands.len() > 1 && operands.iter().all(|operand| contains[operand.0]);
+            derived[index] = (both && matches!(operation, Operation::Multiply(..)))
+                || operands.iter().any(|operand| derived[operand.0]);
+        }
+        self.outputs.iter().filter(|output| derived[output.0]).count()
+    }
+
     /// Separates what depends on no variable that `varies` from the rest: the results of the first plan are the prepared
     /// constants of the second. Exact literals are not prepared; they cost nothing.
     #[must_use]

@@ -153,6 +153,17 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         Some(Self { value, gradient: from_fn(|i| slope.clone() * self.gradient[i].clone()) })
     }
 
+    // (u/v)′ = (u′ − (u/v)v′)/v, with one reciprocal for the whole gradient.
+    #[inline]
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        let reciprocal = divisor.value.reciprocal()?;
+        let value = self.value.quotient(divisor.value)?;
+        let gradient = from_fn(|i| {
+            (self.gradient[i].clone() - value.clone() * divisor.gradient[i].clone()) * reciprocal.clone()
+        });
+        Some(Self { value, gradient })
+    }
+
     #[inline]
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.value.is_better_pivot(&than.value)

@@ -3,13 +3,18 @@
 //! A pole is an exact zero, reported as a missing reciprocal and never divided by.
 
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Constant, Pivot, Scalar};
 
 impl Scalar for BigRational {
     fn constant(c: &Constant) -> Self {
         c.to_ratio()
+    }
+
+    /// Without the reciprocal, which costs as much as the quotient.
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        if divisor.is_zero() { None } else { Some(self / divisor) }
     }
 
     fn approximate(&self) -> f64 {

@@ -56,6 +56,14 @@ pub trait Scalar:
         if self.is_zero() { None } else { Some(Self::one() / self.clone()) }
     }
 
+    /// self/divisor, or `None` where [`reciprocal`](Self::reciprocal) has no value for the divisor.
+    #[inline(always)]
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        // Where reciprocals always have a value, this one is not computed.
+        divisor.reciprocal()?;
+        Some(self / divisor)
+    }
+
     /// Whether elimination should divide by `self` rather than by `than`: here, a nonzero number rather than zero.
     fn is_better_pivot(&self, than: &Self) -> bool {
         than.is_zero() && !self.is_zero()

@@ -1,6 +1,6 @@
 //! Systems written as the macro writes them: two reduced closed forms, one with a parameter, and one elimination.
 
-use crate::Scalar;
+use crate::{Quotients, Scalar};
 
 /// E3: ẋ = −xz, ẏ = −yz, ż = x² + y²; its map loses the factor 1 + εz of det A.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,22 +29,45 @@ fn half<T: Scalar>() -> T {
     T::constant(&crate::Constant::ratio(1, 2))
 }
 
+/// The increments 2ε·vᵢ/det.
+fn over<T: Scalar>(velocity: [T; 3], two_eps: &T, det: &T) -> Option<Quotients<T, 3>> {
+    let reciprocal = det.reciprocal()?;
+    let numerators = velocity.map(|entry| two_eps.clone() * entry);
+    Some(Quotients { numerators, reciprocals: [reciprocal.clone(), reciprocal.clone(), reciprocal] })
+}
+
 const _: () = {
     use crate::__private as __kahan;
 
-    fn reduced<S: __kahan::Scalar>(
-        state: &__kahan::SVector<S, 3>,
-        half_step: &S,
-    ) -> (__kahan::SVector<S, 3>, S) {
-        let [x, y, z] = __kahan::components(state);
-        let radius = x.clone() * x.clone() + y.clone() * y.clone();
-        let ez = half_step.clone() * z.clone();
-        let er = half_step.clone() * radius.clone();
-        let common = -(z.clone() + er.clone());
-        let det = S::one() + ez.clone() + two::<S>() * half_step.clone() * er;
-        let numerators =
-            [x.clone() * common.clone(), y.clone() * common.clone(), radius.clone() * (S::one() - ez)];
-        (__kahan::vector(numerators), det)
+    #[derive(Clone, Copy)]
+    pub(super) struct Step<T> {
+        eps: T,
+        two_eps: T,
+    }
+
+    impl<T: __kahan::Scalar> __kahan::WideStep<T, 3> for Step<T> {
+        const HAS_LANES: bool = true;
+
+        type Wide<L: __kahan::Scalar> = Step<L>;
+
+        fn widen<L: __kahan::Scalar>(&self, spread: impl Fn(&T) -> L) -> Step<L> {
+            Step { eps: spread(&self.eps), two_eps: spread(&self.two_eps) }
+        }
+    }
+
+    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for Step<T> {
+        #[inline(always)]
+        fn quotients(&self, state: &__kahan::SVector<T, 3>) -> __kahan::Option<__kahan::Quotients<T, 3>> {
+            let [x, y, z] = __kahan::components(state);
+            let radius = x.clone() * x.clone() + y.clone() * y.clone();
+            let ez = self.eps.clone() * z.clone();
+            let er = self.eps.clone() * radius.clone();
+            let common = -(z.clone() + er.clone());
+            let det = T::one() + ez.clone() + self.two_eps.clone() * er;
+            let velocity =
+                [x.clone() * common.clone(), y.clone() * common.clone(), radius.clone() * (T::one() - ez)];
+            over(velocity, &self.two_eps, &det)
+        }
     }
 
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 3> for E3 {
@@ -85,24 +108,15 @@ const _: () = {
     }
 
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 3> for E3 {
-        fn increment(
-            &self,
-            state: &__kahan::SVector<T, 3>,
-            half_step: &T,
-        ) -> __kahan::Option<__kahan::SVector<T, 3>> {
-            let (numerators, det) = reduced(state, half_step);
-            __kahan::increment_from_quotient(numerators, det, half_step)
+        type Prepared = Step<T>;
+
+        fn prepare(&self, half_step: &T) -> Step<T> {
+            let eps = __kahan::Clone::clone(half_step);
+            Step { two_eps: two::<T>() * eps.clone(), eps }
         }
 
         fn jacobian(&self, state: &__kahan::SVector<T, 3>, half_step: T) -> __kahan::SMatrix<T, 3, 3> {
-            __kahan::jacobian_of_reduced(
-                |state, half_step| {
-                    let (numerators, det) = reduced(state, half_step);
-                    __kahan::increment_from_quotient(numerators, det, half_step)
-                },
-                state,
-                &half_step,
-            )
+            __kahan::jacobian_by_duals(self, state, &half_step)
         }
     }
 };
@@ -110,24 +124,40 @@ const _: () = {
 const _: () = {
     use crate::__private as __kahan;
 
-    fn reduced<S: __kahan::Scalar>(
-        system: &E7<S>,
-        state: &__kahan::SVector<S, 3>,
-        half_step: &S,
-    ) -> (__kahan::SVector<S, 3>, S) {
-        let [x, y, z] = __kahan::components(state);
-        let ex = half_step.clone() * x.clone();
-        let xi_ex = system.xi.clone() * ex.clone();
-        let (plus, minus) = (S::one() + ex.clone(), S::one() - ex.clone());
-        let (double, other) = (plus.clone() + ex.clone(), S::one() + xi_ex.clone());
-        let xi_y = system.xi.clone() * y.clone();
-        let numerators = [
-            -(x.clone() * x.clone()) * other.clone() * minus.clone(),
-            -(x.clone() * xi_y.clone()) * plus.clone() * minus.clone(),
-            two::<S>() * xi_y * y.clone() * (double.clone() - xi_ex)
-                + other.clone() * x.clone() * z.clone() * plus,
-        ];
-        (__kahan::vector(numerators), double * other * minus)
+    #[derive(Clone, Copy)]
+    pub(super) struct Step<T> {
+        eps: T,
+        two_eps: T,
+        xi: T,
+    }
+
+    impl<T: __kahan::Scalar> __kahan::WideStep<T, 3> for Step<T> {
+        const HAS_LANES: bool = true;
+
+        type Wide<L: __kahan::Scalar> = Step<L>;
+
+        fn widen<L: __kahan::Scalar>(&self, spread: impl Fn(&T) -> L) -> Step<L> {
+            Step { eps: spread(&self.eps), two_eps: spread(&self.two_eps), xi: spread(&self.xi) }
+        }
+    }
+
+    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for Step<T> {
+        #[inline(always)]
+        fn quotients(&self, state: &__kahan::SVector<T, 3>) -> __kahan::Option<__kahan::Quotients<T, 3>> {
+            let [x, y, z] = __kahan::components(state);
+            let ex = self.eps.clone() * x.clone();
+            let xi_ex = self.xi.clone() * ex.clone();
+            let (plus, minus) = (T::one() + ex.clone(), T::one() - ex.clone());
+            let (double, other) = (plus.clone() + ex.clone(), T::one() + xi_ex.clone());
+            let xi_y = self.xi.clone() * y.clone();
+            let velocity = [
+                -(x.clone() * x.clone()) * other.clone() * minus.clone(),
+                -(x.clone() * xi_y.clone()) * plus.clone() * minus.clone(),
+                two::<T>() * xi_y * y.clone() * (double.clone() - xi_ex)
+                    + other.clone() * x.clone() * z.clone() * plus,
+            ];
+            over(velocity, &self.two_eps, &(double * other * minus))
+        }
     }
 
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 3> for E7<T> {
@@ -170,29 +200,19 @@ const _: () = {
     }
 
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 3> for E7<T> {
-        fn increment(
-            &self,
-            state: &__kahan::SVector<T, 3>,
-            half_step: &T,
-        ) -> __kahan::Option<__kahan::SVector<T, 3>> {
-            let (numerators, det) = reduced(self, state, half_step);
-            __kahan::increment_from_quotient(numerators, det, half_step)
+        type Prepared = Step<T>;
+
+        fn prepare(&self, half_step: &T) -> Step<T> {
+            let eps = __kahan::Clone::clone(half_step);
+            Step { two_eps: two::<T>() * eps.clone(), eps, xi: __kahan::Clone::clone(&self.xi) }
         }
 
         fn jacobian(&self, state: &__kahan::SVector<T, 3>, half_step: T) -> __kahan::SMatrix<T, 3, 3> {
-            let lifted = E7 { xi: __kahan::Dual::lift(__kahan::Clone::clone(&self.xi)) };
-            __kahan::jacobian_of_reduced(
-                |state, half_step| {
-                    let (numerators, det) = reduced(&lifted, state, half_step);
-                    __kahan::increment_from_quotient(numerators, det, half_step)
-                },
+            __kahan::jacobian_by_duals(
+                &E7 { xi: __kahan::Dual::lift(__kahan::Clone::clone(&self.xi)) },
                 state,
                 &half_step,
             )
-        }
-
-        fn det_matrix(&self, state: &__kahan::SVector<T, 3>, half_step: T) -> T {
-            reduced(self, state, &half_step).1
         }
     }
 };
@@ -205,19 +225,35 @@ const _: () = {
         E7 { xi: T::one() }
     }
 
-    fn reduced<S: __kahan::Scalar>(
-        state: &__kahan::SVector<S, 3>,
-        half_step: &S,
-    ) -> (__kahan::SVector<S, 3>, S) {
-        let [x, y, z] = __kahan::components(state);
-        let ex = half_step.clone() * x.clone();
-        let (plus, minus) = (S::one() + ex.clone(), S::one() - ex.clone());
-        let numerators = [
-            -(x.clone() * x.clone()) * minus.clone(),
-            -(x.clone() * y.clone()) * minus.clone(),
-            two::<S>() * y.clone() * y.clone() + x.clone() * z.clone() * plus.clone(),
-        ];
-        (__kahan::vector(numerators), (plus + ex) * minus)
+    #[derive(Clone, Copy)]
+    pub(super) struct Step<T> {
+        eps: T,
+        two_eps: T,
+    }
+
+    impl<T: __kahan::Scalar> __kahan::WideStep<T, 3> for Step<T> {
+        const HAS_LANES: bool = true;
+
+        type Wide<L: __kahan::Scalar> = Step<L>;
+
+        fn widen<L: __kahan::Scalar>(&self, spread: impl Fn(&T) -> L) -> Step<L> {
+            Step { eps: spread(&self.eps), two_eps: spread(&self.two_eps) }
+        }
+    }
+
+    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for Step<T> {
+        #[inline(always)]
+        fn quotients(&self, state: &__kahan::SVector<T, 3>) -> __kahan::Option<__kahan::Quotients<T, 3>> {
+            let [x, y, z] = __kahan::components(state);
+            let ex = self.eps.clone() * x.clone();
+            let (plus, minus) = (T::one() + ex.clone(), T::one() - ex.clone());
+            let velocity = [
+                -(x.clone() * x.clone()) * minus.clone(),
+                -(x.clone() * y.clone()) * minus.clone(),
+                two::<T>() * y.clone() * y.clone() + x.clone() * z.clone() * plus.clone(),
+            ];
+            over(velocity, &self.two_eps, &((plus + ex) * minus))
+        }
     }
 
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 3> for E1 {
@@ -247,24 +283,15 @@ const _: () = {
     }
 
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 3> for E1 {
-        fn increment(
-            &self,
-            state: &__kahan::SVector<T, 3>,
-            half_step: &T,
-        ) -> __kahan::Option<__kahan::SVector<T, 3>> {
-            let (numerators, det) = reduced(state, half_step);
-            __kahan::increment_from_quotient(numerators, det, half_step)
+        type Prepared = Step<T>;
+
+        fn prepare(&self, half_step: &T) -> Step<T> {
+            let eps = __kahan::Clone::clone(half_step);
+            Step { two_eps: two::<T>() * eps.clone(), eps }
         }
 
         fn jacobian(&self, state: &__kahan::SVector<T, 3>, half_step: T) -> __kahan::SMatrix<T, 3, 3> {
-            __kahan::jacobian_of_reduced(
-                |state, half_step| {
-                    let (numerators, det) = reduced(state, half_step);
-                    __kahan::increment_from_quotient(numerators, det, half_step)
-                },
-                state,
-                &half_step,
-            )
+            __kahan::jacobian_by_duals(self, state, &half_step)
         }
     }
 };
@@ -322,12 +349,10 @@ const _: () = {
     }
 
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 4> for Coupled {
-        fn increment(
-            &self,
-            state: &__kahan::SVector<T, 4>,
-            half_step: &T,
-        ) -> __kahan::Option<__kahan::SVector<T, 4>> {
-            __kahan::increment_by_elimination(self, state, half_step)
+        type Prepared = __kahan::Elimination<Self, T>;
+
+        fn prepare(&self, half_step: &T) -> Self::Prepared {
+            __kahan::Elimination::new(*self, __kahan::Clone::clone(half_step))
         }
     }
 };

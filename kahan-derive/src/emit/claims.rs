@@ -6,7 +6,8 @@ use kahan_algebra::system::{Claim, upper_index};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::plan::{emit_inputs, emit_plan};
+use super::inputs::emit_inputs;
+use super::plan::emit_plan;
 use super::{Context, docs, items};
 
 /// Expands to the accessors of all claims; to nothing where there are none.
@@ -114,7 +115,7 @@ fn emit_together(context: &Context<'_>, plans: &[&Plan]) -> (TokenStream, Vec<To
     let mut builder = PlanBuilder::default();
     let outputs: Vec<_> = plans.iter().flat_map(|plan| builder.include(plan)).collect();
     let plan = builder.finish(&outputs);
-    let inputs = emit_inputs(&plan, symbols, &quote!(self));
+    let inputs = emit_inputs(&plan, symbols);
     let emitted = emit_plan(&plan, symbols, &context.scalar);
     let bindings = emitted.bindings;
     (quote! { #inputs #bindings }, emitted.results)

@@ -7,7 +7,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Context;
-use super::plan::{emit_inputs, emit_plan};
+use super::inputs::emit_inputs;
+use super::plan::emit_plan;
 
 /// Expands to `impl<T: Scalar> QuadraticField<T, 3> for E6 { … }`.
 pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
@@ -57,7 +58,7 @@ fn over_denominators(context: &Context<'_>, numerators: &[Polynomial], width: us
 /// The body of a function that returns the plan's results as a vector.
 pub(super) fn emit_vector(context: &Context<'_>, plan: &Plan) -> TokenStream {
     let symbols = &context.system.field.symbols;
-    let inputs = emit_inputs(plan, symbols, &quote!(self));
+    let inputs = emit_inputs(plan, symbols);
     let emitted = emit_plan(plan, symbols, &context.scalar);
     let (bindings, results) = (emitted.bindings, emitted.results);
     quote! { #inputs #bindings __kahan::vector([#(#results),*]) }
@@ -66,7 +67,7 @@ pub(super) fn emit_vector(context: &Context<'_>, plan: &Plan) -> TokenStream {
 /// The body of a function that returns the plan's results as a matrix, row by row.
 fn emit_matrix(context: &Context<'_>, plan: &Plan) -> TokenStream {
     let symbols = &context.system.field.symbols;
-    let inputs = emit_inputs(plan, symbols, &quote!(self));
+    let inputs = emit_inputs(plan, symbols);
     let emitted = emit_plan(plan, symbols, &context.scalar);
     let bindings = emitted.bindings;
     let rows = emitted.results.chunks(symbols.dimension()).map(|row| quote!([#(#row),*]));

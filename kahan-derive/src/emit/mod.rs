@@ -8,6 +8,7 @@
 //!     use kahan_core::__private as __kahan;
 //!     impl<T> E7<T> { pub const VARIABLES: … }            // items
 //!     impl<T: Scalar> QuadraticField<T, 3> for E7<T> { … }  // field
+//!     pub struct __Step<T> { eps: T, … }                    // step: what ε and the parameters fix, and the kernel
 //!     impl<T: Scalar> KahanMap<T, 3> for E7<T> { … }        // map
 //!     impl<T: Scalar> E7<T> { fn integrals … }              // claims
 //! };
@@ -23,14 +24,18 @@ mod claims;
 mod docs;
 mod field;
 mod header;
+mod inputs;
 mod items;
 mod map;
+mod names;
 mod number;
 mod plan;
+mod step;
 
 use kahan_algebra::Reading;
 use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::plan::StepPlan;
 use kahan_algebra::system::System;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -44,6 +49,8 @@ struct Context<'a> {
     system: &'a System,
     /// The map in closed form, within the budget.
     map: Option<RationalMap>,
+    /// The step as a plan; `None` where it is elimination.
+    step: Option<StepPlan>,
     /// The type's name.
     name: Ident,
     /// The scalar type parameter, named so that it is not the type's name.
@@ -133,7 +140,9 @@ impl<'a> Context<'a> {
         };
         let scalar = if name == "T" { format_ident!("S") } else { format_ident!("T") };
         let dimension = Literal::usize_unsuffixed(system.field.dimension());
-        Context { system, map: RationalMap::of(&system.field), name, scalar, dimension }
+        let map = RationalMap::of(&system.field);
+        let step = StepPlan::of_map(&system.field, map.as_ref());
+        Context { system, map, step, name, scalar, dimension }
     }
 
     fn has_parameters(&self) -> bool {

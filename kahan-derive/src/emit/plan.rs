@@ -1,27 +1,27 @@
 //! A plan as Rust: one `let` for each step that is used more than once, everything else nested where it is used.
 //!
 //! ```text
-//! let __t_eps_x = __half_step.clone() * __s_x.clone();
-//! let __sum_1 = __kahan::integer::<T>(1) + __t_eps_x.clone();
+//! let __t_eps_x = self.eps.clone() * __s_x.clone();
+//! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! The order of operations is the plan's, whatever the nesting. Values are cloned where they are used: free for floats,
-//! and little beside an operation for big rationals.
-
-use std::collections::BTreeSet;
+//! The order of operations is the plan's, whatever the nesting. What has a `let` is moved where it is used last and
+//! cloned before; inputs and prepared constants are borrowed, so they are cloned: free for floats, and little beside an
+//! operation for big rationals.
 
 use kahan_algebra::plan::{Node, Operation, Plan};
-use kahan_algebra::poly::Variable;
-use kahan_algebra::symbols::{Symbol, Symbols};
+use kahan_algebra::symbols::Symbols;
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
+use super::inputs::binding;
+use super::names::Names;
 use super::number::emit_constant;
 
 /// Nested operations beyond this depth get a `let`, for readers and for rustc's stack.
 const DEEPEST: usize = 24;
 
-/// A plan's Rust: the bindings, and one expression a result.
+/// A plan's Rust: the bindings, and one expression a result, to be used in this order.
 pub(super) struct Emitted {
     pub(super) bindings: TokenStream,
     pub(super) results: Vec<TokenStream>,
@@ -35,191 +35,188 @@ enum Level {
     Atom,
 }
 
-#[derive(Clone)]
 struct Expression {
     tokens: TokenStream,
     level: Level,
-    depth: usize,
+}
+
+impl Expression {
+    fn atom(tokens: TokenStream) -> Self {
+        Expression { tokens, level: Level::Atom }
+    }
+
+    /// In parentheses, unless it binds at least as tightly as `level`.
+    fn grouped(self, level: Level) -> TokenStream {
+        let tokens = self.tokens;
+        if self.level >= level { tokens } else { quote!((#tokens)) }
+    }
 }
 
 struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
+    /// The fields of `self` that hold the prepared constants; `None` outside a kernel, where a division by zero is the
+    /// scalar's business rather than a pole.
+    constants: Option<&'a [Ident]>,
+    /// How many uses of each step have not been written yet.
     uses: Vec<usize>,
-    /// The expression of each step so far; for one with a `let`, its name.
-    expressions: Vec<Option<Expression>>,
-    names: Vec<Option<Ident>>,
+    /// How deeply each step is nested from its nearest `let`s.
+    depths: Vec<usize>,
+    lets: Vec<Option<Ident>>,
+    names: Names,
     bindings: TokenStream,
-    /// The product names given so far.
-    products: BTreeSet<String>,
-    counter: usize,
 }
 
-/// Emits a plan. Inputs are the bindings of [`emit_inputs`].
+/// Emits a plan. Inputs are the bindings of [`emit_inputs`](super::inputs::emit_inputs).
 pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitted {
-    let mut emitter = Emitter {
-        plan,
-        symbols,
-        scalar,
-        uses: plan.uses(),
-        expressions: vec![None; plan.operations.len()],
-        names: vec![None; plan.operations.len()],
-        bindings: TokenStream::new(),
-        products: BTreeSet::new(),
-        counter: 0,
-    };
-    for index in 0..plan.operations.len() {
-        emitter.step(index);
-    }
-    let results = plan.outputs.iter().map(|output| emitter.operand(*output).tokens).collect();
-    Emitted { bindings: emitter.bindings, results }
+    Emitter::new(plan, symbols, scalar, None).run()
 }
 
-impl Emitter<'_> {
-    fn step(&mut self, index: usize) {
-        let operation = &self.plan.operations[index];
-        let expression = self.expression(operation);
-        let is_input = matches!(operation, Operation::Input(_));
-        if !is_input && (self.uses[index] > 1 || expression.depth > DEEPEST) {
-            let name = self.name_of(Node(index));
-            let tokens = expression.tokens;
-            self.bindings.extend(quote! { let #name = #tokens; });
-            self.names[index] = Some(name);
-        } else {
-            self.expressions[index] = Some(expression);
+/// Emits the kernel of a step, which stands in a method of the prepared step: `self` has these constants, and a pole
+/// returns `None`.
+pub(super) fn emit_kernel(kernel: &Plan, symbols: &Symbols, scalar: &Ident, constants: &[Ident]) -> Emitted {
+    Emitter::new(kernel, symbols, scalar, Some(constants)).run()
+}
+
+impl<'a> Emitter<'a> {
+    fn new(plan: &'a Plan, symbols: &'a Symbols, scalar: &'a Ident, constants: Option<&'a [Ident]>) -> Self {
+        let mut emitter = Emitter {
+            plan,
+            symbols,
+            scalar,
+            constants,
+            uses: vec![0; plan.operations.len()],
+            depths: Vec::with_capacity(plan.operations.len()),
+            lets: vec![None; plan.operations.len()],
+            names: Names::of(plan, symbols, constants.unwrap_or_default()),
+            bindings: TokenStream::new(),
+        };
+        let operands = plan.operations.iter().flat_map(|operation| emitter.operands(operation));
+        let used: Vec<Node> = operands.chain(plan.outputs.iter().copied()).collect();
+        for node in used {
+            emitter.uses[node.0] += 1;
+        }
+        emitter
+    }
+
+    fn run(mut self) -> Emitted {
+        for index in 0..self.plan.operations.len() {
+            self.step(index);
+        }
+        let outputs = self.plan.outputs.iter();
+        let results = outputs.map(|output| self.operand(*output).tokens).collect();
+        Emitted { bindings: self.bindings, results }
+    }
+
+    /// The operands that are written: the 1 of a reciprocal is not.
+    fn operands(&self, operation: &Operation) -> impl Iterator<Item = Node> + use<> {
+        let written = usize::from(self.reciprocal_of(operation).is_some());
+        operation.operands().skip(written)
+    }
+
+    /// d where a kernel computes 1/d.
+    fn reciprocal_of(&self, operation: &Operation) -> Option<Node> {
+        match *operation {
+            Operation::Divide(a, b) if self.constants.is_some() => {
+                let is_one =
+                    matches!(&self.plan.operations[a.0], Operation::Constant(one) if one.as_i64() == Some(1));
+                is_one.then_some(b)
+            }
+            _ => None,
         }
     }
 
-    fn expression(&self, operation: &Operation) -> Expression {
-        let atom = |tokens| Expression { tokens, level: Level::Atom, depth: 0 };
-        match *operation {
+    /// Binds a step, or leaves it to be nested where it is used.
+    fn step(&mut self, index: usize) {
+        let operation = &self.plan.operations[index];
+        let nested = self.operands(operation).filter(|operand| self.lets[operand.0].is_none());
+        let depth = nested.map(|operand| self.depths[operand.0] + 1).max().unwrap_or(0);
+        self.depths.push(depth);
+        let is_borrowed = matches!(operation, Operation::Input(_) | Operation::Prepared(_));
+        let is_quotient = self.constants.is_some() && matches!(operation, Operation::Divide(..));
+        if is_borrowed || self.uses[index] == 0 {
+            return;
+        }
+        if self.uses[index] > 1 || depth > DEEPEST || is_quotient {
+            let value = self.operation(index).tokens;
+            let name = self.names.binding(Node(index), operation);
+            self.bindings.extend(quote! { let #name = #value; });
+            self.lets[index] = Some(name);
+        }
+    }
+
+    /// A use of a step.
+    fn operand(&mut self, node: Node) -> Expression {
+        let Some(name) = &self.lets[node.0] else { return self.operation(node.0) };
+        self.uses[node.0] -= 1;
+        Expression::atom(if self.uses[node.0] == 0 { quote!(#name) } else { quote!(#name.clone()) })
+    }
+
+    fn operation(&mut self, index: usize) -> Expression {
+        let plan = self.plan;
+        match plan.operations[index] {
             Operation::Input(variable) => {
                 let name = binding(self.symbols, variable);
-                atom(quote!(#name.clone()))
+                Expression::atom(quote!(#name.clone()))
             }
-            Operation::Constant(ref value) => atom(emit_constant(value, self.scalar)),
+            Operation::Prepared(constant) => {
+                let field = self.constants.and_then(|constants| constants.get(constant));
+                Expression::atom(quote!(self.#field.clone()))
+            }
+            Operation::Constant(ref value) => Expression::atom(emit_constant(value, self.scalar)),
             Operation::Negate(a) => {
-                let a = self.operand(a);
-                let inner = grouped(&a, Level::Atom);
-                Expression { tokens: quote!(-#inner), level: Level::Sum, depth: a.depth + 1 }
+                let a = self.operand(a).grouped(Level::Atom);
+                Expression { tokens: quote!(-#a), level: Level::Sum }
             }
             Operation::Add(a, b) => self.binary(a, b, Level::Sum, |a, b| quote!(#a + #b)),
             Operation::Subtract(a, b) => self.binary(a, b, Level::Sum, |a, b| quote!(#a - #b)),
             Operation::Multiply(a, b) => self.binary(a, b, Level::Product, |a, b| quote!(#a * #b)),
-            Operation::Divide(a, b) => self.binary(a, b, Level::Product, |a, b| quote!(#a / #b)),
+            Operation::Divide(a, b) => self.quotient(&plan.operations[index], a, b),
+            Operation::MultiplyAdd(a, b, c) => self.fused(a, b, c, |a, b, c| quote!(#a.multiply_add(#b, #c))),
+            Operation::MultiplySubtract(a, b, c) => {
+                self.fused(a, b, c, |a, b, c| quote!(#a.multiply_subtract(#b, #c)))
+            }
+            Operation::SubtractProduct(a, b, c) => {
+                self.fused(a, b, c, |a, b, c| quote!(#a.subtract_product(#b, #c)))
+            }
         }
     }
 
     /// Rust's operators group to the left, so only the right operand needs parentheses at its own level.
     fn binary(
-        &self,
+        &mut self,
         a: Node,
         b: Node,
         level: Level,
         join: impl Fn(TokenStream, TokenStream) -> TokenStream,
     ) -> Expression {
-        let (a, b) = (self.operand(a), self.operand(b));
         let tighter = if level == Level::Sum { Level::Product } else { Level::Atom };
-        let depth = a.depth.max(b.depth) + 1;
-        Expression { tokens: join(grouped(&a, level), grouped(&b, tighter)), level, depth }
+        let (a, b) = (self.operand(a).grouped(level), self.operand(b).grouped(tighter));
+        Expression { tokens: join(a, b), level }
     }
 
-    /// A use of a step.
-    fn operand(&self, node: Node) -> Expression {
-        let atom = |tokens| Expression { tokens, level: Level::Atom, depth: 0 };
-        match (&self.names[node.0], &self.expressions[node.0]) {
-            (Some(name), _) => atom(quote!(#name.clone())),
-            (None, Some(expression)) => expression.clone(),
-            (None, None) => atom(TokenStream::new()),
+    fn fused(
+        &mut self,
+        a: Node,
+        b: Node,
+        c: Node,
+        join: impl Fn(TokenStream, TokenStream, TokenStream) -> TokenStream,
+    ) -> Expression {
+        let (a, b, c) = (self.operand(a).grouped(Level::Atom), self.operand(b), self.operand(c));
+        Expression::atom(join(a, b.tokens, c.tokens))
+    }
+
+    /// `a / b`, or in a kernel, where a pole must be told, `b.reciprocal()?` or `a.quotient(b)?`.
+    fn quotient(&mut self, operation: &Operation, a: Node, b: Node) -> Expression {
+        if self.constants.is_none() {
+            return self.binary(a, b, Level::Product, |a, b| quote!(#a / #b));
         }
-    }
-
-    /// `__t_eps_x` for the product ε·x, `__c_3` for a constant, else `__sum_1`, `__product_2` by what it is.
-    fn name_of(&mut self, node: Node) -> Ident {
-        if let Operation::Constant(value) = &self.plan.operations[node.0]
-            && let Some((numerator, denominator)) = value.as_small_ratio()
-        {
-            return if denominator == 1 {
-                format_ident!("__c_{numerator}")
-            } else {
-                format_ident!("__c_{numerator}_{denominator}")
-            };
+        if let Some(divisor) = self.reciprocal_of(operation) {
+            let divisor = self.operand(divisor).grouped(Level::Atom);
+            return Expression::atom(quote!(#divisor.reciprocal()?));
         }
-        // States `x_y`, `z` and `x`, `y_z` have the same product name: the second one is numbered.
-        match self.product_name(node).filter(|factors| self.products.insert(factors.clone())) {
-            Some(factors) => format_ident!("__t_{factors}"),
-            None => {
-                self.counter += 1;
-                let what = match &self.plan.operations[node.0] {
-                    Operation::Multiply(..) => "product",
-                    Operation::Divide(..) => "quotient",
-                    Operation::Negate(_) => "negative",
-                    _ => "sum",
-                };
-                format_ident!("__{what}_{}", self.counter)
-            }
-        }
+        let (a, b) = (self.operand(a).grouped(Level::Atom), self.operand(b).tokens);
+        Expression::atom(quote!(#a.quotient(#b)?))
     }
-
-    /// The names of the inputs of a short product of inputs.
-    fn product_name(&self, node: Node) -> Option<String> {
-        match &self.plan.operations[node.0] {
-            Operation::Input(variable) => Some(self.symbols.name(*variable).replace('\'', "_second")),
-            Operation::Multiply(a, b) => {
-                let name = format!("{}_{}", self.product_name(*a)?, self.product_name(*b)?);
-                (name.len() <= 24).then_some(name)
-            }
-            _ => None,
-        }
-    }
-}
-
-fn grouped(expression: &Expression, at_least: Level) -> TokenStream {
-    let tokens = &expression.tokens;
-    if expression.level >= at_least { tokens.clone() } else { quote!((#tokens)) }
-}
-
-/// The name that a variable is bound to.
-fn binding(symbols: &Symbols, variable: Variable) -> Ident {
-    match symbols.symbol(variable) {
-        Symbol::State(i) => format_ident!("__s_{}", symbols.states[i]),
-        Symbol::Parameter(k) => format_ident!("__p_{}", symbols.parameters[k]),
-        Symbol::Epsilon => format_ident!("__half_step"),
-        Symbol::SecondState(i) => format_ident!("__o_{}", symbols.states[i]),
-    }
-}
-
-/// Binds what a plan reads: `let [__s_x, _, __s_z] = __kahan::components(__state);`, the parameters from `system`; ε stands in
-/// `__half_step`, the second point in `__other`.
-pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols, system: &TokenStream) -> TokenStream {
-    let inputs = plan.inputs();
-    let pattern = |symbol: &dyn Fn(usize) -> Symbol| {
-        let variables: Vec<Variable> =
-            (0..symbols.dimension()).map(|i| symbols.variable(symbol(i))).collect();
-        let is_read = variables.iter().any(|variable| inputs.contains(variable));
-        let names = variables.into_iter().map(|variable| {
-            let name = binding(symbols, variable);
-            if inputs.contains(&variable) { quote!(#name) } else { quote!(_) }
-        });
-        is_read.then(|| quote!([#(#names),*]))
-    };
-    let mut bindings = TokenStream::new();
-    if let Some(states) = pattern(&Symbol::State) {
-        bindings.extend(quote! { let #states = __kahan::components(__state); });
-    }
-    if let Some(states) = pattern(&Symbol::SecondState) {
-        bindings.extend(quote! { let #states = __kahan::components(__other); });
-    }
-    for (k, parameter) in symbols.parameters.iter().enumerate() {
-        let variable = symbols.parameter(k);
-        if inputs.contains(&variable) {
-            let (name, field) = (
-                binding(symbols, variable),
-                super::items::identifier(parameter, proc_macro2::Span::call_site()),
-            );
-            bindings.extend(quote! { let #name = &#system.#field; });
-        }
-    }
-    bindings
 }

@@ -79,7 +79,7 @@ fn scope() {
                     let __c_1 = __kahan::integer::<T>(1);
                     __kahan::matrix([
                         [__s_y.clone() * __p_mu.clone(), __p_mu.clone() * __s_x.clone()],
-                        [__c_1.clone(), -__c_1.clone()],
+                        [__c_1.clone(), -__c_1],
                     ])
                 }
                 fn bilinear(
@@ -108,74 +108,86 @@ fn scope() {
                     __kahan::vector([
                         (__s_x.clone() * __o_y.clone() + __s_y.clone() * __o_x.clone())
                             * __c_1_2.clone() * __p_mu.clone(),
-                        __c_1_2.clone()
+                        __c_1_2
                             * (__s_x.clone() - __s_y.clone() + __o_x.clone()
                                 - __o_y.clone()),
                     ])
                 }
             }
-            fn __reduced<T: __kahan::Scalar>(
-                __system: &Field<T>,
-                __state: &__kahan::SVector<T, 2>,
-                __half_step: &T,
-            ) -> (__kahan::SVector<T, 2>, T) {
-                let [__s_x, __s_y] = __kahan::components(__state);
-                let __p_mu = &__system.mu;
-                let __c_1 = __kahan::integer::<T>(1);
-                (
-                    __kahan::vector([
-                        (__s_x.clone() * __half_step.clone() + __s_y.clone())
-                            * (__s_x.clone() * __p_mu.clone()),
-                        __s_x.clone()
-                            + __s_y.clone()
-                                * (__half_step.clone() * (__s_y.clone() * __p_mu.clone())
-                                    - __c_1.clone()),
-                    ]),
-                    __c_1.clone()
-                        - __half_step.clone()
-                            * (__p_mu.clone()
-                                * (__s_y.clone()
-                                    + __half_step.clone() * (__s_x.clone() + __s_y.clone()))
-                                - __c_1.clone()),
-                )
+            #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
+            pub struct __Step<T> {
+                eps_mu: T,
+                eps: T,
+                eps_plus_one: T,
             }
-            impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Field<T> {
-                fn increment(
+            impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
+                #[inline(always)]
+                fn quotients(
                     &self,
                     __state: &__kahan::SVector<T, 2>,
-                    __half_step: &T,
-                ) -> __kahan::Option<__kahan::SVector<T, 2>> {
-                    let (__numerators, __denominator) = __reduced(
-                        self,
-                        __state,
-                        __half_step,
-                    );
-                    __kahan::increment_from_quotient(
-                        __numerators,
-                        __denominator,
-                        __half_step,
-                    )
+                ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
+                    let [__s_x, __s_y] = __kahan::components(__state);
+                    let __t_y_eps_mu_minus_one = __s_y
+                        .clone()
+                        .multiply_subtract(
+                            self.eps_mu.clone(),
+                            __kahan::integer::<T>(1),
+                        );
+                    let __t_eps_mu_x = self.eps_mu.clone() * __s_x.clone();
+                    let __t_eps_x = self.eps.clone() * __s_x.clone();
+                    let __reciprocal_1 = __kahan::integer::<T>(2)
+                        .quotient(
+                            __t_y_eps_mu_minus_one
+                                .clone()
+                                .multiply_add(
+                                    self.eps_plus_one.clone(),
+                                    self.eps.clone() * __t_eps_mu_x.clone(),
+                                ),
+                        )?;
+                    __kahan::Option::Some(__kahan::Quotients {
+                        numerators: [
+                            -(__t_eps_mu_x * (__s_y.clone() + __t_eps_x.clone())),
+                            -__t_y_eps_mu_minus_one
+                                .multiply_add(__s_y.clone() * self.eps.clone(), __t_eps_x),
+                        ],
+                        reciprocals: [__reciprocal_1.clone(), __reciprocal_1],
+                    })
+                }
+            }
+            impl<T: __kahan::Scalar> __kahan::WideStep<T, 2> for __Step<T> {
+                const HAS_LANES: __kahan::core::primitive::bool = true;
+                type Wide<__L: __kahan::Scalar> = __Step<__L>;
+                #[inline(always)]
+                fn widen<__L: __kahan::Scalar>(
+                    &self,
+                    __spread: impl __kahan::core::ops::Fn(&T) -> __L,
+                ) -> __Step<__L> {
+                    __Step {
+                        eps_mu: __spread(&self.eps_mu),
+                        eps: __spread(&self.eps),
+                        eps_plus_one: __spread(&self.eps_plus_one),
+                    }
+                }
+            }
+            impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Field<T> {
+                type Prepared = __Step<T>;
+                #[inline(always)]
+                fn prepare(&self, __half_step: &T) -> __Step<T> {
+                    let __p_mu = &self.mu;
+                    __Step {
+                        eps_mu: __half_step.clone() * __p_mu.clone(),
+                        eps: __half_step.clone(),
+                        eps_plus_one: __half_step.clone() + __kahan::integer::<T>(1),
+                    }
                 }
                 fn jacobian(
                     &self,
                     __state: &__kahan::SVector<T, 2>,
                     __half_step: T,
                 ) -> __kahan::SMatrix<T, 2, 2> {
-                    let __lifted = Field {
-                        mu: __kahan::Dual::lift(self.mu.clone()),
-                    };
-                    __kahan::jacobian_of_reduced(
-                        |__state, __half_step| {
-                            let (__numerators, __denominator) = __reduced(
-                                &__lifted,
-                                __state,
-                                __half_step,
-                            );
-                            __kahan::increment_from_quotient(
-                                __numerators,
-                                __denominator,
-                                __half_step,
-                            )
+                    __kahan::jacobian_by_duals(
+                        &Field {
+                            mu: __kahan::Dual::lift(self.mu.clone()),
                         },
                         __state,
                         &__half_step,
@@ -193,7 +205,7 @@ fn scope() {
                         - __half_step.clone()
                             * ((__s_y.clone()
                                 + (__s_x.clone() + __s_y.clone()) * __half_step.clone())
-                                * __p_mu.clone() - __c_1.clone())
+                                * __p_mu.clone() - __c_1)
                 }
                 fn rational_map(
                     &self,
@@ -213,7 +225,7 @@ fn scope() {
                                 * (__c_1.clone() + __half_step.clone() * __sum_1.clone()),
                             __s_y.clone()
                                 - __half_step.clone()
-                                    * (__s_y.clone() * __sum_1.clone()
+                                    * (__s_y.clone() * __sum_1
                                         - __s_x.clone() * __kahan::integer::<T>(2)),
                         ]),
                         __c_1.clone()
@@ -221,7 +233,7 @@ fn scope() {
                                 * (__p_mu.clone()
                                     * (__s_y.clone()
                                         + __half_step.clone() * (__s_x.clone() + __s_y.clone()))
-                                    - __c_1.clone()),
+                                    - __c_1),
                     )
                 }
             }

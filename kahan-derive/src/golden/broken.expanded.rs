@@ -62,17 +62,14 @@ const _: () = {
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Broken<T> {
         fn field(&self, __state: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
             let __c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([__c_0.clone(), __c_0.clone()])
+            __kahan::vector([__c_0.clone(), __c_0])
         }
         fn field_jacobian(
             &self,
             __state: &__kahan::SVector<T, 2>,
         ) -> __kahan::SMatrix<T, 2, 2> {
             let __c_0 = __kahan::integer::<T>(0);
-            __kahan::matrix([
-                [__c_0.clone(), __c_0.clone()],
-                [__c_0.clone(), __c_0.clone()],
-            ])
+            __kahan::matrix([[__c_0.clone(), __c_0.clone()], [__c_0.clone(), __c_0]])
         }
         fn bilinear(
             &self,
@@ -80,7 +77,7 @@ const _: () = {
             __other: &__kahan::SVector<T, 2>,
         ) -> __kahan::SVector<T, 2> {
             let __c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([__c_0.clone(), __c_0.clone()])
+            __kahan::vector([__c_0.clone(), __c_0])
         }
         fn polarized(
             &self,
@@ -88,46 +85,50 @@ const _: () = {
             __other: &__kahan::SVector<T, 2>,
         ) -> __kahan::SVector<T, 2> {
             let __c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([__c_0.clone(), __c_0.clone()])
+            __kahan::vector([__c_0.clone(), __c_0])
         }
     }
-    fn __reduced<T: __kahan::Scalar>(
-        __system: &Broken<T>,
-        __state: &__kahan::SVector<T, 2>,
-        __half_step: &T,
-    ) -> (__kahan::SVector<T, 2>, T) {
-        let __c_0 = __kahan::integer::<T>(0);
-        (__kahan::vector([__c_0.clone(), __c_0.clone()]), __kahan::integer::<T>(1))
-    }
-    impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Broken<T> {
-        fn increment(
+    #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
+    pub struct __Step<T>(__kahan::core::marker::PhantomData<T>);
+    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
+        #[inline(always)]
+        fn quotients(
             &self,
             __state: &__kahan::SVector<T, 2>,
-            __half_step: &T,
-        ) -> __kahan::Option<__kahan::SVector<T, 2>> {
-            let (__numerators, __denominator) = __reduced(self, __state, __half_step);
-            __kahan::increment_from_quotient(__numerators, __denominator, __half_step)
+        ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
+            let __c_2 = __kahan::integer::<T>(2);
+            let __c_0 = __kahan::integer::<T>(0);
+            __kahan::Option::Some(__kahan::Quotients {
+                numerators: [__c_0.clone(), __c_0],
+                reciprocals: [__c_2.clone(), __c_2],
+            })
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::WideStep<T, 2> for __Step<T> {
+        const HAS_LANES: __kahan::core::primitive::bool = true;
+        type Wide<__L: __kahan::Scalar> = __Step<__L>;
+        #[inline(always)]
+        fn widen<__L: __kahan::Scalar>(
+            &self,
+            __spread: impl __kahan::core::ops::Fn(&T) -> __L,
+        ) -> __Step<__L> {
+            __Step(__kahan::core::marker::PhantomData)
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Broken<T> {
+        type Prepared = __Step<T>;
+        #[inline(always)]
+        fn prepare(&self, __half_step: &T) -> __Step<T> {
+            __Step(__kahan::core::marker::PhantomData)
         }
         fn jacobian(
             &self,
             __state: &__kahan::SVector<T, 2>,
             __half_step: T,
         ) -> __kahan::SMatrix<T, 2, 2> {
-            let __lifted = Broken {
-                mu: __kahan::Dual::lift(self.mu.clone()),
-            };
-            __kahan::jacobian_of_reduced(
-                |__state, __half_step| {
-                    let (__numerators, __denominator) = __reduced(
-                        &__lifted,
-                        __state,
-                        __half_step,
-                    );
-                    __kahan::increment_from_quotient(
-                        __numerators,
-                        __denominator,
-                        __half_step,
-                    )
+            __kahan::jacobian_by_duals(
+                &Broken {
+                    mu: __kahan::Dual::lift(self.mu.clone()),
                 },
                 __state,
                 &__half_step,

@@ -62,12 +62,12 @@ const _: () = {
             let __p_b = &self.b;
             let __p_c = &self.c;
             let __c_6 = __kahan::integer::<T>(6);
-            let __product_1 = __c_6.clone() * __s_y.clone();
+            let __t_six_y = __c_6.clone() * __s_y.clone();
             let __c_15 = __kahan::integer::<T>(15);
-            let __product_2 = __c_6.clone() * __s_v.clone();
+            let __t_six_v = __c_6.clone() * __s_v.clone();
             let __c_2 = __kahan::integer::<T>(2);
             let __c_5 = __kahan::integer::<T>(5);
-            let __product_3 = __c_5.clone() * __s_x.clone();
+            let __t_five_x = __c_5.clone() * __s_x.clone();
             let __c_1 = __kahan::integer::<T>(1);
             let __c_42 = __kahan::integer::<T>(42);
             let __c_3 = __kahan::integer::<T>(3);
@@ -75,63 +75,63 @@ const _: () = {
             let __c_14 = __kahan::integer::<T>(14);
             let __c_12 = __kahan::integer::<T>(12);
             let __c_18 = __kahan::integer::<T>(18);
-            let __product_4 = __s_w.clone() * __c_8.clone();
+            let __t_eight_w = __s_w.clone() * __c_8.clone();
             let __c_9 = __kahan::integer::<T>(9);
             let __c_7 = __kahan::integer::<T>(7);
             let __t_z_u = __s_z.clone() * __s_u.clone();
             let __c_4 = __kahan::integer::<T>(4);
             let __c_21 = __kahan::integer::<T>(21);
-            let __t_w_w = __s_w.clone() * __s_w.clone();
-            let __product_5 = __s_y.clone() * __c_9.clone();
-            let __product_6 = __c_6.clone() * __s_u.clone();
-            let __t_v_v = __s_v.clone() * __s_v.clone();
+            let __t_w_squared = __s_w.clone() * __s_w.clone();
+            let __t_nine_y = __s_y.clone() * __c_9.clone();
+            let __t_six_u = __c_6.clone() * __s_u.clone();
+            let __t_v_squared = __s_v.clone() * __s_v.clone();
             let __c_1_420 = __kahan::ratio::<T>(1, 420);
             let __c_40 = __kahan::integer::<T>(40);
             let __c_75 = __kahan::integer::<T>(75);
-            let __product_7 = __c_6.clone() * __s_x.clone();
-            let __product_8 = __s_u.clone() * __c_4.clone();
-            let __product_9 = __s_w.clone() * __c_5.clone();
-            let __product_10 = __s_y.clone() * __c_2.clone();
-            let __product_11 = __s_w.clone() * __c_3.clone();
+            let __t_six_x = __c_6.clone() * __s_x.clone();
+            let __t_four_u = __s_u.clone() * __c_4.clone();
+            let __t_five_w = __s_w.clone() * __c_5.clone();
+            let __t_two_y = __s_y.clone() * __c_2.clone();
+            let __t_three_w = __s_w.clone() * __c_3.clone();
             let __c_28 = __kahan::integer::<T>(28);
-            let __product_12 = __c_7.clone() * __t_v_v.clone();
-            let __product_13 = __c_3.clone() * __s_u.clone();
+            let __t_seven_v_squared = __c_7.clone() * __t_v_squared.clone();
+            let __t_three_u = __c_3.clone() * __s_u.clone();
             let __c_16 = __kahan::integer::<T>(16);
             let __c_20 = __kahan::integer::<T>(20);
-            let __product_14 = __s_y.clone() * __c_3.clone();
+            let __t_three_y = __s_y.clone() * __c_3.clone();
             let __c_24 = __kahan::integer::<T>(24);
-            let __product_15 = __s_y.clone() * __c_16.clone();
-            let __product_16 = __c_15.clone() * __s_u.clone();
+            let __t_n16_y = __s_y.clone() * __c_16.clone();
+            let __t_n15_u = __c_15.clone() * __s_u.clone();
             let __c_35 = __kahan::integer::<T>(35);
-            let __product_17 = __s_x.clone() * __c_9.clone();
+            let __t_nine_x = __s_x.clone() * __c_9.clone();
             let __c_10 = __kahan::integer::<T>(10);
-            let __product_18 = __c_2.clone() * __s_u.clone();
-            let __product_19 = __s_v.clone() * __c_24.clone();
-            let __product_20 = __s_z.clone() * __c_12.clone();
-            let __product_21 = __s_y.clone() * __c_4.clone();
-            let __t_u_u = __s_u.clone() * __s_u.clone();
-            let __product_22 = __s_z.clone() * __c_3.clone();
-            let __product_23 = __c_5.clone() * __s_u.clone();
+            let __t_two_u = __c_2.clone() * __s_u.clone();
+            let __t_n24_v = __s_v.clone() * __c_24.clone();
+            let __t_n12_z = __s_z.clone() * __c_12.clone();
+            let __t_four_y = __s_y.clone() * __c_4.clone();
+            let __t_u_squared = __s_u.clone() * __s_u.clone();
+            let __t_three_z = __s_z.clone() * __c_3.clone();
+            let __t_five_u = __c_5.clone() * __s_u.clone();
             let __c_50 = __kahan::integer::<T>(50);
-            let __product_24 = __c_15.clone() * __t_v_v.clone();
-            let __product_25 = __s_v.clone() * __c_5.clone();
-            let __product_26 = __c_15.clone() * __s_v.clone();
+            let __t_n15_v_squared = __c_15.clone() * __t_v_squared.clone();
+            let __t_five_v = __s_v.clone() * __c_5.clone();
+            let __t_n15_v = __c_15.clone() * __s_v.clone();
             __kahan::vector([
                 (__c_14.clone()
                     * (__c_2.clone()
                         * (__c_5.clone()
                             * (__c_21.clone() * (__s_y.clone() * __s_x.clone())
-                                + __c_2.clone() * __t_w_w.clone())
+                                + __c_2.clone() * __t_w_squared.clone())
                             + __s_v.clone()
-                                * (__c_6.clone() * (__product_3.clone() - __s_y.clone())))
+                                * (__c_6.clone() * (__t_five_x.clone() - __s_y.clone())))
                         * __p_c.clone()
                         - __c_5.clone()
                             * (__s_z.clone() * __s_x.clone()
                                 + __c_6.clone() * (__s_y.clone() * __s_w.clone())
-                                - __c_4.clone() * __t_v_v.clone()
+                                - __c_4.clone() * __t_v_squared
                                 + __s_u.clone()
                                     * (__s_w.clone() * __c_4.clone()
-                                        - (__product_5.clone() + __product_6.clone()))))
+                                        - (__t_nine_y.clone() + __t_six_u.clone()))))
                     + __c_5.clone()
                         * (__s_x.clone()
                             * (__c_14.clone()
@@ -141,130 +141,124 @@ const _: () = {
                                 * ((__c_7.clone() * __t_z_u.clone() - __c_1.clone())
                                     * __c_4.clone()
                                     - __s_v.clone()
-                                        * ((__product_4.clone() + __c_9.clone()) * __c_7.clone())))
+                                        * ((__t_eight_w.clone() + __c_9.clone()) * __c_7.clone())))
                         * __p_b.clone()
                     + (__s_w.clone()
-                        * ((__product_3.clone() + __c_1.clone()) * __c_42.clone())
+                        * ((__t_five_x.clone() + __c_1.clone()) * __c_42.clone())
                         - __c_5.clone()
                             * (__s_y.clone()
                                 * (__s_y.clone() * __c_5.clone() - __c_8.clone())
                                 - __c_3.clone() * (__s_v.clone() + __c_3.clone())
                                     * __s_u.clone())
                         + __s_z.clone()
-                            * ((__product_1.clone() - __c_15.clone() * __s_z.clone()
-                                + __product_2.clone() - __c_2.clone() * __s_w.clone()
+                            * ((__t_six_y.clone() - __c_15.clone() * __s_z.clone()
+                                + __t_six_v.clone() - __c_2.clone() * __s_w.clone()
                                 + __c_2.clone()) * __c_5.clone())) * __c_14.clone()
                         * __p_a.clone()) * __c_1_420.clone(),
                 -(__c_1_420.clone()
                     * (__c_5.clone()
                         * (__p_a.clone()
                             * (__c_2.clone()
-                                * (__c_2.clone() * (__product_12.clone() - __c_3.clone())
+                                * (__c_2.clone()
+                                    * (__t_seven_v_squared.clone() - __c_3.clone())
                                     + __s_x.clone()
                                         * (__c_7.clone()
-                                            * (__product_3.clone() + __product_1.clone())))
+                                            * (__t_five_x.clone() + __t_six_y.clone())))
                                 + __s_z.clone()
                                     * (__c_21.clone()
                                         * (__s_z.clone() * __c_2.clone() - __s_u.clone()))
                                 - __s_w.clone()
-                                    * ((__product_10.clone() + __product_8.clone()
-                                        + __s_v.clone() * __c_9.clone() + __product_11.clone())
+                                    * ((__t_two_y.clone() + __t_four_u.clone()
+                                        + __s_v.clone() * __c_9.clone() + __t_three_w.clone())
                                         * __c_28.clone()))
                             - __c_7.clone()
                                 * (__p_c.clone()
                                     * (__c_3.clone()
                                         * (__c_4.clone() * (__s_w.clone() * __s_x.clone())
                                             - __c_20.clone() * (__s_z.clone() * __s_v.clone())
-                                            + __product_14.clone())
+                                            + __t_three_y.clone())
                                         + __s_u.clone()
-                                            * (__s_x.clone() * __c_28.clone() + __product_13.clone()
+                                            * (__s_x.clone() * __c_28.clone() + __t_three_u.clone()
                                                 + __c_16.clone()))
-                                    - __c_24.clone() * (__s_v.clone() * __s_u.clone())))
+                                    - __c_24 * (__s_v.clone() * __s_u.clone())))
                         - __p_b.clone()
                             * (__c_7.clone()
                                 * (__s_z.clone()
                                     * (__c_2.clone()
-                                        * (__s_x.clone() * __c_40.clone()
-                                            + __s_y.clone() * __c_42.clone()
+                                        * (__s_x.clone() * __c_40.clone() + __s_y.clone() * __c_42
                                             - __s_w.clone() * __c_75.clone() + __c_18.clone()))
                                     - (__c_5.clone()
                                         * (__s_y.clone()
-                                            * (__c_2.clone()
-                                                * (__product_5.clone() + __product_8.clone()))
-                                            - __c_3.clone() * (__s_x.clone() + __product_9.clone()))
+                                            * (__c_2.clone() * (__t_nine_y.clone() + __t_four_u))
+                                            - __c_3.clone() * (__s_x.clone() + __t_five_w.clone()))
                                         + __s_v.clone()
                                             * (__c_6.clone()
-                                                * (__product_7.clone()
+                                                * (__t_six_x.clone()
                                                     - __s_y.clone() * __kahan::integer::<T>(70)
                                                     - __c_15.clone()))))))),
                 -(__c_1_420.clone()
                     * (__c_7.clone()
                         * (__c_10.clone()
-                            * (__s_v.clone() * (__product_7.clone() - __s_u.clone())
+                            * (__s_v.clone() * (__t_six_x.clone() - __s_u.clone())
                                 + __p_c.clone()
                                     * (__s_u.clone()
-                                        * (__product_18.clone() - __s_w.clone() * __c_9.clone())
-                                        - __product_19.clone()))
+                                        * (__t_two_u.clone() - __s_w.clone() * __c_9.clone())
+                                        - __t_n24_v.clone()))
                             + __p_a.clone()
                                 * (__s_w.clone()
                                     * (__c_6.clone()
-                                        * (__s_v.clone() * __kahan::integer::<T>(25)
-                                            - __product_4.clone()))
+                                        * (__s_v.clone() * __kahan::integer::<T>(25) - __t_eight_w))
                                     - __c_5.clone()
-                                        * (__product_14.clone() + __s_u.clone() * __c_8.clone())
+                                        * (__t_three_y.clone() + __s_u.clone() * __c_8.clone())
                                     + __s_x.clone()
                                         * (__c_5.clone()
-                                            * (__product_17.clone() - __product_15.clone()
-                                                - __c_8.clone()))
+                                            * (__t_nine_x.clone() - __t_n16_y.clone() - __c_8.clone()))
                                     - __s_z.clone()
-                                        * ((__product_10.clone() + __product_6.clone()
-                                            + __s_w.clone() * __c_21.clone() + __c_18.clone())
+                                        * ((__t_two_y.clone() + __t_six_u
+                                            + __s_w.clone() * __c_21.clone() + __c_18)
                                             * __c_10.clone())))
                         + __p_b.clone()
                             * (__s_z.clone()
                                 * (__c_35.clone()
-                                    * (__product_17.clone() - __s_z.clone() * __c_8.clone()
+                                    * (__t_nine_x - __s_z.clone() * __c_8.clone()
                                         - __s_v.clone() * __c_16.clone()))
                                 - (__c_12.clone()
                                     * (__kahan::integer::<T>(49)
-                                        * (__s_x.clone() * __s_u.clone()) + __product_12.clone()
+                                        * (__s_x.clone() * __s_u.clone()) + __t_seven_v_squared
                                         + __c_5.clone())
                                     + __s_w.clone()
                                         * (__c_35.clone()
                                             * (__s_x.clone() * __c_4.clone() + __c_3.clone())))
                                 - __s_y.clone()
-                                    * ((__product_15.clone() - __product_16.clone()
+                                    * ((__t_n16_y - __t_n15_u.clone()
                                         + __s_v.clone() * __c_4.clone()
                                         + __s_w.clone() * __c_16.clone()) * __c_35.clone())))),
                 -(__c_1_420.clone()
                     * (__p_c.clone()
                         * (__c_5.clone()
                             * (__s_z.clone()
-                                * (__c_28.clone() * (__product_3.clone() - __c_1.clone()))
+                                * (__c_28.clone() * (__t_five_x.clone() - __c_1.clone()))
                                 - __c_3.clone()
-                                    * (__c_21.clone() * __t_u_u.clone() + __c_4.clone()))
+                                    * (__c_21.clone() * __t_u_squared.clone() + __c_4.clone()))
                             - __s_w.clone()
                                 * (__c_7.clone()
                                     * (__s_y.clone() * __kahan::integer::<T>(36)
                                         + __s_u.clone() * __c_40.clone() + __c_15.clone())))
                         - __c_35.clone()
                             * (__s_x.clone()
-                                * (__product_7.clone() + __product_13.clone()
+                                * (__t_six_x + __t_three_u.clone()
                                     + __s_v.clone() * __c_28.clone())
                                 - __s_z.clone()
-                                    * (__c_2.clone()
-                                        * (__product_22.clone() - __product_18.clone()))
+                                    * (__c_2.clone() * (__t_three_z.clone() - __t_two_u))
                                 + __p_a.clone()
                                     * (__s_y.clone()
-                                        * (__s_z.clone() * __c_4.clone() + __product_19.clone()
-                                            + __c_9.clone())))
+                                        * (__s_z.clone() * __c_4.clone() + __t_n24_v + __c_9)))
                         + __p_b.clone()
-                            * (__c_21.clone()
+                            * (__c_21
                                 * (__c_5.clone()
                                     * (__s_y.clone()
-                                        * (__c_2.clone() * __s_x.clone() + __product_21.clone()
-                                            - __product_13.clone())
-                                        - (__product_3.clone() + __s_u.clone() * __c_16.clone()))
+                                        * (__c_2.clone() * __s_x.clone() + __t_four_y.clone()
+                                            - __t_three_u) - (__t_five_x + __s_u.clone() * __c_16))
                                     - __s_w.clone()
                                         * (__c_2.clone()
                                             * (__s_x.clone() * __c_14.clone()
@@ -272,31 +266,30 @@ const _: () = {
                                                 + __s_w.clone() * __kahan::integer::<T>(30)))
                                     - __s_v.clone()
                                         * (__c_5.clone()
-                                            * (__product_20.clone() - __s_u.clone()
-                                                + __product_2.clone() + __s_w.clone() + __c_2.clone())))))),
+                                            * (__t_n12_z.clone() - __s_u.clone() + __t_six_v
+                                                + __s_w.clone() + __c_2.clone())))))),
                 __c_1_420.clone()
                     * (__p_b.clone()
                         * (__c_2.clone()
                             * (__c_15.clone()
-                                * (__c_2.clone()
-                                    * (__s_v.clone() * __c_7.clone() + __c_1.clone())
+                                * (__c_2.clone() * (__s_v.clone() * __c_7.clone() + __c_1)
                                     + __s_x.clone()
-                                        * (__c_7.clone() * (__s_z.clone() - __product_9.clone())))
+                                        * (__c_7.clone() * (__s_z.clone() - __t_five_w)))
                                 + __s_y.clone()
                                     * (__c_14.clone()
-                                        * (__product_14.clone() + __s_u.clone() * __c_20.clone()))))
+                                        * (__t_three_y + __s_u.clone() * __c_20.clone()))))
                         - __c_7.clone()
                             * (__p_a.clone()
                                 * (__c_2.clone()
                                     * (__s_z.clone()
                                         * (__c_5.clone()
-                                            * (__product_22.clone() - __product_11.clone()
-                                                - __c_8.clone()))
-                                        - (__product_24.clone() + __c_12.clone() * __t_w_w.clone()
+                                            * (__t_three_z - __t_three_w - __c_8.clone()))
+                                        - (__t_n15_v_squared.clone()
+                                            + __c_12.clone() * __t_w_squared.clone()
                                             + __s_u.clone() * __c_10.clone())))
                                 - __c_5.clone()
                                     * (__c_2.clone() * (__s_y.clone() * __s_z.clone())
-                                        + __c_3.clone() * __t_u_u.clone()
+                                        + __c_3.clone() * __t_u_squared
                                         + __s_v.clone()
                                             * (__c_2.clone()
                                                 * (__s_x.clone() * __c_7.clone()
@@ -306,57 +299,52 @@ const _: () = {
                                 * (__c_3.clone()
                                     * (__s_x.clone()
                                         * (__s_x.clone() * __c_10.clone()
-                                            - __s_y.clone() * __c_50.clone() + __product_23.clone()
-                                            + __c_28.clone())
+                                            - __s_y.clone() * __c_50.clone() + __t_five_u.clone()
+                                            + __c_28)
                                         - __c_5.clone()
-                                            * (__c_5.clone() * __t_z_u.clone() - __product_21.clone()
+                                            * (__c_5.clone() * __t_z_u - __t_four_y
                                                 - __s_v.clone()
                                                     * (__c_4.clone() * (__s_z.clone() + __s_u.clone()))))
                                     + __s_w.clone()
                                         * (__c_2.clone()
-                                            * (__product_1.clone() + __product_23.clone()
+                                            * (__t_six_y.clone() + __t_five_u
                                                 + __s_v.clone() * __c_20.clone() + __c_15.clone()))))),
-                -(__c_1_420.clone()
+                -(__c_1_420
                     * (__c_4.clone()
-                        * (__t_w_w.clone() * __kahan::integer::<T>(63)
+                        * (__t_w_squared * __kahan::integer::<T>(63)
                             + __p_c.clone()
                                 * (__c_5.clone()
-                                    * (__c_7.clone() * (__s_w.clone() * __s_u.clone())
+                                    * (__c_7 * (__s_w.clone() * __s_u.clone())
                                         - __c_3.clone())))
                         - __s_y.clone()
-                            * (__c_35.clone()
-                                * (__c_4.clone() * (__s_w.clone() * __p_c.clone())
-                                    + __product_1.clone() + __product_20.clone()
-                                    - __product_26.clone()))
+                            * (__c_35
+                                * (__c_4 * (__s_w.clone() * __p_c.clone()) + __t_six_y
+                                    + __t_n12_z - __t_n15_v.clone()))
                         + __s_x.clone()
                             * (__c_14.clone()
                                 * (__c_3.clone()
-                                    * (__s_x.clone() * __c_50.clone() + __product_10.clone()
-                                        - __product_26.clone() + __s_w.clone() * __c_10.clone())
+                                    * (__s_x.clone() * __c_50 + __t_two_y - __t_n15_v
+                                        + __s_w.clone() * __c_10)
                                     + __p_c.clone()
-                                        * (__c_20.clone() * (__s_z.clone() - __c_3.clone()))))
+                                        * (__c_20 * (__s_z.clone() - __c_3.clone()))))
                         + __p_a.clone()
                             * (__c_14.clone()
                                 * (__s_u.clone()
-                                    * (__c_2.clone()
-                                        * (__c_15.clone() * __s_x.clone() - __product_5.clone()
-                                            - __product_16.clone() - __product_25.clone()
-                                            - __c_6.clone()))
+                                    * (__c_2
+                                        * (__c_15 * __s_x.clone() - __t_nine_y - __t_n15_u
+                                            - __t_five_v.clone() - __c_6))
                                     - __c_3.clone()
                                         * (__c_14.clone() * (__s_z.clone() * __s_w.clone())
-                                            + __product_24.clone())))
+                                            + __t_n15_v_squared)))
                         - __p_b.clone()
-                            * (__c_14.clone()
+                            * (__c_14
                                 * (__s_z.clone()
-                                    * (__s_z.clone() * __c_40.clone()
-                                        - __s_u.clone() * __c_75.clone()
-                                        - __s_v.clone() * __c_12.clone()
-                                        + __kahan::integer::<T>(60))
-                                    - __c_5.clone()
-                                        * (__s_w.clone() * (__product_25.clone() - __c_3.clone())
+                                    * (__s_z.clone() * __c_40 - __s_u.clone() * __c_75
+                                        - __s_v.clone() * __c_12 + __kahan::integer::<T>(60))
+                                    - __c_5
+                                        * (__s_w.clone() * (__t_five_v - __c_3.clone())
                                             - __c_3.clone()
-                                                * (__s_y.clone() * __c_8.clone()
-                                                    + __s_v.clone() * __c_3.clone())))))),
+                                                * (__s_y.clone() * __c_8 + __s_v.clone() * __c_3)))))),
             ])
         }
         fn field_jacobian(
@@ -371,81 +359,81 @@ const _: () = {
             let __p_c = &self.c;
             let __c_1 = __kahan::integer::<T>(1);
             let __c_6 = __kahan::integer::<T>(6);
-            let __product_1 = __c_6.clone() * __s_u.clone();
+            let __t_six_u = __c_6.clone() * __s_u.clone();
             let __c_9 = __kahan::integer::<T>(9);
             let __c_2 = __kahan::integer::<T>(2);
             let __c_7 = __kahan::integer::<T>(7);
-            let __product_2 = __c_2.clone() * __s_v.clone();
+            let __t_two_v = __c_2.clone() * __s_v.clone();
             let __c_42 = __kahan::integer::<T>(42);
             let __t_w_a = __s_w.clone() * __p_a.clone();
             let __c_1_6 = __kahan::ratio::<T>(1, 6);
             let __c_5 = __kahan::integer::<T>(5);
-            let __product_3 = __s_y.clone() * __c_5.clone();
+            let __t_five_y = __s_y.clone() * __c_5.clone();
             let __c_3 = __kahan::integer::<T>(3);
-            let __product_4 = __s_z.clone() * __c_3.clone();
+            let __t_three_z = __s_z.clone() * __c_3.clone();
             let __c_4 = __kahan::integer::<T>(4);
             let __c_10 = __kahan::integer::<T>(10);
             let __c_35 = __kahan::integer::<T>(35);
-            let __product_5 = __s_u.clone() * __c_3.clone();
-            let __product_6 = __c_2.clone() * __s_w.clone();
+            let __t_three_u = __s_u.clone() * __c_3.clone();
+            let __t_two_w = __c_2.clone() * __s_w.clone();
             let __c_1_30 = __kahan::ratio::<T>(1, 30);
-            let __product_7 = __s_y.clone() * __c_3.clone();
+            let __t_three_y = __s_y.clone() * __c_3.clone();
             let __c_15 = __kahan::integer::<T>(15);
-            let __product_8 = __s_z.clone() * __c_15.clone();
-            let __product_9 = __s_v.clone() * __c_3.clone();
-            let __product_10 = __s_x.clone() * __c_2.clone();
-            let __product_11 = __c_9.clone() * __s_y.clone();
+            let __t_n15_z = __s_z.clone() * __c_15.clone();
+            let __t_three_v = __s_v.clone() * __c_3.clone();
+            let __t_two_x = __s_x.clone() * __c_2.clone();
+            let __t_nine_y = __c_9.clone() * __s_y.clone();
             let __c_12 = __kahan::integer::<T>(12);
-            let __product_12 = __s_w.clone() * __c_4.clone();
-            let __product_13 = __s_x.clone() * __c_5.clone();
+            let __t_four_w = __s_w.clone() * __c_4.clone();
+            let __t_five_x = __s_x.clone() * __c_5.clone();
             let __c_24 = __kahan::integer::<T>(24);
             let __c_8 = __kahan::integer::<T>(8);
-            let __product_14 = __s_w.clone() * __c_8.clone();
-            let __product_15 = __c_2.clone() * __s_z.clone();
+            let __t_eight_w = __s_w.clone() * __c_8.clone();
+            let __t_two_z = __c_2.clone() * __s_z.clone();
             let __c_1_60 = __kahan::ratio::<T>(1, 60);
             let __c_105 = __kahan::integer::<T>(105);
-            let __product_16 = __s_z.clone() * __c_5.clone();
+            let __t_five_z = __s_z.clone() * __c_5.clone();
             let __c_21 = __kahan::integer::<T>(21);
             let __t_c_w = __p_c.clone() * __s_w.clone();
-            let __product_17 = __s_u.clone() * __c_2.clone();
-            let __product_18 = __s_z.clone() * __kahan::integer::<T>(80);
+            let __t_two_u = __s_u.clone() * __c_2.clone();
+            let __t_n80_z = __s_z.clone() * __kahan::integer::<T>(80);
             let __c_36 = __kahan::integer::<T>(36);
-            let __product_19 = __s_w.clone() * __c_3.clone();
+            let __t_three_w = __s_w.clone() * __c_3.clone();
             let __c_20 = __kahan::integer::<T>(20);
             let __c_45 = __kahan::integer::<T>(45);
-            let __product_20 = __s_u.clone() * __c_10.clone();
-            let __product_21 = __s_x.clone() * __c_3.clone();
+            let __t_ten_u = __s_u.clone() * __c_10.clone();
+            let __t_three_x = __s_x.clone() * __c_3.clone();
             let __c_40 = __kahan::integer::<T>(40);
             let __c_75 = __kahan::integer::<T>(75);
             let __c_18 = __kahan::integer::<T>(18);
-            let __product_22 = __s_z.clone() * __c_4.clone();
+            let __t_four_z = __s_z.clone() * __c_4.clone();
             let __c_16 = __kahan::integer::<T>(16);
-            let __product_23 = __s_w.clone() * __c_16.clone();
+            let __t_n16_w = __s_w.clone() * __c_16.clone();
             let __t_b_y = __p_b.clone() * __s_y.clone();
             let __c_1_12 = __kahan::ratio::<T>(1, 12);
-            let __product_24 = __s_x.clone() * __c_6.clone();
+            let __t_six_x = __s_x.clone() * __c_6.clone();
             let __c_70 = __kahan::integer::<T>(70);
-            let __product_25 = __c_9.clone() * __s_w.clone();
+            let __t_nine_w = __c_9.clone() * __s_w.clone();
             let __t_c_z = __p_c.clone() * __s_z.clone();
-            let __product_26 = __c_2.clone() * __s_y.clone();
-            let __product_27 = __s_u.clone() * __c_4.clone();
-            let __product_28 = __c_9.clone() * __s_v.clone();
-            let __product_29 = __c_6.clone() * __s_w.clone();
+            let __t_two_y = __c_2.clone() * __s_y.clone();
+            let __t_four_u = __s_u.clone() * __c_4.clone();
+            let __t_nine_v = __c_9.clone() * __s_v.clone();
+            let __t_six_w = __c_6.clone() * __s_w.clone();
             let __t_x_c = __s_x.clone() * __p_c.clone();
-            let __product_30 = __s_x.clone() * __c_9.clone();
-            let __product_31 = __s_y.clone() * __c_8.clone();
-            let __product_32 = __c_6.clone() * __s_v.clone();
-            let __product_33 = __s_v.clone() * __c_4.clone();
+            let __t_nine_x = __s_x.clone() * __c_9.clone();
+            let __t_eight_y = __s_y.clone() * __c_8.clone();
+            let __t_six_v = __c_6.clone() * __s_v.clone();
+            let __t_four_v = __s_v.clone() * __c_4.clone();
             let __c_28 = __kahan::integer::<T>(28);
-            let __product_34 = __s_x.clone() * __c_28.clone();
+            let __t_n28_x = __s_x.clone() * __c_28.clone();
             let __c_25 = __kahan::integer::<T>(25);
-            let __product_35 = __s_x.clone() * __c_12.clone();
+            let __t_n12_x = __s_x.clone() * __c_12.clone();
             let __t_y_a = __s_y.clone() * __p_a.clone();
-            let __product_36 = __s_z.clone() * __c_12.clone();
-            let __product_37 = __s_v.clone() * __c_12.clone();
-            let __product_38 = __s_x.clone() * __c_7.clone();
-            let __product_39 = __s_v.clone() * __c_5.clone();
-            let __product_40 = __s_u.clone() * __c_5.clone();
+            let __t_n12_z = __s_z.clone() * __c_12.clone();
+            let __t_n12_v = __s_v.clone() * __c_12.clone();
+            let __t_seven_x = __s_x.clone() * __c_7.clone();
+            let __t_five_v = __s_v.clone() * __c_5.clone();
+            let __t_five_u = __s_u.clone() * __c_5.clone();
             let __t_x_b = __s_x.clone() * __p_b.clone();
             let __t_u_a = __s_u.clone() * __p_a.clone();
             let __c_60 = __kahan::integer::<T>(60);
@@ -453,111 +441,109 @@ const _: () = {
                 [
                     (__c_42.clone() * __t_w_a.clone() - __s_z.clone()
                         + __c_6.clone()
-                            * (__c_7.clone() * __s_y.clone() + __product_2.clone())
+                            * (__c_7.clone() * __s_y.clone() + __t_two_v.clone())
                             * __p_c.clone()
-                        + (__s_x.clone() - __product_1.clone() + __c_9.clone())
+                        + (__s_x.clone() - __t_six_u.clone() + __c_9.clone())
                             * __c_2.clone() * __p_b.clone()) * __c_1_6.clone(),
                     (__c_3.clone()
-                        * (__c_5.clone() * (__product_5.clone() - __product_6.clone())
+                        * (__c_5.clone() * (__t_three_u.clone() - __t_two_w.clone())
                             + __p_c.clone()
                                 * (__c_2.clone()
-                                    * (__s_x.clone() * __c_35.clone() - __product_2.clone())))
+                                    * (__s_x.clone() * __c_35.clone() - __t_two_v.clone())))
                         - __p_a.clone()
-                            * ((__product_3.clone() - __product_4.clone()
-                                - __c_4.clone()) * __c_10.clone())) * __c_1_30.clone(),
+                            * ((__t_five_y.clone() - __t_three_z.clone() - __c_4.clone())
+                                * __c_10.clone())) * __c_1_30.clone(),
                     __c_1_6.clone()
                         * (__p_a.clone()
                             * (__c_2.clone()
-                                * (__product_7.clone() - __product_8.clone()
-                                    + __product_9.clone() - __s_w.clone() + __c_1.clone()))
+                                * (__t_three_y.clone() - __t_n15_z.clone()
+                                    + __t_three_v.clone() - __s_w.clone() + __c_1.clone()))
                             - (__c_6.clone() * (__s_u.clone() * __p_b.clone())
                                 + __s_x.clone())),
                     -(__c_1_6.clone()
                         * (__p_b.clone()
-                            * (__c_6.clone() * (__product_10.clone() + __s_z.clone()))
-                            - (__product_11.clone() + __s_u.clone() * __c_12.clone()
-                                - __product_12.clone()
+                            * (__c_6.clone() * (__t_two_x.clone() + __s_z.clone()))
+                            - (__t_nine_y.clone() + __s_u.clone() * __c_12.clone()
+                                - __t_four_w.clone()
                                 + __p_a.clone()
                                     * (__c_3.clone() * (__s_v.clone() + __c_3.clone()))))),
                     (__c_5.clone()
                         * (__c_2.clone()
                             * (__s_v.clone() * __c_8.clone()
                                 + __p_a.clone()
-                                    * (__c_3.clone() * (__product_15.clone() + __s_u.clone())))
+                                    * (__c_3.clone() * (__t_two_z.clone() + __s_u.clone())))
                             + __p_b.clone()
-                                * (__c_3.clone() * (__product_14.clone() + __c_9.clone())))
+                                * (__c_3.clone() * (__t_eight_w.clone() + __c_9.clone())))
                         + __p_c.clone()
-                            * ((__product_13.clone() - __s_y.clone()) * __c_24.clone()))
+                            * ((__t_five_x.clone() - __s_y.clone()) * __c_24.clone()))
                         * __c_1_60.clone(),
                     (__c_5.clone()
                         * (__c_6.clone() * (__p_b.clone() * __s_v.clone())
-                            + __c_4.clone() * __t_c_w.clone() - __product_7.clone()
-                            - __product_17.clone())
+                            + __c_4.clone() * __t_c_w.clone() - __t_three_y.clone()
+                            - __t_two_u.clone())
                         + __p_a.clone()
-                            * (__s_x.clone() * __c_105.clone() - __product_16.clone()
+                            * (__s_x.clone() * __c_105.clone() - __t_five_z.clone()
                                 + __c_21.clone())) * __kahan::ratio::<T>(1, 15),
                 ],
                 [
                     -(__c_1_60.clone()
-                        * ((__p_a.clone() * (__product_13.clone() + __product_7.clone())
+                        * ((__p_a.clone() * (__t_five_x.clone() + __t_three_y.clone())
                             - __p_c.clone()
-                                * (__s_u.clone() * __c_7.clone() + __product_19.clone()))
+                                * (__s_u.clone() * __c_7.clone() + __t_three_w.clone()))
                             * __c_20.clone()
                             - __p_b.clone()
-                                * (__product_18.clone() - __s_v.clone() * __c_36.clone()
+                                * (__t_n80_z.clone() - __s_v.clone() * __c_36.clone()
                                     + __c_15.clone()))),
                     -(__c_1_60.clone()
                         * (__c_5.clone()
                             * (__p_a.clone()
                                 * (__c_4.clone()
-                                    * (__product_21.clone() - __product_6.clone()))
+                                    * (__t_three_x.clone() - __t_two_w.clone()))
                                 - __c_9.clone() * __p_c.clone())
                             + __p_b.clone()
                                 * (__c_4.clone()
                                     * (__s_y.clone() * __c_45.clone()
-                                        - __s_z.clone() * __c_21.clone() + __product_20.clone()
-                                        - __s_v.clone() * __c_105.clone())))),
+                                        - __s_z.clone() * __c_21.clone() + __t_ten_u.clone()
+                                        - __s_v.clone() * __c_105)))),
                     __c_1_60.clone()
                         * (__p_b.clone()
                             * (__c_2.clone()
-                                * (__s_x.clone() * __c_40.clone()
-                                    + __s_y.clone() * __c_42.clone()
+                                * (__s_x.clone() * __c_40.clone() + __s_y.clone() * __c_42
                                     - __s_w.clone() * __c_75.clone() + __c_18.clone()))
                             - __c_15.clone()
                                 * (__c_20.clone() * (__s_v.clone() * __p_c.clone())
-                                    + __p_a.clone() * (__product_22.clone() - __s_u.clone()))),
-                    (__p_a.clone() * (__product_4.clone() + __product_23.clone())
-                        - __c_8.clone() * (__t_b_y.clone() + __product_9.clone())
+                                    + __p_a.clone() * (__t_four_z.clone() - __s_u.clone()))),
+                    (__p_a.clone() * (__t_three_z.clone() + __t_n16_w.clone())
+                        - __c_8.clone() * (__t_b_y.clone() + __t_three_v)
                         + __p_c.clone()
                             * (__c_2.clone()
                                 * (__s_x.clone() * __kahan::integer::<T>(14)
-                                    + __product_5.clone() + __c_8.clone()))) * __c_1_12.clone(),
+                                    + __t_three_u.clone() + __c_8.clone()))) * __c_1_12.clone(),
                     -(__c_1_30.clone()
                         * (__c_10.clone()
                             * (__c_3.clone()
-                                * (__c_5.clone() * __t_c_z.clone() + __product_17.clone())
-                                + __p_a.clone()
-                                    * (__product_2.clone() - __product_25.clone()))
+                                * (__c_5.clone() * __t_c_z.clone() + __t_two_u)
+                                + __p_a.clone() * (__t_two_v - __t_nine_w.clone()))
                             + __p_b.clone()
                                 * (__c_3.clone()
-                                    * (__product_24.clone() - __s_y.clone() * __c_70.clone()
+                                    * (__t_six_x.clone() - __s_y.clone() * __c_70.clone()
                                         - __c_15.clone())))),
                     __c_1_12.clone()
                         * (__c_3.clone()
                             * (__c_4.clone() * __t_x_c.clone()
                                 - __p_b.clone()
-                                    * (__c_5.clone() * (__product_15.clone() - __c_1.clone())))
+                                    * (__c_5.clone() * (__t_two_z - __c_1.clone())))
                             + __p_a.clone()
                                 * (__c_4.clone()
-                                    * (__product_26.clone() + __product_27.clone()
-                                        + __product_28.clone() + __product_29.clone()))),
+                                    * (__t_two_y.clone() + __t_four_u.clone()
+                                        + __t_nine_v.clone() + __t_six_w.clone()))),
                 ],
                 [
                     -(__c_1_60.clone()
                         * (__c_10.clone()
-                            * (__product_32.clone()
+                            * (__t_six_v.clone()
                                 + __p_a.clone()
-                                    * (__product_30.clone() - __product_31.clone()
+                                    * (__t_nine_x.clone() - __t_eight_y.clone()
                                         - __c_4.clone()))
                             + __p_b.clone()
                                 * (__s_z.clone() * __c_45.clone()
@@ -565,45 +551,44 @@ const _: () = {
                                     - __s_w.clone() * __c_20.clone()))),
                     __c_1_12.clone()
                         * (__p_a.clone()
-                            * (__s_x.clone() * __c_16.clone() + __product_22.clone()
+                            * (__s_x.clone() * __c_16.clone() + __t_four_z.clone()
                                 + __c_3.clone())
                             + __p_b.clone()
                                 * (__s_y.clone() * __kahan::integer::<T>(32)
-                                    - __s_u.clone() * __c_15.clone() + __product_33.clone()
-                                    + __product_23.clone())),
+                                    - __s_u.clone() * __c_15.clone() + __t_four_v.clone()
+                                    + __t_n16_w.clone())),
                     -(__c_1_12.clone()
                         * (__p_b.clone()
-                            * (__product_30.clone() - __s_z.clone() * __c_16.clone()
+                            * (__t_nine_x - __s_z.clone() * __c_16.clone()
                                 - __s_v.clone() * __c_16.clone())
                             - __p_a.clone()
                                 * (__c_2.clone()
-                                    * (__product_26.clone() + __product_1.clone()
-                                        + __s_w.clone() * __c_21.clone() + __c_18.clone())))),
+                                    * (__t_two_y.clone() + __t_six_u
+                                        + __s_w.clone() * __c_21.clone() + __c_18)))),
                     __c_1_60.clone()
                         * (__c_10.clone()
                             * (__s_v.clone()
                                 + __p_a.clone()
-                                    * (__c_2.clone() * (__product_4.clone() + __c_2.clone())))
+                                    * (__c_2.clone() * (__t_three_z.clone() + __c_2.clone())))
                             + __p_b.clone()
                                 * (__c_3.clone()
-                                    * (__product_34.clone() - __s_y.clone() * __c_25.clone()))
+                                    * (__t_n28_x.clone() - __s_y.clone() * __c_25.clone()))
                             - __p_c.clone()
-                                * (__c_10.clone()
-                                    * (__product_27.clone() - __product_25.clone()))),
+                                * (__c_10.clone() * (__t_four_u - __t_nine_w))),
                     __c_1_30.clone()
                         * (__p_b.clone()
                             * (__c_2.clone()
-                                * (__product_3.clone() + __s_z.clone() * __c_20.clone()
-                                    + __product_32.clone()))
+                                * (__t_five_y.clone() + __s_z.clone() * __c_20.clone()
+                                    + __t_six_v.clone()))
                             - __c_5.clone()
-                                * (__t_w_a.clone() * __c_15.clone() + __product_24.clone()
+                                * (__t_w_a.clone() * __c_15.clone() + __t_six_x.clone()
                                     - __s_u.clone() - __p_c.clone() * __c_24.clone())),
                     __c_1_60.clone()
                         * (__c_6.clone()
                             * (__c_15.clone() * (__s_u.clone() * __p_c.clone())
                                 + __p_a.clone()
-                                    * (__s_z.clone() * __c_35.clone()
-                                        - __s_v.clone() * __c_25.clone() + __product_23.clone()))
+                                    * (__s_z.clone() * __c_35 - __s_v.clone() * __c_25.clone()
+                                        + __t_n16_w))
                             + __p_b.clone()
                                 * (__c_5.clone()
                                     * (__s_x.clone() * __c_4.clone()
@@ -612,8 +597,8 @@ const _: () = {
                 [
                     -(__c_1_60.clone()
                         * (__c_5.clone()
-                            * (__c_20.clone() * __t_c_z.clone() - __product_35.clone()
-                                - __product_5.clone() - __s_v.clone() * __c_28.clone())
+                            * (__c_20.clone() * __t_c_z - __t_n12_x.clone()
+                                - __t_three_u.clone() - __s_v.clone() * __c_28.clone())
                             + __p_b.clone()
                                 * (__c_3.clone()
                                     * (__s_y.clone() * __c_10.clone()
@@ -621,45 +606,40 @@ const _: () = {
                     -(__c_1_60.clone()
                         * (__p_b.clone()
                             * (__c_15.clone()
-                                * (__product_10.clone() + __product_31.clone()
-                                    - __product_5.clone()))
+                                * (__t_two_x + __t_eight_y - __t_three_u.clone()))
                             - (__t_c_w.clone() * __c_36.clone()
                                 + __p_a.clone()
                                     * (__c_5.clone()
-                                        * (__product_22.clone() + __s_v.clone() * __c_24.clone()
+                                        * (__t_four_z.clone() + __s_v.clone() * __c_24
                                             + __c_9.clone()))))),
                     -(__c_1_6.clone()
-                        * (__p_c.clone()
-                            * (__c_2.clone() * (__product_13.clone() - __c_1.clone()))
+                        * (__p_c.clone() * (__c_2.clone() * (__t_five_x.clone() - __c_1))
                             - (__c_2.clone()
-                                * (__t_y_a.clone() - __product_4.clone() + __s_u.clone())
+                                * (__t_y_a.clone() - __t_three_z.clone() + __s_u.clone())
                                 + __p_b.clone()
                                     * (__c_3.clone()
-                                        * (__product_32.clone()
-                                            + __c_7.clone() * __s_w.clone()))))),
+                                        * (__t_six_v + __c_7.clone() * __s_w.clone()))))),
                     __c_1_12.clone()
-                        * (__product_21.clone() + __product_22.clone()
+                        * (__t_three_x.clone() + __t_four_z
                             + __p_c.clone()
-                                * (__c_2.clone()
-                                    * (__s_u.clone() * __c_9.clone() + __product_12.clone()))
+                                * (__c_2.clone() * (__s_u.clone() * __c_9 + __t_four_w))
                             + __p_b.clone()
                                 * (__c_3.clone()
-                                    * (__product_7.clone() - __s_v.clone() + __c_16.clone()))),
+                                    * (__t_three_y.clone() - __s_v.clone() + __c_16))),
                     __c_1_12.clone()
                         * (__c_4.clone()
-                            * (__c_6.clone() * __t_y_a.clone() + __product_38.clone())
+                            * (__c_6.clone() * __t_y_a + __t_seven_x.clone())
                             + __p_b.clone()
                                 * (__c_3.clone()
-                                    * (__product_36.clone() - __s_u.clone()
-                                        + __product_37.clone() + __s_w.clone() + __c_2.clone()))),
+                                    * (__t_n12_z.clone() - __s_u.clone() + __t_n12_v.clone()
+                                        + __s_w.clone() + __c_2.clone()))),
                     __c_1_60.clone()
                         * (__p_c.clone()
-                            * (__s_y.clone() * __c_36.clone()
-                                + __s_u.clone() * __c_40.clone() + __c_15.clone())
+                            * (__s_y.clone() * __c_36.clone() + __s_u.clone() * __c_40
+                                + __c_15.clone())
                             + __p_b.clone()
                                 * (__c_3.clone()
-                                    * (__product_34.clone() + __s_z.clone() * __c_70.clone()
-                                        + __product_39.clone()
+                                    * (__t_n28_x + __s_z.clone() * __c_70 + __t_five_v.clone()
                                         + __s_w.clone() * __kahan::integer::<T>(120)))),
                 ],
                 [
@@ -673,102 +653,88 @@ const _: () = {
                                 * (__c_3.clone()
                                     * (__s_x.clone() * __c_20.clone()
                                         - __s_y.clone() * __kahan::integer::<T>(50)
-                                        + __product_40.clone() + __c_28.clone()))),
+                                        + __t_five_u.clone() + __c_28))),
                     -(__c_1_30.clone()
                         * (__p_c.clone()
                             * (__c_3.clone()
-                                * (__s_x.clone() * __c_25.clone() - __product_6.clone()
+                                * (__s_x.clone() * __c_25.clone() - __t_two_w.clone()
                                     - __c_10.clone()))
-                            - (__c_5.clone() * (__s_z.clone() - __product_37.clone())
+                            - (__c_5.clone() * (__s_z.clone() - __t_n12_v.clone())
                                 + __p_b.clone()
-                                    * (__c_4.clone()
-                                        * (__product_7.clone() + __product_20.clone()))))),
+                                    * (__c_4.clone() * (__t_three_y + __t_ten_u))))),
                     __c_1_12.clone()
                         * (__c_2.clone()
                             * (__c_3.clone() * __t_x_b.clone() + __s_y.clone())
                             - __p_c.clone()
-                                * (__c_3.clone()
-                                    * (__product_40.clone() - __product_33.clone()))
+                                * (__c_3.clone() * (__t_five_u.clone() - __t_four_v))
                             - __p_a.clone()
                                 * (__c_2.clone()
-                                    * (__c_6.clone() * __s_z.clone() - __product_19.clone()
+                                    * (__c_6.clone() * __s_z.clone() - __t_three_w
                                         - __c_8.clone()))),
-                    __c_1_12.clone()
+                    __c_1_12
                         * (__c_2.clone()
-                            * (__c_8.clone() * __t_b_y.clone() + __product_5.clone()
+                            * (__c_8 * __t_b_y + __t_three_u.clone()
                                 + __c_2.clone() * __p_a.clone())
                             + __p_c.clone()
-                                * (__product_21.clone() - __product_8.clone()
-                                    + __product_37.clone() + __product_6.clone())),
-                    __c_1_6.clone()
-                        * (__c_6.clone() * (__s_v.clone() * __p_a.clone())
-                            + __product_38.clone() - __s_y.clone() * __c_12.clone()
-                            + __c_6.clone() * __p_b.clone()
+                                * (__t_three_x - __t_n15_z + __t_n12_v.clone()
+                                    + __t_two_w.clone())),
+                    __c_1_6
+                        * (__c_6.clone() * (__s_v.clone() * __p_a.clone()) + __t_seven_x
+                            - __s_y.clone() * __c_12 + __c_6.clone() * __p_b.clone()
                             + __p_c.clone()
                                 * (__c_2.clone()
-                                    * (__product_4.clone() + __product_5.clone()
-                                        + __product_6.clone()))),
+                                    * (__t_three_z + __t_three_u + __t_two_w))),
                     -(__c_1_30.clone()
                         * (__c_3.clone()
-                            * (__c_25.clone() * __t_x_b.clone()
-                                - __p_a.clone()
-                                    * (__product_16.clone() + __product_14.clone()))
+                            * (__c_25.clone() * __t_x_b
+                                - __p_a.clone() * (__t_five_z + __t_eight_w))
                             - __p_c.clone()
-                                * (__c_6.clone() * __s_y.clone() + __product_40.clone()
+                                * (__c_6.clone() * __s_y.clone() + __t_five_u
                                     + __s_v.clone() * __c_20.clone() + __c_15.clone()))),
                 ],
                 [
                     -(__c_1_30.clone()
                         * (__c_3.clone()
                             * (__c_10.clone() * __t_u_a.clone()
-                                + __s_x.clone() * __kahan::integer::<T>(100)
-                                + __product_26.clone() - __s_v.clone() * __c_15.clone()
+                                + __s_x.clone() * __kahan::integer::<T>(100) + __t_two_y
+                                - __s_v.clone() * __c_15.clone()
                                 + __s_w.clone() * __c_10.clone())
                             + __p_c.clone()
                                 * (__c_20.clone() * (__s_z.clone() - __c_3.clone())))),
                     __c_1_60.clone()
-                        * (__c_36.clone() * __t_u_a.clone()
-                            + __t_c_w.clone() * __c_20.clone() - __product_35.clone()
+                        * (__c_36 * __t_u_a + __t_c_w.clone() * __c_20 - __t_n12_x
                             + __s_y.clone() * __c_60.clone()
                             + __s_z.clone() * __c_60.clone()
                             - __s_v.clone() * __c_75.clone()
                             + __p_b.clone() * __kahan::integer::<T>(240)),
                     -(__c_1_30.clone()
                         * (__c_2.clone()
-                            * (__c_10.clone() * __t_x_c.clone()
-                                - __t_w_a.clone() * __c_21.clone()
+                            * (__c_10.clone() * __t_x_c - __t_w_a * __c_21
                                 - __s_y.clone() * __c_15.clone())
                             - __p_b.clone()
-                                * (__product_18.clone() - __s_u.clone() * __c_75.clone()
-                                    - __product_37.clone() + __c_60.clone()))),
+                                * (__t_n80_z - __s_u.clone() * __c_75 - __t_n12_v
+                                    + __c_60))),
                     -(__c_1_30.clone()
                         * (__c_5.clone()
                             * (__c_15.clone() * (__p_b.clone() * __s_z.clone())
-                                + __c_2.clone() * __t_c_w.clone())
+                                + __c_2.clone() * __t_c_w)
                             + __p_a.clone()
                                 * (__c_2.clone()
-                                    * (__s_x.clone() * __c_15.clone() - __product_11.clone()
+                                    * (__s_x.clone() * __c_15 - __t_nine_y
                                         - __s_u.clone() * __kahan::integer::<T>(30)
-                                        - __product_39.clone() - __c_6.clone())))),
-                    -(__c_1_60.clone()
+                                        - __t_five_v.clone() - __c_6.clone())))),
+                    -(__c_1_60
                         * (__p_b.clone()
-                            * (__c_2.clone()
-                                * (__product_36.clone() + __s_w.clone() * __c_25.clone()
-                                    - __c_45.clone()))
+                            * (__c_2 * (__t_n12_z + __s_w.clone() * __c_25 - __c_45))
                             - __c_5.clone()
-                                * (__c_3.clone()
-                                    * (__product_24.clone() - __product_3.clone())
-                                    + __p_a.clone()
-                                        * (__c_4.clone()
-                                            * (__s_u.clone() + __product_28.clone()))))),
-                    __c_1_30.clone()
-                        * (__c_6.clone()
-                            * (__c_7.clone() * (__p_a.clone() * __s_z.clone())
-                                - __product_13.clone() - __product_29.clone())
-                            - __p_b.clone()
-                                * (__c_5.clone() * (__product_39.clone() - __c_3.clone()))
-                            + __p_c.clone()
-                                * (__c_10.clone() * (__s_y.clone() - __s_u.clone()))),
+                                * (__c_3.clone() * (__t_six_x - __t_five_y)
+                                    + __p_a.clone() * (__c_4 * (__s_u.clone() + __t_nine_v))))),
+                    __c_1_30
+                        * (__c_6
+                            * (__c_7 * (__p_a.clone() * __s_z.clone()) - __t_five_x
+                                - __t_six_w)
+                            - __p_b.clone() * (__c_5 * (__t_five_v - __c_3))
+                            + __p_c.clone() * (__c_10 * (__s_y.clone() - __s_u.clone()))),
                 ],
             ])
         }
@@ -787,9 +753,9 @@ const _: () = {
             let __p_b = &self.b;
             let __p_c = &self.c;
             let __c_3 = __kahan::integer::<T>(3);
-            let __product_1 = __c_3.clone() * __s_y.clone();
+            let __t_three_y = __c_3.clone() * __s_y.clone();
             let __c_15 = __kahan::integer::<T>(15);
-            let __product_2 = __c_15.clone() * __s_z.clone();
+            let __t_n15_z = __c_15.clone() * __s_z.clone();
             let __c_2 = __kahan::integer::<T>(2);
             let __c_42 = __kahan::integer::<T>(42);
             let __t_w_second_x = __o_w.clone() * __s_x.clone();
@@ -797,97 +763,97 @@ const _: () = {
             let __t_v_second_u = __o_v.clone() * __s_u.clone();
             let __t_v_u_second = __s_v.clone() * __o_u.clone();
             let __c_5 = __kahan::integer::<T>(5);
-            let __product_3 = __s_x.clone() * __c_5.clone();
+            let __t_five_x = __s_x.clone() * __c_5.clone();
             let __c_6 = __kahan::integer::<T>(6);
             let __c_35 = __kahan::integer::<T>(35);
-            let __product_4 = __s_v.clone() * __c_2.clone();
+            let __t_two_v = __s_v.clone() * __c_2.clone();
             let __c_7 = __kahan::integer::<T>(7);
             let __c_4 = __kahan::integer::<T>(4);
-            let __product_5 = __c_2.clone() * __s_x.clone();
-            let __product_6 = __s_u.clone() * __c_6.clone();
+            let __t_two_x = __c_2.clone() * __s_x.clone();
+            let __t_six_u = __s_u.clone() * __c_6.clone();
             let __t_v_w_second = __s_v.clone() * __o_w.clone();
             let __t_w_v_second = __s_w.clone() * __o_v.clone();
             let __c_9 = __kahan::integer::<T>(9);
-            let __product_7 = __s_y.clone() * __c_9.clone();
+            let __t_nine_y = __s_y.clone() * __c_9.clone();
             let __c_12 = __kahan::integer::<T>(12);
-            let __product_8 = __s_w.clone() * __c_4.clone();
-            let __product_9 = __c_3.clone() * __s_u.clone();
-            let __product_10 = __s_w.clone() * __c_2.clone();
+            let __t_four_w = __s_w.clone() * __c_4.clone();
+            let __t_three_u = __c_3.clone() * __s_u.clone();
+            let __t_two_w = __s_w.clone() * __c_2.clone();
             let __t_z_second_x = __o_z.clone() * __s_x.clone();
             let __t_z_x_second = __s_z.clone() * __o_x.clone();
-            let __sum_11 = __t_z_second_x.clone() + __t_z_x_second.clone();
+            let __sum_1 = __t_z_second_x.clone() + __t_z_x_second.clone();
             let __c_8 = __kahan::integer::<T>(8);
             let __t_v_v_second = __s_v.clone() * __o_v.clone();
-            let __product_12 = __c_8.clone() * __t_v_v_second.clone();
-            let __product_13 = __s_y.clone() * __c_2.clone();
-            let __product_14 = __s_u.clone() * __c_4.clone();
-            let __product_15 = __s_v.clone() * __c_9.clone();
-            let __product_16 = __s_w.clone() * __c_6.clone();
-            let __product_17 = __s_z.clone() * __c_4.clone();
+            let __t_eight_v_v_second = __c_8.clone() * __t_v_v_second.clone();
+            let __t_two_y = __s_y.clone() * __c_2.clone();
+            let __t_four_u = __s_u.clone() * __c_4.clone();
+            let __t_nine_v = __s_v.clone() * __c_9.clone();
+            let __t_six_w = __s_w.clone() * __c_6.clone();
+            let __t_four_z = __s_z.clone() * __c_4.clone();
             let __t_z_u_second = __s_z.clone() * __o_u.clone();
-            let __product_18 = __c_3.clone() * __t_z_u_second.clone();
+            let __t_three_z_u_second = __c_3.clone() * __t_z_u_second.clone();
             let __c_45 = __kahan::integer::<T>(45);
             let __c_21 = __kahan::integer::<T>(21);
-            let __product_19 = __c_10.clone() * __s_u.clone();
+            let __t_ten_u = __c_10.clone() * __s_u.clone();
             let __c_75 = __kahan::integer::<T>(75);
-            let __product_20 = __c_3.clone() * __s_x.clone();
+            let __t_three_x = __c_3.clone() * __s_x.clone();
             let __c_20 = __kahan::integer::<T>(20);
-            let __product_21 = __s_z.clone() * __c_20.clone();
+            let __t_n20_z = __s_z.clone() * __c_20.clone();
             let __t_y_u_second = __s_y.clone() * __o_u.clone();
             let __t_z_w_second = __s_z.clone() * __o_w.clone();
             let __c_14 = __kahan::integer::<T>(14);
             let __t_v_z_second = __s_v.clone() * __o_z.clone();
             let __c_1_120 = __kahan::ratio::<T>(1, 120);
             let __c_16 = __kahan::integer::<T>(16);
-            let __product_22 = __s_w.clone() * __c_16.clone();
-            let __product_23 = __s_y.clone() * __c_5.clone();
-            let __product_24 = __s_v.clone() * __c_6.clone();
-            let __product_25 = __s_x.clone() * __c_9.clone();
+            let __t_n16_w = __s_w.clone() * __c_16.clone();
+            let __t_five_y = __s_y.clone() * __c_5.clone();
+            let __t_six_v = __s_v.clone() * __c_6.clone();
+            let __t_nine_x = __s_x.clone() * __c_9.clone();
             let __c_28 = __kahan::integer::<T>(28);
-            let __product_26 = __s_x.clone() * __c_28.clone();
+            let __t_n28_x = __s_x.clone() * __c_28.clone();
             let __c_25 = __kahan::integer::<T>(25);
-            let __product_27 = __s_v.clone() * __c_25.clone();
-            let __product_28 = __s_x.clone() * __c_4.clone();
-            let __product_29 = __s_y.clone() * __c_8.clone();
-            let __product_30 = __s_x.clone() * __c_6.clone();
+            let __t_n25_v = __s_v.clone() * __c_25.clone();
+            let __t_four_x = __s_x.clone() * __c_4.clone();
+            let __t_eight_y = __s_y.clone() * __c_8.clone();
+            let __t_six_x = __s_x.clone() * __c_6.clone();
             let __t_v_x_second = __s_v.clone() * __o_x.clone();
-            let __product_31 = __s_v.clone() * __c_5.clone();
-            let __product_32 = __s_z.clone() * __c_12.clone();
-            let __product_33 = __s_v.clone() * __c_12.clone();
-            let __product_34 = __c_3.clone() * __s_z.clone();
+            let __t_five_v = __s_v.clone() * __c_5.clone();
+            let __t_n12_z = __s_z.clone() * __c_12.clone();
+            let __t_n12_v = __s_v.clone() * __c_12.clone();
+            let __t_three_z = __c_3.clone() * __s_z.clone();
             let __t_y_z_second = __s_y.clone() * __o_z.clone();
             __kahan::vector([
                 (__c_5.clone()
                     * (__c_2.clone()
-                        * (__o_x.clone() * (__s_x.clone() - __product_6.clone())
+                        * (__o_x.clone() * (__s_x.clone() - __t_six_u.clone())
                             - __c_3.clone()
                                 * (__o_z.clone() * __s_u.clone()
                                     - __c_2.clone() * __t_v_w_second.clone()
                                     - __c_2.clone() * __t_w_v_second.clone())
                             - __o_u.clone()
-                                * (__c_3.clone() * (__product_5.clone() + __s_z.clone())))
+                                * (__c_3.clone() * (__t_two_x.clone() + __s_z.clone())))
                         * __p_b.clone()
-                        - (__sum_11.clone() - __product_12.clone()
+                        - (__sum_1.clone() - __t_eight_v_v_second.clone()
                             - __o_y.clone()
                                 * (__c_3.clone()
-                                    * (__product_9.clone() - __product_10.clone()))
+                                    * (__t_three_u.clone() - __t_two_w.clone()))
                             + __o_w.clone()
                                 * (__c_2.clone()
-                                    * (__product_1.clone() + __c_2.clone() * __s_u.clone()))
+                                    * (__t_three_y.clone() + __c_2.clone() * __s_u.clone()))
                             + __o_u.clone()
-                                * (__product_8.clone()
-                                    - (__product_7.clone() + __s_u.clone() * __c_12.clone()))))
+                                * (__t_four_w.clone()
+                                    - (__t_nine_y.clone() + __s_u.clone() * __c_12.clone()))))
                     + __c_2.clone()
                         * (__c_5.clone()
                             * (__c_4.clone() * (__s_w.clone() * __o_w.clone())
                                 + __o_x.clone()
                                     * (__c_3.clone()
-                                        * (__s_y.clone() * __c_7.clone() + __product_4.clone())))
+                                        * (__s_y.clone() * __c_7.clone() + __t_two_v.clone())))
                             + __o_y.clone()
                                 * (__c_3.clone()
-                                    * (__s_x.clone() * __c_35.clone() - __product_4.clone()))
+                                    * (__s_x.clone() * __c_35.clone() - __t_two_v))
                             + __o_v.clone()
-                                * ((__product_3.clone() - __s_y.clone()) * __c_6.clone()))
+                                * ((__t_five_x.clone() - __s_y.clone()) * __c_6.clone()))
                         * __p_c.clone()
                     + (__c_42.clone() * __t_w_second_x.clone()
                         - __c_10.clone() * (__s_y.clone() * __o_y.clone())
@@ -898,19 +864,19 @@ const _: () = {
                             * (__c_2.clone()
                                 * (__c_3.clone() * __o_y.clone()
                                     + __c_3.clone() * __o_v.clone() - __o_w.clone()))
-                        + (__product_1.clone() - __product_2.clone()
+                        + (__t_three_y.clone() - __t_n15_z.clone()
                             + __c_3.clone() * __s_v.clone() - __s_w.clone())
                             * __c_2.clone() * __o_z.clone()) * __c_5.clone()
                         * __p_a.clone()) * __kahan::ratio::<T>(1, 60),
                 -((__p_a.clone()
                     * (__c_5.clone()
                         * (__c_12.clone() * (__o_y.clone() * __s_x.clone())
-                            - __product_18.clone() + __product_12.clone()
+                            - __t_three_z_u_second.clone() + __t_eight_v_v_second
                             + __o_x.clone()
                                 * (__c_4.clone()
-                                    * (__product_3.clone() + __product_1.clone()))
+                                    * (__t_five_x.clone() + __t_three_y.clone()))
                             + __o_z.clone()
-                                * (__c_3.clone() * (__product_17.clone() - __s_u.clone()))
+                                * (__c_3.clone() * (__t_four_z.clone() - __s_u.clone()))
                             - __s_w.clone()
                                 * (__c_4.clone()
                                     * (__c_2.clone() * __o_y.clone()
@@ -918,41 +884,38 @@ const _: () = {
                                         + __o_v.clone() * __c_9.clone()))
                             - __o_w.clone()
                                 * (__c_4.clone()
-                                    * (__product_13.clone() + __product_14.clone()
-                                        + __product_15.clone() + __product_16.clone()))))
+                                    * (__t_two_y.clone() + __t_four_u.clone()
+                                        + __t_nine_v.clone() + __t_six_w.clone()))))
                     - __c_2.clone()
                         * (__c_5.clone()
                             * (__p_c.clone()
                                 * (__c_2.clone()
                                     * (__c_3.clone()
-                                        * (__t_w_second_x.clone()
+                                        * (__t_w_second_x
                                             - __c_5.clone() * (__s_z.clone() * __o_v.clone())
                                             - __c_5.clone() * __t_v_z_second.clone())
                                         + __o_x.clone()
                                             * (__s_u.clone() * __c_7.clone()
                                                 + __c_3.clone() * __s_w.clone()))
                                     + __o_u.clone()
-                                        * (__s_x.clone() * __c_14.clone() + __product_9.clone()))
-                                - __c_12.clone()
-                                    * (__t_v_second_u.clone() + __t_v_u_second.clone()))
+                                        * (__s_x.clone() * __c_14.clone() + __t_three_u.clone()))
+                                - __c_12.clone() * (__t_v_second_u + __t_v_u_second))
                             + __p_b.clone()
                                 * (__o_z.clone()
                                     * (__s_x.clone() * __kahan::integer::<T>(40)
-                                        + __s_y.clone() * __c_42.clone()
-                                        - __s_w.clone() * __c_75.clone())
+                                        + __s_y.clone() * __c_42 - __s_w.clone() * __c_75.clone())
                                     - (__c_5.clone()
                                         * (__c_4.clone() * __t_y_u_second.clone()
                                             + __c_15.clone() * __t_z_w_second.clone())
                                         - __o_x.clone()
-                                            * (__c_2.clone()
-                                                * (__product_21.clone() - __product_15.clone()))
+                                            * (__c_2.clone() * (__t_n20_z.clone() - __t_nine_v))
                                         + __o_v.clone()
                                             * (__c_6.clone()
-                                                * (__product_20.clone() - __s_y.clone() * __c_35.clone())))
+                                                * (__t_three_x.clone() - __s_y.clone() * __c_35.clone())))
                                     - __o_y.clone()
                                         * (__c_2.clone()
                                             * (__s_y.clone() * __c_45.clone()
-                                                - __s_z.clone() * __c_21.clone() + __product_19.clone()
+                                                - __s_z.clone() * __c_21.clone() + __t_ten_u.clone()
                                                 - __s_v.clone() * __kahan::integer::<T>(105))))))
                     * __c_1_120.clone()),
                 -(__c_1_120.clone()
@@ -960,110 +923,105 @@ const _: () = {
                         * (__c_5.clone()
                             * (__o_u.clone()
                                 * (__p_c.clone()
-                                    * (__product_14.clone() - __s_w.clone() * __c_9.clone())
+                                    * (__t_four_u - __s_w.clone() * __c_9.clone())
                                     - __s_v.clone())
                                 - (__c_3.clone()
                                     * (__c_3.clone()
                                         * (__o_w.clone() * (__s_u.clone() * __p_c.clone()))
                                         - __c_2.clone() * __t_v_x_second.clone())
-                                    + __o_v.clone() * (__s_u.clone() - __product_30.clone())))
+                                    + __o_v.clone() * (__s_u.clone() - __t_six_x.clone())))
                             + __p_a.clone()
                                 * (__c_5.clone()
                                     * (__o_x.clone()
-                                        * (__product_25.clone() - __product_29.clone())
+                                        * (__t_nine_x.clone() - __t_eight_y.clone())
                                         - __c_3.clone()
-                                            * (__c_2.clone() * __t_z_u_second.clone()
-                                                - __c_5.clone() * __t_w_v_second.clone())
+                                            * (__c_2.clone() * __t_z_u_second
+                                                - __c_5.clone() * __t_w_v_second)
                                         - __o_y.clone()
-                                            * (__c_2.clone() * (__product_28.clone() + __s_z.clone()))
+                                            * (__c_2.clone() * (__t_four_x.clone() + __s_z.clone()))
                                         - __o_z.clone()
-                                            * (__product_13.clone() + __product_6.clone()
-                                                + __s_w.clone() * __c_21.clone()))
+                                            * (__t_two_y.clone() + __t_six_u + __s_w.clone() * __c_21))
                                     - __o_w.clone()
                                         * (__c_3.clone()
-                                            * (__s_z.clone() * __c_35.clone() - __product_27.clone()
-                                                + __product_22.clone()))))
+                                            * (__s_z.clone() * __c_35 - __t_n25_v.clone()
+                                                + __t_n16_w.clone()))))
                         + __p_b.clone()
                             * (__o_z.clone()
                                 * (__c_5.clone()
-                                    * (__product_25.clone() - __s_z.clone() * __c_16.clone()
-                                        - __s_v.clone() * __c_16.clone()))
+                                    * (__t_nine_x - __s_z.clone() * __c_16.clone()
+                                        - __s_v.clone() * __c_16))
                                 - (__o_u.clone()
                                     * (__c_3.clone()
-                                        * (__product_26.clone() - __s_y.clone() * __c_25.clone()))
+                                        * (__t_n28_x.clone() - __s_y.clone() * __c_25.clone()))
                                     + __o_w.clone()
                                         * (__c_20.clone()
                                             * (__s_x.clone() + __s_y.clone() * __c_4.clone()))
                                     + __o_x.clone()
                                         * (__s_w.clone() * __c_20.clone()
-                                            - (__s_z.clone() * __c_45.clone()
+                                            - (__s_z.clone() * __c_45
                                                 - __s_u.clone() * __kahan::integer::<T>(84))))
                                 - __o_v.clone()
                                     * (__c_4.clone()
-                                        * (__product_23.clone() + __product_21.clone()
-                                            + __product_24.clone()))
+                                        * (__t_five_y.clone() + __t_n20_z.clone()
+                                            + __t_six_v.clone()))
                                 - __o_y.clone()
                                     * (__c_5.clone()
                                         * (__s_y.clone() * __kahan::integer::<T>(32)
                                             - __c_15.clone() * __s_u.clone()
-                                            + __s_v.clone() * __c_4.clone() + __product_22.clone()))))),
+                                            + __s_v.clone() * __c_4.clone() + __t_n16_w))))),
                 -(__c_1_120.clone()
                     * (__p_c.clone()
                         * (__c_2.clone()
                             * (__c_2.clone()
-                                * (__t_z_second_x.clone() * __c_25.clone()
-                                    + __t_z_x_second.clone() * __c_25.clone()
+                                * (__t_z_second_x * __c_25.clone()
+                                    + __t_z_x_second * __c_25.clone()
                                     - __c_9.clone() * (__s_w.clone() * __o_y.clone()))
                                 - __o_u.clone()
                                     * (__c_5.clone()
-                                        * (__s_u.clone() * __c_9.clone() + __product_8.clone()))
+                                        * (__s_u.clone() * __c_9.clone() + __t_four_w))
                                 - __o_w.clone()
                                     * (__c_2.clone()
-                                        * (__product_7.clone() + __product_19.clone()))))
+                                        * (__t_nine_y.clone() + __t_ten_u.clone()))))
                         - __c_5.clone()
                             * (__c_4.clone()
                                 * (__c_7.clone() * (__o_v.clone() * __s_x.clone())
-                                    + __o_z.clone() * (__s_u.clone() - __product_34.clone()))
-                                + __o_u.clone()
-                                    * (__product_20.clone() + __product_17.clone())
+                                    + __o_z.clone() * (__s_u.clone() - __t_three_z.clone()))
+                                + __o_u.clone() * (__t_three_x.clone() + __t_four_z)
                                 + __o_x.clone()
-                                    * (__s_x.clone() * __c_12.clone() + __product_9.clone()
-                                        + __s_v.clone() * __c_28.clone())
+                                    * (__s_x.clone() * __c_12.clone() + __t_three_u.clone()
+                                        + __s_v.clone() * __c_28)
                                 + __p_a.clone()
                                     * (__c_4.clone()
-                                        * (__s_y.clone()
-                                            * (__o_z.clone() + __o_v.clone() * __c_6.clone())
-                                            + __o_y.clone() * (__s_z.clone() + __product_24.clone()))))
+                                        * (__s_y.clone() * (__o_z.clone() + __o_v.clone() * __c_6)
+                                            + __o_y.clone() * (__s_z.clone() + __t_six_v.clone()))))
                         + __p_b.clone()
                             * (__c_3.clone()
                                 * (__c_2.clone()
                                     * (__o_x.clone()
-                                        * (__product_23.clone() - __s_w.clone() * __c_14.clone())
+                                        * (__t_five_y.clone() - __s_w.clone() * __c_14)
                                         - __o_z.clone()
                                             * (__c_5.clone()
-                                                * (__product_24.clone() + __s_w.clone() * __c_7.clone())))
+                                                * (__t_six_v + __s_w.clone() * __c_7.clone())))
                                     - __o_u.clone()
-                                        * (__c_5.clone() * (__product_1.clone() - __s_v.clone()))
+                                        * (__c_5.clone() * (__t_three_y.clone() - __s_v.clone()))
                                     + __o_y.clone()
                                         * (__c_5.clone()
-                                            * (__product_5.clone() + __product_29.clone()
-                                                - __product_9.clone()))
+                                            * (__t_two_x.clone() + __t_eight_y - __t_three_u))
                                     - __o_v.clone()
                                         * (__c_5.clone()
-                                            * (__product_32.clone() - __s_u.clone()
-                                                + __product_33.clone() + __s_w.clone()))
+                                            * (__t_n12_z.clone() - __s_u.clone() + __t_n12_v.clone()
+                                                + __s_w.clone()))
                                     - __o_w.clone()
-                                        * (__product_26.clone()
-                                            + __s_z.clone() * __kahan::integer::<T>(70)
-                                            + __product_31.clone()
+                                        * (__t_n28_x + __s_z.clone() * __kahan::integer::<T>(70)
+                                            + __t_five_v.clone()
                                             + __s_w.clone() * __kahan::integer::<T>(120)))))),
                 __c_1_120.clone()
                     * (__c_2.clone()
                         * (__c_5.clone()
                             * (__t_y_z_second.clone()
                                 + __c_3.clone() * (__s_u.clone() * __o_u.clone())
-                                + __c_7.clone() * __t_v_x_second.clone()
-                                + __o_y.clone() * (__s_z.clone() - __product_33.clone())
+                                + __c_7.clone() * __t_v_x_second
+                                + __o_y.clone() * (__s_z.clone() - __t_n12_v.clone())
                                 + __o_v.clone()
                                     * (__s_x.clone() * __c_7.clone()
                                         - __s_y.clone() * __c_12.clone()))
@@ -1078,7 +1036,7 @@ const _: () = {
                                                 + __s_w.clone() * __c_8.clone())))
                             + __p_b.clone()
                                 * (__c_5.clone()
-                                    * (__c_8.clone() * __t_y_u_second.clone()
+                                    * (__c_8 * __t_y_u_second
                                         + __s_x.clone()
                                             * (__c_3.clone()
                                                 * (__o_z.clone() - __o_w.clone() * __c_5.clone()))
@@ -1086,78 +1044,66 @@ const _: () = {
                                             * (__c_3.clone()
                                                 * (__s_z.clone() - __s_w.clone() * __c_5.clone())))
                                     + __o_y.clone()
-                                        * (__c_4.clone()
-                                            * (__product_1.clone() + __product_19.clone()))))
+                                        * (__c_4.clone() * (__t_three_y.clone() + __t_ten_u))))
                         + __p_c.clone()
                             * (__c_2.clone()
                                 * (__c_3.clone()
                                     * (__c_5.clone()
-                                        * (__c_2.clone() * __t_v_z_second.clone()
-                                            + __o_x.clone()
-                                                * (__product_5.clone() - __product_23.clone()))
+                                        * (__c_2.clone() * __t_v_z_second
+                                            + __o_x.clone() * (__t_two_x - __t_five_y.clone()))
                                         + __o_y.clone()
-                                            * (__product_10.clone() - __s_x.clone() * __c_25.clone()))
+                                            * (__t_two_w.clone() - __s_x.clone() * __c_25.clone()))
                                     + __o_v.clone()
-                                        * (__c_10.clone()
-                                            * (__product_34.clone() + __product_10.clone()))
+                                        * (__c_10.clone() * (__t_three_z + __t_two_w.clone()))
                                     + __o_w.clone()
                                         * (__c_2.clone()
-                                            * (__product_1.clone() + __s_v.clone() * __c_10.clone())))
+                                            * (__t_three_y + __s_v.clone() * __c_10.clone())))
                                 + __s_u.clone()
                                     * (__c_5.clone()
                                         * (__c_3.clone() * __o_x.clone()
-                                            - __c_15.clone() * __o_z.clone()
-                                            + __o_v.clone() * __c_12.clone()
+                                            - __c_15.clone() * __o_z.clone() + __o_v.clone() * __c_12
                                             + __c_2.clone() * __o_w.clone()))
                                 + __o_u.clone()
                                     * (__c_5.clone()
-                                        * (__product_20.clone() - __product_2.clone()
-                                            + __product_33.clone() + __product_10.clone())))),
-                -(__c_1_120.clone()
+                                        * (__t_three_x - __t_n15_z + __t_n12_v.clone()
+                                            + __t_two_w)))),
+                -(__c_1_120
                     * (__c_3.clone()
-                        * (__o_w.clone()
-                            * (__c_4.clone()
-                                * (__product_3.clone() + __product_16.clone()))
+                        * (__o_w.clone() * (__c_4.clone() * (__t_five_x + __t_six_w))
                             - __c_5.clone()
-                                * (__c_4.clone() * __t_y_z_second.clone()
-                                    + __o_v.clone()
-                                        * (__product_30.clone() - __product_23.clone()))
+                                * (__c_4.clone() * __t_y_z_second
+                                    + __o_v.clone() * (__t_six_x - __t_five_y))
                             + __o_x.clone()
                                 * (__c_2.clone()
-                                    * (__s_x.clone() * __kahan::integer::<T>(100)
-                                        + __product_13.clone() - __c_15.clone() * __s_v.clone()
-                                        + __s_w.clone() * __c_10.clone()))
+                                    * (__s_x.clone() * __kahan::integer::<T>(100) + __t_two_y
+                                        - __c_15.clone() * __s_v.clone() + __s_w.clone() * __c_10))
                             + __o_y.clone()
-                                * (__product_28.clone() - __s_y.clone() * __c_20.clone()
-                                    - __product_21.clone() + __product_27.clone()))
+                                * (__t_four_x - __s_y.clone() * __c_20.clone() - __t_n20_z
+                                    + __t_n25_v))
                         + __p_c.clone()
-                            * (__c_20.clone()
-                                * (__c_2.clone() * __sum_11.clone()
+                            * (__c_20
+                                * (__c_2.clone() * __sum_1
                                     + __s_w.clone() * (__o_u.clone() - __o_y.clone())
                                     + __o_w.clone() * (__s_u.clone() - __s_y.clone())))
                         - __p_b.clone()
-                            * (__c_2.clone()
+                            * (__c_2
                                 * (__o_z.clone()
                                     * (__s_z.clone() * __kahan::integer::<T>(80)
-                                        - __s_u.clone() * __c_75.clone() - __product_33.clone())
-                                    - (__c_25.clone()
-                                        * (__product_18.clone() + __t_v_w_second.clone())
-                                        + __o_v.clone()
-                                            * (__product_32.clone() + __s_w.clone() * __c_25.clone()))))
+                                        - __s_u.clone() * __c_75 - __t_n12_v)
+                                    - (__c_25.clone() * (__t_three_z_u_second + __t_v_w_second)
+                                        + __o_v.clone() * (__t_n12_z + __s_w.clone() * __c_25))))
                         + __p_a.clone()
-                            * (__c_4.clone()
+                            * (__c_4
                                 * (__o_u.clone()
-                                    * (__c_15.clone() * __s_x.clone() - __product_7.clone()
-                                        - __s_u.clone() * __kahan::integer::<T>(30)
-                                        - __product_31.clone())
-                                    - (__c_3.clone()
-                                        * (__c_7.clone() * __t_z_w_second.clone()
-                                            + __c_15.clone() * __t_v_v_second.clone()
-                                            + __c_7.clone() * (__s_w.clone() * __o_z.clone()))
+                                    * (__c_15.clone() * __s_x.clone() - __t_nine_y
+                                        - __s_u.clone() * __kahan::integer::<T>(30) - __t_five_v)
+                                    - (__c_3
+                                        * (__c_7.clone() * __t_z_w_second
+                                            + __c_15.clone() * __t_v_v_second
+                                            + __c_7 * (__s_w.clone() * __o_z.clone()))
                                         + __s_u.clone()
-                                            * (__o_v.clone() * __c_5.clone()
-                                                - (__c_15.clone() * __o_x.clone()
-                                                    - __o_y.clone() * __c_9.clone()))))))),
+                                            * (__o_v.clone() * __c_5
+                                                - (__c_15 * __o_x.clone() - __o_y.clone() * __c_9))))))),
             ])
         }
         fn polarized(
@@ -1175,84 +1121,84 @@ const _: () = {
             let __p_b = &self.b;
             let __p_c = &self.c;
             let __c_3 = __kahan::integer::<T>(3);
-            let __product_1 = __c_3.clone() * __s_y.clone();
+            let __t_three_y = __c_3.clone() * __s_y.clone();
             let __c_15 = __kahan::integer::<T>(15);
-            let __product_2 = __c_15.clone() * __s_z.clone();
-            let __product_3 = __c_3.clone() * __s_v.clone();
+            let __t_n15_z = __c_15.clone() * __s_z.clone();
+            let __t_three_v = __c_3.clone() * __s_v.clone();
             let __c_1 = __kahan::integer::<T>(1);
             let __c_10 = __kahan::integer::<T>(10);
             let __c_5 = __kahan::integer::<T>(5);
-            let __product_4 = __c_5.clone() * __s_x.clone();
+            let __t_five_x = __c_5.clone() * __s_x.clone();
             let __c_42 = __kahan::integer::<T>(42);
-            let __product_5 = __s_y.clone() * __c_5.clone();
+            let __t_five_y = __s_y.clone() * __c_5.clone();
             let __c_4 = __kahan::integer::<T>(4);
-            let __product_6 = __c_5.clone() * __o_x.clone();
+            let __t_five_x_second = __c_5.clone() * __o_x.clone();
             let __c_8 = __kahan::integer::<T>(8);
-            let __product_7 = __s_y.clone() * __c_8.clone();
+            let __t_eight_y = __s_y.clone() * __c_8.clone();
             let __c_14 = __kahan::integer::<T>(14);
             let __c_6 = __kahan::integer::<T>(6);
-            let __product_8 = __s_u.clone() * __c_6.clone();
+            let __t_six_u = __s_u.clone() * __c_6.clone();
             let __c_9 = __kahan::integer::<T>(9);
             let __c_28 = __kahan::integer::<T>(28);
-            let __product_9 = __s_w.clone() * __c_8.clone();
+            let __t_eight_w = __s_w.clone() * __c_8.clone();
             let __c_7 = __kahan::integer::<T>(7);
             let __c_2 = __kahan::integer::<T>(2);
-            let __product_10 = __s_x.clone() * __c_2.clone();
+            let __t_two_x = __s_x.clone() * __c_2.clone();
             let __c_21 = __kahan::integer::<T>(21);
             let __c_35 = __kahan::integer::<T>(35);
-            let __product_11 = __s_v.clone() * __c_2.clone();
-            let __product_12 = __s_y.clone() * __c_9.clone();
+            let __t_two_v = __s_v.clone() * __c_2.clone();
+            let __t_nine_y = __s_y.clone() * __c_9.clone();
             let __c_12 = __kahan::integer::<T>(12);
-            let __product_13 = __c_3.clone() * __s_u.clone();
-            let __product_14 = __s_w.clone() * __c_2.clone();
+            let __t_three_u = __c_3.clone() * __s_u.clone();
+            let __t_two_w = __s_w.clone() * __c_2.clone();
             let __t_v_v_second = __s_v.clone() * __o_v.clone();
             let __c_1_840 = __kahan::ratio::<T>(1, 840);
             let __c_40 = __kahan::integer::<T>(40);
             let __c_75 = __kahan::integer::<T>(75);
-            let __product_15 = __s_w.clone() * __c_75.clone();
+            let __t_n75_w = __s_w.clone() * __c_75.clone();
             let __c_18 = __kahan::integer::<T>(18);
             let __c_45 = __kahan::integer::<T>(45);
-            let __product_16 = __c_10.clone() * __s_u.clone();
-            let __product_17 = __s_x.clone() * __c_6.clone();
+            let __t_ten_u = __c_10.clone() * __s_u.clone();
+            let __t_six_x = __s_x.clone() * __c_6.clone();
             let __c_70 = __kahan::integer::<T>(70);
-            let __product_18 = __s_z.clone() * __kahan::integer::<T>(80);
+            let __t_n80_z = __s_z.clone() * __kahan::integer::<T>(80);
             let __c_36 = __kahan::integer::<T>(36);
             let __t_y_u_second = __s_y.clone() * __o_u.clone();
-            let __product_19 = __c_15.clone() * __s_x.clone();
-            let __product_20 = __s_y.clone() * __c_2.clone();
-            let __product_21 = __c_4.clone() * __s_u.clone();
-            let __product_22 = __s_w.clone() * __c_6.clone();
-            let __product_23 = __o_y.clone() * __c_2.clone();
-            let __product_24 = __s_z.clone() * __c_4.clone();
+            let __t_n15_x = __c_15.clone() * __s_x.clone();
+            let __t_two_y = __s_y.clone() * __c_2.clone();
+            let __t_four_u = __c_4.clone() * __s_u.clone();
+            let __t_six_w = __s_w.clone() * __c_6.clone();
+            let __t_two_y_second = __o_y.clone() * __c_2.clone();
+            let __t_four_z = __s_z.clone() * __c_4.clone();
             let __c_84 = __kahan::integer::<T>(84);
             let __c_24 = __kahan::integer::<T>(24);
-            let __product_25 = __s_x.clone() * __c_14.clone();
-            let __product_26 = __c_3.clone() * __s_w.clone();
+            let __t_n14_x = __s_x.clone() * __c_14.clone();
+            let __t_three_w = __c_3.clone() * __s_w.clone();
             let __c_60 = __kahan::integer::<T>(60);
             let __c_16 = __kahan::integer::<T>(16);
-            let __product_27 = __s_u.clone() * __c_16.clone();
-            let __product_28 = __o_y.clone() * __c_9.clone();
-            let __product_29 = __s_v.clone() * __c_4.clone();
-            let __product_30 = __s_w.clone() * __c_16.clone();
-            let __product_31 = __s_x.clone() * __c_4.clone();
+            let __t_n16_u = __s_u.clone() * __c_16.clone();
+            let __t_nine_y_second = __o_y.clone() * __c_9.clone();
+            let __t_four_v = __s_v.clone() * __c_4.clone();
+            let __t_n16_w = __s_w.clone() * __c_16.clone();
+            let __t_four_x = __s_x.clone() * __c_4.clone();
             let __c_20 = __kahan::integer::<T>(20);
-            let __product_32 = __s_z.clone() * __c_20.clone();
-            let __product_33 = __s_v.clone() * __c_6.clone();
-            let __product_34 = __s_x.clone() * __c_9.clone();
-            let __product_35 = __s_x.clone() * __c_28.clone();
+            let __t_n20_z = __s_z.clone() * __c_20.clone();
+            let __t_six_v = __s_v.clone() * __c_6.clone();
+            let __t_nine_x = __s_x.clone() * __c_9.clone();
+            let __t_n28_x = __s_x.clone() * __c_28.clone();
             let __c_25 = __kahan::integer::<T>(25);
-            let __product_36 = __s_w.clone() * __c_7.clone();
-            let __product_37 = __s_v.clone() * __c_25.clone();
+            let __t_seven_w = __s_w.clone() * __c_7.clone();
+            let __t_n25_v = __s_v.clone() * __c_25.clone();
             let __c_30 = __kahan::integer::<T>(30);
-            let __product_38 = __s_z.clone() * __c_12.clone();
-            let __product_39 = __s_v.clone() * __c_12.clone();
-            let __product_40 = __s_v.clone() * __c_5.clone();
-            let __product_41 = __s_y.clone() * __c_10.clone();
+            let __t_n12_z = __s_z.clone() * __c_12.clone();
+            let __t_n12_v = __s_v.clone() * __c_12.clone();
+            let __t_five_v = __s_v.clone() * __c_5.clone();
+            let __t_ten_y = __s_y.clone() * __c_10.clone();
             let __t_u_second_u = __o_u.clone() * __s_u.clone();
-            let __product_42 = __c_3.clone() * __s_x.clone();
-            let __product_43 = __c_3.clone() * __s_z.clone();
-            let __product_44 = __c_5.clone() * __s_u.clone();
-            let __product_45 = __s_w.clone() * __c_5.clone();
+            let __t_three_x = __c_3.clone() * __s_x.clone();
+            let __t_three_z = __c_3.clone() * __s_z.clone();
+            let __t_five_u = __c_5.clone() * __s_u.clone();
+            let __t_five_w = __s_w.clone() * __c_5.clone();
             let __t_y_z_second = __s_y.clone() * __o_z.clone();
             __kahan::vector([
                 (__c_14.clone()
@@ -1261,12 +1207,12 @@ const _: () = {
                             * (__c_4.clone() * (__s_w.clone() * __o_w.clone())
                                 + __o_x.clone()
                                     * (__c_3.clone()
-                                        * (__s_y.clone() * __c_7.clone() + __product_11.clone())))
+                                        * (__s_y.clone() * __c_7.clone() + __t_two_v.clone())))
                             + __o_y.clone()
                                 * (__c_3.clone()
-                                    * (__s_x.clone() * __c_35.clone() - __product_11.clone()))
+                                    * (__s_x.clone() * __c_35.clone() - __t_two_v.clone()))
                             + __o_v.clone()
-                                * (__c_6.clone() * (__product_4.clone() - __s_y.clone())))
+                                * (__c_6.clone() * (__t_five_x.clone() - __s_y.clone())))
                         * __p_c.clone()
                         - __c_5.clone()
                             * (__o_z.clone() * __s_x.clone()
@@ -1274,16 +1220,16 @@ const _: () = {
                                 - __c_8.clone() * __t_v_v_second.clone()
                                 - __o_y.clone()
                                     * (__c_3.clone()
-                                        * (__product_13.clone() - __product_14.clone()))
+                                        * (__t_three_u.clone() - __t_two_w.clone()))
                                 + __o_w.clone()
                                     * (__c_2.clone()
-                                        * (__product_1.clone() + __s_u.clone() * __c_2.clone()))
+                                        * (__t_three_y.clone() + __s_u.clone() * __c_2.clone()))
                                 + __o_u.clone()
                                     * (__s_w.clone() * __c_4.clone()
-                                        - (__product_12.clone() + __s_u.clone() * __c_12.clone()))))
+                                        - (__t_nine_y.clone() + __s_u.clone() * __c_12.clone()))))
                     + __c_5.clone()
                         * (__o_x.clone()
-                            * ((__s_x.clone() - __product_8.clone() + __c_9.clone())
+                            * ((__s_x.clone() - __t_six_u.clone() + __c_9.clone())
                                 * __c_28.clone())
                             - __c_3.clone()
                                 * (__c_4.clone()
@@ -1293,30 +1239,31 @@ const _: () = {
                                         * (__c_7.clone()
                                             * (__o_w.clone() * __c_8.clone() + __c_9.clone()))
                                     + __o_u.clone()
-                                        * (__c_28.clone() * (__product_10.clone() + __s_z.clone()))
+                                        * (__c_28.clone() * (__t_two_x.clone() + __s_z.clone()))
                                     - __o_v.clone()
-                                        * ((__product_9.clone() + __c_9.clone()) * __c_7.clone())))
+                                        * ((__t_eight_w.clone() + __c_9.clone()) * __c_7.clone())))
                         * __p_b.clone()
                     + (__c_15.clone() * (__s_v.clone() + __c_3.clone()) * __o_u.clone()
                         - (__o_y.clone()
-                            * (__c_10.clone() * (__product_5.clone() - __c_4.clone()))
+                            * (__c_10.clone() * (__t_five_y.clone() - __c_4.clone()))
                             - (__c_5.clone()
-                                * (__product_7.clone()
+                                * (__t_eight_y.clone()
                                     + __c_3.clone() * (__o_v.clone() + __c_3.clone())
                                         * __s_u.clone())
                                 + __s_w.clone()
-                                    * (__c_42.clone() * (__product_6.clone() + __c_1.clone()))))
+                                    * (__c_42.clone()
+                                        * (__t_five_x_second.clone() + __c_1.clone()))))
                         + __o_w.clone()
-                            * ((__product_4.clone() + __c_1.clone()) * __c_42.clone())
+                            * ((__t_five_x.clone() + __c_1.clone()) * __c_42.clone())
                         + __s_z.clone()
                             * (__c_10.clone()
                                 * (__c_3.clone() * __o_y.clone()
                                     + __c_3.clone() * __o_v.clone() - __o_w.clone()
                                     + __c_1.clone()))
-                        + (__product_1.clone() - __product_2.clone()
-                            + __product_3.clone() - __s_w.clone() + __c_1.clone())
-                            * __c_10.clone() * __o_z.clone()) * __c_14.clone()
-                        * __p_a.clone()) * __c_1_840.clone(),
+                        + (__t_three_y.clone() - __t_n15_z.clone() + __t_three_v.clone()
+                            - __s_w.clone() + __c_1.clone()) * __c_10.clone()
+                            * __o_z.clone()) * __c_14.clone() * __p_a.clone())
+                    * __c_1_840.clone(),
                 -(__c_1_840.clone()
                     * (__c_5.clone()
                         * (__p_a.clone()
@@ -1326,30 +1273,30 @@ const _: () = {
                                 - __c_24.clone()
                                 + __o_x.clone()
                                     * (__c_28.clone()
-                                        * (__product_4.clone() + __product_1.clone()))
+                                        * (__t_five_x.clone() + __t_three_y.clone()))
                                 + __o_z.clone()
-                                    * (__c_21.clone() * (__product_24.clone() - __s_u.clone()))
+                                    * (__c_21.clone() * (__t_four_z.clone() - __s_u.clone()))
                                 - __s_w.clone()
                                     * (__c_28.clone()
-                                        * (__product_23.clone() + __o_u.clone() * __c_4.clone()
+                                        * (__t_two_y_second.clone() + __o_u.clone() * __c_4.clone()
                                             + __o_v.clone() * __c_9.clone()))
                                 - __o_w.clone()
                                     * (__c_28.clone()
-                                        * (__product_20.clone() + __product_21.clone()
-                                            + __s_v.clone() * __c_9.clone() + __product_22.clone())))
+                                        * (__t_two_y.clone() + __t_four_u.clone()
+                                            + __s_v.clone() * __c_9.clone() + __t_six_w.clone())))
                             - __c_7.clone()
                                 * (__p_c.clone()
                                     * (__c_12.clone() * (__o_w.clone() * __s_x.clone())
                                         - __c_60.clone() * (__s_z.clone() * __o_v.clone())
                                         - __c_60.clone() * (__s_v.clone() * __o_z.clone())
-                                        + __product_12.clone() + __product_27.clone()
-                                        + __product_28.clone()
+                                        + __t_nine_y.clone() + __t_n16_u.clone()
+                                        + __t_nine_y_second.clone()
                                         + __o_x.clone()
                                             * (__c_4.clone()
-                                                * (__s_u.clone() * __c_7.clone() + __product_26.clone()))
+                                                * (__s_u.clone() * __c_7.clone() + __t_three_w.clone()))
                                         + __o_u.clone()
                                             * (__c_2.clone()
-                                                * (__product_25.clone() + __product_13.clone()
+                                                * (__t_n14_x.clone() + __t_three_u.clone()
                                                     + __c_8.clone())))
                                     - __c_24.clone()
                                         * (__o_v.clone() * __s_u.clone()
@@ -1358,238 +1305,216 @@ const _: () = {
                             * (__c_7.clone()
                                 * (__o_z.clone()
                                     * (__c_2.clone()
-                                        * (__s_x.clone() * __c_40.clone()
-                                            + __s_y.clone() * __c_42.clone() - __product_15.clone()
-                                            + __c_18.clone()))
+                                        * (__s_x.clone() * __c_40.clone() + __s_y.clone() * __c_42
+                                            - __t_n75_w.clone() + __c_18.clone()))
                                     - (__c_40.clone() * __t_y_u_second.clone()
-                                        - __product_19.clone() - __s_z.clone() * __c_36.clone()
-                                        - __s_v.clone() * __kahan::integer::<T>(90)
-                                        - __product_15.clone()
+                                        - __t_n15_x.clone() - __s_z.clone() * __c_36.clone()
+                                        - __s_v.clone() * __kahan::integer::<T>(90) - __t_n75_w
                                         + __o_w.clone()
                                             * (__c_75.clone()
                                                 * (__s_z.clone() * __c_2.clone() - __c_1.clone()))
                                         - __o_x.clone()
-                                            * (__product_18.clone() - __s_v.clone() * __c_36.clone()
+                                            * (__t_n80_z.clone() - __s_v.clone() * __c_36.clone()
                                                 + __c_15.clone())
                                         + __o_v.clone()
                                             * (__c_6.clone()
-                                                * (__product_17.clone() - __s_y.clone() * __c_70.clone()
+                                                * (__t_six_x.clone() - __s_y.clone() * __c_70.clone()
                                                     - __c_15.clone()))
                                         + __o_y.clone()
                                             * (__c_4.clone()
                                                 * (__s_y.clone() * __c_45.clone()
-                                                    - __s_z.clone() * __c_21.clone() + __product_16.clone()
+                                                    - __s_z.clone() * __c_21.clone() + __t_ten_u.clone()
                                                     - __s_v.clone() * __kahan::integer::<T>(105)))))))),
                 -(__c_1_840.clone()
                     * (__c_7.clone()
                         * (__c_10.clone()
                             * (__s_v.clone()
                                 * (__o_x.clone() * __c_6.clone() - __o_u.clone())
-                                + __o_v.clone() * (__product_17.clone() - __s_u.clone())
+                                + __o_v.clone() * (__t_six_x.clone() - __s_u.clone())
                                 + __p_c.clone()
                                     * (__o_u.clone()
-                                        * (__product_21.clone() - __s_w.clone() * __c_9.clone())
+                                        * (__t_four_u - __s_w.clone() * __c_9.clone())
                                         - __c_3.clone()
                                             * (__c_3.clone() * (__o_w.clone() * __s_u.clone())
                                                 + __s_v.clone() * __c_8.clone()
                                                 + __o_v.clone() * __c_8.clone())))
                             + __p_a.clone()
                                 * (__o_w.clone()
-                                    * (__c_6.clone()
-                                        * (__product_37.clone() - __product_30.clone()))
+                                    * (__c_6.clone() * (__t_n25_v.clone() - __t_n16_w.clone()))
                                     - __c_5.clone()
                                         * (__o_u.clone() * __c_8.clone()
                                             - (__c_30.clone() * (__s_w.clone() * __o_v.clone())
-                                                - __s_x.clone() * __c_8.clone() - __product_1.clone()
+                                                - __s_x.clone() * __c_8.clone() - __t_three_y.clone()
                                                 - __s_u.clone() * __c_8.clone())
                                             + __o_y.clone()
                                                 * (__s_x.clone() * __c_16.clone() + __c_3.clone()))
                                     + __o_x.clone()
                                         * (__c_10.clone()
-                                            * (__product_34.clone() - __product_7.clone()
+                                            * (__t_nine_x.clone() - __t_eight_y.clone()
                                                 - __c_4.clone()))
                                     - __s_z.clone()
                                         * (__c_10.clone()
-                                            * (__product_23.clone() + __o_u.clone() * __c_6.clone()
+                                            * (__t_two_y_second + __o_u.clone() * __c_6.clone()
                                                 + __o_w.clone() * __c_21.clone() + __c_18.clone()))
                                     - __o_z.clone()
                                         * (__c_10.clone()
-                                            * (__product_20.clone() + __product_8.clone()
-                                                + __s_w.clone() * __c_21.clone() + __c_18.clone()))))
+                                            * (__t_two_y.clone() + __t_six_u
+                                                + __s_w.clone() * __c_21.clone() + __c_18))))
                         + __p_b.clone()
                             * (__o_x.clone()
                                 * (__c_7.clone()
-                                    * (__s_z.clone() * __c_45.clone()
-                                        - __s_u.clone() * __c_84.clone()
+                                    * (__s_z.clone() * __c_45.clone() - __s_u.clone() * __c_84
                                         - __s_w.clone() * __c_20.clone()))
                                 - __c_3.clone()
-                                    * (__c_5.clone() * (__product_36.clone() + __c_8.clone())
+                                    * (__c_5.clone() * (__t_seven_w.clone() + __c_8.clone())
                                         + __o_u.clone()
                                             * (__c_7.clone()
-                                                * (__product_35.clone() - __s_y.clone() * __c_25.clone())))
+                                                * (__t_n28_x.clone() - __s_y.clone() * __c_25.clone())))
                                 + __o_z.clone()
                                     * (__c_35.clone()
-                                        * (__product_34.clone() - __s_z.clone() * __c_16.clone()
+                                        * (__t_nine_x - __s_z.clone() * __c_16.clone()
                                             - __s_v.clone() * __c_16.clone()))
                                 - __o_v.clone()
                                     * (__c_28.clone()
-                                        * (__product_5.clone() + __product_32.clone()
-                                            + __product_33.clone()))
+                                        * (__t_five_y.clone() + __t_n20_z.clone()
+                                            + __t_six_v.clone()))
                                 - __o_w.clone()
                                     * (__c_35.clone()
-                                        * (__product_31.clone() + __s_y.clone() * __c_16.clone()
+                                        * (__t_four_x.clone() + __s_y.clone() * __c_16.clone()
                                             + __c_3.clone()))
                                 - __o_y.clone()
                                     * (__c_35.clone()
                                         * (__s_y.clone() * __kahan::integer::<T>(32)
-                                            - __c_15.clone() * __s_u.clone() + __product_29.clone()
-                                            + __product_30.clone()))))),
+                                            - __c_15.clone() * __s_u.clone() + __t_four_v.clone()
+                                            + __t_n16_w))))),
                 -(__c_1_840.clone()
                     * (__p_c.clone()
                         * (__c_10.clone()
                             * (__s_z.clone()
-                                * (__c_14.clone() * (__product_6.clone() - __c_1.clone()))
+                                * (__c_14.clone() * (__t_five_x_second - __c_1.clone()))
                                 - __c_3.clone()
                                     * (__c_21.clone() * __t_u_second_u.clone() + __c_4.clone())
                                 + __o_z.clone()
-                                    * (__c_14.clone() * (__product_4.clone() - __c_1.clone())))
+                                    * (__c_14.clone() * (__t_five_x.clone() - __c_1)))
                             - __s_w.clone()
                                 * (__c_7.clone()
                                     * (__o_y.clone() * __c_36.clone()
                                         + __o_u.clone() * __c_40.clone() + __c_15.clone()))
                             - __o_w.clone()
                                 * (__c_7.clone()
-                                    * (__s_y.clone() * __c_36.clone()
-                                        + __s_u.clone() * __c_40.clone() + __c_15.clone())))
-                        - __c_35.clone()
+                                    * (__s_y.clone() * __c_36 + __s_u.clone() * __c_40
+                                        + __c_15.clone())))
+                        - __c_35
                             * (__c_4.clone()
                                 * (__c_7.clone() * (__o_v.clone() * __s_x.clone())
-                                    + __o_z.clone() * (__s_u.clone() - __product_43.clone()))
-                                + __o_u.clone()
-                                    * (__product_42.clone() + __product_24.clone())
+                                    + __o_z.clone() * (__s_u.clone() - __t_three_z.clone()))
+                                + __o_u.clone() * (__t_three_x.clone() + __t_four_z.clone())
                                 + __o_x.clone()
-                                    * (__s_x.clone() * __c_12.clone() + __product_13.clone()
+                                    * (__s_x.clone() * __c_12.clone() + __t_three_u.clone()
                                         + __s_v.clone() * __c_28.clone())
                                 + __p_a.clone()
                                     * (__s_y.clone()
                                         * (__o_z.clone() * __c_4.clone()
                                             + __o_v.clone() * __c_24.clone() + __c_9.clone())
                                         + __o_y.clone()
-                                            * (__product_24.clone() + __s_v.clone() * __c_24.clone()
-                                                + __c_9.clone())))
+                                            * (__t_four_z.clone() + __s_v.clone() * __c_24 + __c_9)))
                         + __p_b.clone()
                             * (__c_21.clone()
                                 * (__o_x.clone()
-                                    * (__product_41.clone() - __s_w.clone() * __c_28.clone()
+                                    * (__t_ten_y.clone() - __s_w.clone() * __c_28.clone()
                                         - __c_25.clone())
                                     - __c_5.clone()
-                                        * (__product_4.clone() + __product_27.clone()
-                                            + __product_11.clone()
+                                        * (__t_five_x.clone() + __t_n16_u + __t_two_v
                                             + __o_z.clone()
-                                                * (__c_2.clone()
-                                                    * (__product_33.clone() + __product_36.clone())))
+                                                * (__c_2.clone() * (__t_six_v + __t_seven_w)))
                                     + __o_y.clone()
                                         * (__c_5.clone()
-                                            * (__product_10.clone() + __product_7.clone()
-                                                - __product_13.clone()))
+                                            * (__t_two_x + __t_eight_y.clone() - __t_three_u.clone()))
                                     - __o_u.clone()
                                         * (__c_5.clone()
-                                            * (__product_1.clone() - __s_v.clone() + __c_16.clone()))
+                                            * (__t_three_y.clone() - __s_v.clone() + __c_16))
                                     - __o_w.clone()
-                                        * (__product_35.clone() + __s_z.clone() * __c_70.clone()
-                                            + __product_40.clone()
+                                        * (__t_n28_x + __s_z.clone() * __c_70 + __t_five_v.clone()
                                             + __s_w.clone() * __kahan::integer::<T>(120))
                                     - __o_v.clone()
                                         * (__c_5.clone()
-                                            * (__product_38.clone() - __s_u.clone()
-                                                + __product_39.clone() + __s_w.clone()
-                                                + __c_2.clone())))))),
+                                            * (__t_n12_z.clone() - __s_u.clone() + __t_n12_v.clone()
+                                                + __s_w.clone() + __c_2.clone())))))),
                 __c_1_840.clone()
                     * (__c_2.clone()
                         * (__p_b.clone()
                             * (__c_5.clone()
                                 * (__c_2.clone()
-                                    * (__c_28.clone() * __t_y_u_second.clone()
+                                    * (__c_28.clone() * __t_y_u_second
                                         + __s_v.clone() * __c_21.clone()
                                         + __o_v.clone() * __c_21.clone() + __c_6.clone())
                                     + __s_x.clone()
                                         * (__c_21.clone()
                                             * (__o_z.clone() - __o_w.clone() * __c_5.clone()))
                                     + __o_x.clone()
-                                        * (__c_21.clone() * (__s_z.clone() - __product_45.clone())))
+                                        * (__c_21.clone() * (__s_z.clone() - __t_five_w.clone())))
                                 + __o_y.clone()
-                                    * (__c_28.clone()
-                                        * (__product_1.clone() + __product_16.clone())))
+                                    * (__c_28.clone() * (__t_three_y + __t_ten_u)))
                             - __c_7.clone()
                                 * (__p_a.clone()
                                     * (__o_z.clone()
                                         * (__c_5.clone()
-                                            * (__s_z.clone() * __c_6.clone() - __product_26.clone()
+                                            * (__s_z.clone() * __c_6.clone() - __t_three_w
                                                 - __c_8.clone()))
                                         - (__c_10.clone()
-                                            * (__c_3.clone() * __t_v_v_second.clone()
-                                                + __product_24.clone() + __s_u.clone() + __o_u.clone())
+                                            * (__c_3.clone() * __t_v_v_second.clone() + __t_four_z
+                                                + __s_u.clone() + __o_u.clone())
                                             + __o_w.clone()
                                                 * (__c_3.clone()
-                                                    * (__s_z.clone() * __c_5.clone() + __product_9.clone()))))
+                                                    * (__s_z.clone() * __c_5.clone() + __t_eight_w))))
                                     - __c_5.clone()
-                                        * (__t_y_z_second.clone()
-                                            + __c_3.clone() * __t_u_second_u.clone()
+                                        * (__t_y_z_second.clone() + __c_3.clone() * __t_u_second_u
                                             + __c_7.clone() * (__s_v.clone() * __o_x.clone())
-                                            + __o_y.clone() * (__s_z.clone() - __product_39.clone())
+                                            + __o_y.clone() * (__s_z.clone() - __t_n12_v.clone())
                                             + __o_v.clone()
                                                 * (__s_x.clone() * __c_7.clone()
-                                                    - __s_y.clone() * __c_12.clone()))))
+                                                    - __s_y.clone() * __c_12))))
                         + __p_c.clone()
                             * (__c_7.clone()
                                 * (__o_v.clone()
                                     * (__c_20.clone()
-                                        * (__product_43.clone() + __product_13.clone()
-                                            + __product_14.clone()))
+                                        * (__t_three_z + __t_three_u + __t_two_w.clone()))
                                     - __c_3.clone()
                                         * (__o_z.clone()
-                                            * (__c_5.clone()
-                                                * (__product_44.clone() - __product_29.clone()))
-                                            - __c_2.clone()
-                                                * (__product_25.clone() + __product_41.clone()
-                                                    + __product_45.clone())
+                                            * (__c_5.clone() * (__t_five_u.clone() - __t_four_v))
+                                            - __c_2.clone() * (__t_n14_x + __t_ten_y + __t_five_w)
                                             + __o_y.clone()
                                                 * (__c_2.clone()
-                                                    * (__s_x.clone() * __c_25.clone() - __product_14.clone()
+                                                    * (__s_x.clone() * __c_25.clone() - __t_two_w.clone()
                                                         - __c_10.clone())))
                                     + __o_x.clone()
                                         * (__c_3.clone()
                                             * (__s_x.clone() * __c_20.clone()
                                                 - __s_y.clone() * __kahan::integer::<T>(50)
-                                                + __product_44.clone() + __c_28.clone()))
+                                                + __t_five_u.clone() + __c_28.clone()))
                                     + __o_u.clone()
                                         * (__c_5.clone()
-                                            * (__product_42.clone() - __product_2.clone()
-                                                + __product_39.clone() + __product_14.clone()))
+                                            * (__t_three_x - __t_n15_z + __t_n12_v.clone() + __t_two_w))
                                     + __o_w.clone()
                                         * (__c_2.clone()
-                                            * (__s_y.clone() * __c_6.clone() + __product_44.clone()
+                                            * (__s_y.clone() * __c_6.clone() + __t_five_u
                                                 + __s_v.clone() * __c_20.clone() + __c_15.clone()))))),
-                -(__c_1_840.clone()
-                    * (__c_21.clone()
-                        * (__o_w.clone()
-                            * (__c_4.clone()
-                                * (__product_4.clone() + __product_22.clone()))
+                -(__c_1_840
+                    * (__c_21
+                        * (__o_w.clone() * (__c_4.clone() * (__t_five_x + __t_six_w))
                             - __c_5.clone()
-                                * (__c_4.clone() * __t_y_z_second.clone()
-                                    + __o_v.clone()
-                                        * (__product_17.clone() - __product_5.clone()))
+                                * (__c_4.clone() * __t_y_z_second
+                                    + __o_v.clone() * (__t_six_x - __t_five_y))
                             + __o_x.clone()
                                 * (__c_2.clone()
-                                    * (__s_x.clone() * __kahan::integer::<T>(100)
-                                        + __product_20.clone() - __c_15.clone() * __s_v.clone()
-                                        + __s_w.clone() * __c_10.clone()))
+                                    * (__s_x.clone() * __kahan::integer::<T>(100) + __t_two_y
+                                        - __c_15.clone() * __s_v.clone() + __s_w.clone() * __c_10))
                             + __o_y.clone()
-                                * (__product_31.clone() - __s_y.clone() * __c_20.clone()
-                                    - __product_32.clone() + __product_37.clone()))
+                                * (__t_four_x - __s_y.clone() * __c_20.clone() - __t_n20_z
+                                    + __t_n25_v))
                         + __p_c.clone()
-                            * (__c_20.clone()
-                                * (__c_2.clone()
+                            * (__c_20
+                                * (__c_2
                                     * (__s_x.clone()
                                         * (__c_7.clone() * (__o_z.clone() - __c_3.clone()))
                                         - __c_3.clone())
@@ -1600,44 +1525,38 @@ const _: () = {
                                     - __o_w.clone()
                                         * (__c_7.clone() * (__s_y.clone() - __s_u.clone()))))
                         + __p_a.clone()
-                            * (__c_28.clone()
+                            * (__c_28
                                 * (__o_u.clone()
-                                    * (__product_19.clone() - __product_12.clone()
-                                        - __s_u.clone() * __c_30.clone() - __product_40.clone()
-                                        - __c_6.clone())
+                                    * (__t_n15_x - __t_nine_y - __s_u.clone() * __c_30
+                                        - __t_five_v.clone() - __c_6.clone())
                                     - (__c_3.clone()
                                         * (__c_7.clone() * (__s_z.clone() * __o_w.clone())
-                                            + __c_15.clone() * __t_v_v_second.clone()
-                                            + __c_7.clone() * (__s_w.clone() * __o_z.clone()))
+                                            + __c_15.clone() * __t_v_v_second
+                                            + __c_7 * (__s_w.clone() * __o_z.clone()))
                                         + __s_u.clone()
-                                            * (__c_6.clone()
-                                                - (__c_15.clone() * __o_x.clone() - __product_28.clone()
+                                            * (__c_6
+                                                - (__c_15 * __o_x.clone() - __t_nine_y_second
                                                     - __o_v.clone() * __c_5.clone())))))
                         - __p_b.clone()
-                            * (__c_14.clone()
+                            * (__c_14
                                 * (__o_z.clone()
-                                    * (__product_18.clone() - __s_u.clone() * __c_75.clone()
-                                        - __product_39.clone() + __c_60.clone())
+                                    * (__t_n80_z - __s_u.clone() * __c_75 - __t_n12_v + __c_60)
                                     - (__c_5.clone()
                                         * (__c_3.clone()
-                                            * (__s_z.clone()
-                                                * (__c_5.clone() * __o_u.clone() - __c_4.clone())
-                                                - (__product_7.clone() + __product_3.clone() + __s_w.clone()
-                                                    + __o_y.clone() * __c_8.clone()))
-                                            + __o_w.clone() * (__product_40.clone() - __c_3.clone()))
+                                            * (__s_z.clone() * (__c_5 * __o_u.clone() - __c_4)
+                                                - (__t_eight_y + __t_three_v + __s_w.clone()
+                                                    + __o_y.clone() * __c_8))
+                                            + __o_w.clone() * (__t_five_v - __c_3))
                                         + __o_v.clone()
-                                            * (__product_38.clone() + __s_w.clone() * __c_25.clone()
-                                                - __c_45.clone())))))),
+                                            * (__t_n12_z + __s_w.clone() * __c_25 - __c_45)))))),
             ])
         }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 6> for Dense<T> {
-        fn increment(
-            &self,
-            __state: &__kahan::SVector<T, 6>,
-            __half_step: &T,
-        ) -> __kahan::Option<__kahan::SVector<T, 6>> {
-            __kahan::increment_by_elimination(self, __state, __half_step)
+        type Prepared = __kahan::Elimination<Self, T>;
+        #[inline]
+        fn prepare(&self, __half_step: &T) -> Self::Prepared {
+            __kahan::Elimination::new(self.clone(), __half_step.clone())
         }
     }
 };

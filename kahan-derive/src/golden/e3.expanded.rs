@@ -77,17 +77,13 @@ const _: () = {
             __state: &__kahan::SVector<T, 3>,
         ) -> __kahan::SMatrix<T, 3, 3> {
             let [__s_x, __s_y, __s_z] = __kahan::components(__state);
-            let __negative_1 = -__s_z.clone();
+            let __t_minus_z = -__s_z.clone();
             let __c_0 = __kahan::integer::<T>(0);
             let __c_2 = __kahan::integer::<T>(2);
             __kahan::matrix([
-                [__negative_1.clone(), __c_0.clone(), -__s_x.clone()],
-                [__c_0.clone(), __negative_1.clone(), -__s_y.clone()],
-                [
-                    __s_x.clone() * __c_2.clone(),
-                    __s_y.clone() * __c_2.clone(),
-                    __c_0.clone(),
-                ],
+                [__t_minus_z.clone(), __c_0.clone(), -__s_x.clone()],
+                [__c_0.clone(), __t_minus_z, -__s_y.clone()],
+                [__s_x.clone() * __c_2.clone(), __s_y.clone() * __c_2, __c_0],
             ])
         }
         fn bilinear(
@@ -101,7 +97,7 @@ const _: () = {
             __kahan::vector([
                 -((__s_x.clone() * __o_z.clone() + __s_z.clone() * __o_x.clone())
                     * __c_1_2.clone()),
-                -(__c_1_2.clone()
+                -(__c_1_2
                     * (__o_z.clone() * __s_y.clone() + __s_z.clone() * __o_y.clone())),
                 __s_x.clone() * __o_x.clone() + __s_y.clone() * __o_y.clone(),
             ])
@@ -117,64 +113,83 @@ const _: () = {
             __kahan::vector([
                 -((__s_x.clone() * __o_z.clone() + __s_z.clone() * __o_x.clone())
                     * __c_1_2.clone()),
-                -(__c_1_2.clone()
+                -(__c_1_2
                     * (__o_z.clone() * __s_y.clone() + __s_z.clone() * __o_y.clone())),
                 __s_x.clone() * __o_x.clone() + __s_y.clone() * __o_y.clone(),
             ])
         }
     }
-    fn __reduced<T: __kahan::Scalar>(
-        __system: &E3,
-        __state: &__kahan::SVector<T, 3>,
-        __half_step: &T,
-    ) -> (__kahan::SVector<T, 3>, T) {
-        let [__s_x, __s_y, __s_z] = __kahan::components(__state);
-        let __sum_1 = __s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone();
-        let __sum_2 = __s_z.clone() + __sum_1.clone() * __half_step.clone();
-        (
-            __kahan::vector([
-                -(__s_x.clone() * __sum_2.clone()),
-                -(__s_y.clone() * __sum_2.clone()),
-                __sum_1.clone() - __half_step.clone() * (__sum_1.clone() * __s_z.clone()),
-            ]),
-            __kahan::integer::<T>(1)
-                + __half_step.clone()
-                    * (__s_z.clone()
-                        + __half_step.clone()
-                            * (__sum_1.clone() * __kahan::integer::<T>(2))),
-        )
+    #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
+    pub struct __Step<T> {
+        two_eps: T,
+        eps: T,
     }
-    impl<T: __kahan::Scalar> __kahan::KahanMap<T, 3> for E3 {
-        fn increment(
+    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for __Step<T> {
+        #[inline(always)]
+        fn quotients(
             &self,
             __state: &__kahan::SVector<T, 3>,
-            __half_step: &T,
-        ) -> __kahan::Option<__kahan::SVector<T, 3>> {
-            let (__numerators, __denominator) = __reduced(self, __state, __half_step);
-            __kahan::increment_from_quotient(__numerators, __denominator, __half_step)
+        ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let __t_eps_x = self.eps.clone() * __s_x.clone();
+            let __t_eps_y = self.eps.clone() * __s_y.clone();
+            let __t_eps_z = self.eps.clone() * __s_z.clone();
+            let __c_1 = __kahan::integer::<T>(1);
+            let __reciprocal_1 = __kahan::integer::<T>(2)
+                .quotient(
+                    self.two_eps.clone() * __s_y.clone() * __t_eps_y.clone()
+                        + (self.two_eps.clone() * __s_x.clone())
+                            .multiply_add(
+                                __t_eps_x.clone(),
+                                __c_1.clone() + __t_eps_z.clone(),
+                            ),
+                )?;
+            let __t_x_eps_x = __s_x.clone() * __t_eps_x.clone();
+            let __t_y_eps_y = __s_y.clone() * __t_eps_y.clone();
+            let __sum_1 = __t_y_eps_y.clone() + (__s_z.clone() + __t_x_eps_x.clone());
+            __kahan::Option::Some(__kahan::Quotients {
+                numerators: [
+                    -(__t_eps_x * __sum_1.clone()),
+                    -(__t_eps_y * __sum_1),
+                    -((__t_eps_z - __c_1) * (__t_x_eps_x + __t_y_eps_y)),
+                ],
+                reciprocals: [
+                    __reciprocal_1.clone(),
+                    __reciprocal_1.clone(),
+                    __reciprocal_1,
+                ],
+            })
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::WideStep<T, 3> for __Step<T> {
+        const HAS_LANES: __kahan::core::primitive::bool = true;
+        type Wide<__L: __kahan::Scalar> = __Step<__L>;
+        #[inline(always)]
+        fn widen<__L: __kahan::Scalar>(
+            &self,
+            __spread: impl __kahan::core::ops::Fn(&T) -> __L,
+        ) -> __Step<__L> {
+            __Step {
+                two_eps: __spread(&self.two_eps),
+                eps: __spread(&self.eps),
+            }
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::KahanMap<T, 3> for E3 {
+        type Prepared = __Step<T>;
+        #[inline(always)]
+        fn prepare(&self, __half_step: &T) -> __Step<T> {
+            __Step {
+                two_eps: __half_step.clone() * __kahan::integer::<T>(2),
+                eps: __half_step.clone(),
+            }
         }
         fn jacobian(
             &self,
             __state: &__kahan::SVector<T, 3>,
             __half_step: T,
         ) -> __kahan::SMatrix<T, 3, 3> {
-            let __lifted = E3;
-            __kahan::jacobian_of_reduced(
-                |__state, __half_step| {
-                    let (__numerators, __denominator) = __reduced(
-                        &__lifted,
-                        __state,
-                        __half_step,
-                    );
-                    __kahan::increment_from_quotient(
-                        __numerators,
-                        __denominator,
-                        __half_step,
-                    )
-                },
-                __state,
-                &__half_step,
-            )
+            __kahan::jacobian_by_duals(&E3, __state, &__half_step)
         }
         fn det_matrix(&self, __state: &__kahan::SVector<T, 3>, __half_step: T) -> T {
             let [__s_x, __s_y, __s_z] = __kahan::components(__state);
@@ -183,12 +198,11 @@ const _: () = {
                 + __s_y.clone() * __s_y.clone()) * __c_2.clone();
             __kahan::integer::<T>(1)
                 + __half_step.clone()
-                    * (__c_2.clone() * __s_z.clone()
+                    * (__c_2 * __s_z.clone()
                         + __half_step.clone()
                             * (__product_1.clone()
                                 + __s_z.clone()
-                                    * (__s_z.clone()
-                                        + __product_1.clone() * __half_step.clone())))
+                                    * (__s_z.clone() + __product_1 * __half_step.clone())))
         }
         fn rational_map(
             &self,
@@ -197,35 +211,35 @@ const _: () = {
         ) -> (__kahan::SVector<T, 3>, T) {
             let [__s_x, __s_y, __s_z] = __kahan::components(__state);
             let __c_1 = __kahan::integer::<T>(1);
-            let __t_z_z = __s_z.clone() * __s_z.clone();
+            let __t_z_squared = __s_z.clone() * __s_z.clone();
             let __sum_1 = __c_1.clone()
-                - __half_step.clone() * (__t_z_z.clone() * __half_step.clone());
+                - __half_step.clone() * (__t_z_squared.clone() * __half_step.clone());
             let __c_2 = __kahan::integer::<T>(2);
-            let __t_x_x = __s_x.clone() * __s_x.clone();
-            let __t_y_y = __s_y.clone() * __s_y.clone();
-            let __product_2 = __s_z.clone() * __c_2.clone();
-            let __product_3 = __c_2.clone() * (__t_x_x.clone() + __t_y_y.clone());
+            let __t_x_squared = __s_x.clone() * __s_x.clone();
+            let __t_y_squared = __s_y.clone() * __s_y.clone();
+            let __t_two_z = __s_z.clone() * __c_2.clone();
+            let __product_1 = __c_2.clone()
+                * (__t_x_squared.clone() + __t_y_squared.clone());
             (
                 __kahan::vector([
                     __sum_1.clone() * __s_x.clone(),
-                    __sum_1.clone() * __s_y.clone(),
+                    __sum_1 * __s_y.clone(),
                     __s_z.clone()
                         + __half_step.clone()
-                            * (__product_3.clone()
+                            * (__product_1.clone()
                                 + __s_z.clone()
-                                    * (__product_2.clone()
+                                    * (__t_two_z.clone()
                                         + __half_step.clone()
-                                            * (__c_2.clone() * __t_x_x.clone()
-                                                + __c_2.clone() * __t_y_y.clone() + __t_z_z.clone()))),
+                                            * (__c_2.clone() * __t_x_squared + __c_2 * __t_y_squared
+                                                + __t_z_squared))),
                 ]),
-                __c_1.clone()
+                __c_1
                     + __half_step.clone()
-                        * (__product_2.clone()
+                        * (__t_two_z
                             + __half_step.clone()
-                                * (__product_3.clone()
+                                * (__product_1.clone()
                                     + __s_z.clone()
-                                        * (__s_z.clone()
-                                            + __half_step.clone() * __product_3.clone()))),
+                                        * (__s_z.clone() + __half_step.clone() * __product_1))),
             )
         }
     }
@@ -250,13 +264,16 @@ const _: () = {
             __half_step: T,
         ) -> __kahan::SVector<T, 2> {
             let [__s_x, __s_y, __s_z] = __kahan::components(__state);
-            let __sum_1 = __s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone();
+            let __t_x_squared_plus_y_squared = __s_x.clone() * __s_x.clone()
+                + __s_y.clone() * __s_y.clone();
             __kahan::vector([
                 __s_y.clone() / __s_x.clone(),
                 __kahan::ratio::<T>(1, 2)
-                    * (__sum_1.clone() + __s_z.clone() * __s_z.clone())
+                    * (__t_x_squared_plus_y_squared.clone()
+                        + __s_z.clone() * __s_z.clone())
                     / (__kahan::integer::<T>(1)
-                        + __sum_1.clone() * (__half_step.clone() * __half_step.clone())),
+                        + __t_x_squared_plus_y_squared
+                            * (__half_step.clone() * __half_step.clone())),
             ])
         }
     }
@@ -311,7 +328,7 @@ const _: () = {
                     * (__half_step.clone() * __half_step.clone());
             let __p_0_1 = __kahan::integer::<T>(0);
             let __p_0_2 = __s_x.clone() * __sum_1.clone();
-            let __p_1_2 = __s_y.clone() * __sum_1.clone();
+            let __p_1_2 = __s_y.clone() * __sum_1;
             __kahan::matrix([
                 [__kahan::integer::<T>(0), __p_0_1.clone(), __p_0_2.clone()],
                 [-__p_0_1.clone(), __kahan::integer::<T>(0), __p_1_2.clone()],

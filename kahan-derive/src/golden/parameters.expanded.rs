@@ -54,20 +54,21 @@ const _: () = {
             let [__s_x, __s_y] = __kahan::components(__state);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __sum_1 = __p_mu.clone() - __p_nu.clone();
-            let __sum_2 = __sum_1.clone() - __kahan::integer::<T>(1);
+            let __t_mu_minus_nu = __p_mu.clone() - __p_nu.clone();
+            let __t_mu_minus_nu_minus_one = __t_mu_minus_nu.clone()
+                - __kahan::integer::<T>(1);
             let __c_10 = __kahan::integer::<T>(10);
-            let __product_3 = __c_10.clone() * __s_x.clone();
+            let __t_ten_x = __c_10.clone() * __s_x.clone();
             __kahan::vector([
                 __s_y.clone(),
-                -((__s_x.clone() * (__sum_1.clone() * __kahan::integer::<T>(981))
+                -((__s_x.clone() * (__t_mu_minus_nu * __kahan::integer::<T>(981))
                     + __s_y.clone()
-                        * (__c_10.clone()
-                            * (__p_mu.clone() * __p_mu.clone() - __product_3.clone()
+                        * (__c_10
+                            * (__p_mu.clone() * __p_mu.clone() - __t_ten_x.clone()
                                 + __p_nu.clone()
-                                    * (__p_mu.clone() * __sum_2.clone()
-                                        - __product_3.clone())))) * __kahan::ratio::<T>(1, 100)
-                    / (__p_mu.clone() + __p_nu.clone() * __sum_2.clone())),
+                                    * (__p_mu.clone() * __t_mu_minus_nu_minus_one.clone()
+                                        - __t_ten_x)))) * __kahan::ratio::<T>(1, 100)
+                    / (__p_mu.clone() + __p_nu.clone() * __t_mu_minus_nu_minus_one)),
             ])
         }
         fn field_jacobian(
@@ -78,21 +79,23 @@ const _: () = {
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __c_1 = __kahan::integer::<T>(1);
-            let __product_1 = __kahan::integer::<T>(100) * __s_y.clone();
+            let __t_n100_y = __kahan::integer::<T>(100) * __s_y.clone();
             let __c_981 = __kahan::integer::<T>(981);
-            let __sum_2 = __p_mu.clone() - __p_nu.clone() - __c_1.clone();
-            let __sum_3 = __p_mu.clone() + __p_nu.clone() * __sum_2.clone();
-            let __product_4 = __kahan::integer::<T>(10) * __s_x.clone();
+            let __t_mu_minus_nu_minus_one = __p_mu.clone() - __p_nu.clone()
+                - __c_1.clone();
+            let __sum_1 = __p_mu.clone()
+                + __p_nu.clone() * __t_mu_minus_nu_minus_one.clone();
+            let __t_ten_x = __kahan::integer::<T>(10) * __s_x.clone();
             __kahan::matrix([
-                [__kahan::integer::<T>(0), __c_1.clone()],
+                [__kahan::integer::<T>(0), __c_1],
                 [
-                    (__product_1.clone() - __c_981.clone() * __p_mu.clone()
-                        + (__product_1.clone() + __c_981.clone()) * __p_nu.clone())
-                        * __kahan::ratio::<T>(1, 100) / __sum_3.clone(),
-                    -((__p_mu.clone() * __p_mu.clone() - __product_4.clone()
+                    (__t_n100_y.clone() - __c_981.clone() * __p_mu.clone()
+                        + (__t_n100_y + __c_981) * __p_nu.clone())
+                        * __kahan::ratio::<T>(1, 100) / __sum_1.clone(),
+                    -((__p_mu.clone() * __p_mu.clone() - __t_ten_x.clone()
                         + __p_nu.clone()
-                            * (__p_mu.clone() * __sum_2.clone() - __product_4.clone()))
-                        * __kahan::ratio::<T>(1, 10) / __sum_3.clone()),
+                            * (__p_mu.clone() * __t_mu_minus_nu_minus_one - __t_ten_x))
+                        * __kahan::ratio::<T>(1, 10) / __sum_1),
                 ],
             ])
         }
@@ -106,15 +109,14 @@ const _: () = {
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __c_1 = __kahan::integer::<T>(1);
-            let __sum_1 = __p_nu.clone() + __c_1.clone();
+            let __t_nu_plus_one = __p_nu.clone() + __c_1.clone();
             __kahan::vector([
                 __kahan::integer::<T>(0),
-                (__sum_1.clone() * (__s_y.clone() * __o_x.clone())
-                    + __sum_1.clone() * __s_x.clone() * __o_y.clone())
+                (__t_nu_plus_one.clone() * (__s_y.clone() * __o_x.clone())
+                    + __t_nu_plus_one * __s_x.clone() * __o_y.clone())
                     * __kahan::ratio::<T>(1, 2)
                     / (__p_mu.clone()
-                        + __p_nu.clone()
-                            * (__p_mu.clone() - __p_nu.clone() - __c_1.clone())),
+                        + __p_nu.clone() * (__p_mu.clone() - __p_nu.clone() - __c_1)),
             ])
         }
         fn polarized(
@@ -126,101 +128,171 @@ const _: () = {
             let [__o_x, __o_y] = __kahan::components(__other);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __sum_1 = __s_y.clone() + __o_y.clone();
-            let __sum_2 = __p_mu.clone() - __p_nu.clone() - __kahan::integer::<T>(1);
+            let __t_y_plus_y_second = __s_y.clone() + __o_y.clone();
+            let __t_mu_minus_nu_minus_one = __p_mu.clone() - __p_nu.clone()
+                - __kahan::integer::<T>(1);
             let __c_10 = __kahan::integer::<T>(10);
             let __c_100 = __kahan::integer::<T>(100);
             let __c_981 = __kahan::integer::<T>(981);
             __kahan::vector([
-                __sum_1.clone() * __kahan::ratio::<T>(1, 2),
+                __t_y_plus_y_second.clone() * __kahan::ratio::<T>(1, 2),
                 -((__p_mu.clone()
                     * (__c_981.clone() * (__s_x.clone() + __o_x.clone())
-                        + __p_mu.clone() * (__sum_1.clone() * __c_10.clone()))
+                        + __p_mu.clone() * (__t_y_plus_y_second * __c_10.clone()))
                     - __c_100.clone()
                         * (__o_y.clone() * __s_x.clone() + __s_y.clone() * __o_x.clone())
                     + __p_nu.clone()
                         * (__p_mu.clone()
-                            * ((__s_y.clone() * __sum_2.clone()
-                                + __o_y.clone() * __sum_2.clone()) * __c_10.clone())
+                            * ((__s_y.clone() * __t_mu_minus_nu_minus_one.clone()
+                                + __o_y.clone() * __t_mu_minus_nu_minus_one.clone())
+                                * __c_10)
                             - ((__o_y.clone() * __c_100.clone() + __c_981.clone())
                                 * __s_x.clone()
-                                + (__s_y.clone() * __c_100.clone() + __c_981.clone())
-                                    * __o_x.clone()))) * __kahan::ratio::<T>(1, 200)
-                    / (__p_mu.clone() + __p_nu.clone() * __sum_2.clone())),
+                                + (__s_y.clone() * __c_100 + __c_981) * __o_x.clone())))
+                    * __kahan::ratio::<T>(1, 200)
+                    / (__p_mu.clone() + __p_nu.clone() * __t_mu_minus_nu_minus_one)),
             ])
         }
     }
-    fn __reduced<T: __kahan::Scalar>(
-        __system: &Pendulum<T>,
-        __state: &__kahan::SVector<T, 2>,
-        __half_step: &T,
-    ) -> (__kahan::SVector<T, 2>, T) {
-        let [__s_x, __s_y] = __kahan::components(__state);
-        let __p_mu = &__system.mu;
-        let __p_nu = &__system.nu;
-        let __sum_1 = __p_mu.clone() - __p_nu.clone();
-        let __sum_2 = __sum_1.clone() - __kahan::integer::<T>(1);
-        let __c_100 = __kahan::integer::<T>(100);
-        let __c_981 = __kahan::integer::<T>(981);
-        let __product_3 = __c_981.clone() * (__s_x.clone() * __half_step.clone());
-        let __product_4 = __c_100.clone() * __s_y.clone();
-        let __c_1_100 = __kahan::ratio::<T>(1, 100);
-        let __c_10 = __kahan::integer::<T>(10);
-        let __sum_5 = __half_step.clone()
-            * (__product_4.clone() - __p_mu.clone() * __c_981.clone())
-            - __c_10.clone()
-                * (__p_mu.clone() * __p_mu.clone() - __s_x.clone() * __c_10.clone())
-            + __p_nu.clone()
-                * (__c_100.clone() * __s_x.clone()
-                    + __half_step.clone() * (__product_4.clone() + __c_981.clone())
-                    - __p_mu.clone() * (__sum_2.clone() * __c_10.clone()));
-        (
-            __kahan::vector([
-                -((__p_mu.clone() * (__product_3.clone() - __product_4.clone())
-                    - __p_nu.clone()
-                        * (__product_3.clone()
-                            + __sum_2.clone() * __c_100.clone() * __s_y.clone()))
-                    * __c_1_100.clone()),
-                __c_1_100.clone()
-                    * (__s_y.clone() * __sum_5.clone()
-                        - __s_x.clone() * (__sum_1.clone() * __c_981.clone())),
-            ]),
-            -(__c_1_100.clone()
-                * (__half_step.clone() * __sum_5.clone()
-                    - __c_100.clone()
-                        * (__p_mu.clone() + __p_nu.clone() * __sum_2.clone()))),
-        )
+    #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
+    pub struct __Step<T> {
+        eps: T,
+        n100_times_nu_plus_one: T,
+        n100_eps: T,
+        n100_nu_eps: T,
+        constant_1: T,
+        nu_plus_one: T,
+        mu_squared_minus_nu_mu: T,
+        eps_mu_minus_nu_eps: T,
+        mu_minus_nu: T,
+        constant_2: T,
     }
-    impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Pendulum<T> {
-        fn increment(
+    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
+        #[inline(always)]
+        fn quotients(
             &self,
             __state: &__kahan::SVector<T, 2>,
-            __half_step: &T,
-        ) -> __kahan::Option<__kahan::SVector<T, 2>> {
-            let (__numerators, __denominator) = __reduced(self, __state, __half_step);
-            __kahan::increment_from_quotient(__numerators, __denominator, __half_step)
+        ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
+            let [__s_x, __s_y] = __kahan::components(__state);
+            let __t_eps_x = self.eps.clone() * __s_x.clone();
+            let __t_eps_y = self.eps.clone() * __s_y.clone();
+            let __c_1_100 = __kahan::ratio::<T>(1, 100);
+            let __reciprocal_1 = __kahan::integer::<T>(2)
+                .quotient(
+                    (self
+                        .constant_1
+                        .clone()
+                        .subtract_product(
+                            __t_eps_x.clone(),
+                            self.n100_times_nu_plus_one.clone(),
+                        )
+                        - (__t_eps_y.clone() * self.n100_eps.clone()
+                            + __t_eps_y.clone() * self.n100_nu_eps.clone()))
+                        * __c_1_100.clone(),
+                )?;
+            let __c_981 = __kahan::integer::<T>(981);
+            let __t_n981_eps_x = __t_eps_x * __c_981.clone();
+            let __c_10 = __kahan::integer::<T>(10);
+            let __t_ten_eps_y = __t_eps_y.clone() * __c_10.clone();
+            __kahan::Option::Some(__kahan::Quotients {
+                numerators: [
+                    self
+                        .nu_plus_one
+                        .clone()
+                        .multiply_subtract(
+                            __kahan::integer::<T>(100) * __s_y.clone(),
+                            __t_n981_eps_x.clone(),
+                        ) * self.constant_2.clone(),
+                    -(__c_1_100
+                        * self
+                            .nu_plus_one
+                            .clone()
+                            .multiply_add(
+                                __t_ten_eps_y.clone()
+                                    * (self
+                                        .mu_squared_minus_nu_mu
+                                        .clone()
+                                        .subtract_product(__s_x.clone(), __c_10) - __t_ten_eps_y),
+                                __t_n981_eps_x
+                                    .multiply_add(
+                                        self.mu_minus_nu.clone(),
+                                        self.eps_mu_minus_nu_eps.clone() * (__t_eps_y * __c_981),
+                                    ),
+                            )),
+                ],
+                reciprocals: [__reciprocal_1.clone(), __reciprocal_1],
+            })
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::WideStep<T, 2> for __Step<T> {
+        const HAS_LANES: __kahan::core::primitive::bool = true;
+        type Wide<__L: __kahan::Scalar> = __Step<__L>;
+        #[inline(always)]
+        fn widen<__L: __kahan::Scalar>(
+            &self,
+            __spread: impl __kahan::core::ops::Fn(&T) -> __L,
+        ) -> __Step<__L> {
+            __Step {
+                eps: __spread(&self.eps),
+                n100_times_nu_plus_one: __spread(&self.n100_times_nu_plus_one),
+                n100_eps: __spread(&self.n100_eps),
+                n100_nu_eps: __spread(&self.n100_nu_eps),
+                constant_1: __spread(&self.constant_1),
+                nu_plus_one: __spread(&self.nu_plus_one),
+                mu_squared_minus_nu_mu: __spread(&self.mu_squared_minus_nu_mu),
+                eps_mu_minus_nu_eps: __spread(&self.eps_mu_minus_nu_eps),
+                mu_minus_nu: __spread(&self.mu_minus_nu),
+                constant_2: __spread(&self.constant_2),
+            }
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Pendulum<T> {
+        type Prepared = __Step<T>;
+        #[inline(always)]
+        fn prepare(&self, __half_step: &T) -> __Step<T> {
+            let __p_mu = &self.mu;
+            let __p_nu = &self.nu;
+            let __t_nu_plus_one = __p_nu.clone() + __kahan::integer::<T>(1);
+            let __c_100 = __kahan::integer::<T>(100);
+            let __t_nu_eps = __p_nu.clone() * __half_step.clone();
+            let __c_10 = __kahan::integer::<T>(10);
+            let __t_eps_mu = __half_step.clone() * __p_mu.clone();
+            let __t_ten_nu = __p_nu.clone() * __c_10.clone();
+            let __t_mu_eps_mu = __p_mu.clone() * __t_eps_mu.clone();
+            let __t_n100_nu = __p_nu.clone() * __c_100.clone();
+            let __c_981 = __kahan::integer::<T>(981);
+            let __t_eps_mu_minus_nu_eps = __t_eps_mu.clone() - __t_nu_eps.clone();
+            __Step {
+                eps: __half_step.clone(),
+                n100_times_nu_plus_one: __t_nu_plus_one.clone() * __c_100.clone(),
+                n100_eps: __c_100.clone() * __half_step.clone(),
+                n100_nu_eps: __c_100.clone() * __t_nu_eps.clone(),
+                constant_1: __c_10 * __t_mu_eps_mu.clone()
+                    - __p_nu.clone() * __t_n100_nu.clone()
+                    + (__c_981.clone() * (__half_step.clone() * __t_eps_mu.clone())
+                        - __t_eps_mu.clone() * __t_ten_nu.clone())
+                    + (__c_100 * __p_mu.clone()
+                        - __c_981 * (__half_step.clone() * __t_nu_eps)
+                        + (__t_ten_nu.clone() * __t_mu_eps_mu
+                            - __t_ten_nu * (__p_nu.clone() * __t_eps_mu)
+                            + (__p_mu.clone() * __t_n100_nu.clone() - __t_n100_nu))),
+                nu_plus_one: __t_nu_plus_one,
+                mu_squared_minus_nu_mu: __p_mu.clone() * __p_mu.clone()
+                    - __p_nu.clone() * __p_mu.clone(),
+                eps_mu_minus_nu_eps: __t_eps_mu_minus_nu_eps.clone(),
+                mu_minus_nu: __p_mu.clone() - __p_nu.clone(),
+                constant_2: __kahan::ratio::<T>(1, 100) * __t_eps_mu_minus_nu_eps,
+            }
         }
         fn jacobian(
             &self,
             __state: &__kahan::SVector<T, 2>,
             __half_step: T,
         ) -> __kahan::SMatrix<T, 2, 2> {
-            let __lifted = Pendulum {
-                mu: __kahan::Dual::lift(self.mu.clone()),
-                nu: __kahan::Dual::lift(self.nu.clone()),
-            };
-            __kahan::jacobian_of_reduced(
-                |__state, __half_step| {
-                    let (__numerators, __denominator) = __reduced(
-                        &__lifted,
-                        __state,
-                        __half_step,
-                    );
-                    __kahan::increment_from_quotient(
-                        __numerators,
-                        __denominator,
-                        __half_step,
-                    )
+            __kahan::jacobian_by_duals(
+                &Pendulum {
+                    mu: __kahan::Dual::lift(self.mu.clone()),
+                    nu: __kahan::Dual::lift(self.nu.clone()),
                 },
                 __state,
                 &__half_step,
@@ -230,25 +302,25 @@ const _: () = {
             let [__s_x, __s_y] = __kahan::components(__state);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __sum_1 = __p_mu.clone() - __p_nu.clone() - __kahan::integer::<T>(1);
+            let __t_mu_minus_nu_minus_one = __p_mu.clone() - __p_nu.clone()
+                - __kahan::integer::<T>(1);
+            let __sum_1 = __p_mu.clone()
+                + __p_nu.clone() * __t_mu_minus_nu_minus_one.clone();
             let __c_10 = __kahan::integer::<T>(10);
             let __c_100 = __kahan::integer::<T>(100);
-            let __product_2 = __c_100.clone() * __s_y.clone();
+            let __t_n100_y = __c_100.clone() * __s_y.clone();
             let __c_981 = __kahan::integer::<T>(981);
-            let __sum_3 = __p_mu.clone() + __p_nu.clone() * __sum_1.clone();
             -((__half_step.clone()
                 * (__half_step.clone()
-                    * (__product_2.clone() - __p_mu.clone() * __c_981.clone())
+                    * (__t_n100_y.clone() - __p_mu.clone() * __c_981.clone())
                     - __c_10.clone()
                         * (__p_mu.clone() * __p_mu.clone()
                             - __c_10.clone() * __s_x.clone())
                     + __p_nu.clone()
                         * (__c_100.clone() * __s_x.clone()
-                            + (__product_2.clone() + __c_981.clone())
-                                * __half_step.clone()
-                            - __p_mu.clone() * (__sum_1.clone() * __c_10.clone())))
-                - __c_100.clone() * __sum_3.clone()) * __kahan::ratio::<T>(1, 100)
-                / __sum_3.clone())
+                            + (__t_n100_y + __c_981) * __half_step.clone()
+                            - __p_mu.clone() * (__t_mu_minus_nu_minus_one * __c_10)))
+                - __sum_1.clone() * __c_100) * __kahan::ratio::<T>(1, 100) / __sum_1)
         }
         fn rational_map(
             &self,
@@ -258,50 +330,50 @@ const _: () = {
             let [__s_x, __s_y] = __kahan::components(__state);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __sum_1 = __p_mu.clone() - __p_nu.clone();
-            let __sum_2 = __sum_1.clone() - __kahan::integer::<T>(1);
-            let __sum_3 = __p_mu.clone() + __p_nu.clone() * __sum_2.clone();
+            let __t_mu_minus_nu = __p_mu.clone() - __p_nu.clone();
+            let __t_mu_minus_nu_minus_one = __t_mu_minus_nu.clone()
+                - __kahan::integer::<T>(1);
+            let __sum_1 = __p_mu.clone()
+                + __p_nu.clone() * __t_mu_minus_nu_minus_one.clone();
             let __c_10 = __kahan::integer::<T>(10);
-            let __product_4 = __p_mu.clone() * (__sum_2.clone() * __c_10.clone());
+            let __product_1 = __p_mu.clone()
+                * (__t_mu_minus_nu_minus_one * __c_10.clone());
             let __c_100 = __kahan::integer::<T>(100);
-            let __product_5 = __c_100.clone() * __s_y.clone();
+            let __t_n100_y = __c_100.clone() * __s_y.clone();
             let __c_981 = __kahan::integer::<T>(981);
-            let __product_6 = __c_100.clone() * __s_x.clone();
-            let __product_7 = __p_mu.clone() * __c_981.clone();
-            let __product_8 = __c_10.clone()
-                * (__p_mu.clone() * __p_mu.clone() - __c_10.clone() * __s_x.clone());
-            let __product_9 = __sum_3.clone() * __c_100.clone();
+            let __t_n100_x = __c_100.clone() * __s_x.clone();
+            let __t_n981_mu = __p_mu.clone() * __c_981.clone();
+            let __product_2 = __c_10.clone()
+                * (__p_mu.clone() * __p_mu.clone() - __c_10 * __s_x.clone());
+            let __product_3 = __sum_1.clone() * __c_100;
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
-            let __product_10 = __half_step.clone()
-                * (__half_step.clone() * (__product_5.clone() - __product_7.clone())
-                    - __product_8.clone()
+            let __product_4 = __half_step.clone()
+                * (__half_step.clone() * (__t_n100_y.clone() - __t_n981_mu.clone())
+                    - __product_2.clone()
                     + __p_nu.clone()
-                        * (__product_6.clone()
+                        * (__t_n100_x.clone()
                             + __half_step.clone()
-                                * (__product_5.clone() + __c_981.clone())
-                            - __product_4.clone()));
+                                * (__t_n100_y.clone() + __c_981.clone())
+                            - __product_1.clone()));
             (
                 __kahan::vector([
                     -((__half_step.clone()
                         * (__s_x.clone()
-                            * (__half_step.clone()
-                                * (__product_5.clone() + __product_7.clone())
-                                - __product_8.clone()
+                            * (__half_step.clone() * (__t_n100_y.clone() + __t_n981_mu)
+                                - __product_2
                                 + __p_nu.clone()
-                                    * (__product_6.clone()
-                                        + (__product_5.clone() - __c_981.clone())
-                                            * __half_step.clone() - __product_4.clone()))
+                                    * (__t_n100_x + (__t_n100_y - __c_981) * __half_step.clone()
+                                        - __product_1))
                             - __s_y.clone()
-                                * (__sum_3.clone() * __kahan::integer::<T>(200)))
-                        - __s_x.clone() * __product_9.clone()) * __c_1_100.clone()
-                        / __sum_3.clone()),
+                                * (__sum_1.clone() * __kahan::integer::<T>(200)))
+                        - __s_x.clone() * __product_3.clone()) * __c_1_100.clone()
+                        / __sum_1.clone()),
                     __c_1_100.clone()
-                        * (__s_y.clone() * (__product_9.clone() + __product_10.clone())
-                            - __sum_1.clone() * __kahan::integer::<T>(1962)
-                                * (__half_step.clone() * __s_x.clone())) / __sum_3.clone(),
+                        * (__s_y.clone() * (__product_3.clone() + __product_4.clone())
+                            - __t_mu_minus_nu * __kahan::integer::<T>(1962)
+                                * (__half_step.clone() * __s_x.clone())) / __sum_1.clone(),
                 ]),
-                -(__c_1_100.clone() * (__product_10.clone() - __product_9.clone())
-                    / __sum_3.clone()),
+                -(__c_1_100 * (__product_4 - __product_3) / __sum_1),
             )
         }
     }

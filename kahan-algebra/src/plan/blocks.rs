@@ -1,0 +1,153 @@
+//! The step from the structure of A, without expanding its determinant: block after block, the states of an independent set
+//! eliminated by their pivots, which are 1, and the rest by Cramer's rule.
+//!
+//! For a block with states K, A_KK·(x̃ − x)_K = 2ε P_K(x, x̃) with P the polarised field, x̃ being known in earlier blocks and x
+//! standing for x̃ in this one. For an independent set S of K and R the others, A_SS = I, so that
+//!
+//! ```text
+//! (A_RR − A_RS·A_SR)·(x̃ − x)_R = 2ε (P_R − A_RS·P_S),      (x̃ − x)_S = 2ε P_S(x, x̃) with x̃_R put in.
+//! ```
+
+use crate::field::Field;
+use crate::kahan::{polarization, scaled_matrix};
+use crate::poly::{Polynomial, Variable};
+use crate::rational::Rational;
+use crate::symbols::Symbol;
+
+use super::candidates::Candidate;
+use super::draft::Signed;
+use super::minors::{self, Determinants, determinants};
+use super::nesting::Goal;
+use super::structure::Structure;
+use super::writer::Writer;
+use super::{Node, step};
+
+/// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop is faster.
+const MOST_OPERATIONS: usize = 600;
+/// The most terms of an entry that is expanded.
+const ENTRY_TERMS: usize = 40;
+
+/// The candidate; `None` where a block is too large.
+pub(super) fn candidate(field: &Field, mut writer: Writer) -> Option<Candidate> {
+    let structure = Structure::of(field);
+    let blocks = structure.blocks();
+    let n = field.dimension();
+    let mut increments: Vec<(Signed, Option<Node>)> = vec![(Signed::plus(writer.draft.zero()), None); n];
+    let parts = Parts { field, matrix: scaled_matrix(field), polarized: polarization(field), structure };
+    for block in &blocks {
+        parts.solve(block, &mut writer, &mut increments)?;
+    }
+    let numerators = increments
+        .iter()
+        .map(
+            |(signed, _)| {
+                if signed.negative { writer.draft.builder.negate(signed.node) } else { signed.node }
+            },
+        )
+        .collect();
+    let reciprocals = increments.iter().map(|(_, reciprocal)| *reciprocal).collect();
+    Some(Candidate::new(writer, numerators, reciprocals))
+}
+
+struct Parts<'a> {
+    field: &'a Field,
+    matrix: Vec<Vec<Polynomial>>,
+    polarized: Vec<Polynomial>,
+    structure: Structure,
+}
+
+impl Parts<'_> {
+    fn solve(
+        &self,
+        block: &[usize],
+        writer: &mut Writer,
+        increments: &mut [(Signed, Option<Node>)],
+    ) -> Option<()> {
+        let independent = self.structure.independent(block);
+        let rest: Vec<usize> = block.iter().copied().filter(|i| !independent.contains(i)).collect();
+        if !rest.is_empty() {
+            let rows = self.reduced_rows(block, &independent, &rest)?;
+            let pattern: Vec<Vec<bool>> =
+                rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect();
+            if minors::operations(&pattern) > MOST_OPERATIONS {
+                return None;
+            }
+            let written: Vec<Vec<Signed>> = rows
+                .iter()
+                .map(|row| {
+                    let (right, entries) =
+                        row.split_last().map_or((None, row.as_slice()), |(r, e)| (Some(r), e));
+                    let mut written: Vec<Signed> =
+                        entries.iter().map(|entry| writer.write_scaled(entry, Goal::Early)).collect();
+                    written.extend(right.map(|right| writer.write_cheapest(right)));
+                    written
+                })
+                .collect();
+            let Determinants { denominator, numerators } = determinants(&mut writer.draft, &written);
+            let reciprocal = step::twice_reciprocal(writer, denominator.node);
+            for (&i, numerator) in rest.iter().zip(numerators) {
+                let negative = numerator.negative != denominator.negative;
+                increments[i] = (Signed { node: numerator.node, negative }, Some(reciprocal));
+                self.put_next(writer, i, increments[i]);
+            }
+        }
+        for i in independent {
+            let twice_eps = Polynomial::variable(self.field.symbols.epsilon()).scale(&Rational::from(2));
+            let moved = self.with_known(&self.polarized[i], block, &rest);
+            let written = writer.write_cheapest(&(&twice_eps * &moved));
+            increments[i] = (written, None);
+            self.put_next(writer, i, increments[i]);
+        }
+        Some(())
+    }
+
+    /// A_RR − A_RS·A_SR with the right-hand side ε(P_R − A_RS·P_S) appended, row by row.
+    fn reduced_rows(
+        &self,
+        block: &[usize],
+        independent: &[usize],
+        rest: &[usize],
+    ) -> Option<Vec<Vec<Polynomial>>> {
+        let eps = Polynomial::variable(self.field.symbols.epsilon());
+        let right = |i: usize| &eps * &self.with_known(&self.polarized[i], block, &[]);
+        let rows = rest.iter().map(|&i| {
+            let eliminated = |start: Polynomial, entry: &dyn Fn(usize) -> Polynomial| {
+                independent
+                    .iter()
+                    .filter(|&&s| !self.matrix[i][s].is_zero())
+                    .fold(start, |sum, &s| &sum - &(&self.matrix[i][s] * &entry(s)))
+            };
+            let mut row: Vec<Polynomial> = rest
+                .iter()
+                .map(|&j| eliminated(self.matrix[i][j].clone(), &|s| self.matrix[s][j].clone()))
+                .collect();
+            row.push(eliminated(right(i), &right));
+            row
+        });
+        let rows: Vec<Vec<Polynomial>> = rows.collect();
+        rows.iter().flatten().all(|entry| entry.len() <= ENTRY_TERMS).then_some(rows)
+    }
+
+    /// The polarised field with x for x̃ in the states of the block, but for those that are known already.
+    fn with_known(&self, polarized: &Polynomial, block: &[usize], known: &[usize]) -> Polynomial {
+        let symbols = &self.field.symbols;
+        polarized.map_variables(|variable| match symbols.symbol(variable) {
+            Symbol::SecondState(i) if block.contains(&i) && !known.contains(&i) => symbols.state(i),
+            _ => variable,
+        })
+    }
+
+    /// x̃ᵢ = xᵢ + numerator · reciprocal, for what comes later; dropped if nothing uses it.
+    fn put_next(&self, writer: &mut Writer, i: usize, (increment, reciprocal): (Signed, Option<Node>)) {
+        let symbols = &self.field.symbols;
+        let second: Variable = symbols.variable(Symbol::SecondState(i));
+        let state = writer.draft.input(symbols.state(i));
+        let step = match reciprocal {
+            Some(reciprocal) => writer.draft.multiply(increment.node, reciprocal),
+            None => increment.node,
+        };
+        let next =
+            writer.draft.sum(&[Signed::plus(state), Signed { node: step, negative: increment.negative }]);
+        writer.put(second, next);
+    }
+}

@@ -1,0 +1,243 @@
+//! The forms of a step that are compared: for each a draft of the denominator and the numerators of εn and d, from the
+//! reduced polynomials or from the determinants of A.
+
+use crate::field::Field;
+use crate::kahan::{RationalMap, scaled_matrix};
+use crate::poly::{Monomial, Polynomial};
+use crate::rational::Rational;
+
+use super::draft::Signed;
+use super::factors::{Factored, factored};
+use super::minors::{Determinants, determinants};
+use super::nesting::Goal;
+use super::numerators::Products;
+use super::scaling::{First, Scaling};
+use super::step::twice_reciprocal;
+use super::writer::Writer;
+use super::{Node, PlanBuilder, blocks};
+
+/// A finished form: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+pub(super) struct Candidate {
+    pub(super) builder: PlanBuilder,
+    pub(super) numerators: Vec<Node>,
+    pub(super) reciprocals: Vec<Option<Node>>,
+    price: u64,
+}
+
+impl Candidate {
+    pub(super) fn new(mut writer: Writer, numerators: Vec<Node>, reciprocals: Vec<Option<Node>>) -> Self {
+        let mut distinct: Vec<Node> = reciprocals.iter().copied().flatten().collect();
+        distinct.sort_unstable();
+        distinct.dedup();
+        let price = price(&mut writer, &numerators, &distinct);
+        Candidate { builder: writer.draft.builder, numerators, reciprocals, price }
+    }
+}
+
+/// A draft in which the denominator is written.
+struct WithDenominator {
+    writer: Writer,
+    denominator: Signed,
+    numerators: Option<Vec<Signed>>,
+}
+
+/// For how many denominators the numerators are written from their factors.
+const TRIED: usize = 2;
+/// The most terms of all factors for which that is done where there are determinants, too.
+const FACTOR_TERMS: usize = 32;
+
+/// The most terms of N and D for which they are written out where there is another form.
+const WRITTEN_TERMS: usize = 120;
+
+/// The cheapest form of a field's step: of the reduced map, if that is within the budget, or of A; `None` where the field is
+/// too large for straight lines.
+pub(super) fn best(field: &Field, map: Option<&RationalMap>) -> Option<Candidate> {
+    let mut candidates: Vec<Candidate> = Vec::new();
+    if map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some()) {
+        let writers = scalings(field).into_iter().map(Writer::new);
+        candidates.extend(writers.filter_map(|writer| blocks::candidate(field, writer)));
+    }
+    if let Some(map) = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS) {
+        candidates.extend(written_out(field, map));
+    }
+    candidates.into_iter().min_by_key(|candidate| candidate.price)
+}
+
+/// The cheapest form of a reduced map.
+fn written_out(field: &Field, map: &RationalMap) -> Option<Candidate> {
+    let parts = Parts::of(field, map);
+    let mut starts: Vec<WithDenominator> =
+        scalings(field).into_iter().flat_map(|scaling| parts.denominators(&Writer::new(scaling))).collect();
+    starts.sort_by_cached_key(WithDenominator::price);
+    let has_determinants = starts.iter().any(|start| start.numerators.is_some());
+    let mut to_try = if has_determinants && parts.factor_terms() > FACTOR_TERMS { 0 } else { TRIED };
+    let mut best: Option<Candidate> = None;
+    for start in starts {
+        if start.numerators.is_none() {
+            if to_try == 0 {
+                continue;
+            }
+            to_try -= 1;
+        }
+        let candidate = parts.finish(start);
+        if best.as_ref().is_none_or(|best| candidate.price < best.price) {
+            best = Some(candidate);
+        }
+    }
+    best
+}
+
+impl WithDenominator {
+    /// What the denominator alone costs.
+    fn price(&self) -> u64 {
+        let mut writer = self.writer.clone();
+        let reciprocal = twice_reciprocal(&mut writer, self.denominator.node);
+        price(&mut writer, &[], &[reciprocal])
+    }
+}
+
+/// Without parameters there is one way to distribute ε first.
+fn scalings(field: &Field) -> Vec<Scaling> {
+    let scaling = |first| Scaling::new(&field.symbols, first);
+    if field.symbols.parameters.is_empty() {
+        vec![scaling(First::States)]
+    } else {
+        vec![scaling(First::Parameters), scaling(First::States)]
+    }
+}
+
+/// What all forms of one step are made from.
+struct Parts<'a> {
+    field: &'a Field,
+    map: &'a RationalMap,
+    numerators: Vec<Factored>,
+    denominator: Factored,
+}
+
+impl<'a> Parts<'a> {
+    fn of(field: &'a Field, map: &'a RationalMap) -> Self {
+        let reduced = &map.reduced;
+        let all: Vec<&Polynomial> = [&reduced.denominator]
+            .into_iter()
+            .chain(reduced.increments.iter().filter(|increment| !increment.is_zero()))
+            .collect();
+        let mut over_base = factored(&all).into_iter();
+        let zero =
+            || Factored { coefficient: Rational::zero(), monomial: Monomial::one(), factors: Vec::new() };
+        let denominator = over_base.next().unwrap_or_else(zero);
+        let numerators = reduced
+            .increments
+            .iter()
+            .map(|increment| if increment.is_zero() { zero() } else { over_base.next().unwrap_or_else(zero) })
+            .collect();
+        Parts { field, map, numerators, denominator }
+    }
+
+    /// The terms of all numerators' factors.
+    fn factor_terms(&self) -> usize {
+        let factors = self.numerators.iter().flat_map(|numerator| &numerator.factors);
+        factors.map(|(factor, _)| factor.len()).sum()
+    }
+
+    /// The denominator, nested, as a product, and as determinants.
+    fn denominators(&self, empty: &Writer) -> Vec<WithDenominator> {
+        let mut starts = Vec::new();
+        let polynomial = &self.map.reduced.denominator;
+        let mut writer = empty.clone();
+        let denominator = writer.write_scaled(polynomial, Goal::Early);
+        starts.push(WithDenominator { writer, denominator, numerators: None });
+        if self.denominator.factors.len() > 1 {
+            let mut writer = empty.clone();
+            let mut products = Products::new();
+            products.push(&mut writer, &self.denominator, Goal::Early);
+            let denominator = products.finish(&mut writer).remove(0);
+            writer.remember_scaled(polynomial, denominator);
+            starts.push(WithDenominator { writer, denominator, numerators: None });
+        }
+        starts.extend(self.determinants(empty));
+        starts
+    }
+
+    /// Where nothing was divided out, A itself: its entries are shorter than what their determinant expands to.
+    fn determinants(&self, empty: &Writer) -> Vec<WithDenominator> {
+        let n = self.field.dimension();
+        if self.map.reduced.common_factor.as_constant().is_none() || !(2..=3).contains(&n) {
+            return Vec::new();
+        }
+        let matrix = scaled_matrix(self.field);
+        let eps = Polynomial::variable(self.field.symbols.epsilon());
+        let mut starts = Vec::new();
+        // The row of the last expansion; of two rows either gives the same.
+        for last in if n == 2 { 1..2 } else { 0..n } {
+            let mut writer = empty.clone();
+            let mut rows: Vec<Vec<Signed>> = matrix
+                .iter()
+                .zip(&self.field.components)
+                .map(|(row, component)| {
+                    let mut row: Vec<Signed> =
+                        row.iter().map(|entry| writer.write_scaled(entry, Goal::Few)).collect();
+                    row.push(writer.write_scaled(&(&eps * &component.numerator), Goal::Few));
+                    row
+                })
+                .collect();
+            // A cyclic order of three rows keeps the sign.
+            rows.rotate_left((last + 1) % n);
+            let Determinants { denominator, numerators } = determinants(&mut writer.draft, &rows);
+            // D̂ may differ from d by a constant, and the numerators from these then do, too.
+            if map_is_unscaled(self.map) {
+                writer.remember_scaled(&self.map.reduced.denominator, denominator);
+                starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
+            }
+            starts.push(WithDenominator { writer, denominator, numerators: Some(numerators) });
+        }
+        starts
+    }
+
+    /// The numerators to a denominator, from the factors.
+    fn finish(&self, start: WithDenominator) -> Candidate {
+        let WithDenominator { mut writer, denominator, numerators } = start;
+        let reciprocal = twice_reciprocal(&mut writer, denominator.node);
+        let numerators = match numerators {
+            Some(numerators) => numerators,
+            None => {
+                let mut products = Products::new();
+                for numerator in &self.numerators {
+                    products.push_with_eps(&mut writer, numerator);
+                }
+                products.finish(&mut writer)
+            }
+        };
+        let nodes: Vec<Node> = numerators
+            .iter()
+            .map(|numerator| {
+                if numerator.negative != denominator.negative {
+                    writer.draft.builder.negate(numerator.node)
+                } else {
+                    numerator.node
+                }
+            })
+            .collect();
+        let reciprocals = vec![Some(reciprocal); nodes.len()];
+        Candidate::new(writer, nodes, reciprocals)
+    }
+}
+
+/// Whether the determinants are d and εn themselves, not multiples of them.
+fn map_is_unscaled(map: &RationalMap) -> bool {
+    map.denominator == map.reduced.denominator
+}
+
+/// Operations and cycles to the next state, and a fine for prepared constants that were rounded more than once.
+fn price(writer: &mut Writer, numerators: &[Node], reciprocals: &[Node]) -> u64 {
+    let mut outputs = numerators.to_vec();
+    outputs.extend(reciprocals);
+    let plan = writer.draft.builder.finish(&outputs);
+    let states = writer.scaling.states();
+    let (constants, kernel) = plan.split(|variable| variable.0 < states);
+    let derived = constants.derived_constants(writer.scaling.epsilon());
+    let negations = numerators.iter().filter(|node| writer.draft.builder.is_negation(**node)).count();
+    let cost = kernel.cost();
+    // A negated numerator becomes a subtraction at the end.
+    let operations = cost.operations() - negations + derived;
+    Goal::Early.price(operations, cost.chain)
+}

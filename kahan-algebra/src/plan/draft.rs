@@ -1,0 +1,150 @@
+//! A plan in the making that knows when each of its values is ready, so that sums and products can be grouped with what
+//! arrives last at the end.
+
+use crate::poly::Variable;
+use crate::rational::Rational;
+
+use super::{Node, Operation, PlanBuilder};
+
+/// A builder with the cycle in which each step's result can be used.
+#[derive(Clone, Debug)]
+pub(super) struct Draft {
+    pub(super) builder: PlanBuilder,
+    ready: Vec<u32>,
+    /// Whether a step depends on no state: it is a constant that a prepared map computes once.
+    fixed: Vec<bool>,
+    /// Variables below this index are states.
+    states: u16,
+}
+
+impl Draft {
+    pub(super) fn new(states: u16) -> Self {
+        Draft { builder: PlanBuilder::default(), ready: Vec::new(), fixed: Vec::new(), states }
+    }
+
+    /// Brings the tables up to date.
+    fn settle(&mut self) {
+        for operation in &self.builder.operations()[self.ready.len()..] {
+            let fixed = match operation {
+                Operation::Input(variable) => variable.0 >= self.states,
+                _ => operation.operands().all(|operand| self.fixed[operand.0]),
+            };
+            let operands = operation.operands().map(|operand| self.ready[operand.0]).max().unwrap_or(0);
+            self.ready.push(if fixed { 0 } else { operands + operation.latency() });
+            self.fixed.push(fixed);
+        }
+    }
+
+    /// The number of steps, to go back to with [`Self::truncate`].
+    pub(super) fn length(&self) -> usize {
+        self.builder.operations().len()
+    }
+
+    /// Forgets all steps but the first `length`.
+    pub(super) fn truncate(&mut self, length: usize) {
+        self.builder.truncate(length);
+        self.ready.truncate(length);
+        self.fixed.truncate(length);
+    }
+
+    /// Operations that depend on a state, so far.
+    pub(super) fn kernel_size(&mut self) -> usize {
+        self.settle();
+        let is_input = |operation: &Operation| matches!(operation, Operation::Input(_));
+        self.builder
+            .operations()
+            .iter()
+            .zip(&self.fixed)
+            .filter(|(operation, fixed)| !**fixed && !is_input(operation))
+            .count()
+    }
+
+    pub(super) fn input(&mut self, variable: Variable) -> Node {
+        self.builder.input(variable)
+    }
+
+    pub(super) fn constant(&mut self, value: &Rational) -> Node {
+        self.builder.constant(value)
+    }
+
+    pub(super) fn zero(&mut self) -> Node {
+        self.constant(&Rational::zero())
+    }
+
+    pub(super) fn is_zero(&self, signed: Signed) -> bool {
+        self.builder.is_zero(signed.node)
+    }
+
+    /// a · b
+    pub(super) fn multiply(&mut self, a: Node, b: Node) -> Node {
+        self.builder.multiply(a, b)
+    }
+
+    /// The product of all, the earliest two first; a product that exists already comes before a new one.
+    pub(super) fn product(&mut self, factors: &[Node]) -> Node {
+        let mut factors = factors.to_vec();
+        if factors.is_empty() {
+            return self.constant(&Rational::one());
+        }
+        while factors.len() > 1 {
+            self.sort(&mut factors, |node| *node);
+            let (first, second) = self.known_pair(&factors).unwrap_or((0, 1));
+            let b = factors.remove(second);
+            let a = factors.remove(first);
+            factors.push(self.multiply(a, b));
+        }
+        factors[0]
+    }
+
+    fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
+        let pairs = (0..factors.len()).flat_map(|i| (i + 1..factors.len()).map(move |j| (i, j)));
+        pairs.into_iter().find(|&(i, j)| self.builder.has_product(factors[i], factors[j]))
+    }
+
+    /// The sum of all, each with its sign, the earliest two first.
+    pub(super) fn sum(&mut self, terms: &[Signed]) -> Node {
+        let sum = self.signed_sum(terms);
+        if sum.negative { self.builder.negate(sum.node) } else { sum.node }
+    }
+
+    /// The same with its sign apart.
+    pub(super) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
+        let mut terms = terms.to_vec();
+        if terms.is_empty() {
+            return Signed::plus(self.zero());
+        }
+        while terms.len() > 1 {
+            self.sort(&mut terms, |term| term.node);
+            let (a, b) = (terms.remove(0), terms.remove(0));
+            terms.insert(0, self.pair(a, b));
+        }
+        terms[0]
+    }
+
+    fn pair(&mut self, a: Signed, b: Signed) -> Signed {
+        match (a.negative, b.negative) {
+            (false, false) => Signed::plus(self.builder.add(a.node, b.node)),
+            (false, true) => Signed::plus(self.builder.subtract(a.node, b.node)),
+            (true, false) => Signed::plus(self.builder.subtract(b.node, a.node)),
+            (true, true) => Signed { node: self.builder.add(a.node, b.node), negative: true },
+        }
+    }
+
+    fn sort<V: Copy>(&mut self, values: &mut [V], node: impl Fn(&V) -> Node) {
+        self.settle();
+        values.sort_by_key(|value| (self.ready[node(value).0], node(value)));
+    }
+}
+
+/// A summand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Signed {
+    pub(super) node: Node,
+    pub(super) negative: bool,
+}
+
+impl Signed {
+    pub(super) fn plus(node: Node) -> Self {
+        Signed { node, negative: false }
+    }
+}

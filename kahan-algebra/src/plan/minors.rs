@@ -1,0 +1,83 @@
+//! Cramer's rule on steps: the determinants of A and of A with one column replaced by the right-hand side, without a
+//! division. After k rows the minor of every set of k columns is known, each from those of one row less, so that all the
+//! determinants share them; zero entries leave out what they would multiply.
+
+use std::collections::BTreeMap;
+
+use super::draft::{Draft, Signed};
+
+/// The determinant of A, and for each column the determinant with that column replaced by the right-hand side.
+pub(super) struct Determinants {
+    pub(super) denominator: Signed,
+    pub(super) numerators: Vec<Signed>,
+}
+
+/// The rows are those of A with the right-hand side appended; the last one is the row of the last expansion.
+pub(super) fn determinants(draft: &mut Draft, rows: &[Vec<Signed>]) -> Determinants {
+    let n = rows.len();
+    let mut minors: BTreeMap<u64, Signed> = BTreeMap::new();
+    for (k, row) in rows.iter().enumerate() {
+        if k == 0 {
+            minors = row
+                .iter()
+                .enumerate()
+                .filter(|(_, entry)| !draft.is_zero(**entry))
+                .map(|(column, entry)| (1 << column, *entry))
+                .collect();
+            continue;
+        }
+        minors = expanded(draft, &minors, row);
+    }
+    let all = (1_u64 << (n + 1)) - 1;
+    let zero = Signed::plus(draft.zero());
+    let minor = |missing: usize| minors.get(&(all & !(1 << missing))).copied().unwrap_or(zero);
+    let numerators = (0..n).map(|j| {
+        // The right-hand side stands last and moves left past n−1−j columns.
+        let minor = minor(j);
+        Signed { node: minor.node, negative: minor.negative != ((n - 1 - j) % 2 == 1) }
+    });
+    Determinants { denominator: minor(n), numerators: numerators.collect() }
+}
+
+/// The minors with one row more.
+fn expanded(draft: &mut Draft, minors: &BTreeMap<u64, Signed>, row: &[Signed]) -> BTreeMap<u64, Signed> {
+    let mut terms: BTreeMap<u64, Vec<Signed>> = BTreeMap::new();
+    for (&chosen, minor) in minors {
+        for (column, entry) in row.iter().enumerate() {
+            if chosen >> column & 1 == 1 || draft.is_zero(*entry) {
+                continue;
+            }
+            // The entry moves past the chosen columns to its right.
+            let odd = (chosen >> column).count_ones() % 2 == 1;
+            let node = draft.multiply(minor.node, entry.node);
+            let negative = (minor.negative != entry.negative) != odd;
+            terms.entry(chosen | 1 << column).or_default().push(Signed { node, negative });
+        }
+    }
+    terms.into_iter().map(|(chosen, terms)| (chosen, draft.signed_sum(&terms))).collect()
+}
+
+/// An upper bound on the operations of [`determinants`], from where the entries are not zero.
+pub(super) fn operations(pattern: &[Vec<bool>]) -> usize {
+    let mut known: Vec<u64> = vec![0];
+    let mut count = 0;
+    for row in pattern {
+        let mut next: BTreeMap<u64, usize> = BTreeMap::new();
+        for &chosen in &known {
+            for (column, _) in
+                row.iter().enumerate().filter(|(column, entry)| **entry && chosen >> column & 1 == 0)
+            {
+                *next.entry(chosen | 1 << column).or_insert(0) += 1;
+            }
+        }
+        count += if known == [0] { 0 } else { next.values().map(|terms| 2 * terms - 1).sum() };
+        known = next.into_keys().collect();
+        if known.len() > MOST_MINORS {
+            return usize::MAX;
+        }
+    }
+    count
+}
+
+/// The most minors of one size.
+const MOST_MINORS: usize = 4096;

@@ -1,0 +1,203 @@
+//! How to nest one polynomial: which variable to take out of which terms, by what that costs.
+//!
+//! A polynomial is a sum of terms and of products v·q; every choice of v gives another form. The estimate of a form counts
+//! its operations and the cycle in which its value is ready, no step being shared; the cheapest form is kept.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational::Rational;
+
+use super::cost::{ADD, MULTIPLY};
+use super::scaling::{Scaling, is_power_of_two};
+
+/// The most terms for which all forms are compared; longer polynomials are nested by their most frequent variable.
+const COMPARED: usize = 12;
+
+/// What a form should be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Goal {
+    /// Ready early: the denominator, which everything waits for.
+    Early,
+    /// Few operations: the numerators, which are computed while the division runs.
+    Few,
+}
+
+impl Goal {
+    /// What is to be least: under `Early` a cycle is worth an operation.
+    pub(super) fn price(self, operations: usize, ready: u32) -> u64 {
+        match self {
+            Goal::Early => 16 * operations as u64 + 16 * u64::from(ready),
+            Goal::Few => 16 * operations as u64 + u64::from(ready),
+        }
+    }
+}
+
+/// A summand of a nested form.
+#[derive(Clone, Debug)]
+pub(super) enum Part {
+    /// One term.
+    Term(Monomial, Rational),
+    /// The monomial (with its coefficient) times a sum.
+    Product(Monomial, Rational, Polynomial),
+}
+
+/// A form with its estimate.
+#[derive(Clone, Debug)]
+struct Estimate {
+    operations: usize,
+    /// When each summand is ready.
+    summands: Vec<u32>,
+    parts: Vec<Part>,
+}
+
+/// Estimates, each made once; clones share them.
+#[derive(Clone, Debug)]
+pub(super) struct Nesting {
+    goal: Goal,
+    scaling: Scaling,
+    known: Rc<RefCell<HashMap<Polynomial, Rc<Estimate>>>>,
+}
+
+impl Nesting {
+    pub(super) fn new(goal: Goal, scaling: Scaling) -> Self {
+        Nesting { goal, scaling, known: Rc::default() }
+    }
+
+    /// The cheapest form found.
+    pub(super) fn best(&self, polynomial: &Polynomial) -> Vec<Part> {
+        self.estimate(polynomial).parts.clone()
+    }
+
+    fn estimate(&self, polynomial: &Polynomial) -> Rc<Estimate> {
+        if let Some(known) = self.known.borrow().get(polynomial) {
+            return known.clone();
+        }
+        let estimate = Rc::new(self.compare(polynomial));
+        self.known.borrow_mut().insert(polynomial.clone(), estimate.clone());
+        estimate
+    }
+
+    /// Whether a term depends on no state.
+    pub(super) fn is_fixed(&self, monomial: &Monomial) -> bool {
+        monomial.powers().iter().all(|(variable, _)| self.scaling.ready(*variable).is_none())
+    }
+
+    fn compare(&self, polynomial: &Polynomial) -> Estimate {
+        let candidates = self.candidates(polynomial);
+        let mut best = if candidates.is_empty() || polynomial.len() <= COMPARED {
+            Some(self.flat(polynomial))
+        } else {
+            None
+        };
+        for variable in candidates {
+            let estimate = self.nested(polynomial, variable);
+            if best.as_ref().is_none_or(|best| self.price(&estimate) < self.price(best)) {
+                best = Some(estimate);
+            }
+        }
+        best.unwrap_or_else(|| self.flat(polynomial))
+    }
+
+    fn price(&self, estimate: &Estimate) -> u64 {
+        self.goal.price(estimate.operations, gathered(&estimate.summands))
+    }
+
+    /// Variables in at least two terms; for long polynomials only the most frequent one.
+    fn candidates(&self, polynomial: &Polynomial) -> Vec<Variable> {
+        let count = |variable: Variable| polynomial.terms().filter(|(m, _)| m.exponent(variable) > 0).count();
+        let mut counts: Vec<(usize, Variable)> =
+            polynomial.variables().into_iter().map(|variable| (count(variable), variable)).collect();
+        counts.retain(|&(count, variable)| count > 1 && self.scaling.ready(variable).is_some());
+        counts.sort_by_key(|&(count, variable)| (std::cmp::Reverse(count), variable));
+        if polynomial.len() > COMPARED {
+            counts.truncate(1);
+        }
+        counts.into_iter().map(|(_, variable)| variable).collect()
+    }
+
+    /// Every term on its own; what depends on no state is one prepared summand.
+    fn flat(&self, polynomial: &Polynomial) -> Estimate {
+        let mut estimate = Estimate { operations: 0, summands: Vec::new(), parts: Vec::new() };
+        let mut has_fixed = false;
+        for (monomial, coefficient) in polynomial.terms() {
+            let (operations, ready) = self.term(monomial, coefficient);
+            estimate.parts.push(Part::Term(monomial.clone(), coefficient.clone()));
+            if ready == 0 && operations == 0 && self.is_fixed(monomial) {
+                if has_fixed {
+                    continue;
+                }
+                has_fixed = true;
+            }
+            estimate.operations += operations;
+            estimate.summands.push(ready);
+        }
+        estimate.operations += estimate.summands.len().saturating_sub(1);
+        estimate
+    }
+
+    /// Operations of a term, and when it is ready.
+    fn term(&self, monomial: &Monomial, coefficient: &Rational) -> (usize, u32) {
+        let mut factors: Vec<u32> = Vec::new();
+        let mut has_fixed = false;
+        for &(variable, exponent) in monomial.powers() {
+            match self.scaling.ready(variable) {
+                Some(ready) => factors.extend(std::iter::repeat_n(ready, exponent as usize)),
+                None => has_fixed = true,
+            }
+        }
+        let is_scaled = factors.iter().any(|&ready| ready > 0);
+        let free =
+            coefficient.is_one() || (-coefficient).is_one() || (is_scaled && is_power_of_two(coefficient));
+        if factors.is_empty() {
+            return (0, 0);
+        }
+        if has_fixed || !free {
+            factors.push(0);
+        }
+        (factors.len() - 1, multiplied(factors))
+    }
+
+    fn nested(&self, polynomial: &Polynomial, variable: Variable) -> Estimate {
+        let (quotient, rest) = super::builder::split(polynomial, variable);
+        let common = quotient.monomial_content();
+        let inner = quotient.div_monomial(&common).unwrap_or_default();
+        let monomial = common.mul(&Monomial::variable(variable));
+        let content = inner.content();
+        let (content, inner) =
+            if content.is_one() { (content, inner) } else { (content, inner.primitive_part()) };
+        let (mut operations, factor_ready) = self.term(&monomial, &content);
+        let quotient = self.estimate(&inner);
+        operations += quotient.operations + 1;
+        let ready = factor_ready.max(gathered(&quotient.summands)) + MULTIPLY;
+        let mut parts = vec![Part::Product(monomial, content, inner)];
+        let mut summands = vec![ready];
+        if !rest.is_zero() {
+            let rest = self.estimate(&rest);
+            operations += rest.operations + 1;
+            summands.extend(&rest.summands);
+            parts.extend(rest.parts.iter().cloned());
+        }
+        Estimate { operations, summands, parts }
+    }
+}
+
+/// When the sum of values is ready, the earliest two added first.
+fn gathered(ready: &[u32]) -> u32 {
+    combined(ready.to_vec(), ADD)
+}
+
+fn multiplied(ready: Vec<u32>) -> u32 {
+    combined(ready, MULTIPLY)
+}
+
+fn combined(mut ready: Vec<u32>, latency: u32) -> u32 {
+    while ready.len() > 1 {
+        ready.sort_unstable_by_key(|&at| std::cmp::Reverse(at));
+        let (a, b) = (ready.pop().unwrap_or(0), ready.pop().unwrap_or(0));
+        ready.push(a.max(b) + latency);
+    }
+    ready.pop().unwrap_or(0)
+}

@@ -1,0 +1,144 @@
+//! Powers of ε distributed over the states and parameters of each term: ε²x²y becomes (εx)(εx)y.
+//!
+//! With X = εx computed first, a term needs no multiplication by ε of its own, and only ε itself enters as a rounded
+//! constant. A scaled symbol is a variable of its own, numbered after all others.
+
+use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational::Rational;
+use crate::symbols::Symbols;
+
+use super::cost::{DIVIDE, MULTIPLY};
+
+/// When a state of the next point is ready, about: after a division.
+const LATE: u32 = 2 * DIVIDE;
+
+/// Which symbols of a term take its powers of ε.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum First {
+    /// States before parameters: for fields whose parameters multiply some terms only.
+    States,
+    /// Parameters before states: εa₁ is computed once, so that x need not be scaled.
+    Parameters,
+}
+
+/// Polynomials over plain and scaled symbols.
+#[derive(Clone, Debug)]
+pub(super) struct Scaling {
+    states: usize,
+    parameters: usize,
+    epsilon: Variable,
+    first: First,
+}
+
+impl Scaling {
+    pub(super) fn new(symbols: &Symbols, first: First) -> Self {
+        let (states, parameters) = (symbols.states.len(), symbols.parameters.len());
+        Scaling { states, parameters, epsilon: symbols.epsilon(), first }
+    }
+
+    pub(super) fn states(&self) -> u16 {
+        u16::try_from(self.states).unwrap_or(u16::MAX)
+    }
+
+    pub(super) fn epsilon(&self) -> Variable {
+        self.epsilon
+    }
+
+    /// εv for a state or parameter v.
+    pub(super) fn scaled(&self, symbol: Variable) -> Variable {
+        Variable(symbol.0 + self.offset())
+    }
+
+    /// v, if the variable is εv.
+    pub(super) fn unscaled(&self, variable: Variable) -> Option<Variable> {
+        variable.0.checked_sub(self.offset()).map(Variable)
+    }
+
+    /// When a variable is ready; `None` for what depends on no state.
+    pub(super) fn ready(&self, variable: Variable) -> Option<u32> {
+        match self.unscaled(variable) {
+            Some(symbol) => self.ready(symbol).map(|ready| ready + MULTIPLY),
+            None if variable.0 < self.states() => Some(0),
+            None if variable.0 > self.epsilon.0 => Some(LATE),
+            None => None,
+        }
+    }
+
+    fn offset(&self) -> u16 {
+        // States, parameters, ε and the second states come before.
+        u16::try_from(2 * self.states + self.parameters + 1).unwrap_or(u16::MAX)
+    }
+
+    /// Every way to scale the terms that the orders of preference allow, without repetition: where a term has fewer powers of
+    /// ε than states, the states that come first in the order stay plain.
+    pub(super) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
+        let mut ways: Vec<Polynomial> = Vec::new();
+        for order in orders(self.states) {
+            let scaled = self.scale(polynomial, &order);
+            if !ways.contains(&scaled) {
+                ways.push(scaled);
+            }
+        }
+        ways
+    }
+
+    /// The first of the ways.
+    pub(super) fn scale_first(&self, polynomial: &Polynomial) -> Polynomial {
+        self.scale(polynomial, &(0..self.states).collect::<Vec<_>>())
+    }
+
+    fn scale(&self, polynomial: &Polynomial, plain: &[usize]) -> Polynomial {
+        let terms = polynomial
+            .terms()
+            .map(|(monomial, coefficient)| (self.scale_term(monomial, plain), coefficient.clone()));
+        Polynomial::from_terms(terms)
+    }
+
+    fn scale_term(&self, monomial: &Monomial, plain: &[usize]) -> Monomial {
+        let mut powers_of_eps = monomial.exponent(self.epsilon);
+        let mut result = Monomial::one();
+        let is_state = |variable: Variable| usize::from(variable.0) < self.states;
+        let states = plain.iter().rev().map(|&i| Variable(u16::try_from(i).unwrap_or(u16::MAX)));
+        let parameters = monomial
+            .powers()
+            .iter()
+            .map(|(variable, _)| *variable)
+            .filter(|v| !is_state(*v) && *v != self.epsilon);
+        let order: Vec<Variable> = match self.first {
+            First::States => states.chain(parameters).collect(),
+            First::Parameters => parameters.chain(states).collect(),
+        };
+        for variable in order {
+            let exponent = monomial.exponent(variable);
+            let scaled = exponent.min(powers_of_eps);
+            powers_of_eps -= scaled;
+            result = result
+                .mul(&Monomial::power(self.scaled(variable), scaled))
+                .mul(&Monomial::power(variable, exponent - scaled));
+        }
+        result.mul(&Monomial::power(self.epsilon, powers_of_eps))
+    }
+}
+
+/// Orders of n states: all of them up to three, else each state first once.
+fn orders(n: usize) -> Vec<Vec<usize>> {
+    match n {
+        0 => vec![Vec::new()],
+        1..=3 => (0..n)
+            .flat_map(|first| {
+                orders(n - 1).into_iter().map(move |rest| {
+                    let others = rest.into_iter().map(|i| if i >= first { i + 1 } else { i });
+                    std::iter::once(first).chain(others).collect()
+                })
+            })
+            .collect(),
+        _ => (0..n).map(|first| (0..n).map(|i| (first + i) % n).collect()).collect(),
+    }
+}
+
+/// The coefficient, if it is ±2ᵏ.
+pub(super) fn is_power_of_two(coefficient: &Rational) -> bool {
+    coefficient
+        .as_small_ratio()
+        .is_some_and(|(p, q)| p.unsigned_abs().is_power_of_two() && q.unsigned_abs().is_power_of_two())
+}

@@ -1,0 +1,72 @@
+//! The structure of a field that its step can use: which states move without others, and which do not act on each other.
+
+use crate::field::Field;
+use crate::kahan::field_jacobian;
+
+/// Which entries of f′ are not identically zero.
+pub(super) struct Structure {
+    depends: Vec<Vec<bool>>,
+    /// Whether the component is free of a denominator.
+    is_whole: Vec<bool>,
+}
+
+impl Structure {
+    pub(super) fn of(field: &Field) -> Self {
+        let depends = field_jacobian(field)
+            .iter()
+            .map(|row| row.iter().map(|entry| !entry.is_zero()).collect())
+            .collect();
+        let is_whole = field.components.iter().map(|component| component.denominator.is_one()).collect();
+        Structure { depends, is_whole }
+    }
+
+    /// Whether ∂fᵢ/∂xⱼ is not identically zero.
+    pub(super) fn depends(&self, i: usize, j: usize) -> bool {
+        self.depends[i][j]
+    }
+
+    /// The strongly connected components of the graph in which i points to the states that fᵢ depends on, each after those
+    /// that it depends on: A is block triangular in this order.
+    pub(super) fn blocks(&self) -> Vec<Vec<usize>> {
+        let n = self.depends.len();
+        let mut reaches = self.depends.clone();
+        for via in 0..n {
+            for i in 0..n {
+                if reaches[i][via] {
+                    for j in 0..n {
+                        reaches[i][j] |= reaches[via][j];
+                    }
+                }
+            }
+        }
+        let mut blocks: Vec<Vec<usize>> = Vec::new();
+        for i in 0..n {
+            match blocks.iter_mut().find(|block| reaches[i][block[0]] && reaches[block[0]][i]) {
+                Some(block) => block.push(i),
+                None => blocks.push(vec![i]),
+            }
+        }
+        // A block reaches all that the blocks it depends on reach, and those blocks besides.
+        let weight =
+            |block: &Vec<usize>| (0..n).filter(|&j| reaches[block[0]][j] && !block.contains(&j)).count();
+        blocks.sort_by_cached_key(|block| (weight(block), block[0]));
+        blocks
+    }
+
+    /// States of a block that do not act on each other or themselves: their rows and columns of A are those of the identity.
+    /// Chosen greedily, those with the fewest ties first.
+    pub(super) fn independent(&self, block: &[usize]) -> Vec<usize> {
+        let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
+        let mut order: Vec<usize> =
+            block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]).collect();
+        order.sort_by_key(|&i| (ties(i), i));
+        let mut chosen: Vec<usize> = Vec::new();
+        for i in order {
+            if chosen.iter().all(|&j| !self.depends(i, j) && !self.depends(j, i)) {
+                chosen.push(i);
+            }
+        }
+        chosen.sort_unstable();
+        chosen
+    }
+}

@@ -1,0 +1,54 @@
+//! Square roots of polynomials that are squares.
+
+use num_bigint::BigInt;
+
+use super::{Monomial, Polynomial};
+use crate::rational::Rational;
+
+impl Polynomial {
+    /// r with r² = self and a positive leading coefficient; `None` if there is none. Costs a product of terms for every term
+    /// of the root, plus one.
+    ///
+    /// The leading term of r is the root of self's; each further term is determined by the highest term of self − r².
+    pub fn square_root(&self) -> Option<Self> {
+        let Some((monomial, coefficient)) = self.leading_term() else { return Some(Self::zero()) };
+        let (monomial, coefficient) = (half(monomial)?, rational_root(coefficient)?);
+        let twice = &coefficient + &coefficient;
+        let mut root = Self::term(monomial.clone(), coefficient);
+        let mut rest = self - &(&root * &root);
+        while let Some((highest, value)) = rest.leading_term() {
+            let next = Self::term(highest.div(&monomial)?, value.checked_div(&twice)?);
+            // The terms of a root decrease, and it has no more of them than its square.
+            if root.len() > self.len() || next.leading_term()?.0 >= root.terms().next_back()?.0 {
+                return None;
+            }
+            // self − (r + t)² = rest − t(2r + t)
+            rest = &rest - &(&next * &(&(&root + &root) + &next));
+            root = &root + &next;
+        }
+        Some(root)
+    }
+}
+
+fn half(monomial: &Monomial) -> Option<Monomial> {
+    let mut half = Monomial::one();
+    for &(variable, exponent) in monomial.powers() {
+        if exponent % 2 == 1 {
+            return None;
+        }
+        half = half.mul(&Monomial::power(variable, exponent / 2));
+    }
+    Some(half)
+}
+
+fn rational_root(value: &Rational) -> Option<Rational> {
+    if value.is_negative() {
+        return None;
+    }
+    let root = |square: BigInt| {
+        let root = square.sqrt();
+        (&root * &root == square).then_some(root)
+    };
+    let (numerator, denominator) = (root(value.numerator())?, root(value.denominator())?);
+    Some(Rational::from(num_rational::BigRational::new(numerator, denominator)))
+}

@@ -1,0 +1,125 @@
+//! Advancing an ensemble: in one pass, with visits, over threads.
+//!
+//! In: a prepared map and a number of steps. Out: every point that many steps later.
+//! However the columns are divided, each trajectory goes through the same operations, so its bits depend neither on
+//! its place nor on the threads.
+
+use crate::error::pole;
+use crate::{KahanAt, KahanMap, WideStep};
+
+use super::columns::Group;
+use super::level::Instructions;
+use super::{Ensemble, EnsembleScalar};
+
+impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
+    /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map` (half the time step).
+    ///
+    /// It allocates nothing. With the feature `parallel`, large ensembles run on rayon's current pool of threads,
+    /// small ones on the calling thread; the results are the same bits. Where a trajectory meets a pole or leaves the
+    /// range, its floats are not finite from then on, and the others never notice.
+    ///
+    /// # Panics
+    /// At a pole, for scalars that have no reciprocal of zero; some points are then further than others.
+    ///
+    /// ```
+    /// use kahan_core::Ensemble;
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! {
+    ///     /// Predator and prey.
+    ///     pub struct LotkaVolterra;
+    ///     xdot = x*(1 - y);
+    ///     ydot = y*(x - 1);
+    /// }
+    ///
+    /// let map = LotkaVolterra.at(0.05);
+    /// let mut ponds = Ensemble::new((1..=1000).map(|k| vector![0.002 * f64::from(k), 1.0]).collect());
+    /// ponds.advance(&map, 100);
+    ///
+    /// let alone = LotkaVolterra.orbit(vector![1.5, 1.0], 0.05).nth(100).unwrap();
+    /// assert!((ponds.point(749).unwrap() - alone).norm() < 1e-12);
+    /// ```
+    pub fn advance<M>(&mut self, map: &KahanAt<M, T, N>, steps: usize)
+    where
+        M: KahanMap<T, N, Prepared: WideStep<T, N> + Sync>,
+    {
+        let instructions = self.instructions;
+        if divide(map.prepared(), self.columns.groups_mut(), steps, instructions).is_none() {
+            pole(map.eps())
+        }
+    }
+
+    /// As [`advance`](Self::advance), showing the ensemble to `visit` after `every` steps, after 2·`every` and so on,
+    /// with the number of steps done. The steps that are left, fewer than `every`, run without a visit.
+    ///
+    /// # Panics
+    /// If `every` is 0, and as [`advance`](Self::advance).
+    pub fn advance_visiting<M>(
+        &mut self,
+        map: &KahanAt<M, T, N>,
+        steps: usize,
+        every: usize,
+        mut visit: impl FnMut(usize, &Self),
+    ) where
+        M: KahanMap<T, N, Prepared: WideStep<T, N> + Sync>,
+    {
+        assert!(every > 0, "an ensemble is visited every 1 step or more, not every 0");
+        for visits in 1..=steps / every {
+            self.advance(map, every);
+            visit(visits * every, self);
+        }
+        self.advance(map, steps % every);
+    }
+}
+
+/// Advances the columns, over threads where that is worth their cost.
+#[cfg(feature = "parallel")]
+fn divide<T, S, const N: usize>(
+    step: &S,
+    mut columns: [&mut [Group<T>]; N],
+    steps: usize,
+    instructions: Instructions,
+) -> Option<()>
+where
+    T: EnsembleScalar,
+    S: WideStep<T, N> + Sync,
+{
+    use super::columns::GROUP;
+    use super::sweep::groups_per_tile;
+
+    /// Less work than this, some tens of microseconds, is not worth a task.
+    const STEPS_PER_TASK: usize = 1 << 16;
+
+    let tile = groups_per_tile::<T, N>();
+    let groups = columns.first().map_or(0, |column| column.len());
+    let enough = (groups / 2).saturating_mul(GROUP).saturating_mul(steps) >= STEPS_PER_TASK;
+    if groups <= tile || !enough {
+        return T::sweep(step, columns, steps, instructions);
+    }
+    let middle = (groups / 2).next_multiple_of(tile);
+    let right = columns.each_mut().map(|column| {
+        let (left, right) = core::mem::take(column).split_at_mut(middle);
+        *column = left;
+        right
+    });
+    let (left, right) = rayon::join(
+        || divide(step, columns, steps, instructions),
+        || divide(step, right, steps, instructions),
+    );
+    left.and(right)
+}
+
+/// Advances the columns on this thread.
+#[cfg(not(feature = "parallel"))]
+fn divide<T, S, const N: usize>(
+    step: &S,
+    columns: [&mut [Group<T>]; N],
+    steps: usize,
+    instructions: Instructions,
+) -> Option<()>
+where
+    T: EnsembleScalar,
+    S: WideStep<T, N>,
+{
+    T::sweep(step, columns, steps, instructions)
+}

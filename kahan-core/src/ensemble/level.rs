@@ -1,0 +1,59 @@
+//! Which instructions an ensemble runs on.
+//!
+//! In: what this processor has, found at run time. Out: one choice for a whole ensemble, and with it the bits of its
+//! results. Other architectures than x86-64 have one level only.
+
+/// A set of instructions that the steps of an [`Ensemble`](crate::Ensemble) run on; a later one is larger.
+///
+/// A level decides how many trajectories a register holds and whether multiply-adds are fused, so it decides the last
+/// bits of a result; within one level they are the same on every run and every machine that has it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Level {
+    /// What the program was compiled for: two `f64` or four `f32` at a time on x86-64, one at a time elsewhere.
+    /// The arithmetic, fused or not, is that of [`KahanAt::step`](crate::KahanAt::step), bit for bit.
+    Baseline,
+    /// AVX2 with fused multiply-adds: four `f64` or eight `f32` at a time.
+    Avx2,
+    /// AVX-512F: eight `f64` or sixteen `f32` at a time, with the same bits as [`Avx2`](Self::Avx2).
+    Avx512,
+}
+
+impl Level {
+    /// Whether this processor can run it.
+    pub fn is_available(self) -> bool {
+        match self {
+            Self::Baseline => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => {
+                std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
+            }
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => std::arch::is_x86_feature_detected!("avx512f"),
+            #[cfg(not(target_arch = "x86_64"))]
+            _ => false,
+        }
+    }
+
+    /// The largest level that this processor can run: what ensembles use unless told otherwise.
+    pub fn best() -> Self {
+        [Self::Avx512, Self::Avx2].into_iter().find(|level| level.is_available()).unwrap_or(Self::Baseline)
+    }
+}
+
+/// How an ensemble divides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Reciprocal {
+    /// By the division instruction: correctly rounded.
+    #[default]
+    Divided,
+    /// On [`Level::Avx512`] by the processor's estimate of 14 bits and Newton's iteration; elsewhere divided.
+    Estimated,
+}
+
+/// The choices that decide an ensemble's bits, made once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Instructions {
+    pub(crate) level: Level,
+    pub(crate) reciprocal: Reciprocal,
+}

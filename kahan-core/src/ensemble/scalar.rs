@@ -1,0 +1,61 @@
+//! Which scalars ensembles are made of, and how each is swept.
+//!
+//! In: a prepared step and columns. Out: the columns some steps later, by the widest registers that the scalar has.
+
+use crate::{Scalar, WideStep};
+
+use super::columns::Group;
+use super::level::Instructions;
+use super::sweep::sweep;
+
+/// A scalar of an [`Ensemble`](crate::Ensemble).
+///
+/// `f32` and `f64` fill the lanes of registers. Any other scalar that is `Copy` becomes one by an empty
+/// implementation, `impl EnsembleScalar for S {}`, and is stepped one trajectory at a time.
+#[diagnostic::on_unimplemented(
+    message = "an ensemble of `{Self}` cannot be advanced",
+    label = "not an `EnsembleScalar`; for a number, write `1.0`, not `1`",
+    note = "`f32` and `f64` are, and every scalar that is `Copy` becomes one by `impl EnsembleScalar for … {{}}`"
+)]
+pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
+    /// Advances columns of equal length; `None` at a pole of a scalar that has no reciprocal of zero.
+    #[doc(hidden)]
+    fn sweep<S, const N: usize>(
+        step: &S,
+        columns: [&mut [Group<Self>]; N],
+        steps: usize,
+        _instructions: Instructions,
+    ) -> Option<()>
+    where
+        S: WideStep<Self, N>,
+    {
+        sweep::<Self, _, _, N>(step, columns, steps)
+    }
+}
+
+macro_rules! implement_for_float {
+    ($float:ty, $sweep_lanes:ident) => {
+        impl EnsembleScalar for $float {
+            #[cfg(target_arch = "x86_64")]
+            #[doc(hidden)]
+            fn sweep<S, const N: usize>(
+                step: &S,
+                columns: [&mut [Group<Self>]; N],
+                steps: usize,
+                instructions: Instructions,
+            ) -> Option<()>
+            where
+                S: WideStep<Self, N>,
+            {
+                if S::HAS_LANES {
+                    super::x86_64::$sweep_lanes(step, columns, steps, instructions)
+                } else {
+                    sweep::<Self, _, _, N>(step, columns, steps)
+                }
+            }
+        }
+    };
+}
+
+implement_for_float!(f32, sweep_f32);
+implement_for_float!(f64, sweep_f64);

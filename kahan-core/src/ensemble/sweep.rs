@@ -1,0 +1,92 @@
+//! The loop that all ensembles run: tiles, steps, groups.
+//!
+//! In: columns and a step over one kind of register. Out: the columns some steps later.
+//! A tile stays in the nearest cache while all of its steps run. Each step is one pass over the tile: its groups do
+//! not depend on each other, so the processor itself overlaps their long chains of operations. Registers hold no more
+//! than one group; holding several gains nothing measurable.
+
+use core::array::from_fn;
+
+use crate::linear::vector;
+use crate::{PreparedStep, Scalar};
+
+use super::columns::{GROUP, Group};
+
+/// Consecutive trajectories side by side in one register, as a scalar.
+pub(crate) trait Register<T>: Scalar + Copy {
+    /// How many; a divisor of [`GROUP`].
+    const WIDTH: usize;
+
+    /// The entries from `place` on.
+    fn load(group: &Group<T>, place: usize) -> Self;
+
+    /// Writes the entries from `place` on.
+    fn store(self, group: &mut Group<T>, place: usize);
+}
+
+/// A scalar is a register of one.
+impl<T: Scalar + Copy> Register<T> for T {
+    const WIDTH: usize = 1;
+
+    #[inline(always)]
+    fn load(group: &Group<T>, place: usize) -> Self {
+        group[place]
+    }
+
+    #[inline(always)]
+    fn store(self, group: &mut Group<T>, place: usize) {
+        group[place] = self;
+    }
+}
+
+/// Advances every column by `steps`; `None` at a pole of a scalar that has no reciprocal of zero, with some
+/// trajectories advanced and others not.
+///
+/// Inlined into its caller, whose instructions it then is compiled with.
+#[inline(always)]
+pub(crate) fn sweep<R, T, S, const N: usize>(
+    step: &S,
+    mut columns: [&mut [Group<T>]; N],
+    steps: usize,
+) -> Option<()>
+where
+    R: Register<T>,
+    S: PreparedStep<R, N>,
+{
+    let groups = columns.first().map_or(0, |column| column.len());
+    for first in (0..groups).step_by(groups_per_tile::<T, N>()) {
+        let len = groups_per_tile::<T, N>().min(groups - first);
+        // Slices of one length in sight of the loop, so that it checks no index.
+        let mut tile = columns.each_mut().map(|column| &mut column[first..][..len]);
+        for _ in 0..steps {
+            for group in 0..len {
+                for part in 0..GROUP / R::WIDTH {
+                    let place = part * R::WIDTH;
+                    let x = vector(from_fn(|c| R::load(&tile[c][group], place)));
+                    let next = step.quotients(&x)?.added_to(&x);
+                    for (c, column) in tile.iter_mut().enumerate() {
+                        next[c].store(&mut column[group], place);
+                    }
+                }
+            }
+        }
+    }
+    Some(())
+}
+
+/// The length of a tile: at most 512 trajectories and 16 KiB, half of the smallest nearest cache in use, but at
+/// least one group.
+pub(crate) const fn groups_per_tile<T, const N: usize>() -> usize {
+    const TRAJECTORIES: usize = 512;
+    const BYTES: usize = 16 << 10;
+
+    let most = TRAJECTORIES / GROUP;
+    let group = N * size_of::<Group<T>>();
+    if group == 0 || BYTES / group > most {
+        most
+    } else if BYTES / group == 0 {
+        1
+    } else {
+        BYTES / group
+    }
+}

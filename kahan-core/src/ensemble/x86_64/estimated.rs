@@ -1,0 +1,46 @@
+//! Lanes of AVX-512 that divide by estimating: the processor's 14 bits of 1/x, and Newton's iteration.
+//!
+//! In: the denominator of a step. Out: a reciprocal without the divider, which all other operations would wait for.
+//! Each iteration r + r·(1 − x·r), two multiply-adds, doubles the right bits: two for `f64`, one for `f32`.
+
+use core::arch::x86_64::*;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use crate::ensemble::columns::Group;
+use crate::ensemble::sweep::Register;
+use crate::{Constant, Scalar};
+
+use super::Spread;
+use super::lanes::{lanes, machine};
+
+lanes! {
+    F64x8Estimated(__m512d), 8 lanes of f64 as to_f64,
+    _mm512_loadu_pd, _mm512_storeu_pd, _mm512_set1_pd, _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd,
+    fused _mm512_fmadd_pd, _mm512_fmsub_pd, _mm512_fnmadd_pd, quotient estimated_f64
+}
+
+lanes! {
+    F32x16Estimated(__m512), 16 lanes of f32 as to_f32,
+    _mm512_loadu_ps, _mm512_storeu_ps, _mm512_set1_ps, _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps,
+    fused _mm512_fmadd_ps, _mm512_fmsub_ps, _mm512_fnmadd_ps, quotient estimated_f32
+}
+
+#[inline(always)]
+fn estimated_f64(a: F64x8Estimated, b: F64x8Estimated) -> F64x8Estimated {
+    let estimate = F64x8Estimated(machine!(_mm512_rcp14_pd(b.0)));
+    a * improved(b, improved(b, estimate))
+}
+
+#[inline(always)]
+fn estimated_f32(a: F32x16Estimated, b: F32x16Estimated) -> F32x16Estimated {
+    a * improved(b, F32x16Estimated(machine!(_mm512_rcp14_ps(b.0))))
+}
+
+/// r + r·(1 − x·r): from a reciprocal r of x with relative error δ, one with δ².
+#[inline(always)]
+fn improved<L: Scalar + Copy>(x: L, reciprocal: L) -> L {
+    let error = L::one().subtract_product(x, reciprocal);
+    reciprocal.multiply_add(error, reciprocal)
+}

@@ -1,0 +1,236 @@
+//! Vector registers as scalars: every operation is the machine's, lane by lane.
+//!
+//! In: two to sixteen floats of a column. Out: the same arithmetic as one float's, in all lanes at once.
+//! AVX2 and AVX-512 fuse multiply-adds; SSE2 does what plain code of the same build does, so that the two agree bit
+//! for bit. Comparisons, which steps without branches never ask for, take all lanes together.
+#![allow(
+    unused_unsafe,
+    reason = "where the whole program is compiled for the instructions, calling them is safe"
+)]
+
+use core::arch::x86_64::*;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use crate::ensemble::columns::Group;
+use crate::ensemble::sweep::Register;
+use crate::{Constant, Scalar};
+
+use super::Spread;
+
+/// Runs intrinsics of the instructions that a lane type stands for.
+macro_rules! machine {
+    ($expression:expr) => {
+        // SAFETY: the instructions exist here. Values and functions of a lane type are reached only from `avx2` and
+        // `avx512`, entered after the processor was asked (see the module above), or are of SSE2, part of x86-64;
+        // the fused operations on SSE2 registers are compiled only where the whole program is compiled for FMA.
+        unsafe { $expression }
+    };
+}
+
+/// A lane type over a register: its name, register, number of lanes, float, and how each operation is done. The
+/// fused ones are a·b + c, a·b − c and c − a·b.
+macro_rules! lanes {
+    (
+        $name:ident($register:ty), $lanes:literal lanes of $float:ident as $constant:ident,
+        $load:ident, $store:ident, $set:ident, $add:ident, $sub:ident, $mul:ident, $div:ident,
+        fused $multiply_add:path, $multiply_subtract:path, $subtract_product:path, quotient $quotient:path
+    ) => {
+        #[derive(Clone, Copy, Debug)]
+        pub(super) struct $name($register);
+
+        impl $name {
+            #[inline(always)]
+            fn splat(value: $float) -> Self {
+                Self(machine!($set(value)))
+            }
+
+            fn to_array(self) -> [$float; $lanes] {
+                let mut group = [0.0; 16];
+                self.store(&mut group, 0);
+                core::array::from_fn(|k| group[k])
+            }
+        }
+
+        impl Register<$float> for $name {
+            const WIDTH: usize = $lanes;
+
+            #[inline(always)]
+            fn load(group: &Group<$float>, place: usize) -> Self {
+                let entries = &group[place..place + $lanes];
+                // The pointer is good for as many floats as the register holds, and need not be aligned.
+                Self(machine!($load(entries.as_ptr())))
+            }
+
+            #[inline(always)]
+            fn store(self, group: &mut Group<$float>, place: usize) {
+                let entries = &mut group[place..place + $lanes];
+                // As in `load`.
+                machine!($store(entries.as_mut_ptr(), self.0));
+            }
+        }
+
+        impl Spread<$float> for $name {
+            #[inline(always)]
+            fn spread(value: &$float) -> Self {
+                Self::splat(*value)
+            }
+        }
+
+        impl Scalar for $name {
+            #[inline(always)]
+            fn constant(c: &Constant) -> Self {
+                Self::splat(c.$constant())
+            }
+
+            #[inline(always)]
+            fn reciprocal(&self) -> Option<Self> {
+                Some($quotient(Self::splat(1.0), *self))
+            }
+
+            #[inline(always)]
+            fn quotient(self, divisor: Self) -> Option<Self> {
+                Some($quotient(self, divisor))
+            }
+
+            #[inline(always)]
+            fn multiply_add(self, factor: Self, addend: Self) -> Self {
+                Self(machine!($multiply_add(self.0, factor.0, addend.0)))
+            }
+
+            #[inline(always)]
+            fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+                Self(machine!($multiply_subtract(self.0, factor.0, subtrahend.0)))
+            }
+
+            #[inline(always)]
+            fn subtract_product(self, a: Self, b: Self) -> Self {
+                Self(machine!($subtract_product(a.0, b.0, self.0)))
+            }
+        }
+
+        impl Neg for $name {
+            type Output = Self;
+
+            /// −0 − x, which is −x for every x.
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self::splat(-0.0) - self
+            }
+        }
+
+        lanes!(operator $name, Add, add, AddAssign, add_assign, $add);
+        lanes!(operator $name, Sub, sub, SubAssign, sub_assign, $sub);
+        lanes!(operator $name, Mul, mul, MulAssign, mul_assign, $mul);
+        lanes!(operator $name, Div, div, DivAssign, div_assign, $div);
+
+        impl Zero for $name {
+            #[inline(always)]
+            fn zero() -> Self {
+                Self::splat(0.0)
+            }
+
+            fn is_zero(&self) -> bool {
+                self.to_array().iter().all(|lane| *lane == 0.0)
+            }
+        }
+
+        impl One for $name {
+            #[inline(always)]
+            fn one() -> Self {
+                Self::splat(1.0)
+            }
+        }
+
+        impl PartialEq for $name {
+            fn eq(&self, other: &Self) -> bool {
+                self.to_array() == other.to_array()
+            }
+        }
+    };
+    (operator $name:ident, $operator:ident, $method:ident, $assign:ident, $assign_method:ident, $intrinsic:ident) => {
+        impl $operator for $name {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(machine!($intrinsic(self.0, other.0)))
+            }
+        }
+
+        impl $assign for $name {
+            #[inline(always)]
+            fn $assign_method(&mut self, other: Self) {
+                *self = $operator::$method(*self, other);
+            }
+        }
+    };
+}
+pub(super) use {lanes, machine};
+
+/// a/b by the division instruction.
+#[inline(always)]
+fn divided<L: Scalar>(a: L, b: L) -> L {
+    a / b
+}
+
+lanes! {
+    F64x2(__m128d), 2 lanes of f64 as to_f64,
+    _mm_loadu_pd, _mm_storeu_pd, _mm_set1_pd, _mm_add_pd, _mm_sub_pd, _mm_mul_pd, _mm_div_pd,
+    fused of_the_build::add_f64, of_the_build::subtract_f64, of_the_build::subtract_from_f64, quotient divided
+}
+
+lanes! {
+    F32x4(__m128), 4 lanes of f32 as to_f32,
+    _mm_loadu_ps, _mm_storeu_ps, _mm_set1_ps, _mm_add_ps, _mm_sub_ps, _mm_mul_ps, _mm_div_ps,
+    fused of_the_build::add_f32, of_the_build::subtract_f32, of_the_build::subtract_from_f32, quotient divided
+}
+
+lanes! {
+    F64x4(__m256d), 4 lanes of f64 as to_f64,
+    _mm256_loadu_pd, _mm256_storeu_pd, _mm256_set1_pd, _mm256_add_pd, _mm256_sub_pd, _mm256_mul_pd, _mm256_div_pd,
+    fused _mm256_fmadd_pd, _mm256_fmsub_pd, _mm256_fnmadd_pd, quotient divided
+}
+
+lanes! {
+    F32x8(__m256), 8 lanes of f32 as to_f32,
+    _mm256_loadu_ps, _mm256_storeu_ps, _mm256_set1_ps, _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_div_ps,
+    fused _mm256_fmadd_ps, _mm256_fmsub_ps, _mm256_fnmadd_ps, quotient divided
+}
+
+lanes! {
+    F64x8(__m512d), 8 lanes of f64 as to_f64,
+    _mm512_loadu_pd, _mm512_storeu_pd, _mm512_set1_pd, _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd,
+    fused _mm512_fmadd_pd, _mm512_fmsub_pd, _mm512_fnmadd_pd, quotient divided
+}
+
+lanes! {
+    F32x16(__m512), 16 lanes of f32 as to_f32,
+    _mm512_loadu_ps, _mm512_storeu_ps, _mm512_set1_ps, _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps,
+    fused _mm512_fmadd_ps, _mm512_fmsub_ps, _mm512_fnmadd_ps, quotient divided
+}
+
+/// The multiply-adds of SSE2 registers, rounded as those of plain floats in the same build.
+mod of_the_build {
+    use core::arch::x86_64::*;
+
+    macro_rules! one_of {
+        ($name:ident($a:ident, $b:ident, $c:ident: $register:ty) fused $fused:expr, else $rounded_twice:expr) => {
+            #[inline(always)]
+            pub(super) fn $name($a: $register, $b: $register, $c: $register) -> $register {
+                #[cfg(target_feature = "fma")]
+                return machine!($fused);
+                #[cfg(not(target_feature = "fma"))]
+                machine!($rounded_twice)
+            }
+        };
+    }
+
+    one_of!(add_f64(a, b, c: __m128d) fused _mm_fmadd_pd(a, b, c), else _mm_add_pd(_mm_mul_pd(a, b), c));
+    one_of!(subtract_f64(a, b, c: __m128d) fused _mm_fmsub_pd(a, b, c), else _mm_sub_pd(_mm_mul_pd(a, b), c));
+    one_of!(subtract_from_f64(a, b, c: __m128d) fused _mm_fnmadd_pd(a, b, c), else _mm_sub_pd(c, _mm_mul_pd(a, b)));
+    one_of!(add_f32(a, b, c: __m128) fused _mm_fmadd_ps(a, b, c), else _mm_add_ps(_mm_mul_ps(a, b), c));
+    one_of!(subtract_f32(a, b, c: __m128) fused _mm_fmsub_ps(a, b, c), else _mm_sub_ps(_mm_mul_ps(a, b), c));
+    one_of!(subtract_from_f32(a, b, c: __m128) fused _mm_fnmadd_ps(a, b, c), else _mm_sub_ps(c, _mm_mul_ps(a, b)));
+}

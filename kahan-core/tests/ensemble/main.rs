@@ -1,0 +1,55 @@
+//! Ensembles against single steps, bit for bit.
+//!
+//! 1. `levels`: every level, system, width of float and awkward length against plain steps of the same arithmetic.
+//! 2. `neighbours`: what is not finite stays alone; the place of a trajectory and the number of threads change nothing.
+//! 3. `contents`: points, columns and grids come back as they were given; visits come when they should.
+//!
+//! What a processor lacks is left out, and the test says so. The same tests run under Miri,
+//!
+//! ```text
+//! RUSTFLAGS="-C target-feature=+avx2,+fma,+avx512f" cargo +nightly miri test -p kahan-core ensemble
+//! ```
+//!
+//! (the features are named since Miri has no processor to ask), and under valgrind, which lacks AVX-512.
+#![cfg(feature = "std")]
+
+mod contents;
+mod fused;
+mod levels;
+mod neighbours;
+mod systems;
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::{Ensemble, EnsembleScalar, Level};
+
+/// The levels of this processor.
+fn levels() -> impl Iterator<Item = Level> {
+    [Level::Baseline, Level::Avx2, Level::Avx512].into_iter().filter(|level| {
+        if !level.is_available() {
+            eprintln!("left out: this processor lacks {level:?}");
+        }
+        level.is_available()
+    })
+}
+
+/// Whether multiply-adds on this level are rounded once.
+fn fuses(level: Level) -> bool {
+    level > Level::Baseline || cfg!(any(target_feature = "fma", target_arch = "aarch64"))
+}
+
+/// `count` points with entries between ½ and 1, all different.
+fn points<const N: usize>(count: usize) -> Vec<SVector<f64, N>> {
+    (0..count)
+        .map(|i| SVector::from_fn(|c, _| 0.5 + ((i * N + c) as f64 * 0.618_033_988_749_895).fract() / 2.0))
+        .collect()
+}
+
+/// Equal texts: bit for bit, but for one not-a-number from another.
+#[track_caller]
+fn assert_same<T: EnsembleScalar, const N: usize>(ensemble: &Ensemble<T, N>, expected: &[SVector<T, N>]) {
+    assert_eq!(ensemble.len(), expected.len());
+    for (i, (point, expected)) in ensemble.points().zip(expected).enumerate() {
+        let (text, of_expected) = (format!("{:?}", point.data.0), format!("{:?}", expected.data.0));
+        assert_eq!(text, of_expected, "point {i} of {} at {:?}", ensemble.len(), ensemble.level());
+    }
+}

@@ -1,0 +1,72 @@
+//! A trajectory's bits are its own: not its neighbours', its place's, or the threads'.
+
+use kahan_core::prelude::*;
+use kahan_core::{Ensemble, Reciprocal};
+
+use crate::systems::{E3, LotkaVolterra};
+use crate::{assert_same, levels, points};
+
+#[test]
+fn what_is_not_finite_stays_alone() {
+    let map = E3.at(0.125);
+    let ordinary = points::<3>(if cfg!(miri) { 20 } else { 600 });
+    let mut disturbed = ordinary.clone();
+    for (k, i) in (0..disturbed.len()).step_by(5).enumerate() {
+        disturbed[i][k / 3 % 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][k % 3];
+    }
+    for level in levels() {
+        for reciprocal in [Reciprocal::Divided, Reciprocal::Estimated] {
+            let [alone, beside] = [&ordinary, &disturbed].map(|points| {
+                let ensemble = Ensemble::new(points.clone()).at_level(level).expect("it is available");
+                let mut ensemble = ensemble.with_reciprocal(reciprocal);
+                ensemble.advance(&map, 10);
+                ensemble.into_points()
+            });
+            for (i, (alone, beside)) in alone.into_iter().zip(beside).enumerate() {
+                let finite = beside.iter().all(|entry| entry.is_finite());
+                assert_eq!(finite, i % 5 != 0, "point {i} at {level:?}");
+                assert!(!finite || alone == beside, "point {i} at {level:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_place_of_a_trajectory_does_not_matter() {
+    let map = LotkaVolterra.at(0.125);
+    let start = points::<2>(if cfg!(miri) { 37 } else { 1037 });
+    for level in levels() {
+        let mut ensemble = Ensemble::new(start.clone()).at_level(level).expect("it is available");
+        ensemble.advance(&map, 10);
+        for skipped in [1, 3, 8, 19] {
+            let mut later =
+                Ensemble::new(start[skipped..].to_vec()).at_level(level).expect("it is available");
+            later.advance(&map, 10);
+            assert_same(&later, &ensemble.clone().into_points()[skipped..]);
+        }
+    }
+}
+
+#[cfg(feature = "parallel")]
+#[test]
+fn the_number_of_threads_does_not_matter() {
+    let map = E3.at(0.125);
+    let (count, steps) = if cfg!(miri) { (64, 2) } else { (12_000, 20) };
+    for level in levels() {
+        let start = Ensemble::new(points::<3>(count)).at_level(level).expect("it is available");
+        let [one, two, five] = [1, 2, 5].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            let mut ensemble = start.clone();
+            pool.install(|| ensemble.advance(&map, steps));
+            ensemble
+        });
+        assert_same(&two, &one.clone().into_points());
+        assert_same(&five, &one.into_points());
+        // One thread is divided into tasks, too; a few steps at a time are not.
+        let mut in_turn = start.clone();
+        for _ in 0..steps {
+            in_turn.advance(&map, 1);
+        }
+        assert_same(&in_turn, &two.into_points());
+    }
+}

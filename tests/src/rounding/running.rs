@@ -1,0 +1,104 @@
+//! A running bound on the rounding errors of a plan: for each step, how far a float may be from the exact result.
+//!
+//! In: a plan, exact inputs that the float has, the unit roundoff u. Out: the exact value and a bound on the error of each
+//! result. Every operation returns fl(z) = z(1 + δ) with |δ| ≤ u, so an operation whose operands are â = a + α, b̂ = b + β
+//! with |α| ≤ e_a, |β| ≤ e_b returns its exact result to within e + u(|result| + e), where e is what the operands do
+//! (Higham, Accuracy and Stability of Numerical Algorithms, §3.3, with exact in place of computed values). Nothing is
+//! assumed of the plan: a sum may cancel. A multiply-add counts two roundings, so the bound holds with and without fusing.
+
+use kahan_algebra::plan::{Node, Operation, Plan};
+use kahan_algebra::poly::Variable;
+use kahan_algebra::rational::Rational;
+
+/// Integers up to this size are exact in `f32` and in `f64`.
+const EXACT: i64 = 1 << 24;
+
+/// A number as a float has it.
+#[derive(Clone, Debug)]
+pub(super) struct Rounded {
+    /// What it is.
+    pub(super) exact: Rational,
+    /// A bound on how far the float is from it.
+    pub(super) error: f64,
+}
+
+impl Rounded {
+    /// |exact|
+    pub(super) fn size(&self) -> f64 {
+        self.exact.to_f64().abs()
+    }
+
+    /// After one more rounding.
+    pub(super) fn rounded(self, unit: f64) -> Self {
+        let error = self.error + unit * (self.size() + self.error);
+        Self { error, ..self }
+    }
+
+    /// A product before it is rounded: |âb̂ − ab| ≤ |a|e_b + |b|e_a + e_a e_b.
+    pub(super) fn times(&self, other: &Self) -> Self {
+        let error = self.size() * other.error + other.size() * self.error + self.error * other.error;
+        Self { exact: &self.exact * &other.exact, error }
+    }
+
+    /// A quotient before it is rounded: |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b); `None` where b̂ may have lost every
+    /// digit.
+    pub(super) fn over(&self, divisor: &Self) -> Option<Self> {
+        let exact = self.exact.checked_div(&divisor.exact)?;
+        let size = divisor.size();
+        let error = (self.error + exact.to_f64().abs() * divisor.error) / (size - divisor.error);
+        (divisor.error < size / 2.0).then_some(Self { exact, error })
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Self { exact: &self.exact + &other.exact, error: self.error + other.error }
+    }
+
+    fn negated(&self) -> Self {
+        Self { exact: -&self.exact, error: self.error }
+    }
+}
+
+/// The results of a plan as a float computes them; `None` where a divisor may have lost every digit.
+pub(super) fn results(
+    plan: &Plan,
+    prepared: &[Option<Rounded>],
+    unit: f64,
+    input: impl Fn(Variable) -> Rational,
+) -> Vec<Option<Rounded>> {
+    let mut values: Vec<Option<Rounded>> = Vec::with_capacity(plan.operations.len());
+    for operation in &plan.operations {
+        let value = match operation {
+            Operation::Input(variable) => Some(Rounded { exact: input(*variable), error: 0.0 }),
+            Operation::Prepared(index) => prepared[*index].clone(),
+            _ => result(operation, unit, |node| values[node.0].as_ref()),
+        };
+        values.push(value);
+    }
+    plan.outputs.iter().map(|output| values[output.0].clone()).collect()
+}
+
+/// One operation.
+fn result<'a>(
+    operation: &Operation,
+    unit: f64,
+    value: impl Fn(Node) -> Option<&'a Rounded>,
+) -> Option<Rounded> {
+    let product = |a, b| Some(value(a)?.times(value(b)?).rounded(unit));
+    let result = match *operation {
+        Operation::Input(_) | Operation::Prepared(_) => return None,
+        Operation::Constant(ref constant) => {
+            let is_exact = constant.as_i64().is_some_and(|integer| integer.abs() <= EXACT);
+            let exact = Rounded { exact: constant.clone(), error: 0.0 };
+            return Some(if is_exact { exact } else { exact.rounded(unit) });
+        }
+        Operation::Negate(a) => return Some(value(a)?.negated()),
+        Operation::Add(a, b) => value(a)?.plus(value(b)?),
+        Operation::Subtract(a, b) => value(a)?.plus(&value(b)?.negated()),
+        Operation::Multiply(a, b) => return product(a, b),
+        Operation::Divide(a, b) => value(a)?.over(value(b)?)?,
+        Operation::MultiplyAdd(a, b, c) => product(a, b)?.plus(value(c)?),
+        Operation::MultiplySubtract(a, b, c) => product(a, b)?.plus(&value(c)?.negated()),
+        Operation::SubtractProduct(a, b, c) => value(a)?.plus(&product(b, c)?.negated()),
+    };
+    Some(result.rounded(unit))
+}

@@ -1,0 +1,53 @@
+//! A step over floats allocates nothing, in whichever way it is taken.
+//!
+//! The allocator of this program counts; nothing else is tested here, so that nothing else allocates meanwhile.
+
+use allocation_counter::measure;
+use kahan_core::prelude::*;
+use kahan_systems::{E1, E3, E6, E9, EulerTop, LotkaVolterra};
+use kahan_tests::random_systems::Dense6;
+
+const STEPS: usize = 100;
+
+/// Allocations while steps are taken in every way, at ordinary points.
+fn allocations<M, const N: usize>(map: &M, start: [f64; N], eps: f64) -> u64
+where
+    M: KahanMap<f64, N>,
+{
+    let start = SVector::from(start);
+    let counted = measure(|| {
+        let prepared = map.at(eps);
+        let (mut x, mut y, mut z, mut w) = (start, start, start, start);
+        for _ in 0..STEPS {
+            x = map.step(&x, eps);
+            y = prepared.step(&y);
+            z = map.try_step(&z, eps).unwrap_or(start);
+            w = prepared.try_step(&w).unwrap_or(start);
+        }
+        let last = map.orbit(start, eps).nth(STEPS);
+        let also = prepared.orbit(start).nth(STEPS);
+        assert!(last == Some(x) && also == Some(x) && x == y && x == z && x == w);
+        assert!(x.iter().all(|entry| entry.is_finite()));
+    });
+    counted.count_total
+}
+
+#[test]
+fn the_counter_counts() {
+    assert_eq!(measure(|| drop(std::hint::black_box(vec![1.0; 3]))).count_total, 1);
+}
+
+#[test]
+fn closed_forms_allocate_nothing() {
+    assert_eq!(allocations(&LotkaVolterra, [1.5, 1.0], 0.05), 0);
+    assert_eq!(allocations(&EulerTop { a1: 1.0, a2: -2.0, a3: 1.0 }, [0.5, 1.0, 0.25], 0.05), 0);
+    assert_eq!(allocations(&E1, [0.5, 1.0, 0.25], 0.05), 0);
+    assert_eq!(allocations(&E3, [0.5, 1.0, 0.25], 0.05), 0);
+    assert_eq!(allocations(&E6, [0.5, 1.0, 0.25], 0.05), 0);
+    assert_eq!(allocations(&E9 { xi: -0.5 }, [0.5, 1.0, 0.25], 0.05), 0);
+}
+
+#[test]
+fn elimination_allocates_nothing() {
+    assert_eq!(allocations(&Dense6, [0.01, 0.02, -0.01, 0.03, 0.01, -0.02], 0.001), 0);
+}

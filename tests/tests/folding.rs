@@ -1,0 +1,47 @@
+//! A `const` pays: a parameter that is folded in before the map is reduced gives the smaller plan of the special system.
+
+use kahan_algebra::plan::{Operation, Plan, StepPlan};
+use kahan_tests::expression::read_unproved;
+
+const EQUATIONS: &str = "xdot = -x*z; ydot = -xi*y*z; zdot = x^2 + xi*y^2;";
+
+fn plan(text: &str) -> StepPlan {
+    StepPlan::of(&read_unproved(text).field).expect("a field of three variables has a closed form")
+}
+
+/// Additions, multiplications and divisions; a multiply-add is one of each.
+fn counts(plan: &Plan) -> [usize; 3] {
+    let mut counts = [0; 3];
+    for operation in &plan.operations {
+        let [sums, products, quotients] = match operation {
+            Operation::Add(..) | Operation::Subtract(..) => [1, 0, 0],
+            Operation::Multiply(..) => [0, 1, 0],
+            Operation::Divide(..) => [0, 0, 1],
+            Operation::MultiplyAdd(..) | Operation::MultiplySubtract(..) | Operation::SubtractProduct(..) => {
+                [1, 1, 0]
+            }
+            Operation::Negate(_) | Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => {
+                [0, 0, 0]
+            }
+        };
+        counts = [counts[0] + sums, counts[1] + products, counts[2] + quotients];
+    }
+    counts
+}
+
+#[test]
+fn e9_with_xi_folded_in_costs_what_e3_costs() {
+    let e3 = plan("struct E3; xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;");
+    let folded = plan(&format!("struct E9; const xi = 1; {EQUATIONS}"));
+    assert_eq!(counts(&folded.kernel), counts(&e3.kernel));
+    assert_eq!(counts(&folded.constants), counts(&e3.constants));
+}
+
+#[test]
+fn e9_with_xi_folded_in_costs_less_than_e9() {
+    let total = |plan: &StepPlan| counts(&plan.kernel).iter().sum::<usize>();
+    let generic = plan(&format!("struct E9 {{ xi }} {EQUATIONS}"));
+    let folded = plan(&format!("struct E9; const xi = 1; {EQUATIONS}"));
+    assert!(total(&folded) < total(&generic), "{} against {}", total(&folded), total(&generic));
+    assert_eq!(counts(&folded.kernel)[2], 1, "one reciprocal");
+}

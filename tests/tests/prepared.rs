@@ -1,0 +1,103 @@
+//! One arithmetic for every way to take a step: `step`, the prepared map, orbits, and the interpreter, bit for bit.
+
+use kahan_algebra::arithmetic::{Arithmetic, Float32, Float64};
+use kahan_algebra::interpret::Stepper;
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_core::Pivot;
+use kahan_tests::float_maps::{self, FloatMap};
+use kahan_tests::subject::{Subject, random, whole_catalog};
+
+const STEPS: usize = 50;
+
+fn maps<T: Pivot + Copy>() -> Vec<Box<dyn FloatMap<T>>> {
+    float_maps::catalog().into_iter().chain(float_maps::random()).collect()
+}
+
+fn subjects() -> Vec<Subject> {
+    whole_catalog().into_iter().chain(random()).collect()
+}
+
+/// The bits of points; two that are not numbers are the same.
+fn bits<T: Into<f64> + Copy>(points: &[Vec<T>]) -> Vec<Vec<u64>> {
+    let canonical = |entry: &T| {
+        let entry: f64 = (*entry).into();
+        if entry.is_nan() { f64::NAN.to_bits() } else { entry.to_bits() }
+    };
+    points.iter().map(|point| point.iter().map(canonical).collect()).collect()
+}
+
+/// A start and an ε of ordinary size, in both float types.
+fn start(draws: &mut SplitMix64, dimension: usize) -> (Vec<f32>, f32) {
+    let mut entry = |scale: f32| (draws.below(2001) as f32 / 1000.0 - 1.0) * scale;
+    ((0..dimension).map(|_| entry(2.0)).collect(), entry(0.1))
+}
+
+fn every_way_gives_the_same_bits<T: Pivot + Copy + From<f32> + Into<f64>>(seed: u64) {
+    for (index, (subject, map)) in subjects().iter().zip(maps::<T>()).enumerate() {
+        let mut draws = SplitMix64::new(seed * 1000 + index as u64);
+        for _ in 0..4 {
+            let (x, eps) = start(&mut draws, subject.dimension());
+            let wide: Vec<T> = x.iter().map(|entry| T::from(*entry)).collect();
+            let [by_step, others @ ..] = map.every_way(&wide, T::from(eps), STEPS);
+            assert_eq!(by_step.len(), STEPS);
+            for (way, other) in ["at(ε).step", "at(ε).orbit", "orbit"].iter().zip(&others) {
+                let place = format!("{} by {way}: x = {x:?}, eps = {eps}", subject.name);
+                assert_eq!(bits(&by_step), bits(other), "{place}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_way_to_step_gives_the_same_bits_in_double_precision() {
+    every_way_gives_the_same_bits::<f64>(501);
+}
+
+#[test]
+fn every_way_to_step_gives_the_same_bits_in_single_precision() {
+    every_way_gives_the_same_bits::<f32>(502);
+}
+
+/// The interpreter against generated code. Where the target fuses, generated code rounds a multiply-add once and the
+/// interpreter twice: there they agree to within rounding only, which `floats` bounds for both.
+#[cfg_attr(any(target_feature = "fma", target_arch = "aarch64"), ignore = "this target fuses multiply-adds")]
+#[test]
+fn the_interpreter_steps_with_the_same_bits() {
+    interpreter_agrees(&Float64, 503);
+    interpreter_agrees(&Float32, 504);
+}
+
+fn interpreter_agrees<A>(arithmetic: &A, seed: u64)
+where
+    A: Arithmetic,
+    A::Value: Pivot + Copy + From<f32> + Into<f64>,
+{
+    let mut compared = 0;
+    for (index, (subject, map)) in subjects().iter().zip(maps::<A::Value>()).enumerate() {
+        let parameter = |value: &kahan_tests::exact::Q| arithmetic.constant(&Rational::from(value.clone()));
+        let parameters: Vec<A::Value> = subject
+            .parameters
+            .iter()
+            .map(|value| parameter(value).expect("floats have every constant"))
+            .collect();
+        let mut draws = SplitMix64::new(seed * 1000 + index as u64);
+        let (x, eps) = start(&mut draws, subject.dimension());
+        let mut state: Vec<A::Value> = x.iter().map(|entry| A::Value::from(*entry)).collect();
+        let mut stepper = Stepper::new(subject.system, arithmetic, &parameters, &A::Value::from(eps))
+            .expect("the parameters suit the field");
+        if !stepper.is_reduced() {
+            continue;
+        }
+        let [by_step, ..] = map.every_way(&state, A::Value::from(eps), STEPS);
+        for point in by_step {
+            // Near a pole numbers leave the range, and what is not a number may come about in another order.
+            if stepper.advance(&mut state).is_err() || !point.iter().all(A::Value::is_finite_number) {
+                break;
+            }
+            assert_eq!(bits(&[state.clone()]), bits(&[point]), "{}: x = {x:?}, eps = {eps}", subject.name);
+            compared += 1;
+        }
+    }
+    assert!(compared > 20 * STEPS / 2, "only {compared} steps compared");
+}
