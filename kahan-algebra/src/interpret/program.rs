@@ -57,7 +57,7 @@ impl<V: Clone> Program<V> {
                 }
                 _ => {
                     program.registers[index] =
-                        operation.compute(arithmetic, |node| program.registers[node.0].as_ref())
+                        operation.compute(arithmetic, |node| program.registers[node.0].as_ref());
                 }
             }
         }

@@ -2,7 +2,7 @@
 //!
 //! [`Interpreter`](super::Interpreter) computes everything at one point; a [`Stepper`] computes the next point and the
 //! integrals only, with everything prepared that does not depend on the state. Its operations and their order are those of
-//! the generated code's `step`, so over floats the orbits of a field with a closed form are the same bit for bit, unless
+//! the generated code's `step`, so over floats the orbits of a field with a [`StepPlan`] are the same bit for bit, unless
 //! that code is compiled for a target with fused multiply-adds: those round once where this rounds twice.
 
 use crate::arithmetic::{Arithmetic, Solved, solve};
@@ -37,20 +37,20 @@ pub struct Stepper<'a, A: Arithmetic> {
 enum Increment<V> {
     /// The kernel of the step: numerators, reciprocals, and after these `results` everything that it divides by;
     /// `reciprocals` are the places of each component's reciprocal among them.
-    Closed { kernel: Program<V>, reciprocals: Vec<Option<usize>>, results: usize },
+    Planned { kernel: Program<V>, reciprocals: Vec<Option<usize>>, results: usize },
     /// Â, row by row, and the numerators p of the field: Â (x̃ − x)/(2ε) = p.
     Elimination { matrix: Program<V>, right: Program<V> },
 }
 
 impl<V: Clone> Increment<V> {
     /// Computes the prepared constants, and prepares the kernel that uses them.
-    fn closed<A: Arithmetic<Value = V>>(
+    fn planned<A: Arithmetic<Value = V>>(
         step: &StepPlan,
         arithmetic: &A,
         input: &impl Fn(Variable) -> Input<V>,
     ) -> Self {
         let constants = Program::new(&step.constants, arithmetic, &[], input);
-        let constants: Vec<Option<V>> = constants.outputs().map(|value| value.cloned()).collect();
+        let constants: Vec<Option<V>> = constants.outputs().map(Option::<&V>::cloned).collect();
         let divisors = step.kernel.operations.iter().filter_map(|operation| match *operation {
             Operation::Divide(_, divisor) => Some(divisor),
             _ => None,
@@ -58,7 +58,7 @@ impl<V: Clone> Increment<V> {
         let outputs = step.kernel.outputs.iter().copied().chain(divisors).collect();
         let kernel = Plan { operations: step.kernel.operations.clone(), outputs };
         let numerators = step.reciprocals.len();
-        Increment::Closed {
+        Increment::Planned {
             kernel: Program::new(&kernel, arithmetic, &constants, input),
             reciprocals: step.reciprocals.iter().map(|place| place.map(|place| numerators + place)).collect(),
             results: step.kernel.outputs.len(),
@@ -100,7 +100,7 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
         }
         let map = RationalMap::of(&system.field);
         let increment = match StepPlan::of_map(&system.field, map.as_ref()) {
-            Some(step) => Increment::closed(&step, arithmetic, &input),
+            Some(step) => Increment::planned(&step, arithmetic, &input),
             None => Increment::Elimination {
                 matrix: program(scaled_matrix(&system.field).iter().flatten().collect()),
                 right: program(components.iter().map(|component| &component.numerator).collect()),
@@ -144,7 +144,7 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
     pub fn advance(&mut self, state: &mut [A::Value]) -> Result<(), Pole> {
         let arithmetic = self.arithmetic;
         match &mut self.increment {
-            Increment::Closed { kernel, reciprocals, results } => {
+            Increment::Planned { kernel, reciprocals, results } => {
                 kernel.run(arithmetic, state);
                 // A float has a value where it divides by zero, and still that is a pole.
                 let is_zero = |value: &A::Value| arithmetic.is_zero(value);

@@ -27,13 +27,14 @@ const MOST_OPERATIONS: usize = 600;
 /// The most terms of an entry that is expanded.
 const ENTRY_TERMS: usize = 40;
 
-/// The candidate; `None` where a block is too large.
-pub(super) fn candidate(field: &Field, mut writer: Writer) -> Option<Candidate> {
+/// The candidate that expands along the row that is last after `turn` rotations; `None` where a block is too large.
+pub(super) fn candidate(field: &Field, mut writer: Writer, turn: usize) -> Option<Candidate> {
     let structure = Structure::of(field);
     let blocks = structure.blocks();
     let n = field.dimension();
     let mut increments: Vec<(Signed, Option<Node>)> = vec![(Signed::plus(writer.draft.zero()), None); n];
-    let parts = Parts { field, matrix: scaled_matrix(field), polarized: polarization(field), structure };
+    let parts =
+        Parts { field, matrix: scaled_matrix(field), polarized: polarization(field), structure, turn };
     for block in &blocks {
         parts.solve(block, &mut writer, &mut increments)?;
     }
@@ -41,7 +42,7 @@ pub(super) fn candidate(field: &Field, mut writer: Writer) -> Option<Candidate> 
         .iter()
         .map(
             |(signed, _)| {
-                if signed.negative { writer.draft.builder.negate(signed.node) } else { signed.node }
+                if signed.negative { writer.draft.builder.changed_sign(signed.node) } else { signed.node }
             },
         )
         .collect();
@@ -54,6 +55,7 @@ struct Parts<'a> {
     matrix: Vec<Vec<Polynomial>>,
     polarized: Vec<Polynomial>,
     structure: Structure,
+    turn: usize,
 }
 
 impl Parts<'_> {
@@ -72,7 +74,7 @@ impl Parts<'_> {
             if minors::operations(&pattern) > MOST_OPERATIONS {
                 return None;
             }
-            let written: Vec<Vec<Signed>> = rows
+            let mut written: Vec<Vec<Signed>> = rows
                 .iter()
                 .map(|row| {
                     let (right, entries) =
@@ -83,6 +85,9 @@ impl Parts<'_> {
                     written
                 })
                 .collect();
+            // An odd order of the rows changes all signs, which cancel in the quotients.
+            let turn = self.turn % written.len();
+            written.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(&mut writer.draft, &written);
             let reciprocal = step::twice_reciprocal(writer, denominator.node);
             for (&i, numerator) in rest.iter().zip(numerators) {

@@ -104,6 +104,14 @@ impl PlanBuilder {
         }
     }
 
+    /// −a as a change of sign, for a whose value is needed, too.
+    pub(super) fn changed_sign(&mut self, a: Node) -> Node {
+        match *self.operation(a) {
+            Operation::Negate(inner) => inner,
+            _ => self.intern(Operation::Negate(a)),
+        }
+    }
+
     /// Whether a step changes a sign.
     pub(super) fn is_negation(&self, node: Node) -> bool {
         matches!(self.operations[node.0], Operation::Negate(_))

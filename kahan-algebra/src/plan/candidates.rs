@@ -46,6 +46,10 @@ const TRIED: usize = 2;
 /// The most terms of all factors for which that is done where there are determinants, too.
 const FACTOR_TERMS: usize = 32;
 
+/// What a prepared constant that was rounded more than once costs, in operations.
+const DERIVED: usize = 3;
+/// How many orders of the rows of a block are compared.
+const ROTATIONS: usize = 3;
 /// The most terms of N and D for which they are written out where there is another form.
 const WRITTEN_TERMS: usize = 120;
 
@@ -54,8 +58,11 @@ const WRITTEN_TERMS: usize = 120;
 pub(super) fn best(field: &Field, map: Option<&RationalMap>) -> Option<Candidate> {
     let mut candidates: Vec<Candidate> = Vec::new();
     if map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some()) {
-        let writers = scalings(field).into_iter().map(Writer::new);
-        candidates.extend(writers.filter_map(|writer| blocks::candidate(field, writer)));
+        for scaling in scalings(field) {
+            let writer = Writer::new(scaling);
+            candidates
+                .extend((0..ROTATIONS).filter_map(|turn| blocks::candidate(field, writer.clone(), turn)));
+        }
     }
     if let Some(map) = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS) {
         candidates.extend(written_out(field, map));
@@ -238,6 +245,6 @@ fn price(writer: &mut Writer, numerators: &[Node], reciprocals: &[Node]) -> u64 
     let negations = numerators.iter().filter(|node| writer.draft.builder.is_negation(**node)).count();
     let cost = kernel.cost();
     // A negated numerator becomes a subtraction at the end.
-    let operations = cost.operations() - negations + derived;
+    let operations = cost.operations() - negations + DERIVED * derived;
     Goal::Early.price(operations, cost.chain)
 }

@@ -27,6 +27,7 @@ impl Draft {
         for operation in &self.builder.operations()[self.ready.len()..] {
             let fixed = match operation {
                 Operation::Input(variable) => variable.0 >= self.states,
+                Operation::Divide(..) => false,
                 _ => operation.operands().all(|operand| self.fixed[operand.0]),
             };
             let operands = operation.operands().map(|operand| self.ready[operand.0]).max().unwrap_or(0);
@@ -80,7 +81,9 @@ impl Draft {
         self.builder.multiply(a, b)
     }
 
-    /// The product of all, the earliest two first; a product that exists already comes before a new one.
+    /// The product of all, the earliest two first; a product that exists already comes before a new one. Two constants are
+    /// not multiplied with each other as long as there is a state: their product would be rounded the same way in every
+    /// step, and a long orbit would drift.
     pub(super) fn product(&mut self, factors: &[Node]) -> Node {
         let mut factors = factors.to_vec();
         if factors.is_empty() {
@@ -88,7 +91,9 @@ impl Draft {
         }
         while factors.len() > 1 {
             self.sort(&mut factors, |node| *node);
-            let (first, second) = self.known_pair(&factors).unwrap_or((0, 1));
+            let fixed = factors.iter().filter(|node| self.fixed[node.0]).count();
+            let earliest = if (1..factors.len()).contains(&fixed) { (fixed - 1, fixed) } else { (0, 1) };
+            let (first, second) = self.known_pair(&factors).unwrap_or(earliest);
             let b = factors.remove(second);
             let a = factors.remove(first);
             factors.push(self.multiply(a, b));
@@ -132,7 +137,7 @@ impl Draft {
 
     fn sort<V: Copy>(&mut self, values: &mut [V], node: impl Fn(&V) -> Node) {
         self.settle();
-        values.sort_by_key(|value| (self.ready[node(value).0], node(value)));
+        values.sort_by_key(|value| (!self.fixed[node(value).0], self.ready[node(value).0], node(value)));
     }
 }
 

@@ -80,6 +80,8 @@ impl Plan {
         for (index, operation) in self.operations.iter().enumerate() {
             fixed[index] = match operation {
                 Operation::Input(variable) => !varies(*variable),
+                // A divisor may be zero, which is a pole of the step and no mistake in preparing it.
+                Operation::Divide(..) => false,
                 _ => operation.operands().all(|operand| fixed[operand.0]),
             };
         }

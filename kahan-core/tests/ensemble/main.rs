@@ -7,10 +7,11 @@
 //! What a processor lacks is left out, and the test says so. The same tests run under Miri,
 //!
 //! ```text
-//! RUSTFLAGS="-C target-feature=+avx2,+fma,+avx512f" cargo +nightly miri test -p kahan-core ensemble
+//! RUSTFLAGS="-C target-cpu=x86-64-v4" cargo +nightly miri test -p kahan-core --lib ensemble
+//! RUSTFLAGS="-C target-cpu=x86-64-v4" cargo +nightly miri test -p kahan-core --test ensemble
 //! ```
 //!
-//! (the features are named since Miri has no processor to ask), and under valgrind, which lacks AVX-512.
+//! where the levels are those of the processor that the flags name, and nothing is estimated.
 #![cfg(feature = "std")]
 
 mod contents;

@@ -120,7 +120,7 @@ macro_rules! every_lane_computes_as_one_float {
             if left_out($level) {
                 return;
             }
-            let rounds = if cfg!(miri) { 4 } else { 200 };
+            let rounds = if cfg!(miri) { 1 } else { 200 };
             let (mut singles, mut doubles) = (operands_f32(1), operands_f64(2));
             for _ in 0..rounds {
                 let operands = [(); 3].map(|()| core::array::from_fn(|_| singles.next().expect("endless")));
@@ -166,11 +166,12 @@ macro_rules! estimates_are_near_quotients {
     ($name:ident, $lanes:ty, $float:ty, $operands:ident, $share:literal) => {
         /// Over numbers of every exponent whose reciprocal is finite, subnormal ones included.
         #[test]
+        #[cfg_attr(miri, ignore = "Miri knows no estimate")]
         fn $name() {
             if left_out(Level::Avx512) {
                 return;
             }
-            let groups = if cfg!(miri) { 16 } else { 1 << 16 };
+            let groups = 1 << 16;
             let mut operands = $operands(3).filter(|x| *x != 0.0 && x.is_finite() && (1.0 / x).is_finite());
             let mut off = 0;
             for _ in 0..groups {
@@ -184,7 +185,7 @@ macro_rules! estimates_are_near_quotients {
             let share = f64::from(off) / (groups * GROUP) as f64;
             assert!(share < $share, "{off} of {} are not rounded correctly", groups * GROUP);
             // None at all would be a division.
-            assert!(off > 0 || cfg!(miri));
+            assert!(off > 0);
         }
     };
 }
@@ -192,6 +193,7 @@ estimates_are_near_quotients!(estimates_f64, F64x8Estimated, f64, operands_f64, 
 estimates_are_near_quotients!(estimates_f32, F32x16Estimated, f32, operands_f32, 0.004);
 
 #[test]
+#[cfg_attr(miri, ignore = "Miri knows no estimate")]
 fn what_has_no_finite_reciprocal_is_estimated_as_no_number() {
     if left_out(Level::Avx512) {
         return;

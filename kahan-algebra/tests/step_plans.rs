@@ -1,0 +1,187 @@
+//! The plan of a step solves Kahan's scheme, whatever form was chosen: (x̃ − x)/(2ε) = P(x, x̃) over ℚ, P being the
+//! polarised field. The fields take every way through the planner: reduced and unreduced maps, one and several blocks,
+//! independent sets, parameters, denominators, nothing to divide.
+
+use kahan_algebra::arithmetic::Exact;
+use kahan_algebra::field::Field;
+use kahan_algebra::kahan::polarization;
+use kahan_algebra::lexer::lex;
+use kahan_algebra::plan::{Operation, Plan, StepPlan};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::read;
+use kahan_algebra::symbols::Symbol;
+
+const FIELDS: [(&str, &str); 16] = [
+    ("Lotka–Volterra", "xdot = x*(1 - y); ydot = y*(x - 1);"),
+    ("E1, reduced", "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;"),
+    ("E3, reduced", "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;"),
+    ("E6", "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);"),
+    ("Euler", "struct S { a, b, c } xdot = a*y*z; ydot = b*z*x; zdot = c*x*y;"),
+    ("Lorenz", "struct S { s, r, b } xdot = s*(y - x); ydot = x*(r - z) - y; zdot = x*y - b*z;"),
+    (
+        "Clebsch",
+        "struct S { u, v, w } adot = (w - v)*y*z; bdot = (u - w)*z*x; cdot = (v - u)*x*y;
+         xdot = y*c - z*b; ydot = z*a - x*c; zdot = x*b - y*a;",
+    ),
+    (
+        "the Lagrange top",
+        "struct S { k } adot = k*b*c + y; bdot = -k*a*c - x; cdot = 0; xdot = c*y - b*z; ydot = a*z - c*x;
+         zdot = b*x - a*y;",
+    ),
+    (
+        "Volterra, five sites",
+        "adot = a*(b - e); bdot = b*(c - a); cdot = c*(d - b); ddot = d*(e - c); edot = e*(a - d);",
+    ),
+    ("two blocks, one driving the other", "adot = a*b; bdot = -a^2; xdot = x*y + a; ydot = x*a - y^2 + b*x;"),
+    ("a chain of blocks", "adot = a; bdot = a*b + b^2; cdot = b*c + a; ddot = c*d + b^2; edot = d*e - a*b;"),
+    ("decoupled", "adot = a^2; bdot = b*c; cdot = b^2 - c; xdot = 1; ydot = x^2;"),
+    (
+        "a parameter in a denominator",
+        "struct S { m } xdot = x*y/m; ydot = (x^2 - y)/(1 + m); zdot = x*z; wdot = w*z/m;",
+    ),
+    ("linear", "adot = b; bdot = -a; cdot = 2*c; ddot = a - d;"),
+    ("nothing to divide", "xdot = y; ydot = 1; zdot = x*y; wdot = x^2;"),
+    ("zero", "xdot = 0; ydot = 0;"),
+];
+
+fn field(text: &str) -> Field {
+    let reading = read(&lex(text).tokens);
+    assert!(reading.diagnostics.is_empty(), "{text}: {:?}", reading.diagnostics);
+    reading.system.field
+}
+
+/// Random numbers of height up to 9, not zero.
+struct Numbers(SplitMix64);
+
+impl Numbers {
+    fn next(&mut self) -> Rational {
+        let size = Rational::new(1 + self.0.below(9) as i64, 1 + self.0.below(9) as i64);
+        if self.0.below(2) == 0 { size } else { -size }
+    }
+}
+
+/// x̃ at a point (states, parameters, ε) by the plan; `None` at a pole.
+fn next(field: &Field, step: &StepPlan, point: &[Rational]) -> Option<Vec<Rational>> {
+    let value = |variable: kahan_algebra::poly::Variable| Some(point[usize::from(variable.0)].clone());
+    let constants = step.constants.evaluate_prepared(&Exact, &[], value);
+    let mut results = step.kernel.evaluate_prepared(&Exact, &constants, value);
+    let reciprocals = results.split_off(field.dimension());
+    let component = |(i, numerator): (usize, Option<Rational>)| {
+        let increment = match step.reciprocals[i] {
+            Some(place) => &numerator? * reciprocals[place].as_ref()?,
+            None => numerator?,
+        };
+        Some(&point[i] + &increment)
+    };
+    results.into_iter().enumerate().map(component).collect()
+}
+
+/// (x̃ − x) − 2ε P(x, x̃), each over the denominator of its equation.
+fn residuals(field: &Field, point: &[Rational], next: &[Rational]) -> Vec<Rational> {
+    let eps = &point[usize::from(field.symbols.epsilon().0)];
+    let value = |variable| match field.symbols.symbol(variable) {
+        Symbol::SecondState(i) => next[i].clone(),
+        _ => point[usize::from(variable.0)].clone(),
+    };
+    let run = |plan: Plan| plan.evaluate(&Exact, value).into_iter().map(Option::unwrap).collect::<Vec<_>>();
+    let polarized = run(Plan::of(polarization(field).iter()));
+    let denominators = run(Plan::of(field.components.iter().map(|component| &component.denominator)));
+    (0..next.len())
+        .map(|i| &(&denominators[i] * &(&next[i] - &point[i])) - &(&(eps + eps) * &polarized[i]))
+        .collect()
+}
+
+fn solves_the_scheme(name: &str, field: &Field, numbers: &mut Numbers) {
+    let step = StepPlan::of(field).unwrap_or_else(|| panic!("{name} is small enough for straight lines"));
+    let inputs = usize::from(field.symbols.epsilon().0) + 1;
+    let mut points = 0;
+    for _ in 0..5 {
+        let point: Vec<Rational> = (0..inputs).map(|_| numbers.next()).collect();
+        let Some(next) = next(field, &step, &point) else { continue };
+        points += 1;
+        assert!(residuals(field, &point, &next).iter().all(Rational::is_zero), "{name} at {point:?}");
+    }
+    assert!(points > 2, "{name}: poles everywhere");
+}
+
+#[test]
+fn every_form_solves_the_scheme() {
+    let mut numbers = Numbers(SplitMix64::new(41));
+    for (name, text) in FIELDS {
+        solves_the_scheme(name, &field(text), &mut numbers);
+    }
+}
+
+/// Fields of four to seven states with one to three terms an equation: too large to be written out, in one block or many.
+#[test]
+fn random_sparse_fields_are_stepped_by_their_structure() {
+    let mut numbers = Numbers(SplitMix64::new(42));
+    for _ in 0..40 {
+        let n = 4 + numbers.0.below(4);
+        let names = ["a", "b", "c", "d", "f", "g", "h"];
+        let mut text = String::new();
+        for state in &names[..n as usize] {
+            text += &format!("{state}dot = ");
+            for _ in 0..=numbers.0.below(3) {
+                let mut one = || names[numbers.0.below(n) as usize];
+                text += &format!("+ {}*{} - {}", one(), one(), one());
+            }
+            text += ";\n";
+        }
+        let text = text.replace("= +", "=");
+        let field = field(&text);
+        if StepPlan::of(&field).is_some() {
+            solves_the_scheme(&text, &field, &mut numbers);
+        }
+    }
+}
+
+#[test]
+fn poles_of_the_reduced_map_are_poles_of_the_plan_and_removable_ones_are_not() {
+    let e1 = field(FIELDS[1].1);
+    let step = StepPlan::of(&e1).expect("E1 is small");
+    let at = |x: Rational| [x, Rational::from(2), Rational::from(3), Rational::new(1, 2)];
+    // D = (1 − εx)(1 + 2εx); det A has the factor 1 + εx besides.
+    assert!(next(&e1, &step, &at(Rational::from(2))).is_none());
+    assert!(next(&e1, &step, &at(Rational::from(-1))).is_none());
+    assert!(next(&e1, &step, &at(Rational::from(-2))).is_some());
+}
+
+#[test]
+fn one_division_serves_all_components_of_a_block() {
+    for (name, text) in &FIELDS[..7] {
+        let step = StepPlan::of(&field(text)).expect("the fields are small");
+        assert_eq!(step.kernel.cost().divisions, 1, "{name}");
+    }
+}
+
+#[test]
+fn only_eps_its_multiples_and_its_products_with_parameters_are_prepared_for_homogeneous_fields() {
+    for (name, text) in &FIELDS[1..5] {
+        let field = field(text);
+        let step = StepPlan::of(&field).expect("the fields are small");
+        let epsilon = field.symbols.epsilon();
+        let mut degree = Vec::new();
+        for operation in &step.constants.operations {
+            degree.push(match operation {
+                Operation::Input(variable) => usize::from(*variable == epsilon),
+                Operation::Multiply(a, b) => degree[a.0] + degree[b.0],
+                _ => operation.operands().map(|operand| degree[operand.0]).max().unwrap_or(0),
+            });
+        }
+        assert!(step.constants.outputs.iter().all(|output| degree[output.0] <= 1), "{name}");
+    }
+}
+
+#[test]
+fn a_field_with_too_many_minors_is_left_to_elimination() {
+    let names: Vec<String> = (0..9).map(|i| format!("x{i}")).collect();
+    let sum = names.join(" + ");
+    let text: String = names
+        .iter()
+        .enumerate()
+        .map(|(i, x)| format!("{x}dot = {x}*({sum}) + {}*({sum});\n", i + 2))
+        .collect();
+    assert!(StepPlan::of(&field(&text)).is_none());
+}
