@@ -149,51 +149,33 @@ pub fn claims_plan(claims: &[&Claim]) -> Plan {
 #[must_use]
 pub fn next_plan(field: &Field, step: &StepPlan) -> Plan {
     let mut operations = step.kernel.operations.clone();
-    let mut place = |operation: Operation| {
-        let known = operations.iter().position(|known| *known == operation);
-        Node(known.unwrap_or_else(|| {
-            operations.push(operation);
-            operations.len() - 1
-        }))
+    let mut push = |operation: Operation| {
+        operations.push(operation);
+        Node(operations.len() - 1)
     };
     let (numerators, reciprocals) = step.kernel.outputs.split_at(field.dimension());
     let mut outputs = Vec::with_capacity(numerators.len());
-    for (i, (numerator, reciprocal)) in numerators.iter().zip(&step.reciprocals).enumerate() {
-        let state = place(Operation::Input(field.symbols.state(i)));
+    for (i, (&numerator, reciprocal)) in numerators.iter().zip(&step.reciprocals).enumerate() {
+        let state = push(Operation::Input(field.symbols.state(i)));
         let negated = match step.kernel.operations[numerator.0] {
             Operation::Negate(inner) => Some(inner),
             _ => None,
         };
-        outputs.push(place(match (negated, reciprocal.map(|index| reciprocals[index])) {
+        outputs.push(push(match (negated, reciprocal.map(|index| reciprocals[index])) {
             (Some(inner), Some(reciprocal)) => Operation::SubtractProduct(state, inner, reciprocal),
             (Some(inner), None) => Operation::Subtract(state, inner),
-            (None, Some(reciprocal)) => Operation::MultiplyAdd(*numerator, reciprocal, state),
-            (None, None) => Operation::Add(state, *numerator),
+            (None, Some(reciprocal)) => Operation::MultiplyAdd(numerator, reciprocal, state),
+            (None, None) => Operation::Add(state, numerator),
         }));
     }
-    Plan { operations, outputs }.without_unused()
+    tidied(Plan { operations, outputs })
 }
 
-impl Plan {
-    /// The same plan without the steps that no result needs.
-    fn without_unused(&self) -> Plan {
-        let mut needed = vec![false; self.operations.len()];
-        for output in &self.outputs {
-            needed[output.0] = true;
-        }
-        for index in (0..self.operations.len()).rev().filter(|&index| needed[index]).collect::<Vec<_>>() {
-            for operand in self.operations[index].operands() {
-                needed[operand.0] = true;
-            }
-        }
-        let mut renamed = vec![Node(0); self.operations.len()];
-        let mut operations = Vec::new();
-        for (index, operation) in self.operations.iter().enumerate().filter(|(index, _)| needed[*index]) {
-            renamed[index] = Node(operations.len());
-            operations.push(operation.with_operands(|node| renamed[node.0]));
-        }
-        Plan { operations, outputs: self.outputs.iter().map(|output| renamed[output.0]).collect() }
-    }
+/// The same plan, each step once, and none that no result needs.
+fn tidied(plan: Plan) -> Plan {
+    let mut builder = PlanBuilder::default();
+    let outputs = builder.include(&plan);
+    builder.finish(&outputs)
 }
 
 /// These numerators, `width` of them over each component's denominator.

@@ -130,3 +130,60 @@ fn over_base(polynomial: &Polynomial, base: &[Polynomial]) -> Factored {
     }
     Factored { coefficient, monomial, factors }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::Field;
+    use crate::kahan::RationalMap;
+
+    fn factors_of(text: &str) -> (Field, Vec<Polynomial>, Vec<Factored>) {
+        let field = crate::read(&crate::lexer::lex(text).tokens).system.field;
+        let reduced = RationalMap::of(&field).expect("the field is small").reduced;
+        let mut all = reduced.increments;
+        all.push(reduced.denominator);
+        let factored = factored(&all.iter().collect::<Vec<_>>());
+        (field, all, factored)
+    }
+
+    fn lengths(factored: &Factored) -> Vec<usize> {
+        let mut lengths: Vec<usize> = factored.factors.iter().map(|(factor, _)| factor.len()).collect();
+        lengths.sort_unstable();
+        lengths
+    }
+
+    #[test]
+    fn the_product_of_the_factors_is_the_polynomial() {
+        for text in [
+            "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;",
+            "xdot = x*y; ydot = -x^2; zdot = y*(2*x - z);",
+            "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);",
+            "xdot = x*(1 - y); ydot = y*(x - 1);",
+        ] {
+            let (_, all, factored) = factors_of(text);
+            for (polynomial, factored) in all.iter().zip(&factored) {
+                let start = Polynomial::term(factored.monomial.clone(), factored.coefficient.clone());
+                let powers =
+                    factored.factors.iter().flat_map(|(factor, e)| std::iter::repeat_n(factor, *e as usize));
+                assert_eq!(powers.fold(start, |product, factor| &product * factor), *polynomial, "{text}");
+            }
+        }
+    }
+
+    /// Two numerators of E6 share y + ε(x² − z²); the third one, without a common factor and without a content, is a product
+    /// by its discriminant.
+    #[test]
+    fn the_numerators_of_e6_are_products() {
+        let (_, _, factored) = factors_of("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
+        let lengths: Vec<Vec<usize>> = factored.iter().map(lengths).collect();
+        assert_eq!(lengths, [vec![3, 3], vec![4, 4], vec![3, 3], vec![7]]);
+    }
+
+    /// E3: z + ε(x² + y²) is shared, x² + y² is what the coefficients of z in the third numerator have in common.
+    #[test]
+    fn what_coefficients_share_is_a_factor() {
+        let (_, _, factored) = factors_of("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;");
+        let lengths: Vec<Vec<usize>> = factored.iter().map(lengths).collect();
+        assert_eq!(lengths, [vec![3], vec![3], vec![2, 2], vec![4]]);
+    }
+}

@@ -78,3 +78,48 @@ impl Plan {
         builder.finish(&outputs)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::PlanBuilder;
+    use super::*;
+    use crate::poly::Variable;
+
+    #[test]
+    fn a_product_that_is_added_once_is_fused() {
+        let mut builder = PlanBuilder::default();
+        let [x, y, z] = [0, 1, 2].map(|v| builder.input(Variable(v)));
+        let product = builder.multiply(x, y);
+        let sum = builder.subtract(z, product);
+        let cost = builder.finish(&[sum]).fused().cost();
+        assert_eq!((cost.fused, cost.operations(), cost.chain), (1, 2, FUSED));
+        // A product with another use stays.
+        let cost = builder.finish(&[sum, product]).fused().cost();
+        assert_eq!((cost.fused, cost.operations()), (0, 2));
+    }
+
+    /// Of two products the one that is ready last is fused, since its partner waits for it anyway.
+    #[test]
+    fn the_later_of_two_products_is_fused() {
+        let mut builder = PlanBuilder::default();
+        let [x, y] = [0, 1].map(|v| builder.input(Variable(v)));
+        let product = builder.multiply(x, y);
+        let cube = builder.multiply(product, x);
+        let square = builder.multiply(y, y);
+        let sum = builder.add(square, cube);
+        let cost = builder.finish(&[sum]).fused().cost();
+        assert_eq!((cost.fused, cost.operations(), cost.chain), (1, 4, 4 + FUSED));
+    }
+
+    /// Fused, the sum would be ready a cycle later, and everything waits for it.
+    #[test]
+    fn a_late_addend_on_the_chain_is_not_fused() {
+        let mut builder = PlanBuilder::default();
+        let [x, y, z] = [0, 1, 2].map(|v| builder.input(Variable(v)));
+        let early = builder.multiply(x, y);
+        let late = builder.divide(x, z);
+        let sum = builder.add(late, early);
+        let plan = builder.finish(&[sum]);
+        assert_eq!(plan.clone().fused(), plan);
+    }
+}

@@ -9,7 +9,8 @@ impl Polynomial {
     /// r with r² = self and a positive leading coefficient; `None` if there is none. Costs a product of terms for every term
     /// of the root, plus one.
     ///
-    /// The leading term of r is the root of self's; each further term is determined by the highest term of self − r².
+    /// The leading term of r is the root of self's; each further term is determined by the highest term of self − r². A root
+    /// with more terms than its square (the shortest known has 13) is not found.
     pub fn square_root(&self) -> Option<Self> {
         let Some((monomial, coefficient)) = self.leading_term() else { return Some(Self::zero()) };
         let (monomial, coefficient) = (half(monomial)?, rational_root(coefficient)?);
@@ -18,7 +19,7 @@ impl Polynomial {
         let mut rest = self - &(&root * &root);
         while let Some((highest, value)) = rest.leading_term() {
             let next = Self::term(highest.div(&monomial)?, value.checked_div(&twice)?);
-            // The terms of a root decrease, and it has no more of them than its square.
+            // The terms of a root decrease.
             if root.len() > self.len() || next.leading_term()?.0 >= root.terms().next_back()?.0 {
                 return None;
             }

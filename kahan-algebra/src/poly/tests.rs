@@ -250,3 +250,20 @@ fn a_gcd_over_budget_says_so() {
     );
     assert_eq!(tall(1 << 20).div_within(&tall(1), &mut Budget::new(1000, 1_000_000)), Err(OverBudget));
 }
+
+#[test]
+fn the_root_of_a_square_is_found_and_nothing_else_has_one() {
+    let (x, y, z) = (v(0), v(1), v(2));
+    let half = Rational::new(1, 2);
+    let sum = &(&(&x * &y).scale(&half) - &z) + &c(3);
+    let (tall, cube) = (&sum * &(&x * &x), &(&sum * &sum) * &sum);
+    for root in [sum.clone(), c(0), c(1), x.clone(), tall, cube] {
+        let square = &root * &root;
+        assert_eq!(square.square_root(), Some(root.clone()), "{root:?}");
+        assert_eq!((&square + &y).square_root(), None, "{root:?}");
+        assert_eq!((-&(&square + &(&z * &z))).square_root(), None, "{root:?}");
+    }
+    assert_eq!(c(2).square_root(), None);
+    // The highest terms of both factors agree, the others do not.
+    assert_eq!((&(&x + &y) * &(&x + &z)).square_root(), None);
+}

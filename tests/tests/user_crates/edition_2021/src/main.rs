@@ -3,6 +3,7 @@
 #![deny(missing_docs, unused, warnings)]
 #![deny(clippy::pedantic)]
 
+use kahan_core::KahanAt;
 use kahan_core::prelude::*;
 
 kahan! {
@@ -14,11 +15,33 @@ kahan! {
     bracket P { {x,y} = 1; }
 }
 
+/// A program's own state: a prepared map beside what it moves.
+struct Spinning<M: KahanMap<f64, 2>> {
+    map: KahanAt<M, f64, 2>,
+    state: SVector<f64, 2>,
+}
+
+/// The same with a map of one kind.
+struct Wheel {
+    inner: Spinning<Rotation<f64>>,
+}
+
+impl<M: KahanMap<f64, 2>> Spinning<M> {
+    fn turn(&mut self) {
+        self.state = self.map.step(&self.state);
+    }
+}
+
 fn main() {
     let rotation = Rotation { omega: 2.0_f64 };
     let start = vector![0.6, 0.8];
     let end = rotation.orbit(start, 0.05).nth(100).expect("an orbit of floats does not end");
     assert!((rotation.integrals(&end, 0.05)[0] - 1.0).abs() < 1e-13);
+    let mut wheel = Wheel { inner: Spinning { map: rotation.at(0.05), state: start } };
+    for _ in 0..100 {
+        wheel.inner.turn();
+    }
+    assert_eq!(wheel.inner.state, end);
     let omega = 2.0_f64;
     let value = kahan! { xdot = omega*y; ydot = -omega*x; };
     assert_eq!(value.step(&start, 0.05), rotation.step(&start, 0.05));
