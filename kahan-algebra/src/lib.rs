@@ -5,7 +5,7 @@
 //! knows Rust: the macro (`kahan-derive`) and the command (`kahan-systems`) are two users of one pipeline, [`read`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`], [`system`], [`kahan`],
-//! [`plan`], [`prove`], [`specialise`], [`interpret`], [`render`],
+//! [`plan`], [`prove`], [`specialise`], [`interpret`], [`objects`], [`render`],
 //! [`poisson`]; beneath them the exact arithmetic of [`rational`], [`poly`] and [`rational_function`].
 
 pub mod arithmetic;
@@ -15,6 +15,7 @@ pub mod field;
 pub mod interpret;
 pub mod kahan;
 pub mod lexer;
+pub mod objects;
 pub mod parse;
 pub mod plan;
 pub mod poisson;

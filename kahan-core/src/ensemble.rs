@@ -68,7 +68,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
         self.instructions.level
     }
 
-    /// The same ensemble with another way of dividing.
+    /// The same ensemble with another way of computing reciprocals, which changes bits on [`Level::Avx512`] only.
     pub fn with_reciprocal(mut self, reciprocal: Reciprocal) -> Self {
         self.instructions.reciprocal = reciprocal;
         self

@@ -23,8 +23,21 @@ use crate::system::{Claim, System};
 pub struct Object {
     /// What it is called: `field f`, `det A`, `bracket P`.
     pub name: String,
+    /// How it is written.
+    pub style: Style,
     /// What it computes; `None` where it is elimination in a loop.
     pub plan: Option<Plan>,
+}
+
+/// How an object's code is written: what its size depends on beside its operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// A function of one point.
+    Plain,
+    /// A function of two points.
+    TwoPoints,
+    /// A function of one point over dual numbers.
+    Dual,
 }
 
 /// Everything that is generated for a system.
@@ -40,7 +53,11 @@ pub struct Objects {
 
 impl Object {
     fn new(name: impl Into<String>, plan: impl Into<Option<Plan>>) -> Self {
-        Object { name: name.into(), plan: plan.into() }
+        Object { name: name.into(), style: Style::Plain, plan: plan.into() }
+    }
+
+    fn styled(self, style: Style) -> Self {
+        Object { style, ..self }
     }
 
     /// The operations of the object and its chain; `None` where it is elimination.
@@ -52,7 +69,7 @@ impl Object {
     /// The machine code and the time to compile it, estimated; `None` where the object is elimination.
     #[must_use]
     pub fn estimate(&self) -> Option<Estimate> {
-        self.plan.as_ref().map(Estimate::of)
+        self.plan.as_ref().map(|plan| Estimate::of(plan, self.style))
     }
 }
 
@@ -74,11 +91,12 @@ impl Objects {
         let mut list = vec![
             Object::new("field f", field_plan(field)),
             Object::new("f'(x)", field_jacobian_plan(field)),
-            Object::new("Q(x,x')", bilinear_plan(field)),
-            Object::new("polarised field", polarized_plan(field)),
+            Object::new("Q(x,x')", bilinear_plan(field)).styled(Style::TwoPoints),
+            Object::new("polarised field", polarized_plan(field)).styled(Style::TwoPoints),
             Object::new("prepared constants", step.as_ref().map(|step| step.constants.clone())),
             Object::new("step", step.as_ref().map(|step| next_plan(field, step))),
-            Object::new("Jacobian", step.as_ref().map(|step| dual::jacobian_plan(field, step))),
+            Object::new("Jacobian", step.as_ref().map(|step| dual::jacobian_plan(field, step)))
+                .styled(Style::Dual),
             Object::new("det A", map.as_ref().map(det_matrix_plan)),
             Object::new("(N, D)", map.as_ref().map(rational_map_plan)),
         ];

@@ -26,27 +26,59 @@ struct Description {
     kind: Kind,
 }
 
-/// A name for each step that is computed, unique and no name of a variable; literals are their values.
-pub(super) fn names(plan: &Plan, symbols: &Symbols, constants: &[String]) -> Vec<String> {
-    let mut taken: BTreeSet<String> = symbols.states.iter().chain(&symbols.parameters).cloned().collect();
+/// A name for each step of a plan of prepared constants; literals are their values.
+pub(super) fn constant_names(plan: &Plan, symbols: &Symbols) -> Vec<String> {
+    names(plan, symbols, &[], &[], true)
+}
+
+/// A name for each step of a kernel: none that `constant_names` gave, which `prepared` are among.
+pub(super) fn kernel_names(
+    plan: &Plan,
+    symbols: &Symbols,
+    prepared: &[String],
+    constant_names: &[String],
+) -> Vec<String> {
+    names(plan, symbols, prepared, constant_names, false)
+}
+
+/// Unique names, none of them a variable's; where the plan `prepares` constants, a result that has no short description is
+/// `constant_1`, ….
+fn names(
+    plan: &Plan,
+    symbols: &Symbols,
+    prepared: &[String],
+    taken: &[String],
+    prepares: bool,
+) -> Vec<String> {
+    let variables = symbols.states.iter().chain(&symbols.parameters).chain(taken);
+    let mut taken: BTreeSet<String> = variables.cloned().collect();
     taken.insert("eps".to_owned());
-    taken.extend(constants.iter().cloned());
     let mut numbered: BTreeMap<&'static str, usize> = BTreeMap::new();
-    let descriptions = descriptions(plan, symbols, constants);
     let mut names: Vec<String> = Vec::with_capacity(plan.operations.len());
-    for (operation, description) in plan.operations.iter().zip(descriptions) {
+    for (index, description) in descriptions(plan, symbols, prepared).into_iter().enumerate() {
+        let operation = &plan.operations[index];
         let name = match *operation {
             Operation::Input(variable) => symbols.name(variable),
-            Operation::Prepared(index) => constants[index].clone(),
-            Operation::Constant(ref value) => value.to_string(),
+            Operation::Prepared(index) => prepared[index].clone(),
+            Operation::Constant(ref value) if value.is_integer() => value.to_string(),
+            Operation::Constant(ref value) => format!("({value})"),
             Operation::Negate(a) if matches!(plan.operations[a.0], Operation::Constant(_)) => {
-                format!("-{}", names[a.0])
+                format!("(-{})", names[a.0])
             }
             _ => {
                 let text = description
                     .filter(|_| !matches!(operation, Operation::Divide(..)))
                     .filter(|text| taken.insert(text.clone()));
-                text.unwrap_or_else(|| numbered_name(operation, &mut numbered, &mut taken))
+                text.unwrap_or_else(|| {
+                    let what = match operation {
+                        _ if prepares && plan.outputs.contains(&Node(index)) => "constant",
+                        Operation::Multiply(..) => "product",
+                        Operation::Divide(..) => "reciprocal",
+                        Operation::Negate(_) => "negative",
+                        _ => "sum",
+                    };
+                    numbered_name(what, &mut numbered, &mut taken)
+                })
             }
         };
         names.push(name);
@@ -55,16 +87,10 @@ pub(super) fn names(plan: &Plan, symbols: &Symbols, constants: &[String]) -> Vec
 }
 
 fn numbered_name(
-    operation: &Operation,
+    what: &'static str,
     numbered: &mut BTreeMap<&'static str, usize>,
     taken: &mut BTreeSet<String>,
 ) -> String {
-    let what = match operation {
-        Operation::Multiply(..) => "product",
-        Operation::Divide(..) => "reciprocal",
-        Operation::Negate(_) => "negative",
-        _ => "sum",
-    };
     loop {
         let number = numbered.entry(what).or_default();
         *number += 1;
@@ -75,10 +101,10 @@ fn numbered_name(
     }
 }
 
-fn descriptions(plan: &Plan, symbols: &Symbols, constants: &[String]) -> Vec<Option<String>> {
+fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
     for operation in &plan.operations {
-        let description = describe(operation, symbols, constants, |node: Node| known[node.0].as_ref());
+        let description = describe(operation, symbols, prepared, |node: Node| known[node.0].as_ref());
         known.push(description.filter(|description| description.text.len() <= LONGEST));
     }
     known.into_iter().map(|description| Some(description?.text)).collect()
@@ -88,7 +114,7 @@ fn descriptions(plan: &Plan, symbols: &Symbols, constants: &[String]) -> Vec<Opt
 fn describe<'a>(
     operation: &Operation,
     symbols: &Symbols,
-    constants: &[String],
+    prepared: &[String],
     known: impl Fn(Node) -> Option<&'a Description>,
 ) -> Option<Description> {
     let text = |node: Node| Some(known(node)?.text.as_str());
@@ -97,7 +123,7 @@ fn describe<'a>(
     let atom = |text: String| Some(Description { text, kind: Kind::Product });
     match *operation {
         Operation::Input(variable) => atom(symbols.name(variable).replace('\'', "_second")),
-        Operation::Prepared(index) => atom(constants.get(index)?.clone()),
+        Operation::Prepared(index) => atom(prepared.get(index)?.clone()),
         Operation::Constant(ref value) => Some(Description { text: number(value)?, kind: Kind::Number }),
         Operation::Negate(a) => sum(format!("minus_{}", text(a)?)),
         Operation::Add(a, b) if a == b => atom(format!("two_{}", text(a)?)),

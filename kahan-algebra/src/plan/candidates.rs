@@ -73,13 +73,15 @@ pub(super) fn best(field: &Field, map: Option<&RationalMap>) -> Option<Candidate
 /// The cheapest form of a reduced map.
 fn written_out(field: &Field, map: &RationalMap) -> Option<Candidate> {
     let parts = Parts::of(field, map);
-    let mut starts: Vec<WithDenominator> =
+    let starts: Vec<WithDenominator> =
         scalings(field).into_iter().flat_map(|scaling| parts.denominators(&Writer::new(scaling))).collect();
-    starts.sort_by_cached_key(WithDenominator::price);
-    let has_determinants = starts.iter().any(|start| start.numerators.is_some());
+    let mut starts: Vec<(u64, WithDenominator)> =
+        starts.into_iter().map(|mut start| (start.price(), start)).collect();
+    starts.sort_by_key(|(price, _)| *price);
+    let has_determinants = starts.iter().any(|(_, start)| start.numerators.is_some());
     let mut to_try = if has_determinants && parts.factor_terms() > FACTOR_TERMS { 0 } else { TRIED };
     let mut best: Option<Candidate> = None;
-    for start in starts {
+    for (_, start) in starts {
         if start.numerators.is_none() {
             if to_try == 0 {
                 continue;
@@ -96,16 +98,15 @@ fn written_out(field: &Field, map: &RationalMap) -> Option<Candidate> {
 
 impl WithDenominator {
     /// What the denominator alone costs.
-    fn price(&self) -> u64 {
-        let mut writer = self.writer.clone();
-        let reciprocal = twice_reciprocal(&mut writer, self.denominator.node);
-        price(&mut writer, &[], &[reciprocal])
+    fn price(&mut self) -> u64 {
+        let draft = &mut self.writer.draft;
+        Goal::Early.price(draft.size_of(self.denominator.node), draft.ready(self.denominator.node))
     }
 }
 
 /// Without parameters there is one way to distribute ε first.
 fn scalings(field: &Field) -> Vec<Scaling> {
-    let scaling = |first| Scaling::new(&field.symbols, first);
+    let scaling = |first| Scaling::new(field, first);
     if field.symbols.parameters.is_empty() {
         vec![scaling(First::States)]
     } else {
@@ -172,32 +173,44 @@ impl<'a> Parts<'a> {
             return Vec::new();
         }
         let matrix = scaled_matrix(self.field);
-        let eps = Polynomial::variable(self.field.symbols.epsilon());
         let mut starts = Vec::new();
         // The row of the last expansion; of two rows either gives the same.
         for last in if n == 2 { 1..2 } else { 0..n } {
             let mut writer = empty.clone();
-            let mut rows: Vec<Vec<Signed>> = matrix
-                .iter()
-                .zip(&self.field.components)
-                .map(|(row, component)| {
-                    let mut row: Vec<Signed> =
-                        row.iter().map(|entry| writer.write_scaled(entry, Goal::Few)).collect();
-                    row.push(writer.write_scaled(&(&eps * &component.numerator), Goal::Few));
-                    row
-                })
-                .collect();
-            // A cyclic order of three rows keeps the sign.
-            rows.rotate_left((last + 1) % n);
-            let Determinants { denominator, numerators } = determinants(&mut writer.draft, &rows);
+            let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
             // D̂ may differ from d by a constant, and the numerators from these then do, too.
             if map_is_unscaled(self.map) {
                 writer.remember_scaled(&self.map.reduced.denominator, denominator);
                 starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
             }
+            // Gathered coefficients make the written denominator shorter than the determinant.
+            if map_is_unscaled(self.map) && empty.scaling.folds {
+                let mut writer = empty.clone();
+                let denominator = writer.write_scaled(&self.map.reduced.denominator, Goal::Early);
+                let Determinants { numerators, .. } = self.expanded(&mut writer, &matrix, last);
+                starts.push(WithDenominator { writer, denominator, numerators: Some(numerators) });
+            }
             starts.push(WithDenominator { writer, denominator, numerators: Some(numerators) });
         }
         starts
+    }
+
+    /// The determinants with the last expansion along a row.
+    fn expanded(&self, writer: &mut Writer, matrix: &[Vec<Polynomial>], last: usize) -> Determinants {
+        let eps = Polynomial::variable(self.field.symbols.epsilon());
+        let mut rows: Vec<Vec<Signed>> = matrix
+            .iter()
+            .zip(&self.field.components)
+            .map(|(row, component)| {
+                let mut row: Vec<Signed> =
+                    row.iter().map(|entry| writer.write_scaled(entry, Goal::Few)).collect();
+                row.push(writer.write_scaled(&(&eps * &component.numerator), Goal::Few));
+                row
+            })
+            .collect();
+        // A cyclic order of three rows keeps the sign.
+        rows.rotate_left((last + 1) % matrix.len());
+        determinants(&mut writer.draft, &rows)
     }
 
     /// The numerators to a denominator, from the factors.
@@ -245,6 +258,7 @@ fn price(writer: &mut Writer, numerators: &[Node], reciprocals: &[Node]) -> u64 
     let negations = numerators.iter().filter(|node| writer.draft.builder.is_negation(**node)).count();
     let cost = kernel.cost();
     // A negated numerator becomes a subtraction at the end.
-    let operations = cost.operations() - negations + DERIVED * derived;
+    let fine = if writer.scaling.folds { 0 } else { DERIVED * derived };
+    let operations = cost.operations() - negations + fine;
     Goal::Early.price(operations, cost.chain)
 }

@@ -15,11 +15,13 @@ pub(super) struct Draft {
     fixed: Vec<bool>,
     /// Variables below this index are states.
     states: u16,
+    /// Whether constants may be multiplied with each other, see [`Self::product`].
+    folds: bool,
 }
 
 impl Draft {
-    pub(super) fn new(states: u16) -> Self {
-        Draft { builder: PlanBuilder::default(), ready: Vec::new(), fixed: Vec::new(), states }
+    pub(super) fn new(states: u16, folds: bool) -> Self {
+        Draft { builder: PlanBuilder::default(), ready: Vec::new(), fixed: Vec::new(), states, folds }
     }
 
     /// Brings the tables up to date.
@@ -34,6 +36,30 @@ impl Draft {
             self.ready.push(if fixed { 0 } else { operands + operation.latency() });
             self.fixed.push(fixed);
         }
+    }
+
+    /// The cycle in which a step's result can be used.
+    pub(super) fn ready(&mut self, node: Node) -> u32 {
+        self.settle();
+        self.ready[node.0]
+    }
+
+    /// Operations that depend on a state and that a step needs.
+    pub(super) fn size_of(&mut self, node: Node) -> usize {
+        self.settle();
+        let operations = self.builder.operations();
+        let mut needed = vec![false; operations.len()];
+        needed[node.0] = true;
+        let mut size = 0;
+        for index in (0..=node.0).rev().filter(|&index| !self.fixed[index]) {
+            if needed[index] {
+                size += usize::from(!matches!(operations[index], Operation::Input(_)));
+                for operand in operations[index].operands() {
+                    needed[operand.0] = true;
+                }
+            }
+        }
+        size
     }
 
     /// The number of steps, to go back to with [`Self::truncate`].
@@ -81,9 +107,10 @@ impl Draft {
         self.builder.multiply(a, b)
     }
 
-    /// The product of all, the earliest two first; a product that exists already comes before a new one. Two constants are
-    /// not multiplied with each other as long as there is a state: their product would be rounded the same way in every
-    /// step, and a long orbit would drift.
+    /// The product of all, the earliest two first; a product that exists already comes before a new one.
+    ///
+    /// Unless the draft folds, two constants are not multiplied with each other as long as there is a state: their product
+    /// would be rounded the same way in every step, and the integrals of a long orbit would drift.
     pub(super) fn product(&mut self, factors: &[Node]) -> Node {
         let mut factors = factors.to_vec();
         if factors.is_empty() {
@@ -92,7 +119,8 @@ impl Draft {
         while factors.len() > 1 {
             self.sort(&mut factors, |node| *node);
             let fixed = factors.iter().filter(|node| self.fixed[node.0]).count();
-            let earliest = if (1..factors.len()).contains(&fixed) { (fixed - 1, fixed) } else { (0, 1) };
+            let earliest =
+                if !self.folds && (1..factors.len()).contains(&fixed) { (fixed - 1, fixed) } else { (0, 1) };
             let (first, second) = self.known_pair(&factors).unwrap_or(earliest);
             let b = factors.remove(second);
             let a = factors.remove(first);

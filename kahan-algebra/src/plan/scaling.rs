@@ -3,12 +3,14 @@
 //! With X = εx computed first, a term needs no multiplication by ε of its own, and only ε itself enters as a rounded
 //! constant. A scaled symbol is a variable of its own, numbered after all others.
 
+use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
-use crate::symbols::Symbols;
 
 use super::cost::{DIVIDE, MULTIPLY};
 
+/// Coefficients are variables from here on; there are fewer symbols than that.
+const COEFFICIENTS: u16 = 1 << 15;
 /// When a state of the next point is ready, about: after a division.
 const LATE: u32 = 2 * DIVIDE;
 
@@ -28,12 +30,15 @@ pub(super) struct Scaling {
     parameters: usize,
     epsilon: Variable,
     first: First,
+    /// Whether the constants of a term are prepared as one, although that rounds them twice.
+    pub(super) folds: bool,
 }
 
 impl Scaling {
-    pub(super) fn new(symbols: &Symbols, first: First) -> Self {
+    pub(super) fn new(field: &Field, first: First) -> Self {
+        let symbols = &field.symbols;
         let (states, parameters) = (symbols.states.len(), symbols.parameters.len());
-        Scaling { states, parameters, epsilon: symbols.epsilon(), first }
+        Scaling { states, parameters, epsilon: symbols.epsilon(), first, folds: is_dissipative(field) }
     }
 
     pub(super) fn states(&self) -> u16 {
@@ -44,6 +49,11 @@ impl Scaling {
         self.epsilon
     }
 
+    /// The variable of the k-th coefficient that was gathered.
+    pub(super) fn coefficient(&self, k: usize) -> Variable {
+        Variable(COEFFICIENTS + u16::try_from(k).unwrap_or(0))
+    }
+
     /// εv for a state or parameter v.
     pub(super) fn scaled(&self, symbol: Variable) -> Variable {
         Variable(symbol.0 + self.offset())
@@ -51,12 +61,13 @@ impl Scaling {
 
     /// v, if the variable is εv.
     pub(super) fn unscaled(&self, variable: Variable) -> Option<Variable> {
-        variable.0.checked_sub(self.offset()).map(Variable)
+        variable.0.checked_sub(self.offset()).map(Variable).filter(|_| variable.0 < COEFFICIENTS)
     }
 
     /// When a variable is ready; `None` for what depends on no state.
     pub(super) fn ready(&self, variable: Variable) -> Option<u32> {
         match self.unscaled(variable) {
+            None if variable.0 >= COEFFICIENTS => None,
             Some(symbol) => self.ready(symbol).map(|ready| ready + MULTIPLY),
             None if variable.0 < self.states() => Some(0),
             None if variable.0 > self.epsilon.0 => Some(LATE),
@@ -118,6 +129,17 @@ impl Scaling {
         }
         result.mul(&Monomial::power(self.epsilon, powers_of_eps))
     }
+}
+
+/// Whether volumes shrink or grow everywhere at one rate, div f being a constant other than 0. Such a field keeps no measure
+/// and no integral that a constant rounded twice could make drift.
+fn is_dissipative(field: &Field) -> bool {
+    let n = field.dimension();
+    let slopes = (0..n).map(|i| field.components[i].numerator.derivative(field.symbols.state(i)));
+    let divergence = slopes.fold(Polynomial::zero(), |sum, slope| &sum + &slope);
+    field.components.iter().all(|component| component.denominator.is_one())
+        && !divergence.is_zero()
+        && divergence.degree_where(|variable| field.symbols.is_state(variable)) == 0
 }
 
 /// Orders of n states: all of them up to three, else each state first once.

@@ -27,6 +27,8 @@ pub(super) struct Writer {
     sums: Vec<Polynomial>,
     /// Steps that stand for symbols.
     put: Vec<(Variable, Node)>,
+    /// Sums of constants that were prepared as one.
+    coefficients: Vec<Polynomial>,
     /// Forms for `Goal::Early` and `Goal::Few`.
     nestings: [Nesting; 2],
 }
@@ -35,12 +37,13 @@ impl Writer {
     pub(super) fn new(scaling: Scaling) -> Self {
         let nestings = [Goal::Early, Goal::Few].map(|goal| Nesting::new(goal, scaling.clone()));
         Writer {
-            draft: Draft::new(scaling.states()),
+            draft: Draft::new(scaling.states(), scaling.folds),
             scaling,
             known: HashMap::new(),
             made: Vec::new(),
             sums: Vec::new(),
             put: Vec::new(),
+            coefficients: Vec::new(),
             nestings,
         }
     }
@@ -149,7 +152,46 @@ impl Writer {
         best.map(|(_, attempt)| write(self, attempt))
     }
 
+    /// The polynomial with each sum of constants that multiplies one product of states as one coefficient.
+    fn gathered(&mut self, polynomial: &Polynomial) -> Polynomial {
+        let scaling = self.scaling.clone();
+        let groups = polynomial.group(|variable| scaling.ready(variable).is_some());
+        let mut terms = Vec::new();
+        for (states, coefficient) in groups {
+            if coefficient.len() < 2 || states.is_one() {
+                terms.extend(
+                    coefficient.terms().map(|(monomial, value)| (states.mul(monomial), value.clone())),
+                );
+                continue;
+            }
+            let (content, sum) = (coefficient.content(), coefficient.primitive_part());
+            let variable = self.coefficient(&sum);
+            terms.push((states.mul(&Monomial::variable(variable)), content));
+        }
+        Polynomial::from_terms(terms)
+    }
+
+    /// The variable that stands for a sum of constants.
+    fn coefficient(&mut self, sum: &Polynomial) -> Variable {
+        if let Some(k) = self.coefficients.iter().position(|known| known == sum) {
+            return self.scaling.coefficient(k);
+        }
+        let variable = self.scaling.coefficient(self.coefficients.len());
+        let terms = sum.terms().map(|(monomial, value)| (monomial.clone(), value.clone())).collect();
+        let written = self.fixed_sum(terms);
+        let node = if written.negative { self.draft.builder.negate(written.node) } else { written.node };
+        self.coefficients.push(sum.clone());
+        self.put(variable, node);
+        variable
+    }
+
     fn write_new(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
+        if self.scaling.folds {
+            let gathered = self.gathered(polynomial);
+            if gathered != *polynomial {
+                return self.write(&gathered, goal);
+            }
+        }
         if let Some(value) = polynomial.as_constant() {
             return Signed::plus(self.draft.constant(&value));
         }
@@ -233,6 +275,9 @@ impl Writer {
             .flat_map(|&(variable, exponent)| std::iter::repeat_n(variable, exponent as usize))
             .collect();
         let mut factors: Vec<Node> = Vec::new();
+        if self.scaling.folds {
+            return (self.folded_factors(&size, &symbols), negative);
+        }
         if !size.is_one() {
             let scaled = symbols.iter().position(|&variable| self.scaling.unscaled(variable).is_some());
             match scaled.filter(|_| is_power_of_two(&size)) {
@@ -245,6 +290,32 @@ impl Writer {
         }
         factors.extend(symbols.into_iter().map(|variable| self.variable(variable)));
         (factors, negative)
+    }
+
+    /// The same with all constants in one, and that in the ε of a scaled state if there is one.
+    fn folded_factors(&mut self, size: &Rational, symbols: &[Variable]) -> Vec<Node> {
+        let is_state = |variable: &Variable| self.scaling.ready(*variable).is_some();
+        let (mut states, constants): (Vec<Variable>, Vec<Variable>) =
+            symbols.iter().partition(|v| is_state(v));
+        let mut fixed: Vec<Node> = constants.into_iter().map(|variable| self.variable(variable)).collect();
+        if !size.is_one() {
+            fixed.push(self.draft.constant(size));
+        }
+        let mut factors = Vec::new();
+        if !fixed.is_empty() {
+            let scaled = states.iter().position(|&variable| self.scaling.unscaled(variable).is_some());
+            if let Some(symbol) = scaled.and_then(|place| self.scaling.unscaled(states.remove(place))) {
+                fixed.push(self.draft.input(self.scaling.epsilon()));
+                factors.push(self.symbol(symbol));
+            }
+            let fixed = self.draft.product(&fixed);
+            match factors.pop() {
+                Some(symbol) => factors.push(self.draft.multiply(fixed, symbol)),
+                None => factors.push(fixed),
+            }
+        }
+        factors.extend(states.into_iter().map(|variable| self.variable(variable)));
+        factors
     }
 
     /// (cε)·v with cε prepared.

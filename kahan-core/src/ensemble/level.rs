@@ -15,7 +15,8 @@ pub enum Level {
     Baseline,
     /// AVX2 with fused multiply-adds: four `f64` or eight `f32` at a time.
     Avx2,
-    /// AVX-512F: eight `f64` or sixteen `f32` at a time, with the same bits as [`Avx2`](Self::Avx2).
+    /// AVX-512F: eight `f64` or sixteen `f32` at a time, with the same bits as [`Avx2`](Self::Avx2). Its divider is no
+    /// faster: it gains where multiplications are the bound, and little elsewhere.
     Avx512,
 }
 
@@ -41,13 +42,21 @@ impl Level {
     }
 }
 
-/// How an ensemble divides.
+/// How an ensemble computes the reciprocals of its denominators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Reciprocal {
     /// By the division instruction: correctly rounded.
     #[default]
     Divided,
-    /// On [`Level::Avx512`] by the processor's estimate of 14 bits and Newton's iteration; elsewhere divided.
+    /// On [`Level::Avx512`] by the processor's estimate of 14 bits and Newton's iteration, twice for `f64`, once for
+    /// `f32`; on other levels, and for other scalars, as [`Divided`](Self::Divided).
+    ///
+    /// It takes up to a third less time where a step does little but divide (Lotka and Volterra's), and none where
+    /// multiplications are the bound. Over operands of all exponents, subnormal ones included, a reciprocal is off the
+    /// correctly rounded one in one case of 900 for `f64` and of 340 for `f32`, and then by one unit in the last
+    /// place. Where it is not finite (at 0, and where it overflows), and for infinite operands, it is not a number: a
+    /// pole still shows, and so does a denominator that overflows, where a division would silently leave the point in
+    /// its place.
     Estimated,
 }
 

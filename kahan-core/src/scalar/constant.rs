@@ -32,6 +32,7 @@ const RATIO_LIMIT: u64 = 1 << 24;
 
 impl Constant {
     /// The integer n.
+    #[inline(always)]
     pub const fn integer(n: i64) -> Self {
         Self(Form::Integer(n))
     }
@@ -40,6 +41,7 @@ impl Constant {
     ///
     /// # Panics
     /// Outside that range (while compiling, where it is used in a constant).
+    #[inline(always)]
     pub const fn ratio(p: i64, q: i64) -> Self {
         assert!(
             p.unsigned_abs() <= RATIO_LIMIT && q >= 1 && q.unsigned_abs() <= RATIO_LIMIT,
@@ -52,6 +54,7 @@ impl Constant {
     ///
     /// `single` and `double` are the nearest floats and `low` is the `f64` nearest to what `double` leaves; all
     /// three carry the number's sign. The denominator is not zero.
+    #[inline(always)]
     pub const fn exact(
         negative: bool,
         numerator: &'static [u64],
@@ -64,7 +67,7 @@ impl Constant {
     }
 
     /// The nearest `f32`.
-    #[inline]
+    #[inline(always)]
     pub const fn to_f32(&self) -> f32 {
         match self.0 {
             Form::Integer(n) => n as f32,
@@ -74,7 +77,7 @@ impl Constant {
     }
 
     /// The nearest `f64`.
-    #[inline]
+    #[inline(always)]
     pub const fn to_f64(&self) -> f64 {
         match self.0 {
             Form::Integer(n) => n as f64,
@@ -84,7 +87,7 @@ impl Constant {
     }
 
     /// The nearest `f64` and the `f64` nearest to what it leaves: (high, low), worth high + low.
-    #[inline]
+    #[inline(always)]
     pub const fn to_double_double(&self) -> (f64, f64) {
         let high = self.to_f64();
         let low = match self.0 {

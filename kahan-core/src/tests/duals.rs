@@ -18,6 +18,7 @@ fn the_operators_differentiate() {
     assert_eq!(u * v, Dual { value: 12.0, gradient: [4.0, 3.0] });
     assert_eq!(u / v, Dual { value: 0.75, gradient: [0.25, -0.1875] });
     assert_eq!(v.reciprocal(), Some(Dual { value: 0.25, gradient: [0.0, -0.0625] }));
+    assert_eq!(u.quotient(v), Some(u / v));
 }
 
 #[test]
