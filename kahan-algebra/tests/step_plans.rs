@@ -12,7 +12,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::read;
 use kahan_algebra::symbols::Symbol;
 
-const FIELDS: [(&str, &str); 16] = [
+const FIELDS: [(&str, &str); 17] = [
     ("Lotka–Volterra", "xdot = x*(1 - y); ydot = y*(x - 1);"),
     ("E1, reduced", "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;"),
     ("E3, reduced", "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;"),
@@ -39,6 +39,10 @@ const FIELDS: [(&str, &str); 16] = [
     (
         "a parameter in a denominator",
         "struct S { m } xdot = x*y/m; ydot = (x^2 - y)/(1 + m); zdot = x*z; wdot = w*z/m;",
+    ),
+    (
+        "volumes shrink at a rate of many constants",
+        "struct S { p, h, o, y, q, l, m, k } adot = p*b + h*c; bdot = o*a - q*c^2; cdot = y*q*a*b + l; ddot = m*a + 2*d*k;",
     ),
     ("linear", "adot = b; bdot = -a; cdot = 2*c; ddot = a - d;"),
     ("nothing to divide", "xdot = y; ydot = 1; zdot = x*y; wdot = x^2;"),

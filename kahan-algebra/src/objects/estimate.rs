@@ -1,17 +1,19 @@
 //! How many bytes of machine code an object becomes, and how long rustc works on it: a calibrated model, no measurement.
 //!
 //! The model is a function of the operations alone (a multiply-add counts twice, as in the builds that it was calibrated
-//! on) and the number of results. It was fitted to LV, the Euler top, E1, E3, E6, E9, Lorenz's system, a dense field of
-//! three variables and Clebsch's of six, in `f64`, by rustc 1.95 for x86-64 without further flags, `opt-level = 3`:
+//! on) and the number of results. Bytes were fitted to LV, the Euler top, E1, E3, E6, E9, Lorenz's system, a dense field of
+//! three variables and Clebsch's of six (78 functions), milliseconds to E1, E6 and the dense field, object by object, in
+//! `f64`, by rustc 1.95 for x86-64 without further flags, `opt-level = 3`:
 //!
 //! | style | bytes | predicted over measured | milliseconds | predicted over measured |
 //! |---|---|---|---|---|
-//! | plain | 6.5·operations + 7·results | 0.63 … 1.36, once 0.29; rms 0.17 | 2.5 + 0.17·operations | 0.6 … 2.0 |
-//! | two points | 125 + 8·operations | 0.78 … 1.12 | as plain | 0.6 … 1.2 |
+//! | plain | 6.5·operations + 7·results | 0.63 … 1.36, once 0.29; rms 0.17 | 2.5 + 0.17·operations | 0.6 … 2, above the noise of 3 ms |
+//! | two points | 125 + 8·operations | 0.78 … 1.12 | as plain | as plain |
 //! | dual | 1.4·operations^(4/3) | 0.90 … 1.15 | 31 + 0.26·operations | 0.97 … 1.03 |
 //!
-//! All objects of a system together: 0.75 … 1.15 of the milliseconds measured. They are processor time on a shared
-//! machine of two cores; another may be twice as fast, and the ratios between objects are what stays.
+//! All objects together, for those three systems and LV, Lorenz's and Clebsch's: 0.75 … 1.1 of the milliseconds measured.
+//! They are processor time on a shared machine of two cores; another may be twice as fast, and the ratios between objects
+//! are what stays.
 //!
 //! (Dual numbers spill registers, so their code grows faster than their operations; a function of two points is one that
 //! the compiler likes to pack into vectors, for which it shuffles.)
@@ -27,7 +29,7 @@ use crate::plan::Plan;
 
 use super::Style;
 
-/// What an object costs once compiled, within a factor of about 1.5.
+/// What an object costs once compiled: bytes within a factor of 1.5 as a rule, milliseconds within 2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
     /// Bytes of machine code of the function over `f64`, x86-64 without further flags, optimised.

@@ -136,6 +136,7 @@ impl Writer {
             return Some(write(self, first));
         }
         let (length, made, sums) = (self.draft.length(), self.made.len(), self.sums.len());
+        let (put, coefficients) = (self.put.len(), self.coefficients.len());
         let mut best: Option<(usize, &A)> = None;
         for attempt in attempts {
             let result = write(self, attempt);
@@ -145,6 +146,8 @@ impl Writer {
             }
             self.draft.truncate(length);
             self.sums.truncate(sums);
+            self.put.truncate(put);
+            self.coefficients.truncate(coefficients);
             for polynomial in self.made.drain(made..) {
                 self.known.remove(&polynomial);
             }
