@@ -129,9 +129,13 @@ impl Draft {
         factors[0]
     }
 
+    /// Two factors whose product is a step already; first those of a factor that has no other such partner.
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
         let pairs = (0..factors.len()).flat_map(|i| (i + 1..factors.len()).map(move |j| (i, j)));
-        pairs.into_iter().find(|&(i, j)| self.builder.has_product(factors[i], factors[j]))
+        let known: Vec<(usize, usize)> =
+            pairs.filter(|&(i, j)| self.builder.has_product(factors[i], factors[j])).collect();
+        let partners = |i: usize| known.iter().filter(|&&(a, b)| a == i || b == i).count();
+        known.iter().copied().min_by_key(|&(i, j)| partners(i).min(partners(j)))
     }
 
     /// The sum of all, each with its sign, the earliest two first.

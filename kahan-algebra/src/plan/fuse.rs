@@ -59,7 +59,7 @@ impl Plan {
     }
 
     /// The latest cycle in which each step may be ready without making the plan's chain longer.
-    fn required(&self) -> Vec<u32> {
+    pub(super) fn required(&self) -> Vec<u32> {
         let chain = self.cost().chain;
         let mut required = vec![chain; self.operations.len()];
         for (index, operation) in self.operations.iter().enumerate().rev() {

@@ -7,6 +7,7 @@ mod blocks;
 mod builder;
 mod candidates;
 mod cost;
+mod doubling;
 mod draft;
 mod factors;
 mod fuse;

@@ -46,7 +46,8 @@ impl StepPlan {
         let places: Vec<Option<usize>> = places.collect();
         let outputs: Vec<Node> = numerators.iter().chain(&distinct).copied().collect();
         let (constants, kernel) = builder.finish(&outputs).split(|variable| field.symbols.is_state(variable));
-        StepPlan { constants, kernel: kernel.fused(), reciprocals: places }
+        let kernel = kernel.fused().doubled(&constants);
+        StepPlan { constants, kernel, reciprocals: places }
     }
 }
 

@@ -220,7 +220,13 @@ impl Writer {
         let nesting = self.nestings[usize::from(goal == Goal::Few)].clone();
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
-        for part in nesting.best(polynomial) {
+        let mut parts = nesting.best(polynomial);
+        // Low degrees first: their products can be factors of the others.
+        parts.sort_by_key(|part| match part {
+            Part::Term(monomial, _) => monomial.degree(),
+            Part::Product(..) => 0,
+        });
+        for part in parts {
             match part {
                 Part::Term(monomial, coefficient) if nesting.is_fixed(&monomial) => {
                     fixed.push((monomial, coefficient));
