@@ -16,7 +16,7 @@ use crate::symbols::Symbol;
 
 use super::candidates::Candidate;
 use super::draft::Signed;
-use super::minors::{self, Determinants, determinants};
+use super::minors::{self, Determinants, Entry, determinants};
 use super::nesting::Goal;
 use super::structure::Structure;
 use super::writer::Writer;
@@ -74,21 +74,21 @@ impl Parts<'_> {
             if minors::operations(&pattern) > MOST_OPERATIONS {
                 return None;
             }
-            let mut written: Vec<Vec<Signed>> = rows
+            let mut written: Vec<Vec<Entry>> = rows
                 .iter()
                 .map(|row| {
-                    let (right, entries) =
-                        row.split_last().map_or((None, row.as_slice()), |(r, e)| (Some(r), e));
-                    let mut written: Vec<Signed> =
-                        entries.iter().map(|entry| writer.write_scaled(entry, Goal::Early)).collect();
-                    written.extend(right.map(|right| writer.write_cheapest(right)));
-                    written
+                    let last = row.len() - 1;
+                    let entry = |(j, entry): (usize, &Polynomial)| match j == last {
+                        true => writer.cheapest_entry(entry),
+                        false => writer.entry(entry, Goal::Early),
+                    };
+                    row.iter().enumerate().map(entry).collect()
                 })
                 .collect();
             // An odd order of the rows changes all signs, which cancel in the quotients.
             let turn = self.turn % written.len();
             written.rotate_left(turn);
-            let Determinants { denominator, numerators } = determinants(&mut writer.draft, &written);
+            let Determinants { denominator, numerators } = determinants(writer, &written);
             let reciprocal = step::twice_reciprocal(writer, denominator.node);
             for (&i, numerator) in rest.iter().zip(numerators) {
                 let negative = numerator.negative != denominator.negative;

@@ -8,7 +8,7 @@ use crate::rational::Rational;
 
 use super::draft::Signed;
 use super::factors::{Factored, factored};
-use super::minors::{Determinants, determinants};
+use super::minors::{Determinants, Entry, determinants};
 use super::nesting::Goal;
 use super::numerators::Products;
 use super::scaling::{First, Scaling};
@@ -198,19 +198,17 @@ impl<'a> Parts<'a> {
     /// The determinants with the last expansion along a row.
     fn expanded(&self, writer: &mut Writer, matrix: &[Vec<Polynomial>], last: usize) -> Determinants {
         let eps = Polynomial::variable(self.field.symbols.epsilon());
-        let mut rows: Vec<Vec<Signed>> = matrix
+        let mut rows: Vec<Vec<Entry>> = matrix
             .iter()
             .zip(&self.field.components)
             .map(|(row, component)| {
-                let mut row: Vec<Signed> =
-                    row.iter().map(|entry| writer.write_scaled(entry, Goal::Few)).collect();
-                row.push(writer.write_scaled(&(&eps * &component.numerator), Goal::Few));
-                row
+                let right = &eps * &component.numerator;
+                row.iter().chain([&right]).map(|entry| writer.entry(entry, Goal::Few)).collect()
             })
             .collect();
         // A cyclic order of three rows keeps the sign.
         rows.rotate_left((last + 1) % matrix.len());
-        determinants(&mut writer.draft, &rows)
+        determinants(writer, &rows)
     }
 
     /// The numerators to a denominator, from the factors.

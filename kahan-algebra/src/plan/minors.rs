@@ -4,7 +4,17 @@
 
 use std::collections::BTreeMap;
 
+use crate::poly::Polynomial;
+
 use super::draft::{Draft, Signed};
+use super::writer::Writer;
+
+/// An entry of a matrix: its polynomial over scaled symbols, and the step that computes it.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    pub(super) polynomial: Polynomial,
+    pub(super) written: Signed,
+}
 
 /// The determinant of A, and for each column the determinant with that column replaced by the right-hand side.
 pub(super) struct Determinants {
@@ -13,21 +23,17 @@ pub(super) struct Determinants {
 }
 
 /// The rows are those of A with the right-hand side appended; the last one is the row of the last expansion.
-pub(super) fn determinants(draft: &mut Draft, rows: &[Vec<Signed>]) -> Determinants {
+pub(super) fn determinants(writer: &mut Writer, rows: &[Vec<Entry>]) -> Determinants {
     let n = rows.len();
     let mut minors: BTreeMap<u64, Signed> = BTreeMap::new();
     for (k, row) in rows.iter().enumerate() {
-        if k == 0 {
-            minors = row
-                .iter()
-                .enumerate()
-                .filter(|(_, entry)| !draft.is_zero(**entry))
-                .map(|(column, entry)| (1 << column, *entry))
-                .collect();
-            continue;
-        }
-        minors = expanded(draft, &minors, row);
+        minors = match k {
+            0 => single(&writer.draft, row),
+            1 => pairs(writer, &rows[0], row),
+            _ => expanded(&mut writer.draft, &minors, row),
+        };
     }
+    let draft = &mut writer.draft;
     let all = (1_u64 << (n + 1)) - 1;
     let zero = Signed::plus(draft.zero());
     let minor = |missing: usize| minors.get(&(all & !(1 << missing))).copied().unwrap_or(zero);
@@ -39,11 +45,46 @@ pub(super) fn determinants(draft: &mut Draft, rows: &[Vec<Signed>]) -> Determina
     Determinants { denominator: minor(n), numerators: numerators.collect() }
 }
 
+/// The entries of one row.
+fn single(draft: &Draft, row: &[Entry]) -> BTreeMap<u64, Signed> {
+    let entries = row.iter().enumerate().map(|(column, entry)| (1 << column, entry.written));
+    entries.filter(|(_, written)| !draft.is_zero(*written)).collect()
+}
+
+/// The minors of two rows, of which some may be steps already.
+fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> BTreeMap<u64, Signed> {
+    let mut minors = BTreeMap::new();
+    for j in 1..first.len() {
+        for i in 0..j {
+            let of = |a: &Polynomial, b: &Polynomial| a * b;
+            let polynomial = &of(&first[i].polynomial, &second[j].polynomial)
+                - &of(&first[j].polynomial, &second[i].polynomial);
+            if polynomial.is_zero() {
+                continue;
+            }
+            let written = writer.known(&polynomial).unwrap_or_else(|| {
+                let left = times(&mut writer.draft, first[i].written, second[j].written);
+                let right = times(&mut writer.draft, first[j].written, second[i].written);
+                let terms = [left, Signed { node: right.node, negative: !right.negative }];
+                let terms: Vec<Signed> =
+                    terms.into_iter().filter(|term| !writer.draft.is_zero(*term)).collect();
+                writer.draft.signed_sum(&terms)
+            });
+            minors.insert(1 << i | 1 << j, written);
+        }
+    }
+    minors
+}
+
+fn times(draft: &mut Draft, a: Signed, b: Signed) -> Signed {
+    Signed { node: draft.multiply(a.node, b.node), negative: a.negative != b.negative }
+}
+
 /// The minors with one row more.
-fn expanded(draft: &mut Draft, minors: &BTreeMap<u64, Signed>, row: &[Signed]) -> BTreeMap<u64, Signed> {
+fn expanded(draft: &mut Draft, minors: &BTreeMap<u64, Signed>, row: &[Entry]) -> BTreeMap<u64, Signed> {
     let mut terms: BTreeMap<u64, Vec<Signed>> = BTreeMap::new();
     for (&chosen, minor) in minors {
-        for (column, entry) in row.iter().enumerate() {
+        for (column, Entry { written: entry, .. }) in row.iter().enumerate() {
             if chosen >> column & 1 == 1 || draft.is_zero(*entry) {
                 continue;
             }

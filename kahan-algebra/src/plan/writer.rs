@@ -8,11 +8,16 @@ use crate::rational::Rational;
 
 use super::Node;
 use super::draft::{Draft, Signed};
+use super::minors::Entry;
 use super::nesting::{Goal, Nesting, Part};
 use super::scaling::{Scaling, is_power_of_two};
 
 /// The most terms of a polynomial for which multiples of others are looked for: their number grows with its square.
 const REUSED: usize = 24;
+
+/// The most terms for which a constant that they have in common may stay inside: its product with each of their factors may be
+/// a step already.
+const SHARED: usize = 3;
 
 /// A draft with the polynomials that its steps compute.
 #[derive(Clone, Debug)]
@@ -100,6 +105,34 @@ impl Writer {
         written.unwrap_or_else(|| Signed::plus(self.draft.zero()))
     }
 
+    /// An entry of a matrix, its powers of ε distributed in the first way.
+    pub(super) fn entry(&mut self, polynomial: &Polynomial, goal: Goal) -> Entry {
+        let polynomial = self.scaling.scale_first(polynomial);
+        let written = self.write(&polynomial, goal);
+        Entry { polynomial, written }
+    }
+
+    /// The same in the way that adds the fewest steps.
+    pub(super) fn cheapest_entry(&mut self, polynomial: &Polynomial) -> Entry {
+        let ways = self.scaling.ways(polynomial);
+        let write = |writer: &mut Self, way: &Polynomial| Entry {
+            polynomial: way.clone(),
+            written: writer.write(way, Goal::Few),
+        };
+        let entry = self.cheapest(&ways, write, |_| 0);
+        entry.unwrap_or_else(|| Entry {
+            polynomial: Polynomial::zero(),
+            written: Signed::plus(self.draft.zero()),
+        })
+    }
+
+    /// The step that computes this polynomial over scaled symbols, if there is one.
+    pub(super) fn known(&mut self, polynomial: &Polynomial) -> Option<Signed> {
+        let polynomial = if self.scaling.folds { self.gathered(polynomial) } else { polynomial.clone() };
+        let (sign, positive) = normalised(&polynomial);
+        self.known.get(&positive).map(|&known| flipped(known, sign))
+    }
+
     /// The factors of a term, in the way that adds the fewest steps, and its sign.
     pub(super) fn cheapest_term(&mut self, term: &Polynomial) -> (Vec<Node>, bool) {
         let ways = self.scaling.ways(term);
@@ -155,13 +188,15 @@ impl Writer {
         best.map(|(_, attempt)| write(self, attempt))
     }
 
-    /// The polynomial with each sum of constants that multiplies one product of states as one coefficient.
+    /// The polynomial with each sum of constants that multiplies one product of states as one coefficient; of products of
+    /// constants only where they may be rounded twice.
     fn gathered(&mut self, polynomial: &Polynomial) -> Polynomial {
         let scaling = self.scaling.clone();
         let groups = polynomial.group(|variable| scaling.ready(variable).is_some());
         let mut terms = Vec::new();
         for (states, coefficient) in groups {
-            if coefficient.len() < 2 || states.is_one() {
+            let is_plain = coefficient.degree() < 2;
+            if coefficient.len() < 2 || states.is_one() || !(self.scaling.folds || is_plain) {
                 terms.extend(
                     coefficient.terms().map(|(monomial, value)| (states.mul(monomial), value.clone())),
                 );
@@ -189,11 +224,9 @@ impl Writer {
     }
 
     fn write_new(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
-        if self.scaling.folds {
-            let gathered = self.gathered(polynomial);
-            if gathered != *polynomial {
-                return self.write(&gathered, goal);
-            }
+        let gathered = self.gathered(polynomial);
+        if gathered != *polynomial {
+            return self.write(&gathered, goal);
         }
         if let Some(value) = polynomial.as_constant() {
             return Signed::plus(self.draft.constant(&value));
@@ -205,6 +238,14 @@ impl Writer {
         }
         if !common.is_one() || !content.is_one() {
             let inner = polynomial.div_monomial(&common).unwrap_or_default().primitive_part();
+            if goal == Goal::Few && inner.len() <= SHARED && self.has_constant(&common) {
+                let write = |writer: &mut Self, apart: &bool| match apart {
+                    true => writer.multiple(&common, &content, &inner, goal),
+                    false => writer.write_flat(polynomial),
+                };
+                let written = self.cheapest(&[true, false], write, |_| 0);
+                return written.unwrap_or_else(|| Signed::plus(self.draft.zero()));
+            }
             return self.multiple(&common, &content, &inner, goal);
         }
         if goal == Goal::Few
@@ -214,6 +255,19 @@ impl Writer {
             return written;
         }
         self.write_nested(polynomial, goal)
+    }
+
+    fn has_constant(&self, monomial: &Monomial) -> bool {
+        monomial.powers().iter().any(|(variable, _)| self.scaling.ready(*variable).is_none())
+    }
+
+    /// Term by term.
+    fn write_flat(&mut self, polynomial: &Polynomial) -> Signed {
+        let terms: Vec<Signed> = polynomial
+            .terms()
+            .map(|(monomial, coefficient)| self.term(monomial, coefficient, None))
+            .collect();
+        self.draft.signed_sum(&terms)
     }
 
     fn write_nested(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
