@@ -46,7 +46,10 @@ impl StepPlan {
         let places: Vec<Option<usize>> = places.collect();
         let outputs: Vec<Node> = numerators.iter().chain(&distinct).copied().collect();
         let (constants, kernel) = builder.finish(&outputs).split(|variable| field.symbols.is_state(variable));
-        let kernel = kernel.fused().doubled(&constants);
+        // Neither with multiply-adds nor without may the chain become longer.
+        let doubled = kernel.doubled(&constants).fused();
+        let kernel = kernel.fused();
+        let kernel = if doubled.cost().chain > kernel.cost().chain { kernel } else { doubled };
         StepPlan { constants, kernel, reciprocals: places }
     }
 }

@@ -28,29 +28,35 @@ impl Structure {
     /// The strongly connected components of the graph in which i points to the states that fᵢ depends on, each after those
     /// that it depends on: A is block triangular in this order.
     pub(super) fn blocks(&self) -> Vec<Vec<usize>> {
-        let n = self.depends.len();
-        let mut reaches = self.depends.clone();
-        for via in 0..n {
-            for i in 0..n {
-                if reaches[i][via] {
-                    for j in 0..n {
-                        reaches[i][j] |= reaches[via][j];
-                    }
-                }
-            }
-        }
+        let reaches = self.reaches();
         let mut blocks: Vec<Vec<usize>> = Vec::new();
-        for i in 0..n {
+        for i in 0..reaches.len() {
             match blocks.iter_mut().find(|block| reaches[i][block[0]] && reaches[block[0]][i]) {
                 Some(block) => block.push(i),
                 None => blocks.push(vec![i]),
             }
         }
         // A block reaches all that the blocks it depends on reach, and those blocks besides.
-        let weight =
-            |block: &Vec<usize>| (0..n).filter(|&j| reaches[block[0]][j] && !block.contains(&j)).count();
+        let weight = |block: &Vec<usize>| {
+            let others = |&(j, reached): &(usize, &bool)| *reached && !block.contains(&j);
+            reaches[block[0]].iter().enumerate().filter(others).count()
+        };
         blocks.sort_by_cached_key(|block| (weight(block), block[0]));
         blocks
+    }
+
+    /// Which states each state depends on, directly or through others.
+    fn reaches(&self) -> Vec<Vec<bool>> {
+        let mut reaches = self.depends.clone();
+        for via in 0..reaches.len() {
+            let through = reaches[via].clone();
+            for row in reaches.iter_mut().filter(|row| row[via]) {
+                for (entry, through) in row.iter_mut().zip(&through) {
+                    *entry |= through;
+                }
+            }
+        }
+        reaches
     }
 
     /// States of a block that do not act on each other or themselves: their rows and columns of A are those of the identity.

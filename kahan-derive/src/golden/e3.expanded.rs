@@ -121,8 +121,8 @@ const _: () = {
     }
     #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
     pub struct __Step<T> {
-        two_eps: T,
         eps: T,
+        two_eps: T,
     }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for __Step<T> {
         #[inline(always)]
@@ -131,13 +131,13 @@ const _: () = {
             __state: &__kahan::SVector<T, 3>,
         ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
             let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let __t_eps_z = self.eps.clone() * __s_z.clone();
             let __t_eps_x = self.eps.clone() * __s_x.clone();
             let __t_eps_y = self.eps.clone() * __s_y.clone();
-            let __t_eps_z = self.eps.clone() * __s_z.clone();
             let __c_1 = __kahan::integer::<T>(1);
             let __reciprocal_1 = __kahan::integer::<T>(2)
                 .quotient(
-                    self.two_eps.clone() * __s_y.clone() * __t_eps_y.clone()
+                    (__t_eps_y.clone() + __t_eps_y.clone()) * __t_eps_y.clone()
                         + (self.two_eps.clone() * __s_x.clone())
                             .multiply_add(
                                 __t_eps_x.clone(),
@@ -170,8 +170,8 @@ const _: () = {
             __spread: impl __kahan::core::ops::Fn(&T) -> __L,
         ) -> __Step<__L> {
             __Step {
-                two_eps: __spread(&self.two_eps),
                 eps: __spread(&self.eps),
+                two_eps: __spread(&self.two_eps),
             }
         }
     }
@@ -180,8 +180,8 @@ const _: () = {
         #[inline(always)]
         fn prepare(&self, __half_step: &T) -> __Step<T> {
             __Step {
-                two_eps: __half_step.clone() * __kahan::integer::<T>(2),
                 eps: __half_step.clone(),
+                two_eps: __half_step.clone() * __kahan::integer::<T>(2),
             }
         }
         fn jacobian(

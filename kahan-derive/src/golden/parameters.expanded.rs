@@ -157,15 +157,12 @@ const _: () = {
     #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
     pub struct __Step<T> {
         eps: T,
-        n100_times_nu_plus_one: T,
-        n100_eps: T,
-        n100_nu_eps: T,
-        constant_1: T,
         nu_plus_one: T,
-        mu_squared_minus_nu_mu: T,
-        eps_mu_minus_nu_eps: T,
-        mu_minus_nu: T,
+        eps_plus_eps_nu: T,
+        constant_1: T,
+        eps_mu_minus_eps_nu: T,
         constant_2: T,
+        n981_times_mu_minus_nu: T,
     }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
         #[inline(always)]
@@ -175,48 +172,50 @@ const _: () = {
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
             let [__s_x, __s_y] = __kahan::components(__state);
             let __t_eps_x = self.eps.clone() * __s_x.clone();
+            let __c_100 = __kahan::integer::<T>(100);
             let __t_eps_y = self.eps.clone() * __s_y.clone();
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
             let __reciprocal_1 = __kahan::integer::<T>(2)
                 .quotient(
-                    (self
+                    self
                         .constant_1
                         .clone()
                         .subtract_product(
-                            __t_eps_x.clone(),
-                            self.n100_times_nu_plus_one.clone(),
+                            self.nu_plus_one.clone(),
+                            __c_100.clone() * __t_eps_x.clone(),
                         )
-                        - (__t_eps_y.clone() * self.n100_eps.clone()
-                            + __t_eps_y.clone() * self.n100_nu_eps.clone()))
-                        * __c_1_100.clone(),
+                        .subtract_product(
+                            self.eps_plus_eps_nu.clone(),
+                            __c_100.clone() * __t_eps_y.clone(),
+                        ) * __c_1_100.clone(),
                 )?;
             let __c_981 = __kahan::integer::<T>(981);
-            let __t_n981_eps_x = __t_eps_x * __c_981.clone();
-            let __c_10 = __kahan::integer::<T>(10);
-            let __t_ten_eps_y = __t_eps_y.clone() * __c_10.clone();
+            let __t_nu_plus_one_n100_y = self.nu_plus_one.clone()
+                * (__c_100 * __s_y.clone());
+            let __t_ten_eps_y = __t_eps_y.clone() * __kahan::integer::<T>(10);
             __kahan::Option::Some(__kahan::Quotients {
                 numerators: [
-                    self
-                        .nu_plus_one
-                        .clone()
-                        .multiply_subtract(
-                            __kahan::integer::<T>(100) * __s_y.clone(),
-                            __t_n981_eps_x.clone(),
-                        ) * self.constant_2.clone(),
+                    __c_1_100.clone()
+                        * (self.eps_mu_minus_eps_nu.clone()
+                            * __t_nu_plus_one_n100_y
+                                .clone()
+                                .subtract_product(__t_eps_x.clone(), __c_981.clone())),
                     -(__c_1_100
                         * self
-                            .nu_plus_one
+                            .eps_mu_minus_eps_nu
                             .clone()
                             .multiply_add(
-                                __t_ten_eps_y.clone()
-                                    * (self
-                                        .mu_squared_minus_nu_mu
-                                        .clone()
-                                        .subtract_product(__s_x.clone(), __c_10) - __t_ten_eps_y),
-                                __t_n981_eps_x
-                                    .multiply_add(
-                                        self.mu_minus_nu.clone(),
-                                        self.eps_mu_minus_nu_eps.clone() * (__t_eps_y * __c_981),
+                                __t_eps_y * __c_981,
+                                __t_ten_eps_y
+                                    .clone()
+                                    .multiply_subtract(
+                                        self
+                                            .constant_2
+                                            .clone()
+                                            .subtract_product(self.nu_plus_one.clone(), __t_ten_eps_y),
+                                        __t_eps_x
+                                            * (__t_nu_plus_one_n100_y
+                                                - self.n981_times_mu_minus_nu.clone()),
                                     ),
                             )),
                 ],
@@ -234,15 +233,12 @@ const _: () = {
         ) -> __Step<__L> {
             __Step {
                 eps: __spread(&self.eps),
-                n100_times_nu_plus_one: __spread(&self.n100_times_nu_plus_one),
-                n100_eps: __spread(&self.n100_eps),
-                n100_nu_eps: __spread(&self.n100_nu_eps),
-                constant_1: __spread(&self.constant_1),
                 nu_plus_one: __spread(&self.nu_plus_one),
-                mu_squared_minus_nu_mu: __spread(&self.mu_squared_minus_nu_mu),
-                eps_mu_minus_nu_eps: __spread(&self.eps_mu_minus_nu_eps),
-                mu_minus_nu: __spread(&self.mu_minus_nu),
+                eps_plus_eps_nu: __spread(&self.eps_plus_eps_nu),
+                constant_1: __spread(&self.constant_1),
+                eps_mu_minus_eps_nu: __spread(&self.eps_mu_minus_eps_nu),
                 constant_2: __spread(&self.constant_2),
+                n981_times_mu_minus_nu: __spread(&self.n981_times_mu_minus_nu),
             }
         }
     }
@@ -252,36 +248,31 @@ const _: () = {
         fn prepare(&self, __half_step: &T) -> __Step<T> {
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __t_nu_plus_one = __p_nu.clone() + __kahan::integer::<T>(1);
+            let __t_eps_nu = __half_step.clone() * __p_nu.clone();
             let __c_100 = __kahan::integer::<T>(100);
-            let __t_nu_eps = __p_nu.clone() * __half_step.clone();
+            let __t_n100_nu = __p_nu.clone() * __c_100.clone();
             let __c_10 = __kahan::integer::<T>(10);
             let __t_eps_mu = __half_step.clone() * __p_mu.clone();
-            let __t_ten_nu = __p_nu.clone() * __c_10.clone();
-            let __t_mu_eps_mu = __p_mu.clone() * __t_eps_mu.clone();
-            let __t_n100_nu = __p_nu.clone() * __c_100.clone();
+            let __t_eps_mu_ten_nu = __t_eps_mu.clone()
+                * (__p_nu.clone() * __c_10.clone());
             let __c_981 = __kahan::integer::<T>(981);
-            let __t_eps_mu_minus_nu_eps = __t_eps_mu.clone() - __t_nu_eps.clone();
+            let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
             __Step {
                 eps: __half_step.clone(),
-                n100_times_nu_plus_one: __t_nu_plus_one.clone() * __c_100.clone(),
-                n100_eps: __c_100.clone() * __half_step.clone(),
-                n100_nu_eps: __c_100.clone() * __t_nu_eps.clone(),
-                constant_1: __c_10 * __t_mu_eps_mu.clone()
-                    - __p_nu.clone() * __t_n100_nu.clone()
-                    + (__c_981.clone() * (__half_step.clone() * __t_eps_mu.clone())
-                        - __t_eps_mu.clone() * __t_ten_nu.clone())
-                    + (__c_100 * __p_mu.clone()
-                        - __c_981 * (__half_step.clone() * __t_nu_eps)
-                        + (__t_ten_nu.clone() * __t_mu_eps_mu
-                            - __t_ten_nu * (__p_nu.clone() * __t_eps_mu)
-                            + (__p_mu.clone() * __t_n100_nu.clone() - __t_n100_nu))),
-                nu_plus_one: __t_nu_plus_one,
-                mu_squared_minus_nu_mu: __p_mu.clone() * __p_mu.clone()
-                    - __p_nu.clone() * __p_mu.clone(),
-                eps_mu_minus_nu_eps: __t_eps_mu_minus_nu_eps.clone(),
-                mu_minus_nu: __p_mu.clone() - __p_nu.clone(),
-                constant_2: __kahan::ratio::<T>(1, 100) * __t_eps_mu_minus_nu_eps,
+                nu_plus_one: __p_nu.clone() + __kahan::integer::<T>(1),
+                eps_plus_eps_nu: __half_step.clone() + __t_eps_nu.clone(),
+                constant_1: __c_981.clone() * (__half_step.clone() * __t_eps_mu.clone())
+                    - __c_981.clone() * (__half_step.clone() * __t_eps_nu.clone())
+                    - (__p_nu.clone() * __t_n100_nu.clone() + __t_eps_mu_ten_nu.clone())
+                    + (__p_mu.clone() * __t_eps_mu_ten_nu.clone()
+                        - __p_nu.clone() * __t_eps_mu_ten_nu
+                        + (__c_100 * __p_mu.clone() - __t_n100_nu.clone()
+                            + (__p_mu.clone() * __t_n100_nu
+                                + __t_eps_mu.clone() * (__p_mu.clone() * __c_10)))),
+                eps_mu_minus_eps_nu: __t_eps_mu - __t_eps_nu,
+                constant_2: __p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
+                    + (__p_mu.clone() * __t_nu_mu.clone() - __p_nu.clone() * __t_nu_mu),
+                n981_times_mu_minus_nu: __c_981 * (__p_mu.clone() - __p_nu.clone()),
             }
         }
         fn jacobian(

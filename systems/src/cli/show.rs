@@ -1,4 +1,7 @@
-//! `kahan show`: the formulas of a system as text, as LaTeX, or as the block of the macro.
+//! `kahan show`: the formulas of a system as text, as LaTeX, or as the block of the macro; or the plan of its code.
+
+mod page;
+mod plan;
 
 use clap::Args;
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
@@ -11,12 +14,14 @@ use serde_json::{Value, json};
 
 use super::input::{Block, Source};
 use super::output::{Answer, Refusal, matrix};
+use page::{Page, aligned, column, environment, singletons};
+use plan::PlanSheet;
 
 /// Shows a system: field, f', A, b, bilinear form, det A, reduced map, Jacobian, claims.
 ///
 /// The map is x~ = x + 2 eps n/d in lowest terms, where eps is half the time step; a prime marks the second argument of
 /// the bilinear form Q(x,x'). For a field so large that the map is computed by elimination, det A is shown as a
-/// determinant.
+/// determinant. With --plan: what the generated code computes, in straight lines, and what that costs.
 #[derive(Args, Debug)]
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Show {
@@ -31,6 +36,10 @@ pub(crate) struct Show {
     #[arg(long = "macro")]
     as_macro: bool,
 
+    /// Show the operations, the machine code and the compile time of everything that is generated, and the step's plan.
+    #[arg(long, conflicts_with_all = ["as_macro", "latex"])]
+    plan: bool,
+
     /// Print one JSON object.
     #[arg(long)]
     json: bool,
@@ -42,7 +51,9 @@ Examples:
   kahan show euler --latex
   kahan show e9 --param xi=1
   kahan show --field 'xdot = a*y*z; ydot = -x*z; zdot = x*y;' --macro
-  kahan show --file field.txt --json";
+  kahan show --file field.txt --json
+  kahan show e3 --plan                        operations, bytes and the step in straight lines
+  kahan show --field 'xdot = y; ydot = x^2 - a;' --param a=1 --plan";
 
 /// Everything that is shown, in one notation.
 struct Sheet<'a> {
@@ -67,6 +78,10 @@ impl Show {
         let system = block.system()?;
         let name = block.name(&system);
         let system = self.source.specialised(system, &name)?;
+        if self.plan {
+            let sheet = PlanSheet::of(name, &system);
+            return Ok(if self.json { Answer::json(&sheet.json()) } else { Answer::text(sheet.text()) });
+        }
         if self.as_macro && !self.json {
             return Ok(Answer::text(macro_block(&system) + "\n"));
         }
@@ -240,46 +255,4 @@ impl Sheet<'_> {
         let states = self.states().iter().map(|state| self.notation.name(state));
         states.zip(right).map(|(state, value)| format!("{} &= {value}", left(&state))).collect()
     }
-}
-
-/// Text that grows downwards.
-#[derive(Default)]
-struct Page {
-    text: String,
-}
-
-impl Page {
-    fn line(&mut self, line: &str) {
-        self.text.push_str(line);
-        self.text.push('\n');
-    }
-
-    fn section(&mut self, title: &str, lines: Vec<String>) {
-        self.line("");
-        self.line(title);
-        for line in lines {
-            self.line(&format!("  {line}"));
-        }
-    }
-
-    fn display(&mut self, formula: &str) {
-        self.line(&format!("\\[\n{formula}\n\\]"));
-    }
-}
-
-fn singletons(entries: &[String]) -> MatrixText {
-    entries.iter().map(|entry| vec![entry.clone()]).collect()
-}
-
-fn column(entries: &[String]) -> Vec<String> {
-    matrix(&singletons(entries), '[', ']')
-}
-
-fn environment(name: &str, rows: &[Vec<String>]) -> String {
-    let rows: Vec<String> = rows.iter().map(|row| row.join(" & ")).collect();
-    format!("\\begin{{{name}}}\n{}\n\\end{{{name}}}", rows.join(" \\\\\n"))
-}
-
-fn aligned(lines: Vec<String>) -> String {
-    format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n"))
 }

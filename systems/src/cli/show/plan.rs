@@ -1,0 +1,189 @@
+//! `kahan show --plan`: what each generated object costs, and the step in straight lines.
+
+use std::time::{Duration, Instant};
+
+use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
+use kahan_algebra::objects::{Object, Objects, StepListing};
+use kahan_algebra::plan::{Cost, Node, Operation, Plan, StepPlan};
+use kahan_algebra::poly::Variable;
+use kahan_algebra::system::System;
+use serde_json::{Value, json};
+
+use super::page::Page;
+
+/// The width of the column of names.
+const NAMES: usize = 23;
+/// The widths of the columns of numbers, with what stands above them.
+const COLUMNS: [(&str, usize); 8] =
+    [("add", 5), ("mul", 6), ("fma", 6), ("div", 5), ("all", 6), ("chain", 7), ("bytes", 9), ("ms", 7)];
+
+/// The plans of a system, and how long it took to make them.
+pub(super) struct PlanSheet {
+    name: String,
+    objects: Objects,
+    step: Option<StepListing>,
+    derived: Duration,
+    planned: Duration,
+}
+
+impl PlanSheet {
+    /// Derives the map and plans the code of a system.
+    pub(super) fn of(name: String, system: &System) -> Self {
+        let start = Instant::now();
+        let map = RationalMap::of(&system.field);
+        let derived = start.elapsed();
+        let start = Instant::now();
+        let step = StepPlan::of_map(&system.field, map.as_ref());
+        let objects = Objects::from_parts(system, map, step);
+        let planned = start.elapsed();
+        let step = objects.step.as_ref().map(|step| StepListing::of(step, &system.field.symbols));
+        PlanSheet { name, objects, step, derived, planned }
+    }
+
+    pub(super) fn json(&self) -> Value {
+        let objects = self.objects.list.iter().map(|object| {
+            let (cost, estimate) = (object.cost(), object.estimate());
+            json!({
+                "object": object.name,
+                "additions": cost.map(|cost| cost.additions),
+                "multiplications": cost.map(|cost| cost.multiplications),
+                "multiply_adds": cost.map(|cost| cost.fused),
+                "divisions": cost.map(|cost| cost.divisions),
+                "operations": cost.map(|cost| cost.operations()),
+                "chain_cycles": cost.map(|cost| cost.chain),
+                "bytes_estimate": estimate.map(|estimate| estimate.bytes),
+                "compile_ms_estimate": estimate.map(|estimate| tenths(estimate.compile_ms)),
+            })
+        });
+        let step = self.step.as_ref().map(|step| {
+            json!({
+                "constants": step.constants,
+                "kernel": step.kernel,
+                "reciprocals": step.reciprocals,
+                "next": step.next,
+            })
+        });
+        json!({
+            "system": self.name,
+            "objects": objects.collect::<Vec<_>>(),
+            "step": step,
+            "derive_ms": milliseconds(self.derived),
+            "plan_ms": milliseconds(self.planned),
+        })
+    }
+
+    pub(super) fn text(&self) -> String {
+        let mut page = Page::default();
+        page.line(&format!("{}: the plans of the generated code", self.name));
+        page.line("");
+        let titles = COLUMNS.map(|(title, _)| title.to_owned());
+        page.line(&row("object", &titles));
+        for object in &self.objects.list {
+            page.line(&row(&self.label(object), &cells(object)));
+        }
+        page.line("");
+        for line in notes() {
+            page.line(&line);
+        }
+        page.line(&format!(
+            "In this run the map was derived in {:.2} ms and the plans were made in {:.2} ms.",
+            milliseconds(self.derived),
+            milliseconds(self.planned)
+        ));
+        if self.objects.map.is_none() {
+            page.line("");
+            page.line(&format!(
+                "N and D are beyond the budget ({TERM_BUDGET} terms, and the work that derives them), so det A and"
+            ));
+            page.line("(N, D) are computed on the numeric matrix.");
+        }
+        match &self.step {
+            Some(step) => self.step_sections(&mut page, step),
+            None => page.section("step", elimination()),
+        }
+        page.text
+    }
+
+    fn step_sections(&self, page: &mut Page, step: &StepListing) {
+        if step.constants.is_empty() {
+            page.section("constants of the step", vec!["none".to_owned()]);
+        } else {
+            page.section("constants of the step, computed once", step.constants.clone());
+        }
+        page.section("kernel of the step, for each state", step.kernel.clone());
+        page.section("next state", step.next.clone());
+    }
+
+    fn label(&self, object: &Object) -> String {
+        match &self.objects.step {
+            Some(step) if object.name == "prepared constants" => {
+                format!("{} ({})", object.name, step.constants.outputs.len())
+            }
+            _ => object.name.clone(),
+        }
+    }
+}
+
+/// Why there are no lines to show.
+fn elimination() -> Vec<String> {
+    let lines = [
+        "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination with pivoting in a loop: N and D are beyond the",
+        "budget, and so is the elimination of A in straight lines. What it does depends on the numbers that",
+        "it meets, so nothing is counted here. det A = 0 counts as a pole, and the Jacobian is",
+        "A(x,eps)^-1 A(x~,-eps).",
+    ];
+    lines.map(str::to_owned).to_vec()
+}
+
+/// What the columns mean.
+fn notes() -> Vec<String> {
+    let latency = |operation: fn(Node, Node) -> Operation| {
+        let inputs = [Operation::Input(Variable(0)), Operation::Input(Variable(1))];
+        let operations = inputs.into_iter().chain([operation(Node(0), Node(1))]).collect();
+        Plan { operations, outputs: vec![Node(2)] }.cost().chain
+    };
+    let add = latency(Operation::Add);
+    let multiply = latency(Operation::Multiply);
+    let fused = latency(|a, b| Operation::MultiplyAdd(a, b, a));
+    let divide = latency(Operation::Divide);
+    vec![
+        "all: operations where there is no multiply-add (fma), which then counts twice.".to_owned(),
+        format!(
+            "chain: cycles from the inputs to the last result; add {add}, mul {multiply}, fma {fused}, div {divide}."
+        ),
+        "bytes, ms: about; machine code of x86-64 without further flags, and rustc's time, optimised."
+            .to_owned(),
+        "step: from a state to the next, the constants being prepared; Jacobian: both over dual numbers."
+            .to_owned(),
+    ]
+}
+
+fn cells(object: &Object) -> [String; 8] {
+    let (Some(cost), Some(estimate)) = (object.cost(), object.estimate()) else {
+        return std::array::from_fn(|_| "-".to_owned());
+    };
+    let Cost { additions, multiplications, fused, divisions, chain } = cost;
+    let counts =
+        [additions, multiplications, fused, divisions, cost.operations()].map(|count| count.to_string());
+    let [add, multiply, fused, divide, all] = counts;
+    let bytes = format!("~{}", estimate.bytes);
+    let ms = format!("~{:.1}", estimate.compile_ms);
+    [add, multiply, fused, divide, all, chain.to_string(), bytes, ms]
+}
+
+/// A row of the table, the numbers to the right.
+fn row(name: &str, cells: &[String; 8]) -> String {
+    let mut line = format!("{name:<NAMES$}");
+    for (cell, (_, width)) in cells.iter().zip(COLUMNS) {
+        line.push_str(&format!("{cell:>width$}"));
+    }
+    line
+}
+
+fn milliseconds(duration: Duration) -> f64 {
+    duration.as_secs_f64() * 1e3
+}
+
+fn tenths(value: f64) -> f64 {
+    (value * 10.0).round() / 10.0
+}

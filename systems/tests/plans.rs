@@ -1,0 +1,175 @@
+//! What the steps of the catalog and of other well-known fields cost, counted: the numbers that noise cannot touch.
+//!
+//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-systems --test plans` writes the table anew. A change of the planner shows
+//! there as a diff, and may not exceed what careful code by hand takes.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use kahan_algebra::diagnostics::Diagnostics;
+use kahan_algebra::field::Field;
+use kahan_algebra::lexer::lex;
+use kahan_algebra::objects::next_plan;
+use kahan_algebra::plan::{Cost, StepPlan};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+use kahan_algebra::{check, parse};
+use kahan_systems::registry::{SYSTEMS, find};
+
+/// Fields beside the catalog's.
+const OTHERS: [(&str, &str); 6] = [
+    ("lorenz", "struct S { s, r, b } xdot = s*(y - x); ydot = x*(r - z) - y; zdot = x*y - b*z;"),
+    (
+        "clebsch",
+        "struct S { u, v, w } adot = (w - v)*y*z; bdot = (u - w)*z*x; cdot = (v - u)*x*y;
+         xdot = y*c - z*b; ydot = z*a - x*c; zdot = x*b - y*a;",
+    ),
+    (
+        "volterra lattice, 6",
+        "adot = a*(b - f); bdot = b*(c - a); cdot = c*(d - b); ddot = d*(e - c); edot = e*(f - d);
+         fdot = f*(a - e);",
+    ),
+    (
+        "two euler tops",
+        "struct S { p, q, r } adot = p*b*c; bdot = q*c*a; cdot = r*a*b; xdot = p*y*z; ydot = q*z*x; zdot = r*x*y;",
+    ),
+    (
+        "dense, 3",
+        "xdot = x^2 + 2*x*y - 3*y*z + z^2 - x + 1; ydot = 2*x^2 - x*y + 5*z*x + y^2 + 2*y - 2;
+         zdot = x^2 + 3*y^2 - x*z + 4*y*z + x - z;",
+    ),
+    (
+        "dense, 4",
+        "wdot = w^2 + w*x - y*z + 2*z^2; xdot = x*y - 3*w*z + y^2; ydot = w*y + x*z - x^2 + 1;
+         zdot = z*w - 2*x*y + y*z - w;",
+    ),
+];
+
+fn system(text: &str) -> System {
+    let mut diagnostics = Diagnostics::default();
+    let block = parse::parse(&lex(text).tokens, &mut diagnostics);
+    let system = check::check(block, &mut diagnostics);
+    let mistakes = diagnostics.finish();
+    assert!(mistakes.is_empty(), "{text}: {mistakes:?}");
+    system
+}
+
+fn catalog(name: &str) -> System {
+    system(find(name).expect("a system of the catalog").text())
+}
+
+/// How many constants are prepared, and what one step from a state to the next costs.
+fn step_cost(field: &Field) -> Option<(usize, Cost)> {
+    let step = StepPlan::of(field)?;
+    Some((step.constants.outputs.len(), next_plan(field, &step).cost()))
+}
+
+fn table() -> String {
+    let titles =
+        ["constants", "additions", "multiplications", "multiply-adds", "divisions", "operations", "chain"];
+    let mut table = format!("{:<20}", "system");
+    for title in titles {
+        write!(table, "  {title}").expect("a string takes everything");
+    }
+    table.push('\n');
+    let catalog = SYSTEMS.iter().map(|entry| (entry.command, entry.text()));
+    for (name, text) in catalog.chain(OTHERS) {
+        write!(table, "{name:<20}").expect("a string takes everything");
+        let cost = step_cost(&system(text).field);
+        let numbers = cost.map(|(constants, cost)| {
+            let Cost { additions, multiplications, fused, divisions, chain } = cost;
+            let chain = usize::try_from(chain).expect("a chain is short");
+            [constants, additions, multiplications, fused, divisions, cost.operations(), chain]
+        });
+        for (column, title) in titles.iter().enumerate() {
+            let number = numbers.map_or_else(|| "-".to_owned(), |numbers| numbers[column].to_string());
+            write!(table, "  {number:>width$}", width = title.len()).expect("a string takes everything");
+        }
+        table.push('\n');
+    }
+    table
+}
+
+#[test]
+fn the_table_of_operation_counts_is_the_committed_one() {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/plans.txt");
+    let table = table();
+    if std::env::var("KAHAN_GOLDEN").is_ok_and(|mode| mode == "overwrite") {
+        std::fs::write(&path, &table).expect("the table can be written");
+    }
+    let committed = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(
+        committed == table,
+        "the operation counts changed. If that is meant, write them anew with KAHAN_GOLDEN=overwrite.\n\
+         committed:\n{committed}\nnow:\n{table}"
+    );
+}
+
+/// What careful code by hand takes, written for the shortest chain with one reciprocal (E5: two): everything from a state to
+/// the next, products of ε and parameters prepared, common subexpressions once. e = ε, d = 2ε, X = e·x and so on,
+/// i = 1/D; each increment is a numerator times i. The comments state what is counted: additions, multiplications, divisions.
+const BY_HAND: [(&str, usize); 8] = [
+    // D = (1 + (Y−X)) + e((X+Y)−e), n = d·x·((1−y)−(X−e)), m = d·y·((x−1)+(e−Y)): 13, 9, 1
+    ("lv", 23),
+    // p, q, r = e·aᵢ. D = ((1 − pz·(q z)) − (qx·(r x) + ry·(p y))) − (qx·ry)·(pz+pz), n₁ = 2p·(y+qx·z)·(z+ry·x), …: 11, 23, 1
+    ("euler", 35),
+    // D = (1+dx)(1−X), n₁ = x·(dx·(1−X)), n₂ = y·(dx·(1−X)), n₃ = d·y·(y+y) + z·(dx·(1+X)): 8, 13, 1
+    ("e1", 22),
+    // R = X·(d x) + Y·(d y), D = (1+Z)+R, h = d·z + R, n₁ = x·h, n₂ = y·h, n₃ = (x·(d x) + y·(d y))·(1−Z): 9, 16, 1
+    ("e3", 26),
+    // v = 1−Y, u = 1+Y, i = 1/(v + X·(d x)), j = 1/u, P = d(y − X·x); (x·P)i, −(d x·(x·u))i, ((P·((x+x) − z·v))j)i: 9, 15, 2
+    ("e5", 26),
+    // T = 3Y, u = 1+T, v = 1−T, D = ((1 + T·Y) − 4X·(d z)) + ((X·(d x))u + (Z·(d z))v), s = x+z, δ = x−z,
+    // a = d(y + (X+Z)δ), b = δ + Y·s, c = s − T·δ; a·((z+z) − x·u), d·b·c, a·(z·v − (x+x)): 19, 26, 1
+    ("e6", 46),
+    // σ, ρ, β = e·parameter, k = 1+σ, b₁ = 1+β. D = X(ke·x + σe·y) + (c₀ + c₁·z), q = 2(x + σy), R = ρ−Z, T = t₀ + σZ,
+    // n₁ = 2σ(b₁·y + x((c₂−Z) − X²)), n₂ = q(b₁·R − X·Y) − 2k(b₁e·y − β(X·z)), n₃ = q(R·X + Y) − (2σ·X·Y + 2β·z·T): 19, 29, 1
+    ("lorenz", 49),
+    // c = (w₃−w₂, …), P = e·p, fᵢ = e·cᵢ·pⱼ, gᵢ = e·cᵢ·pₖ, aᵢ = e·mᵢ + fᵢ·Pₖ, dᵢ = 1 + (Pₖ·fⱼ' − …), s = Σ dᵢaᵢ², q = Σ dᵢaᵢpᵢ,
+    // D = d₁d₂d₃ + s, n = 2(d₂d₃, …)∘(p×a) + (2q·a − 2s·p), p̃ = p + n/D, m̃₁ = m₁ + (f₁·p̃₃ + g₁·p̃₂), …: 37, 59, 1
+    ("clebsch", 97),
+];
+
+#[test]
+fn no_step_takes_more_operations_than_careful_code_by_hand() {
+    let mut exceeded = String::new();
+    for (name, by_hand) in BY_HAND {
+        let other = OTHERS.iter().find(|(known, _)| *known == name);
+        let system = other.map_or_else(|| catalog(name), |(_, text)| system(text));
+        let (_, cost) = step_cost(&system.field).expect("a step in straight lines");
+        if cost.operations() > by_hand {
+            writeln!(exceeded, "{name}: {} operations, {by_hand} by hand", cost.operations())
+                .expect("a string takes everything");
+        }
+    }
+    assert!(exceeded.is_empty(), "{exceeded}");
+}
+
+mod folding {
+    use super::*;
+
+    /// The step of a system of the catalog with ξ = 1 put in before the map is reduced.
+    fn at_xi_1(name: &str) -> Option<StepPlan> {
+        let special =
+            catalog(name).specialise(&[(0, Rational::one())]).expect("the field has a value at ξ = 1");
+        StepPlan::of(&special.field)
+    }
+
+    #[test]
+    fn e9_at_xi_1_has_the_plan_of_e3() {
+        let e3 = StepPlan::of(&catalog("e3").field);
+        assert!(e3.is_some());
+        assert_eq!(at_xi_1("e9"), e3);
+        let written = system("struct E9; const xi = 1; xdot = -x*z; ydot = -xi*y*z; zdot = x^2 + xi*y^2;");
+        assert_eq!(StepPlan::of(&written.field), e3);
+    }
+
+    #[test]
+    fn e7_at_xi_1_has_the_plan_of_e1() {
+        let e1 = StepPlan::of(&catalog("e1").field);
+        assert!(e1.is_some());
+        assert_eq!(at_xi_1("e7"), e1);
+        let written = system("struct E7; const xi = 1; xdot = -x^2; ydot = -xi*x*y; zdot = 2*xi*y^2 + x*z;");
+        assert_eq!(StepPlan::of(&written.field), e1);
+    }
+}
