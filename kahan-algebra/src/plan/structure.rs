@@ -30,8 +30,8 @@ impl Structure {
     pub(super) fn blocks(&self) -> Vec<Vec<usize>> {
         let reaches = self.reaches();
         let mut blocks: Vec<Vec<usize>> = Vec::new();
-        for i in 0..reaches.len() {
-            match blocks.iter_mut().find(|block| reaches[i][block[0]] && reaches[block[0]][i]) {
+        for (i, reached) in reaches.iter().enumerate() {
+            match blocks.iter_mut().find(|block| reached[block[0]] && reaches[block[0]][i]) {
                 Some(block) => block.push(i),
                 None => blocks.push(vec![i]),
             }
