@@ -2,7 +2,7 @@
 //!
 //! Simplifications are exact identities only (0 + a, 1 · a, a − (−b), …), so a plan computes what was asked over ℚ.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
@@ -13,7 +13,7 @@ use super::{Node, Operation, Plan};
 #[derive(Clone, Debug, Default)]
 pub struct PlanBuilder {
     operations: Vec<Operation>,
-    known: HashMap<Operation, Node>,
+    known: FxHashMap<Operation, Node>,
 }
 
 impl PlanBuilder {

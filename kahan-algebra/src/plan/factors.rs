@@ -35,21 +35,20 @@ fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
         if next.as_constant().is_some() || base.contains(&next) {
             continue;
         }
-        let shared = base.iter().position(|known| common(known, &next, &mut budget).is_some());
-        let Some(index) = shared else {
-            match content(&next, &mut budget).or_else(|| quadratic_factor(&next, &mut budget)) {
-                Some(factor) => waiting.extend(split_off(&next, factor)),
-                None => base.push(next),
-            }
-            continue;
-        };
-        let known = base.remove(index);
-        match common(&known, &next, &mut budget) {
-            Some(factor) => {
+        let shared = base
+            .iter()
+            .enumerate()
+            .find_map(|(index, known)| Some((index, common(known, &next, &mut budget)?)));
+        match shared {
+            Some((index, factor)) => {
+                let known = base.remove(index);
                 waiting.extend(split_off(&known, factor.clone()));
                 waiting.extend(split_off(&next, factor));
             }
-            None => base.extend([known, next]),
+            None => match content(&next, &mut budget).or_else(|| quadratic_factor(&next, &mut budget)) {
+                Some(factor) => waiting.extend(split_off(&next, factor)),
+                None => base.push(next),
+            },
         }
     }
     base

@@ -3,8 +3,8 @@
 //! A polynomial is a sum of terms and of products v·q; every choice of v gives another form. The estimate of a form counts
 //! its operations and the cycle in which its value is ready, no step being shared; the cheapest form is kept.
 
+use rustc_hash::FxHashMap;
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::poly::{Monomial, Polynomial, Variable};
@@ -58,7 +58,7 @@ struct Estimate {
 pub(super) struct Nesting {
     goal: Goal,
     scaling: Scaling,
-    known: Rc<RefCell<HashMap<Polynomial, Rc<Estimate>>>>,
+    known: Rc<RefCell<FxHashMap<Polynomial, Rc<Estimate>>>>,
 }
 
 impl Nesting {

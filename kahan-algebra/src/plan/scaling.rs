@@ -142,20 +142,9 @@ fn is_dissipative(field: &Field) -> bool {
         && divergence.degree_where(|variable| field.symbols.is_state(variable)) == 0
 }
 
-/// Orders of n states: all of them up to three, else each state first once.
+/// Orders of n states in which each comes first once.
 fn orders(n: usize) -> Vec<Vec<usize>> {
-    match n {
-        0 => vec![Vec::new()],
-        1..=3 => (0..n)
-            .flat_map(|first| {
-                orders(n - 1).into_iter().map(move |rest| {
-                    let others = rest.into_iter().map(|i| if i >= first { i + 1 } else { i });
-                    std::iter::once(first).chain(others).collect()
-                })
-            })
-            .collect(),
-        _ => (0..n).map(|first| (0..n).map(|i| (first + i) % n).collect()).collect(),
-    }
+    (0..n).map(|first| (0..n).map(|i| (first + i) % n).collect()).collect()
 }
 
 /// The coefficient, if it is ±2ᵏ.

@@ -1,7 +1,9 @@
 //! Writes scaled polynomials as steps, reusing what is there already: a polynomial that was computed before, up to its
 //! sign, and one of which a multiple shortens the polynomial at hand.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
+
+use rustc_hash::FxHashMap;
 
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
@@ -25,7 +27,7 @@ pub(super) struct Writer {
     pub(super) draft: Draft,
     pub(super) scaling: Scaling,
     /// Steps by polynomial, its leading coefficient positive.
-    known: HashMap<Polynomial, Signed>,
+    known: FxHashMap<Polynomial, Signed>,
     /// The keys of `known`, in the order of their making.
     made: Vec<Polynomial>,
     /// Sums among them.
@@ -44,7 +46,7 @@ impl Writer {
         Writer {
             draft: Draft::new(scaling.states(), scaling.folds),
             scaling,
-            known: HashMap::new(),
+            known: FxHashMap::default(),
             made: Vec::new(),
             sums: Vec::new(),
             put: Vec::new(),
