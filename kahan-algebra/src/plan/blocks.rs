@@ -24,6 +24,8 @@ use super::{Node, step};
 
 /// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop is faster.
 const MOST_OPERATIONS: usize = 600;
+/// The most terms of a right-hand side for which all ways to distribute ε are compared.
+const COMPARED_TERMS: usize = 12;
 /// The most terms of an entry that is expanded.
 const ENTRY_TERMS: usize = 40;
 
@@ -79,7 +81,8 @@ impl Parts<'_> {
                 .map(|row| {
                     let last = row.len() - 1;
                     let entry = |(j, entry): (usize, &Polynomial)| match j == last {
-                        true => writer.cheapest_entry(entry),
+                        true if entry.len() <= COMPARED_TERMS => writer.cheapest_entry(entry),
+                        true => writer.entry(entry, Goal::Few),
                         false => writer.entry(entry, Goal::Early),
                     };
                     row.iter().enumerate().map(entry).collect()

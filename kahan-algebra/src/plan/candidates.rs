@@ -48,8 +48,10 @@ const FACTOR_TERMS: usize = 32;
 
 /// What a prepared constant that was rounded more than once costs, in operations.
 const DERIVED: usize = 3;
-/// How many orders of the rows of a block are compared.
+/// How many orders of the rows of a block are compared,
 const ROTATIONS: usize = 3;
+/// if the field has no more terms than this.
+const COMPARED_TERMS: usize = 60;
 /// The most terms of N and D for which they are written out where there is another form.
 const WRITTEN_TERMS: usize = 120;
 
@@ -68,6 +70,11 @@ pub(super) fn best(field: &Field, map: Option<&RationalMap>) -> Option<Candidate
         candidates.extend(written_out(field, map));
     }
     candidates.into_iter().min_by_key(|candidate| candidate.price)
+}
+
+/// The terms of all equations.
+fn terms(field: &Field) -> usize {
+    field.components.iter().map(|component| component.numerator.len()).sum()
 }
 
 /// The cheapest form of a reduced map.
