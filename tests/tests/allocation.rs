@@ -3,6 +3,7 @@
 //! The allocator of this program counts; nothing else is tested here, so that nothing else allocates meanwhile.
 
 use allocation_counter::measure;
+use kahan_core::Ensemble;
 use kahan_core::prelude::*;
 use kahan_systems::{E1, E3, E6, E9, EulerTop, LotkaVolterra};
 use kahan_tests::random_systems::Dense6;
@@ -50,4 +51,20 @@ fn closed_forms_allocate_nothing() {
 #[test]
 fn elimination_allocates_nothing() {
     assert_eq!(allocations(&Dense6, [0.01, 0.02, -0.01, 0.03, 0.01, -0.02], 0.001), 0);
+}
+
+#[test]
+fn advancing_an_ensemble_allocates_nothing() {
+    let points: Vec<SVector<f64, 3>> = (0..1000).map(|i| vector![0.5, 1.0, f64::from(i) * 1e-3]).collect();
+    let mut ensemble = Ensemble::new(points);
+    let (e3, top) = (E3.at(0.05), EulerTop { a1: 1.0, a2: -2.0, a3: 1.0 }.at(0.05));
+    // Which instructions the processor has is asked once a program.
+    ensemble.advance(&e3, 1);
+    let counted = measure(|| {
+        ensemble.advance(&e3, STEPS);
+        ensemble.advance(&top, STEPS);
+        ensemble.advance_visiting(&e3, STEPS, 7, |_, now| assert_eq!(now.len(), 1000));
+    });
+    assert_eq!(counted.count_total, 0);
+    assert!(ensemble.points().all(|point| point.iter().all(|entry| entry.is_finite())));
 }
