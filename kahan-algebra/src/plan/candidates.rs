@@ -62,8 +62,8 @@ pub(super) fn best(field: &Field, map: Option<&RationalMap>) -> Option<Candidate
     if map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some()) {
         for scaling in scalings(field) {
             let writer = Writer::new(scaling);
-            candidates
-                .extend((0..ROTATIONS).filter_map(|turn| blocks::candidate(field, writer.clone(), turn)));
+            let turns = if terms(field) > COMPARED_TERMS { 1 } else { ROTATIONS };
+            candidates.extend((0..turns).filter_map(|turn| blocks::candidate(field, writer.clone(), turn)));
         }
     }
     if let Some(map) = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS) {
