@@ -1,0 +1,53 @@
+//! The machine's bounds: how fast it divides, and how fast it multiplies and adds, when nothing else is in the way.
+//!
+//! Loops of independent operations in registers, as many in flight as hide the latency.
+
+// Calling a function compiled for more instructions than the program is needs `unsafe`; that they are there is looked
+// up right before.
+#![allow(unsafe_code)]
+
+/// That many divisions of `f64`, four at a time; does nothing where the processor lacks AVX2.
+pub(crate) fn divisions_avx2(divisions: usize) {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx2") {
+        // SAFETY: the processor has AVX2.
+        unsafe { x86_64::divisions_avx2(divisions / 32) }
+    }
+}
+
+/// That many multiply-adds of `f64`, eight at a time; does nothing where the processor lacks AVX-512F.
+pub(crate) fn multiply_adds_avx512(multiply_adds: usize) {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx512f") {
+        // SAFETY: the processor has AVX-512F.
+        unsafe { x86_64::multiply_adds_avx512(multiply_adds / 128) }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod x86_64 {
+    use std::arch::x86_64::{
+        __m256d, __m512d, _mm256_div_pd, _mm256_set1_pd, _mm512_fmadd_pd, _mm512_set1_pd,
+    };
+    use std::hint::black_box;
+
+    #[target_feature(enable = "avx2")]
+    pub(super) fn divisions_avx2(rounds: usize) {
+        let numerator = _mm256_set1_pd(black_box(1.5));
+        let mut x: [__m256d; 8] = [_mm256_set1_pd(black_box(1.25)); 8];
+        for _ in 0..rounds {
+            x = x.map(|x| _mm256_div_pd(numerator, x));
+        }
+        black_box(x);
+    }
+
+    #[target_feature(enable = "avx512f")]
+    pub(super) fn multiply_adds_avx512(rounds: usize) {
+        let (factor, addend) = (_mm512_set1_pd(black_box(0.5)), _mm512_set1_pd(black_box(0.25)));
+        let mut x: [__m512d; 16] = [_mm512_set1_pd(black_box(1.25)); 16];
+        for _ in 0..rounds {
+            x = x.map(|x| _mm512_fmadd_pd(x, factor, addend));
+        }
+        black_box(x);
+    }
+}

@@ -1,0 +1,116 @@
+//! Counting the operations of a step by running it over a scalar that counts.
+
+use std::cell::Cell;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use kahan_core::num_traits::{One, Zero};
+use kahan_core::prelude::*;
+use kahan_core::{Constant, PreparedStep, WideStep};
+
+thread_local! {
+    static OPERATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+/// What two Newton iterations and a last product cost in place of a division.
+const ESTIMATED_DIVISION: usize = 5;
+
+/// A float that counts what is done with it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Counted(f64);
+
+fn counted(operations: usize, value: f64) -> Counted {
+    OPERATIONS.set(OPERATIONS.get() + operations);
+    Counted(value)
+}
+
+/// Additions, multiplications and multiply-adds of one step, the last one of each component and estimated divisions
+/// included; 0 for a step without lanes.
+pub(crate) fn operations<const N: usize>(step: &impl WideStep<f64, N>) -> usize {
+    fn of<S: WideStep<f64, N>, const N: usize>(step: &S) -> usize {
+        if !S::HAS_LANES {
+            return 0;
+        }
+        let wide = step.widen(|constant| Counted(*constant));
+        OPERATIONS.set(0);
+        let next = wide.next(&SVector::from([Counted(0.5); N]));
+        assert!(next.is_some(), "floats always have a reciprocal");
+        OPERATIONS.get()
+    }
+    of(step)
+}
+
+impl Scalar for Counted {
+    fn constant(c: &Constant) -> Self {
+        Counted(f64::constant(c))
+    }
+
+    fn reciprocal(&self) -> Option<Self> {
+        Some(counted(ESTIMATED_DIVISION, 1.0 / self.0))
+    }
+
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        Some(self / divisor)
+    }
+
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        counted(1, self.0 * factor.0 + addend.0)
+    }
+
+    fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+        counted(1, self.0 * factor.0 - subtrahend.0)
+    }
+
+    fn subtract_product(self, a: Self, b: Self) -> Self {
+        counted(1, self.0 - a.0 * b.0)
+    }
+}
+
+impl Zero for Counted {
+    fn zero() -> Self {
+        Counted(0.0)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0 == 0.0
+    }
+}
+
+impl One for Counted {
+    fn one() -> Self {
+        Counted(1.0)
+    }
+}
+
+/// A sign costs nothing: it goes into the operation that follows.
+impl Neg for Counted {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Counted(-self.0)
+    }
+}
+
+macro_rules! binary {
+    ($($trait:ident $method:ident, $assign:ident $assign_method:ident, $operator:tt, $cost:expr;)*) => {$(
+        impl $trait for Counted {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                counted($cost, self.0 $operator other.0)
+            }
+        }
+
+        impl $assign for Counted {
+            fn $assign_method(&mut self, other: Self) {
+                *self = *self $operator other;
+            }
+        }
+    )*};
+}
+
+binary! {
+    Add add, AddAssign add_assign, +, 1;
+    Sub sub, SubAssign sub_assign, -, 1;
+    Mul mul, MulAssign mul_assign, *, 1;
+    Div div, DivAssign div_assign, /, ESTIMATED_DIVISION;
+}

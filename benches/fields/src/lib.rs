@@ -1,0 +1,117 @@
+//! The eight systems of the benchmarks.
+//!
+//! One file a system, holding its `kahan!` block and nothing else, so that the cost of compiling it can be measured on
+//! the very text.
+
+mod clebsch;
+mod e1;
+mod e3;
+mod e5;
+mod e6;
+mod euler_top;
+mod lorenz;
+mod lotka_volterra;
+
+pub use clebsch::Clebsch;
+pub use e1::E1;
+pub use e3::E3;
+pub use e5::E5;
+pub use e6::E6;
+pub use euler_top::EulerTop;
+pub use lorenz::Lorenz;
+pub use lotka_volterra::LotkaVolterra;
+
+/// ε of every timing, half the time step: a rounded number, as most are.
+pub const EPS: f64 = 1.0 / 1000.0;
+
+/// A system as text.
+#[derive(Clone, Copy, Debug)]
+pub struct Source {
+    /// The name of its type.
+    pub name: &'static str,
+    /// An expression for one of its values.
+    pub value: &'static str,
+    /// The number of variables.
+    pub dimension: usize,
+    /// The file that holds its block.
+    pub text: &'static str,
+}
+
+/// Every system as text.
+pub const SOURCES: [Source; 8] = [
+    Source {
+        name: "LotkaVolterra",
+        value: "LotkaVolterra",
+        dimension: 2,
+        text: include_str!("lotka_volterra.rs"),
+    },
+    Source {
+        name: "EulerTop",
+        value: "EulerTop { a1: 1.1, a2: -2.3, a3: 1.7 }",
+        dimension: 3,
+        text: include_str!("euler_top.rs"),
+    },
+    Source { name: "E1", value: "E1", dimension: 3, text: include_str!("e1.rs") },
+    Source { name: "E3", value: "E3", dimension: 3, text: include_str!("e3.rs") },
+    Source { name: "E5", value: "E5", dimension: 3, text: include_str!("e5.rs") },
+    Source { name: "E6", value: "E6", dimension: 3, text: include_str!("e6.rs") },
+    Source {
+        name: "Lorenz",
+        value: "Lorenz { sigma: 10.0, rho: 28.0, beta: 8.0 / 3.0 }",
+        dimension: 3,
+        text: include_str!("lorenz.rs"),
+    },
+    Source {
+        name: "Clebsch",
+        value: "Clebsch { w1: 1.0, w2: 1.7, w3: 2.9 }",
+        dimension: 6,
+        text: include_str!("clebsch.rs"),
+    },
+];
+
+/// The Euler top of the timings: bounded orbits, no parameter exact.
+pub fn euler_top() -> EulerTop<f64> {
+    EulerTop { a1: 1.1, a2: -2.3, a3: 1.7 }
+}
+
+/// The classical chaotic parameters.
+pub fn lorenz() -> Lorenz<f64> {
+    Lorenz { sigma: 10.0, rho: 28.0, beta: 8.0 / 3.0 }
+}
+
+/// Three different weights.
+pub fn clebsch() -> Clebsch<f64> {
+    Clebsch { w1: 1.0, w2: 1.7, w3: 2.9 }
+}
+
+/// The points at which timings begin.
+pub mod start {
+    /// Of [`LotkaVolterra`](crate::LotkaVolterra).
+    pub const LOTKA_VOLTERRA: [f64; 2] = [1.5, 0.8];
+    /// Of the systems of three variables.
+    pub const SPACE: [f64; 3] = [1.3, 0.7, 0.4];
+    /// Of [`Lorenz`](crate::Lorenz), near the attractor.
+    pub const LORENZ: [f64; 3] = [1.3, 0.7, 20.4];
+    /// Of [`Clebsch`](crate::Clebsch).
+    pub const CLEBSCH: [f64; 6] = [0.3, 0.7, 0.4, 0.8, 0.5, 0.6];
+}
+
+#[cfg(test)]
+mod tests {
+    use kahan_core::prelude::*;
+
+    /// What Clebsch's flow keeps has gradients orthogonal to the field.
+    #[test]
+    fn clebsch_is_the_integrable_case() {
+        let w = super::clebsch();
+        for x in [[0.3, -0.7, 0.4, 0.8, 0.5, -0.6], [1.0, 2.0, -3.0, 0.5, 0.25, 4.0]] {
+            let f = w.field(&SVector::from(x));
+            let [k, l, m, p, q, r] = x;
+            let gradients =
+                [[0.0, 0.0, 0.0, p, q, r], [p, q, r, k, l, m], [k, l, m, w.w1 * p, w.w2 * q, w.w3 * r]];
+            for gradient in gradients {
+                assert!(SVector::from(gradient).dot(&f).abs() < 1e-13 * f.norm());
+            }
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Clebsch's case in six variables, m and p. With P = εp and the differences c = (w₃−w₂, w₁−w₃, w₂−w₁) the increment of
+//! m is ε(p × Wp̃ + p̃ × Wp), without a division. Eliminating it leaves Kp̃ = … with K = diag(d) + \[a\]×, where
+//! a = εm + P × WP, d₁ = 1 − c₃P₂² + c₂P₃² and cyclically, and as a·(p × a) = 0,
+//!
+//! - p̃ = p + 2(e∘(p × a) + (Σdᵢaᵢpᵢ)a − Sp)/D with e = (d₂d₃, d₃d₁, d₁d₂), S = Σdᵢaᵢ²,
+//! - D = d₁d₂d₃ + S,
+//! - m̃₁ = m₁ + εc₁(p₂p̃₃ + p₃p̃₂) and cyclically.
+
+use kahan_bench_fields::Clebsch;
+
+use crate::contender::{Contender, Role};
+
+/// All of them.
+pub(crate) fn contenders(map: Clebsch<f64>, start: [f64; 6], eps: f64) -> Vec<Contender> {
+    vec![
+        Contender::new("by hand, skew part", Role::ByHand, start, skew_part(map, eps)),
+        Contender::new("by hand, short chain", Role::ByHand, start, short_chain(map, eps)),
+    ]
+}
+
+/// The formulas as above.
+pub(crate) fn skew_part(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
+    let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
+    let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);
+    move |[m1, m2, m3, p1, p2, p3]| {
+        let (q1, q2, q3) = (eps * p1, eps * p2, eps * p3);
+        let (f1, f2, f3) = (e1 * p2, e2 * p3, e3 * p1);
+        let (g1, g2, g3) = (e1 * p3, e2 * p1, e3 * p2);
+        let (a1, a2, a3) = (eps * m1 + f1 * q3, eps * m2 + f2 * q1, eps * m3 + f3 * q2);
+        let d1 = 1.0 + (q3 * f2 - q2 * g3);
+        let d2 = 1.0 + (q1 * f3 - q3 * g1);
+        let d3 = 1.0 + (q2 * f1 - q1 * g2);
+        let (b1, b2, b3) = (d1 * a1, d2 * a2, d3 * a3);
+        let s = b1 * a1 + (b2 * a2 + b3 * a3);
+        let e = d2 * d3;
+        let i = 2.0 / (d1 * e + s);
+        let q = b1 * p1 + (b2 * p2 + b3 * p3);
+        let n1 = e * (p2 * a3 - p3 * a2) + (a1 * q - p1 * s);
+        let n2 = (d3 * d1) * (p3 * a1 - p1 * a3) + (a2 * q - p2 * s);
+        let n3 = (d1 * d2) * (p1 * a2 - p2 * a1) + (a3 * q - p3 * s);
+        let (x1, x2, x3) = (p1 + n1 * i, p2 + n2 * i, p3 + n3 * i);
+        [m1 + (f1 * x3 + g1 * x2), m2 + (f2 * x1 + g2 * x3), m3 + (f3 * x2 + g3 * x1), x1, x2, x3]
+    }
+}
+
+/// The same with the 2 beside the division, not in front of it, and D summed so that its last term comes last.
+pub(crate) fn short_chain(map: Clebsch<f64>, eps: f64) -> impl Fn([f64; 6]) -> [f64; 6] {
+    let (c1, c2, c3) = (map.w3 - map.w2, map.w1 - map.w3, map.w2 - map.w1);
+    let (e1, e2, e3) = (eps * c1, eps * c2, eps * c3);
+    move |[m1, m2, m3, p1, p2, p3]| {
+        let (q1, q2, q3) = (eps * p1, eps * p2, eps * p3);
+        let (f1, f2, f3) = (e1 * p2, e2 * p3, e3 * p1);
+        let (g1, g2, g3) = (e1 * p3, e2 * p1, e3 * p2);
+        let (a1, a2, a3) = (eps * m1 + f1 * q3, eps * m2 + f2 * q1, eps * m3 + f3 * q2);
+        let d1 = 1.0 + (q3 * f2 - q2 * g3);
+        let d2 = 1.0 + (q1 * f3 - q3 * g1);
+        let d3 = 1.0 + (q2 * f1 - q1 * g2);
+        let (s1, s2, s3) = (d1 * (a1 * a1), d2 * (a2 * a2), d3 * (a3 * a3));
+        let i = 1.0 / ((d1 * (d2 * d3) + s1) + (s2 + s3));
+        let s = s1 + (s2 + s3);
+        let q = (d1 * a1) * p1 + ((d2 * a2) * p2 + (d3 * a3) * p3);
+        let (q, s) = (q + q, s + s);
+        let (dd2, dd3) = (d2 + d2, d3 + d3);
+        let n1 = (d2 * dd3) * (p2 * a3 - p3 * a2) + (a1 * q - p1 * s);
+        let n2 = (dd3 * d1) * (p3 * a1 - p1 * a3) + (a2 * q - p2 * s);
+        let n3 = (d1 * dd2) * (p1 * a2 - p2 * a1) + (a3 * q - p3 * s);
+        let (x1, x2, x3) = (p1 + n1 * i, p2 + n2 * i, p3 + n3 * i);
+        [m1 + (f1 * x3 + g1 * x2), m2 + (f2 * x1 + g2 * x3), m3 + (f3 * x2 + g3 * x1), x1, x2, x3]
+    }
+}

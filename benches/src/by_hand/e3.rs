@@ -1,0 +1,53 @@
+//! E3: with r = x² + y² the map is x̃ = x − 2ε(z + εr)x/D, ỹ = y − 2ε(z + εr)y/D, z̃ = z + 2εr(1 − Z)/D,
+//! D = 1 + Z + 2ε²r.
+
+use crate::contender::{Contender, Role};
+
+/// All of them.
+pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
+    vec![
+        Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(eps)),
+        Contender::new("by hand, short chain", Role::ByHand, start, short_chain(eps)),
+        Contender::new("by hand, one sum of squares", Role::ByHand, start, one_sum_of_squares(eps)),
+    ]
+}
+
+/// D = 1 + ε((z + εr) + εr).
+pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
+    let two_eps = 2.0 * eps;
+    move |[x, y, z]| {
+        let r = x * x + y * y;
+        let er = eps * r;
+        let w = z + er;
+        let i = two_eps / (1.0 + eps * (w + er));
+        let g = w * i;
+        [x - x * g, y - y * g, z + (r - er * z) * i]
+    }
+}
+
+/// D = (1 + Z) + (X·2X + Y·2Y): the sum of squares is formed a second time for the numerators.
+pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
+    let two_eps = 2.0 * eps;
+    move |[x, y, z]| {
+        let (ex, ey, ez) = (eps * x, eps * y, eps * z);
+        let (dx, dy) = (two_eps * x, two_eps * y);
+        let s = ex * dx + ey * dy;
+        let i = 1.0 / ((1.0 + ez) + s);
+        let h = two_eps * z + s;
+        let r = x * dx + y * dy;
+        [x - (x * h) * i, y - (y * h) * i, z + (r * (1.0 - ez)) * i]
+    }
+}
+
+/// D as in the short chain, but the squares formed once, and scaled beside the division.
+pub(crate) fn one_sum_of_squares(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
+    let two_eps = 2.0 * eps;
+    move |[x, y, z]| {
+        let (dx, dy, ez) = (two_eps * x, two_eps * y, eps * z);
+        let r = x * dx + y * dy;
+        let s = eps * r;
+        let i = 1.0 / ((1.0 + ez) + s);
+        let h = (ez + ez) + s;
+        [x - (x * h) * i, y - (y * h) * i, z + (r - r * ez) * i]
+    }
+}

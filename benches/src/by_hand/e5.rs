@@ -1,0 +1,51 @@
+//! E5: with u = 1 + Y, v = 1 − Y, p = y − Xx and D = v + 2X² the map is x̃ = x + 2εxp/D, ỹ = y − 2εx²u/D,
+//! z̃ = z + 2εp(2x − zv)/(Du).
+
+use crate::contender::{Contender, Role};
+
+/// All of them.
+pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
+    vec![
+        Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(eps)),
+        Contender::new("by hand, two reciprocals", Role::ByHand, start, two_reciprocals(eps)),
+        Contender::new("by hand, mixed divisions", Role::ByHand, start, mixed_divisions(eps)),
+    ]
+}
+
+/// One reciprocal, 2ε/(Du).
+pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
+    let two_eps = 2.0 * eps;
+    move |[x, y, z]| {
+        let (ex, ey) = (eps * x, eps * y);
+        let (u, v) = (1.0 + ey, 1.0 - ey);
+        let p = y - ex * x;
+        let i = two_eps / ((v + ex * (ex + ex)) * u);
+        let j = u * i;
+        [x + x * p * j, y - x * x * u * j, z + p * (x + x - z * v) * i]
+    }
+}
+
+/// 1/D closes the chain; 1/u, which z alone needs, runs beside.
+pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
+    let two_eps = 2.0 * eps;
+    move |[x, y, z]| {
+        let (ex, ey, dx) = (eps * x, eps * y, two_eps * x);
+        let (u, v) = (1.0 + ey, 1.0 - ey);
+        let i = 1.0 / (v + ex * dx);
+        let j = 1.0 / u;
+        let p = two_eps * (y - ex * x);
+        [x + (x * p) * i, y - (dx * (x * u)) * i, z + ((p * ((x + x) - z * v)) * j) * i]
+    }
+}
+
+/// The same with z divided by u at the end: nothing that compilers would pack into one register.
+pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
+    let two_eps = 2.0 * eps;
+    move |[x, y, z]| {
+        let (ex, ey, dx) = (eps * x, eps * y, two_eps * x);
+        let (u, v) = (1.0 + ey, 1.0 - ey);
+        let i = 1.0 / (v + ex * dx);
+        let p = two_eps * (y - ex * x);
+        [x + (x * p) * i, y - (dx * (x * u)) * i, z + ((p * ((x + x) - z * v)) * i) / u]
+    }
+}

@@ -1,0 +1,48 @@
+//! Lotka–Volterra: with u = 1 − y, v = x − 1, p = u − εv, q = v + εu the map is x̃ = x + 2εxp/D, ỹ = y + 2εyq/D,
+//! D = 1 − ε(u+v) + ε²(x+y−1).
+
+use crate::contender::{Contender, Role};
+
+/// All of them.
+pub(crate) fn contenders(start: [f64; 2], eps: f64) -> Vec<Contender> {
+    vec![
+        Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(eps)),
+        Contender::new("by hand, short chain", Role::ByHand, start, short_chain(eps)),
+        Contender::new("by hand, two divisions", Role::ByHand, start, two_divisions(eps)),
+    ]
+}
+
+/// D = 1 − ε(p + q − ε): every difference is used twice.
+pub(crate) fn fewest_operations(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
+    let two_eps = 2.0 * eps;
+    move |[x, y]| {
+        let (u, v) = (1.0 - y, x - 1.0);
+        let (p, q) = (u - eps * v, v + eps * u);
+        let i = two_eps / (1.0 - eps * (p + q - eps));
+        [x + x * p * i, y + y * q * i]
+    }
+}
+
+/// D = (1 + (Y − X)) + ε((X + Y) − ε): six operations in a row.
+pub(crate) fn short_chain(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
+    let two_eps = 2.0 * eps;
+    move |[x, y]| {
+        let (ex, ey) = (eps * x, eps * y);
+        let i = 1.0 / ((1.0 + (ey - ex)) + eps * ((ex + ey) - eps));
+        let n = two_eps * x * ((1.0 - y) - (ex - eps));
+        let m = two_eps * y * ((x - 1.0) + (eps - ey));
+        [x + n * i, y + m * i]
+    }
+}
+
+/// The same with a division a component: no multiplication after the division.
+pub(crate) fn two_divisions(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
+    let two_eps = 2.0 * eps;
+    move |[x, y]| {
+        let (ex, ey) = (eps * x, eps * y);
+        let d = (1.0 + (ey - ex)) + eps * ((ex + ey) - eps);
+        let n = two_eps * x * ((1.0 - y) - (ex - eps));
+        let m = two_eps * y * ((x - 1.0) + (eps - ey));
+        [x + n / d, y + m / d]
+    }
+}

@@ -1,0 +1,95 @@
+//! Every hand-written step against the exact map over ℚ.
+
+use kahan_bench_fields as fields;
+use kahan_core::num_traits::ToPrimitive;
+use kahan_core::prelude::*;
+
+/// ½ ulp is the least possible; the increments of the points below add a few roundings of their own size.
+const BOUND: f64 = 3.0 * f64::EPSILON;
+
+/// Not a power of two, and large enough for every power of ε to show.
+const EPS: f64 = 0.1;
+
+/// Points with coordinates in (−1, 1) that fill the box, by multiples of irrational numbers.
+fn points<const N: usize>() -> impl Iterator<Item = [f64; N]> {
+    (1..=200)
+        .map(|k| std::array::from_fn(|i| 2.0 * (f64::from(k) * (i as f64 + 2.0).sqrt() * 0.37).fract() - 1.0))
+}
+
+fn exact(x: f64) -> BigRational {
+    BigRational::from_float(x).expect("finite")
+}
+
+/// The step of `map` over ℚ at the very floats, rounded, beside that of each variant.
+fn agree<const N: usize>(
+    map: impl KahanMap<BigRational, N>,
+    eps: f64,
+    variants: &[&dyn Fn([f64; N]) -> [f64; N]],
+) {
+    let at = map.at(exact(eps));
+    for x in points::<N>() {
+        let next = at.step(&SVector::from(x.map(exact)));
+        for (v, variant) in variants.iter().enumerate() {
+            for (i, value) in variant(x).into_iter().enumerate() {
+                let true_value = next[i].to_f64().expect("a rational near 1");
+                let error = (value - true_value).abs() / (1.0 + x[i].abs());
+                assert!(error <= BOUND, "variant {v}, component {i} at {x:?}: {value} for {true_value}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lotka_volterra() {
+    use super::lotka_volterra::{fewest_operations, short_chain, two_divisions};
+    agree(fields::LotkaVolterra, EPS, &[&fewest_operations(EPS), &short_chain(EPS), &two_divisions(EPS)]);
+}
+
+#[test]
+fn euler_top() {
+    use super::euler_top::{fewest_operations, short_chain};
+    let top = fields::euler_top();
+    let map = fields::EulerTop { a1: exact(top.a1), a2: exact(top.a2), a3: exact(top.a3) };
+    agree(map, EPS, &[&fewest_operations(top, EPS), &short_chain(top, EPS)]);
+}
+
+#[test]
+fn e1() {
+    use super::e1::{one_reciprocal, three_divisions, two_reciprocals};
+    agree(fields::E1, EPS, &[&one_reciprocal(EPS), &two_reciprocals(EPS), &three_divisions(EPS)]);
+}
+
+#[test]
+fn e3() {
+    use super::e3::{fewest_operations, one_sum_of_squares, short_chain};
+    agree(fields::E3, EPS, &[&fewest_operations(EPS), &short_chain(EPS), &one_sum_of_squares(EPS)]);
+}
+
+#[test]
+fn e5() {
+    use super::e5::{fewest_operations, mixed_divisions, two_reciprocals};
+    agree(fields::E5, EPS, &[&fewest_operations(EPS), &two_reciprocals(EPS), &mixed_divisions(EPS)]);
+}
+
+#[test]
+fn e6() {
+    use super::e6::{fewest_operations, short_chain, shortest_chain};
+    agree(fields::E6, EPS, &[&fewest_operations(EPS), &short_chain(EPS), &shortest_chain(EPS)]);
+}
+
+/// ρ is large, so ε is smaller: ερ must not put poles into the box.
+#[test]
+fn lorenz() {
+    use super::lorenz::{fewest_operations, short_chain};
+    let (map, eps) = (fields::lorenz(), EPS / 16.0);
+    let exact = fields::Lorenz { sigma: exact(map.sigma), rho: exact(map.rho), beta: exact(map.beta) };
+    agree(exact, eps, &[&fewest_operations(map, eps), &short_chain(map, eps)]);
+}
+
+#[test]
+fn clebsch() {
+    use super::clebsch::{short_chain, skew_part};
+    let map = fields::clebsch();
+    let exact = fields::Clebsch { w1: exact(map.w1), w2: exact(map.w2), w3: exact(map.w3) };
+    agree(exact, EPS, &[&skew_part(map, EPS), &short_chain(map, EPS)]);
+}

@@ -1,0 +1,151 @@
+//! The command.
+
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+use clap::{Parser, Subcommand};
+
+use crate::compile;
+use crate::limit::{self, Limit};
+use crate::output::write_whole;
+use crate::race::Effort;
+use crate::report::{self, Section};
+use crate::{instructions, machine, systems};
+
+const EXAMPLES: &str = "\
+Examples (from the repository's root, on a machine with nothing else to do):
+  cargo run --release --manifest-path benches/Cargo.toml                 everything, into BENCHMARKS.md
+  cargo run --release --manifest-path benches/Cargo.toml steps E3 E6     one step of two systems
+  cargo run --release --manifest-path benches/Cargo.toml -- --quick ensembles";
+
+/// Generated Kahan steps against hand-written code, other integrators and the machine's bounds.
+#[derive(Parser)]
+#[command(after_help = EXAMPLES)]
+struct Cli {
+    /// Fewer rounds: a look, not a measurement
+    #[arg(long, global = true)]
+    quick: bool,
+    #[command(subcommand)]
+    what: Option<What>,
+}
+
+#[derive(Subcommand)]
+enum What {
+    /// Everything, written as one document (what happens without a subcommand)
+    All {
+        /// The document [default: BENCHMARKS.md at the repository's root]
+        #[arg(long)]
+        out: Option<PathBuf>,
+    },
+    /// One step: dependent chains, timed in turns, and instructions counted by valgrind
+    Steps {
+        /// The systems [default: all]
+        systems: Vec<String>,
+    },
+    /// Instructions of one step alone, counted by valgrind
+    Instructions {
+        /// The systems [default: all]
+        systems: Vec<String>,
+    },
+    /// From one time to a later one: fixed steps against step control
+    Orbits {
+        /// The systems [default: all]
+        systems: Vec<String>,
+    },
+    /// Many trajectories at once, against the machine's bounds and a build for this processor
+    Ensembles,
+    /// What a block costs while compiling, against the state kept in benches/before.tsv
+    Compile {
+        /// A checkout to measure in place of this one
+        #[arg(long)]
+        checkout: Option<PathBuf>,
+        /// Writes the figures to this file as well, in the form of benches/before.tsv
+        #[arg(long)]
+        save: Option<PathBuf>,
+    },
+    /// Runs one contender for a number of steps
+    #[command(name = instructions::RUN_ONE, hide = true)]
+    RunOne { system: String, contender: usize, steps: usize },
+}
+
+/// Does what the arguments say.
+pub(crate) fn run() -> Result<()> {
+    let cli = Cli::parse();
+    let effort = Effort::new(cli.quick);
+    match cli.what.unwrap_or(What::All { out: None }) {
+        What::All { out } => all(effort, &out.unwrap_or_else(|| root().join("BENCHMARKS.md"))),
+        What::Steps { systems } => print(report::steps(&chosen(&systems)?, Some(effort))?),
+        What::Instructions { systems } => {
+            if !instructions::can_be_counted() {
+                bail!("valgrind is not to be found, and it is what counts instructions; install it");
+            }
+            print(report::steps(&chosen(&systems)?, None)?)
+        }
+        What::Orbits { systems } => print(report::journeys(&chosen(&systems)?, effort)),
+        What::Ensembles => print(report::ensembles(effort)?),
+        What::Compile { checkout, save } => {
+            let figures = compile::measure(&checkout.unwrap_or_else(root), cli.quick)?;
+            if let Some(path) = save {
+                write_whole(&path, &compile::to_text(&figures))?;
+            }
+            print(report::compile(&figures)?)
+        }
+        What::RunOne { system, contender, steps } => run_one(&system, contender, steps),
+    }
+}
+
+/// The root of the repository that this program was built from.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().map_or_else(PathBuf::new, Path::to_path_buf)
+}
+
+/// The systems of these names; all if there is none.
+fn chosen(names: &[String]) -> Result<Vec<systems::System>> {
+    let all = systems::all();
+    for name in names {
+        if !all.iter().any(|system| system.name == name) {
+            let known: Vec<_> = all.iter().map(|system| system.name).collect();
+            bail!("there is no system {name:?}; choose from {}", known.join(", "));
+        }
+    }
+    let wanted = |system: &systems::System| names.is_empty() || names.iter().any(|name| name == system.name);
+    Ok(all.into_iter().filter(wanted).collect())
+}
+
+fn print((sections, limits): (Vec<Section>, Vec<Limit>)) -> Result<()> {
+    let mut text: String = sections.iter().map(|section| format!("{section}\n")).collect();
+    if !limits.is_empty() {
+        text += &limit::table(&limits).to_string();
+    }
+    match io::stdout().lock().write_all(text.as_bytes()) {
+        // Whoever reads has seen enough.
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        written => written.context("standard output cannot be written"),
+    }
+}
+
+fn all(effort: Effort, path: &Path) -> Result<()> {
+    let systems = systems::all();
+    let parts = [
+        report::steps(&systems, Some(effort))?,
+        report::journeys(&systems, effort),
+        report::ensembles(effort)?,
+        report::compile(&compile::measure(&root(), effort.is_quick())?)?,
+    ];
+    let (mut sections, mut limits) = (Vec::new(), Vec::new());
+    for (more_sections, more_limits) in parts {
+        sections.extend(more_sections);
+        limits.extend(more_limits);
+    }
+    write_whole(path, &report::document(&machine::description(), &sections, &limits, effort))?;
+    println!("{}", path.display());
+    Ok(())
+}
+
+fn run_one(system: &str, contender: usize, steps: usize) -> Result<()> {
+    let systems = chosen(&[system.to_owned()])?;
+    let contender = systems[0].steps.get(contender);
+    contender.with_context(|| format!("{system} has no such contender"))?.run(steps);
+    Ok(())
+}

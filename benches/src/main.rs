@@ -1,0 +1,31 @@
+//! Benchmarks: the generated step against hand-written code and against what a user would have taken instead, ensembles
+//! against the machine's bounds, the cost of compiling.
+
+mod by_hand;
+mod cli;
+mod compile;
+mod contender;
+mod instructions;
+mod journey;
+mod limit;
+mod machine;
+mod output;
+mod progress;
+mod race;
+mod report;
+mod rivals;
+mod systems;
+mod table;
+mod worker;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match cli::run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}

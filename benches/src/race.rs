@@ -1,0 +1,127 @@
+//! Interleaved timing.
+//!
+//! In: several things that can be timed. Out: for each the quartiles of its times, and of its ratios to the first,
+//! formed round by round: what slows the machine for a while slows both sides of a ratio.
+
+use std::time::{Duration, Instant};
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effort {
+    /// Rounds; each times every runner once.
+    pub(crate) rounds: usize,
+    /// The time that one runner takes in one round.
+    pub(crate) sample: Duration,
+}
+
+impl Effort {
+    pub(crate) fn new(quick: bool) -> Self {
+        let rounds = if quick { 15 } else { 101 };
+        Self { rounds, sample: Duration::from_micros(if quick { 200 } else { 500 }) }
+    }
+
+    /// Whether this is a look, not a measurement.
+    pub(crate) fn is_quick(self) -> bool {
+        self.rounds < 100
+    }
+}
+
+/// The quartiles of a measured quantity.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quartiles {
+    pub(crate) low: f64,
+    pub(crate) median: f64,
+    pub(crate) high: f64,
+}
+
+impl Quartiles {
+    /// # Panics
+    /// If there is no value.
+    pub(crate) fn of(mut values: Vec<f64>) -> Self {
+        values.sort_by(f64::total_cmp);
+        let at = |quarter: usize| values[(values.len() - 1) * quarter / 4];
+        Self { low: at(1), median: at(2), high: at(3) }
+    }
+}
+
+/// What a race says of one runner.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Standing {
+    /// Nanoseconds a unit, the least of all rounds: what the machine does when nobody else has it.
+    pub(crate) nanoseconds: f64,
+    /// Its time over that of the first runner in the same round.
+    pub(crate) ratio: Quartiles,
+}
+
+/// The seconds that something takes.
+pub(crate) fn seconds(run: impl FnOnce()) -> f64 {
+    let begun = Instant::now();
+    run();
+    begun.elapsed().as_secs_f64()
+}
+
+/// Times `runners` in turns. `seconds(i, units)` runs `units` units of work of runner i and says how long they took; the
+/// order rotates from round to round.
+///
+/// # Panics
+/// If there is no runner.
+pub(crate) fn race(
+    runners: usize,
+    effort: Effort,
+    mut seconds: impl FnMut(usize, usize) -> f64,
+) -> Vec<Standing> {
+    let units: Vec<usize> =
+        (0..runners).map(|i| calibrate(effort.sample, |units| seconds(i, units))).collect();
+    let mut times = vec![Vec::with_capacity(effort.rounds); runners];
+    for round in 0..effort.rounds {
+        for turn in 0..runners {
+            let i = (round + turn) % runners;
+            times[i].push(1e9 * seconds(i, units[i]) / units[i] as f64);
+        }
+    }
+    let ratios = |of: &[f64]| of.iter().zip(&times[0]).map(|(time, base)| time / base).collect();
+    times
+        .iter()
+        .map(|of| Standing {
+            nanoseconds: of.iter().copied().fold(f64::INFINITY, f64::min),
+            ratio: Quartiles::of(ratios(of)),
+        })
+        .collect()
+}
+
+/// The units that take about as long as one sample shall.
+fn calibrate(sample: Duration, mut seconds: impl FnMut(usize) -> f64) -> usize {
+    let mut units = 1;
+    loop {
+        let taken = seconds(units);
+        if taken > 0.1 * sample.as_secs_f64() {
+            return ((units as f64 * sample.as_secs_f64() / taken) as usize).max(1);
+        }
+        units *= 4;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quartiles_of_an_odd_number_of_values_are_values() {
+        let Quartiles { low, median, high } = Quartiles::of(vec![5.0, 1.0, 4.0, 2.0, 3.0]);
+        assert_eq!((low, median, high), (2.0, 3.0, 4.0));
+    }
+
+    #[test]
+    fn every_runner_runs_in_every_round_and_the_first_is_its_own_measure() {
+        let effort = Effort { rounds: 7, sample: Duration::from_micros(20) };
+        let mut calls = [0, 0, 0];
+        let results = race(3, effort, |i, units| {
+            calls[i] += 1;
+            (i + 1) as f64 * units as f64 * 1e-6
+        });
+        assert!(calls.iter().all(|&calls| calls > effort.rounds), "{calls:?}");
+        assert_eq!((results[0].ratio.low, results[0].ratio.high), (1.0, 1.0));
+        assert!((results[2].ratio.median - 3.0).abs() < 1e-12);
+        assert!((results[1].nanoseconds - 2000.0).abs() < 1e-9);
+    }
+}

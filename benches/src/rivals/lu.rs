@@ -1,0 +1,36 @@
+//! Kahan's map as a linear system, A(x,ε)·x̃ = b(x,ε), by `nalgebra`'s LU decompositions.
+
+use kahan_core::prelude::*;
+use nalgebra::{Const, DMatrix, DVector, DimMin};
+
+/// One step through `SMatrix` and its LU decomposition with partial pivoting.
+pub(crate) fn of_static_size<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
+where
+    M: KahanMap<f64, N>,
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    move |x| {
+        let x = SVector::from(x);
+        solved(map.matrix(&x, eps).lu().solve(&map.rhs(&x, eps))).into()
+    }
+}
+
+/// One step through `DMatrix` and its LU decomposition with partial pivoting; it allocates.
+pub(crate) fn of_dynamic_size<M, const N: usize>(map: M, eps: f64) -> impl Fn([f64; N]) -> [f64; N]
+where
+    M: KahanMap<f64, N>,
+{
+    move |x| {
+        let x = SVector::from(x);
+        let (matrix, rhs) = (map.matrix(&x, eps), map.rhs(&x, eps));
+        let matrix = DMatrix::from_column_slice(N, N, matrix.as_slice());
+        let next = solved(matrix.lu().solve(&DVector::from_column_slice(rhs.as_slice())));
+        std::array::from_fn(|i| next[i])
+    }
+}
+
+/// # Panics
+/// At a singular matrix, which no chain here meets.
+fn solved<X>(solution: Option<X>) -> X {
+    solution.expect("the chains stay away from poles")
+}

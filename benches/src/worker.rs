@@ -1,0 +1,103 @@
+//! The process that times ensembles, in a build for every processor and in one for this.
+
+use std::env;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+use anyhow::{Context, Result, bail};
+
+/// The package and its program.
+const PACKAGE: &str = "kahan-bench-ensembles";
+
+/// Something that a worker can time.
+pub(crate) struct Task {
+    pub(crate) system: String,
+    pub(crate) what: String,
+    /// Additions, multiplications and multiply-adds of one step.
+    pub(crate) operations: usize,
+}
+
+/// A worker that waits for requests.
+pub(crate) struct Worker {
+    child: Child,
+    requests: ChildStdin,
+    answers: BufReader<ChildStdout>,
+    tasks: Vec<Task>,
+}
+
+/// Builds the worker, with `native` for this processor in a target folder of its own, and says where it lies.
+pub(crate) fn build(native: bool) -> Result<PathBuf> {
+    let program = env::current_exe().context("the path of this program is unknown")?;
+    // …/target/release/program
+    let target = program.ancestors().nth(2).context("this program does not lie in a target folder")?;
+    let target = if native { target.join("native") } else { target.to_path_buf() };
+    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command
+        .args(["build", "--quiet", "--release", "--package", PACKAGE, "--manifest-path"])
+        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"))
+        .arg("--target-dir")
+        .arg(&target);
+    if native {
+        command.env("RUSTFLAGS", "-C target-cpu=native");
+    }
+    let status = command.status().context("cargo does not run")?;
+    if !status.success() {
+        bail!("the package {PACKAGE} does not build; cargo has said why above");
+    }
+    Ok(target.join("release").join(PACKAGE).with_extension(env::consts::EXE_EXTENSION))
+}
+
+impl Worker {
+    /// Starts a worker and reads what it can do.
+    pub(crate) fn start(program: &Path) -> Result<Self> {
+        let mut child = Command::new(program)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .with_context(|| format!("{} does not start", program.display()))?;
+        let requests = child.stdin.take().context("the worker has no input")?;
+        let mut answers = BufReader::new(child.stdout.take().context("the worker has no output")?);
+        let mut tasks = Vec::new();
+        loop {
+            let line = answer(&mut answers)?;
+            let mut fields = line.split('\t');
+            let (Some(system), Some(what), Some(operations)) = (fields.next(), fields.next(), fields.next())
+            else {
+                break;
+            };
+            let operations = operations.parse().context("a worker's task without its operations")?;
+            tasks.push(Task { system: system.to_owned(), what: what.to_owned(), operations });
+        }
+        Ok(Self { child, requests, answers, tasks })
+    }
+
+    pub(crate) fn tasks(&self) -> &[Task] {
+        &self.tasks
+    }
+
+    /// The seconds that so many units of a task take.
+    pub(crate) fn seconds(&mut self, task: usize, units: usize) -> Result<f64> {
+        writeln!(self.requests, "{task} {units}").context("the worker has ended")?;
+        self.requests.flush().context("the worker has ended")?;
+        let text = answer(&mut self.answers)?;
+        text.parse().with_context(|| format!("the worker's answer is no time: {text:?}"))
+    }
+}
+
+/// A worker ends when nobody asks any more.
+impl Drop for Worker {
+    fn drop(&mut self) {
+        // It is of no use any more; whether it was still there does not matter.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn answer(answers: &mut BufReader<ChildStdout>) -> Result<String> {
+    let mut line = String::new();
+    if answers.read_line(&mut line).context("the worker cannot be read")? == 0 {
+        bail!("the worker ended before it answered");
+    }
+    Ok(line.trim_end_matches('\n').to_owned())
+}
