@@ -12,6 +12,7 @@ pub use kahan_derive;
 pub use nalgebra::{SMatrix, SVector};
 
 pub use crate::linear::vector;
+pub use crate::prepared_step::Apart;
 pub use crate::scalar::Dual;
 pub use crate::{
     Constant, Elimination, Integrals, KahanMap, Named, Pivot, PreparedStep, QuadraticField, Quotients,

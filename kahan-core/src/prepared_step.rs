@@ -20,6 +20,17 @@ pub struct Quotients<T, const N: usize> {
     pub reciprocals: [T; N],
 }
 
+/// A prepared constant, away from its neighbours.
+///
+/// Scalars side by side in memory are loaded in pairs by compilers that pack scalar code into vectors; in the dependent chain
+/// of one step every such pair costs the cycles that shuffle it apart again, up to a quarter of the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(32))]
+pub struct Apart<T>(
+    /// The constant.
+    pub T,
+);
+
 /// A step that knows its ε and its parameters.
 ///
 /// Nothing in it allocates beyond what the scalar does, and the evaluation order is fixed.

@@ -1,7 +1,7 @@
 //! A plan as Rust: one `let` for each step that is used more than once, everything else nested where it is used.
 //!
 //! ```text
-//! let __t_eps_x = self.eps.clone() * __s_x.clone();
+//! let __t_eps_x = self.eps.0.clone() * __s_x.clone();
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
@@ -162,7 +162,7 @@ impl<'a> Emitter<'a> {
             }
             Operation::Prepared(constant) => {
                 let field = self.constants.and_then(|constants| constants.get(constant));
-                Expression::atom(quote!(self.#field.clone()))
+                Expression::atom(quote!(self.#field.0.clone()))
             }
             Operation::Constant(ref value) => Expression::atom(emit_constant(value, self.scalar)),
             Operation::Negate(a) => {

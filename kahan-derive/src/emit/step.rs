@@ -1,7 +1,7 @@
 //! The prepared step: what ε and the parameters fix, computed once, and the kernel that a state runs through.
 //!
 //! ```text
-//! pub struct __Step<T> { eps: T, two_eps: T }
+//! pub struct __Step<T> { eps: Apart<T>, two_eps: Apart<T> }
 //! impl<T: Scalar> PreparedStep<T, 3> for __Step<T> { fn quotients(&self, __state) … }  // the kernel
 //! impl<T: Scalar> WideStep<T, 3> for __Step<T> { fn widen … }                          // the same over lanes
 //! ```
@@ -41,7 +41,7 @@ fn emit_struct(context: &Context<'_>, names: &[Ident]) -> TokenStream {
     let scalar = &context.scalar;
     let fields = match marker(names) {
         Some(marker) => quote!((#marker<#scalar>);),
-        None => quote!({ #(#names: #scalar),* }),
+        None => quote!({ #(#names: __kahan::Apart<#scalar>),* }),
     };
     quote! {
         #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
@@ -58,7 +58,7 @@ fn emit_prepare(context: &Context<'_>, plan: &StepPlan, names: &[Ident]) -> Toke
     let inputs = emit_inputs(&plan.constants, symbols);
     let emitted = emit_plan(&plan.constants, symbols, &context.scalar);
     let (bindings, results) = (emitted.bindings, emitted.results);
-    quote! { #inputs #bindings __Step { #(#names: #results),* } }
+    quote! { #inputs #bindings __Step { #(#names: __kahan::Apart(#results)),* } }
 }
 
 /// Expands to `impl<T: Scalar> PreparedStep<T, 3> for __Step<T>`.
@@ -106,7 +106,7 @@ fn emit_wide_step(context: &Context<'_>, names: &[Ident]) -> TokenStream {
     let (scalar, dimension) = (&context.scalar, &context.dimension);
     let value = match marker(names) {
         Some(marker) => quote!(__Step(#marker)),
-        None => quote!(__Step { #(#names: __spread(&self.#names)),* }),
+        None => quote!(__Step { #(#names: __kahan::Apart(__spread(&self.#names.0))),* }),
     };
     quote! {
         impl<#scalar: __kahan::Scalar> __kahan::WideStep<#scalar, #dimension> for __Step<#scalar> {

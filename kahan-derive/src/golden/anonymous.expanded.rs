@@ -116,9 +116,9 @@ fn scope() {
             }
             #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
             pub struct __Step<T> {
-                eps_mu: T,
-                eps: T,
-                eps_plus_one: T,
+                eps_mu: __kahan::Apart<T>,
+                eps: __kahan::Apart<T>,
+                eps_plus_one: __kahan::Apart<T>,
             }
             impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
                 #[inline(always)]
@@ -130,25 +130,25 @@ fn scope() {
                     let __t_y_eps_mu_minus_one = __s_y
                         .clone()
                         .multiply_subtract(
-                            self.eps_mu.clone(),
+                            self.eps_mu.0.clone(),
                             __kahan::integer::<T>(1),
                         );
-                    let __t_eps_mu_x = self.eps_mu.clone() * __s_x.clone();
-                    let __t_eps_x = self.eps.clone() * __s_x.clone();
+                    let __t_eps_mu_x = self.eps_mu.0.clone() * __s_x.clone();
+                    let __t_eps_x = self.eps.0.clone() * __s_x.clone();
                     let __reciprocal_1 = __kahan::integer::<T>(2)
                         .quotient(
                             __t_y_eps_mu_minus_one
                                 .clone()
                                 .multiply_add(
-                                    self.eps_plus_one.clone(),
-                                    self.eps.clone() * __t_eps_mu_x.clone(),
+                                    self.eps_plus_one.0.clone(),
+                                    self.eps.0.clone() * __t_eps_mu_x.clone(),
                                 ),
                         )?;
                     __kahan::Option::Some(__kahan::Quotients {
                         numerators: [
                             -(__t_eps_mu_x * (__s_y.clone() + __t_eps_x.clone())),
                             -__t_y_eps_mu_minus_one
-                                .multiply_add(__s_y.clone() * self.eps.clone(), __t_eps_x),
+                                .multiply_add(__s_y.clone() * self.eps.0.clone(), __t_eps_x),
                         ],
                         reciprocals: [__reciprocal_1.clone(), __reciprocal_1],
                     })
@@ -163,9 +163,9 @@ fn scope() {
                     __spread: impl __kahan::core::ops::Fn(&T) -> __L,
                 ) -> __Step<__L> {
                     __Step {
-                        eps_mu: __spread(&self.eps_mu),
-                        eps: __spread(&self.eps),
-                        eps_plus_one: __spread(&self.eps_plus_one),
+                        eps_mu: __kahan::Apart(__spread(&self.eps_mu.0)),
+                        eps: __kahan::Apart(__spread(&self.eps.0)),
+                        eps_plus_one: __kahan::Apart(__spread(&self.eps_plus_one.0)),
                     }
                 }
             }
@@ -175,9 +175,11 @@ fn scope() {
                 fn prepare(&self, __half_step: &T) -> __Step<T> {
                     let __p_mu = &self.mu;
                     __Step {
-                        eps_mu: __half_step.clone() * __p_mu.clone(),
-                        eps: __half_step.clone(),
-                        eps_plus_one: __half_step.clone() + __kahan::integer::<T>(1),
+                        eps_mu: __kahan::Apart(__half_step.clone() * __p_mu.clone()),
+                        eps: __kahan::Apart(__half_step.clone()),
+                        eps_plus_one: __kahan::Apart(
+                            __half_step.clone() + __kahan::integer::<T>(1),
+                        ),
                     }
                 }
                 fn jacobian(

@@ -121,8 +121,8 @@ const _: () = {
     }
     #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
     pub struct __Step<T> {
-        eps: T,
-        two_eps: T,
+        eps: __kahan::Apart<T>,
+        two_eps: __kahan::Apart<T>,
     }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for __Step<T> {
         #[inline(always)]
@@ -131,14 +131,14 @@ const _: () = {
             __state: &__kahan::SVector<T, 3>,
         ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
             let [__s_x, __s_y, __s_z] = __kahan::components(__state);
-            let __t_eps_z = self.eps.clone() * __s_z.clone();
-            let __t_eps_x = self.eps.clone() * __s_x.clone();
-            let __t_eps_y = self.eps.clone() * __s_y.clone();
+            let __t_eps_z = self.eps.0.clone() * __s_z.clone();
+            let __t_eps_x = self.eps.0.clone() * __s_x.clone();
+            let __t_eps_y = self.eps.0.clone() * __s_y.clone();
             let __c_1 = __kahan::integer::<T>(1);
             let __reciprocal_1 = __kahan::integer::<T>(2)
                 .quotient(
                     (__t_eps_y.clone() + __t_eps_y.clone()) * __t_eps_y.clone()
-                        + (self.two_eps.clone() * __s_x.clone())
+                        + (self.two_eps.0.clone() * __s_x.clone())
                             .multiply_add(
                                 __t_eps_x.clone(),
                                 __c_1.clone() + __t_eps_z.clone(),
@@ -170,8 +170,8 @@ const _: () = {
             __spread: impl __kahan::core::ops::Fn(&T) -> __L,
         ) -> __Step<__L> {
             __Step {
-                eps: __spread(&self.eps),
-                two_eps: __spread(&self.two_eps),
+                eps: __kahan::Apart(__spread(&self.eps.0)),
+                two_eps: __kahan::Apart(__spread(&self.two_eps.0)),
             }
         }
     }
@@ -180,8 +180,8 @@ const _: () = {
         #[inline(always)]
         fn prepare(&self, __half_step: &T) -> __Step<T> {
             __Step {
-                eps: __half_step.clone(),
-                two_eps: __half_step.clone() * __kahan::integer::<T>(2),
+                eps: __kahan::Apart(__half_step.clone()),
+                two_eps: __kahan::Apart(__half_step.clone() * __kahan::integer::<T>(2)),
             }
         }
         fn jacobian(

@@ -156,13 +156,13 @@ const _: () = {
     }
     #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
     pub struct __Step<T> {
-        eps: T,
-        nu_plus_one: T,
-        eps_plus_eps_nu: T,
-        constant_1: T,
-        eps_mu_minus_eps_nu: T,
-        constant_2: T,
-        n981_times_mu_minus_nu: T,
+        eps: __kahan::Apart<T>,
+        nu_plus_one: __kahan::Apart<T>,
+        eps_plus_eps_nu: __kahan::Apart<T>,
+        constant_1: __kahan::Apart<T>,
+        eps_mu_minus_eps_nu: __kahan::Apart<T>,
+        constant_2: __kahan::Apart<T>,
+        n981_times_mu_minus_nu: __kahan::Apart<T>,
     }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
         #[inline(always)]
@@ -171,38 +171,40 @@ const _: () = {
             __state: &__kahan::SVector<T, 2>,
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
             let [__s_x, __s_y] = __kahan::components(__state);
-            let __t_eps_x = self.eps.clone() * __s_x.clone();
+            let __t_eps_x = self.eps.0.clone() * __s_x.clone();
             let __c_100 = __kahan::integer::<T>(100);
-            let __t_eps_y = self.eps.clone() * __s_y.clone();
+            let __t_eps_y = self.eps.0.clone() * __s_y.clone();
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
             let __reciprocal_1 = __kahan::integer::<T>(2)
                 .quotient(
                     self
                         .constant_1
+                        .0
                         .clone()
                         .subtract_product(
-                            self.nu_plus_one.clone(),
+                            self.nu_plus_one.0.clone(),
                             __c_100.clone() * __t_eps_x.clone(),
                         )
                         .subtract_product(
-                            self.eps_plus_eps_nu.clone(),
+                            self.eps_plus_eps_nu.0.clone(),
                             __c_100.clone() * __t_eps_y.clone(),
                         ) * __c_1_100.clone(),
                 )?;
             let __c_981 = __kahan::integer::<T>(981);
-            let __t_nu_plus_one_n100_y = self.nu_plus_one.clone()
+            let __t_nu_plus_one_n100_y = self.nu_plus_one.0.clone()
                 * (__c_100 * __s_y.clone());
             let __t_ten_eps_y = __t_eps_y.clone() * __kahan::integer::<T>(10);
             __kahan::Option::Some(__kahan::Quotients {
                 numerators: [
                     __c_1_100.clone()
-                        * (self.eps_mu_minus_eps_nu.clone()
+                        * (self.eps_mu_minus_eps_nu.0.clone()
                             * __t_nu_plus_one_n100_y
                                 .clone()
                                 .subtract_product(__t_eps_x.clone(), __c_981.clone())),
                     -(__c_1_100
                         * self
                             .eps_mu_minus_eps_nu
+                            .0
                             .clone()
                             .multiply_add(
                                 __t_eps_y * __c_981,
@@ -211,11 +213,15 @@ const _: () = {
                                     .multiply_subtract(
                                         self
                                             .constant_2
+                                            .0
                                             .clone()
-                                            .subtract_product(self.nu_plus_one.clone(), __t_ten_eps_y),
+                                            .subtract_product(
+                                                self.nu_plus_one.0.clone(),
+                                                __t_ten_eps_y,
+                                            ),
                                         __t_eps_x
                                             * (__t_nu_plus_one_n100_y
-                                                - self.n981_times_mu_minus_nu.clone()),
+                                                - self.n981_times_mu_minus_nu.0.clone()),
                                     ),
                             )),
                 ],
@@ -232,13 +238,17 @@ const _: () = {
             __spread: impl __kahan::core::ops::Fn(&T) -> __L,
         ) -> __Step<__L> {
             __Step {
-                eps: __spread(&self.eps),
-                nu_plus_one: __spread(&self.nu_plus_one),
-                eps_plus_eps_nu: __spread(&self.eps_plus_eps_nu),
-                constant_1: __spread(&self.constant_1),
-                eps_mu_minus_eps_nu: __spread(&self.eps_mu_minus_eps_nu),
-                constant_2: __spread(&self.constant_2),
-                n981_times_mu_minus_nu: __spread(&self.n981_times_mu_minus_nu),
+                eps: __kahan::Apart(__spread(&self.eps.0)),
+                nu_plus_one: __kahan::Apart(__spread(&self.nu_plus_one.0)),
+                eps_plus_eps_nu: __kahan::Apart(__spread(&self.eps_plus_eps_nu.0)),
+                constant_1: __kahan::Apart(__spread(&self.constant_1.0)),
+                eps_mu_minus_eps_nu: __kahan::Apart(
+                    __spread(&self.eps_mu_minus_eps_nu.0),
+                ),
+                constant_2: __kahan::Apart(__spread(&self.constant_2.0)),
+                n981_times_mu_minus_nu: __kahan::Apart(
+                    __spread(&self.n981_times_mu_minus_nu.0),
+                ),
             }
         }
     }
@@ -258,21 +268,31 @@ const _: () = {
             let __c_981 = __kahan::integer::<T>(981);
             let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
             __Step {
-                eps: __half_step.clone(),
-                nu_plus_one: __p_nu.clone() + __kahan::integer::<T>(1),
-                eps_plus_eps_nu: __half_step.clone() + __t_eps_nu.clone(),
-                constant_1: __c_981.clone() * (__half_step.clone() * __t_eps_mu.clone())
-                    - __c_981.clone() * (__half_step.clone() * __t_eps_nu.clone())
-                    - (__p_nu.clone() * __t_n100_nu.clone() + __t_eps_mu_ten_nu.clone())
-                    + (__p_mu.clone() * __t_eps_mu_ten_nu.clone()
-                        - __p_nu.clone() * __t_eps_mu_ten_nu
-                        + (__c_100 * __p_mu.clone() - __t_n100_nu.clone()
-                            + (__p_mu.clone() * __t_n100_nu
-                                + __t_eps_mu.clone() * (__p_mu.clone() * __c_10)))),
-                eps_mu_minus_eps_nu: __t_eps_mu - __t_eps_nu,
-                constant_2: __p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
-                    + (__p_mu.clone() * __t_nu_mu.clone() - __p_nu.clone() * __t_nu_mu),
-                n981_times_mu_minus_nu: __c_981 * (__p_mu.clone() - __p_nu.clone()),
+                eps: __kahan::Apart(__half_step.clone()),
+                nu_plus_one: __kahan::Apart(__p_nu.clone() + __kahan::integer::<T>(1)),
+                eps_plus_eps_nu: __kahan::Apart(
+                    __half_step.clone() + __t_eps_nu.clone(),
+                ),
+                constant_1: __kahan::Apart(
+                    __c_981.clone() * (__half_step.clone() * __t_eps_mu.clone())
+                        - __c_981.clone() * (__half_step.clone() * __t_eps_nu.clone())
+                        - (__p_nu.clone() * __t_n100_nu.clone()
+                            + __t_eps_mu_ten_nu.clone())
+                        + (__p_mu.clone() * __t_eps_mu_ten_nu.clone()
+                            - __p_nu.clone() * __t_eps_mu_ten_nu
+                            + (__c_100 * __p_mu.clone() - __t_n100_nu.clone()
+                                + (__p_mu.clone() * __t_n100_nu
+                                    + __t_eps_mu.clone() * (__p_mu.clone() * __c_10)))),
+                ),
+                eps_mu_minus_eps_nu: __kahan::Apart(__t_eps_mu - __t_eps_nu),
+                constant_2: __kahan::Apart(
+                    __p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
+                        + (__p_mu.clone() * __t_nu_mu.clone()
+                            - __p_nu.clone() * __t_nu_mu),
+                ),
+                n981_times_mu_minus_nu: __kahan::Apart(
+                    __c_981 * (__p_mu.clone() - __p_nu.clone()),
+                ),
             }
         }
         fn jacobian(
