@@ -17,11 +17,13 @@ mod numerators;
 mod scaling;
 mod step;
 mod structure;
+mod words;
 mod writer;
 
 pub use builder::PlanBuilder;
 pub use cost::Cost;
 pub use step::StepPlan;
+pub use words::descriptions;
 
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Polynomial, Variable};

@@ -2,16 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use kahan_algebra::plan::{Node, Operation, Plan};
-use kahan_algebra::rational::Rational;
+use kahan_algebra::plan::{Node, Operation, Plan, descriptions};
 use kahan_algebra::symbols::Symbols;
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
 use super::items::identifier;
-
-/// Longer descriptions name nothing.
-const LONGEST: usize = 24;
 
 /// The names given so far in one function, and what each step could be called.
 pub(super) struct Names {
@@ -24,12 +20,8 @@ pub(super) struct Names {
 impl Names {
     /// For the steps of a plan; `constants` are the names of its prepared constants.
     pub(super) fn of(plan: &Plan, symbols: &Symbols, constants: &[Ident]) -> Self {
-        let mut descriptions: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
-        for operation in &plan.operations {
-            let description = describe(operation, symbols, constants, |node| descriptions[node.0].as_ref());
-            descriptions.push(description.filter(|description| description.text.len() <= LONGEST));
-        }
-        let descriptions = descriptions.into_iter().map(|description| Some(description?.text)).collect();
+        let constants: Vec<String> = constants.iter().map(ToString::to_string).collect();
+        let descriptions = descriptions(plan, symbols, &constants);
         Names { descriptions, taken: BTreeSet::new(), numbered: BTreeMap::new() }
     }
 
@@ -86,71 +78,4 @@ pub(super) fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<Ident> 
         }
     };
     constants.outputs.iter().map(&mut name).collect()
-}
-
-/// A step in words.
-struct Description {
-    text: String,
-    kind: Kind,
-}
-
-/// What a description is to be joined as.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Number,
-    Product,
-    Sum,
-}
-
-/// A step in words, from the words for its operands.
-fn describe<'a>(
-    operation: &Operation,
-    symbols: &Symbols,
-    constants: &[Ident],
-    known: impl Fn(Node) -> Option<&'a Description>,
-) -> Option<Description> {
-    let text = |node: Node| Some(known(node)?.text.as_str());
-    let product = |a: Node, b: Node| Some(product(known(a)?, known(b)?));
-    let sum = |text: String| Some(Description { text, kind: Kind::Sum });
-    let atom = |text: String| Some(Description { text, kind: Kind::Product });
-    match *operation {
-        Operation::Input(variable) => atom(symbols.name(variable).replace('\'', "_second")),
-        Operation::Prepared(index) => atom(constants.get(index)?.to_string()),
-        Operation::Constant(ref value) => Some(Description { text: number(value)?, kind: Kind::Number }),
-        Operation::Negate(a) => sum(format!("minus_{}", text(a)?)),
-        Operation::Add(a, b) if a == b => atom(format!("two_{}", text(a)?)),
-        Operation::Add(a, b) => sum(format!("{}_plus_{}", text(a)?, text(b)?)),
-        Operation::Subtract(a, b) => sum(format!("{}_minus_{}", text(a)?, text(b)?)),
-        Operation::Multiply(a, b) => product(a, b),
-        Operation::Divide(a, b) => sum(format!("{}_over_{}", text(a)?, text(b)?)),
-        Operation::MultiplyAdd(a, b, c) => sum(format!("{}_plus_{}", product(a, b)?.text, text(c)?)),
-        Operation::MultiplySubtract(a, b, c) => sum(format!("{}_minus_{}", product(a, b)?.text, text(c)?)),
-        Operation::SubtractProduct(a, b, c) => sum(format!("{}_minus_{}", text(a)?, product(b, c)?.text)),
-    }
-}
-
-/// `two_eps` for 2·ε and ε·2, `x_squared`, `eps_x`, `eps_times_one_plus_x`.
-fn product(a: &Description, b: &Description) -> Description {
-    let (first, second) = if b.kind == Kind::Number { (b, a) } else { (a, b) };
-    let text = if a.kind == Kind::Sum || b.kind == Kind::Sum {
-        format!("{}_times_{}", first.text, second.text)
-    } else if a.text == b.text {
-        format!("{}_squared", a.text)
-    } else {
-        format!("{}_{}", first.text, second.text)
-    };
-    Description { text, kind: Kind::Product }
-}
-
-fn number(value: &Rational) -> Option<String> {
-    const WORDS: [&str; 11] =
-        ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
-    match value.as_small_ratio()? {
-        (1, 2) => Some("half".to_owned()),
-        (size, 1) => {
-            let word = usize::try_from(size).ok().and_then(|size| WORDS.get(size));
-            Some(word.map_or_else(|| format!("n{size}"), |word| (*word).to_owned()))
-        }
-        (numerator, denominator) => Some(format!("n{numerator}_{denominator}")),
-    }
 }

@@ -1,0 +1,90 @@
+//! Steps in words, by what they compute: `two_eps`, `eps_a1`, `one_plus_eps_x`. Whoever names steps, in generated code or in a
+//! listing, begins with these.
+
+use crate::rational::Rational;
+use crate::symbols::Symbols;
+
+use super::{Node, Operation, Plan};
+
+/// Longer descriptions name nothing.
+const LONGEST: usize = 24;
+
+/// What a description is to be joined as.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Number,
+    Product,
+    Sum,
+}
+
+/// A step in words.
+#[derive(Clone)]
+struct Description {
+    text: String,
+    kind: Kind,
+}
+
+/// What each step of a plan computes, in words that make a name; `None` where that would be long. `prepared` are the names
+/// of the prepared constants.
+#[must_use]
+pub fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
+    let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
+    for operation in &plan.operations {
+        let description = describe(operation, symbols, prepared, |node: Node| known[node.0].as_ref());
+        known.push(description.filter(|description| description.text.len() <= LONGEST));
+    }
+    known.into_iter().map(|description| Some(description?.text)).collect()
+}
+
+/// A step in words, from the words for its operands.
+fn describe<'a>(
+    operation: &Operation,
+    symbols: &Symbols,
+    prepared: &[String],
+    known: impl Fn(Node) -> Option<&'a Description>,
+) -> Option<Description> {
+    let text = |node: Node| Some(known(node)?.text.as_str());
+    let product = |a: Node, b: Node| Some(product(known(a)?, known(b)?));
+    let sum = |text: String| Some(Description { text, kind: Kind::Sum });
+    let atom = |text: String| Some(Description { text, kind: Kind::Product });
+    match *operation {
+        Operation::Input(variable) => atom(symbols.name(variable).replace('\'', "_second")),
+        Operation::Prepared(index) => atom(prepared.get(index)?.clone()),
+        Operation::Constant(ref value) => Some(Description { text: number(value)?, kind: Kind::Number }),
+        Operation::Negate(a) => sum(format!("minus_{}", text(a)?)),
+        Operation::Add(a, b) if a == b => atom(format!("two_{}", text(a)?)),
+        Operation::Add(a, b) => sum(format!("{}_plus_{}", text(a)?, text(b)?)),
+        Operation::Subtract(a, b) => sum(format!("{}_minus_{}", text(a)?, text(b)?)),
+        Operation::Multiply(a, b) => product(a, b),
+        Operation::Divide(a, b) => sum(format!("{}_over_{}", text(a)?, text(b)?)),
+        Operation::MultiplyAdd(a, b, c) => sum(format!("{}_plus_{}", product(a, b)?.text, text(c)?)),
+        Operation::MultiplySubtract(a, b, c) => sum(format!("{}_minus_{}", product(a, b)?.text, text(c)?)),
+        Operation::SubtractProduct(a, b, c) => sum(format!("{}_minus_{}", text(a)?, product(b, c)?.text)),
+    }
+}
+
+/// `two_eps` for 2·ε and ε·2, `x_squared`, `eps_x`, `eps_times_one_plus_x`.
+fn product(a: &Description, b: &Description) -> Description {
+    let (first, second) = if b.kind == Kind::Number { (b, a) } else { (a, b) };
+    let text = if a.kind == Kind::Sum || b.kind == Kind::Sum {
+        format!("{}_times_{}", first.text, second.text)
+    } else if a.text == b.text {
+        format!("{}_squared", a.text)
+    } else {
+        format!("{}_{}", first.text, second.text)
+    };
+    Description { text, kind: Kind::Product }
+}
+
+fn number(value: &Rational) -> Option<String> {
+    const WORDS: [&str; 11] =
+        ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
+    match value.as_small_ratio()? {
+        (1, 2) => Some("half".to_owned()),
+        (size, 1) => {
+            let word = usize::try_from(size).ok().and_then(|size| WORDS.get(size));
+            Some(word.map_or_else(|| format!("n{size}"), |word| (*word).to_owned()))
+        }
+        (numerator, denominator) => Some(format!("n{numerator}_{denominator}")),
+    }
+}

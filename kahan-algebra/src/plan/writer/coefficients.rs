@@ -1,0 +1,51 @@
+//! Constants: sums of them that multiply one product of states are one coefficient, computed when the map is prepared.
+
+use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational::Rational;
+
+use super::super::draft::Signed;
+use super::Writer;
+
+impl Writer {
+    /// The polynomial with each sum of constants that multiplies one product of states as one coefficient; of products of
+    /// constants only where they may be rounded twice.
+    pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Polynomial {
+        let scaling = self.scaling.clone();
+        let groups = polynomial.group(|variable| scaling.ready(variable).is_some());
+        let mut terms = Vec::new();
+        for (states, coefficient) in groups {
+            let is_plain = coefficient.degree() < 2;
+            if coefficient.len() < 2 || states.is_one() || !(self.scaling.folds || is_plain) {
+                terms.extend(
+                    coefficient.terms().map(|(monomial, value)| (states.mul(monomial), value.clone())),
+                );
+                continue;
+            }
+            let (content, sum) = (coefficient.content(), coefficient.primitive_part());
+            let variable = self.coefficient(&sum);
+            terms.push((states.mul(&Monomial::variable(variable)), content));
+        }
+        Polynomial::from_terms(terms)
+    }
+
+    /// The variable that stands for a sum of constants.
+    pub(super) fn coefficient(&mut self, sum: &Polynomial) -> Variable {
+        if let Some(k) = self.coefficients.iter().position(|known| known == sum) {
+            return self.scaling.coefficient(k);
+        }
+        let variable = self.scaling.coefficient(self.coefficients.len());
+        let terms = sum.terms().map(|(monomial, value)| (monomial.clone(), value.clone())).collect();
+        let written = self.fixed_sum(terms);
+        let node = if written.negative { self.draft.builder.negate(written.node) } else { written.node };
+        self.coefficients.push(sum.clone());
+        self.put(variable, node);
+        variable
+    }
+
+    /// What depends on no state: one prepared constant, whatever it costs.
+    pub(super) fn fixed_sum(&mut self, terms: Vec<(Monomial, Rational)>) -> Signed {
+        let nodes: Vec<Signed> =
+            terms.iter().map(|(monomial, coefficient)| self.term(monomial, coefficient, None)).collect();
+        self.draft.signed_sum(&nodes)
+    }
+}
