@@ -148,6 +148,11 @@ impl<'a> Parts<'a> {
         Parts { field, map, numerators, denominator }
     }
 
+    /// The numerators that are not zero.
+    fn moving(&self) -> impl Iterator<Item = &Factored> {
+        self.numerators.iter().filter(|numerator| !numerator.coefficient.is_zero())
+    }
+
     /// The terms of all numerators' factors.
     fn factor_terms(&self) -> usize {
         let factors = self.numerators.iter().flat_map(|numerator| &numerator.factors);
@@ -245,6 +250,46 @@ impl<'a> Parts<'a> {
         let reciprocals = vec![Some(reciprocal); nodes.len()];
         Candidate::new(writer, nodes, reciprocals)
     }
+}
+
+/// A form with two divisions, where the denominator is a product of two factors of which all components need one and some do
+/// not need the other: E1 and E5. What closes the cycle of an orbit then waits for a shorter denominator.
+pub(super) fn with_two_divisions(field: &Field, map: &RationalMap) -> Option<Candidate> {
+    let parts = Parts::of(field, map);
+    let [(one, 1), (two, 1)] = &parts.denominator.factors[..] else { return None };
+    if !parts.denominator.monomial.is_one()
+        || !(&parts.denominator.coefficient * &parts.denominator.coefficient).is_one()
+    {
+        return None;
+    }
+    let is_needed = |factor: &Polynomial| parts.moving().all(|numerator| numerator.exponent(factor) == 0);
+    let (needed, other) = match (is_needed(one), is_needed(two)) {
+        (true, false) => (one, two),
+        (false, true) => (two, one),
+        _ => return None,
+    };
+    let mut writer = Writer::new(scalings(field).pop()?);
+    let (needed, partner) =
+        (writer.write_scaled(needed, Goal::Early), writer.write_scaled(other, Goal::Early));
+    let reciprocal = twice_reciprocal(&mut writer, needed.node);
+    // One after the other: side by side, compilers pack two divisions into a slower one.
+    let both = writer.draft.builder.divide(reciprocal, partner.node);
+    let mut products = Products::new();
+    for numerator in &parts.numerators {
+        products.push_with_eps(&mut writer, &numerator.without(other));
+    }
+    let is_flipped = needed.negative ^ partner.negative ^ parts.denominator.coefficient.is_negative();
+    let numerators: Vec<Signed> = products.finish(&mut writer);
+    let nodes = numerators.into_iter().map(|product| {
+        if product.negative == is_flipped { product.node } else { writer.draft.builder.negate(product.node) }
+    });
+    let nodes: Vec<Node> = nodes.collect();
+    let reciprocals = parts.numerators.iter().map(|numerator| {
+        let is_short = numerator.exponent(other) > 0 || numerator.coefficient.is_zero();
+        Some(if is_short { reciprocal } else { both })
+    });
+    let reciprocals = reciprocals.collect();
+    Some(Candidate::new(writer, nodes, reciprocals))
 }
 
 /// Whether the determinants are d and εn themselves, not multiples of them.

@@ -20,6 +20,23 @@ pub(super) struct Factored {
     pub(super) factors: Vec<(Polynomial, u32)>,
 }
 
+impl Factored {
+    /// How often a factor occurs.
+    pub(super) fn exponent(&self, factor: &Polynomial) -> u32 {
+        self.factors.iter().find(|(known, _)| known == factor).map_or(0, |(_, exponent)| *exponent)
+    }
+
+    /// With a factor once less, if it occurs.
+    pub(super) fn without(&self, factor: &Polynomial) -> Self {
+        let mut quotient = self.clone();
+        for (known, exponent) in &mut quotient.factors {
+            *exponent -= u32::from(known == factor);
+        }
+        quotient.factors.retain(|(_, exponent)| *exponent > 0);
+        quotient
+    }
+}
+
 /// Each polynomial over the common base.
 pub(super) fn factored(polynomials: &[&Polynomial]) -> Vec<Factored> {
     let base = base(polynomials);

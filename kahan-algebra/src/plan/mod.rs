@@ -14,6 +14,7 @@ mod fuse;
 mod minors;
 mod nesting;
 mod numerators;
+mod recurrence;
 mod scaling;
 mod step;
 mod structure;

@@ -13,10 +13,13 @@ pub struct StepPlan {
     /// From ε and the parameters to the prepared constants, in order. It has no states.
     pub constants: Plan,
     /// From the states and the prepared constants ([`Operation::Prepared`]) to the numerators, one a component, followed
-    /// by the reciprocals, each a quotient 2/d.
+    /// by the reciprocals, each a quotient 2/d, or 2/d/d′.
     pub kernel: Plan,
     /// For each component the index of its reciprocal among the kernel's reciprocals; `None` where there is no division.
     pub reciprocals: Vec<Option<usize>>,
+    /// The plan for lanes, where it is another one: a second division shortens the chain of one orbit, but many orbits at once
+    /// are bound by the divider.
+    pub lanes: Option<Box<StepPlan>>,
 }
 
 impl StepPlan {
@@ -29,8 +32,17 @@ impl StepPlan {
     /// The same from a map that has been derived already, or was found to be beyond the budget.
     #[must_use]
     pub fn of_map(field: &Field, map: Option<&RationalMap>) -> Option<Self> {
-        let best = candidates::best(field, map)?;
-        Some(Self::new(&best.builder, field, &best.numerators, &best.reciprocals))
+        let plan = |form: &candidates::Candidate| {
+            Self::new(&form.builder, field, &form.numerators, &form.reciprocals)
+        };
+        let best = plan(&candidates::best(field, map)?);
+        let other = map.and_then(|map| candidates::with_two_divisions(field, map)).map(|form| plan(&form));
+        Some(match other {
+            Some(other) if other.recurrence() < best.recurrence() => {
+                StepPlan { lanes: Some(Box::new(best)), ..other }
+            }
+            _ => best,
+        })
     }
 
     /// Separates the constants from the kernel.
@@ -50,7 +62,7 @@ impl StepPlan {
         let doubled = kernel.doubled(&constants).fused();
         let kernel = kernel.fused();
         let kernel = if doubled.cost().chain > kernel.cost().chain { kernel } else { doubled };
-        StepPlan { constants, kernel, reciprocals: places }
+        StepPlan { constants, kernel, reciprocals: places, lanes: None }
     }
 }
 

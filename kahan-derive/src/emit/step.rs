@@ -5,15 +5,17 @@
 //! impl<T: Scalar> PreparedStep<T, 3> for __Step<T> { fn quotients(&self, __state) … }  // the kernel
 //! impl<T: Scalar> WideStep<T, 3> for __Step<T> { fn widen … }                          // the same over lanes
 //! ```
+//!
+//! Where lanes have a plan of their own, it is a `__Lanes<T>`, which `__Step<T>` holds as `__lanes`.
 
 use kahan_algebra::plan::{Node, Plan, StepPlan};
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::Context;
 use super::inputs::emit_inputs;
 use super::names::constant_names;
-use super::plan::{emit_kernel, emit_plan};
+use super::plan::{Emitted, emit_kernel, emit_plan};
 
 /// The parts of a prepared step.
 pub(super) struct EmittedStep {
@@ -23,101 +25,127 @@ pub(super) struct EmittedStep {
     pub(super) prepare: TokenStream,
 }
 
+/// The name of the step, and of the one for lanes.
+const STEP: &str = "__Step";
+const LANES: &str = "__Lanes";
+
 /// Emits the step of a plan.
 pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
-    let names = constant_names(&plan.constants, &context.system.field.symbols);
-    let definition = emit_struct(context, &names);
-    let kernel = emit_prepared_step(context, plan, &names);
-    let wide = emit_wide_step(context, &names);
-    EmittedStep { items: quote! { #definition #kernel #wide }, prepare: emit_prepare(context, plan, &names) }
-}
-
-/// A step without constants still knows its scalar.
-fn marker(names: &[Ident]) -> Option<TokenStream> {
-    names.is_empty().then(|| quote!(__kahan::core::marker::PhantomData))
-}
-
-fn emit_struct(context: &Context<'_>, names: &[Ident]) -> TokenStream {
-    let scalar = &context.scalar;
-    let fields = match marker(names) {
-        Some(marker) => quote!((#marker<#scalar>);),
-        None => quote!({ #(#names: __kahan::Apart<#scalar>),* }),
-    };
-    quote! {
-        #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-        pub struct __Step<#scalar> #fields
-    }
-}
-
-/// Expands to the constants in the order of their names.
-fn emit_prepare(context: &Context<'_>, plan: &StepPlan, names: &[Ident]) -> TokenStream {
-    if let Some(marker) = marker(names) {
-        return quote!(__Step(#marker));
-    }
-    let symbols = &context.system.field.symbols;
-    let inputs = emit_inputs(&plan.constants, symbols);
-    let emitted = emit_plan(&plan.constants, symbols, &context.scalar);
-    let (bindings, results) = (emitted.bindings, emitted.results);
-    quote! { #inputs #bindings __Step { #(#names: __kahan::Apart(#results)),* } }
-}
-
-/// Expands to `impl<T: Scalar> PreparedStep<T, 3> for __Step<T>`.
-fn emit_prepared_step(context: &Context<'_>, plan: &StepPlan, names: &[Ident]) -> TokenStream {
-    let (scalar, dimension, vector) = (&context.scalar, &context.dimension, context.vector());
-    let n = context.system.field.dimension();
-    let (numerators, reciprocals) = plan.kernel.outputs.split_at(n);
-    // One result for each use: a shared reciprocal is moved into its last component.
-    let of_components: Vec<Option<Node>> =
-        plan.reciprocals.iter().map(|place| place.map(|place| reciprocals[place])).collect();
-    let kernel = Plan {
-        operations: plan.kernel.operations.clone(),
-        outputs: numerators.iter().copied().chain(of_components.iter().copied().flatten()).collect(),
-    };
-    let symbols = &context.system.field.symbols;
-    let inputs = emit_inputs(&kernel, symbols);
-    let emitted = emit_kernel(&kernel, symbols, scalar, names);
-    let bindings = emitted.bindings;
-    let mut results = emitted.results.into_iter();
-    let numerators: Vec<TokenStream> = results.by_ref().take(n).collect();
-    let reciprocals = of_components.iter().map(|reciprocal| match reciprocal {
-        Some(_) => results.next().unwrap_or_default(),
-        None => quote!(__kahan::integer::<#scalar>(1)),
+    let lanes = plan.lanes.as_deref().map(|lanes| Kernel::of(context, lanes, LANES, None));
+    let step = Kernel::of(context, plan, STEP, lanes.as_ref());
+    let items = [Some(&step), lanes.as_ref()].into_iter().flatten().map(|kernel| {
+        let (definition, implementation) = (kernel.emit_struct(), kernel.emit_prepared_step());
+        quote! { #definition #implementation }
     });
-    quote! {
-        impl<#scalar: __kahan::Scalar> __kahan::PreparedStep<#scalar, #dimension> for __Step<#scalar> {
-            #[inline(always)]
-            fn quotients(
-                &self,
-                __state: &#vector,
-            ) -> __kahan::Option<__kahan::Quotients<#scalar, #dimension>> {
-                #inputs
-                #bindings
-                __kahan::Option::Some(__kahan::Quotients {
-                    numerators: [#(#numerators),*],
-                    reciprocals: [#(#reciprocals),*],
-                })
+    let wide = step.emit_wide_step();
+    EmittedStep { items: quote! { #(#items)* #wide }, prepare: step.emit_prepare() }
+}
+
+/// One prepared step.
+struct Kernel<'a> {
+    context: &'a Context<'a>,
+    plan: &'a StepPlan,
+    name: Ident,
+    /// The names of the constants.
+    names: Vec<Ident>,
+    /// The one for lanes that this one holds.
+    lanes: Option<&'a Kernel<'a>>,
+}
+
+impl<'a> Kernel<'a> {
+    fn of(context: &'a Context<'a>, plan: &'a StepPlan, name: &str, lanes: Option<&'a Kernel<'a>>) -> Self {
+        let names = constant_names(&plan.constants, &context.system.field.symbols);
+        Kernel { context, plan, name: format_ident!("{name}"), names, lanes }
+    }
+
+    /// Expands to `pub struct __Step<T> { eps: Apart<T> }`; a step without constants still knows its scalar.
+    fn emit_struct(&self) -> TokenStream {
+        let (name, names, scalar) = (&self.name, &self.names, &self.context.scalar);
+        let lanes = self.lanes.map(|Kernel { name, .. }| quote!(__lanes: #name<#scalar>));
+        let marker = self.marker().map(|marker| quote!(__scalar: #marker<#scalar>));
+        quote! {
+            #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
+            pub struct #name<#scalar> { #(#names: __kahan::Apart<#scalar>,)* #lanes #marker }
+        }
+    }
+
+    fn marker(&self) -> Option<TokenStream> {
+        let is_empty = self.names.is_empty() && self.lanes.is_none();
+        is_empty.then(|| quote!(__kahan::core::marker::PhantomData))
+    }
+
+    /// Expands to the constants, in a value of the struct.
+    fn emit_prepare(&self) -> TokenStream {
+        let (name, names, scalar) = (&self.name, &self.names, &self.context.scalar);
+        let symbols = &self.context.system.field.symbols;
+        let inputs = emit_inputs(&self.plan.constants, symbols);
+        let Emitted { bindings, results } = emit_plan(&self.plan.constants, symbols, scalar);
+        let lanes = self.lanes.map(|lanes| {
+            let prepare = lanes.emit_prepare();
+            quote!(__lanes: { #prepare })
+        });
+        let marker = self.marker().map(|marker| quote!(__scalar: #marker));
+        quote! { #inputs #bindings #name { #(#names: __kahan::Apart(#results),)* #lanes #marker } }
+    }
+
+    /// Expands to `impl<T: Scalar> PreparedStep<T, 3> for __Step<T>`.
+    fn emit_prepared_step(&self) -> TokenStream {
+        let Kernel { context, plan, name, names, .. } = self;
+        let (scalar, dimension, vector) = (&context.scalar, &context.dimension, context.vector());
+        let n = context.system.field.dimension();
+        let (numerators, reciprocals) = plan.kernel.outputs.split_at(n);
+        // One result for each use: a shared reciprocal is moved into its last component.
+        let of_components: Vec<Option<Node>> =
+            plan.reciprocals.iter().map(|place| place.map(|place| reciprocals[place])).collect();
+        let kernel = Plan {
+            operations: plan.kernel.operations.clone(),
+            outputs: numerators.iter().copied().chain(of_components.iter().copied().flatten()).collect(),
+        };
+        let symbols = &context.system.field.symbols;
+        let inputs = emit_inputs(&kernel, symbols);
+        let Emitted { bindings, results } = emit_kernel(&kernel, symbols, scalar, names);
+        let mut results = results.into_iter();
+        let numerators: Vec<TokenStream> = results.by_ref().take(n).collect();
+        let reciprocals = of_components.iter().map(|reciprocal| match reciprocal {
+            Some(_) => results.next().unwrap_or_default(),
+            None => quote!(__kahan::integer::<#scalar>(1)),
+        });
+        quote! {
+            impl<#scalar: __kahan::Scalar> __kahan::PreparedStep<#scalar, #dimension> for #name<#scalar> {
+                #[inline(always)]
+                fn quotients(
+                    &self,
+                    __state: &#vector,
+                ) -> __kahan::Option<__kahan::Quotients<#scalar, #dimension>> {
+                    #inputs
+                    #bindings
+                    __kahan::Option::Some(__kahan::Quotients {
+                        numerators: [#(#numerators),*],
+                        reciprocals: [#(#reciprocals),*],
+                    })
+                }
             }
         }
     }
-}
 
-/// Expands to `impl<T: Scalar> WideStep<T, 3> for __Step<T>`.
-fn emit_wide_step(context: &Context<'_>, names: &[Ident]) -> TokenStream {
-    let (scalar, dimension) = (&context.scalar, &context.dimension);
-    let value = match marker(names) {
-        Some(marker) => quote!(__Step(#marker)),
-        None => quote!(__Step { #(#names: __kahan::Apart(__spread(&self.#names.0))),* }),
-    };
-    quote! {
-        impl<#scalar: __kahan::Scalar> __kahan::WideStep<#scalar, #dimension> for __Step<#scalar> {
-            const HAS_LANES: __kahan::core::primitive::bool = true;
-            type Wide<__L: __kahan::Scalar> = __Step<__L>;
-            #[inline(always)]
-            fn widen<__L: __kahan::Scalar>(
-                &self,
-                __spread: impl __kahan::core::ops::Fn(&#scalar) -> __L,
-            ) -> __Step<__L> {
-                #value
+    /// Expands to `impl<T: Scalar> WideStep<T, 3> for __Step<T>`.
+    fn emit_wide_step(&self) -> TokenStream {
+        let (name, scalar, dimension) = (&self.name, &self.context.scalar, &self.context.dimension);
+        let wide = self.lanes.unwrap_or(self);
+        let (wide_name, names) = (&wide.name, &wide.names);
+        let holder = if self.lanes.is_some() { quote!(self.__lanes) } else { quote!(self) };
+        let marker = wide.marker().map(|marker| quote!(__scalar: #marker));
+        quote! {
+            impl<#scalar: __kahan::Scalar> __kahan::WideStep<#scalar, #dimension> for #name<#scalar> {
+                const HAS_LANES: __kahan::core::primitive::bool = true;
+                type Wide<__L: __kahan::Scalar> = #wide_name<__L>;
+                #[inline(always)]
+                fn widen<__L: __kahan::Scalar>(
+                    &self,
+                    __spread: impl __kahan::core::ops::Fn(&#scalar) -> __L,
+                ) -> #wide_name<__L> {
+                    #wide_name { #(#names: __kahan::Apart(__spread(&#holder.#names.0)),)* #marker }
+                }
             }
         }
     }

@@ -89,7 +89,9 @@ const _: () = {
         }
     }
     #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-    pub struct __Step<T>(__kahan::core::marker::PhantomData<T>);
+    pub struct __Step<T> {
+        __scalar: __kahan::core::marker::PhantomData<T>,
+    }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
         #[inline(always)]
         fn quotients(
@@ -112,14 +114,18 @@ const _: () = {
             &self,
             __spread: impl __kahan::core::ops::Fn(&T) -> __L,
         ) -> __Step<__L> {
-            __Step(__kahan::core::marker::PhantomData)
+            __Step {
+                __scalar: __kahan::core::marker::PhantomData,
+            }
         }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Broken<T> {
         type Prepared = __Step<T>;
         #[inline(always)]
         fn prepare(&self, __half_step: &T) -> __Step<T> {
-            __Step(__kahan::core::marker::PhantomData)
+            __Step {
+                __scalar: __kahan::core::marker::PhantomData,
+            }
         }
         fn jacobian(
             &self,
