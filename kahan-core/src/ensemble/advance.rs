@@ -15,8 +15,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map` (half the time step).
     ///
     /// It allocates nothing. With the feature `parallel`, large ensembles run on rayon's current pool of threads,
-    /// small ones on the calling thread; the results are the same bits. Where a trajectory meets a pole or leaves the
-    /// range, its floats are not finite from then on, and the others never notice.
+    /// small ones on the calling thread; the results are the same bits. Where a trajectory meets a pole its
+    /// floats are not finite from then on; beyond the range they may be wrong, as those of a step. Others never notice.
     ///
     /// # Panics
     /// At a pole, for scalars that have no reciprocal of zero; some points are then further than others.

@@ -41,7 +41,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// `end` itself.
     ///
     /// # Panics
-    /// If the points are more than memory can hold.
+    /// If the number of points does not fit a `usize`; a number that fits and is more than memory can hold aborts, as any
+    /// allocation does.
     ///
     /// ```
     /// use kahan_core::{Axis, Ensemble, vector};
