@@ -14,13 +14,13 @@ use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
 use crate::symbols::Symbol;
 
-use super::candidates::Candidate;
+use super::Node;
+use super::candidate::Candidate;
 use super::draft::Signed;
-use super::minors::{self, Determinants, Entry, determinants};
+use super::minors::{self, Determinants, determinants};
 use super::nesting::Goal;
 use super::structure::Structure;
-use super::writer::Writer;
-use super::{Node, step};
+use super::writer::{Entry, Writer};
 
 /// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop is faster.
 const MOST_OPERATIONS: usize = 600;
@@ -92,7 +92,7 @@ impl Parts<'_> {
             let turn = self.turn % written.len();
             written.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &written);
-            let reciprocal = step::twice_reciprocal(writer, denominator.node);
+            let reciprocal = writer.twice_reciprocal(denominator.node);
             for (&i, numerator) in rest.iter().zip(numerators) {
                 let negative = numerator.negative != denominator.negative;
                 increments[i] = (Signed { node: numerator.node, negative }, Some(reciprocal));

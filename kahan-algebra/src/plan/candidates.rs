@@ -6,33 +6,15 @@ use crate::kahan::{RationalMap, scaled_matrix};
 use crate::poly::{Monomial, Polynomial};
 use crate::rational::Rational;
 
+use super::candidate::Candidate;
 use super::draft::Signed;
 use super::factors::{Factored, factored};
-use super::minors::{Determinants, Entry, determinants};
+use super::minors::{Determinants, determinants};
 use super::nesting::Goal;
 use super::numerators::Products;
 use super::scaling::{First, Scaling};
-use super::step::twice_reciprocal;
-use super::writer::Writer;
-use super::{Node, PlanBuilder, blocks};
-
-/// A finished form: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
-pub(super) struct Candidate {
-    pub(super) builder: PlanBuilder,
-    pub(super) numerators: Vec<Node>,
-    pub(super) reciprocals: Vec<Option<Node>>,
-    price: u64,
-}
-
-impl Candidate {
-    pub(super) fn new(mut writer: Writer, numerators: Vec<Node>, reciprocals: Vec<Option<Node>>) -> Self {
-        let mut distinct: Vec<Node> = reciprocals.iter().copied().flatten().collect();
-        distinct.sort_unstable();
-        distinct.dedup();
-        let price = price(&mut writer, &numerators, &distinct);
-        Candidate { builder: writer.draft.builder, numerators, reciprocals, price }
-    }
-}
+use super::writer::{Entry, Writer};
+use super::{Node, blocks};
 
 /// A draft in which the denominator is written.
 struct WithDenominator {
@@ -46,8 +28,6 @@ const TRIED: usize = 2;
 /// The most terms of all factors for which that is done where there are determinants, too.
 const FACTOR_TERMS: usize = 32;
 
-/// What a prepared constant that was rounded more than once costs, in operations.
-const DERIVED: usize = 3;
 /// How many orders of the rows of a block are compared,
 const ROTATIONS: usize = 3;
 /// if the field has no more terms than this.
@@ -69,7 +49,7 @@ pub(super) fn best(field: &Field, map: Option<&RationalMap>) -> Option<Candidate
     if let Some(map) = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS) {
         candidates.extend(written_out(field, map));
     }
-    candidates.into_iter().min_by_key(|candidate| candidate.price)
+    candidates.into_iter().min_by_key(Candidate::price)
 }
 
 /// The terms of all equations.
@@ -96,7 +76,7 @@ fn written_out(field: &Field, map: &RationalMap) -> Option<Candidate> {
             to_try -= 1;
         }
         let candidate = parts.finish(start);
-        if best.as_ref().is_none_or(|best| candidate.price < best.price) {
+        if best.as_ref().is_none_or(|best| candidate.price() < best.price()) {
             best = Some(candidate);
         }
     }
@@ -226,7 +206,7 @@ impl<'a> Parts<'a> {
     /// The numerators to a denominator, from the factors.
     fn finish(&self, start: WithDenominator) -> Candidate {
         let WithDenominator { mut writer, denominator, numerators } = start;
-        let reciprocal = twice_reciprocal(&mut writer, denominator.node);
+        let reciprocal = writer.twice_reciprocal(denominator.node);
         let numerators = match numerators {
             Some(numerators) => numerators,
             None => {
@@ -271,7 +251,7 @@ pub(super) fn with_two_divisions(field: &Field, map: &RationalMap) -> Option<Can
     let mut writer = Writer::new(scalings(field).pop()?);
     let (needed, partner) =
         (writer.write_scaled(needed, Goal::Early), writer.write_scaled(other, Goal::Early));
-    let reciprocal = twice_reciprocal(&mut writer, needed.node);
+    let reciprocal = writer.twice_reciprocal(needed.node);
     // One after the other: side by side, compilers pack two divisions into a slower one.
     let both = writer.draft.builder.divide(reciprocal, partner.node);
     let mut products = Products::new();
@@ -295,20 +275,4 @@ pub(super) fn with_two_divisions(field: &Field, map: &RationalMap) -> Option<Can
 /// Whether the determinants are d and εn themselves, not multiples of them.
 fn map_is_unscaled(map: &RationalMap) -> bool {
     map.denominator == map.reduced.denominator
-}
-
-/// Operations and cycles to the next state, and a fine for prepared constants that were rounded more than once.
-fn price(writer: &mut Writer, numerators: &[Node], reciprocals: &[Node]) -> u64 {
-    let mut outputs = numerators.to_vec();
-    outputs.extend(reciprocals);
-    let plan = writer.draft.builder.finish(&outputs);
-    let states = writer.scaling.states();
-    let (constants, kernel) = plan.split(|variable| variable.0 < states);
-    let derived = constants.derived_constants(writer.scaling.epsilon());
-    let negations = numerators.iter().filter(|node| writer.draft.builder.is_negation(**node)).count();
-    let cost = kernel.cost();
-    // A negated numerator becomes a subtraction at the end.
-    let fine = if writer.scaling.folds { 0 } else { DERIVED * derived };
-    let operations = cost.operations() - negations + fine;
-    Goal::Early.price(operations, cost.chain)
 }

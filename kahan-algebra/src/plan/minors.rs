@@ -7,14 +7,7 @@ use std::collections::BTreeMap;
 use crate::poly::Polynomial;
 
 use super::draft::{Draft, Signed};
-use super::writer::Writer;
-
-/// An entry of a matrix: its polynomial over scaled symbols, and the step that computes it.
-#[derive(Clone, Debug)]
-pub(super) struct Entry {
-    pub(super) polynomial: Polynomial,
-    pub(super) written: Signed,
-}
+use super::writer::{Entry, Writer};
 
 /// The determinant of A, and for each column the determinant with that column replaced by the right-hand side.
 pub(super) struct Determinants {

@@ -5,6 +5,7 @@
 
 mod blocks;
 mod builder;
+mod candidate;
 mod candidates;
 mod cost;
 mod doubling;
@@ -16,6 +17,7 @@ mod nesting;
 mod numerators;
 mod recurrence;
 mod scaling;
+mod split;
 mod step;
 mod structure;
 mod words;

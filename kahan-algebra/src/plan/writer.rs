@@ -13,7 +13,6 @@ use crate::rational::Rational;
 
 use super::Node;
 use super::draft::{Draft, Signed};
-use super::minors::Entry;
 use super::nesting::{Goal, Nesting, Part};
 use super::scaling::Scaling;
 
@@ -23,6 +22,13 @@ const REUSED: usize = 24;
 /// The most terms for which a constant that they have in common may stay inside: its product with each of their factors may be
 /// a step already.
 const SHARED: usize = 3;
+
+/// An entry of a matrix: its polynomial over scaled symbols, and the step that computes it.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    pub(super) polynomial: Polynomial,
+    pub(super) written: Signed,
+}
 
 /// A draft with the polynomials that its steps compute.
 #[derive(Clone, Debug)]
@@ -73,6 +79,12 @@ impl Writer {
     fn symbol(&mut self, symbol: Variable) -> Node {
         let put = self.put.iter().find(|(variable, _)| *variable == symbol).map(|(_, node)| *node);
         put.unwrap_or_else(|| self.draft.input(symbol))
+    }
+
+    /// 2/d: that the increment is 2εn/d costs no multiplication by 2.
+    pub(super) fn twice_reciprocal(&mut self, denominator: Node) -> Node {
+        let two = self.draft.constant(&Rational::from(2));
+        self.draft.builder.divide(two, denominator)
     }
 
     /// From now on a step stands for this symbol.

@@ -4,9 +4,8 @@ use crate::poly::Polynomial;
 
 use super::super::Node;
 use super::super::draft::Signed;
-use super::super::minors::Entry;
 use super::super::nesting::Goal;
-use super::Writer;
+use super::{Entry, Writer};
 
 impl Writer {
     /// The same in the way that adds the fewest steps.
