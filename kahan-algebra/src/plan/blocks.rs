@@ -29,43 +29,50 @@ const COMPARED_TERMS: usize = 12;
 /// The most terms of an entry that is expanded.
 const ENTRY_TERMS: usize = 40;
 
-/// The candidate that expands along the row that is last after `turn` rotations; `None` where a block is too large.
-pub(super) fn candidate(field: &Field, mut writer: Writer, turn: usize) -> Option<Candidate> {
-    let structure = Structure::of(field);
-    let blocks = structure.blocks();
-    let n = field.dimension();
-    let mut increments: Vec<(Signed, Option<Node>)> = vec![(Signed::plus(writer.draft.zero()), None); n];
-    let parts =
-        Parts { field, matrix: scaled_matrix(field), polarized: polarization(field), structure, turn };
-    for block in &blocks {
-        parts.solve(block, &mut writer, &mut increments)?;
-    }
-    let numerators = increments
-        .iter()
-        .map(
-            |(signed, _)| {
-                if signed.negative { writer.draft.builder.changed_sign(signed.node) } else { signed.node }
-            },
-        )
-        .collect();
-    let reciprocals = increments.iter().map(|(_, reciprocal)| *reciprocal).collect();
-    Some(Candidate::new(writer, numerators, reciprocals))
-}
-
-struct Parts<'a> {
+/// What all turns and scalings of one field share.
+pub(super) struct Blocks<'a> {
     field: &'a Field,
     matrix: Vec<Vec<Polynomial>>,
     polarized: Vec<Polynomial>,
     structure: Structure,
-    turn: usize,
 }
 
-impl Parts<'_> {
+/// x̃ᵢ − xᵢ: a numerator with its sign, and its reciprocal.
+type Increment = (Signed, Option<Node>);
+
+impl<'a> Blocks<'a> {
+    pub(super) fn of(field: &'a Field) -> Self {
+        Blocks {
+            field,
+            matrix: scaled_matrix(field),
+            polarized: polarization(field),
+            structure: Structure::of(field),
+        }
+    }
+
+    /// The candidate that expands along the row that is last after `turn` rotations; `None` where a block is too large.
+    pub(super) fn candidate(&self, mut writer: Writer, turn: usize) -> Option<Candidate> {
+        let still = (Signed::plus(writer.draft.zero()), None);
+        let mut increments: Vec<Increment> = vec![still; self.field.dimension()];
+        for block in &self.structure.blocks() {
+            self.solve(block, turn, &mut writer, &mut increments)?;
+        }
+        let numerator = |(signed, _): &Increment| match signed.negative {
+            // Its value is a part of x̃ in this plan, so a difference is not turned round.
+            true => writer.draft.builder.changed_sign(signed.node),
+            false => signed.node,
+        };
+        let numerators = increments.iter().map(numerator).collect();
+        let reciprocals = increments.iter().map(|(_, reciprocal)| *reciprocal).collect();
+        Some(Candidate::new(writer, numerators, reciprocals))
+    }
+
     fn solve(
         &self,
         block: &[usize],
+        turn: usize,
         writer: &mut Writer,
-        increments: &mut [(Signed, Option<Node>)],
+        increments: &mut [Increment],
     ) -> Option<()> {
         let independent = self.structure.independent(block);
         let rest: Vec<usize> = block.iter().copied().filter(|i| !independent.contains(i)).collect();
@@ -89,13 +96,12 @@ impl Parts<'_> {
                 })
                 .collect();
             // An odd order of the rows changes all signs, which cancel in the quotients.
-            let turn = self.turn % written.len();
+            let turn = turn % written.len();
             written.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &written);
             let reciprocal = writer.twice_reciprocal(denominator.node);
             for (&i, numerator) in rest.iter().zip(numerators) {
-                let negative = numerator.negative != denominator.negative;
-                increments[i] = (Signed { node: numerator.node, negative }, Some(reciprocal));
+                increments[i] = (numerator.flipped(denominator.negative), Some(reciprocal));
                 self.put_next(writer, i, increments[i]);
             }
         }
@@ -146,7 +152,7 @@ impl Parts<'_> {
     }
 
     /// x̃ᵢ = xᵢ + numerator · reciprocal, for what comes later; dropped if nothing uses it.
-    fn put_next(&self, writer: &mut Writer, i: usize, (increment, reciprocal): (Signed, Option<Node>)) {
+    fn put_next(&self, writer: &mut Writer, i: usize, (increment, reciprocal): Increment) {
         let symbols = &self.field.symbols;
         let second: Variable = symbols.variable(Symbol::SecondState(i));
         let state = writer.draft.input(symbols.state(i));

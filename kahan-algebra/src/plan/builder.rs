@@ -87,11 +87,6 @@ impl PlanBuilder {
         self.intern(Operation::Prepared(index))
     }
 
-    /// This very operation, without simplification.
-    pub(super) fn exactly(&mut self, operation: Operation) -> Node {
-        self.intern(operation)
-    }
-
     /// The steps so far.
     pub(super) fn operations(&self) -> &[Operation] {
         &self.operations
@@ -122,7 +117,8 @@ impl PlanBuilder {
         self.known.contains_key(&Operation::Multiply(a.min(b), a.max(b)))
     }
 
-    fn intern(&mut self, operation: Operation) -> Node {
+    /// This very operation, without simplification; the same one as before, if it is a step already.
+    pub(super) fn intern(&mut self, operation: Operation) -> Node {
         if let Some(&node) = self.known.get(&operation) {
             return node;
         }

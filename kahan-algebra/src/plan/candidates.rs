@@ -6,6 +6,8 @@ use crate::kahan::{RationalMap, scaled_matrix};
 use crate::poly::{Monomial, Polynomial};
 use crate::rational::Rational;
 
+use super::Node;
+use super::blocks::Blocks;
 use super::candidate::Candidate;
 use super::draft::Signed;
 use super::factors::{Factored, factored};
@@ -14,7 +16,6 @@ use super::nesting::Goal;
 use super::numerators::Products;
 use super::scaling::{First, Scaling};
 use super::writer::{Entry, Writer};
-use super::{Node, blocks};
 
 /// A draft in which the denominator is written.
 struct WithDenominator {
@@ -35,52 +36,39 @@ const COMPARED_TERMS: usize = 60;
 /// The most terms of N and D for which they are written out where there is another form.
 const WRITTEN_TERMS: usize = 120;
 
-/// The cheapest form of a field's step: of the reduced map, if that is within the budget, or of A; `None` where the field is
-/// too large for straight lines.
-pub(super) fn best(field: &Field, map: Option<&RationalMap>) -> Option<Candidate> {
+/// The forms worth a plan.
+pub(super) struct Forms {
+    /// The cheapest one.
+    pub(super) best: Candidate,
+    /// One with two divisions, where there is one.
+    pub(super) two_divisions: Option<Candidate>,
+}
+
+/// The forms of a field's step: of the reduced map, if that is within the budget, or of A; `None` where the field is too large
+/// for straight lines.
+pub(super) fn forms(field: &Field, map: Option<&RationalMap>) -> Option<Forms> {
     let mut candidates: Vec<Candidate> = Vec::new();
     if map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some()) {
+        let blocks = Blocks::of(field);
+        let turns = if terms(field) > COMPARED_TERMS { 1 } else { ROTATIONS };
         for scaling in scalings(field) {
             let writer = Writer::new(scaling);
-            let turns = if terms(field) > COMPARED_TERMS { 1 } else { ROTATIONS };
-            candidates.extend((0..turns).filter_map(|turn| blocks::candidate(field, writer.clone(), turn)));
+            candidates.extend((0..turns).filter_map(|turn| blocks.candidate(writer.clone(), turn)));
         }
     }
+    let mut two_divisions = None;
     if let Some(map) = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS) {
-        candidates.extend(written_out(field, map));
+        let parts = Parts::of(field, map);
+        candidates.extend(parts.best());
+        two_divisions = parts.with_two_divisions();
     }
-    candidates.into_iter().min_by_key(Candidate::price)
+    let best = candidates.into_iter().min_by_key(Candidate::price)?;
+    Some(Forms { best, two_divisions })
 }
 
 /// The terms of all equations.
 fn terms(field: &Field) -> usize {
     field.components.iter().map(|component| component.numerator.len()).sum()
-}
-
-/// The cheapest form of a reduced map.
-fn written_out(field: &Field, map: &RationalMap) -> Option<Candidate> {
-    let parts = Parts::of(field, map);
-    let starts: Vec<WithDenominator> =
-        scalings(field).into_iter().flat_map(|scaling| parts.denominators(&Writer::new(scaling))).collect();
-    let mut starts: Vec<(u64, WithDenominator)> =
-        starts.into_iter().map(|mut start| (start.price(), start)).collect();
-    starts.sort_by_key(|(price, _)| *price);
-    let has_determinants = starts.iter().any(|(_, start)| start.numerators.is_some());
-    let mut to_try = if has_determinants && parts.factor_terms() > FACTOR_TERMS { 0 } else { TRIED };
-    let mut best: Option<Candidate> = None;
-    for (_, start) in starts {
-        if start.numerators.is_none() {
-            if to_try == 0 {
-                continue;
-            }
-            to_try -= 1;
-        }
-        let candidate = parts.finish(start);
-        if best.as_ref().is_none_or(|best| candidate.price() < best.price()) {
-            best = Some(candidate);
-        }
-    }
-    best
 }
 
 impl WithDenominator {
@@ -126,6 +114,33 @@ impl<'a> Parts<'a> {
             .map(|increment| if increment.is_zero() { zero() } else { over_base.next().unwrap_or_else(zero) })
             .collect();
         Parts { field, map, numerators, denominator }
+    }
+
+    /// The cheapest form of a reduced map.
+    fn best(&self) -> Option<Candidate> {
+        let starts: Vec<WithDenominator> = scalings(self.field)
+            .into_iter()
+            .flat_map(|scaling| self.denominators(&Writer::new(scaling)))
+            .collect();
+        let mut starts: Vec<(u64, WithDenominator)> =
+            starts.into_iter().map(|mut start| (start.price(), start)).collect();
+        starts.sort_by_key(|(price, _)| *price);
+        let has_determinants = starts.iter().any(|(_, start)| start.numerators.is_some());
+        let mut to_try = if has_determinants && self.factor_terms() > FACTOR_TERMS { 0 } else { TRIED };
+        let mut best: Option<Candidate> = None;
+        for (_, start) in starts {
+            if start.numerators.is_none() {
+                if to_try == 0 {
+                    continue;
+                }
+                to_try -= 1;
+            }
+            let candidate = self.finish(start);
+            if best.as_ref().is_none_or(|best| candidate.price() < best.price()) {
+                best = Some(candidate);
+            }
+        }
+        best
     }
 
     /// The numerators that are not zero.
@@ -219,57 +234,48 @@ impl<'a> Parts<'a> {
         };
         let nodes: Vec<Node> = numerators
             .iter()
-            .map(|numerator| {
-                if numerator.negative != denominator.negative {
-                    writer.draft.builder.negate(numerator.node)
-                } else {
-                    numerator.node
-                }
-            })
+            .map(|numerator| writer.draft.node(numerator.flipped(denominator.negative)))
             .collect();
         let reciprocals = vec![Some(reciprocal); nodes.len()];
         Candidate::new(writer, nodes, reciprocals)
     }
-}
 
-/// A form with two divisions, where the denominator is a product of two factors of which all components need one and some do
-/// not need the other: E1 and E5. What closes the cycle of an orbit then waits for a shorter denominator.
-pub(super) fn with_two_divisions(field: &Field, map: &RationalMap) -> Option<Candidate> {
-    let parts = Parts::of(field, map);
-    let [(one, 1), (two, 1)] = &parts.denominator.factors[..] else { return None };
-    if !parts.denominator.monomial.is_one()
-        || !(&parts.denominator.coefficient * &parts.denominator.coefficient).is_one()
-    {
-        return None;
+    /// A form with two divisions, where the denominator is a product of two factors of which all components need one and some do
+    /// not need the other: E1 and E5. What closes the cycle of an orbit then waits for a shorter denominator.
+    fn with_two_divisions(&self) -> Option<Candidate> {
+        let [(one, 1), (two, 1)] = &self.denominator.factors[..] else { return None };
+        if !self.denominator.monomial.is_one()
+            || !(&self.denominator.coefficient * &self.denominator.coefficient).is_one()
+        {
+            return None;
+        }
+        let is_needed = |factor: &Polynomial| self.moving().all(|numerator| numerator.exponent(factor) == 0);
+        let (needed, other) = match (is_needed(one), is_needed(two)) {
+            (true, false) => (one, two),
+            (false, true) => (two, one),
+            _ => return None,
+        };
+        let mut writer = Writer::new(scalings(self.field).pop()?);
+        let (needed, partner) =
+            (writer.write_scaled(needed, Goal::Early), writer.write_scaled(other, Goal::Early));
+        let reciprocal = writer.twice_reciprocal(needed.node);
+        // One after the other: side by side, compilers pack two divisions into a slower one.
+        let both = writer.draft.builder.divide(reciprocal, partner.node);
+        let mut products = Products::new();
+        for numerator in &self.numerators {
+            products.push_with_eps(&mut writer, &numerator.without(other));
+        }
+        let is_flipped = needed.negative ^ partner.negative ^ self.denominator.coefficient.is_negative();
+        let numerators = products.finish(&mut writer);
+        let nodes = numerators.into_iter().map(|product| writer.draft.node(product.flipped(is_flipped)));
+        let nodes: Vec<Node> = nodes.collect();
+        let reciprocals = self.numerators.iter().map(|numerator| {
+            let is_short = numerator.exponent(other) > 0 || numerator.coefficient.is_zero();
+            Some(if is_short { reciprocal } else { both })
+        });
+        let reciprocals = reciprocals.collect();
+        Some(Candidate::new(writer, nodes, reciprocals))
     }
-    let is_needed = |factor: &Polynomial| parts.moving().all(|numerator| numerator.exponent(factor) == 0);
-    let (needed, other) = match (is_needed(one), is_needed(two)) {
-        (true, false) => (one, two),
-        (false, true) => (two, one),
-        _ => return None,
-    };
-    let mut writer = Writer::new(scalings(field).pop()?);
-    let (needed, partner) =
-        (writer.write_scaled(needed, Goal::Early), writer.write_scaled(other, Goal::Early));
-    let reciprocal = writer.twice_reciprocal(needed.node);
-    // One after the other: side by side, compilers pack two divisions into a slower one.
-    let both = writer.draft.builder.divide(reciprocal, partner.node);
-    let mut products = Products::new();
-    for numerator in &parts.numerators {
-        products.push_with_eps(&mut writer, &numerator.without(other));
-    }
-    let is_flipped = needed.negative ^ partner.negative ^ parts.denominator.coefficient.is_negative();
-    let numerators: Vec<Signed> = products.finish(&mut writer);
-    let nodes = numerators.into_iter().map(|product| {
-        if product.negative == is_flipped { product.node } else { writer.draft.builder.negate(product.node) }
-    });
-    let nodes: Vec<Node> = nodes.collect();
-    let reciprocals = parts.numerators.iter().map(|numerator| {
-        let is_short = numerator.exponent(other) > 0 || numerator.coefficient.is_zero();
-        Some(if is_short { reciprocal } else { both })
-    });
-    let reciprocals = reciprocals.collect();
-    Some(Candidate::new(writer, nodes, reciprocals))
 }
 
 /// Whether the determinants are d and εn themselves, not multiples of them.

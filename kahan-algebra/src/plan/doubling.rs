@@ -20,8 +20,8 @@ impl Plan {
                 .filter(|single| ready[single.0] + ADD <= required[index])
                 .map(|single| self.early(single, &renamed, &mut builder));
             renamed.push(match single {
-                Some(single) => builder.exactly(Operation::Add(single, single)),
-                None => builder.exactly(operation.with_operands(|operand| renamed[operand.0])),
+                Some(single) => builder.intern(Operation::Add(single, single)),
+                None => builder.intern(operation.with_operands(|operand| renamed[operand.0])),
             });
         }
         let outputs: Vec<Node> = self.outputs.iter().map(|output| renamed[output.0]).collect();
@@ -32,9 +32,9 @@ impl Plan {
     fn early(&self, single: Node, renamed: &[Node], builder: &mut PlanBuilder) -> Node {
         let operation = self.operations[single.0].with_operands(|operand| {
             let known = renamed.get(operand.0).copied();
-            known.unwrap_or_else(|| builder.exactly(self.operations[operand.0].clone()))
+            known.unwrap_or_else(|| builder.intern(self.operations[operand.0].clone()))
         });
-        builder.exactly(operation)
+        builder.intern(operation)
     }
 
     /// For a product 2c·x, the step c·x, if there is one.

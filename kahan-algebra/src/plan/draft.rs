@@ -141,7 +141,12 @@ impl Draft {
     /// The sum of all, each with its sign, the earliest two first.
     pub(super) fn sum(&mut self, terms: &[Signed]) -> Node {
         let sum = self.signed_sum(terms);
-        if sum.negative { self.builder.negate(sum.node) } else { sum.node }
+        self.node(sum)
+    }
+
+    /// The value with its sign.
+    pub(super) fn node(&mut self, signed: Signed) -> Node {
+        if signed.negative { self.builder.negate(signed.node) } else { signed.node }
     }
 
     /// The same with its sign apart.
@@ -183,5 +188,10 @@ pub(super) struct Signed {
 impl Signed {
     pub(super) fn plus(node: Node) -> Self {
         Signed { node, negative: false }
+    }
+
+    /// The same value, or its negation.
+    pub(super) fn flipped(self, flip: bool) -> Self {
+        Signed { negative: self.negative != flip, ..self }
     }
 }

@@ -4,8 +4,6 @@
 
 use std::collections::BTreeMap;
 
-use crate::poly::Polynomial;
-
 use super::draft::{Draft, Signed};
 use super::writer::{Entry, Writer};
 
@@ -32,8 +30,7 @@ pub(super) fn determinants(writer: &mut Writer, rows: &[Vec<Entry>]) -> Determin
     let minor = |missing: usize| minors.get(&(all & !(1 << missing))).copied().unwrap_or(zero);
     let numerators = (0..n).map(|j| {
         // The right-hand side stands last and moves left past n−1−j columns.
-        let minor = minor(j);
-        Signed { node: minor.node, negative: minor.negative != ((n - 1 - j) % 2 == 1) }
+        minor(j).flipped((n - 1 - j) % 2 == 1)
     });
     Determinants { denominator: minor(n), numerators: numerators.collect() }
 }
@@ -49,18 +46,18 @@ fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> BTreeMap<u64
     let mut minors = BTreeMap::new();
     for j in 1..first.len() {
         for i in 0..j {
-            let of = |a: &Polynomial, b: &Polynomial| a * b;
-            let polynomial = &of(&first[i].polynomial, &second[j].polynomial)
-                - &of(&first[j].polynomial, &second[i].polynomial);
+            let polynomial = &(&first[i].polynomial * &second[j].polynomial)
+                - &(&first[j].polynomial * &second[i].polynomial);
             if polynomial.is_zero() {
                 continue;
             }
             let written = writer.known(&polynomial).unwrap_or_else(|| {
                 let left = times(&mut writer.draft, first[i].written, second[j].written);
                 let right = times(&mut writer.draft, first[j].written, second[i].written);
-                let terms = [left, Signed { node: right.node, negative: !right.negative }];
-                let terms: Vec<Signed> =
-                    terms.into_iter().filter(|term| !writer.draft.is_zero(*term)).collect();
+                let terms: Vec<Signed> = [left, right.flipped(true)]
+                    .into_iter()
+                    .filter(|term| !writer.draft.is_zero(*term))
+                    .collect();
                 writer.draft.signed_sum(&terms)
             });
             minors.insert(1 << i | 1 << j, written);
@@ -83,9 +80,8 @@ fn expanded(draft: &mut Draft, minors: &BTreeMap<u64, Signed>, row: &[Entry]) ->
             }
             // The entry moves past the chosen columns to its right.
             let odd = (chosen >> column).count_ones() % 2 == 1;
-            let node = draft.multiply(minor.node, entry.node);
-            let negative = (minor.negative != entry.negative) != odd;
-            terms.entry(chosen | 1 << column).or_default().push(Signed { node, negative });
+            let product = times(draft, *minor, *entry).flipped(odd);
+            terms.entry(chosen | 1 << column).or_default().push(product);
         }
     }
     terms.into_iter().map(|(chosen, terms)| (chosen, draft.signed_sum(&terms))).collect()

@@ -58,7 +58,7 @@ impl Plan {
             }
             if !fixed[index] {
                 let operation = operation.with_operands(|operand| renamed[operand.0].unwrap_or(operand));
-                renamed[index] = Some(kernel.exactly(operation));
+                renamed[index] = Some(kernel.intern(operation));
             }
         }
         let outputs: Vec<Node> =

@@ -11,8 +11,8 @@ use super::{Node, Plan, PlanBuilder, candidates};
 pub struct StepPlan {
     /// From ε and the parameters to the prepared constants, in order. It has no states.
     pub constants: Plan,
-    /// From the states and the prepared constants ([`Operation::Prepared`](super::Operation::Prepared)) to the numerators, one a component, followed
-    /// by the reciprocals, each a quotient 2/d, or 2/d/d′.
+    /// From the states and the prepared constants ([`Operation::Prepared`](super::Operation::Prepared)) to the numerators,
+    /// one a component, followed by the reciprocals, each a quotient 2/d, or 2/d/d′.
     pub kernel: Plan,
     /// For each component the index of its reciprocal among the kernel's reciprocals; `None` where there is no division.
     pub reciprocals: Vec<Option<usize>>,
@@ -32,9 +32,9 @@ impl StepPlan {
     #[must_use]
     pub fn of_map(field: &Field, map: Option<&RationalMap>) -> Option<Self> {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
-        let best = plan(&candidates::best(field, map)?);
-        let other = map.and_then(|map| candidates::with_two_divisions(field, map)).map(|form| plan(&form));
-        Some(match other {
+        let forms = candidates::forms(field, map)?;
+        let best = plan(&forms.best);
+        Some(match forms.two_divisions.as_ref().map(plan) {
             Some(other) if other.recurrence() < best.recurrence() => {
                 StepPlan { lanes: Some(Box::new(best)), ..other }
             }

@@ -96,11 +96,11 @@ impl Writer {
     pub(super) fn write(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
         let (sign, positive) = normalised(polynomial);
         if let Some(&known) = self.known.get(&positive) {
-            return flipped(known, sign);
+            return known.flipped(sign);
         }
         let written = self.write_new(&positive, goal);
         self.remember(&positive, written);
-        flipped(written, sign)
+        written.flipped(sign)
     }
 
     /// A polynomial in plain symbols and ε, its powers of ε distributed in the first way.
@@ -124,9 +124,9 @@ impl Writer {
 
     /// The step that computes this polynomial over scaled symbols, if there is one.
     pub(super) fn known(&mut self, polynomial: &Polynomial) -> Option<Signed> {
-        let polynomial = if self.scaling.folds { self.gathered(polynomial) } else { polynomial.clone() };
-        let (sign, positive) = normalised(&polynomial);
-        self.known.get(&positive).map(|&known| flipped(known, sign))
+        let gathered = self.gathered(polynomial);
+        let (sign, positive) = normalised(gathered.as_ref().unwrap_or(polynomial));
+        self.known.get(&positive).map(|&known| known.flipped(sign))
     }
 
     /// Notes that a step computes this polynomial.
@@ -139,12 +139,11 @@ impl Writer {
             self.sums.push(positive.clone());
         }
         self.made.push(positive.clone());
-        self.known.insert(positive, flipped(written, sign));
+        self.known.insert(positive, written.flipped(sign));
     }
 
     fn write_new(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
-        let gathered = self.gathered(polynomial);
-        if gathered != *polynomial {
+        if let Some(gathered) = self.gathered(polynomial) {
             return self.write(&gathered, goal);
         }
         if let Some(value) = polynomial.as_constant() {
@@ -226,7 +225,7 @@ impl Writer {
     ) -> Signed {
         let written = self.write(inner, goal);
         let product = self.term(monomial, coefficient, Some(written.node));
-        Signed { node: product.node, negative: product.negative != written.negative }
+        product.flipped(written.negative)
     }
 }
 
@@ -234,8 +233,4 @@ impl Writer {
 fn normalised(polynomial: &Polynomial) -> (bool, Polynomial) {
     let negative = polynomial.leading_term().is_some_and(|(_, coefficient)| coefficient.is_negative());
     (negative, if negative { -polynomial } else { polynomial.clone() })
-}
-
-fn flipped(signed: Signed, flip: bool) -> Signed {
-    Signed { node: signed.node, negative: signed.negative != flip }
 }

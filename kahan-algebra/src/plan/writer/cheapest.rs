@@ -8,14 +8,14 @@ use super::super::nesting::Goal;
 use super::{Entry, Writer};
 
 impl Writer {
-    /// The same in the way that adds the fewest steps.
+    /// A polynomial in plain symbols and ε, its powers of ε distributed in the way that adds the fewest steps.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
         let written = self.cheapest(&ways, |writer, way| writer.write(way, Goal::Few), |_| 0);
         written.unwrap_or_else(|| Signed::plus(self.draft.zero()))
     }
 
-    /// The same in the way that adds the fewest steps.
+    /// The same as an entry of a matrix.
     pub(in crate::plan) fn cheapest_entry(&mut self, polynomial: &Polynomial) -> Entry {
         let ways = self.scaling.ways(polynomial);
         let write = |writer: &mut Self, way: &Polynomial| Entry {

@@ -8,14 +8,19 @@ use super::Writer;
 
 impl Writer {
     /// The polynomial with each sum of constants that multiplies one product of states as one coefficient; of products of
-    /// constants only where they may be rounded twice.
-    pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Polynomial {
-        let scaling = self.scaling.clone();
-        let groups = polynomial.group(|variable| scaling.ready(variable).is_some());
+    /// constants only where they may be rounded twice. `None` where there is no such sum.
+    pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
+        let groups = polynomial.group(|variable| self.scaling.ready(variable).is_some());
+        let folds = self.scaling.folds;
+        let is_sum = |states: &Monomial, coefficient: &Polynomial| {
+            coefficient.len() > 1 && !states.is_one() && (folds || coefficient.degree() < 2)
+        };
+        if !groups.iter().any(|(states, coefficient)| is_sum(states, coefficient)) {
+            return None;
+        }
         let mut terms = Vec::new();
         for (states, coefficient) in groups {
-            let is_plain = coefficient.degree() < 2;
-            if coefficient.len() < 2 || states.is_one() || !(self.scaling.folds || is_plain) {
+            if !is_sum(&states, &coefficient) {
                 terms.extend(
                     coefficient.terms().map(|(monomial, value)| (states.mul(monomial), value.clone())),
                 );
@@ -25,7 +30,7 @@ impl Writer {
             let variable = self.coefficient(&sum);
             terms.push((states.mul(&Monomial::variable(variable)), content));
         }
-        Polynomial::from_terms(terms)
+        Some(Polynomial::from_terms(terms))
     }
 
     /// The variable that stands for a sum of constants.
@@ -36,7 +41,7 @@ impl Writer {
         let variable = self.scaling.coefficient(self.coefficients.len());
         let terms = sum.terms().map(|(monomial, value)| (monomial.clone(), value.clone())).collect();
         let written = self.fixed_sum(terms);
-        let node = if written.negative { self.draft.builder.negate(written.node) } else { written.node };
+        let node = self.draft.node(written);
         self.coefficients.push(sum.clone());
         self.put(variable, node);
         variable
