@@ -27,8 +27,8 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// The map is the *reduced* rational map: numerators and denominators without common factors. A pole is a point where
 /// that has no value; there a float result is not finite, and an exact scalar panics, except in
 /// [`try_step`](Self::try_step), which says so, and in an [`Orbit`], which ends. Where det A(x,ε) = 0 but the
-/// reduced map has a value, the steps and the Jacobian are that value's. Fields too large to be reduced while
-/// compiling are stepped by elimination, and for them every point with det A = 0 is a pole.
+/// reduced map has a value, the steps and the Jacobian are that value's. For fields too large to be reduced while
+/// compiling every point with det A = 0 is a pole.
 ///
 /// # Range
 /// A float step whose denominator overflows may silently be wrong; `try_step` looks, the other methods do not.
@@ -81,7 +81,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
 
     /// x̃, the state one time step of 2ε later.
     ///
-    /// The fast tier: for the fields of ordinary size the reduced closed form with one reciprocal, whose error is of
+    /// The fast tier: for the fields of ordinary size the reduced closed form with one division, or two, whose error is of
     /// the order of the scalar's rounding unit away from poles; it neither branches nor allocates over floats. In a
     /// loop over one ε, [`at`](Self::at) and [`orbit`](Self::orbit) give the same numbers bit for bit and are certain
     /// to prepare once.

@@ -14,8 +14,7 @@ use crate::{KahanMap, Orbit, Pivot, PreparedStep, Scalar, SingularStep};
 /// The Kahan map M at one ε, half the time step; made by [`KahanMap::at`].
 ///
 /// Everything that depends on ε and the parameters alone is computed when it is made, but divisions: a denominator that is
-/// zero is a pole of the step. Its type is made of names that a
-/// program has, so it can be stored:
+/// zero is a pole of the step. Its type is made of names that a program has, so it can be stored:
 ///
 /// ```
 /// use kahan_core::KahanAt;

@@ -14,9 +14,10 @@ use crate::linear::vector;
 /// x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quotients<T, const N: usize> {
-    /// The numerators, 2ε included.
+    /// The numerators.
     pub numerators: [T; N],
-    /// The reciprocals of the denominators; 1 where there is none.
+    /// The reciprocals of the denominators, or 1 where there is none; the factor 2ε is in the products, wherever it costs
+    /// least.
     pub reciprocals: [T; N],
 }
 

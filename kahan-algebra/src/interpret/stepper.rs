@@ -7,7 +7,7 @@
 
 use crate::arithmetic::{Arithmetic, Solved, solve};
 use crate::kahan::{RationalMap, scaled_matrix};
-use crate::plan::{Operation, Plan, PlanBuilder, StepPlan};
+use crate::plan::{Operation, Plan, StepPlan};
 use crate::poly::{Polynomial, Variable};
 use crate::symbols::Symbol;
 use crate::syntax::ClaimKind;
@@ -88,11 +88,8 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
             Symbol::Parameter(k) => Input::Fixed(parameters[k].clone()),
             Symbol::Epsilon => Input::Fixed(eps.clone()),
         };
-        let program = |polynomials: Vec<&Polynomial>| {
-            let mut builder = PlanBuilder::default();
-            let nodes: Vec<_> = polynomials.into_iter().map(|one| builder.polynomial(one)).collect();
-            Program::new(&builder.finish(&nodes), arithmetic, &[], input)
-        };
+        let program =
+            |polynomials: Vec<&Polynomial>| Program::new(&Plan::of(polynomials), arithmetic, &[], input);
         let components = &system.field.components;
         let divisors = program(components.iter().map(|component| &component.denominator).collect());
         if divisors.outputs().any(|value| value.is_none_or(|value| arithmetic.is_zero(value))) {
@@ -107,15 +104,14 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
             },
         };
         let claims: Vec<_> = system.accessors(ClaimKind::Integral).collect();
-        let mut together = PlanBuilder::default();
-        let outputs: Vec<_> = claims.iter().flat_map(|claim| together.include(&claim.plan)).collect();
+        let integrals = Plan::together(claims.iter().map(|claim| &claim.plan));
         Ok(Stepper {
             arithmetic,
             two_eps: arithmetic.add(eps, eps),
             is_reduced: map.is_some(),
             increment,
             integral_names: claims.iter().map(|claim| claim.name.text.clone()).collect(),
-            integrals: Program::new(&together.finish(&outputs), arithmetic, &[], input),
+            integrals: Program::new(&integrals, arithmetic, &[], input),
         })
     }
 

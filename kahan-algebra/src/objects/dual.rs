@@ -10,8 +10,6 @@ use crate::poly::Variable;
 use crate::rational::Rational;
 use crate::symbols::Symbol;
 
-use super::tidied;
-
 /// A value and its derivatives.
 #[derive(Clone, Debug)]
 struct DualNode {
@@ -45,7 +43,7 @@ pub(super) fn jacobian_plan(field: &Field, step: &StepPlan) -> Plan {
             outputs.push(if i == j { lifting.push(Operation::Add(one, slope)) } else { slope });
         }
     }
-    tidied(Plan { operations: lifting.operations, outputs })
+    Plan::together([&Plan { operations: lifting.operations, outputs }])
 }
 
 impl Lifting {

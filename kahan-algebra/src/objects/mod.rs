@@ -102,13 +102,13 @@ impl Objects {
         ];
         let integrals: Vec<&Claim> = system.accessors(ClaimKind::Integral).collect();
         if !integrals.is_empty() {
-            list.push(Object::new("integrals", claims_plan(&integrals)));
+            list.push(Object::new("integrals", Plan::together(integrals.iter().map(|claim| &claim.plan))));
         }
         let densities = system.accessors(ClaimKind::Density).take(1);
-        list.extend(densities.map(|claim| Object::new("density", claims_plan(&[claim]))));
+        list.extend(densities.map(|claim| Object::new("density", claim.plan.clone())));
         list.extend(system.accessors(ClaimKind::Bracket).map(|claim| {
             let name = format!("bracket {}", claim.name.text);
-            Object::new(name, claims_plan(&[claim]))
+            Object::new(name, claim.plan.clone())
         }));
         Objects { map, step, list }
     }
@@ -153,14 +153,6 @@ pub fn rational_map_plan(map: &RationalMap) -> Plan {
     over_divisor(map, map.numerators.iter().chain([&map.denominator]))
 }
 
-/// The functions of several claims, what they share computed once.
-#[must_use]
-pub fn claims_plan(claims: &[&Claim]) -> Plan {
-    let mut builder = PlanBuilder::default();
-    let outputs: Vec<Node> = claims.iter().flat_map(|claim| builder.include(&claim.plan)).collect();
-    builder.finish(&outputs)
-}
-
 /// x̃ from x and the prepared constants: the kernel of a step, and its last multiply-add a component.
 ///
 /// A numerator −n is subtracted rather than negated, as every compiler does it.
@@ -186,14 +178,8 @@ pub fn next_plan(field: &Field, step: &StepPlan) -> Plan {
             (None, None) => Operation::Add(state, numerator),
         }));
     }
-    tidied(Plan { operations, outputs })
-}
-
-/// The same plan, each step once, and none that no result needs.
-fn tidied(plan: Plan) -> Plan {
-    let mut builder = PlanBuilder::default();
-    let outputs = builder.include(&plan);
-    builder.finish(&outputs)
+    // Each step once, and none that no result needs.
+    Plan::together([&Plan { operations, outputs }])
 }
 
 /// These numerators, `width` of them over each component's denominator.

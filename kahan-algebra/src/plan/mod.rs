@@ -152,6 +152,14 @@ impl Plan {
         builder.finish(&nodes)
     }
 
+    /// Several plans as one, their results one after another; what they share is computed once.
+    #[must_use]
+    pub fn together<'a>(plans: impl IntoIterator<Item = &'a Plan>) -> Self {
+        let mut builder = PlanBuilder::default();
+        let outputs: Vec<Node> = plans.into_iter().flat_map(|plan| builder.include(plan)).collect();
+        builder.finish(&outputs)
+    }
+
     /// Runs the plan; `input` gives the value of each variable. A result that divides by zero on its way is `None`;
     /// the others are not touched by that. Cost: one arithmetic operation a step.
     pub fn evaluate<A: Arithmetic>(

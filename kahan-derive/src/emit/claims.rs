@@ -1,6 +1,6 @@
 //! Accessors of unconditional claims: `integrals`, `density`, `bracket_NAME`.
 
-use kahan_algebra::plan::{Plan, PlanBuilder};
+use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, upper_index};
 use proc_macro2::{Literal, TokenStream};
@@ -112,9 +112,7 @@ fn emit_bracket(context: &Context<'_>, claim: &Claim) -> TokenStream {
 /// Several plans as one, with what they share computed once: bindings and results.
 fn emit_together(context: &Context<'_>, plans: &[&Plan]) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
-    let mut builder = PlanBuilder::default();
-    let outputs: Vec<_> = plans.iter().flat_map(|plan| builder.include(plan)).collect();
-    let plan = builder.finish(&outputs);
+    let plan = Plan::together(plans.iter().copied());
     let inputs = emit_inputs(&plan, symbols);
     let emitted = emit_plan(&plan, symbols, &context.scalar);
     let bindings = emitted.bindings;

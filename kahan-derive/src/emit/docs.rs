@@ -38,7 +38,7 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
             push_block(&mut lines, "The map, over its common denominator in lowest terms:", &images);
         }
         None => lines.push(
-            " The map is computed by elimination: its closed form exceeds the budget of terms. Where det A = 0 it counts as a pole.".to_owned(),
+            " The map solves A(x,ε)·x̃ = b(x,ε): its closed form exceeds the budget of terms. Where det A = 0 it counts as a pole.".to_owned(),
         ),
     }
     let claims: Vec<String> = system.claims.iter().map(|claim| claim_text(system, claim)).collect();

@@ -1,8 +1,7 @@
 //! `QuadraticField`: f, f′, the bilinear form and the polarised field.
 
-use kahan_algebra::kahan::{bilinear_form, field_jacobian, polarization};
-use kahan_algebra::plan::{Plan, PlanBuilder};
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::objects::{bilinear_plan, field_jacobian_plan, field_plan, polarized_plan};
+use kahan_algebra::plan::Plan;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -13,14 +12,10 @@ use super::plan::emit_plan;
 /// Expands to `impl<T: Scalar> QuadraticField<T, 3> for E6 { … }`.
 pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let field = &context.system.field;
-    let n = field.dimension();
-    let numerators: Vec<Polynomial> =
-        field.components.iter().map(|component| component.numerator.clone()).collect();
-    let jacobian: Vec<Polynomial> = field_jacobian(field).into_iter().flatten().collect();
-    let value = emit_vector(context, &over_denominators(context, &numerators, 1));
-    let slope = emit_matrix(context, &over_denominators(context, &jacobian, n));
-    let bilinear = emit_vector(context, &over_denominators(context, &bilinear_form(field), 1));
-    let polarized = emit_vector(context, &over_denominators(context, &polarization(field), 1));
+    let value = emit_vector(context, &field_plan(field));
+    let slope = emit_matrix(context, &field_jacobian_plan(field));
+    let bilinear = emit_vector(context, &bilinear_plan(field));
+    let polarized = emit_vector(context, &polarized_plan(field));
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
     let (vector, matrix) = (context.vector(), context.matrix());
     quote! {
@@ -39,20 +34,6 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
             }
         }
     }
-}
-
-/// The plan of these numerators, `width` of them over each component's denominator.
-fn over_denominators(context: &Context<'_>, numerators: &[Polynomial], width: usize) -> Plan {
-    let mut builder = PlanBuilder::default();
-    let mut outputs = Vec::with_capacity(numerators.len());
-    for (row, component) in numerators.chunks(width).zip(&context.system.field.components) {
-        for numerator in row {
-            let above = builder.polynomial(numerator);
-            let below = builder.polynomial(&component.denominator);
-            outputs.push(builder.divide(above, below));
-        }
-    }
-    builder.finish(&outputs)
 }
 
 /// The body of a function that returns the plan's results as a vector.

@@ -1,8 +1,8 @@
 //! `KahanMap`: how the step is prepared, and the closed forms of N and D where they are within the budget.
 
 use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::plan::PlanBuilder;
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::objects::{det_matrix_plan, rational_map_plan};
+use kahan_algebra::plan::Plan;
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
@@ -76,9 +76,8 @@ fn emit_lifted(context: &Context<'_>) -> TokenStream {
 
 /// D = D̂/∏q, and (N, D) = (N̂, D̂)/∏q, without a division by anything that depends on the state.
 fn emit_closed_forms(context: &Context<'_>, map: &RationalMap) -> TokenStream {
-    let (above, determinant) = emit_over(context, &map.divisor, [&map.denominator]);
-    let (bindings, mut numerators) =
-        emit_over(context, &map.divisor, map.numerators.iter().chain([&map.denominator]));
+    let (above, determinant) = emit_body(context, &det_matrix_plan(map));
+    let (bindings, mut numerators) = emit_body(context, &rational_map_plan(map));
     let denominator = numerators.pop();
     let (scalar, vector) = (&context.scalar, context.vector());
     quote! {
@@ -93,24 +92,10 @@ fn emit_closed_forms(context: &Context<'_>, map: &RationalMap) -> TokenStream {
     }
 }
 
-/// Inputs, bindings and results of polynomials over one divisor.
-fn emit_over<'a>(
-    context: &Context<'_>,
-    divisor: &Polynomial,
-    polynomials: impl IntoIterator<Item = &'a Polynomial>,
-) -> (TokenStream, Vec<TokenStream>) {
+/// Inputs and bindings of a plan, and its results.
+fn emit_body(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
-    let mut builder = PlanBuilder::default();
-    let below = builder.polynomial(divisor);
-    let outputs: Vec<_> = polynomials
-        .into_iter()
-        .map(|polynomial| {
-            let above = builder.polynomial(polynomial);
-            builder.divide(above, below)
-        })
-        .collect();
-    let plan = builder.finish(&outputs);
-    let inputs = emit_inputs(&plan, symbols);
-    let Emitted { bindings, results } = emit_plan(&plan, symbols, &context.scalar);
+    let inputs = emit_inputs(plan, symbols);
+    let Emitted { bindings, results } = emit_plan(plan, symbols, &context.scalar);
     (quote! { #inputs #bindings }, results)
 }

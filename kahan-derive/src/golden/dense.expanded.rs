@@ -8,7 +8,7 @@
 /// vdot = 1/7*b + 7/6*x*v + 7/5*c*x + 1/6*y*z - 2*y*v + c*y + 4/3*a*z + 1/4*u^2 + 1/3*a*u + b*v + 1/2*c*w + 1/2*c*x^2 - 5/2*c*x*y + 1/2*b*x*z + 1/4*c*x*u - 5/2*b*x*w + 1/5*b*y^2 + 4/3*b*y*u + 1/5*c*y*w - 1/2*a*z^2 - 5/4*c*z*u + c*z*v + 1/2*a*z*w + c*u*v + 1/6*c*u*w + 1/2*a*v^2 + 2/3*c*v*w + 2/5*a*w^2
 /// wdot = 1/7*c - 5*x^2 - 1/5*x*y + 3/2*x*v - x*w + 2*c*x + 1/2*y^2 + y*z - 5/4*y*v + 4*b*y + 2*b*z + 2/5*a*u + 3/2*b*v - 3/5*w^2 + 1/2*b*w - 2/3*c*x*z - a*x*u + 3/5*a*y*u + 1/3*c*y*w + 4/3*b*z^2 - 5/2*b*z*u - 2/5*b*z*v + 7/5*a*z*w + a*u^2 + 1/3*a*u*v - 1/3*c*u*w + 3/2*a*v^2 - 5/6*b*v*w
 /// ```
-/// The map is computed by elimination: its closed form exceeds the budget of terms. Where det A = 0 it counts as a pole.
+/// The map solves A(x,ε)·x̃ = b(x,ε): its closed form exceeds the budget of terms. Where det A = 0 it counts as a pole.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,

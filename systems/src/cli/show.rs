@@ -20,7 +20,7 @@ use plan::PlanSheet;
 /// Shows a system: field, f', A, b, bilinear form, det A, reduced map, Jacobian, claims.
 ///
 /// The map is x~ = x + 2 eps n/d in lowest terms, where eps is half the time step; a prime marks the second argument of
-/// the bilinear form Q(x,x'). For a field so large that the map is computed by elimination, det A is shown as a
+/// the bilinear form Q(x,x'). For a field whose map is beyond the budget of terms, det A is shown as a
 /// determinant. With --plan: what the generated code computes, in straight lines, and what that costs.
 #[derive(Args, Debug)]
 #[command(after_long_help = EXAMPLES)]
@@ -176,7 +176,8 @@ impl Sheet<'_> {
             None => page.section(
                 "map",
                 vec![
-                    "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination; det A = 0 counts as a pole".to_owned(),
+                    "x~ = x + 2 eps A(x,eps)^-1 f(x), by minors of A or by elimination (--plan tells); det A = 0 counts as a pole"
+                        .to_owned(),
                 ],
             ),
         }

@@ -7,7 +7,7 @@ use dashu_int::IBig;
 use dashu_int::ops::Gcd;
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::plan::{Plan, PlanBuilder};
+use kahan_algebra::plan::Plan;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
 use kahan_algebra::syntax::ClaimKind;
@@ -35,14 +35,12 @@ impl<'a> ExactOrbit<'a> {
         // The first item is the first point itself.
         orbit.next();
         let claims: Vec<_> = request.system.accessors(ClaimKind::Integral).collect();
-        let mut together = PlanBuilder::default();
-        let outputs: Vec<_> = claims.iter().flat_map(|claim| together.include(&claim.plan)).collect();
         let mut exact = ExactOrbit {
             request,
             orbit,
             time_step: &request.eps + &request.eps,
             integral_names: claims.iter().map(|claim| claim.name.text.clone()).collect(),
-            integrals: together.finish(&outputs),
+            integrals: Plan::together(claims.iter().map(|claim| &claim.plan)),
             first: Vec::new(),
         };
         let first = exact.integrals(&exact.state());
