@@ -12,7 +12,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::read;
 use kahan_algebra::symbols::Symbol;
 
-const FIELDS: [(&str, &str); 18] = [
+const FIELDS: [(&str, &str); 19] = [
     ("Lotka–Volterra", "xdot = x*(1 - y); ydot = y*(x - 1);"),
     ("E1, reduced", "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;"),
     ("E3, reduced", "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;"),
@@ -44,6 +44,10 @@ const FIELDS: [(&str, &str); 18] = [
     (
         "volumes shrink at a rate of many constants",
         "struct S { p, h, o, y, q, l, m, k } adot = p*b + h*c; bdot = o*a - q*c^2; cdot = y*q*a*b + l; ddot = m*a + 2*d*k;",
+    ),
+    (
+        "the second factor of the denominator negative",
+        "struct S { k } xdot = x*y/k + 1/3; ydot = -y^2 + 0.1;",
     ),
     ("linear", "adot = b; bdot = -a; cdot = 2*c; ddot = a - d;"),
     ("nothing to divide", "xdot = y; ydot = 1; zdot = x*y; wdot = x^2;"),
@@ -147,6 +151,41 @@ fn random_sparse_fields_are_stepped_by_their_structure() {
             solves_the_scheme(&text, &field, &mut numbers);
         }
     }
+}
+
+/// Fields of one to three states with constants of either sign, parameters and divisors: reduced maps with factors and signs of
+/// every kind, one division or two. A driven equation (no state of the others in it) makes the denominator a product.
+#[test]
+fn random_small_fields_are_stepped_by_their_reduced_maps() {
+    let mut numbers = Numbers(SplitMix64::new(43));
+    let mut two_divisions = 0;
+    for _ in 0..300 {
+        let n = 1 + numbers.0.below(3);
+        let mut text = "struct S { k } ".to_string();
+        for state in 0..n {
+            let driven = numbers.0.below(2) == 0;
+            text += &format!("{}dot = 0", ["x", "y", "z"][state as usize]);
+            for _ in 0..=numbers.0.below(3) {
+                let mut one = || match numbers.0.below(5) {
+                    0 => "1",
+                    _ if driven => ["x", "y", "z"][state as usize],
+                    _ => ["x", "y", "z"][numbers.0.below(n) as usize],
+                };
+                let (one, two) = (one(), one());
+                let sign = if numbers.0.below(2) == 0 { "+" } else { "-" };
+                let factor = ["", "2*", "k*", "1/3*", "1/k*"][numbers.0.below(5) as usize];
+                text += &format!(" {sign} {factor}{one}*{two}");
+            }
+            text += "; ";
+        }
+        let text = if text.contains("k*") || text.contains("/k") { text } else { text.replace("{ k }", "") };
+        let text = text.replace("struct S  ", "");
+        let field = field(&text);
+        let step = StepPlan::of(&field).expect("small enough for straight lines");
+        two_divisions += usize::from(step.lanes.is_some());
+        solves_the_scheme(&text, &field, &mut numbers);
+    }
+    assert!(two_divisions > 10, "{two_divisions}");
 }
 
 #[test]

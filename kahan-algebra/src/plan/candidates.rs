@@ -265,15 +265,15 @@ impl<'a> Parts<'a> {
         for numerator in &self.numerators {
             products.push_with_eps(&mut writer, &numerator.without(other));
         }
-        let is_flipped = needed.negative ^ partner.negative ^ self.denominator.coefficient.is_negative();
-        let numerators = products.finish(&mut writer);
-        let nodes = numerators.into_iter().map(|product| writer.draft.node(product.flipped(is_flipped)));
-        let nodes: Vec<Node> = nodes.collect();
-        let reciprocals = self.numerators.iter().map(|numerator| {
+        let constant_flips = self.denominator.coefficient.is_negative();
+        let (mut nodes, mut reciprocals) = (Vec::new(), Vec::new());
+        for (numerator, product) in self.numerators.iter().zip(products.finish(&mut writer)) {
             let is_short = numerator.exponent(other) > 0 || numerator.coefficient.is_zero();
-            Some(if is_short { reciprocal } else { both })
-        });
-        let reciprocals = reciprocals.collect();
+            // A short quotient divides by one of the written factors, a long one by both, each with the sign it was written with.
+            let flips = constant_flips ^ needed.negative ^ (partner.negative && !is_short);
+            nodes.push(writer.draft.node(product.flipped(flips)));
+            reciprocals.push(Some(if is_short { reciprocal } else { both }));
+        }
         Some(Candidate::new(writer, nodes, reciprocals))
     }
 }
