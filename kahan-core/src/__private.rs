@@ -15,8 +15,8 @@ pub use crate::linear::vector;
 pub use crate::prepared_step::Apart;
 pub use crate::scalar::Dual;
 pub use crate::{
-    Constant, Elimination, Integrals, KahanMap, Named, Pivot, PreparedStep, QuadraticField, Quotients,
-    Scalar, WideStep,
+    Constant, Elimination, Integrals, KahanMap, Lift, Named, Pivot, PreparedStep, QuadraticField, Quotients,
+    Scalar, SingularStep, StepCost, WideStep,
 };
 
 use crate::error::pole;
@@ -48,21 +48,37 @@ pub fn matrix<T: Scalar, const N: usize>(rows: [[T; N]; N]) -> SMatrix<T, N, N> 
 
 /// ∂x̃/∂x = I + ∂(x̃ − x)/∂x, by one increment of the map over dual numbers.
 ///
-/// `lifted` is the map whose parameters are the map's, lifted to dual numbers.
-///
 /// # Panics
 /// At a pole of an exact scalar.
 #[inline]
-pub fn jacobian_by_duals<M, T, const N: usize>(lifted: &M, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N>
+pub fn jacobian_by_duals<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N>
 where
-    M: KahanMap<Dual<T, N>, N>,
+    M: Lift<T, N>,
     T: Scalar,
 {
     let state = SVector::from_fn(|i, _| Dual::coordinate(x[i].clone(), i));
+    let lifted = map.lift::<Dual<T, N>>(|parameter| Dual::lift(parameter.clone()));
     let step = lifted.prepare(&Dual::lift(eps.clone()));
     let Some(increment) = step.increment(&state) else { pole(eps) };
     SMatrix::from_fn(|i, j| {
         let slope = increment[i].gradient[j].clone();
         if i == j { T::one() + slope } else { slope }
     })
+}
+
+/// The step with a promise, as far as the scalar can give one.
+///
+/// # Errors
+/// As [`KahanMap::try_step`].
+pub fn stable_step<M, T, const N: usize>(
+    map: &M,
+    prepared: &M::Prepared,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Result<SVector<T, N>, SingularStep>
+where
+    M: Lift<T, N>,
+    T: Pivot,
+{
+    T::stable_step(map, prepared, x, eps)
 }

@@ -108,7 +108,21 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     where
         T: Pivot,
     {
-        try_step(self, &self.prepare(&eps), x, &eps)
+        self.try_prepared(&self.prepare(&eps), x, &eps)
+    }
+
+    /// [`try_step`](Self::try_step) with the step prepared: what the macro writes, and [`KahanAt`] calls.
+    #[doc(hidden)]
+    fn try_prepared(
+        &self,
+        prepared: &Self::Prepared,
+        x: &SVector<T, N>,
+        eps: &T,
+    ) -> Result<SVector<T, N>, SingularStep>
+    where
+        T: Pivot,
+    {
+        try_step(self, prepared, x, eps)
     }
 
     /// The inverse map, which is the map with −ε: the state one time step of 2ε earlier.

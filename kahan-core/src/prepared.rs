@@ -8,7 +8,6 @@ use core::fmt;
 use nalgebra::{SMatrix, SVector};
 
 use crate::error::pole;
-use crate::try_step::try_step;
 use crate::{KahanMap, Orbit, Pivot, PreparedStep, Scalar, SingularStep};
 
 /// The Kahan map M at one ε, half the time step; made by [`KahanMap::at`].
@@ -95,7 +94,7 @@ where
     where
         T: Pivot,
     {
-        try_step(&self.map, &self.prepared, x, &self.eps)
+        self.map.try_prepared(&self.prepared, x, &self.eps)
     }
 
     /// ∂x̃/∂x, as [`KahanMap::jacobian`].

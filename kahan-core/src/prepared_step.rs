@@ -21,6 +21,29 @@ pub struct Quotients<T, const N: usize> {
     pub reciprocals: [T; N],
 }
 
+/// What a step costs, counted in the plan that it runs: the deterministic measure by which settings are compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepCost {
+    /// Additions, subtractions, multiplications and divisions; a multiply-add counts as two.
+    pub operations: u32,
+    /// The divisions among them.
+    pub divisions: u32,
+    /// Cycles from one state to the next in an orbit, where each step waits for the one before, on a core of today:
+    /// additions take 3, multiplications 4, divisions 14.
+    pub chain: u32,
+}
+
+impl StepCost {
+    /// What elimination in n variables costs, a multiplication and an addition an entry of each row below a pivot; A(x,ε) and f(x)
+    /// are taken as dense.
+    pub const fn of_elimination(n: usize) -> Self {
+        let n = n as u32;
+        let (matrix, field) = (2 * n * n * n, n * n * (n + 1));
+        let elimination = (2 * n * n * n + 9 * n * n) / 3;
+        StepCost { operations: matrix + field + elimination + 3 * n, divisions: n, chain: 12 + n * 36 }
+    }
+}
+
 /// A prepared constant, away from its neighbours.
 ///
 /// Scalars side by side in memory are loaded in pairs by compilers that pack scalar code into vectors; in the dependent chain
@@ -36,6 +59,9 @@ pub struct Apart<T>(
 ///
 /// Nothing in it allocates beyond what the scalar does, and the evaluation order is fixed.
 pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
+    /// What one step costs; here, elimination in N variables.
+    const COST: StepCost = StepCost::of_elimination(N);
+
     /// The increment at `x` before its last multiplication, or `None` at a pole of a scalar that has no reciprocal
     /// of zero. The kernel of everything: implementations are `#[inline(always)]`, because lanes must be compiled
     /// into the function that enables their instructions.

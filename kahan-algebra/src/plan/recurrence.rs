@@ -9,6 +9,12 @@ use super::cost::{ADD, MULTIPLY};
 use super::{Node, Operation, StepPlan};
 
 impl StepPlan {
+    /// Cycles from one state to the next in a long orbit, rounded up.
+    #[must_use]
+    pub fn cycles(&self) -> u64 {
+        self.recurrence().div_ceil(UNIT)
+    }
+
     /// Cycles a step in an orbit: the largest mean over cycles of up to n steps, in units of 1/60 so that it is an integer.
     pub(super) fn recurrence(&self) -> u64 {
         let n = self.reciprocals.len();

@@ -14,7 +14,11 @@ mod float;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use nalgebra::SVector;
 use num_traits::{One, Zero};
+
+use crate::try_step::try_step;
+use crate::{Lift, SingularStep};
 
 pub use constant::Constant;
 pub use dual::Dual;
@@ -106,4 +110,19 @@ pub trait Pivot: Scalar {
 
     /// Whether this is a number and not infinite; always true for exact scalars.
     fn is_finite_number(&self) -> bool;
+
+    /// The step with the promise that this scalar can give; here, that a finite result is what the fast step or elimination
+    /// computes.
+    #[doc(hidden)]
+    fn stable_step<M, const N: usize>(
+        map: &M,
+        prepared: &M::Prepared,
+        x: &SVector<Self, N>,
+        eps: &Self,
+    ) -> Result<SVector<Self, N>, SingularStep>
+    where
+        M: Lift<Self, N>,
+    {
+        try_step(map, prepared, x, eps)
+    }
 }

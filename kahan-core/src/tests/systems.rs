@@ -119,6 +119,14 @@ const _: () = {
             __kahan::jacobian_by_duals(self, state, &half_step)
         }
     }
+
+    impl<T: __kahan::Scalar> __kahan::Lift<T, 3> for E3 {
+        type Lifted<U: __kahan::Scalar> = E3;
+
+        fn lift<U: __kahan::Scalar>(&self, _lift: impl Fn(&T) -> U) -> E3 {
+            E3
+        }
+    }
 };
 
 const _: () = {
@@ -208,11 +216,15 @@ const _: () = {
         }
 
         fn jacobian(&self, state: &__kahan::SVector<T, 3>, half_step: T) -> __kahan::SMatrix<T, 3, 3> {
-            __kahan::jacobian_by_duals(
-                &E7 { xi: __kahan::Dual::lift(__kahan::Clone::clone(&self.xi)) },
-                state,
-                &half_step,
-            )
+            __kahan::jacobian_by_duals(self, state, &half_step)
+        }
+    }
+
+    impl<T: __kahan::Scalar> __kahan::Lift<T, 3> for E7<T> {
+        type Lifted<U: __kahan::Scalar> = E7<U>;
+
+        fn lift<U: __kahan::Scalar>(&self, lift: impl Fn(&T) -> U) -> E7<U> {
+            E7 { xi: lift(&self.xi) }
         }
     }
 };
@@ -292,6 +304,14 @@ const _: () = {
 
         fn jacobian(&self, state: &__kahan::SVector<T, 3>, half_step: T) -> __kahan::SMatrix<T, 3, 3> {
             __kahan::jacobian_by_duals(self, state, &half_step)
+        }
+    }
+
+    impl<T: __kahan::Scalar> __kahan::Lift<T, 3> for E1 {
+        type Lifted<U: __kahan::Scalar> = E1;
+
+        fn lift<U: __kahan::Scalar>(&self, _lift: impl Fn(&T) -> U) -> E1 {
+            E1
         }
     }
 };

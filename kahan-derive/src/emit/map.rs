@@ -24,19 +24,21 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
         None => (TokenStream::new(), emit_elimination(context)),
     };
     let closed_forms = context.map.as_ref().map(|map| emit_closed_forms(context, map));
+    let (stable_step, lift) = (emit_stable_step(context), emit_lift(context));
     quote! {
         #items
         impl<#scalar: __kahan::Scalar> __kahan::KahanMap<#scalar, #dimension> for #this {
             #prepared
+            #stable_step
             #closed_forms
         }
+        #lift
     }
 }
 
-/// The step of a plan, and the Jacobian by running it on dual numbers.
+/// The step of a plan, and what follows from running it over other scalars: the Jacobian and the step with a promise.
 fn emit_prepared(context: &Context<'_>, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.scalar, context.vector(), context.matrix());
-    let lifted = emit_lifted(context);
     quote! {
         type Prepared = __Step<#scalar>;
         #[inline(always)]
@@ -44,7 +46,26 @@ fn emit_prepared(context: &Context<'_>, prepare: &TokenStream) -> TokenStream {
             #prepare
         }
         fn jacobian(&self, __state: &#vector, __half_step: #scalar) -> #matrix {
-            __kahan::jacobian_by_duals(&#lifted, __state, &__half_step)
+            __kahan::jacobian_by_duals(self, __state, &__half_step)
+        }
+    }
+}
+
+/// The step with a promise, which runs the prepared one over scalars that carry their error bounds.
+fn emit_stable_step(context: &Context<'_>) -> TokenStream {
+    let (scalar, vector) = (&context.scalar, context.vector());
+    quote! {
+        #[inline]
+        fn try_prepared(
+            &self,
+            __prepared: &Self::Prepared,
+            __state: &#vector,
+            __half_step: &#scalar,
+        ) -> __kahan::core::result::Result<#vector, __kahan::SingularStep>
+        where
+            #scalar: __kahan::Pivot,
+        {
+            __kahan::stable_step(self, __prepared, __state, __half_step)
         }
     }
 }
@@ -61,17 +82,31 @@ fn emit_elimination(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// `E7 { xi: Dual::lift(self.xi.clone()) }`: the same system over dual numbers.
-fn emit_lifted(context: &Context<'_>) -> TokenStream {
-    let name = &context.name;
-    if !context.has_parameters() {
-        return quote!(#name);
+/// Expands to `impl<T: Scalar> Lift<T, 3> for E7<T> { type Lifted<U: Scalar> = E7<U>; … }`.
+fn emit_lift(context: &Context<'_>) -> TokenStream {
+    let (this, name, scalar, dimension) =
+        (context.self_type(), &context.name, &context.scalar, &context.dimension);
+    let (lifted, value) = if context.has_parameters() {
+        let fields = context.system.field.symbols.parameters.iter().map(|parameter| {
+            let field = identifier(parameter, Span::call_site());
+            quote!(#field: __lift(&self.#field))
+        });
+        (quote!(#name<__U>), quote!(#name { #(#fields),* }))
+    } else {
+        (quote!(#name), quote!(#name))
+    };
+    quote! {
+        impl<#scalar: __kahan::Scalar> __kahan::Lift<#scalar, #dimension> for #this {
+            type Lifted<__U: __kahan::Scalar> = #lifted;
+            #[inline(always)]
+            fn lift<__U: __kahan::Scalar>(
+                &self,
+                __lift: impl __kahan::core::ops::Fn(&#scalar) -> __U,
+            ) -> #lifted {
+                #value
+            }
+        }
     }
-    let fields = context.system.field.symbols.parameters.iter().map(|parameter| {
-        let field = identifier(parameter, Span::call_site());
-        quote!(#field: __kahan::Dual::lift(self.#field.clone()))
-    });
-    quote!(#name { #(#fields),* })
 }
 
 /// D = D̂/∏q, and (N, D) = (N̂, D̂)/∏q, without a division by anything that depends on the state.

@@ -9,7 +9,7 @@
 //! Where lanes have a plan of their own, it is a `__Lanes<T>`, which `__Step<T>` holds as `__lanes`.
 
 use kahan_algebra::plan::{Node, Plan, StepPlan};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
@@ -104,6 +104,7 @@ impl<'a> Kernel<'a> {
         let symbols = &context.system.field.symbols;
         let inputs = emit_inputs(&kernel, symbols);
         let Emitted { bindings, results } = emit_kernel(&kernel, symbols, scalar, names);
+        let cost = emit_cost(plan);
         let mut results = results.into_iter();
         let numerators: Vec<TokenStream> = results.by_ref().take(n).collect();
         let reciprocals = of_components.iter().map(|reciprocal| match reciprocal {
@@ -112,6 +113,7 @@ impl<'a> Kernel<'a> {
         });
         quote! {
             impl<#scalar: __kahan::Scalar> __kahan::PreparedStep<#scalar, #dimension> for #name<#scalar> {
+                #cost
                 #[inline(always)]
                 fn quotients(
                     &self,
@@ -148,5 +150,18 @@ impl<'a> Kernel<'a> {
                 }
             }
         }
+    }
+}
+
+/// Expands to `const COST: StepCost = StepCost { … };`: the kernel, and a multiply-add a component.
+fn emit_cost(plan: &StepPlan) -> TokenStream {
+    let n = plan.reciprocals.len();
+    let kernel = plan.kernel.cost();
+    let operations = Literal::usize_unsuffixed(kernel.operations() + 2 * n);
+    let divisions = Literal::usize_unsuffixed(kernel.divisions);
+    let chain = Literal::u64_unsuffixed(plan.cycles());
+    quote! {
+        const COST: __kahan::StepCost =
+            __kahan::StepCost { operations: #operations, divisions: #divisions, chain: #chain };
     }
 }

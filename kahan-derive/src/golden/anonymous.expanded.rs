@@ -121,6 +121,11 @@ fn scope() {
                 eps_plus_one: __kahan::Apart<T>,
             }
             impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
+                const COST: __kahan::StepCost = __kahan::StepCost {
+                    operations: 19,
+                    divisions: 1,
+                    chain: 33,
+                };
                 #[inline(always)]
                 fn quotients(
                     &self,
@@ -187,13 +192,22 @@ fn scope() {
                     __state: &__kahan::SVector<T, 2>,
                     __half_step: T,
                 ) -> __kahan::SMatrix<T, 2, 2> {
-                    __kahan::jacobian_by_duals(
-                        &Field {
-                            mu: __kahan::Dual::lift(self.mu.clone()),
-                        },
-                        __state,
-                        &__half_step,
-                    )
+                    __kahan::jacobian_by_duals(self, __state, &__half_step)
+                }
+                #[inline]
+                fn try_prepared(
+                    &self,
+                    __prepared: &Self::Prepared,
+                    __state: &__kahan::SVector<T, 2>,
+                    __half_step: &T,
+                ) -> __kahan::core::result::Result<
+                    __kahan::SVector<T, 2>,
+                    __kahan::SingularStep,
+                >
+                where
+                    T: __kahan::Pivot,
+                {
+                    __kahan::stable_step(self, __prepared, __state, __half_step)
                 }
                 fn det_matrix(
                     &self,
@@ -237,6 +251,16 @@ fn scope() {
                                         + __half_step.clone() * (__s_x.clone() + __s_y.clone()))
                                     - __c_1),
                     )
+                }
+            }
+            impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Field<T> {
+                type Lifted<__U: __kahan::Scalar> = Field<__U>;
+                #[inline(always)]
+                fn lift<__U: __kahan::Scalar>(
+                    &self,
+                    __lift: impl __kahan::core::ops::Fn(&T) -> __U,
+                ) -> Field<__U> {
+                    Field { mu: __lift(&self.mu) }
                 }
             }
         };

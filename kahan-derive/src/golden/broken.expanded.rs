@@ -93,6 +93,11 @@ const _: () = {
         __scalar: __kahan::core::marker::PhantomData<T>,
     }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
+        const COST: __kahan::StepCost = __kahan::StepCost {
+            operations: 4,
+            divisions: 0,
+            chain: 3,
+        };
         #[inline(always)]
         fn quotients(
             &self,
@@ -132,13 +137,19 @@ const _: () = {
             __state: &__kahan::SVector<T, 2>,
             __half_step: T,
         ) -> __kahan::SMatrix<T, 2, 2> {
-            __kahan::jacobian_by_duals(
-                &Broken {
-                    mu: __kahan::Dual::lift(self.mu.clone()),
-                },
-                __state,
-                &__half_step,
-            )
+            __kahan::jacobian_by_duals(self, __state, &__half_step)
+        }
+        #[inline]
+        fn try_prepared(
+            &self,
+            __prepared: &Self::Prepared,
+            __state: &__kahan::SVector<T, 2>,
+            __half_step: &T,
+        ) -> __kahan::core::result::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
+        where
+            T: __kahan::Pivot,
+        {
+            __kahan::stable_step(self, __prepared, __state, __half_step)
         }
         fn det_matrix(&self, __state: &__kahan::SVector<T, 2>, __half_step: T) -> T {
             __kahan::integer::<T>(1)
@@ -150,6 +161,16 @@ const _: () = {
         ) -> (__kahan::SVector<T, 2>, T) {
             let [__s_x, __s_y] = __kahan::components(__state);
             (__kahan::vector([__s_x.clone(), __s_y.clone()]), __kahan::integer::<T>(1))
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Broken<T> {
+        type Lifted<__U: __kahan::Scalar> = Broken<__U>;
+        #[inline(always)]
+        fn lift<__U: __kahan::Scalar>(
+            &self,
+            __lift: impl __kahan::core::ops::Fn(&T) -> __U,
+        ) -> Broken<__U> {
+            Broken { mu: __lift(&self.mu) }
         }
     }
     impl<T> Broken<T> {

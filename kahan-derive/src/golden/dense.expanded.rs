@@ -1558,5 +1558,31 @@ const _: () = {
         fn prepare(&self, __half_step: &T) -> Self::Prepared {
             __kahan::Elimination::new(self.clone(), __half_step.clone())
         }
+        #[inline]
+        fn try_prepared(
+            &self,
+            __prepared: &Self::Prepared,
+            __state: &__kahan::SVector<T, 6>,
+            __half_step: &T,
+        ) -> __kahan::core::result::Result<__kahan::SVector<T, 6>, __kahan::SingularStep>
+        where
+            T: __kahan::Pivot,
+        {
+            __kahan::stable_step(self, __prepared, __state, __half_step)
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::Lift<T, 6> for Dense<T> {
+        type Lifted<__U: __kahan::Scalar> = Dense<__U>;
+        #[inline(always)]
+        fn lift<__U: __kahan::Scalar>(
+            &self,
+            __lift: impl __kahan::core::ops::Fn(&T) -> __U,
+        ) -> Dense<__U> {
+            Dense {
+                a: __lift(&self.a),
+                b: __lift(&self.b),
+                c: __lift(&self.c),
+            }
+        }
     }
 };

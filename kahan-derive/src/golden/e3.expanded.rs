@@ -125,6 +125,11 @@ const _: () = {
         two_eps: __kahan::Apart<T>,
     }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for __Step<T> {
+        const COST: __kahan::StepCost = __kahan::StepCost {
+            operations: 29,
+            divisions: 1,
+            chain: 35,
+        };
         #[inline(always)]
         fn quotients(
             &self,
@@ -189,7 +194,19 @@ const _: () = {
             __state: &__kahan::SVector<T, 3>,
             __half_step: T,
         ) -> __kahan::SMatrix<T, 3, 3> {
-            __kahan::jacobian_by_duals(&E3, __state, &__half_step)
+            __kahan::jacobian_by_duals(self, __state, &__half_step)
+        }
+        #[inline]
+        fn try_prepared(
+            &self,
+            __prepared: &Self::Prepared,
+            __state: &__kahan::SVector<T, 3>,
+            __half_step: &T,
+        ) -> __kahan::core::result::Result<__kahan::SVector<T, 3>, __kahan::SingularStep>
+        where
+            T: __kahan::Pivot,
+        {
+            __kahan::stable_step(self, __prepared, __state, __half_step)
         }
         fn det_matrix(&self, __state: &__kahan::SVector<T, 3>, __half_step: T) -> T {
             let [__s_x, __s_y, __s_z] = __kahan::components(__state);
@@ -241,6 +258,16 @@ const _: () = {
                                     + __s_z.clone()
                                         * (__s_z.clone() + __half_step.clone() * __product_1))),
             )
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::Lift<T, 3> for E3 {
+        type Lifted<__U: __kahan::Scalar> = E3;
+        #[inline(always)]
+        fn lift<__U: __kahan::Scalar>(
+            &self,
+            __lift: impl __kahan::core::ops::Fn(&T) -> __U,
+        ) -> E3 {
+            E3
         }
     }
     impl E3 {

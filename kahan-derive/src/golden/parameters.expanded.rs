@@ -165,6 +165,11 @@ const _: () = {
         n981_times_mu_minus_nu: __kahan::Apart<T>,
     }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
+        const COST: __kahan::StepCost = __kahan::StepCost {
+            operations: 32,
+            divisions: 1,
+            chain: 41,
+        };
         #[inline(always)]
         fn quotients(
             &self,
@@ -300,14 +305,19 @@ const _: () = {
             __state: &__kahan::SVector<T, 2>,
             __half_step: T,
         ) -> __kahan::SMatrix<T, 2, 2> {
-            __kahan::jacobian_by_duals(
-                &Pendulum {
-                    mu: __kahan::Dual::lift(self.mu.clone()),
-                    nu: __kahan::Dual::lift(self.nu.clone()),
-                },
-                __state,
-                &__half_step,
-            )
+            __kahan::jacobian_by_duals(self, __state, &__half_step)
+        }
+        #[inline]
+        fn try_prepared(
+            &self,
+            __prepared: &Self::Prepared,
+            __state: &__kahan::SVector<T, 2>,
+            __half_step: &T,
+        ) -> __kahan::core::result::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
+        where
+            T: __kahan::Pivot,
+        {
+            __kahan::stable_step(self, __prepared, __state, __half_step)
         }
         fn det_matrix(&self, __state: &__kahan::SVector<T, 2>, __half_step: T) -> T {
             let [__s_x, __s_y] = __kahan::components(__state);
@@ -386,6 +396,19 @@ const _: () = {
                 ]),
                 -(__c_1_100 * (__product_4 - __product_3) / __sum_1),
             )
+        }
+    }
+    impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Pendulum<T> {
+        type Lifted<__U: __kahan::Scalar> = Pendulum<__U>;
+        #[inline(always)]
+        fn lift<__U: __kahan::Scalar>(
+            &self,
+            __lift: impl __kahan::core::ops::Fn(&T) -> __U,
+        ) -> Pendulum<__U> {
+            Pendulum {
+                mu: __lift(&self.mu),
+                nu: __lift(&self.nu),
+            }
         }
     }
 };
