@@ -4,6 +4,8 @@
 //! pair of `f64`. Every rounding happens once: small ratios by one correctly rounded division, long ones by whoever
 //! wrote the data, since neither digits nor limbs are divided here.
 
+use super::wide::Wide;
+
 /// An exact rational number p/q, made while compiling, that every [`Scalar`](crate::Scalar) can be built from.
 #[derive(Clone, Copy, Debug)]
 pub struct Constant(Form);
@@ -17,7 +19,6 @@ enum Form {
 }
 
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(not(feature = "exact"), expect(dead_code, reason = "the limbs are read by `to_ratio` only"))]
 struct Long {
     negative: bool,
     numerator: &'static [u64],
@@ -97,6 +98,15 @@ impl Constant {
             Form::Long(long) => long.low,
         };
         (high, low)
+    }
+
+    /// The number in 384 bits: exact for integers, at most 2⁻³⁸¹ of relative error for others.
+    pub(crate) fn to_wide(self) -> Wide {
+        match self.0 {
+            Form::Integer(n) => Wide::from(n),
+            Form::Ratio(p, q) => Wide::from(p) / Wide::from(q),
+            Form::Long(long) => Wide::from_ratio(long.negative, long.numerator, long.denominator),
+        }
     }
 
     /// The number itself.

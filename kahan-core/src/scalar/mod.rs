@@ -10,6 +10,11 @@ mod dual;
 #[cfg(feature = "exact")]
 mod exact;
 mod float;
+#[cfg_attr(
+    not(all(test, feature = "exact")),
+    expect(dead_code, reason = "the stable tier is to be its user")
+)]
+mod wide;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

@@ -1,0 +1,124 @@
+//! A software float of 384 bits whose exponent never runs out: what judges a step where hardware floats cannot.
+//!
+//! In: floats, constants, and the generated step that runs over any [`Scalar`]. Out: the same step with a relative error
+//! of 2^[`Wide::UNIT_EXPONENT`] an operation, whatever the sizes in between.
+//! Nothing overflows: exponents are `i64`, and a number whose exponent would leave them is undefined. What has no value
+//! (a float that is not finite, a division by zero) is one state, *undefined*, which every operation passes on. There
+//! are no signed zeros, no infinities and no rounding modes; conversions to hardware floats are correctly rounded.
+//!
+//! [`limbs`] is arithmetic on rows of limbs, [`arithmetic`] the operators, [`convert`] the ways in and out, and
+//! [`scalar`] what a Kahan map asks for.
+
+mod arithmetic;
+mod convert;
+mod limbs;
+mod scalar;
+
+#[cfg(all(test, feature = "exact"))]
+mod tests;
+
+use core::cmp::Ordering;
+
+/// The number of limbs of a mantissa.
+pub(crate) const LIMBS: usize = 6;
+
+/// The bits of a mantissa.
+const BITS: u64 = 64 * LIMBS as u64;
+
+/// A float of 384 bits with an exponent of 64 bits.
+///
+/// Its value is ±m·2^(exponent − 383) with the mantissa m in [2³⁸³, 2³⁸⁴), little-endian in its limbs, so that
+/// 2^exponent ≤ |value| < 2^(exponent + 1); or zero; or undefined.
+/// Addition, subtraction, multiplication and division each have a relative error of at most
+/// 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT), and a sum of exactly opposite numbers is zero.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wide {
+    state: State,
+    negative: bool,
+    exponent: i64,
+    mantissa: [u64; LIMBS],
+}
+
+/// What a [`Wide`] holds. Sign, exponent and mantissa are false and 0 unless it is a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    Zero,
+    Number,
+    Undefined,
+}
+
+impl Wide {
+    /// Each operation is exact up to a relative error of at most 2^UNIT_EXPONENT = 2⁻³⁸².
+    pub(crate) const UNIT_EXPONENT: i64 = -(BITS as i64 - 2);
+
+    const ZERO: Self = Self { state: State::Zero, negative: false, exponent: 0, mantissa: [0; LIMBS] };
+
+    const UNDEFINED: Self = Self { state: State::Undefined, ..Self::ZERO };
+
+    /// The number with a mantissa whose top bit is set; undefined where the exponent left its range.
+    fn number(negative: bool, exponent: Option<i64>, mantissa: [u64; LIMBS]) -> Self {
+        debug_assert!(mantissa[LIMBS - 1] >> 63 == 1, "a mantissa has its top bit set");
+        match exponent {
+            Some(exponent) => Self { state: State::Number, negative, exponent, mantissa },
+            None => Self::UNDEFINED,
+        }
+    }
+
+    /// ±m·2^(exponent − 64K + 1) for any m in K ≥ LIMBS limbs, little-endian, cut off after 384 bits.
+    fn normalised<const K: usize>(negative: bool, exponent: Option<i64>, mut magnitude: [u64; K]) -> Self {
+        let Some(shift) = limbs::leading_zeros(&magnitude) else { return Self::ZERO };
+        limbs::shift_left(&mut magnitude, shift);
+        let mut mantissa = [0; LIMBS];
+        mantissa.copy_from_slice(&magnitude[K - LIMBS..]);
+        Self::number(negative, exponent.and_then(|e| e.checked_sub_unsigned(shift)), mantissa)
+    }
+
+    /// Whether this is a number (zero included) rather than undefined.
+    pub(crate) fn is_defined(&self) -> bool {
+        self.state != State::Undefined
+    }
+
+    /// Whether this is a number below zero.
+    pub(crate) fn is_negative(&self) -> bool {
+        self.negative
+    }
+
+    /// The exponent e with 2^e ≤ |self| < 2^(e+1), or `None` for zero and undefined.
+    pub(crate) fn exponent(&self) -> Option<i64> {
+        (self.state == State::Number).then_some(self.exponent)
+    }
+
+    /// |self|.
+    pub(crate) fn abs(self) -> Self {
+        Self { negative: false, ..self }
+    }
+
+    /// self·2^power, exactly.
+    pub(crate) fn scaled(self, power: i64) -> Self {
+        match self.state {
+            State::Number => Self::number(self.negative, self.exponent.checked_add(power), self.mantissa),
+            State::Zero | State::Undefined => self,
+        }
+    }
+
+    /// How |self| compares to |other|; `None` if either is undefined.
+    pub(crate) fn compare_magnitudes(&self, other: &Self) -> Option<Ordering> {
+        match (self.state, other.state) {
+            (State::Undefined, _) | (_, State::Undefined) => None,
+            (State::Number, State::Number) => {
+                let exponents = self.exponent.cmp(&other.exponent);
+                Some(exponents.then_with(|| limbs::compare(&self.mantissa, &other.mantissa)))
+            }
+            (State::Zero, State::Zero) => Some(Ordering::Equal),
+            (State::Zero, State::Number) => Some(Ordering::Less),
+            (State::Number, State::Zero) => Some(Ordering::Greater),
+        }
+    }
+}
+
+/// Undefined equals nothing, itself included.
+impl PartialEq for Wide {
+    fn eq(&self, other: &Self) -> bool {
+        self.negative == other.negative && self.compare_magnitudes(other) == Some(Ordering::Equal)
+    }
+}
