@@ -50,7 +50,7 @@ pub use named::{Integrals, Named};
 pub use orbit::Orbit;
 pub use prepared::KahanAt;
 pub use prepared_step::{PreparedStep, Quotients, StepCost, WideStep};
-pub use scalar::{Constant, Pivot, Scalar};
+pub use scalar::{Constant, Dd, Pivot, Scalar};
 
 pub use nalgebra;
 #[cfg(feature = "exact")]

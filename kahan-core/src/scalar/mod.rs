@@ -6,6 +6,7 @@
 //! finiteness, which lanes lack. No method shares its name with one of num-traits, so both can be in scope.
 
 mod constant;
+mod dd;
 mod dual;
 #[cfg(feature = "exact")]
 mod exact;
@@ -26,6 +27,7 @@ use crate::try_step::try_step;
 use crate::{Lift, SingularStep};
 
 pub use constant::Constant;
+pub use dd::Dd;
 pub use dual::Dual;
 
 /// A number that a Kahan map computes with.

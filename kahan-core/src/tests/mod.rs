@@ -4,6 +4,7 @@
 //! macro. Over rationals every law is tested with `==`; over floats only what floats promise.
 
 mod constants;
+mod dd;
 mod duals;
 mod floats;
 mod hygiene;

@@ -1,0 +1,127 @@
+//! The operations, each with its bound; u = 2⁻⁵³.
+//!
+//! In: normalised numbers. Out: a normalised number. Everything is inlined into the caller, so that a kernel is one piece of
+//! straight-line code; what may overflow or lose bits on the way goes to `extremes`, on a branch that is never taken in
+//! ordinary computations and costs no latency.
+
+use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
+use super::{Dd, extremes};
+
+/// 2^exponent, for a normal number.
+pub(super) const fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
+}
+
+/// Below this size a leading sum or product leaves room for everything that is added to it.
+const ROOM: f64 = power_of_two(1022);
+
+/// Operands between these sizes can be divided without a loss: their quotients are between 2⁻⁹⁰⁰ and 2⁹⁰⁰.
+const SMALL: f64 = power_of_two(-450);
+const LARGE: f64 = power_of_two(450);
+
+#[inline(always)]
+fn has_room(x: f64) -> bool {
+    x.abs() < ROOM
+}
+
+#[inline(always)]
+pub(super) fn is_moderate(x: f64) -> bool {
+    let size = x.abs();
+    size > SMALL && size < LARGE
+}
+
+/// x + y, off by at most (3u² + 13u³)·|x + y| (AccurateDWPlusDW).
+#[inline(always)]
+pub(super) fn sum(x: Dd, y: Dd) -> Dd {
+    let leading = two_sum(x.high, y.high);
+    if has_room(leading.0) { with_lower(leading, x.low, y.low) } else { extremes::sum(x, y) }
+}
+
+/// The exact sum `leading` and two smaller numbers.
+#[inline(always)]
+pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {
+    let (lower, rest) = two_sum(a, b);
+    let (sum, error) = fast_two_sum(sum, error + lower);
+    let (high, low) = fast_two_sum(sum, rest + error);
+    Dd { high, low }
+}
+
+/// xy, off by at most 5u²·|xy| (DWTimesDW2; without fused multiply-adds DWTimesDW1).
+#[inline(always)]
+pub(super) fn product(x: Dd, y: Dd) -> Dd {
+    let (leading, lower) = unnormalised_product(x, y);
+    if has_room(leading) {
+        let (high, low) = fast_two_sum(leading, lower);
+        Dd { high, low }
+    } else {
+        extremes::product(x, y)
+    }
+}
+
+/// xy as a float and the rest, which is at most 3u as large and has the error of the whole: 5u²·|xy|.
+#[inline(always)]
+pub(super) fn unnormalised_product(x: Dd, y: Dd) -> (f64, f64) {
+    let (leading, error) = two_product(x.high, y.high);
+    (leading, error + multiply_add(x.low, y.high, x.high * y.low))
+}
+
+/// xy + z, off by at most 5u²·|xy| + 10u²·|xy + z|.
+///
+/// The product is not normalised, which saves a quarter of the latency. In AccurateDWPlusDW with |low| ≤ 3u·|high| in one
+/// operand all but two additions stay exact. If the leading sum s has an error, then neither leading part exceeds 2|s|, so
+/// the lower sum is at most (3·2 + 1)u·|s|, and the two additions round by 8u²·|s| and u²·|s| at most. If it has none, only
+/// the last of them rounds, by 2u²·|s|.
+#[inline(always)]
+pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
+    let (leading, lower) = unnormalised_product(x, y);
+    let sum_of_leading = two_sum(leading, z.high);
+    if has_room(sum_of_leading.0) { with_lower(sum_of_leading, lower, z.low) } else { sum(product(x, y), z) }
+}
+
+/// x/y, off by at most 14u²·|x/y|.
+///
+/// The leading quotient q has a remainder r = x − qy that is known but for its last bits: x.high − q·y.high is a float. The
+/// correction is r times the float nearest to 1/y.high, which is divided out beside q and not after it. With x.high, y.high
+/// and q scaled into [1,2), the errors in u² of x/y are: 3 from the products and sums in r, which is at most 3u·x.high;
+/// 3 each from its last addition, from leaving out y.low and from the last product; 1.5 from the reciprocal. Away from
+/// y = q = 1 the sum of these is less.
+#[inline(always)]
+pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
+    if is_moderate(x.high) && is_moderate(y.high) {
+        moderate_quotient(x, y)
+    } else {
+        extremes::quotient(x, y)
+    }
+}
+
+#[inline(always)]
+pub(super) fn moderate_quotient(x: Dd, y: Dd) -> Dd {
+    let leading = x.high / y.high;
+    let reciprocal = 1.0 / y.high;
+    let remainder = remainder(x.high, leading, y.high) + multiply_add(-leading, y.low, x.low);
+    let (high, low) = fast_two_sum(leading, remainder * reciprocal);
+    Dd { high, low }
+}
+
+/// √x, off by at most 25/8 u²·√x (SQRTDWtoDW).
+#[cfg(feature = "std")]
+#[inline]
+pub(super) fn square_root(x: Dd) -> Dd {
+    if x.high > SMALL && x.high < LARGE { moderate_square_root(x) } else { extremes::square_root(x) }
+}
+
+#[cfg(feature = "std")]
+#[inline]
+pub(super) fn moderate_square_root(x: Dd) -> Dd {
+    let leading = x.high.sqrt();
+    let remainder = remainder(x.high, leading, leading) + x.low;
+    let (high, low) = fast_two_sum(leading, remainder / (leading + leading));
+    Dd { high, low }
+}
+
+/// whole − ab, where it is a float: a the rounded quotient whole/b, or the rounded root with b = a.
+#[inline(always)]
+fn remainder(whole: f64, a: f64, b: f64) -> f64 {
+    let (product, error) = two_product(a, b);
+    (whole - product) - error
+}

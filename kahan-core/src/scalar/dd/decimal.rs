@@ -1,0 +1,245 @@
+//! Decimals: the digits of a number and the number of digits.
+//!
+//! In: text, or a fixed-point number. Out: each other, exactly; text of any length is read as if all its digits counted.
+//! Nothing here allocates.
+
+use core::num::ParseFloatError;
+use core::str::FromStr;
+
+use super::Dd;
+use super::fixed::{Fixed, HALF};
+
+/// Digits in a chunk.
+const CHUNK: usize = 19;
+
+/// 10¹⁹.
+const CHUNK_BASE: u64 = 10_000_000_000_000_000_000;
+
+/// More digits than a sum of two `f64`, or a tie between two of them, can have: 309 before the point and 1075 behind it.
+const CAPACITY: usize = 1444;
+
+/// The powers of ten of `f64` go down to −324.
+const LEADING_ZEROS: usize = 342;
+
+/// 0.d₁d₂…·10^exponent, d₁ and the last digit not 0; no digits for 0.
+pub(super) struct Decimal {
+    digits: [u8; CAPACITY],
+    length: usize,
+    pub(super) exponent: i64,
+    /// Whether digits other than 0 did not fit.
+    is_cut: bool,
+}
+
+impl Decimal {
+    const ZERO: Self = Self { digits: [0; CAPACITY], length: 0, exponent: 0, is_cut: false };
+
+    /// The digits.
+    pub(super) fn digits(&self) -> &[u8] {
+        &self.digits[..self.length]
+    }
+
+    /// Every digit of a number.
+    pub(super) fn of(number: &Fixed) -> Self {
+        let mut decimal = Self::ZERO;
+        let (fraction, integer) = number.limbs.split_at(HALF);
+        let mut chunks = [0; HALF + 1];
+        let count = integer_chunks(integer, &mut chunks);
+        for &chunk in chunks[..count].iter().rev() {
+            decimal.push_chunk(chunk);
+        }
+        // What was pushed stands before the point.
+        decimal.exponent += (CHUNK * count) as i64;
+        let mut limbs = [0; HALF];
+        limbs.copy_from_slice(fraction);
+        while limbs.iter().any(|&limb| limb != 0) {
+            decimal.push_chunk(next_chunk(&mut limbs));
+        }
+        decimal.trim();
+        decimal
+    }
+
+    /// Nineteen digits more; zeros that lead move the point instead.
+    fn push_chunk(&mut self, mut chunk: u64) {
+        let mut power = CHUNK_BASE / 10;
+        while power != 0 {
+            self.push((chunk / power) as u8);
+            chunk %= power;
+            power /= 10;
+        }
+    }
+
+    fn push(&mut self, digit: u8) {
+        if self.length == 0 && digit == 0 {
+            self.exponent -= 1;
+        } else if self.length < CAPACITY {
+            self.digits[self.length] = digit;
+            self.length += 1;
+        } else {
+            self.is_cut |= digit != 0;
+        }
+    }
+
+    fn trim(&mut self) {
+        while self.length > 0 && self.digits[self.length - 1] == 0 {
+            self.length -= 1;
+        }
+        if self.length == 0 {
+            self.exponent = 0;
+        }
+    }
+
+    /// Rounds to `count` digits, ties to even; a negative count leaves nothing.
+    pub(super) fn round(&mut self, count: i64) {
+        let Ok(count) = usize::try_from(count) else {
+            *self = Self::ZERO;
+            return;
+        };
+        if count >= self.length {
+            return;
+        }
+        let is_odd = count > 0 && self.digits[count - 1] % 2 == 1;
+        // The last digit is not 0, so more than one digit is more than a tie.
+        let has_rest = self.length > count + 1 || self.is_cut;
+        let goes_up = self.digits[count] > 5 || self.digits[count] == 5 && (has_rest || is_odd);
+        self.length = count;
+        if goes_up {
+            while self.length > 0 && self.digits[self.length - 1] == 9 {
+                self.length -= 1;
+            }
+            if self.length == 0 {
+                self.digits[0] = 0;
+                self.length = 1;
+                self.exponent += 1;
+            }
+            self.digits[self.length - 1] += 1;
+        }
+        self.trim();
+    }
+
+    /// The digits of a number that `f64` accepts, sign aside.
+    fn read(text: &str) -> Self {
+        let text = text.trim_start_matches(['+', '-']);
+        let (significand, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let mut decimal = Self::ZERO;
+        let mut is_fraction = false;
+        for character in significand.bytes() {
+            match character {
+                b'.' => is_fraction = true,
+                digit => {
+                    decimal.push(digit - b'0');
+                    decimal.exponent += i64::from(!is_fraction);
+                }
+            }
+        }
+        // Beyond 64 bits of exponent every number is 0 or infinite, and does not come here.
+        decimal.exponent = decimal.exponent.saturating_add(exponent.parse().unwrap_or(0));
+        decimal.trim();
+        decimal
+    }
+
+    /// The number, cut at the last place of a fixed-point number, and whether anything was cut off. It is finite and not 0
+    /// as an `f64`.
+    fn to_fixed(&self) -> (Fixed, bool) {
+        let digit =
+            |place: i64| usize::try_from(place).ok().and_then(|place| self.digits().get(place)).copied();
+        let chunk = |first: i64| {
+            (first..first + CHUNK as i64)
+                .fold(0, |chunk, place| 10 * chunk + u64::from(digit(place).unwrap_or(0)))
+        };
+        let mut fixed = Fixed::ZERO;
+        let (fraction, integer) = fixed.limbs.split_at_mut(HALF);
+        // Whole chunks before the point, the first of them filled with zeros on its left.
+        let mut first = self.exponent.rem_euclid(CHUNK as i64) - CHUNK as i64;
+        while first < self.exponent {
+            append_chunk(integer, chunk(first));
+            first += CHUNK as i64;
+        }
+        const CHUNKS: usize = (CAPACITY + LEADING_ZEROS) / CHUNK + 1;
+        let mut chunks = [0; CHUNKS];
+        let behind = (self.length as i64 - self.exponent).max(0) as usize;
+        let used = behind.div_ceil(CHUNK).min(CHUNKS);
+        for (i, entry) in chunks[..used].iter_mut().enumerate() {
+            *entry = chunk(self.exponent + (CHUNK * i) as i64);
+        }
+        for limb in fraction.iter_mut().rev() {
+            *limb = next_limb(&mut chunks[..used]);
+        }
+        let has_more = self.is_cut || chunks.iter().any(|&chunk| chunk != 0);
+        (fixed, has_more)
+    }
+}
+
+/// The chunks of an integer, least first, and how many there are.
+fn integer_chunks(integer: &[u64], chunks: &mut [u64; HALF + 1]) -> usize {
+    let mut limbs = [0; HALF];
+    limbs.copy_from_slice(integer);
+    let mut count = 0;
+    while limbs.iter().any(|&limb| limb != 0) {
+        let mut remainder = 0;
+        for limb in limbs.iter_mut().rev() {
+            let dividend = u128::from(remainder) << 64 | u128::from(*limb);
+            *limb = (dividend / u128::from(CHUNK_BASE)) as u64;
+            remainder = (dividend % u128::from(CHUNK_BASE)) as u64;
+        }
+        chunks[count] = remainder;
+        count += 1;
+    }
+    count
+}
+
+/// integer·10¹⁹ + chunk.
+fn append_chunk(integer: &mut [u64], chunk: u64) {
+    let mut carry = chunk;
+    for limb in integer {
+        let product = u128::from(*limb) * u128::from(CHUNK_BASE) + u128::from(carry);
+        *limb = product as u64;
+        carry = (product >> 64) as u64;
+    }
+}
+
+/// The first nineteen decimal digits of a binary fraction, which keeps the rest.
+fn next_chunk(fraction: &mut [u64; HALF]) -> u64 {
+    let mut carry = 0;
+    for limb in fraction {
+        let product = u128::from(*limb) * u128::from(CHUNK_BASE) + u128::from(carry);
+        *limb = product as u64;
+        carry = (product >> 64) as u64;
+    }
+    carry
+}
+
+/// The first 64 bits of a decimal fraction, which keeps the rest.
+fn next_limb(fraction: &mut [u64]) -> u64 {
+    let mut carry = 0;
+    for chunk in fraction.iter_mut().rev() {
+        let product = u128::from(*chunk) << 64 | u128::from(carry);
+        carry = (product / u128::from(CHUNK_BASE)) as u64;
+        *chunk = (product % u128::from(CHUNK_BASE)) as u64;
+    }
+    carry
+}
+
+/// A number as `f64` reads it, also `inf` and `NaN`: high is the float nearest to it, low the float nearest to the rest.
+impl FromStr for Dd {
+    type Err = ParseFloatError;
+
+    /// # Errors
+    /// Where the text is no number for `f64` either.
+    fn from_str(text: &str) -> Result<Self, ParseFloatError> {
+        let high: f64 = text.parse()?;
+        if !high.is_finite() || high == 0.0 {
+            return Ok(Self::leading(high));
+        }
+        let (number, has_more) = Decimal::read(text).to_fixed();
+        let leading = Fixed::magnitude(high);
+        let low = if number.is_less(&leading) {
+            let rest = leading.minus(&number);
+            // leading − (number + more) lies between two places.
+            let rest = if has_more { rest.minus(&Fixed::last_place()) } else { rest };
+            -rest.rounded(has_more)
+        } else {
+            number.minus(&leading).rounded(has_more)
+        };
+        Ok(Self { high, low: if high.is_sign_negative() { -low } else { low } })
+    }
+}

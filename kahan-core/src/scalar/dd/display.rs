@@ -1,0 +1,149 @@
+//! Numbers as text: 32 significant digits, or as many as the format asks for, all of them correctly rounded.
+//!
+//! In: a number and a format. Out: its decimal, positional or with an exponent. Zeros at the end are left out unless a
+//! precision asks for them.
+
+use core::fmt::{self, Alignment, Formatter, Write};
+
+use super::Dd;
+use super::decimal::Decimal;
+use super::fixed::Fixed;
+
+/// The significant digits that are written unless a precision is given.
+const DIGITS: i64 = 32;
+
+/// Numbers from 10⁻⁵ on and below 10³² are written without an exponent.
+const POSITIONAL: core::ops::Range<i64> = -5..32;
+
+/// Positional between 10⁻⁵ and 10³² and with an exponent elsewhere; with a precision always positional, with as many places.
+impl fmt::Display for Dd {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let precision = places(f);
+        self.write_padded(f, |mut decimal, out| {
+            decimal.round(precision.map_or(DIGITS, |places| decimal.exponent + places));
+            if precision.is_some()
+                || decimal.digits().is_empty()
+                || POSITIONAL.contains(&(decimal.exponent - 1))
+            {
+                write_positional(&decimal, precision, out)
+            } else {
+                write_scientific(&decimal, precision, out)
+            }
+        })
+    }
+}
+
+/// One digit before the point; the precision counts those behind it.
+impl fmt::LowerExp for Dd {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let precision = places(f);
+        self.write_padded(f, |mut decimal, out| {
+            decimal.round(precision.map_or(DIGITS, |places| 1 + places));
+            write_scientific(&decimal, precision, out)
+        })
+    }
+}
+
+/// As [`Display`](fmt::Display).
+impl fmt::Debug for Dd {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+fn places(f: &Formatter<'_>) -> Option<i64> {
+    f.precision().map(|places| places as i64)
+}
+
+impl Dd {
+    /// Sign, magnitude and padding; `write` puts the magnitude of a finite number.
+    fn write_padded(
+        self,
+        f: &mut Formatter<'_>,
+        write: impl Fn(Decimal, &mut dyn Write) -> fmt::Result,
+    ) -> fmt::Result {
+        let body = |out: &mut dyn Write| match self.high {
+            high if high.is_nan() => out.write_str("NaN"),
+            high if high.is_infinite() => out.write_str("inf"),
+            _ => write(Decimal::of(&Fixed::magnitude_of(self)), out),
+        };
+        let sign = match (self.is_nan(), self.high.is_sign_negative(), f.sign_plus()) {
+            (true, ..) | (_, false, false) => "",
+            (_, true, _) => "-",
+            (_, false, true) => "+",
+        };
+        let Some(width) = f.width() else {
+            f.write_str(sign)?;
+            return body(f);
+        };
+        let mut length = Length(sign.len());
+        body(&mut length)?;
+        let missing = width.saturating_sub(length.0);
+        if f.sign_aware_zero_pad() {
+            f.write_str(sign)?;
+            repeat(f, '0', missing)?;
+            return body(f);
+        }
+        let before = match f.align() {
+            Some(Alignment::Left) => 0,
+            Some(Alignment::Center) => missing / 2,
+            Some(Alignment::Right) | None => missing,
+        };
+        let fill = f.fill();
+        repeat(f, fill, before)?;
+        f.write_str(sign)?;
+        body(f)?;
+        repeat(f, fill, missing - before)
+    }
+}
+
+/// Counts what is written.
+struct Length(usize);
+
+impl Write for Length {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0 += text.len();
+        Ok(())
+    }
+}
+
+fn repeat(out: &mut dyn Write, character: char, count: usize) -> fmt::Result {
+    (0..count).try_for_each(|_| out.write_char(character))
+}
+
+/// The digits at these places, zeros where there are none.
+fn write_digits(decimal: &Decimal, places: core::ops::Range<i64>, out: &mut dyn Write) -> fmt::Result {
+    for place in places {
+        let digit = usize::try_from(place).ok().and_then(|place| decimal.digits().get(place));
+        out.write_char(char::from(b'0' + digit.copied().unwrap_or(0)))?;
+    }
+    Ok(())
+}
+
+/// 12.5
+fn write_positional(decimal: &Decimal, precision: Option<i64>, out: &mut dyn Write) -> fmt::Result {
+    let point = decimal.exponent;
+    if point > 0 {
+        write_digits(decimal, 0..point, out)?;
+    } else {
+        out.write_char('0')?;
+    }
+    let end = precision.map_or(decimal.digits().len() as i64, |places| point + places);
+    if end > point {
+        out.write_char('.')?;
+        write_digits(decimal, point..end, out)?;
+    }
+    Ok(())
+}
+
+/// 1.25e1
+fn write_scientific(decimal: &Decimal, precision: Option<i64>, out: &mut dyn Write) -> fmt::Result {
+    write_digits(decimal, 0..1, out)?;
+    let end = precision.map_or(decimal.digits().len() as i64, |places| 1 + places);
+    if end > 1 {
+        out.write_char('.')?;
+        write_digits(decimal, 1..end, out)?;
+    }
+    let exponent = if decimal.digits().is_empty() { 0 } else { decimal.exponent - 1 };
+    write!(out, "e{exponent}")
+}

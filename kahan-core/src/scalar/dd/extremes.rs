@@ -1,0 +1,82 @@
+//! The operations where their intermediate numbers would leave the range of `f64`, or would not be numbers.
+//!
+//! In: any operands. Out: what the exact result rounds to, by the same bounds; infinite where that is beyond the range.
+//! Finite operands are scaled by powers of two, which is exact, so nothing here is a second formula.
+
+use super::arithmetic::{moderate_quotient, power_of_two, with_lower};
+use super::error_free::two_sum;
+use super::{Dd, arithmetic};
+
+#[cold]
+#[inline(never)]
+pub(super) fn sum(x: Dd, y: Dd) -> Dd {
+    if !(x.is_finite() && y.is_finite()) {
+        return Dd::leading(x.high + y.high);
+    }
+    let (x, y) = (scaled(x, -4), scaled(y, -4));
+    scaled(with_lower(two_sum(x.high, y.high), x.low, y.low), 4)
+}
+
+#[cold]
+#[inline(never)]
+pub(super) fn product(x: Dd, y: Dd) -> Dd {
+    let Some((x, y, exponents)) = leading_in_one_to_two(x, y) else {
+        return Dd::leading(x.high * y.high);
+    };
+    scaled(arithmetic::product(x, y), exponents.0 + exponents.1)
+}
+
+#[cold]
+#[inline(never)]
+pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
+    let Some((x, y, exponents)) = leading_in_one_to_two(x, y) else {
+        return Dd::leading(x.high / y.high);
+    };
+    scaled(moderate_quotient(x, y), exponents.0 - exponents.1)
+}
+
+#[cfg(feature = "std")]
+#[cold]
+#[inline(never)]
+pub(super) fn square_root(x: Dd) -> Dd {
+    if x.high > 0.0 && x.is_finite() {
+        let half = exponent(x.high).div_euclid(2);
+        scaled(arithmetic::moderate_square_root(scaled(x, -2 * half)), half)
+    } else {
+        // Zeros keep their sign.
+        Dd::leading(x.high.sqrt())
+    }
+}
+
+/// Finite numbers other than 0, each over the power of two below it, and the exponents of these powers.
+fn leading_in_one_to_two(x: Dd, y: Dd) -> Option<(Dd, Dd, (i32, i32))> {
+    let is_plain = |x: Dd| x.is_finite() && x.high != 0.0;
+    if !(is_plain(x) && is_plain(y)) {
+        return None;
+    }
+    let exponents = (exponent(x.high), exponent(y.high));
+    Some((scaled(x, -exponents.0), scaled(y, -exponents.1), exponents))
+}
+
+/// The exponent e with 2ᵉ ≤ |x| < 2ᵉ⁺¹, for a finite x other than 0.
+fn exponent(x: f64) -> i32 {
+    let bits = x.abs().to_bits();
+    match (bits >> 52) as i32 {
+        // Subnormal: bits·2⁻¹⁰⁷⁴.
+        0 => -1011 - bits.leading_zeros() as i32,
+        biased => biased - 1023,
+    }
+}
+
+/// 2ᵏx; below the normal range each part is rounded once, an error of 2⁻¹⁰⁷⁴ at most.
+///
+/// A low part is so small beside its high part that it may underflow for every k; that is one rounding, too.
+fn scaled(x: Dd, k: i32) -> Dd {
+    // Beyond ±2200 everything is infinite or 0.
+    let k = k.clamp(-2200, 2200);
+    let third = k / 3;
+    let [a, b, c] = [power_of_two(third), power_of_two(third), power_of_two(k - 2 * third)];
+    let high = x.high * a * b * c;
+    // Rounding may have made a tie of the low part.
+    Dd::new(high, if high.is_finite() { x.low * a * b * c } else { 0.0 })
+}

@@ -1,0 +1,84 @@
+//! What a Kahan map asks of a number.
+
+use num_traits::{One, Zero};
+
+use super::{Dd, arithmetic};
+use crate::{Constant, Pivot, Scalar};
+
+impl Zero for Dd {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::leading(0.0)
+    }
+
+    #[inline]
+    fn is_zero(&self) -> bool {
+        self.high == 0.0
+    }
+}
+
+impl One for Dd {
+    #[inline(always)]
+    fn one() -> Self {
+        Self::leading(1.0)
+    }
+}
+
+impl Scalar for Dd {
+    #[inline(always)]
+    fn constant(c: &Constant) -> Self {
+        let (high, low) = c.to_double_double();
+        Self { high, low }
+    }
+
+    #[inline(always)]
+    fn reciprocal(&self) -> Option<Self> {
+        Some(arithmetic::quotient(Self::one(), *self))
+    }
+
+    #[inline(always)]
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        Some(arithmetic::quotient(self, divisor))
+    }
+
+    /// The larger magnitude, for stability; what is not a number is never better.
+    #[inline]
+    fn is_better_pivot(&self, than: &Self) -> bool {
+        self.magnitude_exceeds(than)
+    }
+
+    #[inline(always)]
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        arithmetic::product_plus(self, factor, addend)
+    }
+
+    #[inline(always)]
+    fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+        arithmetic::product_plus(self, factor, -subtrahend)
+    }
+
+    #[inline(always)]
+    fn subtract_product(self, a: Self, b: Self) -> Self {
+        arithmetic::product_plus(-a, b, self)
+    }
+
+    #[inline]
+    fn approximate(&self) -> f64 {
+        self.high
+    }
+}
+
+impl Pivot for Dd {
+    #[inline]
+    fn magnitude_exceeds(&self, other: &Self) -> bool {
+        self.abs() > other.abs()
+    }
+
+    #[inline]
+    fn is_finite_number(&self) -> bool {
+        self.is_finite()
+    }
+}
+
+#[cfg(feature = "std")]
+impl crate::EnsembleScalar for Dd {}

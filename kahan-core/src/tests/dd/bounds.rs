@@ -1,0 +1,199 @@
+//! The bound of each operation, which `Dd` states, on seeded operands with exponents over the whole range.
+//!
+//! A result is compared with the exact one as whole numbers times powers of two, so the comparison is exact. Every result
+//! must be normalised as well. The default run is a sample; `cargo test --release -p kahan-core --features exact -- --ignored
+//! millions` is the whole.
+
+use super::dyadic::Dyadic;
+use super::operands::Operands;
+use crate::{Dd, Scalar};
+
+const SAMPLE: usize = 20_000;
+const MILLIONS: usize = 4_000_000;
+
+/// count·u², u = 2⁻⁵³, with a hundredth for terms in u³.
+fn square_units(count: i64) -> Dyadic {
+    Dyadic::new(count, -106) + Dyadic::new(count, -150)
+}
+
+/// What a result below the normal range may be off by in addition: 2⁻¹⁰⁷².
+fn least() -> Dyadic {
+    Dyadic::new(1, -1072)
+}
+
+/// No bits of high and low overlap, and high is the nearest float.
+#[track_caller]
+fn assert_normalised(x: Dd) {
+    assert!(x.is_finite() && x.high() + x.low() == x.high(), "{:e} {:e}", x.high(), x.low());
+}
+
+/// |computed − exact| ≤ bound
+#[track_caller]
+fn assert_within(computed: &Dyadic, exact: &Dyadic, bound: &Dyadic, operands: &[Dd]) {
+    let error = (computed.clone() - exact.clone()).abs();
+    let parts: std::vec::Vec<_> = operands.iter().map(|x| (x.high(), x.low())).collect();
+    assert!(error <= *bound, "{parts:?}");
+}
+
+/// Sums: the relative bound holds everywhere, as sums of floats do not underflow.
+fn check_sums(seed: u64, count: usize) {
+    let mut operands = Operands::seeded(seed);
+    for _ in 0..count {
+        let exponent = operands.between(-1022 + 110, 1020);
+        let x = operands.number(exponent);
+        let reach = (1020 - exponent).min(exponent + 1022).min(120);
+        let y = operands.partner(x, exponent, reach);
+        let exact = Dyadic::of(x) + Dyadic::of(y);
+        let bound = square_units(3) * exact.clone().abs();
+        let sum = x + y;
+        assert_normalised(sum);
+        assert_within(&Dyadic::of(sum), &exact, &bound, &[x, y]);
+        assert_eq!(sum, y + x);
+        assert_eq!(-sum, -x - y);
+    }
+}
+
+/// Two exponents whose sum is within `most`.
+fn exponents(operands: &mut Operands, most: i32) -> (i32, i32) {
+    let first = operands.between(-1022, 1022);
+    let sum = operands.between(-most, most);
+    (first, (sum - first).clamp(-1022, 1022))
+}
+
+fn check_products(seed: u64, count: usize) {
+    let mut operands = Operands::seeded(seed);
+    for i in 0..count {
+        let (first, second) = exponents(&mut operands, if i % 2 == 0 { 100 } else { 1021 });
+        let (x, y) = (operands.number(first), operands.number(second));
+        let exact = Dyadic::of(x) * Dyadic::of(y);
+        let bound = square_units(5) * exact.clone().abs();
+        let product = x * y;
+        if !product.is_finite() {
+            // The largest product here is below 2¹⁰²⁴ and may round to it.
+            assert!(exact.abs() > Dyadic::new(1, 1023) && product.low() == 0.0 && !product.is_nan());
+            continue;
+        }
+        assert_normalised(product);
+        let is_normal = first + second > -968;
+        let bound = if is_normal { bound } else { bound + least() };
+        assert_within(&Dyadic::of(product), &exact, &bound, &[x, y]);
+        assert_eq!(product, y * x);
+    }
+}
+
+/// |z − x/y| ≤ 14u²·|x/y| is |zy − x| ≤ 14u²·|x|.
+fn check_quotients(seed: u64, count: usize) {
+    let mut operands = Operands::seeded(seed);
+    for i in 0..count {
+        let (first, second) = exponents(&mut operands, if i % 2 == 0 { 100 } else { 1021 });
+        let x = operands.number(first);
+        let y = operands.number(-second);
+        let quotient = x / y;
+        let (numerator, denominator) = (Dyadic::of(x), Dyadic::of(y));
+        if !quotient.is_finite() {
+            let least_infinite = Dyadic::new(1, 1023) * denominator.abs();
+            assert!(numerator.abs() > least_infinite && quotient.low() == 0.0 && !quotient.is_nan());
+            continue;
+        }
+        assert_normalised(quotient);
+        let bound = square_units(14) * numerator.clone().abs();
+        let is_normal = first + second > -967;
+        let bound = if is_normal { bound } else { bound + least() * denominator.clone().abs() };
+        assert_within(&(Dyadic::of(quotient) * denominator.clone()), &numerator, &bound, &[x, y]);
+
+        if (-1022 + 110..=1021).contains(&second) {
+            let reciprocal = Dyadic::of(y.recip()) * denominator;
+            assert_within(&reciprocal, &Dyadic::new(1, 0), &square_units(14), &[y]);
+        }
+    }
+}
+
+/// |z − √x| ≤ b√x is (1 − b)²x ≤ z² ≤ (1 + b)²x.
+fn check_square_roots(seed: u64, count: usize) {
+    let one = || Dyadic::new(1, 0);
+    let square = |x: Dyadic| x.clone() * x;
+    let mut operands = Operands::seeded(seed);
+    for _ in 0..count {
+        let exponent = operands.between(-1022, 1023);
+        let x = operands.number(exponent).abs();
+        if !x.is_finite() {
+            continue;
+        }
+        let root = x.sqrt();
+        assert_normalised(root);
+        let (exact, computed) = (Dyadic::of(x), square(Dyadic::of(root)));
+        let least = square(one() - square_units(4)) * exact.clone();
+        let most = square(one() + square_units(4)) * exact;
+        assert!(least <= computed && computed <= most, "{:e} {:e}", x.high(), x.low());
+    }
+}
+
+/// |xy + z − …| ≤ 5u²·|xy| + 10u²·|xy + z|, also where the sum cancels.
+fn check_multiply_adds(seed: u64, count: usize) {
+    let mut operands = Operands::seeded(seed);
+    for i in 0..count {
+        let (first, second) = exponents(&mut operands, if i % 2 == 0 { 100 } else { 850 });
+        let (x, y) = (operands.number(first), operands.number(second));
+        let product = x * y;
+        let z = operands.partner(product, first + second, 110);
+        let exact_product = Dyadic::of(x) * Dyadic::of(y);
+        let addend = Dyadic::of(z);
+        let check = |computed: Dd, exact: Dyadic| {
+            let bound =
+                square_units(5) * exact_product.clone().abs() + square_units(10) * exact.clone().abs();
+            assert_normalised(computed);
+            assert_within(&Dyadic::of(computed), &exact, &bound, &[x, y, z]);
+        };
+        check(x.multiply_add(y, z), exact_product.clone() + addend.clone());
+        check(x.multiply_subtract(y, z), exact_product.clone() - addend.clone());
+        check(z.subtract_product(x, y), addend - exact_product.clone());
+    }
+}
+
+/// Numbers below the normal range, where sums stay exact and the other operations are off by 2⁻¹⁰⁷² more.
+fn check_subnormals(seed: u64, count: usize) {
+    let mut operands = Operands::seeded(seed);
+    for _ in 0..count {
+        let sign = if operands.below(2) == 0 { 1.0 } else { -1.0 };
+        let x = Dd::from(sign * f64::from_bits(operands.bits() >> operands.between(12, 62)));
+        let exponent = operands.between(-1022, -900);
+        let y = operands.number(exponent);
+        let exact = Dyadic::of(x) + Dyadic::of(y);
+        let bound = square_units(3) * exact.clone().abs();
+        assert_within(&Dyadic::of(x + y), &exact, &bound, &[x, y]);
+
+        let exponent = operands.between(-60, 60);
+        let factor = operands.number(exponent);
+        let exact = Dyadic::of(x) * Dyadic::of(factor);
+        let bound = square_units(5) * exact.clone().abs() + least();
+        assert_within(&Dyadic::of(x * factor), &exact, &bound, &[x, factor]);
+
+        let divided = Dyadic::of(x / factor) * Dyadic::of(factor);
+        let bound = square_units(14) * Dyadic::of(x).abs() + least() * Dyadic::of(factor).abs();
+        assert_within(&divided, &Dyadic::of(x), &bound, &[x, factor]);
+    }
+}
+
+macro_rules! laws {
+    ($($law:ident, $millions:ident: $check:ident, $seed:literal;)*) => {$(
+        #[test]
+        fn $law() {
+            $check($seed, SAMPLE);
+        }
+
+        #[test]
+        #[ignore = "takes minutes unless optimised"]
+        fn $millions() {
+            $check(!$seed, MILLIONS);
+        }
+    )*};
+}
+
+laws! {
+    sums_are_within_their_bound, millions_of_sums: check_sums, 1;
+    products_are_within_their_bound, millions_of_products: check_products, 2;
+    quotients_are_within_their_bound, millions_of_quotients: check_quotients, 3;
+    square_roots_are_within_their_bound, millions_of_square_roots: check_square_roots, 4;
+    multiply_adds_are_within_their_bound, millions_of_multiply_adds: check_multiply_adds, 5;
+    subnormals_are_within_their_bound, millions_of_subnormals: check_subnormals, 6;
+}

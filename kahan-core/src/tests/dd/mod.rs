@@ -1,0 +1,12 @@
+//! Double-double numbers against exact ones: bounds, special values, text.
+
+#[cfg(feature = "exact")]
+mod bounds;
+#[cfg(feature = "exact")]
+mod dyadic;
+#[cfg(feature = "exact")]
+mod operands;
+mod specials;
+mod text;
+#[cfg(feature = "exact")]
+mod text_exact;
