@@ -13,13 +13,19 @@ use crate::Scalar;
 #[non_exhaustive]
 pub struct SingularStep {
     determinant: f64,
+    bound: f64,
     eps: f64,
 }
 
 impl SingularStep {
     /// What was met: det A(x,ε) and ε, both rounded to `f64`.
     pub(crate) fn new(determinant: f64, eps: f64) -> Self {
-        Self { determinant, eps }
+        Self { determinant, bound: f64::INFINITY, eps }
+    }
+
+    /// A step whose error is bounded by no less than this multiple of its largest component.
+    pub(crate) fn unestablished(determinant: f64, bound: f64, eps: f64) -> Self {
+        Self { determinant, bound, eps }
     }
 
     /// An exact pole, where det A is 0.
@@ -32,6 +38,12 @@ impl SingularStep {
         self.determinant
     }
 
+    /// The smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that was reached in any precision: infinite at a pole, and where none was
+    /// sought. A bound below 64 u belongs to a result that the scalar cannot hold.
+    pub fn bound(&self) -> f64 {
+        self.bound
+    }
+
     /// ε, half the time step, of the step that failed, rounded to `f64`.
     pub fn eps(&self) -> f64 {
         self.eps
@@ -40,9 +52,15 @@ impl SingularStep {
 
 impl fmt::Display for SingularStep {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { determinant, eps } = *self;
+        let Self { determinant, bound, eps } = *self;
         if determinant == 0.0 {
             write!(f, "det A = 0: the Kahan map has a pole at this point")?;
+        } else if determinant.is_finite() && bound.is_finite() && bound > 1e-30 {
+            write!(
+                f,
+                "det A = {determinant:?}: this point is too near to a pole, the relative error of the step from it is \
+                 only known to be at most {bound:.0e}"
+            )?;
         } else if determinant.is_finite() {
             write!(
                 f,

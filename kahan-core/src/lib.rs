@@ -28,6 +28,7 @@ mod orbit;
 mod prepared;
 mod prepared_step;
 mod scalar;
+mod stable;
 mod try_step;
 mod vector_macro;
 

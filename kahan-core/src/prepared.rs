@@ -86,7 +86,7 @@ where
         }
     }
 
-    /// x̃ or why there is none, as [`KahanMap::try_step`].
+    /// x̃ with a promise or why there is none, as [`KahanMap::try_step`].
     ///
     /// # Errors
     /// [`SingularStep`] at a pole, at a point that is not finite, and beyond the scalar's range.

@@ -1,4 +1,4 @@
-//! The step that looks at its result.
+//! The step that looks at its result: what maps written by hand and exact scalars have for a stable tier.
 //!
 //! In: a point, ε, and the fast step's increment. Out: a finite x̃, or the reason why there is none.
 //! First the fast step; if that left the scalar's range, elimination with partial pivoting, whose intermediate

@@ -67,6 +67,12 @@ impl Constant {
         Self(Form::Long(Long { negative, numerator, denominator, single, double, low }))
     }
 
+    /// Whether this is an integer that every float of 53 bits or more holds.
+    #[inline(always)]
+    pub(crate) const fn is_whole(&self) -> bool {
+        matches!(self.0, Form::Integer(n) if n.unsigned_abs() <= 1 << 53)
+    }
+
     /// The nearest `f32`.
     #[inline(always)]
     pub const fn to_f32(&self) -> f32 {

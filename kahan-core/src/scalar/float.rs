@@ -4,7 +4,11 @@
 //! results that are not finite. Multiply-adds are fused where the target is compiled for an instruction that does it;
 //! elsewhere `mul_add` would be a slow library call, so there they are a multiplication and an addition.
 
+use nalgebra::SVector;
+
 use super::{Constant, Pivot, Scalar};
+use crate::stable::{stable_double, stable_single};
+use crate::{Lift, SingularStep};
 
 /// a·b + c. Without the standard library `mul_add` does not exist.
 #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
@@ -23,7 +27,7 @@ macro_rules! fused_or_not {
 }
 
 macro_rules! implement_for_float {
-    ($float:ty, $from_constant:ident) => {
+    ($float:ty, $from_constant:ident, $stable:ident) => {
         impl Scalar for $float {
             #[inline]
             fn constant(c: &Constant) -> Self {
@@ -72,9 +76,22 @@ macro_rules! implement_for_float {
             fn is_finite_number(&self) -> bool {
                 self.is_finite()
             }
+
+            #[inline]
+            fn stable_step<M, const N: usize>(
+                map: &M,
+                _prepared: &M::Prepared,
+                x: &SVector<Self, N>,
+                eps: &Self,
+            ) -> Result<SVector<Self, N>, SingularStep>
+            where
+                M: Lift<Self, N>,
+            {
+                $stable(map, x, eps)
+            }
         }
     };
 }
 
-implement_for_float!(f32, to_f32);
-implement_for_float!(f64, to_f64);
+implement_for_float!(f32, to_f32, stable_single);
+implement_for_float!(f64, to_f64, stable_double);

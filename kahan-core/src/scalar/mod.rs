@@ -29,6 +29,7 @@ use crate::{Lift, SingularStep};
 pub use constant::Constant;
 pub use dd::Dd;
 pub use dual::Dual;
+pub(crate) use wide::Wide;
 
 /// A number that a Kahan map computes with.
 ///

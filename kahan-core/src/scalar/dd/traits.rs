@@ -1,9 +1,11 @@
 //! What a Kahan map asks of a number.
 
+use nalgebra::SVector;
 use num_traits::{One, Zero};
 
 use super::{Dd, arithmetic};
-use crate::{Constant, Pivot, Scalar};
+use crate::stable::stable_double_double;
+use crate::{Constant, Lift, Pivot, Scalar, SingularStep};
 
 impl Zero for Dd {
     #[inline(always)]
@@ -77,6 +79,18 @@ impl Pivot for Dd {
     #[inline]
     fn is_finite_number(&self) -> bool {
         self.is_finite()
+    }
+
+    fn stable_step<M, const N: usize>(
+        map: &M,
+        _prepared: &M::Prepared,
+        x: &SVector<Self, N>,
+        eps: &Self,
+    ) -> Result<SVector<Self, N>, SingularStep>
+    where
+        M: Lift<Self, N>,
+    {
+        stable_double_double(map, x, eps)
     }
 }
 

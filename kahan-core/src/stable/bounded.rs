@@ -1,0 +1,318 @@
+//! A value with a bound on its error: what the rungs of [`stable_step`](super::stable_step) compute with.
+//!
+//! In: numbers that are exact. Out: for every value v̂ that a formula of + − × ÷ gives in rounded arithmetic, a magnitude m and
+//! a count k such that the exact v satisfies |v| ≤ m and |v̂ − v| ≤ γₖ·m, γₖ = (1+u)ᵏ − 1.
+//!
+//! m is the formula with every term made positive: as many operations again, which share registers with those of the values;
+//! k depends on the formula alone, so compilers compute it. Each rule below keeps both inequalities:
+//!
+//! - v = a ± b: m = mₐ + m_b, k = max(kₐ, k_b) + 1, since |a ± b| ≤ mₐ + m_b and one rounding is added.
+//! - v = a·b: m = mₐ·m_b, k = kₐ + k_b + 1, since (1+γ_kₐ)(1+γ_k_b)(1+u) − 1 = γ_k.
+//! - v = a/b: m = (mₐ + |v̂|·m_b)/|b̂|, k = max(kₐ, k_b) + 1, because v̂ − v = [(â − a) − v(b̂ − b)]/b̂ plus a rounding. Where
+//!   γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and there is no quotient.
+//!
+//! Magnitudes are rounded themselves, and v̂ stands for v where they are made; [`SLACK`] pays for both.
+//!
+//! # Underflow
+//! A product that underflows has an absolute error. Every input therefore counts as at least 2⁻⁴⁰ in magnitudes, and `depth`
+//! counts how many such factors a product has: as long as there are few, u·m exceeds every error of underflow.
+
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use crate::{Constant, Pivot, Scalar};
+
+use super::pair::Pair;
+
+/// A scalar whose operations round once, relative to their result.
+pub(crate) trait Rounded: Pivot + Copy {
+    /// What magnitudes are computed in: a number of the same range, in which a few digits are enough.
+    type Magnitude: Pivot + Copy;
+    /// How a value and its magnitude are held.
+    type Pair: Pair<Self>;
+    /// u: the relative error of an operation is at most this, but for underflow.
+    const UNIT: f64;
+    /// What an input counts as at least; 0 where nothing underflows.
+    const LEAST_INPUT: f64;
+
+    /// |self|, rounded by no more than a few parts in 2⁵⁰.
+    fn size(&self) -> Self::Magnitude;
+    /// A constant as a magnitude.
+    fn magnitude(value: f64) -> Self::Magnitude;
+    /// Whether one magnitude is larger than another; false if either is not a number.
+    fn exceeds(one: Self::Magnitude, other: Self::Magnitude) -> bool;
+}
+
+/// 2⁻⁴⁰
+pub(super) const LEAST_INPUT: f64 = 1.0 / (1_u64 << 40) as f64;
+/// The most factors of size 2⁻⁴⁰ that a product may have: 2⁻⁸⁸⁰·u is above the errors of underflow, also in double-double.
+const DEPTH: u32 = 22;
+/// A divisor of at most 2¹²⁰ makes a quotient as small as three such factors.
+const LARGEST_DIVISOR: f64 = (1_u128 << 120) as f64;
+const DEPTH_OF_DIVISOR: u32 = 3;
+
+/// What magnitudes are multiplied by before they are believed: they are rounded, and quotients are made of rounded values.
+pub(super) const SLACK: f64 = 1.0625;
+
+/// A value v̂ with |v̂ − v| ≤ γₖ·m.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounded<V: Rounded> {
+    /// v̂ and m
+    pair: V::Pair,
+    /// k
+    roundings: u32,
+    /// How many inputs are multiplied in a term.
+    depth: u32,
+}
+
+impl<V: Rounded> Bounded<V> {
+    /// A number that is what it says.
+    #[inline(always)]
+    pub(super) fn given(value: V) -> Self {
+        let (size, least) = (value.size(), V::magnitude(V::LEAST_INPUT));
+        // What is not a number stays it.
+        let magnitude = if V::exceeds(least, size) { least } else { size };
+        Self { pair: Pair::new(value, magnitude), roundings: 0, depth: 1 }
+    }
+
+    /// A number without an error that is 0, or at least 1 in size.
+    #[inline(always)]
+    fn whole(value: V) -> Self {
+        Self { pair: Pair::new(value, value.size()), roundings: 0, depth: 0 }
+    }
+
+    /// v̂
+    #[inline(always)]
+    pub(super) fn value(&self) -> V {
+        self.pair.value()
+    }
+
+    /// m
+    #[inline(always)]
+    fn magnitude(&self) -> V::Magnitude {
+        self.pair.magnitude()
+    }
+
+    /// γₖ; infinite where underflow might be overlooked.
+    #[inline(always)]
+    fn gamma(&self) -> V::Magnitude {
+        let is_sound = V::LEAST_INPUT == 0.0 || self.depth <= DEPTH;
+        V::magnitude(if is_sound { SLACK * V::UNIT * f64::from(self.roundings) } else { f64::INFINITY })
+    }
+
+    /// γₖ·m
+    #[inline(always)]
+    pub(super) fn error(&self) -> V::Magnitude {
+        self.magnitude() * self.gamma()
+    }
+
+    /// The pair of a sum or difference.
+    #[inline(always)]
+    fn sum(self, other: Self, pair: V::Pair) -> Self {
+        Self {
+            pair,
+            roundings: self.roundings.max(other.roundings).saturating_add(1),
+            depth: self.depth.max(other.depth),
+        }
+    }
+
+    /// The pair of a product.
+    #[inline(always)]
+    fn product(self, other: Self, pair: V::Pair) -> Self {
+        Self {
+            pair,
+            roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
+            depth: self.depth.saturating_add(other.depth),
+        }
+    }
+
+    /// self/divisor, if the divisor is certainly not zero.
+    #[inline(always)]
+    fn over(self, divisor: Self, value: V) -> Option<Self> {
+        let size = divisor.value().size();
+        let is_certain = V::exceeds(size, V::magnitude(64.0) * divisor.error())
+            && (V::LEAST_INPUT == 0.0 || V::exceeds(V::magnitude(LARGEST_DIVISOR), size));
+        if !is_certain {
+            return None;
+        }
+        let numerator = self.magnitude() + value.size() * divisor.magnitude();
+        let magnitude = if self.is_whole() {
+            // 1/|b̂| = |v̂|/a without a second division.
+            numerator * value.size() * (V::magnitude(SLACK) / self.magnitude())
+        } else {
+            numerator * V::magnitude(SLACK) / size
+        };
+        Some(Self {
+            pair: Pair::new(value, magnitude),
+            roundings: self.roundings.max(divisor.roundings).saturating_add(1),
+            depth: self.depth.saturating_add(DEPTH_OF_DIVISOR),
+        })
+    }
+
+    /// What the error of the product is at most before it is added to something, one rounding included.
+    ///
+    /// |n̂r̂ − nr| ≤ |n̂ − n|·(|r̂| + |r̂ − r|) + |n̂|·|r̂ − r| is sharper than the product of the magnitudes where n̂ or r̂ came out
+    /// of a cancellation.
+    #[inline(always)]
+    pub(super) fn error_of_product(self, other: Self) -> V::Magnitude {
+        let is_sound = V::LEAST_INPUT == 0.0 || self.depth.saturating_add(other.depth) <= DEPTH;
+        let slack = V::magnitude(if is_sound { SLACK } else { f64::INFINITY });
+        let rounded = Self { roundings: self.roundings.saturating_add(1), ..self };
+        let error = slack * other.error();
+        self.pair.weighed(error, rounded.gamma() * (slack * other.value().size() + error))
+    }
+
+    /// Whether this is a constant that is exact; compilers know.
+    #[inline(always)]
+    fn is_whole(&self) -> bool {
+        self.depth == 0 && self.roundings == 0
+    }
+}
+
+impl<V: Rounded> PartialEq for Bounded<V> {
+    fn eq(&self, other: &Self) -> bool {
+        self.value() == other.value()
+            && self.magnitude() == other.magnitude()
+            && self.roundings == other.roundings
+    }
+}
+
+impl<V: Rounded> Scalar for Bounded<V> {
+    /// Integers that a double holds are exact; every other literal is rounded once.
+    #[inline(always)]
+    fn constant(c: &Constant) -> Self {
+        let value = V::constant(c);
+        if c.is_whole() { Self::whole(value) } else { Self { roundings: 1, ..Self::given(value) } }
+    }
+
+    #[inline(always)]
+    fn reciprocal(&self) -> Option<Self> {
+        Self::one().quotient(*self)
+    }
+
+    #[inline(always)]
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        let value = self.value().quotient(divisor.value())?;
+        self.over(divisor, value)
+    }
+
+    #[inline(always)]
+    fn is_better_pivot(&self, than: &Self) -> bool {
+        self.value().magnitude_exceeds(&than.value())
+    }
+
+    #[inline(always)]
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        let pair = self.pair.multiply_add(factor.pair, addend.pair);
+        self.product(factor, pair).sum(addend, pair)
+    }
+
+    #[inline(always)]
+    fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+        self.multiply_add(factor, -subtrahend)
+    }
+
+    #[inline(always)]
+    fn subtract_product(self, a: Self, b: Self) -> Self {
+        (-a).multiply_add(b, self)
+    }
+
+    fn approximate(&self) -> f64 {
+        self.value().approximate()
+    }
+}
+
+impl<V: Rounded> Add for Bounded<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.sum(other, self.pair.plus(other.pair))
+    }
+}
+
+impl<V: Rounded> Sub for Bounded<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.sum(other, self.pair.minus(other.pair))
+    }
+}
+
+impl<V: Rounded> Mul for Bounded<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.product(other, self.pair.times(other.pair))
+    }
+}
+
+impl<V: Rounded> Div for Bounded<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        let value = self.value() / other.value();
+        let pair = Pair::new(value, V::magnitude(f64::INFINITY));
+        let unknown = Self { pair, roundings: 1, depth: self.depth };
+        self.over(other, value).unwrap_or(unknown)
+    }
+}
+
+impl<V: Rounded> Neg for Bounded<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { pair: self.pair.negated(), ..self }
+    }
+}
+
+impl<V: Rounded> AddAssign for Bounded<V> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<V: Rounded> SubAssign for Bounded<V> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl<V: Rounded> MulAssign for Bounded<V> {
+    #[inline(always)]
+    fn mul_assign(&mut self, other: Self) {
+        *self = *self * other;
+    }
+}
+
+impl<V: Rounded> DivAssign for Bounded<V> {
+    #[inline(always)]
+    fn div_assign(&mut self, other: Self) {
+        *self = *self / other;
+    }
+}
+
+impl<V: Rounded> Zero for Bounded<V> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::whole(V::zero())
+    }
+
+    fn is_zero(&self) -> bool {
+        self.value().is_zero()
+    }
+}
+
+impl<V: Rounded> One for Bounded<V> {
+    #[inline(always)]
+    fn one() -> Self {
+        Self::whole(V::one())
+    }
+}

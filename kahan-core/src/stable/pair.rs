@@ -1,0 +1,75 @@
+//! A value and its magnitude, moved together.
+
+use core::fmt::Debug;
+
+use super::bounded::Rounded;
+
+/// A value v̂ beside a magnitude m: what each operation does to both.
+pub(crate) trait Pair<V: Rounded>: Copy + Debug {
+    fn new(value: V, magnitude: V::Magnitude) -> Self;
+    fn value(self) -> V;
+    fn magnitude(self) -> V::Magnitude;
+
+    /// v̂ + ŵ, m + n
+    fn plus(self, other: Self) -> Self;
+    /// v̂ − ŵ, m + n
+    fn minus(self, other: Self) -> Self;
+    /// v̂·ŵ, m·n
+    fn times(self, other: Self) -> Self;
+    /// −v̂, m
+    fn negated(self) -> Self;
+
+    /// self·factor + addend, the value rounded as [`Scalar::multiply_add`] does.
+    fn multiply_add(self, factor: Self, addend: Self) -> Self;
+
+    /// |v̂|·a + m·b
+    fn weighed(self, a: V::Magnitude, b: V::Magnitude) -> V::Magnitude;
+}
+
+/// One after the other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Both<V: Rounded> {
+    value: V,
+    magnitude: V::Magnitude,
+}
+
+impl<V: Rounded> Pair<V> for Both<V> {
+    fn new(value: V, magnitude: V::Magnitude) -> Self {
+        Self { value, magnitude }
+    }
+
+    fn value(self) -> V {
+        self.value
+    }
+
+    fn magnitude(self) -> V::Magnitude {
+        self.magnitude
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self { value: self.value + other.value, magnitude: self.magnitude + other.magnitude }
+    }
+
+    fn minus(self, other: Self) -> Self {
+        Self { value: self.value - other.value, magnitude: self.magnitude + other.magnitude }
+    }
+
+    fn times(self, other: Self) -> Self {
+        Self { value: self.value * other.value, magnitude: self.magnitude * other.magnitude }
+    }
+
+    fn negated(self) -> Self {
+        Self { value: -self.value, ..self }
+    }
+
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        Self {
+            value: self.value.multiply_add(factor.value, addend.value),
+            magnitude: self.magnitude * factor.magnitude + addend.magnitude,
+        }
+    }
+
+    fn weighed(self, a: V::Magnitude, b: V::Magnitude) -> V::Magnitude {
+        self.value.size() * a + self.magnitude * b
+    }
+}
