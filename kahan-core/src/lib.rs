@@ -14,9 +14,11 @@
 #[cfg(any(test, feature = "std"))]
 extern crate std;
 
+mod composition;
 mod elimination;
 #[cfg(feature = "std")]
 mod ensemble;
+mod epsilon;
 mod error;
 mod field;
 mod kahan_macro;
@@ -40,18 +42,20 @@ pub mod __private;
 #[cfg(test)]
 mod tests;
 
+pub use composition::{Composed, ComposedAt, Composition, Method, PreparedMap, Single};
 pub use elimination::Elimination;
 #[cfg(feature = "std")]
 pub use ensemble::{Axis, Ensemble, EnsembleScalar, Level, Reciprocal};
+pub use epsilon::nearest_short_eps;
 pub use error::SingularStep;
 pub use field::QuadraticField;
 pub use lift::Lift;
 pub use map::{KahanMap, eps_from_dt};
 pub use named::{Integrals, Named};
-pub use orbit::Orbit;
+pub use orbit::{Accumulation, Compensated, Orbit, Rounded};
 pub use prepared::KahanAt;
 pub use prepared_step::{PreparedStep, Quotients, StepCost, WideStep};
-pub use scalar::{Constant, Dd, Pivot, Scalar};
+pub use scalar::{Constant, Dd, FloatScalar, Pivot, Scalar};
 
 pub use nalgebra;
 #[cfg(feature = "exact")]

@@ -108,7 +108,7 @@ where
     /// The orbit that begins with `x`; it owns a copy of the prepared step.
     #[inline]
     pub fn orbit(&self, x: SVector<T, N>) -> Orbit<M, T, N> {
-        Orbit::new(self.prepared.clone(), x, self.eps.clone())
+        Orbit::new(self.map.clone(), self.prepared.clone(), x, self.eps.clone())
     }
 }
 

@@ -73,8 +73,15 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
         Some(self.quotients(x)?.increment())
     }
 
+    /// x̃ − x + carry, the last multiplication and addition fused where the scalar can: what a compensated orbit adds to x.
+    #[inline(always)]
+    fn increment_with_carry(&self, x: &SVector<T, N>, carry: &SVector<T, N>) -> Option<SVector<T, N>> {
+        let quotients = self.quotients(x)?;
+        Some(quotients.added_to(carry))
+    }
+
     /// x̃, the last multiplication and addition fused where the scalar can.
-    #[inline]
+    #[inline(always)]
     fn next(&self, x: &SVector<T, N>) -> Option<SVector<T, N>> {
         let quotients = self.quotients(x)?;
         Some(quotients.added_to(x))

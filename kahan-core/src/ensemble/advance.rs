@@ -1,11 +1,12 @@
 //! Advancing an ensemble: in one pass, with visits, over threads.
 //!
-//! In: a prepared map and a number of steps. Out: every point that many steps later.
+//! In: a prepared map, plain or composed, and a number of steps. Out: every point that many steps later.
 //! However the columns are divided, each trajectory goes through the same operations, so its bits depend neither on
 //! its place nor on the threads.
 
+use crate::WideStep;
+use crate::composition::{Method, PreparedMap};
 use crate::error::pole;
-use crate::{KahanAt, KahanMap, WideStep};
 
 use super::columns::Group;
 use super::level::Instructions;
@@ -13,6 +14,8 @@ use super::{Ensemble, EnsembleScalar};
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map` (half the time step).
+    ///
+    /// `map` is a [`KahanAt`](crate::KahanAt), or a [`ComposedAt`](crate::ComposedAt) for a higher order.
     ///
     /// It allocates nothing. With the feature `parallel`, large ensembles run on rayon's current pool of threads,
     /// small ones on the calling thread; the results are the same bits. Where a trajectory meets a pole its
@@ -39,13 +42,14 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// let alone = LotkaVolterra.orbit(vector![1.5, 1.0], 0.05).nth(100).unwrap();
     /// assert!((ponds.point(749).unwrap() - alone).norm() < 1e-12);
     /// ```
-    pub fn advance<M>(&mut self, map: &KahanAt<M, T, N>, steps: usize)
+    pub fn advance<M>(&mut self, map: &M, steps: usize)
     where
-        M: KahanMap<T, N, Prepared: WideStep<T, N> + Sync>,
+        M: PreparedMap<T, N, Step: WideStep<T, N> + Sync>,
     {
         let instructions = self.instructions;
-        if divide(map.prepared(), self.columns.groups_mut(), steps, instructions).is_none() {
-            pole(map.eps())
+        let columns = self.columns.groups_mut();
+        if divide::<M::Method, _, _, N>(map.stages(), columns, steps, instructions).is_none() {
+            pole(map.half_step())
         }
     }
 
@@ -56,12 +60,12 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// If `every` is 0, and as [`advance`](Self::advance).
     pub fn advance_visiting<M>(
         &mut self,
-        map: &KahanAt<M, T, N>,
+        map: &M,
         steps: usize,
         every: usize,
         mut visit: impl FnMut(usize, &Self),
     ) where
-        M: KahanMap<T, N, Prepared: WideStep<T, N> + Sync>,
+        M: PreparedMap<T, N, Step: WideStep<T, N> + Sync>,
     {
         assert!(every > 0, "an ensemble is visited every 1 step or more, not every 0");
         for visits in 1..=steps / every {
@@ -74,13 +78,14 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
 
 /// Advances the columns, over threads where that is worth their cost.
 #[cfg(feature = "parallel")]
-fn divide<T, S, const N: usize>(
-    step: &S,
+fn divide<K, T, S, const N: usize>(
+    stages: &K::Stages<S>,
     mut columns: [&mut [Group<T>]; N],
     steps: usize,
     instructions: Instructions,
 ) -> Option<()>
 where
+    K: Method<Stages<S>: Sync>,
     T: EnsembleScalar,
     S: WideStep<T, N> + Sync,
 {
@@ -94,7 +99,7 @@ where
     let groups = columns.first().map_or(0, |column| column.len());
     let enough = (groups / 2).saturating_mul(GROUP).saturating_mul(steps) >= STEPS_PER_TASK;
     if groups <= tile || !enough {
-        return T::sweep(step, columns, steps, instructions);
+        return T::sweep::<K, S, N>(stages, columns, steps, instructions);
     }
     let middle = (groups / 2).next_multiple_of(tile);
     let right = columns.each_mut().map(|column| {
@@ -103,23 +108,24 @@ where
         right
     });
     let (left, right) = rayon::join(
-        || divide(step, columns, steps, instructions),
-        || divide(step, right, steps, instructions),
+        || divide::<K, T, S, N>(stages, columns, steps, instructions),
+        || divide::<K, T, S, N>(stages, right, steps, instructions),
     );
     left.and(right)
 }
 
 /// Advances the columns on this thread.
 #[cfg(not(feature = "parallel"))]
-fn divide<T, S, const N: usize>(
-    step: &S,
+fn divide<K, T, S, const N: usize>(
+    stages: &K::Stages<S>,
     columns: [&mut [Group<T>]; N],
     steps: usize,
     instructions: Instructions,
 ) -> Option<()>
 where
+    K: Method,
     T: EnsembleScalar,
     S: WideStep<T, N>,
 {
-    T::sweep(step, columns, steps, instructions)
+    T::sweep::<K, S, N>(stages, columns, steps, instructions)
 }

@@ -1,7 +1,8 @@
 //! Which scalars ensembles are made of, and how each is swept.
 //!
-//! In: a prepared step and columns. Out: the columns some steps later, by the widest registers that the scalar has.
+//! In: the prepared stages of a step and columns. Out: the columns some steps later, by the widest registers that the scalar has.
 
+use crate::composition::Method;
 use crate::{Scalar, WideStep};
 
 use super::columns::Group;
@@ -20,16 +21,17 @@ use super::sweep::sweep;
 pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
     /// Advances columns of equal length; `None` at a pole of a scalar that has no reciprocal of zero.
     #[doc(hidden)]
-    fn sweep<S, const N: usize>(
-        step: &S,
+    fn sweep<K, S, const N: usize>(
+        stages: &K::Stages<S>,
         columns: [&mut [Group<Self>]; N],
         steps: usize,
         _instructions: Instructions,
     ) -> Option<()>
     where
+        K: Method,
         S: WideStep<Self, N>,
     {
-        sweep::<Self, _, _, N>(step, columns, steps)
+        sweep::<K, Self, _, _, N>(stages, columns, steps)
     }
 }
 
@@ -38,19 +40,20 @@ macro_rules! implement_for_float {
         impl EnsembleScalar for $float {
             #[cfg(target_arch = "x86_64")]
             #[doc(hidden)]
-            fn sweep<S, const N: usize>(
-                step: &S,
+            fn sweep<K, S, const N: usize>(
+                stages: &K::Stages<S>,
                 columns: [&mut [Group<Self>]; N],
                 steps: usize,
                 instructions: Instructions,
             ) -> Option<()>
             where
+                K: Method,
                 S: WideStep<Self, N>,
             {
                 if S::HAS_LANES {
-                    super::x86_64::$sweep_lanes(step, columns, steps, instructions)
+                    super::x86_64::$sweep_lanes::<K, S, N>(stages, columns, steps, instructions)
                 } else {
-                    sweep::<Self, _, _, N>(step, columns, steps)
+                    sweep::<K, Self, _, _, N>(stages, columns, steps)
                 }
             }
         }

@@ -1,12 +1,13 @@
 //! The loop that all ensembles run: tiles, steps, groups.
 //!
 //! In: columns and a step over one kind of register. Out: the columns some steps later.
-//! A tile stays in the nearest cache while all of its steps run. Each step is one pass over the tile: its groups do
+//! A tile stays in the nearest cache while all of its steps run. Each stage of a step is one pass over the tile: its groups do
 //! not depend on each other, so the processor itself overlaps their long chains of operations. Registers hold no more
 //! than one group; holding several gains nothing measurable.
 
 use core::array::from_fn;
 
+use crate::composition::Method;
 use crate::linear::vector;
 use crate::{PreparedStep, Scalar};
 
@@ -39,17 +40,18 @@ impl<T: Scalar + Copy> Register<T> for T {
     }
 }
 
-/// Advances every column by `steps`; `None` at a pole of a scalar that has no reciprocal of zero, with some
+/// Advances every column by `steps`, each of them all `stages` in order; `None` at a pole of a scalar that has no reciprocal of zero, with some
 /// trajectories advanced and others not.
 ///
 /// Inlined into its caller, whose instructions it then is compiled with.
 #[inline(always)]
-pub(crate) fn sweep<R, T, S, const N: usize>(
-    step: &S,
+pub(crate) fn sweep<K, R, T, S, const N: usize>(
+    stages: &K::Stages<S>,
     mut columns: [&mut [Group<T>]; N],
     steps: usize,
 ) -> Option<()>
 where
+    K: Method,
     R: Register<T>,
     S: PreparedStep<R, N>,
 {
@@ -59,16 +61,19 @@ where
         // Slices of one length in sight of the loop, so that it checks no index.
         let mut tile = columns.each_mut().map(|column| &mut column[first..][..len]);
         for _ in 0..steps {
-            for group in 0..len {
-                for part in 0..GROUP / R::WIDTH {
-                    let place = part * R::WIDTH;
-                    let x = vector(from_fn(|c| R::load(&tile[c][group], place)));
-                    let next = step.quotients(&x)?.added_to(&x);
-                    for (c, column) in tile.iter_mut().enumerate() {
-                        next[c].store(&mut column[group], place);
+            K::run(stages, |step| {
+                for group in 0..len {
+                    for part in 0..GROUP / R::WIDTH {
+                        let place = part * R::WIDTH;
+                        let x = vector(from_fn(|c| R::load(&tile[c][group], place)));
+                        let next = step.next(&x)?;
+                        for (c, column) in tile.iter_mut().enumerate() {
+                            next[c].store(&mut column[group], place);
+                        }
                     }
                 }
-            }
+                Some(())
+            })?;
         }
     }
     Some(())

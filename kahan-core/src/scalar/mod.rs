@@ -16,6 +16,7 @@ mod float;
     expect(dead_code, reason = "the stable tier is to be its user")
 )]
 mod wide;
+mod float_scalar;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -30,6 +31,7 @@ pub use constant::Constant;
 pub use dd::Dd;
 pub use dual::Dual;
 pub(crate) use wide::Wide;
+pub use float_scalar::FloatScalar;
 
 /// A number that a Kahan map computes with.
 ///

@@ -9,6 +9,7 @@ mod duals;
 mod floats;
 mod hygiene;
 mod linear;
+mod modes;
 mod orbits;
 mod overflow;
 mod systems;
@@ -19,5 +20,7 @@ mod exact_laws;
 mod exact_linear;
 #[cfg(feature = "exact")]
 mod exact_poles;
+#[cfg(feature = "exact")]
+mod order_conditions;
 #[cfg(feature = "exact")]
 mod rationals;

@@ -1,6 +1,6 @@
 //! Ensembles in the vector registers of x86-64.
 //!
-//! In: a step, columns, and the instructions asked for. Out: the columns some steps later.
+//! In: the stages of a step, columns, and the instructions asked for. Out: the columns some steps later.
 //! This module is the only door to the lane types, and it is where `unsafe` is answered for: lanes come into being
 //! only inside [`avx2`] and [`avx512`], which are compiled for their instructions and entered after the processor was
 //! asked for them, or are those of SSE2, which every x86-64 processor has. The types are private to this module;
@@ -13,6 +13,7 @@ mod lanes;
 mod tests;
 
 use crate::WideStep;
+use crate::composition::Method;
 
 use super::columns::Group;
 use super::level::{Instructions, Level, Reciprocal};
@@ -30,29 +31,30 @@ pub(super) trait Spread<T>: Register<T> {
 macro_rules! dispatch_for_float {
     ($sweep:ident, $float:ty: $sse2:ty, $avx2:ty, $avx512:ty, $estimated:ty) => {
         /// Advances columns of equal length, on the level asked for or, should the processor lack it, the baseline.
-        pub(super) fn $sweep<S, const N: usize>(
-            step: &S,
+        pub(super) fn $sweep<K, S, const N: usize>(
+            stages: &K::Stages<S>,
             columns: [&mut [Group<$float>]; N],
             steps: usize,
             Instructions { level, reciprocal }: Instructions,
         ) -> Option<()>
         where
+            K: Method,
             S: WideStep<$float, N>,
         {
             match (level, reciprocal) {
                 (Level::Avx512, Reciprocal::Estimated) if level.is_available() => {
                     // SAFETY: the processor has AVX-512F; it was asked in the line above.
-                    unsafe { avx512::<$estimated, _, _, N>(step, columns, steps) }
+                    unsafe { avx512::<K, $estimated, _, S, N>(stages, columns, steps) }
                 }
                 (Level::Avx512, Reciprocal::Divided) if level.is_available() => {
                     // SAFETY: the processor has AVX-512F; it was asked in the line above.
-                    unsafe { avx512::<$avx512, _, _, N>(step, columns, steps) }
+                    unsafe { avx512::<K, $avx512, _, S, N>(stages, columns, steps) }
                 }
                 (Level::Avx2, _) if level.is_available() => {
                     // SAFETY: the processor has AVX2 and FMA; it was asked in the line above.
-                    unsafe { avx2::<$avx2, _, _, N>(step, columns, steps) }
+                    unsafe { avx2::<K, $avx2, _, S, N>(stages, columns, steps) }
                 }
-                _ => widen_and_sweep::<$sse2, _, _, N>(step, columns, steps),
+                _ => widen_and_sweep::<K, $sse2, _, S, N>(stages, columns, steps),
             }
         }
     };
@@ -62,37 +64,48 @@ dispatch_for_float!(sweep_f32, f32: F32x4, F32x8, F32x16, F32x16Estimated);
 dispatch_for_float!(sweep_f64, f64: F64x2, F64x4, F64x8, F64x8Estimated);
 
 #[target_feature(enable = "avx2,fma")]
-fn avx2<R, T, S, const N: usize>(step: &S, columns: [&mut [Group<T>]; N], steps: usize) -> Option<()>
-where
-    T: crate::Scalar,
-    R: Spread<T>,
-    S: WideStep<T, N>,
-{
-    widen_and_sweep::<R, T, S, N>(step, columns, steps)
-}
-
-#[target_feature(enable = "avx512f")]
-fn avx512<R, T, S, const N: usize>(step: &S, columns: [&mut [Group<T>]; N], steps: usize) -> Option<()>
-where
-    T: crate::Scalar,
-    R: Spread<T>,
-    S: WideStep<T, N>,
-{
-    widen_and_sweep::<R, T, S, N>(step, columns, steps)
-}
-
-/// Inlined into its caller, whose instructions it then is compiled with.
-#[inline(always)]
-fn widen_and_sweep<R, T, S, const N: usize>(
-    step: &S,
+fn avx2<K, R, T, S, const N: usize>(
+    stages: &K::Stages<S>,
     columns: [&mut [Group<T>]; N],
     steps: usize,
 ) -> Option<()>
 where
+    K: Method,
     T: crate::Scalar,
     R: Spread<T>,
     S: WideStep<T, N>,
 {
-    let wide = step.widen(R::spread);
-    sweep::<R, T, _, N>(&wide, columns, steps)
+    widen_and_sweep::<K, R, T, S, N>(stages, columns, steps)
+}
+
+#[target_feature(enable = "avx512f")]
+fn avx512<K, R, T, S, const N: usize>(
+    stages: &K::Stages<S>,
+    columns: [&mut [Group<T>]; N],
+    steps: usize,
+) -> Option<()>
+where
+    K: Method,
+    T: crate::Scalar,
+    R: Spread<T>,
+    S: WideStep<T, N>,
+{
+    widen_and_sweep::<K, R, T, S, N>(stages, columns, steps)
+}
+
+/// Inlined into its caller, whose instructions it then is compiled with.
+#[inline(always)]
+fn widen_and_sweep<K, R, T, S, const N: usize>(
+    stages: &K::Stages<S>,
+    columns: [&mut [Group<T>]; N],
+    steps: usize,
+) -> Option<()>
+where
+    K: Method,
+    T: crate::Scalar,
+    R: Spread<T>,
+    S: WideStep<T, N>,
+{
+    let wide = K::map(stages, |step| step.widen(R::spread));
+    sweep::<K, R, T, _, N>(&wide, columns, steps)
 }
