@@ -13,8 +13,8 @@ use crate::FloatScalar;
 /// when compensated, at 3/64 they do not. The nearest short ε differs from the wish by at most 2⁻¹⁷ of it (`f32`: 2⁻⁸), which
 /// for a step that was chosen freely costs nothing.
 ///
-/// It does not help where parameters are rounded and multiplied with ε, nor in a composition, whose stages take γε. What is not
-/// finite is returned as it is; a subnormal ε keeps fewer bits.
+/// It does not help where parameters are rounded and multiplied with ε, nor in a composition, whose stages take γε; for a
+/// homogeneous field [`Orbit::scaled`](crate::Orbit::scaled) removes ε altogether. What is not finite is returned as it is; a subnormal ε keeps fewer bits.
 ///
 /// ```
 /// use kahan_core::nearest_short_eps;

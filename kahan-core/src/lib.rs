@@ -20,6 +20,7 @@ mod elimination;
 mod ensemble;
 mod epsilon;
 mod error;
+mod error_estimate;
 mod field;
 mod kahan_macro;
 mod lift;
@@ -31,6 +32,7 @@ mod prepared;
 mod prepared_step;
 mod scalar;
 mod stable;
+mod through_f64;
 mod try_step;
 mod vector_macro;
 
@@ -48,14 +50,16 @@ pub use elimination::Elimination;
 pub use ensemble::{Axis, Ensemble, EnsembleScalar, Level, Reciprocal};
 pub use epsilon::nearest_short_eps;
 pub use error::SingularStep;
+pub use error_estimate::{ErrorEstimates, Estimated};
 pub use field::QuadraticField;
 pub use lift::Lift;
 pub use map::{KahanMap, eps_from_dt};
 pub use named::{Integrals, Named};
-pub use orbit::{Accumulation, Compensated, Orbit, Rounded};
+pub use orbit::{Accumulation, Compensated, Orbit, Rounded, Scaled};
 pub use prepared::KahanAt;
 pub use prepared_step::{PreparedStep, Quotients, StepCost, WideStep};
 pub use scalar::{Constant, Dd, FloatScalar, Pivot, Scalar};
+pub use through_f64::ThroughF64;
 
 pub use nalgebra;
 #[cfg(feature = "exact")]

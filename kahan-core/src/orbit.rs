@@ -8,6 +8,7 @@
 
 mod accumulation;
 mod modes;
+mod scaled;
 
 use core::fmt;
 use core::iter::FusedIterator;
@@ -19,6 +20,7 @@ use crate::{KahanMap, Scalar, SingularStep};
 
 use accumulation::State;
 pub use accumulation::{Accumulation, Compensated, Rounded};
+pub use scaled::Scaled;
 
 /// The orbit x₀, x₁, … of a Kahan map, x₀ first; made by [`KahanMap::orbit`].
 ///
@@ -35,7 +37,7 @@ pub use accumulation::{Accumulation, Compensated, Rounded};
 /// # There and back
 /// The map with −ε is the inverse map, so n steps and n steps back come home: exactly over exact scalars; over floats up to
 /// the roundings of the 2n steps, each carried along to the end of the way back. With δ a bound on the rounding of one step
-/// (½ ulp of each component and a few u·2ε·|f|; compensated without the first), xₖ the points and φ the map, the distance
+/// (½ ulp of each component and a few u·2ε·|f|), xₖ the points and φ the map, the distance
 /// from x₀ is, to first order in u, at most
 ///
 /// 2δ·(½ + Σ ‖∂φ⁻ᵏ(xₖ)‖), k = 1 … n,
@@ -84,6 +86,11 @@ where
     #[inline]
     pub(crate) fn begin(map: M, eps: T, stages: K::Stages<M::Prepared>, start: SVector<T, N>) -> Self {
         Self { map, eps, stages, state: State::begin(start), begun: false, stopped: None }
+    }
+
+    /// The map and ε. Not `map()`, a name that iterators need.
+    pub(crate) fn parts(&self) -> (&M, &T) {
+        (&self.map, &self.eps)
     }
 
     /// Why the orbit has ended: `Some` from the moment on when a step met a pole of an exact scalar.
