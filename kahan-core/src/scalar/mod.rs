@@ -11,12 +11,8 @@ mod dual;
 #[cfg(feature = "exact")]
 mod exact;
 mod float;
-#[cfg_attr(
-    not(all(test, feature = "exact")),
-    expect(dead_code, reason = "the stable tier is to be its user")
-)]
-mod wide;
 mod float_scalar;
+mod wide;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -30,8 +26,8 @@ use crate::{Lift, SingularStep};
 pub use constant::Constant;
 pub use dd::Dd;
 pub use dual::Dual;
-pub(crate) use wide::Wide;
 pub use float_scalar::FloatScalar;
+pub(crate) use wide::Wide;
 
 /// A number that a Kahan map computes with.
 ///

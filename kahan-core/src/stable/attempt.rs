@@ -9,16 +9,16 @@ use num_traits::{One, Zero};
 use crate::linear::vector;
 use crate::{KahanMap, PreparedStep, Quotients, Scalar};
 
-use super::bounded::{Bounded, Rounded};
+use super::bounded::{Bounded, Working};
 
 /// A next state, and for each component what its error is at most, its own last rounding apart.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Attempt<V: Rounded, const N: usize> {
+pub(super) struct Attempt<V: Working, const N: usize> {
     pub(super) next: [V; N],
     errors: [V::Magnitude; N],
 }
 
-impl<V: Rounded, const N: usize> Attempt<V, N> {
+impl<V: Working, const N: usize> Attempt<V, N> {
     /// By the increment form, with the operations and the bits of the fast step; `None` where a denominator may be zero.
     #[inline(always)]
     pub(super) fn by_increments<M>(map: &M, x: &SVector<Bounded<V>, N>, eps: Bounded<V>) -> Option<Self>

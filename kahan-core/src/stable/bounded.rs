@@ -25,8 +25,8 @@ use crate::{Constant, Pivot, Scalar};
 
 use super::pair::Pair;
 
-/// A scalar whose operations round once, relative to their result.
-pub(crate) trait Rounded: Pivot + Copy {
+/// A scalar to work in: its operations round once, relative to their result.
+pub(crate) trait Working: Pivot + Copy {
     /// What magnitudes are computed in: a number of the same range, in which a few digits are enough.
     type Magnitude: Pivot + Copy;
     /// How a value and its magnitude are held.
@@ -57,7 +57,7 @@ pub(super) const SLACK: f64 = 1.0625;
 
 /// A value v̂ with |v̂ − v| ≤ γₖ·m.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounded<V: Rounded> {
+pub(crate) struct Bounded<V: Working> {
     /// v̂ and m
     pair: V::Pair,
     /// k
@@ -66,7 +66,7 @@ pub(crate) struct Bounded<V: Rounded> {
     depth: u32,
 }
 
-impl<V: Rounded> Bounded<V> {
+impl<V: Working> Bounded<V> {
     /// A number that is what it says.
     #[inline(always)]
     pub(super) fn given(value: V) -> Self {
@@ -170,7 +170,7 @@ impl<V: Rounded> Bounded<V> {
     }
 }
 
-impl<V: Rounded> PartialEq for Bounded<V> {
+impl<V: Working> PartialEq for Bounded<V> {
     fn eq(&self, other: &Self) -> bool {
         self.value() == other.value()
             && self.magnitude() == other.magnitude()
@@ -178,7 +178,7 @@ impl<V: Rounded> PartialEq for Bounded<V> {
     }
 }
 
-impl<V: Rounded> Scalar for Bounded<V> {
+impl<V: Working> Scalar for Bounded<V> {
     /// Integers that a double holds are exact; every other literal is rounded once.
     #[inline(always)]
     fn constant(c: &Constant) -> Self {
@@ -223,7 +223,7 @@ impl<V: Rounded> Scalar for Bounded<V> {
     }
 }
 
-impl<V: Rounded> Add for Bounded<V> {
+impl<V: Working> Add for Bounded<V> {
     type Output = Self;
 
     #[inline(always)]
@@ -232,7 +232,7 @@ impl<V: Rounded> Add for Bounded<V> {
     }
 }
 
-impl<V: Rounded> Sub for Bounded<V> {
+impl<V: Working> Sub for Bounded<V> {
     type Output = Self;
 
     #[inline(always)]
@@ -241,7 +241,7 @@ impl<V: Rounded> Sub for Bounded<V> {
     }
 }
 
-impl<V: Rounded> Mul for Bounded<V> {
+impl<V: Working> Mul for Bounded<V> {
     type Output = Self;
 
     #[inline(always)]
@@ -250,7 +250,7 @@ impl<V: Rounded> Mul for Bounded<V> {
     }
 }
 
-impl<V: Rounded> Div for Bounded<V> {
+impl<V: Working> Div for Bounded<V> {
     type Output = Self;
 
     #[inline(always)]
@@ -262,7 +262,7 @@ impl<V: Rounded> Div for Bounded<V> {
     }
 }
 
-impl<V: Rounded> Neg for Bounded<V> {
+impl<V: Working> Neg for Bounded<V> {
     type Output = Self;
 
     #[inline(always)]
@@ -271,35 +271,35 @@ impl<V: Rounded> Neg for Bounded<V> {
     }
 }
 
-impl<V: Rounded> AddAssign for Bounded<V> {
+impl<V: Working> AddAssign for Bounded<V> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl<V: Rounded> SubAssign for Bounded<V> {
+impl<V: Working> SubAssign for Bounded<V> {
     #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl<V: Rounded> MulAssign for Bounded<V> {
+impl<V: Working> MulAssign for Bounded<V> {
     #[inline(always)]
     fn mul_assign(&mut self, other: Self) {
         *self = *self * other;
     }
 }
 
-impl<V: Rounded> DivAssign for Bounded<V> {
+impl<V: Working> DivAssign for Bounded<V> {
     #[inline(always)]
     fn div_assign(&mut self, other: Self) {
         *self = *self / other;
     }
 }
 
-impl<V: Rounded> Zero for Bounded<V> {
+impl<V: Working> Zero for Bounded<V> {
     #[inline(always)]
     fn zero() -> Self {
         Self::whole(V::zero())
@@ -310,7 +310,7 @@ impl<V: Rounded> Zero for Bounded<V> {
     }
 }
 
-impl<V: Rounded> One for Bounded<V> {
+impl<V: Working> One for Bounded<V> {
     #[inline(always)]
     fn one() -> Self {
         Self::whole(V::one())

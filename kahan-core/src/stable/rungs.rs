@@ -10,7 +10,7 @@ use crate::scalar::Wide;
 use crate::{Dd, KahanMap, Lift, Pivot, SingularStep};
 
 use super::attempt::Attempt;
-use super::bounded::{Bounded, LEAST_INPUT, Rounded};
+use super::bounded::{Bounded, LEAST_INPUT, Working};
 use super::pair::Both;
 
 /// A scalar that steps can be promised in.
@@ -37,7 +37,7 @@ fn attempt<T, V, M, const N: usize>(
 ) -> Option<Attempt<V, N>>
 where
     T: Promised,
-    V: Rounded,
+    V: Working,
     M: Lift<T, N>,
 {
     let given = |number: &T| Bounded::given(embed(number));
@@ -142,7 +142,7 @@ fn report(determinant: Wide) -> f64 {
     }
 }
 
-impl Rounded for f64 {
+impl Working for f64 {
     type Magnitude = f64;
     #[cfg(target_arch = "x86_64")]
     type Pair = super::packed::Packed;
@@ -167,7 +167,7 @@ impl Rounded for f64 {
     }
 }
 
-impl Rounded for Dd {
+impl Working for Dd {
     type Magnitude = f64;
     type Pair = Both<Dd>;
     /// 16 u² of `f64`, at least the bound of each of its operations.
@@ -190,11 +190,11 @@ impl Rounded for Dd {
     }
 }
 
-impl Rounded for Wide {
+impl Working for Wide {
     type Magnitude = Wide;
     type Pair = Both<Wide>;
-    /// Twice that of an operation, so that a constant, made by a division of cut off numbers, is one, too.
-    const UNIT: f64 = f64::from_bits(((1023 - 380) as u64) << 52);
+    /// Four times that of an operation, so that a constant, made by a division of cut off numbers, is one, too.
+    const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT + 2) as u64) << 52);
     const LEAST_INPUT: f64 = 0.0;
 
     fn size(&self) -> Wide {
@@ -236,7 +236,7 @@ impl Promised for f64 {
 
 impl Promised for Dd {
     /// That of its operations' bounds.
-    const UNIT: f64 = <Self as Rounded>::UNIT;
+    const UNIT: f64 = <Self as Working>::UNIT;
 
     fn widen(&self) -> Wide {
         Wide::from_double_double(self.high(), self.low())

@@ -78,16 +78,6 @@ impl Wide {
         self.state != State::Undefined
     }
 
-    /// Whether this is a number below zero.
-    pub(crate) fn is_negative(&self) -> bool {
-        self.negative
-    }
-
-    /// The exponent e with 2^e ≤ |self| < 2^(e+1), or `None` for zero and undefined.
-    pub(crate) fn exponent(&self) -> Option<i64> {
-        (self.state == State::Number).then_some(self.exponent)
-    }
-
     /// |self|.
     pub(crate) fn abs(self) -> Self {
         Self { negative: false, ..self }

@@ -21,13 +21,13 @@ struct Dyadic {
 
 impl Dyadic {
     fn of(number: Wide) -> Self {
-        let Some(exponent) = number.exponent() else {
-            assert!(number.is_zero(), "an undefined number has no value");
+        assert!(number.is_defined(), "an undefined number has no value");
+        if number.is_zero() {
             return Self { integer: BigInt::zero(), exponent: 0 };
-        };
+        }
         let sign = if number.negative { Sign::Minus } else { Sign::Plus };
         let bytes = number.mantissa.map(u64::to_le_bytes).concat();
-        Self { integer: BigInt::from_bytes_le(sign, &bytes), exponent: exponent - 383 }
+        Self { integer: BigInt::from_bytes_le(sign, &bytes), exponent: number.exponent - 383 }
     }
 
     /// The integers of both over the smaller exponent, which is the third.
