@@ -55,6 +55,8 @@ enum What {
     },
     /// Many trajectories at once, against the machine's bounds and a build for this processor
     Ensembles,
+    /// The tiers of one step: what compensation, a promise and double-double cost
+    Tiers,
     /// What a block costs while compiling, against the state kept in benches/before.tsv
     Compile {
         /// A checkout to measure in place of this one
@@ -84,6 +86,7 @@ pub(crate) fn run() -> Result<()> {
         }
         What::Orbits { systems } => print(report::journeys(&chosen(&systems)?, effort)),
         What::Ensembles => print(report::ensembles(effort)?),
+        What::Tiers => print(report::tiers(effort)?),
         What::Compile { checkout, save } => {
             let figures = compile::measure(&checkout.unwrap_or_else(root), cli.quick)?;
             if let Some(path) = save {
@@ -131,6 +134,7 @@ fn all(effort: Effort, path: &Path) -> Result<()> {
         report::steps(&systems, Some(effort))?,
         report::journeys(&systems, effort),
         report::ensembles(effort)?,
+        report::tiers(effort)?,
         report::compile(&compile::measure(&root(), effort.is_quick())?)?,
     ];
     let (mut sections, mut limits) = (Vec::new(), Vec::new());

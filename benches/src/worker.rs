@@ -1,4 +1,4 @@
-//! The process that times ensembles, in a build for every processor and in one for this.
+//! Processes that time something when asked to, in a build for every processor and in one for this.
 
 use std::env;
 use std::io::{BufRead, BufReader, Write};
@@ -7,8 +7,9 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-/// The package and its program.
-const PACKAGE: &str = "kahan-bench-ensembles";
+/// The packages that are such a process, each with a program of its name.
+pub(crate) const ENSEMBLES: &str = "kahan-bench-ensembles";
+pub(crate) const TIERS: &str = "kahan-bench-tiers";
 
 /// Something that a worker can time.
 pub(crate) struct Task {
@@ -26,15 +27,15 @@ pub(crate) struct Worker {
     tasks: Vec<Task>,
 }
 
-/// Builds the worker, with `native` for this processor in a target folder of its own, and says where it lies.
-pub(crate) fn build(native: bool) -> Result<PathBuf> {
+/// Builds a worker, with `native` for this processor in a target folder of its own, and says where it lies.
+pub(crate) fn build(package: &str, native: bool) -> Result<PathBuf> {
     let program = env::current_exe().context("the path of this program is unknown")?;
     // …/target/release/program
     let target = program.ancestors().nth(2).context("this program does not lie in a target folder")?;
     let target = if native { target.join("native") } else { target.to_path_buf() };
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command
-        .args(["build", "--quiet", "--release", "--package", PACKAGE, "--manifest-path"])
+        .args(["build", "--quiet", "--release", "--package", package, "--manifest-path"])
         .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"))
         .arg("--target-dir")
         .arg(&target);
@@ -43,9 +44,9 @@ pub(crate) fn build(native: bool) -> Result<PathBuf> {
     }
     let status = command.status().context("cargo does not run")?;
     if !status.success() {
-        bail!("the package {PACKAGE} does not build; cargo has said why above");
+        bail!("the package {package} does not build; cargo has said why above");
     }
-    Ok(target.join("release").join(PACKAGE).with_extension(env::consts::EXE_EXTENSION))
+    Ok(target.join("release").join(package).with_extension(env::consts::EXE_EXTENSION))
 }
 
 impl Worker {

@@ -70,6 +70,7 @@ where
 ///
 /// # Errors
 /// As [`KahanMap::try_step`].
+#[inline]
 pub fn stable_step<M, T, const N: usize>(
     map: &M,
     prepared: &M::Prepared,

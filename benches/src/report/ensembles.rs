@@ -30,7 +30,10 @@ struct Line {
 pub(crate) fn ensembles(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     let progress = Progress::new(7);
     progress.begin("building for every processor and for this one");
-    let mut workers = [Worker::start(&worker::build(false)?)?, Worker::start(&worker::build(true)?)?];
+    let mut workers = [
+        Worker::start(&worker::build(worker::ENSEMBLES, false)?)?,
+        Worker::start(&worker::build(worker::ENSEMBLES, true)?)?,
+    ];
     progress.advance();
     let mut systems: Vec<String> = workers[0].tasks().iter().map(|task| task.system.clone()).collect();
     systems.retain(|system| system != BOUND);

@@ -4,6 +4,7 @@ mod compile;
 mod ensembles;
 mod journeys;
 mod steps;
+mod tiers;
 
 use std::fmt;
 
@@ -15,6 +16,7 @@ pub(crate) use compile::compile;
 pub(crate) use ensembles::ensembles;
 pub(crate) use journeys::journeys;
 pub(crate) use steps::steps;
+pub(crate) use tiers::tiers;
 
 /// A heading, what the table below it means, the table.
 pub(crate) struct Section {

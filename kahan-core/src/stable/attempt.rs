@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use num_traits::{One, Zero};
 
 use crate::linear::vector;
-use crate::{KahanMap, PreparedStep, Quotients, Scalar};
+use crate::{KahanMap, Pivot, PreparedStep, Quotients, Scalar};
 
 use super::bounded::{Bounded, Working};
 
@@ -16,6 +16,8 @@ use super::bounded::{Bounded, Working};
 pub(super) struct Attempt<V: Working, const N: usize> {
     pub(super) next: [V; N],
     errors: [V::Magnitude; N],
+    /// The binary exponent that no input may exceed, see [`Bounded::largest_input`].
+    largest_input: u32,
 }
 
 impl<V: Working, const N: usize> Attempt<V, N> {
@@ -26,9 +28,15 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         M: KahanMap<Bounded<V>, N>,
     {
         let Quotients { numerators, reciprocals } = map.prepare(&eps).quotients(x)?;
+        let roundings = numerators.iter().map(Bounded::roundings).fold(0, u32::max);
         Some(Self {
             next: from_fn(|i| numerators[i].value().multiply_add(reciprocals[i].value(), x[i].value())),
-            errors: from_fn(|i| numerators[i].error_of_product(reciprocals[i])),
+            errors: from_fn(|i| numerators[i].error_of_product(reciprocals[i], roundings)),
+            largest_input: numerators
+                .iter()
+                .chain(&reciprocals)
+                .map(Bounded::largest_input)
+                .fold(1000, u32::min),
         })
     }
 
@@ -43,7 +51,14 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         Some(Self {
             next: quotients.map(|quotient| quotient.value()),
             errors: quotients.map(|quotient| quotient.error()),
+            largest_input: quotients.iter().map(Bounded::largest_input).fold(1000, u32::min),
         })
+    }
+
+    /// The size that no input may have, so that errors of underflow are allowed for.
+    #[inline(always)]
+    pub(super) fn largest_input(&self) -> V::Magnitude {
+        V::magnitude(f64::from_bits((1023 + u64::from(self.largest_input)) << 52))
     }
 
     /// Whether every error, with a rounding to `unit` besides, is less than `limit` times the largest component.
@@ -51,8 +66,9 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
         let allowed = V::magnitude(limit - V::UNIT) * largest;
-        // A state of zeros without an error is one, too. What is not a number is never less.
-        self.errors.iter().all(|error| V::exceeds(allowed, *error))
+        // A state of zeros without an error is one, too. What is not a number is never less; what is infinite has a finite error
+        // where only the last addition overflows.
+        (largest.is_finite_number() && self.errors.iter().all(|error| V::exceeds(allowed, *error)))
             || (largest.is_zero() && self.errors.iter().all(V::Magnitude::is_zero))
     }
 

@@ -14,8 +14,10 @@
 //! Magnitudes are rounded themselves, and v̂ stands for v where they are made; [`SLACK`] pays for both.
 //!
 //! # Underflow
-//! A product that underflows has an absolute error. Every input therefore counts as at least 2⁻⁴⁰ in magnitudes, and `depth`
-//! counts how many such factors a product has: as long as there are few, u·m exceeds every error of underflow.
+//! An operation that underflows is off by η at most, and m with it. With all inputs at most 2ᴸ in size and all products of them
+//! at most 2ᴮ, such errors grow to no more than 2⁴⁰·2ᴮ·η, 2⁴⁰ being generous for the number of ways they take. As long as
+//! that is below [`Working::ALLOWANCE`], which every error contains, none is overlooked: [`Bounded::largest_input`] is the L that
+//! this leaves, and whoever makes the values compares. Quotients count as if every divisor were 2⁻¹²⁰, which is checked.
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -33,8 +35,8 @@ pub(crate) trait Working: Pivot + Copy {
     type Pair: Pair<Self>;
     /// u: the relative error of an operation is at most this, but for underflow.
     const UNIT: f64;
-    /// What an input counts as at least; 0 where nothing underflows.
-    const LEAST_INPUT: f64;
+    /// More than all errors of underflow; 0 where nothing underflows.
+    const ALLOWANCE: f64;
 
     /// |self|, rounded by no more than a few parts in 2⁵⁰.
     fn size(&self) -> Self::Magnitude;
@@ -44,13 +46,13 @@ pub(crate) trait Working: Pivot + Copy {
     fn exceeds(one: Self::Magnitude, other: Self::Magnitude) -> bool;
 }
 
-/// 2⁻⁴⁰
-pub(super) const LEAST_INPUT: f64 = 1.0 / (1_u64 << 40) as f64;
-/// The most factors of size 2⁻⁴⁰ that a product may have: 2⁻⁸⁸⁰·u is above the errors of underflow, also in double-double.
-const DEPTH: u32 = 22;
-/// A divisor of at most 2¹²⁰ makes a quotient as small as three such factors.
-const LARGEST_DIVISOR: f64 = (1_u128 << 120) as f64;
-const DEPTH_OF_DIVISOR: u32 = 3;
+/// 2⁻¹⁵⁰
+pub(super) const ALLOWANCE: f64 = 1.0 / (1_u128 << 75) as f64 / (1_u128 << 75) as f64;
+/// B: 2⁴⁰·2⁸⁶⁰·η is below the allowance for η = 2⁻¹⁰⁷⁰ and less.
+const LARGEST_PRODUCT: u32 = 860;
+/// The least divisor, 2⁻¹²⁰, and what a division by it adds to B: errors are divided by it twice.
+const LEAST_DIVISOR: f64 = 1.0 / (1_u128 << 120) as f64;
+const BITS_OF_DIVISION: u32 = 240;
 
 /// What magnitudes are multiplied by before they are believed: they are rounded, and quotients are made of rounded values.
 pub(super) const SLACK: f64 = 1.0625;
@@ -62,24 +64,30 @@ pub(crate) struct Bounded<V: Working> {
     pair: V::Pair,
     /// k
     roundings: u32,
-    /// How many inputs are multiplied in a term.
-    depth: u32,
+    /// How many inputs are multiplied in a term, and how many bits all else adds to its size.
+    inputs: u32,
+    bits: u32,
 }
 
 impl<V: Working> Bounded<V> {
-    /// A number that is what it says.
+    /// An input: a number that is what it says.
     #[inline(always)]
     pub(super) fn given(value: V) -> Self {
-        let (size, least) = (value.size(), V::magnitude(V::LEAST_INPUT));
-        // What is not a number stays it.
-        let magnitude = if V::exceeds(least, size) { least } else { size };
-        Self { pair: Pair::new(value, magnitude), roundings: 0, depth: 1 }
+        Self { pair: Pair::new(value, value.size()), roundings: 0, inputs: 1, bits: 0 }
     }
 
-    /// A number without an error that is 0, or at least 1 in size.
+    /// A literal, known while compiling.
     #[inline(always)]
-    fn whole(value: V) -> Self {
-        Self { pair: Pair::new(value, value.size()), roundings: 0, depth: 0 }
+    fn literal(value: V, roundings: u32) -> Self {
+        // The exponent of the next power of two.
+        let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
+        Self { pair: Pair::new(value, value.size()), roundings, inputs: 0, bits }
+    }
+
+    /// The binary exponent that no input may exceed, so that underflow is allowed for.
+    #[inline(always)]
+    pub(super) fn largest_input(&self) -> u32 {
+        LARGEST_PRODUCT.saturating_sub(self.bits) / self.inputs.max(1)
     }
 
     /// v̂
@@ -94,17 +102,16 @@ impl<V: Working> Bounded<V> {
         self.pair.magnitude()
     }
 
-    /// γₖ; infinite where underflow might be overlooked.
+    /// γₖ
     #[inline(always)]
     fn gamma(&self) -> V::Magnitude {
-        let is_sound = V::LEAST_INPUT == 0.0 || self.depth <= DEPTH;
-        V::magnitude(if is_sound { SLACK * V::UNIT * f64::from(self.roundings) } else { f64::INFINITY })
+        V::magnitude(SLACK * V::UNIT * f64::from(self.roundings))
     }
 
-    /// γₖ·m
+    /// γₖ·m, and the allowance.
     #[inline(always)]
     pub(super) fn error(&self) -> V::Magnitude {
-        self.magnitude() * self.gamma()
+        self.magnitude() * self.gamma() + V::magnitude(V::ALLOWANCE)
     }
 
     /// The pair of a sum or difference.
@@ -113,7 +120,8 @@ impl<V: Working> Bounded<V> {
         Self {
             pair,
             roundings: self.roundings.max(other.roundings).saturating_add(1),
-            depth: self.depth.max(other.depth),
+            inputs: self.inputs.max(other.inputs),
+            bits: self.bits.max(other.bits).saturating_add(1),
         }
     }
 
@@ -123,7 +131,8 @@ impl<V: Working> Bounded<V> {
         Self {
             pair,
             roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
-            depth: self.depth.saturating_add(other.depth),
+            inputs: self.inputs.saturating_add(other.inputs),
+            bits: self.bits.saturating_add(other.bits),
         }
     }
 
@@ -132,7 +141,7 @@ impl<V: Working> Bounded<V> {
     fn over(self, divisor: Self, value: V) -> Option<Self> {
         let size = divisor.value().size();
         let is_certain = V::exceeds(size, V::magnitude(64.0) * divisor.error())
-            && (V::LEAST_INPUT == 0.0 || V::exceeds(V::magnitude(LARGEST_DIVISOR), size));
+            && (V::ALLOWANCE == 0.0 || V::exceeds(size, V::magnitude(LEAST_DIVISOR)));
         if !is_certain {
             return None;
         }
@@ -146,27 +155,34 @@ impl<V: Working> Bounded<V> {
         Some(Self {
             pair: Pair::new(value, magnitude),
             roundings: self.roundings.max(divisor.roundings).saturating_add(1),
-            depth: self.depth.saturating_add(DEPTH_OF_DIVISOR),
+            inputs: self.inputs.saturating_add(divisor.inputs),
+            bits: self.bits.saturating_add(divisor.bits).saturating_add(BITS_OF_DIVISION),
         })
     }
 
-    /// What the error of the product is at most before it is added to something, one rounding included.
+    /// What the error of the product with a reciprocal is at most before it is added to something, one rounding included.
     ///
     /// |n̂r̂ − nr| ≤ |n̂ − n|·(|r̂| + |r̂ − r|) + |n̂|·|r̂ − r| is sharper than the product of the magnitudes where n̂ or r̂ came out
-    /// of a cancellation.
+    /// of a cancellation. All numerators take the roundings of the worst, so that those of one reciprocal have the same weights.
     #[inline(always)]
-    pub(super) fn error_of_product(self, other: Self) -> V::Magnitude {
-        let is_sound = V::LEAST_INPUT == 0.0 || self.depth.saturating_add(other.depth) <= DEPTH;
-        let slack = V::magnitude(if is_sound { SLACK } else { f64::INFINITY });
-        let rounded = Self { roundings: self.roundings.saturating_add(1), ..self };
-        let error = slack * other.error();
-        self.pair.weighed(error, rounded.gamma() * (slack * other.value().size() + error))
+    pub(super) fn error_of_product(self, reciprocal: Self, roundings: u32) -> V::Magnitude {
+        let slack = V::magnitude(SLACK);
+        let error = slack * reciprocal.error();
+        let size = slack * reciprocal.value().size() + error;
+        let gamma = Self { roundings: roundings.saturating_add(1), ..self }.gamma();
+        self.pair.weighed(error, gamma * size) + V::magnitude(V::ALLOWANCE) * size
+    }
+
+    /// k
+    #[inline(always)]
+    pub(super) fn roundings(&self) -> u32 {
+        self.roundings
     }
 
     /// Whether this is a constant that is exact; compilers know.
     #[inline(always)]
     fn is_whole(&self) -> bool {
-        self.depth == 0 && self.roundings == 0
+        self.inputs == 0 && self.roundings == 0
     }
 }
 
@@ -182,8 +198,7 @@ impl<V: Working> Scalar for Bounded<V> {
     /// Integers that a double holds are exact; every other literal is rounded once.
     #[inline(always)]
     fn constant(c: &Constant) -> Self {
-        let value = V::constant(c);
-        if c.is_whole() { Self::whole(value) } else { Self { roundings: 1, ..Self::given(value) } }
+        Self::literal(V::constant(c), u32::from(!c.is_whole()))
     }
 
     #[inline(always)]
@@ -257,7 +272,7 @@ impl<V: Working> Div for Bounded<V> {
     fn div(self, other: Self) -> Self {
         let value = self.value() / other.value();
         let pair = Pair::new(value, V::magnitude(f64::INFINITY));
-        let unknown = Self { pair, roundings: 1, depth: self.depth };
+        let unknown = Self { pair, roundings: 1, ..self };
         self.over(other, value).unwrap_or(unknown)
     }
 }
@@ -302,7 +317,7 @@ impl<V: Working> DivAssign for Bounded<V> {
 impl<V: Working> Zero for Bounded<V> {
     #[inline(always)]
     fn zero() -> Self {
-        Self::whole(V::zero())
+        Self::literal(V::zero(), 0)
     }
 
     fn is_zero(&self) -> bool {
@@ -313,6 +328,6 @@ impl<V: Working> Zero for Bounded<V> {
 impl<V: Working> One for Bounded<V> {
     #[inline(always)]
     fn one() -> Self {
-        Self::whole(V::one())
+        Self::literal(V::one(), 0)
     }
 }

@@ -1,5 +1,7 @@
 //! From rung to rung: which values the step is computed in, and what is said where none suffices.
 
+use core::array::from_fn;
+use core::cell::Cell;
 use core::iter::once_with;
 
 use nalgebra::SVector;
@@ -10,7 +12,7 @@ use crate::scalar::Wide;
 use crate::{Dd, KahanMap, Lift, Pivot, SingularStep};
 
 use super::attempt::Attempt;
-use super::bounded::{Bounded, LEAST_INPUT, Working};
+use super::bounded::{ALLOWANCE, Bounded, Working};
 use super::pair::Both;
 
 /// A scalar that steps can be promised in.
@@ -40,9 +42,17 @@ where
     V: Working,
     M: Lift<T, N>,
 {
-    let given = |number: &T| Bounded::given(embed(number));
+    let largest = Cell::new(V::magnitude(0.0));
+    let given = |number: &T| {
+        let value = embed(number);
+        if V::exceeds(value.size(), largest.get()) {
+            largest.set(value.size());
+        }
+        Bounded::given(value)
+    };
     let state = SVector::from_fn(|i, _| given(&x[i]));
-    Attempt::by_increments(&map.lift(given), &state, given(eps))
+    let attempt = Attempt::by_increments(&map.lift(given), &state, given(eps))?;
+    V::exceeds(attempt.largest_input(), largest.get()).then_some(attempt)
 }
 
 /// The step of `f64`.
@@ -57,7 +67,7 @@ where
 {
     match attempt(map, x, eps, |number| *number) {
         Some(attempt) if attempt.is_within(PROMISE * <f64 as Promised>::UNIT) => Ok(vector(attempt.next)),
-        _ => beyond_double(map, x, eps),
+        _ => called(beyond_double, map, x, eps),
     }
 }
 
@@ -74,7 +84,7 @@ where
     let embed = |number: &f32| f64::from(*number);
     attempt(map, x, eps, embed)
         .and_then(|attempt| attempt.rounded(PROMISE * f32::UNIT, |value| value as f32, embed))
-        .map_or_else(|| in_wide(map, x, eps), Ok)
+        .map_or_else(|| called(in_wide, map, x, eps), Ok)
 }
 
 /// The step of [`Dd`].
@@ -89,30 +99,61 @@ where
 {
     match attempt(map, x, eps, |number| *number) {
         Some(attempt) if attempt.is_within(PROMISE * <Dd as Promised>::UNIT) => Ok(vector(attempt.next)),
-        _ => in_wide(map, x, eps),
+        _ => called(in_wide, map, x, eps),
     }
 }
 
+/// What a rung that is called says of a step, entry by entry.
+///
+/// Functions that are called take and give states in memory. What they see here are copies, so that the state of a loop and the
+/// result of the first rung, which is inlined, stay in registers: else every step would wait for its way through memory.
+#[inline(always)]
+fn called<M, T: Copy, const N: usize>(
+    rung: impl Fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>,
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Result<SVector<T, N>, SingularStep> {
+    let mut next: SVector<T, N> = vector(from_fn(|i| x[i]));
+    match rung(map, next, *eps, &mut next) {
+        None => Ok(vector(from_fn(|i| next[i]))),
+        Some(error) => Err(error),
+    }
+}
+
+/// The second rung, and those after it; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
 fn beyond_double<M, const N: usize>(
     map: &M,
-    x: &SVector<f64, N>,
-    eps: &f64,
-) -> Result<SVector<f64, N>, SingularStep>
+    x: SVector<f64, N>,
+    eps: f64,
+    next: &mut SVector<f64, N>,
+) -> Option<SingularStep>
 where
     M: Lift<f64, N>,
 {
     let embed = |number: &f64| Dd::from(*number);
-    attempt(map, x, eps, embed)
-        .and_then(|attempt| attempt.rounded(PROMISE * <f64 as Promised>::UNIT, f64::from, embed))
-        .map_or_else(|| in_wide(map, x, eps), Ok)
+    let settled = attempt(map, &x, &eps, embed)
+        .and_then(|attempt| attempt.rounded(PROMISE * <f64 as Promised>::UNIT, f64::from, embed));
+    match settled {
+        Some(settled) => {
+            *next = settled;
+            None
+        }
+        None => in_wide(map, x, eps, next),
+    }
 }
 
-/// The last two rungs, and the report where both fail.
+/// The last two rungs, and the report where both fail; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
-fn in_wide<T, M, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Result<SVector<T, N>, SingularStep>
+fn in_wide<T, M, const N: usize>(
+    map: &M,
+    x: SVector<T, N>,
+    eps: T,
+    next: &mut SVector<T, N>,
+) -> Option<SingularStep>
 where
     T: Promised,
     M: Lift<T, N>,
@@ -120,17 +161,18 @@ where
     let given = |number: &T| Bounded::given(number.widen());
     let lifted = map.lift(given);
     let state = SVector::from_fn(|i, _| given(&x[i]));
-    let increments = Attempt::by_increments(&lifted, &state, given(eps));
-    let quotients = once_with(|| Attempt::by_quotients(&lifted, &state, given(eps)));
+    let increments = Attempt::by_increments(&lifted, &state, given(&eps));
+    let quotients = once_with(|| Attempt::by_quotients(&lifted, &state, given(&eps)));
     let mut bound = f64::INFINITY;
     for attempt in increments.into_iter().chain(quotients.flatten()) {
         bound = attempt.bound().min(bound);
-        if let Some(next) = attempt.rounded(PROMISE * T::UNIT, T::narrow, T::widen) {
-            return Ok(next);
+        if let Some(settled) = attempt.rounded(PROMISE * T::UNIT, T::narrow, T::widen) {
+            *next = settled;
+            return None;
         }
     }
-    let determinant = lifted.det_matrix(&state, given(eps)).value();
-    Err(SingularStep::unestablished(report(determinant), bound, eps.approximate()))
+    let determinant = lifted.det_matrix(&state, given(&eps)).value();
+    Some(SingularStep::unestablished(report(determinant), bound, eps.approximate()))
 }
 
 /// A determinant as a float that is 0 only where the determinant is, and infinite nowhere.
@@ -149,7 +191,7 @@ impl Working for f64 {
     #[cfg(not(target_arch = "x86_64"))]
     type Pair = Both<f64>;
     const UNIT: f64 = f64::EPSILON / 2.0;
-    const LEAST_INPUT: f64 = LEAST_INPUT;
+    const ALLOWANCE: f64 = ALLOWANCE;
 
     #[inline(always)]
     fn size(&self) -> f64 {
@@ -172,7 +214,7 @@ impl Working for Dd {
     type Pair = Both<Dd>;
     /// 16 u² of `f64`, at least the bound of each of its operations.
     const UNIT: f64 = f64::EPSILON * f64::EPSILON * 4.0;
-    const LEAST_INPUT: f64 = LEAST_INPUT;
+    const ALLOWANCE: f64 = ALLOWANCE;
 
     #[inline(always)]
     fn size(&self) -> f64 {
@@ -195,7 +237,7 @@ impl Working for Wide {
     type Pair = Both<Wide>;
     /// Four times that of an operation, so that a constant, made by a division of cut off numbers, is one, too.
     const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT + 2) as u64) << 52);
-    const LEAST_INPUT: f64 = 0.0;
+    const ALLOWANCE: f64 = 0.0;
 
     fn size(&self) -> Wide {
         self.abs()

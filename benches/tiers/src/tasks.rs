@@ -1,0 +1,106 @@
+//! The tiers of one step, each as a chain of dependent steps.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use kahan_bench_fields::{self as fields, EPS, start};
+use kahan_core::prelude::*;
+use kahan_core::{Lift, ThroughF64};
+
+/// Steps after which a chain begins anew, so that no orbit leaves the usual range.
+const SEGMENT: usize = 1024;
+
+/// Something to time.
+pub(crate) struct Task {
+    pub(crate) system: &'static str,
+    pub(crate) what: &'static str,
+    /// The seconds that so many steps take.
+    pub(crate) seconds: Box<dyn Fn(usize) -> f64>,
+}
+
+/// Every tier of every system, in a fixed order.
+pub(crate) fn all() -> Vec<Task> {
+    let (top, lorenz, clebsch) = (fields::euler_top(), fields::lorenz(), fields::clebsch());
+    let mut tasks = Vec::new();
+    tasks.extend(system("LotkaVolterra", fields::LotkaVolterra, start::LOTKA_VOLTERRA));
+    tasks.extend(system("EulerTop", top, start::SPACE));
+    tasks.extend(system("E1", fields::E1, start::SPACE));
+    tasks.extend(system("E3", fields::E3, start::SPACE));
+    tasks.extend(system("E5", fields::E5, start::SPACE));
+    tasks.extend(system("E6", fields::E6, start::SPACE));
+    tasks.extend(system("Lorenz", lorenz, start::LORENZ));
+    tasks.extend(system("Clebsch", clebsch, start::CLEBSCH));
+    tasks
+}
+
+fn system<M, const N: usize>(name: &'static str, map: M, start: [f64; N]) -> Vec<Task>
+where
+    M: Lift<f64, N> + Copy + 'static,
+{
+    let start = SVector::from(start);
+    let task = |what, run: Box<dyn Fn(usize)>| Task {
+        system: name,
+        what,
+        seconds: Box::new(move |steps| {
+            let begun = Instant::now();
+            for done in (0..steps).step_by(SEGMENT) {
+                run(SEGMENT.min(steps - done));
+            }
+            begun.elapsed().as_secs_f64()
+        }),
+    };
+    /// Goes to the last point of an orbit.
+    macro_rules! arrive {
+        ($orbit:expr, $steps:expr) => {{
+            black_box($orbit.nth($steps).expect("an orbit over floats goes on"));
+        }};
+    }
+    let single_start = start.map(|entry| entry as f32);
+    vec![
+        task("fast", Box::new(move |n| arrive!(map.orbit(black_box(start), EPS), n))),
+        task("compensated", Box::new(move |n| arrive!(map.orbit(black_box(start), EPS).compensated(), n))),
+        task(
+            "stable",
+            Box::new(move |n| {
+                let at = map.at(EPS);
+                let mut x = black_box(start);
+                for _ in 0..n {
+                    x = at.try_step(&x).expect("no pole is near");
+                }
+                black_box(x);
+            }),
+        ),
+        task(
+            "accurate",
+            Box::new(move |n| {
+                let wide = map.lift(|parameter| Dd::from(*parameter));
+                arrive!(wide.orbit(black_box(start).map(Dd::from), Dd::from(EPS)), n);
+            }),
+        ),
+        task(
+            "f32",
+            Box::new(move |n| {
+                let narrow = map.lift(|parameter| *parameter as f32);
+                arrive!(narrow.orbit(black_box(single_start), EPS as f32), n);
+            }),
+        ),
+        task(
+            "f32 through f64",
+            Box::new(move |n| {
+                let narrow = ThroughF64(map.lift(|parameter| *parameter as f32));
+                arrive!(narrow.orbit(black_box(single_start), EPS as f32), n);
+            }),
+        ),
+        task(
+            "f32, stable",
+            Box::new(move |n| {
+                let at = map.lift(|parameter| *parameter as f32).at(EPS as f32);
+                let mut x = black_box(single_start);
+                for _ in 0..n {
+                    x = at.try_step(&x).expect("no pole is near");
+                }
+                black_box(x);
+            }),
+        ),
+    ]
+}
