@@ -4,7 +4,7 @@
 //! straight-line code; what may overflow or lose bits on the way goes to `extremes`, on a branch that is never taken in
 //! ordinary computations and costs no latency.
 
-use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
+use super::error_free::{fast_two_sum, multiply_add, remainder, two_product, two_sum};
 use super::{Dd, extremes};
 
 /// 2^exponent, for a normal number.
@@ -49,33 +49,34 @@ pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {
 /// xy, off by at most 5u²·|xy| (DWTimesDW2; without fused multiply-adds DWTimesDW1).
 #[inline(always)]
 pub(super) fn product(x: Dd, y: Dd) -> Dd {
-    let (leading, lower) = unnormalised_product(x, y);
+    let (leading, error) = two_product(x.high, y.high);
     if has_room(leading) {
-        let (high, low) = fast_two_sum(leading, lower);
+        let lower = multiply_add(x.low, y.high, x.high * y.low);
+        let (high, low) = fast_two_sum(leading, error + lower);
         Dd { high, low }
     } else {
         extremes::product(x, y)
     }
 }
 
-/// xy as a float and the rest, which is at most 3u as large and has the error of the whole: 5u²·|xy|.
-#[inline(always)]
-pub(super) fn unnormalised_product(x: Dd, y: Dd) -> (f64, f64) {
-    let (leading, error) = two_product(x.high, y.high);
-    (leading, error + multiply_add(x.low, y.high, x.high * y.low))
-}
-
-/// xy + z, off by at most 5u²·|xy| + 10u²·|xy + z|.
+/// xy + z, off by at most 16u²·|xy| + 5u²·|xy + z|.
 ///
-/// The product is not normalised, which saves a quarter of the latency. In AccurateDWPlusDW with |low| ≤ 3u·|high| in one
-/// operand all but two additions stay exact. If the leading sum s has an error, then neither leading part exceeds 2|s|, so
-/// the lower sum is at most (3·2 + 1)u·|s|, and the two additions round by 8u²·|s| and u²·|s| at most. If it has none, only
-/// the last of them rounds, by 2u²·|s|.
+/// The product is not normalised and the lower parts are added as floats: 15 operations where a product and a sum take 28, and
+/// half of their latency. That is as good, because the product's own error is a multiple of |xy| where the sum cancels. In
+/// units of u², with p = |xy|, r = |xy + z| and |z| ≤ p + r, the additions of the lower parts round by p + |z|, 2p + |z|,
+/// 3p + |z| and 3p + |z| + r, and x.low·y.low, left out, is p; without fused multiply-adds two products round by p each. Where
+/// the leading parts cancel below the lower sum, they leave a multiple of its last place, so the last sum is exact.
 #[inline(always)]
 pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
-    let (leading, lower) = unnormalised_product(x, y);
-    let sum_of_leading = two_sum(leading, z.high);
-    if has_room(sum_of_leading.0) { with_lower(sum_of_leading, lower, z.low) } else { sum(product(x, y), z) }
+    let (leading, product_error) = two_product(x.high, y.high);
+    let (sum_of_leading, sum_error) = two_sum(leading, z.high);
+    if has_room(sum_of_leading) {
+        let lower = multiply_add(x.low, y.high, multiply_add(x.high, y.low, z.low));
+        let (high, low) = fast_two_sum(sum_of_leading, sum_error + (product_error + lower));
+        Dd { high, low }
+    } else {
+        sum(product(x, y), z)
+    }
 }
 
 /// x/y, off by at most 14u²·|x/y|.
@@ -117,11 +118,4 @@ pub(super) fn moderate_square_root(x: Dd) -> Dd {
     let remainder = remainder(x.high, leading, leading) + x.low;
     let (high, low) = fast_two_sum(leading, remainder / (leading + leading));
     Dd { high, low }
-}
-
-/// whole − ab, where it is a float: a the rounded quotient whole/b, or the rounded root with b = a.
-#[inline(always)]
-fn remainder(whole: f64, a: f64, b: f64) -> f64 {
-    let (product, error) = two_product(a, b);
-    (whole - product) - error
 }

@@ -20,7 +20,7 @@ pub(super) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, b - (sum - a))
 }
 
-pub(super) use product::{multiply_add, two_product};
+pub(super) use product::{multiply_add, remainder, two_product};
 
 /// Where the target fuses.
 #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
@@ -30,6 +30,12 @@ mod product {
     pub(in super::super) fn two_product(a: f64, b: f64) -> (f64, f64) {
         let product = a * b;
         (product, a.mul_add(b, -product))
+    }
+
+    /// whole − ab, where it is a float: a the rounded quotient whole/b, or the rounded root with b = a.
+    #[inline(always)]
+    pub(in super::super) fn remainder(whole: f64, a: f64, b: f64) -> f64 {
+        (-a).mul_add(b, whole)
     }
 
     /// ab + c, rounded once.
@@ -82,6 +88,13 @@ mod product {
             // The product is not finite, and it has no error.
             (product, f64::NAN)
         }
+    }
+
+    /// whole − ab, where it is a float: a the rounded quotient whole/b, or the rounded root with b = a.
+    #[inline(always)]
+    pub(in super::super) fn remainder(whole: f64, a: f64, b: f64) -> f64 {
+        let (product, error) = two_product(a, b);
+        (whole - product) - error
     }
 
     /// ab + c.

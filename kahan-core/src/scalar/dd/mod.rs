@@ -28,15 +28,17 @@ mod traits;
 /// | `*` | 5u² | DWTimesDW2, or 1 without fused multiply-adds: Muller, Rideau, ACM Trans. Math. Softw. 48 (2022) |
 /// | `/`, `recip` | 14u² | one correction of the quotient; the terms stand beside the code |
 /// | [`sqrt`](Dd::sqrt) | 4u² | SQRTDWtoDW: Lefèvre, Louvet, Muller, Picot, Rideau, ACM Trans. Math. Softw. 49 (2023), 25/8 u² |
-/// | [`multiply_add`](crate::Scalar::multiply_add) and its kin | 5u² of the product and 10u² of the result | not normalised between the two |
+/// | [`multiply_add`](crate::Scalar::multiply_add) and its kin | 16u² of the product and 5u² of the result | not normalised between the two |
 ///
 /// Products and quotients below 2⁻⁹⁶⁹ in size lose low bits, as the error of a float is then no float: besides the relative
 /// bound they are off by at most 2⁻¹⁰⁷². Sums never underflow. A result that rounds to 2¹⁰²⁴ or more is infinite; operands and
 /// intermediate numbers may be as large as they like.
 ///
+/// Bits depend on the target's multiply-add, as those of floats do; with it, xy and yx may differ within the bound.
+///
 /// # Cost
-/// With fused multiply-adds (a target that has them, and `std`) a sum takes 20 operations, a product 8, a quotient 9 and two
-/// divisions side by side; without, a product takes 25. Constants without a low part are not faster than others.
+/// With fused multiply-adds (a target that has them, and `std`) a sum takes 20 operations, a product 8, a
+/// multiply-add 15, a quotient 7 and two divisions side by side; without, a product takes 24. Constants without a low part are not faster than others.
 ///
 /// # Text
 /// It is read exactly, from decimals of any length, each part correctly rounded; it is written with 32 significant digits,

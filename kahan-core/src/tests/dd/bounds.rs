@@ -77,7 +77,7 @@ fn check_products(seed: u64, count: usize) {
         let is_normal = first + second > -968;
         let bound = if is_normal { bound } else { bound + least() };
         assert_within(&Dyadic::of(product), &exact, &bound, &[x, y]);
-        assert_eq!(product, y * x);
+        assert_eq!(-product, -x * y);
     }
 }
 
@@ -109,6 +109,7 @@ fn check_quotients(seed: u64, count: usize) {
 }
 
 /// |z − √x| ≤ b√x is (1 − b)²x ≤ z² ≤ (1 + b)²x.
+#[cfg(feature = "std")]
 fn check_square_roots(seed: u64, count: usize) {
     let one = || Dyadic::new(1, 0);
     let square = |x: Dyadic| x.clone() * x;
@@ -128,7 +129,7 @@ fn check_square_roots(seed: u64, count: usize) {
     }
 }
 
-/// |xy + z − …| ≤ 5u²·|xy| + 10u²·|xy + z|, also where the sum cancels.
+/// |computed − (xy + z)| ≤ 16u²·|xy| + 5u²·|xy + z|, also where the sum cancels.
 fn check_multiply_adds(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for i in 0..count {
@@ -140,7 +141,7 @@ fn check_multiply_adds(seed: u64, count: usize) {
         let addend = Dyadic::of(z);
         let check = |computed: Dd, exact: Dyadic| {
             let bound =
-                square_units(5) * exact_product.clone().abs() + square_units(10) * exact.clone().abs();
+                square_units(16) * exact_product.clone().abs() + square_units(5) * exact.clone().abs();
             assert_normalised(computed);
             assert_within(&Dyadic::of(computed), &exact, &bound, &[x, y, z]);
         };
@@ -175,12 +176,14 @@ fn check_subnormals(seed: u64, count: usize) {
 }
 
 macro_rules! laws {
-    ($($law:ident, $millions:ident: $check:ident, $seed:literal;)*) => {$(
+    ($($(#[$condition:meta])* $law:ident, $millions:ident: $check:ident, $seed:literal;)*) => {$(
+        $(#[$condition])*
         #[test]
         fn $law() {
             $check($seed, SAMPLE);
         }
 
+        $(#[$condition])*
         #[test]
         #[ignore = "takes minutes unless optimised"]
         fn $millions() {
@@ -193,6 +196,7 @@ laws! {
     sums_are_within_their_bound, millions_of_sums: check_sums, 1;
     products_are_within_their_bound, millions_of_products: check_products, 2;
     quotients_are_within_their_bound, millions_of_quotients: check_quotients, 3;
+    #[cfg(feature = "std")]
     square_roots_are_within_their_bound, millions_of_square_roots: check_square_roots, 4;
     multiply_adds_are_within_their_bound, millions_of_multiply_adds: check_multiply_adds, 5;
     subnormals_are_within_their_bound, millions_of_subnormals: check_subnormals, 6;
