@@ -6,6 +6,7 @@
 
 pub mod atlas;
 pub mod entry;
+pub mod extremes;
 pub mod heights;
 pub mod paper;
 pub mod registry;
@@ -23,6 +24,7 @@ pub mod e8;
 pub mod e9;
 pub mod euler;
 mod lotka_volterra;
+pub mod volterra;
 
 pub use e1::E1;
 pub use e2::E2;
@@ -35,3 +37,4 @@ pub use e8::E8;
 pub use e9::E9;
 pub use euler::EulerTop;
 pub use lotka_volterra::LotkaVolterra;
+pub use volterra::VolterraLattice;

@@ -85,6 +85,25 @@ impl Source {
         }
     }
 
+    /// The SYSTEM, as it was written.
+    pub(crate) fn named_system(&self) -> Option<&str> {
+        self.system.as_deref().filter(|_| self.field.is_none() && self.file.is_none())
+    }
+
+    /// Whether a parameter was given.
+    pub(crate) fn has_parameters(&self) -> bool {
+        !self.parameters.is_empty()
+    }
+
+    /// The values of a system's parameters, in their order; `None` for one not given.
+    pub(crate) fn known_parameters(
+        &self,
+        system: &System,
+        name: &str,
+    ) -> Result<Vec<Option<Rational>>, Refusal> {
+        given_values(&self.parameters, &system.field.symbols.parameters, name)
+    }
+
     /// The block that was named; `None` if none was.
     pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
         match (&self.system, &self.field, &self.file) {

@@ -7,6 +7,7 @@
 
 mod atlas;
 mod eval;
+mod extremes;
 mod heights;
 mod input;
 mod list;
@@ -56,6 +57,7 @@ enum Command {
     Eval(eval::Eval),
     Orbit(orbit::Orbit),
     Heights(heights::Heights),
+    Extremes(extremes::Extremes),
     Atlas(atlas::Atlas),
 }
 
@@ -76,6 +78,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Eval(command)) => command.run(),
         Some(Command::Orbit(command)) => command.run(),
         Some(Command::Heights(command)) => command.run(),
+        Some(Command::Extremes(command)) => command.run(),
         Some(Command::Atlas(command)) => command.run(),
     }
 }

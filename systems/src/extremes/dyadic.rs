@@ -1,0 +1,175 @@
+//! Exact numbers n·2^k: what floats are, and what sums and products of floats are.
+//!
+//! No division and no greatest common divisor: quotients are compared by multiplying across.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Sub};
+
+use num_bigint::{BigInt, Sign};
+
+/// integer·2^exponent; not normalised, so equality is a question of [`compare`](Dyadic::compare).
+#[derive(Clone, Debug)]
+pub(crate) struct Dyadic {
+    integer: BigInt,
+    exponent: i64,
+}
+
+impl Dyadic {
+    /// integer·2^exponent.
+    pub(crate) fn new(integer: impl Into<BigInt>, exponent: i64) -> Self {
+        Self { integer: integer.into(), exponent }
+    }
+
+    /// The value of a float; `None` if it is not finite.
+    pub(crate) fn of(x: f64) -> Option<Self> {
+        if !x.is_finite() {
+            return None;
+        }
+        let bits = x.to_bits();
+        let (fraction, field) = (bits & ((1 << 52) - 1), (bits >> 52 & 0x7ff) as i64);
+        let (significand, exponent) =
+            if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
+        // Few bits stay few: products of small integers are small integers.
+        let zeros = if significand == 0 { 0 } else { significand.trailing_zeros() };
+        let integer = (significand >> zeros) as i64;
+        let exponent = if significand == 0 { 0 } else { exponent + i64::from(zeros) };
+        Some(Self::new(if x < 0.0 { -integer } else { integer }, exponent))
+    }
+
+    pub(crate) fn zero() -> Self {
+        Self::new(0, 0)
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        self.integer.sign() == Sign::NoSign
+    }
+
+    pub(crate) fn is_negative(&self) -> bool {
+        self.integer.sign() == Sign::Minus
+    }
+
+    /// |self|.
+    pub(crate) fn abs(self) -> Self {
+        Self { integer: self.integer.magnitude().clone().into(), ..self }
+    }
+
+    /// self·2^power.
+    pub(crate) fn scaled(mut self, power: i64) -> Self {
+        self.exponent += power;
+        self
+    }
+
+    /// The e with 2^e ≤ |self| < 2^(e+1); `None` for 0.
+    pub(crate) fn binade(&self) -> Option<i64> {
+        (!self.is_zero()).then(|| self.exponent + self.integer.bits() as i64 - 1)
+    }
+
+    /// How self compares to other.
+    pub(crate) fn compare(&self, other: &Self) -> Ordering {
+        (self - other).integer.cmp(&BigInt::ZERO)
+    }
+
+    /// The same number as a fraction.
+    #[cfg(test)]
+    pub(crate) fn rational(&self) -> kahan_core::num_rational::BigRational {
+        let power = kahan_core::num_traits::pow(BigInt::from(2), self.exponent.unsigned_abs() as usize);
+        if self.exponent < 0 { (self.integer.clone(), power).into() } else { (&self.integer * power).into() }
+    }
+
+    /// A float near self and its binade: self = significand·2^binade with 1 ≤ |significand| < 2, cut off after 53 bits; 0 for 0.
+    pub(crate) fn leading(&self) -> (f64, i64) {
+        let Some(binade) = self.binade() else { return (0.0, 0) };
+        let excess = self.integer.bits().saturating_sub(53);
+        let top = (self.integer.magnitude() >> excess).iter_u64_digits().next().unwrap_or(0);
+        let significand = top as f64 / f64::from_bits((1022 + u64::from(64 - top.leading_zeros())) << 52);
+        (if self.is_negative() { -significand } else { significand }, binade)
+    }
+
+    /// A float near self: the leading 53 bits, fewer below the normal range; infinite above it.
+    pub(crate) fn near_f64(&self) -> f64 {
+        let (significand, binade) = self.leading();
+        libm::ldexp(significand, binade.clamp(-5000, 5000) as i32)
+    }
+
+    /// |self/divisor| as a float, to a relative 2⁻⁵⁰; infinite for a divisor 0 or beyond the floats, 0 below them.
+    pub(crate) fn ratio(&self, divisor: &Self) -> f64 {
+        if divisor.is_zero() {
+            return f64::INFINITY;
+        }
+        let ((above, up), (below, down)) = (self.leading(), divisor.leading());
+        libm::ldexp((above / below).abs(), (up - down).clamp(-5000, 5000) as i32)
+    }
+}
+
+/// Both integers over the smaller exponent; one of them is shifted.
+fn aligned(a: &Dyadic, b: &Dyadic, combine: impl Fn(&BigInt, &BigInt) -> BigInt) -> Dyadic {
+    // A zero has no scale to align to.
+    if b.is_zero() {
+        return a.clone();
+    }
+    if a.is_zero() {
+        return Dyadic { integer: combine(&BigInt::ZERO, &b.integer), exponent: b.exponent };
+    }
+    let exponent = a.exponent.min(b.exponent);
+    let integer = if a.exponent > exponent {
+        combine(&(&a.integer << (a.exponent - exponent)), &b.integer)
+    } else {
+        combine(&a.integer, &(&b.integer << (b.exponent - exponent)))
+    };
+    Dyadic { integer, exponent }
+}
+
+impl Add for &Dyadic {
+    type Output = Dyadic;
+
+    fn add(self, other: Self) -> Dyadic {
+        aligned(self, other, |a, b| a + b)
+    }
+}
+
+impl Sub for &Dyadic {
+    type Output = Dyadic;
+
+    fn sub(self, other: Self) -> Dyadic {
+        aligned(self, other, |a, b| a - b)
+    }
+}
+
+impl Mul for &Dyadic {
+    type Output = Dyadic;
+
+    fn mul(self, other: Self) -> Dyadic {
+        Dyadic { integer: &self.integer * &other.integer, exponent: self.exponent + other.exponent }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Dyadic;
+    use std::cmp::Ordering;
+
+    #[test]
+    fn floats_come_back_and_sums_are_exact() {
+        for x in [0.0, 1.0, -3.25, 0.1, 1e300, -1e-300, 5e-324, f64::MIN_POSITIVE, f64::MAX] {
+            let dyadic = Dyadic::of(x).unwrap();
+            assert_eq!(dyadic.near_f64(), x);
+            assert!((&dyadic - &dyadic).is_zero());
+            assert_eq!((&dyadic + &dyadic).compare(&dyadic.clone().scaled(1)), Ordering::Equal);
+        }
+        assert!(Dyadic::of(f64::NAN).is_none() && Dyadic::of(f64::INFINITY).is_none());
+        // 1e300·1e-300 is not 1, and the difference is what a fused multiply-add says.
+        let (a, b) = (Dyadic::of(1e300).unwrap(), Dyadic::of(1e-300).unwrap());
+        let difference = &(&a * &b) - &Dyadic::of(1.0).unwrap();
+        assert_eq!(difference.near_f64(), 1e300_f64.mul_add(1e-300, -1.0));
+    }
+
+    #[test]
+    fn ratios_reach_beyond_the_floats() {
+        let (a, b) = (Dyadic::new(3, 5000), Dyadic::new(-2, 5001));
+        assert_eq!(a.ratio(&b), 0.75);
+        assert_eq!(a.ratio(&Dyadic::zero()), f64::INFINITY);
+        assert_eq!(Dyadic::zero().ratio(&a), 0.0);
+        assert_eq!(a.binade(), Some(5001));
+        assert_eq!(b.abs().compare(&a), Ordering::Greater);
+    }
+}

@@ -1,0 +1,134 @@
+//! Steps at the extremes, judged by exact arithmetic.
+//!
+//! In: systems, a number of trials, a seed. Out: for every regime, tier and scalar how large the errors are, how many trials are
+//! flagged, and how many are silently wrong. The judge knows the reduced map as polynomials and takes the floats as
+//! they are given, so no tolerance is between a step and its verdict. What a trial draws depends on the seed and its index
+//! only: the result is the same for every number of threads.
+
+mod dyadic;
+mod float;
+mod judge;
+mod points;
+mod polynomial;
+mod regime;
+mod roots;
+mod steps;
+mod tally;
+mod trial;
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread::{available_parallelism, scope};
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+
+use judge::Judge;
+use trial::Ready;
+
+pub use regime::Regime;
+pub use tally::{Cell, Failure, Place, Tally};
+
+/// A system whose steps are judged.
+#[derive(Debug)]
+pub struct Subject {
+    name: String,
+    /// The values of parameters that are given; the others are drawn.
+    parameters: Vec<Option<Rational>>,
+    judge: Judge,
+}
+
+/// Why the steps of a system cannot be judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unjudged {
+    /// There is no generated code for it.
+    NotGenerated,
+    /// Its closed form is beyond the budget of terms, so no exact map to compare with.
+    BeyondBudget,
+}
+
+impl Subject {
+    /// A system of the catalog or the Volterra lattice, by its command name, with a value or none for each parameter.
+    ///
+    /// # Errors
+    /// For any other system, and where the map is too large to be reduced.
+    pub fn new(command: &str, system: &System, parameters: Vec<Option<Rational>>) -> Result<Self, Unjudged> {
+        if steps::generated::<f64>(command).is_none() {
+            return Err(Unjudged::NotGenerated);
+        }
+        let judge = Judge::of(system).ok_or(Unjudged::BeyondBudget)?;
+        Ok(Self { name: command.to_owned(), parameters, judge })
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether det A vanishes somewhere that the reduced map has a value.
+    #[must_use]
+    pub fn has_removable_poles(&self) -> bool {
+        !self.judge.removable_poles.is_empty()
+    }
+}
+
+/// `trials` trials of every scalar, a quarter each near poles, near removable poles, of mixed magnitudes and ordinary, and a
+/// thirty-second part (at least eight) with subnormal inputs and as many with inputs that are not finite, over all subjects in turn. Where
+/// none of them has a removable pole, that quarter goes to the poles.
+///
+/// `threads` is the number of threads, by default as many as the machine runs at once; `progress` is told how many trials were
+/// made since it was last called, from any of them.
+///
+/// # Panics
+/// Without a subject.
+#[must_use]
+pub fn survey(
+    subjects: &[Subject],
+    trials: u64,
+    seed: u64,
+    threads: Option<usize>,
+    progress: &(impl Fn(u64) + Sync),
+) -> Tally {
+    assert!(!subjects.is_empty(), "a survey has at least one subject");
+    let mut tally = Tally::default();
+    tally.add(of_scalar(&Ready::<f32>::new(subjects, trials, seed), threads, progress));
+    tally.add(of_scalar(&Ready::<f64>::new(subjects, trials, seed), threads, progress));
+    tally
+}
+
+/// The number of trials that [`survey`] makes in all.
+#[must_use]
+pub fn total(trials: u64) -> u64 {
+    2 * trial::with_special_inputs(trials)
+}
+
+/// All trials of one scalar, in blocks that threads take as they come free.
+fn of_scalar<T: float::Float>(
+    ready: &Ready<'_, T>,
+    threads: Option<usize>,
+    progress: &(impl Fn(u64) + Sync),
+) -> Tally {
+    const BLOCK: u64 = 64;
+    let threads = threads.or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1);
+    let (next, all) = (AtomicU64::new(0), Mutex::new(Tally::default()));
+    scope(|scope| {
+        for _ in 0..threads.max(1) {
+            scope.spawn(|| {
+                let mut mine = Tally::default();
+                loop {
+                    let start = next.fetch_add(BLOCK, Ordering::Relaxed);
+                    let end = (start + BLOCK).min(ready.trials());
+                    if start >= end {
+                        break;
+                    }
+                    (start..end).for_each(|index| ready.run(index, &mut mine));
+                    progress(end - start);
+                }
+                // A thread that panicked has ended the scope with its panic; what is in the lock is whole.
+                all.lock().unwrap_or_else(std::sync::PoisonError::into_inner).add(mine);
+            });
+        }
+    });
+    all.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner)
+}

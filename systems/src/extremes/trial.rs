@@ -1,0 +1,190 @@
+//! One trial: a point is drawn, stepped by each tier, and judged.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use super::Subject;
+use super::dyadic::Dyadic;
+use super::float::Float;
+use super::judge::Exact;
+use super::points::{Inputs, Points};
+use super::regime::Regime;
+use super::steps::{Steps, generated};
+use super::tally::{Failure, Tally};
+
+/// The trials of one scalar, ready to be run in any order.
+pub(super) struct Ready<'a, T> {
+    subjects: Vec<Runner<'a, T>>,
+    /// The subjects that have poles and removable poles.
+    with_poles: Vec<usize>,
+    with_removable_poles: Vec<usize>,
+    strata: u64,
+    seed: u64,
+}
+
+/// A subject with its steps over one scalar.
+struct Runner<'a, T> {
+    subject: &'a Subject,
+    steps: Box<dyn Steps<T>>,
+    fixed: Vec<Option<T>>,
+}
+
+/// The trials of one scalar, those with special inputs included.
+pub(super) fn with_special_inputs(trials: u64) -> u64 {
+    trials + 2 * special(trials)
+}
+
+/// The trials with subnormal inputs, and as many with inputs that are not finite.
+fn special(trials: u64) -> u64 {
+    (trials / 32).max(8)
+}
+
+impl<'a, T: Float> Ready<'a, T> {
+    pub(super) fn new(subjects: &'a [Subject], trials: u64, seed: u64) -> Self {
+        let runner = |subject: &'a Subject| {
+            let fixed = subject.parameters.iter().map(|value| value.as_ref().map(rounded)).collect();
+            Some(Runner { subject, steps: generated(subject.name())?, fixed })
+        };
+        let subjects: Vec<Runner<'a, T>> = subjects.iter().filter_map(runner).collect();
+        let indices = |has: fn(&Subject) -> bool| {
+            (0..subjects.len()).filter(|&i| has(subjects[i].subject)).collect::<Vec<_>>()
+        };
+        Self {
+            with_poles: indices(|subject| !subject.judge.poles.is_empty()),
+            with_removable_poles: indices(Subject::has_removable_poles),
+            subjects,
+            strata: trials,
+            seed,
+        }
+    }
+
+    /// How many trials there are.
+    pub(super) fn trials(&self) -> u64 {
+        with_special_inputs(self.strata)
+    }
+
+    /// The trial with this index.
+    pub(super) fn run(&self, index: u64, tally: &mut Tally) {
+        let (regime, runner) = self.stratum(index);
+        // Neighbouring seeds give streams that have nothing in common.
+        let seed = SplitMix64::new(self.seed ^ index.wrapping_mul(0xd134_2543_de82_ef95)).next_u64();
+        let judge = &runner.subject.judge;
+        let mut points = Points { judge, fixed: &runner.fixed, random: SplitMix64::new(seed) };
+        let inputs = points.draw(regime);
+        let exact = inputs.exact().map(|point| judge.step(judge.powers(&point)));
+        runner.fast(&inputs, exact.as_ref(), tally);
+        runner.stable(index, &inputs, exact.as_ref(), tally);
+    }
+
+    /// The regime and the subject of a trial: regimes in turn, and within each the subjects that it has, in turn.
+    fn stratum(&self, index: u64) -> (Regime, &Runner<'a, T>) {
+        let (regime, turn) = match index.checked_sub(self.strata) {
+            Some(special) if special % 2 == 0 => (Regime::Subnormal, special / 2),
+            Some(special) => (Regime::NotFinite, special / 2),
+            None => (Regime::ALL[(index % 4) as usize], index / 4),
+        };
+        let in_turn = |of: &[usize]| &self.subjects[of[(turn % of.len() as u64) as usize]];
+        match regime {
+            Regime::NearRemovablePole if !self.with_removable_poles.is_empty() => {
+                (regime, in_turn(&self.with_removable_poles))
+            }
+            Regime::NearPole | Regime::NearRemovablePole if !self.with_poles.is_empty() => {
+                (Regime::NearPole, in_turn(&self.with_poles))
+            }
+            Regime::NearPole | Regime::NearRemovablePole => (Regime::MixedMagnitudes, self.any(turn)),
+            _ => (regime, self.any(turn)),
+        }
+    }
+
+    fn any(&self, turn: u64) -> &Runner<'a, T> {
+        &self.subjects[(turn % self.subjects.len() as u64) as usize]
+    }
+}
+
+/// What the exact map says of the inputs: nothing where they are not finite, a pole, or a value.
+type Known<'a> = Option<&'a Option<Exact>>;
+
+impl<T: Float> Runner<'_, T> {
+    /// `step`: wrong is a finite result that is off by more than 1e-3, or where there is none.
+    fn fast(&self, inputs: &Inputs<T>, known: Known<'_>, tally: &mut Tally) {
+        let cell = tally.cell((inputs.regime, T::STEP_TIER, T::NAME));
+        cell.trials += 1;
+        let next = self.steps.step(&inputs.parameters, &inputs.x, inputs.eps);
+        let Some(next) = exact_values(&next) else {
+            cell.flagged += 1;
+            return;
+        };
+        match known {
+            Some(Some(exact)) => {
+                let verdict = exact.judge::<T>(&next);
+                cell.note_error(Some(verdict.error_u));
+                cell.silently_wrong += u64::from(!verdict.is_rough);
+            }
+            _ => cell.silently_wrong += 1,
+        }
+    }
+
+    /// `try_step`: wrong is an `Ok` outside the promise, or where there is no value.
+    fn stable(&self, index: u64, inputs: &Inputs<T>, known: Known<'_>, tally: &mut Tally) {
+        let place = (inputs.regime, "stable", T::NAME);
+        let next = self.steps.try_step(&inputs.parameters, &inputs.x, inputs.eps);
+        let mut complaint = None;
+        let cell = tally.cell(place);
+        cell.trials += 1;
+        match next {
+            None => {
+                cell.flagged += 1;
+                if let Some(condition) = self.forbidden_flag(known) {
+                    cell.unjustified += 1;
+                    complaint = Some(format!("is flagged at a condition number of {condition:.1e}"));
+                }
+            }
+            Some(next) => match (exact_values(&next), known) {
+                (Some(next), Some(Some(exact))) => {
+                    let verdict = exact.judge::<T>(&next);
+                    cell.note_error(Some(verdict.error_u));
+                    if !verdict.keeps_promise {
+                        cell.silently_wrong += 1;
+                        complaint = Some(format!("is Ok and off by {:.3e} u", verdict.error_u));
+                    }
+                }
+                (next, known) => {
+                    cell.silently_wrong += 1;
+                    let why = match (next, known) {
+                        (None, _) => "is Ok and not finite",
+                        (_, None) => "is Ok from an input that is not finite",
+                        _ => "is Ok at a pole",
+                    };
+                    complaint = Some(why.to_owned());
+                }
+            },
+        }
+        if let Some(complaint) = complaint {
+            let Inputs { parameters, x, eps, .. } = inputs;
+            let (name, scalar) = (self.subject.name(), T::NAME);
+            let parameters =
+                if parameters.is_empty() { String::new() } else { format!(", parameters {parameters:?}") };
+            let text = format!("{name} in {scalar} at {x:?}, eps {eps:?}{parameters}: try_step {complaint}");
+            tally.fail(Failure { index, text });
+        }
+    }
+
+    /// The condition number at which a flag breaks the promise; `None` where a flag is right.
+    fn forbidden_flag(&self, known: Known<'_>) -> Option<f64> {
+        let exact = known?.as_ref()?;
+        let limit = T::FLAG_CONDITION?;
+        let condition = exact.fits::<T>().then(|| self.subject.judge.condition(exact))?;
+        (condition < limit).then_some(condition)
+    }
+}
+
+/// The exact values of a result; `None` if one is not finite.
+fn exact_values<T: Float>(result: &[T]) -> Option<Vec<Dyadic>> {
+    result.iter().map(|value| value.exact()).collect()
+}
+
+/// The scalar near a rational.
+fn rounded<T: Float>(value: &kahan_algebra::rational::Rational) -> T {
+    let (high, low) = value.to_double_double();
+    let parts = Dyadic::of(high).zip(Dyadic::of(low));
+    parts.map_or_else(|| T::not_finite(2), |(high, low)| T::near(&(&high + &low)))
+}

@@ -1,0 +1,31 @@
+//! The periodic Volterra lattice with three sites; not a system of the paper, so not in its registry.
+//!
+//! With D = det A = `1 - eps^2 ((x+y+z)^2 - 4 (xy+yz+zx))`, even in eps, the map keeps `x + y + z`, which is linear, and
+//! the volume `dx dy dz/(x y z)`, and so `x y z/D`. At large steps D is what cancels: a test of accuracy for every step
+//! that is computed in floats.
+
+use kahan_core::prelude::*;
+
+use crate::entry::Entry;
+
+kahan! {
+    /// The periodic Volterra lattice with three sites `x`, `y`, `z`.
+    pub struct VolterraLattice;
+
+    xdot = x*(y - z);
+    ydot = y*(z - x);
+    zdot = z*(x - y);
+
+    density rho = 1/(x*y*z);
+    integral S = x + y + z;
+    integral K = x*y*z/(1 - eps^2*((x + y + z)^2 - 4*(x*y + y*z + z*x)));
+}
+
+/// The names and the text of the lattice, in the form of the catalog's entries.
+pub static ENTRY: Entry = Entry {
+    command: "volterra",
+    type_name: "VolterraLattice",
+    title: "the periodic Volterra lattice with three sites",
+    file: include_str!("volterra.rs"),
+    sources: &[],
+};
