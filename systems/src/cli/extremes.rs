@@ -19,10 +19,10 @@ use super::progress::Progress;
 /// f32 over the like part of its range. Poles are found by bisection in exact arithmetic and left by relative distances of 2^-k, down
 /// to the nearest float. A parameter that is not given is drawn for each trial.
 ///
-/// `step` is the fast tier: silently wrong is a finite result that is off by more than 1e-3 of the exact one's largest component.
-/// `try_step` is the stable tier: silently wrong is an Ok that is off by more than 64 u of it (u = 2^-53 for f64, 2^-24 for f32), or
+/// `step` is the fast tier, in dd the accurate one: silently wrong is a finite result that is off by more than 1e-3 of the exact one's largest component.
+/// `try_step` is the stable tier: silently wrong is an Ok that is off by more than 64 u of it (u = 2^-24 for f32, 2^-53 for f64, 2^-102 for dd), or
 /// not finite, or at a pole. A flag has no right where the condition number of the step in (x, eps) is below 1e12 (f32: 1e4) and no
-/// component of the exact result is below the normal range or above the largest float.
+/// component of the exact result is below the normal range or above the largest float; of dd no such thing is promised.
 ///
 /// The exit status is 1 if the stable tier is silently wrong anywhere, or flags without right.
 #[derive(Args, Debug)]

@@ -1,6 +1,7 @@
 //! What is asked of a scalar whose steps are judged: its values as exact numbers, and the limits of its format.
 
-use kahan_core::Pivot;
+use kahan_core::nalgebra::SVector;
+use kahan_core::{Dd, KahanMap, Lift, Pivot, ThroughF64};
 
 use super::dyadic::Dyadic;
 
@@ -10,8 +11,12 @@ pub(crate) trait Float: Pivot + Copy + Send + Sync {
     const NAME: &'static str;
     /// The tier whose `step` it is: `fast`, or `accurate`.
     const STEP_TIER: &'static str;
+    /// The tier of the step that is computed in a wider format and rounded once, where there is one.
+    const WIDER_TIER: Option<&'static str> = None;
     /// The unit u of the promise is 2^−PRECISION.
     const PRECISION: i64;
+    /// How many bits are drawn: all that a number can have.
+    const BITS: i64;
     /// The binade of the least number that has all of its bits.
     const LEAST_BINADE: i64;
     /// The binade of the largest number.
@@ -31,12 +36,21 @@ pub(crate) trait Float: Pivot + Copy + Send + Sync {
 
     /// One of the inputs that are no numbers: ∞, −∞, NaN.
     fn not_finite(which: u64) -> Self;
+
+    /// The step of [`WIDER_TIER`](Self::WIDER_TIER).
+    fn wider_step<M, const N: usize>(_map: M, _x: &SVector<Self, N>, _eps: Self) -> Option<SVector<Self, N>>
+    where
+        M: Lift<Self, N>,
+    {
+        None
+    }
 }
 
 impl Float for f64 {
     const NAME: &'static str = "f64";
     const STEP_TIER: &'static str = "fast";
     const PRECISION: i64 = 53;
+    const BITS: i64 = 53;
     const LEAST_BINADE: i64 = -1022;
     const GREATEST_BINADE: i64 = 1023;
     const EPS_BINADES: i64 = 996;
@@ -59,7 +73,9 @@ impl Float for f64 {
 impl Float for f32 {
     const NAME: &'static str = "f32";
     const STEP_TIER: &'static str = "fast";
+    const WIDER_TIER: Option<&'static str> = Some("fast through f64");
     const PRECISION: i64 = 24;
+    const BITS: i64 = 24;
     const LEAST_BINADE: i64 = -126;
     const GREATEST_BINADE: i64 = 127;
     const EPS_BINADES: i64 = 125;
@@ -76,5 +92,39 @@ impl Float for f32 {
 
     fn not_finite(which: u64) -> Self {
         [Self::INFINITY, Self::NEG_INFINITY, Self::NAN][(which % 3) as usize]
+    }
+
+    fn wider_step<M, const N: usize>(map: M, x: &SVector<Self, N>, eps: Self) -> Option<SVector<Self, N>>
+    where
+        M: Lift<Self, N>,
+    {
+        Some(ThroughF64(map).step(x, eps))
+    }
+}
+
+impl Float for Dd {
+    const NAME: &'static str = "dd";
+    const STEP_TIER: &'static str = "accurate";
+    /// That of the promise; an operation is within it.
+    const PRECISION: i64 = 102;
+    const BITS: i64 = 106;
+    /// Below it the low part loses bits.
+    const LEAST_BINADE: i64 = -969;
+    const GREATEST_BINADE: i64 = 1023;
+    const EPS_BINADES: i64 = 996;
+    const STATE_BINADES: i64 = 498;
+    const FLAG_CONDITION: Option<f64> = None;
+
+    fn exact(self) -> Option<Dyadic> {
+        Some(&Dyadic::of(self.high())? + &Dyadic::of(self.low())?)
+    }
+
+    fn near(value: &Dyadic) -> Self {
+        let high = value.near_f64();
+        Dyadic::of(high).map_or(Self::from(high), |leading| Self::new(high, (value - &leading).near_f64()))
+    }
+
+    fn not_finite(which: u64) -> Self {
+        Self::from(f64::not_finite(which))
     }
 }

@@ -22,6 +22,7 @@ use std::thread::{available_parallelism, scope};
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
+use kahan_core::Dd;
 
 use judge::Judge;
 use trial::Ready;
@@ -73,7 +74,7 @@ impl Subject {
     }
 }
 
-/// `trials` trials of every scalar, a quarter each near poles, near removable poles, of mixed magnitudes and ordinary, and a
+/// `trials` trials of `f32`, `f64` and `Dd` each, a quarter each near poles, near removable poles, of mixed magnitudes and ordinary, and a
 /// thirty-second part (at least eight) with subnormal inputs and as many with inputs that are not finite, over all subjects in turn. Where
 /// none of them has a removable pole, that quarter goes to the poles.
 ///
@@ -94,13 +95,14 @@ pub fn survey(
     let mut tally = Tally::default();
     tally.add(of_scalar(&Ready::<f32>::new(subjects, trials, seed), threads, progress));
     tally.add(of_scalar(&Ready::<f64>::new(subjects, trials, seed), threads, progress));
+    tally.add(of_scalar(&Ready::<Dd>::new(subjects, trials, seed), threads, progress));
     tally
 }
 
 /// The number of trials that [`survey`] makes in all.
 #[must_use]
 pub fn total(trials: u64) -> u64 {
-    2 * trial::with_special_inputs(trials)
+    3 * trial::with_special_inputs(trials)
 }
 
 /// All trials of one scalar, in blocks that threads take as they come free.

@@ -55,7 +55,7 @@ impl<T: Float> Points<'_, T> {
             Regime::NearPole => self.beside(&self.judge.poles, regime),
             Regime::NearRemovablePole => self.beside(&self.judge.removable_poles, regime),
             Regime::Subnormal => self.altered(regime, |points| {
-                let binade = points.between(T::LEAST_BINADE - T::PRECISION + 1, T::LEAST_BINADE - 1);
+                let binade = points.between(T::LEAST_BINADE - T::BITS + 1, T::LEAST_BINADE - 1);
                 points.float(binade)
             }),
             Regime::NotFinite => self.altered(regime, |points| T::not_finite(points.random.next_u64())),
@@ -109,13 +109,13 @@ impl<T: Float> Points<'_, T> {
             let Some(point) = inputs.exact().filter(|_| !polynomials.is_empty()) else { break };
             let one = &polynomials[self.random.below(polynomials.len() as u64) as usize];
             let coefficients = one.at(&self.judge.powers(&point));
-            let Some(zero) = root(&coefficients, T::PRECISION, &mut self.random) else { continue };
+            let Some(zero) = root(&coefficients, T::BITS, &mut self.random) else { continue };
             let limit = if one.variable == self.judge.epsilon() { T::EPS_BINADES } else { T::STATE_BINADES };
             if zero.binade().is_none_or(|binade| binade.abs() > limit) {
                 continue;
             }
             // Beyond the precision the float next to the zero, or the zero, is what is left.
-            let k = self.between(0, T::PRECISION + 6);
+            let k = self.between(0, T::BITS + 6);
             let offset = zero.clone().scaled(-k);
             let moved = if self.random.below(2) == 0 { &zero + &offset } else { &zero - &offset };
             inputs.set(one.variable, T::near(&moved));
@@ -157,7 +157,7 @@ impl<T: Float> Points<'_, T> {
     /// A float in a binade, of either sign, with all bits or with few.
     fn float(&mut self, binade: i64) -> T {
         let few = self.random.below(4) == 0;
-        let bits = if few { 1 + self.random.below(6) as i64 } else { T::PRECISION };
+        let bits = if few { 1 + self.random.below(6) as i64 } else { T::BITS };
         let drawn = (u128::from(self.random.next_u64()) << 64) | u128::from(self.random.next_u64());
         // The top bit of so many, and the others as drawn.
         let significand = (drawn | 1 << 127) >> (128 - bits);

@@ -1,14 +1,19 @@
 //! The steps that are judged, of systems whose type is not known where they are called.
 
+use kahan_core::Lift;
 use kahan_core::nalgebra::SVector;
-use kahan_core::{KahanMap, Pivot};
+
+use super::float::Float;
 
 use crate::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra, VolterraLattice};
 
-/// The two steps of one map at given parameters.
+/// The steps of one map at given parameters.
 pub(crate) trait Steps<T>: Send + Sync {
     /// x̃ by `step`, whatever it is.
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T>;
+
+    /// x̃ by the step through a wider format; `None` where the scalar has none.
+    fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 
     /// x̃ by `try_step`; `None` where it is flagged.
     fn try_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
@@ -19,12 +24,17 @@ struct Generated<F, const N: usize>(F);
 
 impl<T, M, F, const N: usize> Steps<T> for Generated<F, N>
 where
-    T: Pivot + Copy,
-    M: KahanMap<T, N>,
+    T: Float,
+    M: Lift<T, N>,
     F: Fn(&[T]) -> M + Send + Sync,
 {
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T> {
         self.0(parameters).step(&SVector::from_fn(|i, _| x[i]), eps).iter().copied().collect()
+    }
+
+    fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>> {
+        let next = T::wider_step(self.0(parameters), &SVector::from_fn(|i, _| x[i]), eps)?;
+        Some(next.iter().copied().collect())
     }
 
     fn try_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>> {
@@ -34,7 +44,7 @@ where
 }
 
 /// The generated steps of a system of the catalog, or of the lattice, by its command name.
-pub(crate) fn generated<T: Pivot + Copy>(command: &str) -> Option<Box<dyn Steps<T>>> {
+pub(crate) fn generated<T: Float>(command: &str) -> Option<Box<dyn Steps<T>>> {
     Some(match command {
         "euler" => Box::new(Generated::<_, 3>(|p: &[T]| EulerTop { a1: p[0], a2: p[1], a3: p[2] })),
         "lv" => Box::new(Generated::<_, 2>(|_: &[T]| LotkaVolterra)),

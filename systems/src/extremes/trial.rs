@@ -9,7 +9,7 @@ use super::judge::Exact;
 use super::points::{Inputs, Points};
 use super::regime::Regime;
 use super::steps::{Steps, generated};
-use super::tally::{Failure, Tally};
+use super::tally::{Cell, Failure, Tally};
 
 /// The trials of one scalar, ready to be run in any order.
 pub(super) struct Ready<'a, T> {
@@ -71,7 +71,14 @@ impl<'a, T: Float> Ready<'a, T> {
         let mut points = Points { judge, fixed: &runner.fixed, random: SplitMix64::new(seed) };
         let inputs = points.draw(regime);
         let exact = inputs.exact().map(|point| judge.step(judge.powers(&point)));
-        runner.fast(&inputs, exact.as_ref(), tally);
+        let Inputs { parameters, x, eps, regime } = &inputs;
+        let next = runner.steps.step(parameters, x, *eps);
+        count_plain(tally.cell((*regime, T::STEP_TIER, T::NAME)), &next, exact.as_ref());
+        if let Some(tier) = T::WIDER_TIER
+            && let Some(next) = runner.steps.wider_step(parameters, x, *eps)
+        {
+            count_plain(tally.cell((*regime, tier, T::NAME)), &next, exact.as_ref());
+        }
         runner.stable(index, &inputs, exact.as_ref(), tally);
     }
 
@@ -103,26 +110,21 @@ impl<'a, T: Float> Ready<'a, T> {
 /// What the exact map says of the inputs: nothing where they are not finite, a pole, or a value.
 type Known<'a> = Option<&'a Option<Exact>>;
 
-impl<T: Float> Runner<'_, T> {
-    /// `step`: wrong is a finite result that is off by more than 1e-3, or where there is none.
-    fn fast(&self, inputs: &Inputs<T>, known: Known<'_>, tally: &mut Tally) {
-        let cell = tally.cell((inputs.regime, T::STEP_TIER, T::NAME));
-        cell.trials += 1;
-        let next = self.steps.step(&inputs.parameters, &inputs.x, inputs.eps);
-        let Some(next) = exact_values(&next) else {
-            cell.flagged += 1;
-            return;
-        };
-        match known {
-            Some(Some(exact)) => {
-                let verdict = exact.judge::<T>(&next);
-                cell.note_error(Some(verdict.error_u));
-                cell.silently_wrong += u64::from(!verdict.is_rough);
-            }
-            _ => cell.silently_wrong += 1,
+/// A step without a promise: wrong is a finite result that is off by more than 1e-3, or where there is none.
+fn count_plain<T: Float>(cell: &mut Cell, next: &[T], known: Known<'_>) {
+    cell.trials += 1;
+    match (exact_values(next), known) {
+        (None, _) => cell.flagged += 1,
+        (Some(next), Some(Some(exact))) => {
+            let verdict = exact.judge::<T>(&next);
+            cell.note_error(Some(verdict.error_u));
+            cell.silently_wrong += u64::from(!verdict.is_rough);
         }
+        _ => cell.silently_wrong += 1,
     }
+}
 
+impl<T: Float> Runner<'_, T> {
     /// `try_step`: wrong is an `Ok` outside the promise, or where there is no value.
     fn stable(&self, index: u64, inputs: &Inputs<T>, known: Known<'_>, tally: &mut Tally) {
         let place = (inputs.regime, "stable", T::NAME);
