@@ -213,7 +213,7 @@ fn complaint(tally: &Tally) -> Option<String> {
     }
     let examples: Vec<&str> = tally.failures.iter().map(|failure| failure.text.as_str()).collect();
     Some(format!(
-        "the stable tier breaks its promise: {wrong} silently wrong, {flags} flagged without right. The first: {}",
+        "the stable tier breaks its promise: {wrong} silently wrong, {flags} flagged without right. The first of each: {}",
         examples.join("; ")
     ))
 }

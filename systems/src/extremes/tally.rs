@@ -27,6 +27,8 @@ pub type Place = (Regime, &'static str, &'static str);
 /// A trial that broke a promise of the stable tier.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Failure {
+    /// Whether it is a flag without right; else it is silently wrong, which comes first.
+    pub is_flag: bool,
     /// The trial.
     pub index: u64,
     /// What was promised and what came, with the arguments.
@@ -38,12 +40,12 @@ pub struct Failure {
 pub struct Tally {
     /// The cells.
     pub cells: BTreeMap<Place, Cell>,
-    /// The first failures of the stable tier, by their index.
+    /// The first failures of the stable tier: silently wrong, then flagged without right, each by its index.
     pub failures: Vec<Failure>,
 }
 
-/// As many failures as are shown.
-const SHOWN: usize = 4;
+/// As many failures of each kind are shown.
+const SHOWN: usize = 3;
 
 impl Tally {
     pub(crate) fn cell(&mut self, place: Place) -> &mut Cell {
@@ -51,9 +53,14 @@ impl Tally {
     }
 
     pub(crate) fn fail(&mut self, failure: Failure) {
-        self.failures.push(failure);
-        self.failures.sort();
-        self.failures.truncate(SHOWN);
+        let at = self.failures.partition_point(|known| *known <= failure);
+        let is_flag = failure.is_flag;
+        self.failures.insert(at, failure);
+        let of_its_kind = || self.failures.iter().filter(|known| known.is_flag == is_flag);
+        if of_its_kind().count() > SHOWN {
+            let last = self.failures.iter().rposition(|known| known.is_flag == is_flag);
+            last.map(|last| self.failures.remove(last));
+        }
     }
 
     pub(crate) fn add(&mut self, other: Self) {

@@ -137,7 +137,7 @@ impl<T: Float> Runner<'_, T> {
                 cell.flagged += 1;
                 if let Some(condition) = self.forbidden_flag(known) {
                     cell.unjustified += 1;
-                    complaint = Some(format!("is flagged at a condition number of {condition:.1e}"));
+                    complaint = Some((true, format!("is flagged at a condition number of {condition:.1e}")));
                 }
             }
             Some(next) => match (exact_values(&next), known) {
@@ -146,7 +146,7 @@ impl<T: Float> Runner<'_, T> {
                     cell.note_error(Some(verdict.error_u));
                     if !verdict.keeps_promise {
                         cell.silently_wrong += 1;
-                        complaint = Some(format!("is Ok and off by {:.3e} u", verdict.error_u));
+                        complaint = Some((false, format!("is Ok and off by {:.3e} u", verdict.error_u)));
                     }
                 }
                 (next, known) => {
@@ -156,17 +156,17 @@ impl<T: Float> Runner<'_, T> {
                         (_, None) => "is Ok from an input that is not finite",
                         _ => "is Ok at a pole",
                     };
-                    complaint = Some(why.to_owned());
+                    complaint = Some((false, why.to_owned()));
                 }
             },
         }
-        if let Some(complaint) = complaint {
+        if let Some((is_flag, complaint)) = complaint {
             let Inputs { parameters, x, eps, .. } = inputs;
             let (name, scalar) = (self.subject.name(), T::NAME);
             let parameters =
                 if parameters.is_empty() { String::new() } else { format!(", parameters {parameters:?}") };
             let text = format!("{name} in {scalar} at {x:?}, eps {eps:?}{parameters}: try_step {complaint}");
-            tally.fail(Failure { index, text });
+            tally.fail(Failure { is_flag, index, text });
         }
     }
 
