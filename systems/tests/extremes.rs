@@ -8,6 +8,8 @@ use kahan_algebra::check::check;
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::parse;
+use kahan_core::prelude::*;
+use kahan_systems::E2;
 use kahan_systems::entry::Entry;
 use kahan_systems::extremes::{Cell, Place, Regime, Subject, Tally, survey};
 use kahan_systems::registry::SYSTEMS;
@@ -39,6 +41,16 @@ fn the_stable_tier_keeps_its_promise_at_the_extremes() {
     let wrong = sum(&tally, is_stable, |cell| cell.silently_wrong);
     let flags = sum(&tally, is_stable, |cell| cell.unjustified);
     assert_eq!((wrong, flags), (0, 0), "silently wrong, and flagged without right: {:#?}", tally.failures);
+}
+
+/// z̃ = z + 2ε(…) leaves the range by its last multiply-add, behind every error bound; found by the large sample.
+#[test]
+fn a_result_beyond_the_largest_float_is_flagged() {
+    for (x, eps) in [(12.0, 0.125), (40.0, 0.03125)] {
+        assert!(E2.try_step(&vector![x, 1e154, 1.0], eps).is_err());
+        assert!(E2.try_step(&vector![x, 1e154, 1.0].map(Dd::from), Dd::from(eps)).is_err());
+    }
+    assert!(E2.try_step(&vector![12.0, 1e153, 1.0], 0.125).is_ok());
 }
 
 /// The other side of the first test: the points are hard enough to show a step without a promise at fault, everywhere but
