@@ -4,7 +4,7 @@
 
 use crate::FloatScalar;
 
-/// The ε nearest to `eps` with at most a third of the scalar's bits (`f32`: 8, `f64`: 17), so that ε² and ε³ are exact.
+/// The ε nearest to `eps` with at most a third of the scalar's bits (`f32`: 8, `f64`: 17, `Dd`: 35), so that ε² and ε³ are exact.
 ///
 /// The map at a rounded ε is as good as any other, but where the step computes powers of ε their roundings are the same in every
 /// step: together they are no ε at all, and the integrals of the map drift linearly with the number of steps, compensated

@@ -5,6 +5,7 @@ pub mod compile_cases;
 pub mod exact;
 pub mod expression;
 pub mod float_maps;
+pub mod flow;
 pub mod oracle;
 pub mod random_fields;
 pub mod random_systems;

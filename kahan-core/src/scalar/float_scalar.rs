@@ -3,17 +3,18 @@
 //! In: a float of any width. Out: what only rounded numbers need: compensated sums, coefficients that are not rational, an ε
 //! of few bits.
 
-use super::Scalar;
+use super::{Dd, Scalar};
 
 /// A scalar whose results are rounded to a fixed relative precision.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a floating-point scalar",
     label = "not a `FloatScalar`",
-    note = "compensated and composed orbits are for scalars that round, such as `f32` and `f64`",
+    note = "compensated and composed orbits are for scalars that round, such as `f32`, `f64` and `Dd`",
     note = "an exact scalar has no rounding error to carry, and the coefficients of the compositions are irrational"
 )]
 pub trait FloatScalar: Scalar + Copy {
-    /// The number of bits such that the third power of a number with that many fits the scalar: 8 for `f32`, 17 for `f64`.
+    /// The number of bits such that the third power of a number with that many fits the scalar: 8 for `f32`, 17 for `f64`, 35 for
+    /// `Dd`.
     const SHORT_BITS: u32;
 
     /// The nearest number with at most [`SHORT_BITS`](Self::SHORT_BITS) significant bits; what is not finite stays.
@@ -44,3 +45,23 @@ macro_rules! implement_for_float {
 
 implement_for_float!(f32);
 implement_for_float!(f64);
+
+impl FloatScalar for Dd {
+    const SHORT_BITS: u32 = 35;
+
+    /// Ties away from zero; what would round beyond the largest number is cut off instead.
+    fn nearest_short(self) -> Self {
+        const DROPPED: u32 = f64::MANTISSA_DIGITS - Dd::SHORT_BITS;
+        const UNIT: u64 = 1 << DROPPED;
+
+        let high = self.high();
+        if !high.is_finite() {
+            return self;
+        }
+        // In the middle between two short numbers, what high leaves decides.
+        let below_middle = self.low() != 0.0 && (self.low() > 0.0) != (high > 0.0);
+        let cut = |bits: u64| f64::from_bits(bits & !(UNIT - 1));
+        let nearest = cut(high.to_bits() + (UNIT / 2 - u64::from(below_middle)));
+        Dd::from(if nearest.is_finite() { nearest } else { cut(high.to_bits()) })
+    }
+}

@@ -3,7 +3,9 @@
 use nalgebra::SVector;
 
 use super::systems::{Coupled, E3};
-use crate::{Compensated, Composed, Composition, KahanMap, Orbit, Single, nearest_short_eps, vector};
+use crate::{
+    Compensated, Composed, Composition, Dd, FloatScalar, KahanMap, Orbit, Single, nearest_short_eps, vector,
+};
 
 const START: [f64; 3] = [0.3, -0.7, 1.1];
 
@@ -113,4 +115,24 @@ fn a_short_eps_is_the_nearest_and_its_cube_is_exact() {
     assert!(nearest_short_eps(f64::NAN).is_nan());
     assert_eq!(nearest_short_eps(f64::INFINITY), f64::INFINITY);
     assert!(nearest_short_eps(f64::MAX).is_finite() && nearest_short_eps(f32::MAX).is_finite());
+}
+
+#[test]
+fn a_short_double_double_is_the_nearest() {
+    let unit = 2_f64.powi(-34);
+    let middle = 1.0 + unit / 2.0;
+    let short = |high, low| nearest_short_eps(Dd::new(high, low)).high();
+    assert_eq!(
+        (short(middle, 0.0), short(middle, 1e-20), short(middle, -1e-20)),
+        (1.0 + unit, 1.0 + unit, 1.0)
+    );
+    assert_eq!(
+        (short(-middle, 0.0), short(-middle, 1e-20), short(-middle, -1e-20)),
+        (-1.0 - unit, -1.0, -1.0 - unit)
+    );
+    let third = nearest_short_eps(Dd::from(1.0) / Dd::from(3.0));
+    // 35 bits from 2⁻² on.
+    assert_eq!((third.low(), (third.high() * 2_f64.powi(36)).fract(), Dd::SHORT_BITS), (0.0, 0.0, 35));
+    assert!((third.high() - 1.0 / 3.0).abs() <= unit / 8.0);
+    assert!(nearest_short_eps(Dd::from(f64::MAX)).high().is_finite());
 }
