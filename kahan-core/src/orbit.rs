@@ -36,11 +36,10 @@ pub use scaled::Scaled;
 ///
 /// # There and back
 /// The map with −ε is the inverse map, so n steps and n steps back come home: exactly over exact scalars; over floats up to
-/// the roundings of the 2n steps, each carried along to the end of the way back. With δ a bound on the rounding of one step
-/// (½ ulp of each component and a few u·2ε·|f|), xₖ the points and φ the map, the distance
-/// from x₀ is, to first order in u, at most
+/// the roundings of the 2n steps, each carried along to the end of the way back. With δₖ a bound on the rounding of a step that
+/// arrives at xₖ (16u·‖xₖ‖ at ordinary points) and φ the map, the distance from x₀ is, to first order in u, at most
 ///
-/// 2δ·(½ + Σ ‖∂φ⁻ᵏ(xₖ)‖), k = 1 … n,
+/// δ₀ + 2 Σ ‖∂φ⁻ᵏ(xₖ)‖·δₖ, k = 1 … n,
 ///
 /// in the maximum norm. On an orbit that stays on a curve or torus the norms grow at most linearly and so the bound at most
 /// quadratically with n; near chaos both grow exponentially.

@@ -591,7 +591,10 @@ mod manners {
         let at = |rest: &[&'static str]| [&["e6", "--eps", "1/2", "--at", "1,2,3"], rest].concat();
         let cases: [(Vec<&str>, &[&str]); 14] = [
             (at(&["--steps", "5", "--scalar", "dd"]), &["dd is not built yet", "exact, f64 or f32"]),
-            (at(&["--steps", "5", "--order", "4"]), &["--order 4 is not built yet", "use 2"]),
+            (
+                at(&["--steps", "5", "--order", "4", "--scalar", "exact"]),
+                &["--order 4", "irrational", "--scalar f64", "--order 2"],
+            ),
             (at(&["--steps", "5", "--order", "3"]), &["'3'", "2, 4, 6, 8"]),
             (at(&["--steps", "-5"]), &["'-5'", "whole number, 0 or more"]),
             (at(&["--steps", "1e3"]), &["'1e3'", "whole number, 0 or more"]),

@@ -3,8 +3,8 @@
 //! The allocator of this program counts; nothing else is tested here, so that nothing else allocates meanwhile.
 
 use allocation_counter::measure;
-use kahan_core::Ensemble;
 use kahan_core::prelude::*;
+use kahan_core::{Composition, Ensemble};
 use kahan_systems::{E1, E3, E6, E9, EulerTop, LotkaVolterra};
 use kahan_tests::random_systems::Dense6;
 
@@ -27,6 +27,9 @@ where
         }
         let last = map.orbit(start, eps).nth(STEPS);
         let also = prepared.orbit(start).nth(STEPS);
+        let both = map.orbit(start, eps).composed(Composition::KAHAN_LI_8).compensated().nth(STEPS);
+        let composed = prepared.composed(Composition::SUZUKI_4).step(&start);
+        assert!(both.is_some_and(|x| x.iter().chain(composed.iter()).all(|entry| entry.is_finite())));
         assert!(last == Some(x) && also == Some(x) && x == y && x == z && x == w);
         assert!(x.iter().all(|entry| entry.is_finite()));
     });

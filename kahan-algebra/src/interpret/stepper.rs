@@ -82,37 +82,59 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
         parameters: &[A::Value],
         eps: &A::Value,
     ) -> Result<Self, UndefinedField> {
+        Self::of_each(system, arithmetic, parameters, core::slice::from_ref(eps))
+            .map(|mut steppers| steppers.remove(0))
+    }
+
+    /// A stepper for each of several ε, as the stages of a composition need them; the map is derived once.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    ///
+    /// # Panics
+    /// As [`new`](Self::new).
+    pub fn of_each(
+        system: &System,
+        arithmetic: &'a A,
+        parameters: &[A::Value],
+        eps: &[A::Value],
+    ) -> Result<Vec<Self>, UndefinedField> {
         let symbols = &system.field.symbols;
-        let input = |variable: Variable| match symbols.symbol(variable) {
+        let components = &system.field.components;
+        let fixed = |variable: Variable, eps: &A::Value| match symbols.symbol(variable) {
             Symbol::State(i) | Symbol::SecondState(i) => Input::State(i),
             Symbol::Parameter(k) => Input::Fixed(parameters[k].clone()),
             Symbol::Epsilon => Input::Fixed(eps.clone()),
         };
-        let program =
-            |polynomials: Vec<&Polynomial>| Program::new(&Plan::of(polynomials), arithmetic, &[], input);
-        let components = &system.field.components;
-        let divisors = program(components.iter().map(|component| &component.denominator).collect());
-        if divisors.outputs().any(|value| value.is_none_or(|value| arithmetic.is_zero(value))) {
-            return Err(UndefinedField);
-        }
         let map = RationalMap::of(&system.field);
-        let increment = match StepPlan::of_map(&system.field, map.as_ref()) {
-            Some(step) => Increment::planned(&step, arithmetic, &input),
-            None => Increment::Elimination {
-                matrix: program(scaled_matrix(&system.field).iter().flatten().collect()),
-                right: program(components.iter().map(|component| &component.numerator).collect()),
-            },
-        };
+        let step = StepPlan::of_map(&system.field, map.as_ref());
         let claims: Vec<_> = system.accessors(ClaimKind::Integral).collect();
         let integrals = Plan::together(claims.iter().map(|claim| &claim.plan));
-        Ok(Stepper {
-            arithmetic,
-            two_eps: arithmetic.add(eps, eps),
-            is_reduced: map.is_some(),
-            increment,
-            integral_names: claims.iter().map(|claim| claim.name.text.clone()).collect(),
-            integrals: Program::new(&integrals, arithmetic, &[], input),
-        })
+        let stepper = |eps: &A::Value| {
+            let input = |variable: Variable| fixed(variable, eps);
+            let program =
+                |polynomials: Vec<&Polynomial>| Program::new(&Plan::of(polynomials), arithmetic, &[], input);
+            let divisors = program(components.iter().map(|component| &component.denominator).collect());
+            if divisors.outputs().any(|value| value.is_none_or(|value| arithmetic.is_zero(value))) {
+                return Err(UndefinedField);
+            }
+            let increment = match &step {
+                Some(step) => Increment::planned(step, arithmetic, &input),
+                None => Increment::Elimination {
+                    matrix: program(scaled_matrix(&system.field).iter().flatten().collect()),
+                    right: program(components.iter().map(|component| &component.numerator).collect()),
+                },
+            };
+            Ok(Stepper {
+                arithmetic,
+                two_eps: arithmetic.add(eps, eps),
+                is_reduced: map.is_some(),
+                increment,
+                integral_names: claims.iter().map(|claim| claim.name.text.clone()).collect(),
+                integrals: Program::new(&integrals, arithmetic, &[], input),
+            })
+        };
+        eps.iter().map(stepper).collect()
     }
 
     /// Whether the map is the reduced rational map; if not, it is beyond the budget of terms, and every point with

@@ -5,14 +5,15 @@
 //! commas: names are identifiers and numbers have no commas, so nothing in it ever needs quoting.
 
 mod exact;
+mod float;
 mod request;
 
 use std::path::PathBuf;
 
 use clap::Args;
-use kahan_algebra::arithmetic::{Arithmetic, Exact, Float32, Float64};
-use kahan_algebra::interpret::{Pole, Stepper};
-use kahan_algebra::rational::Rational;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use kahan_algebra::arithmetic::{Exact, Float32, Float64};
+use kahan_algebra::interpret::UndefinedField;
 use serde_json::{Map, Value, json};
 
 use super::input::{Start, coordinates, number};
@@ -22,6 +23,7 @@ use super::scalar::{Printable, ScalarKind};
 use super::sink::{Broken, Sink, has_room_for_progress};
 use super::table::{Format, Table};
 use exact::ExactOrbit;
+use float::FloatOrbit;
 use request::Request;
 
 /// Prints an orbit x0, x1, … of a system's map as CSV: n, t = 2 eps n, the variables, the integrals.
@@ -44,9 +46,10 @@ pub(crate) struct Orbit {
     #[arg(long, value_enum, default_value = "f64")]
     scalar: ScalarKind,
 
-    /// The order of the method: 2 is Kahan's map.
-    #[arg(long, value_name = "P", default_value = "2", value_parser = ["2", "4", "6", "8"])]
-    order: String,
+    /// The order of the method: 2 is Kahan's map; 4, 6 and 8 compose 5, 9 and 17 steps of it into one, over floats only. A
+    /// composition keeps no integral that depends on eps: its column then oscillates about a value.
+    #[arg(long, value_name = "P", default_value = "2", value_parser = PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse::<u32>().unwrap_or(2)))]
+    order: u32,
 
     /// Print every K-th point only: n = 0, K, 2K, ….
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = positive_count)]
@@ -64,6 +67,7 @@ pub(crate) struct Orbit {
 const EXAMPLES: &str = "\
 Examples:
   kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000
+  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 100000 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
@@ -85,9 +89,6 @@ fn at_least(least: i64, text: &str) -> Result<i64, String> {
 impl Orbit {
     /// Writes the rows; what is left to say is the answer.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        if self.order != "2" {
-            return Err(Refusal::new(format!("--order {} is not built yet; use 2", self.order)));
-        }
         let block = self.start.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
@@ -99,6 +100,11 @@ impl Orbit {
             eps: number(&self.start.eps, "--eps")?,
         };
         match self.scalar {
+            ScalarKind::Exact if self.order != 2 => Err(Refusal::new(format!(
+                "--order {} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \
+                 --scalar f64, or --order 2, which is exact",
+                self.order
+            ))),
             ScalarKind::Exact => self.exact(&request),
             ScalarKind::F64 => self.floats(&Float64, &request),
             ScalarKind::F32 => self.floats(&Float32, &request),
@@ -118,11 +124,9 @@ impl Orbit {
 
     fn floats<A: Printable>(&self, arithmetic: &A, request: &Request<'_>) -> Result<Answer, Refusal> {
         let (parameters, eps) = request.rounded::<A>()?;
-        let stepper = Stepper::new(request.system, arithmetic, &parameters, &eps)
-            .map_err(|_| request.undefined_field())?;
-        let head = self.head::<A>(request, &parameters, &eps, stepper.integral_names());
-        let state: Vec<A::Value> = request.start.iter().map(A::round).collect();
-        let mut orbit = FloatOrbit { arithmetic, request, stepper, before: state.clone(), state };
+        let mut orbit = FloatOrbit::new(arithmetic, request, self.order, &parameters, &eps)
+            .map_err(|UndefinedField| request.undefined_field())?;
+        let head = self.head::<A>(request, &parameters, &eps, orbit.integral_names());
         self.write(head, |table, progress| {
             let rows = Rows { steps: self.steps, every: self.every, progress };
             rows.follow(&mut orbit, |orbit, n| orbit.write(table, n), FloatOrbit::advance)
@@ -189,7 +193,7 @@ impl Orbit {
             "parameters": named.collect::<Map<_, _>>(),
             "eps": A::json(eps),
             "scalar": A::NAME,
-            "order": 2,
+            "order": self.order,
             "steps": self.steps,
             "every": self.every,
             "columns": columns,
@@ -231,34 +235,6 @@ impl Rows<'_> {
             }
         }
         Ok(None)
-    }
-}
-
-/// An orbit in rounded numbers.
-struct FloatOrbit<'a, A: Arithmetic> {
-    arithmetic: &'a A,
-    request: &'a Request<'a>,
-    stepper: Stepper<'a, A>,
-    state: Vec<A::Value>,
-    /// The last point that was finite.
-    before: Vec<A::Value>,
-}
-
-impl<A: Printable> FloatOrbit<'_, A> {
-    fn write(&mut self, table: &mut Table, n: i64) -> Result<(), Broken> {
-        let number = self.arithmetic.constant(&Rational::from(n));
-        let time = number.map(|n| self.arithmetic.multiply(&n, self.stepper.time_step()));
-        let integrals = self.stepper.integrals(&self.state);
-        table.row::<A>(n, std::iter::once(time.as_ref()).chain(self.state.iter().map(Some)).chain(integrals))
-    }
-
-    fn advance(&mut self, n: i64) -> Result<(), String> {
-        self.before.clone_from(&self.state);
-        match self.stepper.advance(&mut self.state) {
-            Err(Pole) => Err(self.request.pole::<A>(n, &self.before, self.stepper.is_reduced())),
-            Ok(()) if self.state.iter().all(A::is_finite) => Ok(()),
-            Ok(()) => Err(self.request.overflow::<A>(n, &self.before)),
-        }
     }
 }
 

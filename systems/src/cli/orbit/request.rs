@@ -63,6 +63,14 @@ impl Request<'_> {
         )
     }
 
+    pub(super) fn stage_pole<A: Printable>(&self, n: i64, state: &[A::Value]) -> String {
+        let (name, place, next) = (self.name, self.place::<A>(state), n + 1);
+        format!(
+            "the orbit of {name} ends at a pole: det A = 0 at a stage of step {next}, so the step has no value. The point before it \
+             is {place}; the rows up to it are kept; try --order 2, which takes no step back"
+        )
+    }
+
     pub(super) fn overflow<A: Printable>(&self, n: i64, state: &[A::Value]) -> String {
         let (name, place, next, scalar) = (self.name, self.place::<A>(state), n + 1, A::NAME);
         format!(

@@ -1,0 +1,104 @@
+//! `kahan orbit --order` from outside: the library's compositions, what their integrals do, and where they end.
+
+use std::process::{Command, Output};
+
+use kahan_core::Composition;
+use kahan_core::prelude::*;
+use kahan_systems::{E6, EulerTop};
+use serde_json::Value;
+
+fn kahan(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
+    command.arg("orbit").args(arguments).output().expect("the command runs")
+}
+
+/// The object that `--json` prints.
+fn object(arguments: &[&str]) -> Value {
+    let output = kahan(arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {output:?}");
+    serde_json::from_slice(&output.stdout).expect("one object")
+}
+
+/// Rows without n and t.
+fn rows(object: &Value) -> Vec<Vec<f64>> {
+    let row = |row: &Value| {
+        let cells = row.as_array().expect("a row").iter().skip(2);
+        cells.map(|cell| cell.as_f64().expect("a number")).collect()
+    };
+    object["rows"].as_array().expect("rows").iter().map(row).collect()
+}
+
+/// Where the target fuses, generated code rounds a multiply-add once and the command twice.
+#[cfg_attr(any(target_feature = "fma", target_arch = "aarch64"), ignore = "this target fuses multiply-adds")]
+#[test]
+fn orbits_of_every_order_are_those_of_the_library_bit_for_bit() {
+    let top = EulerTop { a1: 0.5, a2: -0.7, a3: 1.25 };
+    for order in ["2", "4", "6", "8"] {
+        let composition = Composition::of_order(order.parse().expect("an order")).expect("a composition");
+        let common = ["--eps", "0.05", "--steps", "100", "--json", "--order", order];
+        let e6 = object(&[&["e6", "--at", "1,2,3"], &common[..]].concat());
+        assert_eq!(e6["order"].to_string(), order);
+        let orbit = E6.orbit(vector![1.0, 2.0, 3.0], 0.05).composed(composition);
+        for (row, x) in rows(&e6).iter().zip(orbit.take(101)) {
+            let integrals = E6.integrals(&x, 0.05);
+            assert_eq!(*row, [x[0], x[1], x[2], integrals[0], integrals[1]]);
+        }
+        let parameters = ["--param", "a1=0.5", "--param", "a2=-0.7", "--param", "a3=1.25"];
+        let euler = object(&[&["euler", "--at", "0.4,0.8,0.5"], &parameters[..], &common[..]].concat());
+        assert_eq!(rows(&euler).len(), 101);
+        let orbit = top.orbit(vector![0.4, 0.8, 0.5], 0.05).composed(composition);
+        for (row, x) in rows(&euler).iter().zip(orbit) {
+            assert_eq!(row[..3], [x[0], x[1], x[2]]);
+        }
+    }
+}
+
+/// The largest change of an integral along the orbit, at ε = 0.05 in f64 over 200 steps.
+fn change(order: &str, column: usize) -> f64 {
+    let object = object(&[
+        "e6",
+        "--eps",
+        "0.05",
+        "--at",
+        "1/2,1/4,-3/4",
+        "--steps",
+        "200",
+        "--json",
+        "--order",
+        order,
+    ]);
+    let rows = rows(&object);
+    rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max)
+}
+
+/// Kahan's map keeps H at its ε to rounding; a composition does not, and the change is what its order leaves of the difference
+/// between the map's H and the flow's.
+#[test]
+fn a_composition_does_not_keep_the_map_s_integral() {
+    assert!(change("2", 3) < 1e-14);
+    for order in ["4", "6", "8"] {
+        assert!(change(order, 3) > 1e-6, "order {order}");
+    }
+}
+
+#[test]
+fn a_field_of_one_s_own_is_composed_with_single_precision_too() {
+    let field = ["--field", "xdot = y; ydot = 6*x^2 - a;", "--param", "a=2"];
+    let more = ["--eps", "1e-2", "--at", "0,1", "--steps", "10", "--order", "8", "--json", "--scalar"];
+    let single = rows(&object(&[&field[..], &more[..], &["f32"]].concat()));
+    let double = rows(&object(&[&field[..], &more[..], &["f64"]].concat()));
+    for (single, double) in single.iter().zip(&double) {
+        // Ten steps of 17 stages, each a few units of 6e-8 off.
+        assert!(single.iter().zip(double).all(|(a, b)| (a - b).abs() < 1e-4), "{single:?} {double:?}");
+    }
+    assert!(single != double);
+}
+
+#[test]
+fn exact_numbers_are_refused_with_the_reason() {
+    let output =
+        kahan(&["e6", "--eps", "1/20", "--at", "1,2,3", "--steps", "5", "--order", "8", "--scalar", "exact"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8(output.stderr).expect("UTF-8");
+    assert!(message.contains("irrational") && message.contains("--scalar f64"), "{message}");
+}
