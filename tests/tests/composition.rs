@@ -72,10 +72,10 @@ where
 
 #[test]
 fn the_ratio_of_two_integrals_with_one_denominator_survives() {
-    keeps_the_ratio_and_the_measure("E2", &E2, |map, x, eps| map.density(x, eps));
-    keeps_the_ratio_and_the_measure("E4", &E4, |map, x, eps| map.density(x, eps));
-    keeps_the_ratio_and_the_measure("E5", &E5, |map, x, eps| map.density(x, eps));
-    keeps_the_ratio_and_the_measure("E6", &E6, |map, x, eps| map.density(x, eps));
+    keeps_the_ratio_and_the_measure("E2", &E2, E2::density);
+    keeps_the_ratio_and_the_measure("E4", &E4, E4::density);
+    keeps_the_ratio_and_the_measure("E5", &E5, E5::density);
+    keeps_the_ratio_and_the_measure("E6", &E6, E6::density);
 }
 
 /// (α₃y² − α₂z²)/(α₁z² − α₃x²) and the density that is one over their product.
