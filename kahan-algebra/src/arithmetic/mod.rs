@@ -35,6 +35,21 @@ pub trait Arithmetic {
     fn negate(&self, a: &Self::Value) -> Self::Value;
     /// a / b; `None` where b is zero (never for floats, which have infinities).
     fn divide(&self, a: &Self::Value, b: &Self::Value) -> Option<Self::Value>;
+    /// a · b + c; as written, unless the arithmetic has a way of its own that rounds less.
+    #[inline]
+    fn multiply_add(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
+        self.add(&self.multiply(a, b), c)
+    }
+    /// a · b − c, likewise
+    #[inline]
+    fn multiply_subtract(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
+        self.subtract(&self.multiply(a, b), c)
+    }
+    /// a − b · c, likewise
+    #[inline]
+    fn subtract_product(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
+        self.subtract(a, &self.multiply(b, c))
+    }
     /// Whether a is zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
     /// Whether elimination should rather divide by a: for floats the larger, elsewhere what is not zero.

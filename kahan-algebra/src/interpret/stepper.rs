@@ -174,7 +174,7 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
                 for ((x, place), numerator) in state.iter_mut().zip(reciprocals).zip(kernel.outputs()) {
                     let numerator = numerator.ok_or(Pole)?;
                     *x = match place.and_then(|place| kernel.output(place)) {
-                        Some(reciprocal) => arithmetic.add(x, &arithmetic.multiply(numerator, reciprocal)),
+                        Some(reciprocal) => arithmetic.multiply_add(numerator, reciprocal, x),
                         None => arithmetic.add(x, numerator),
                     };
                 }

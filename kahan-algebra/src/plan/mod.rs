@@ -101,8 +101,8 @@ impl Operation {
     }
 
     /// The value of the operation from those of its operands; `None` where it, or one of them, has none, and for an input.
-    /// A multiply-add is a multiplication and an addition: over ℚ there is no difference, and floats that fuse are the
-    /// generated code's business.
+    /// A multiply-add of the machine's floats is a multiplication and an addition here: those that fuse are the generated
+    /// code's business.
     #[inline]
     pub fn compute<'a, A: Arithmetic>(
         &self,
@@ -120,14 +120,12 @@ impl Operation {
             Operation::Subtract(a, b) => Some(arithmetic.subtract(value(a)?, value(b)?)),
             Operation::Multiply(a, b) => Some(arithmetic.multiply(value(a)?, value(b)?)),
             Operation::Divide(a, b) => arithmetic.divide(value(a)?, value(b)?),
-            Operation::MultiplyAdd(a, b, c) => {
-                Some(arithmetic.add(&arithmetic.multiply(value(a)?, value(b)?), value(c)?))
-            }
+            Operation::MultiplyAdd(a, b, c) => Some(arithmetic.multiply_add(value(a)?, value(b)?, value(c)?)),
             Operation::MultiplySubtract(a, b, c) => {
-                Some(arithmetic.subtract(&arithmetic.multiply(value(a)?, value(b)?), value(c)?))
+                Some(arithmetic.multiply_subtract(value(a)?, value(b)?, value(c)?))
             }
             Operation::SubtractProduct(a, b, c) => {
-                Some(arithmetic.subtract(value(a)?, &arithmetic.multiply(value(b)?, value(c)?)))
+                Some(arithmetic.subtract_product(value(a)?, value(b)?, value(c)?))
             }
         }
     }

@@ -7,6 +7,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use serde_json::{Map, Value, json};
 
+use super::double_double::DoubleDouble;
 use super::input::{Start, coordinates, number};
 use super::output::{Answer, Refusal, matrix, shorten};
 use super::scalar::{Printable, ScalarKind};
@@ -26,7 +27,7 @@ pub(crate) struct Eval {
     #[arg(long, value_enum, default_value = "exact")]
     scalar: ScalarKind,
 
-    /// Print one JSON object; exact numbers are strings p/q, floats are numbers.
+    /// Print one JSON object; exact numbers are strings p/q, floats are numbers (dd: of 32 digits).
     #[arg(long)]
     json: bool,
 }
@@ -36,6 +37,7 @@ Examples:
   kahan eval e6 --eps 1/2 --at 1,2,3
   kahan eval e7 --eps -1/2 --at 3/7,11/13,23/47 --param xi=19/17 --json
   kahan eval lv --eps 0.1 --at 1/2,5/3 --scalar f64
+  kahan eval lv --eps 0.1 --at 1/2,5/3 --scalar dd
   kahan eval --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1";
 
 /// The evaluated objects, and what to complain of.
@@ -68,7 +70,7 @@ impl Eval {
             ScalarKind::Exact => request.evaluate(&Exact),
             ScalarKind::F64 => request.evaluate(&Float64),
             ScalarKind::F32 => request.evaluate(&Float32),
-            ScalarKind::Dd => Err(Refusal::new("--scalar dd is not built yet; use exact, f64 or f32")),
+            ScalarKind::Dd => request.evaluate(&DoubleDouble),
         }?;
         let answer = if self.json { Answer::json(&objects) } else { Answer::text(readable(&objects)) };
         Ok(Answer { complaint, ..answer })

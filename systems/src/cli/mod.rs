@@ -6,6 +6,7 @@
 //! say when they end.
 
 mod atlas;
+mod double_double;
 mod eval;
 mod extremes;
 mod heights;

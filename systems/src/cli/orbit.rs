@@ -16,6 +16,7 @@ use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::interpret::UndefinedField;
 use serde_json::{Map, Value, json};
 
+use super::double_double::DoubleDouble;
 use super::input::{Start, coordinates, number};
 use super::output::{Answer, Refusal};
 use super::progress::Progress;
@@ -29,8 +30,8 @@ use request::Request;
 /// Prints an orbit x0, x1, … of a system's map as CSV: n, t = 2 eps n, the variables, the integrals.
 ///
 /// The integrals are those of the block without `when`. A cell is empty where an integral is undefined, or beyond the range
-/// of the scalar. Floats are written so that they read back exactly, and the steps are those of the compiled library, bit
-/// for bit; parameters are put in after the map is reduced. At a pole (det A = 0), or where floats overflow, the orbit ends:
+/// of the scalar. Floats are written so that they read back exactly, dd with 32 digits, and the steps are those of the compiled
+/// library, bit for bit; parameters are put in after the map is reduced. At a pole (det A = 0), or where floats overflow, the orbit ends:
 /// the rows up to there are kept, the place is reported, and the exit status is 1. A negative eps steps back.
 #[derive(Args, Debug)]
 #[command(after_long_help = EXAMPLES)]
@@ -59,7 +60,7 @@ pub(crate) struct Orbit {
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object; exact numbers are strings p/q, floats are numbers. With --out the rows are in the file only.
+    /// Print one JSON object; exact numbers are strings p/q, floats are numbers (dd: of 32 digits). With --out the rows are in the file only.
     #[arg(long)]
     json: bool,
 }
@@ -68,6 +69,7 @@ const EXAMPLES: &str = "\
 Examples:
   kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000
   kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8
+  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --scalar dd
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 100000 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
@@ -108,7 +110,7 @@ impl Orbit {
             ScalarKind::Exact => self.exact(&request),
             ScalarKind::F64 => self.floats(&Float64, &request),
             ScalarKind::F32 => self.floats(&Float32, &request),
-            ScalarKind::Dd => Err(Refusal::new("--scalar dd is not built yet; use exact, f64 or f32")),
+            ScalarKind::Dd => self.floats(&DoubleDouble, &request),
         }
     }
 

@@ -16,8 +16,7 @@ pub(crate) enum ScalarKind {
     F32,
     /// Double precision.
     F64,
-    /// Accepted, so that it can be refused with a reason.
-    #[value(hide = true)]
+    /// Double-double: 32 digits.
     Dd,
 }
 
@@ -96,7 +95,7 @@ impl Printable for Float32 {
     }
 }
 
-fn append(number: std::fmt::Arguments<'_>, text: &mut String) {
+pub(super) fn append(number: std::fmt::Arguments<'_>, text: &mut String) {
     // Writing to a string cannot fail.
     let _ = text.write_fmt(number);
 }
