@@ -17,6 +17,7 @@ mod nesting;
 mod numerators;
 mod recurrence;
 mod scaling;
+mod signs;
 mod split;
 mod step;
 mod structure;

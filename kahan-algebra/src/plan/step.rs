@@ -4,6 +4,7 @@ use crate::field::Field;
 use crate::kahan::RationalMap;
 
 use super::candidate::Candidate;
+use super::signs::with_signs;
 use super::{Node, Plan, PlanBuilder, candidates};
 
 /// A step in straight lines: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
@@ -59,6 +60,7 @@ impl StepPlan {
         let doubled = kernel.doubled(&constants).fused();
         let kernel = kernel.fused();
         let kernel = if doubled.cost().chain > kernel.cost().chain { kernel } else { doubled };
+        let (constants, kernel) = with_signs(constants, kernel);
         StepPlan { constants, kernel, reciprocals: places, lanes: None }
     }
 }

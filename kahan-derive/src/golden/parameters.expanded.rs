@@ -160,7 +160,7 @@ const _: () = {
         nu_plus_one: __kahan::Apart<T>,
         eps_plus_eps_nu: __kahan::Apart<T>,
         constant_1: __kahan::Apart<T>,
-        eps_mu_minus_eps_nu: __kahan::Apart<T>,
+        eps_nu_minus_eps_mu: __kahan::Apart<T>,
         constant_2: __kahan::Apart<T>,
         n981_times_mu_minus_nu: __kahan::Apart<T>,
     }
@@ -175,8 +175,8 @@ const _: () = {
             &self,
             __state: &__kahan::SVector<T, 2>,
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-            let [__s_x, __s_y] = __kahan::components(__state);
-            let __t_eps_x = self.eps.0.clone() * __s_x.clone();
+            let [__s_x, __s_y] = __kahan::components(__state).clone();
+            let __t_eps_x = self.eps.0.clone() * __s_x;
             let __c_100 = __kahan::integer::<T>(100);
             let __t_eps_y = self.eps.0.clone() * __s_y.clone();
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
@@ -196,26 +196,28 @@ const _: () = {
                         ) * __c_1_100.clone(),
                 )?;
             let __c_981 = __kahan::integer::<T>(981);
-            let __t_nu_plus_one_n100_y = self.nu_plus_one.0.clone()
-                * (__c_100 * __s_y.clone());
+            let __t_nu_plus_one_n100_y = self.nu_plus_one.0.clone() * (__c_100 * __s_y);
             let __t_ten_eps_y = __t_eps_y.clone() * __kahan::integer::<T>(10);
             __kahan::Option::Some(__kahan::Quotients {
                 numerators: [
                     __c_1_100.clone()
-                        * (self.eps_mu_minus_eps_nu.0.clone()
-                            * __t_nu_plus_one_n100_y
+                        * (self.eps_nu_minus_eps_mu.0.clone()
+                            * __t_eps_x
                                 .clone()
-                                .subtract_product(__t_eps_x.clone(), __c_981.clone())),
-                    -(__c_1_100
+                                .multiply_subtract(
+                                    __c_981.clone(),
+                                    __t_nu_plus_one_n100_y.clone(),
+                                )),
+                    __c_1_100
                         * self
-                            .eps_mu_minus_eps_nu
+                            .eps_nu_minus_eps_mu
                             .0
                             .clone()
-                            .multiply_add(
+                            .multiply_subtract(
                                 __t_eps_y * __c_981,
                                 __t_ten_eps_y
                                     .clone()
-                                    .multiply_subtract(
+                                    .multiply_add(
                                         self
                                             .constant_2
                                             .0
@@ -225,10 +227,10 @@ const _: () = {
                                                 __t_ten_eps_y,
                                             ),
                                         __t_eps_x
-                                            * (__t_nu_plus_one_n100_y
-                                                - self.n981_times_mu_minus_nu.0.clone()),
+                                            * (self.n981_times_mu_minus_nu.0.clone()
+                                                - __t_nu_plus_one_n100_y),
                                     ),
-                            )),
+                            ),
                 ],
                 reciprocals: [__reciprocal_1.clone(), __reciprocal_1],
             })
@@ -247,8 +249,8 @@ const _: () = {
                 nu_plus_one: __kahan::Apart(__spread(&self.nu_plus_one.0)),
                 eps_plus_eps_nu: __kahan::Apart(__spread(&self.eps_plus_eps_nu.0)),
                 constant_1: __kahan::Apart(__spread(&self.constant_1.0)),
-                eps_mu_minus_eps_nu: __kahan::Apart(
-                    __spread(&self.eps_mu_minus_eps_nu.0),
+                eps_nu_minus_eps_mu: __kahan::Apart(
+                    __spread(&self.eps_nu_minus_eps_mu.0),
                 ),
                 constant_2: __kahan::Apart(__spread(&self.constant_2.0)),
                 n981_times_mu_minus_nu: __kahan::Apart(
@@ -289,7 +291,7 @@ const _: () = {
                                 + (__p_mu.clone() * __t_n100_nu
                                     + __t_eps_mu.clone() * (__p_mu.clone() * __c_10)))),
                 ),
-                eps_mu_minus_eps_nu: __kahan::Apart(__t_eps_mu - __t_eps_nu),
+                eps_nu_minus_eps_mu: __kahan::Apart(__t_eps_nu - __t_eps_mu),
                 constant_2: __kahan::Apart(
                     __p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
                         + (__p_mu.clone() * __t_nu_mu.clone()
