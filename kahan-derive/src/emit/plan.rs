@@ -5,9 +5,9 @@
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! The order of operations is the plan's, whatever the nesting. What has a `let` is moved where it is used last and
-//! cloned before; inputs and prepared constants are borrowed, so they are cloned: free for floats, and little beside an
-//! operation for big rationals.
+//! The order of operations is the plan's, whatever the nesting. What has a `let`, and a kernel's states, is moved where it is
+//! used last and cloned before; other inputs and prepared constants are borrowed, so they are cloned: free for floats, and
+//! little beside an operation for big rationals.
 
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::symbols::Symbols;
@@ -133,6 +133,11 @@ impl<'a> Emitter<'a> {
         let nested = self.operands(operation).filter(|operand| self.lets[operand.0].is_none());
         let depth = nested.map(|operand| self.depths[operand.0] + 1).max().unwrap_or(0);
         self.depths.push(depth);
+        if let (Operation::Input(variable), Some(_)) = (operation, self.constants) {
+            // A kernel has the states as values.
+            self.lets[index] = Some(binding(self.symbols, *variable));
+            return;
+        }
         let is_borrowed = matches!(operation, Operation::Input(_) | Operation::Prepared(_));
         let is_quotient = self.constants.is_some() && matches!(operation, Operation::Divide(..));
         if is_borrowed || self.uses[index] == 0 {

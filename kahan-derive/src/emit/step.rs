@@ -13,7 +13,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
-use super::inputs::emit_inputs;
+use super::inputs::{emit_inputs, emit_owned_inputs};
 use super::names::constant_names;
 use super::plan::{Emitted, emit_kernel, emit_plan};
 
@@ -102,7 +102,7 @@ impl<'a> Kernel<'a> {
             outputs: numerators.iter().copied().chain(of_components.iter().copied().flatten()).collect(),
         };
         let symbols = &context.system.field.symbols;
-        let inputs = emit_inputs(&kernel, symbols);
+        let inputs = emit_owned_inputs(&kernel, symbols);
         let Emitted { bindings, results } = emit_kernel(&kernel, symbols, scalar, names);
         let cost = emit_cost(plan);
         let mut results = results.into_iter();

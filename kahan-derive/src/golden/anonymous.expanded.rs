@@ -131,7 +131,7 @@ fn scope() {
                     &self,
                     __state: &__kahan::SVector<T, 2>,
                 ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-                    let [__s_x, __s_y] = __kahan::components(__state);
+                    let [__s_x, __s_y] = __kahan::components(__state).clone();
                     let __t_y_eps_mu_minus_one = __s_y
                         .clone()
                         .multiply_subtract(
@@ -139,7 +139,7 @@ fn scope() {
                             __kahan::integer::<T>(1),
                         );
                     let __t_eps_mu_x = self.eps_mu.0.clone() * __s_x.clone();
-                    let __t_eps_x = self.eps.0.clone() * __s_x.clone();
+                    let __t_eps_x = self.eps.0.clone() * __s_x;
                     let __reciprocal_1 = __kahan::integer::<T>(2)
                         .quotient(
                             __t_y_eps_mu_minus_one
@@ -153,7 +153,7 @@ fn scope() {
                         numerators: [
                             -(__t_eps_mu_x * (__s_y.clone() + __t_eps_x.clone())),
                             -__t_y_eps_mu_minus_one
-                                .multiply_add(__s_y.clone() * self.eps.0.clone(), __t_eps_x),
+                                .multiply_add(__s_y * self.eps.0.clone(), __t_eps_x),
                         ],
                         reciprocals: [__reciprocal_1.clone(), __reciprocal_1],
                     })

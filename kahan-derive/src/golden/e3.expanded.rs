@@ -135,7 +135,7 @@ const _: () = {
             &self,
             __state: &__kahan::SVector<T, 3>,
         ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state).clone();
             let __t_eps_z = self.eps.0.clone() * __s_z.clone();
             let __t_eps_x = self.eps.0.clone() * __s_x.clone();
             let __t_eps_y = self.eps.0.clone() * __s_y.clone();
@@ -149,9 +149,9 @@ const _: () = {
                                 __c_1.clone() + __t_eps_z.clone(),
                             ),
                 )?;
-            let __t_x_eps_x = __s_x.clone() * __t_eps_x.clone();
-            let __t_y_eps_y = __s_y.clone() * __t_eps_y.clone();
-            let __sum_1 = __t_y_eps_y.clone() + (__s_z.clone() + __t_x_eps_x.clone());
+            let __t_x_eps_x = __s_x * __t_eps_x.clone();
+            let __t_y_eps_y = __s_y * __t_eps_y.clone();
+            let __sum_1 = __t_y_eps_y.clone() + (__s_z + __t_x_eps_x.clone());
             __kahan::Option::Some(__kahan::Quotients {
                 numerators: [
                     -(__t_eps_x * __sum_1.clone()),
