@@ -104,7 +104,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///
     /// for x, ε and the parameters as given, u = 2⁻⁵³ for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for [`Dd`](crate::Dd). It is established
     /// for this very call: the step runs with an error bound beside each of its values, first in the scalar's own precision
-    /// (an `f32` in `f64`, rounded once), and where that proves too little in [`Dd`](crate::Dd), then in 384 bits with unlimited
+    /// (an `f32` in `f64`, rounded once), and where that proves too little in [`Dd`](crate::Dd), then in 1024 bits with unlimited
     /// exponents, where nothing overflows. An ordinary point gets the bits of [`step`](Self::step) at about one and a half
     /// times its price; near poles and far out a step takes ten times as long, or at worst some microseconds.
     ///
@@ -113,7 +113,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///
     /// # Errors
     /// [`SingularStep`] at a pole, at a point that is not finite, where x̃ is beyond the scalar's range, and where not even
-    /// 384 bits settle the bound, so near to a pole is the point.
+    /// 1024 bits settle the bound, so near to a pole is the point.
     #[inline]
     fn try_step(&self, x: &SVector<T, N>, eps: T) -> Result<SVector<T, N>, SingularStep>
     where
@@ -171,6 +171,13 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// (N, D) = (adj A·b, det A), unreduced, without a division: x̃ = N/D where D is not 0. Defined everywhere.
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps))
+    }
+
+    /// The reduced numerators and denominator without a division, where they are other than those of
+    /// [`rational_map`](Self::rational_map) up to a constant.
+    #[doc(hidden)]
+    fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
+        self.rational_map(x, eps)
     }
 
     /// The map at one ε, prepared to be stepped many times; it owns a copy of this map.

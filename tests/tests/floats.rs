@@ -194,18 +194,3 @@ fn no_double_precision_input_panics_and_ok_is_finite() {
 fn no_single_precision_input_panics_and_ok_is_finite() {
     no_input_panics::<f32>(406);
 }
-
-#[test]
-fn where_the_fast_step_is_finite_the_looking_step_is_the_same_number() {
-    for (index, (subject, map)) in subjects().iter().zip(maps::<f64>()).enumerate() {
-        let mut draws = SplitMix64::new(407_000 + index as u64);
-        for _ in 0..20 {
-            let x: Vec<f64> = (0..subject.dimension()).map(|_| dyadic(&mut draws, 64, 5)).collect();
-            let eps = dyadic(&mut draws, 16, 9);
-            let next = map.step(&x, eps);
-            if next.iter().all(|entry| entry.is_finite()) {
-                assert_eq!(map.try_step(&x, eps), Ok(next), "{}", subject.name);
-            }
-        }
-    }
-}

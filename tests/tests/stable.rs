@@ -276,9 +276,17 @@ fn states_far_out_are_right_or_flagged() {
     judge("Volterra", &Volterra, vector![0.3, 1.7, 2.9], 1e17, &mut tally);
     judge("E6", &E6, vector![1e-200, 1e-200, -1e-200], 0.5, &mut tally);
     judge("E6 at rest", &E6, vector![0.0, 0.0, 0.0], 0.5, &mut tally);
-    assert_eq!(tally.flagged, 0);
-    // Here x² − y² decides, and is 0 by accident: no change of an input is small enough.
+    // x² − y² decides, and is 0: nothing was rounded in it.
     judge("wave", &Wave, vector![1e60, 1e60, 1e-160], 0.5, &mut tally);
+    // 1 + εz is 0, a removable pole; the increments are 10¹⁶⁸ times the components of x̃.
+    let x = vector![-8.676922526036922e48, -1.5830949700414324e75, 4.794036587204811e-94];
+    judge("E3", &E3, x, -2.0859248397665138e93, &mut tally);
+    // 1 − ξ is 0 and stands before the largest terms.
+    let x = vector![-6096532.558838251, -242655735183791.94, -1.8544218759589321e-93];
+    judge("E9", &E9 { xi: 1.0 }, x, 5.392351629290315e92, &mut tally);
+    assert_eq!(tally.flagged, 0);
+    // The last addition overflows, and nothing before it.
+    judge("E2", &E2, vector![12.0, 1e154, 1.0], 0.125, &mut tally);
     assert_eq!(tally.flagged, 1);
 }
 

@@ -15,6 +15,7 @@ use crate::field::Field;
 use crate::kahan::{RationalMap, bilinear_form, field_jacobian, polarization};
 use crate::plan::{Cost, Node, Operation, Plan, PlanBuilder, StepPlan};
 use crate::poly::Polynomial;
+use crate::rational::Rational;
 use crate::syntax::ClaimKind;
 use crate::system::{Claim, System};
 
@@ -151,6 +152,23 @@ pub fn det_matrix_plan(map: &RationalMap) -> Plan {
 #[must_use]
 pub fn rational_map_plan(map: &RationalMap) -> Plan {
     over_divisor(map, map.numerators.iter().chain([&map.denominator]))
+}
+
+/// The numerators x·d + 2εn of the reduced map, expanded, before its denominator d; `None` where nothing that depends on a
+/// state was divided out, so that they are (N, D) up to a factor without poles.
+#[must_use]
+pub fn reduced_map_plan(field: &Field, map: &RationalMap) -> Option<Plan> {
+    let symbols = &field.symbols;
+    if !map.reduced.common_factor.variables().into_iter().any(|variable| symbols.is_state(variable)) {
+        return None;
+    }
+    let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
+    let denominator = &map.reduced.denominator;
+    let numerator = |(i, increment): (usize, &Polynomial)| {
+        &(&Polynomial::variable(symbols.state(i)) * denominator) + &(&two_eps * increment)
+    };
+    let numerators: Vec<Polynomial> = map.reduced.increments.iter().enumerate().map(numerator).collect();
+    Some(Plan::of(numerators.iter().chain([denominator])))
 }
 
 /// x̃ from x and the prepared constants: the kernel of a step, and its last multiply-add a component.

@@ -40,12 +40,12 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         })
     }
 
-    /// As N/D, both expanded: no increment that could cancel against the state.
+    /// As N/D, both expanded and without common factors: no increment that could cancel against the state.
     pub(super) fn by_quotients<M>(map: &M, x: &SVector<Bounded<V>, N>, eps: Bounded<V>) -> Option<Self>
     where
         M: KahanMap<Bounded<V>, N>,
     {
-        let (numerators, denominator) = map.rational_map(x, eps);
+        let (numerators, denominator) = map.reduced_map(x, eps);
         let reciprocal = Bounded::one().quotient(denominator)?;
         let quotients: [Bounded<V>; N] = from_fn(|i| numerators[i] * reciprocal);
         Some(Self {

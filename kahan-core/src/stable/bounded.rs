@@ -42,6 +42,11 @@ pub(crate) trait Working: Pivot + Copy {
     fn size(&self) -> Self::Magnitude;
     /// A constant as a magnitude.
     fn magnitude(value: f64) -> Self::Magnitude;
+    /// Whether the value is known to be the formula's own: nothing was rounded on its way.
+    #[inline(always)]
+    fn is_exact(&self) -> bool {
+        false
+    }
     /// Whether one magnitude is larger than another; false if either is not a number.
     fn exceeds(one: Self::Magnitude, other: Self::Magnitude) -> bool;
 }
@@ -123,6 +128,7 @@ impl<V: Working> Bounded<V> {
             inputs: self.inputs.max(other.inputs),
             bits: self.bits.max(other.bits).saturating_add(1),
         }
+        .if_exact()
     }
 
     /// The pair of a product.
@@ -133,6 +139,18 @@ impl<V: Working> Bounded<V> {
             roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
             inputs: self.inputs.saturating_add(other.inputs),
             bits: self.bits.saturating_add(other.bits),
+        }
+        .if_exact()
+    }
+
+    /// Where nothing was rounded, the value is its own magnitude, without an error.
+    #[inline(always)]
+    fn if_exact(self) -> Self {
+        let value = self.value();
+        if value.is_exact() {
+            Self { pair: Pair::new(value, value.size()), roundings: 0, ..self }
+        } else {
+            self
         }
     }
 

@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | 1 | `f64` (an `f32` begins here, too) | ordinary points, at less than twice the operations of a step |
 //! | 2 | [`Dd`](crate::Dd) | cancellation: near poles, large ε |
-//! | 3 | 384 bits without a bound on exponents | overflow, underflow, extreme cancellation, by the increment form |
+//! | 3 | 1024 bits without a bound on exponents | overflow, underflow, extreme cancellation, by the increment form |
 //! | 4 | the same | the form N/D, where increments cancel against the state |
 
 mod attempt;

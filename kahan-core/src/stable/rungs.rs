@@ -247,6 +247,10 @@ impl Working for Wide {
         Wide::from(value)
     }
 
+    fn is_exact(&self) -> bool {
+        Wide::is_exact(self)
+    }
+
     fn exceeds(one: Wide, other: Wide) -> bool {
         one.magnitude_exceeds(&other)
     }

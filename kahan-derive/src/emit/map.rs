@@ -1,10 +1,10 @@
 //! `KahanMap`: how the step is prepared, and the closed forms of N and D where they are within the budget.
 
 use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::objects::{det_matrix_plan, rational_map_plan};
+use kahan_algebra::objects::{det_matrix_plan, rational_map_plan, reduced_map_plan};
 use kahan_algebra::plan::Plan;
 use proc_macro2::{Span, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::Context;
 use super::inputs::emit_inputs;
@@ -112,15 +112,27 @@ fn emit_lift(context: &Context<'_>) -> TokenStream {
 /// D = D̂/∏q, and (N, D) = (N̂, D̂)/∏q, without a division by anything that depends on the state.
 fn emit_closed_forms(context: &Context<'_>, map: &RationalMap) -> TokenStream {
     let (above, determinant) = emit_body(context, &det_matrix_plan(map));
-    let (bindings, mut numerators) = emit_body(context, &rational_map_plan(map));
-    let denominator = numerators.pop();
+    let rational_map = emit_quotient(context, "rational_map", &rational_map_plan(map));
+    let reduced_map = reduced_map_plan(&context.system.field, map);
+    let reduced_map = reduced_map.map(|plan| emit_quotient(context, "reduced_map", &plan));
     let (scalar, vector) = (&context.scalar, context.vector());
     quote! {
         fn det_matrix(&self, __state: &#vector, __half_step: #scalar) -> #scalar {
             #above
             #(#determinant)*
         }
-        fn rational_map(&self, __state: &#vector, __half_step: #scalar) -> (#vector, #scalar) {
+        #rational_map
+        #reduced_map
+    }
+}
+
+/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`: numerators and a denominator.
+fn emit_quotient(context: &Context<'_>, name: &str, plan: &Plan) -> TokenStream {
+    let (bindings, mut numerators) = emit_body(context, plan);
+    let denominator = numerators.pop();
+    let (scalar, vector, name) = (&context.scalar, context.vector(), format_ident!("{name}"));
+    quote! {
+        fn #name(&self, __state: &#vector, __half_step: #scalar) -> (#vector, #scalar) {
             #bindings
             (__kahan::vector([#(#numerators),*]), #denominator)
         }

@@ -259,6 +259,35 @@ const _: () = {
                                         * (__s_z.clone() + __half_step.clone() * __product_1))),
             )
         }
+        fn reduced_map(
+            &self,
+            __state: &__kahan::SVector<T, 3>,
+            __half_step: T,
+        ) -> (__kahan::SVector<T, 3>, T) {
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let __c_1 = __kahan::integer::<T>(1);
+            let __t_one_minus_z_eps = __c_1.clone()
+                - __s_z.clone() * __half_step.clone();
+            let __c_2 = __kahan::integer::<T>(2);
+            let __t_x_squared = __s_x.clone() * __s_x.clone();
+            let __t_y_squared = __s_y.clone() * __s_y.clone();
+            (
+                __kahan::vector([
+                    __t_one_minus_z_eps.clone() * __s_x.clone(),
+                    __t_one_minus_z_eps * __s_y.clone(),
+                    __s_z.clone()
+                        + __half_step.clone()
+                            * (__c_2.clone() * __t_x_squared.clone()
+                                + __c_2.clone() * __t_y_squared.clone()
+                                + __s_z.clone() * __s_z.clone()),
+                ]),
+                __c_1
+                    + __half_step.clone()
+                        * (__s_z.clone()
+                            + __half_step.clone()
+                                * (__c_2 * (__t_x_squared + __t_y_squared))),
+            )
+        }
     }
     impl<T: __kahan::Scalar> __kahan::Lift<T, 3> for E3 {
         type Lifted<__U: __kahan::Scalar> = E3;

@@ -166,7 +166,7 @@ const _: () = {
     }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
         const COST: __kahan::StepCost = __kahan::StepCost {
-            operations: 32,
+            operations: 31,
             divisions: 1,
             chain: 41,
         };

@@ -1,6 +1,6 @@
-//! The four operations on [`Wide`], each cut off towards zero after 384 bits, and what follows from them.
+//! The four operations on [`Wide`], each cut off towards zero after 1024 bits, and what follows from them.
 //!
-//! The unit here is the last bit of a result's mantissa, at most 2⁻³⁸³ of the result: a mantissa is at least 2³⁸³.
+//! The unit here is the last bit of a result's mantissa, at most 2⁻¹⁰²³ of the result: a mantissa is at least 2¹⁰²³.
 
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -30,25 +30,28 @@ impl Add for Wide {
             Some(Ordering::Less) => (other, self),
             Some(_) => (self, other),
         };
+        let exact = large.exact && small.exact;
         if small.is_zero() {
-            return large;
+            return large.exact_if(exact);
         }
         let distance = large.exponent.abs_diff(small.exponent);
         if distance > BITS + 64 {
-            return large;
+            return large.exact_if(false);
         }
+        let exact = exact && distance <= limbs::trailing_zeros(&small.mantissa) + 64;
         let (mut sum, mut addend) = (guarded(&large.mantissa), guarded(&small.mantissa));
         limbs::shift_right(&mut addend, distance);
         if large.negative != small.negative {
             limbs::subtract(&mut sum, &addend);
-            return Self::normalised(large.negative, Some(large.exponent), sum);
+            return Self::normalised(large.negative, Some(large.exponent), sum).exact_if(exact);
         }
         if !limbs::add(&mut sum, &addend) {
-            return Self::normalised(large.negative, Some(large.exponent), sum);
+            return Self::normalised(large.negative, Some(large.exponent), sum).exact_if(exact);
         }
+        let exact = exact && sum[0] & 1 == 0;
         limbs::shift_right(&mut sum, 1);
         sum[LIMBS] |= 1 << 63;
-        Self::normalised(large.negative, large.exponent.checked_add(1), sum)
+        Self::normalised(large.negative, large.exponent.checked_add(1), sum).exact_if(exact)
     }
 }
 
@@ -74,12 +77,15 @@ impl Mul for Wide {
     fn mul(self, other: Self) -> Self {
         match (self.state, other.state) {
             (State::Undefined, _) | (_, State::Undefined) => Self::UNDEFINED,
-            (State::Zero, _) | (_, State::Zero) => Self::ZERO,
+            // Nothing times anything is nothing, whatever was cut off there.
+            (State::Zero, _) => Self::ZERO.exact_if(self.exact || (other.exact && other.is_zero())),
+            (_, State::Zero) => Self::ZERO.exact_if(other.exact),
             (State::Number, State::Number) => {
                 // The product of two mantissas in [1, 2) is in [1, 4).
                 let exponent = self.exponent.checked_add(other.exponent).and_then(|e| e.checked_add(1));
                 let product = limbs::product(&self.mantissa, &other.mantissa);
                 Self::normalised(self.negative != other.negative, exponent, product)
+                    .exact_if(self.exact && other.exact)
             }
         }
     }
@@ -93,13 +99,14 @@ impl Div for Wide {
     fn div(self, other: Self) -> Self {
         match (self.state, other.state) {
             (State::Undefined, _) | (_, State::Undefined | State::Zero) => Self::UNDEFINED,
-            (State::Zero, State::Number) => Self::ZERO,
+            (State::Zero, State::Number) => Self::ZERO.exact_if(self.exact),
             (State::Number, State::Number) => {
-                // ⌊2³⁸⁴·ratio of the mantissas⌋ is in [2³⁸³, 2³⁸⁵); as a row of 448 bits its value is m·2^(e − 447)
-                // with e = 447 − 384 = 63 more than the difference of the exponents.
+                // ⌊2¹⁰²⁴·ratio of the mantissas⌋ is in [2¹⁰²³, 2¹⁰²⁵); as a row of 1088 bits its value is m·2^(e − 1087)
+                // with e = 1087 − 1024 = 63 more than the difference of the exponents.
                 let exponent = self.exponent.checked_sub(other.exponent).and_then(|e| e.checked_add(63));
                 let quotient = limbs::quotient(&self.mantissa, &other.mantissa);
-                Self::normalised(self.negative != other.negative, exponent, quotient)
+                // Whether a remainder is left is not looked at: hardly any quotient is exact.
+                Self::normalised(self.negative != other.negative, exponent, quotient).exact_if(false)
             }
         }
     }

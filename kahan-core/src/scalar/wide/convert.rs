@@ -45,12 +45,12 @@ impl From<f32> for Wide {
 }
 
 impl Wide {
-    /// high + low; exact where the sum has at most 384 bits, as for every pair whose parts are less than 2³³⁰ apart.
+    /// high + low; exact where the sum has at most 1024 bits, as for every pair whose parts are less than 2⁹⁷⁰ apart.
     pub(crate) fn from_double_double(high: f64, low: f64) -> Self {
         Self::from(high) + Self::from(low)
     }
 
-    /// An integer of any length, its limbs in little-endian order, cut off after 384 bits: exact up to there.
+    /// An integer of any length, its limbs in little-endian order, cut off after 1024 bits: exact up to there.
     pub(crate) fn from_limbs(negative: bool, limbs: &[u64]) -> Self {
         let Some(top) = limbs.iter().rposition(|&limb| limb != 0) else { return Self::ZERO };
         // One limb more than a mantissa, as the top one may hold few bits.
@@ -60,9 +60,9 @@ impl Wide {
         Self::normalised(negative, i64::try_from(64 * (top + 1) - 1).ok(), leading)
     }
 
-    /// ±numerator/denominator from limbs of any number: at most 2⁻³⁸¹ of relative error.
+    /// ±numerator/denominator from limbs of any number: at most 2⁻¹⁰²¹ of relative error.
     ///
-    /// Three cuts of at most 2⁻³⁸³ each: of the numerator, of the denominator and of the quotient.
+    /// Three cuts of at most 2⁻¹⁰²³ each: of the numerator, of the denominator and of the quotient.
     pub(crate) fn from_ratio(negative: bool, numerator: &[u64], denominator: &[u64]) -> Self {
         Self::from_limbs(negative, numerator) / Self::from_limbs(false, denominator)
     }

@@ -17,6 +17,12 @@ pub(super) fn leading_zeros(limbs: &[u64]) -> Option<u64> {
     Some(64 * (limbs.len() - 1 - top) as u64 + u64::from(limbs[top].leading_zeros()))
 }
 
+/// The zero bits below the lowest set bit; all bits for zero.
+pub(super) fn trailing_zeros(limbs: &[u64]) -> u64 {
+    let lowest = limbs.iter().position(|&limb| limb != 0);
+    lowest.map_or(64 * limbs.len() as u64, |i| 64 * i as u64 + u64::from(limbs[i].trailing_zeros()))
+}
+
 /// Shifts up by `shift` bits; what leaves at the top is lost.
 pub(super) fn shift_left(limbs: &mut [u64], shift: u64) {
     let (whole, part) = (usize::try_from(shift / 64).unwrap_or(usize::MAX), (shift % 64) as u32);
@@ -73,7 +79,7 @@ pub(super) fn product(a: &[u64; LIMBS], b: &[u64; LIMBS]) -> [u64; 2 * LIMBS] {
     product
 }
 
-/// ⌊a·2³⁸⁴/b⌋ for b with its top bit set: long division, one limb of the quotient a round (Knuth, The Art of Computer
+/// ⌊a·2¹⁰²⁴/b⌋ for b with its top bit set: long division, one limb of the quotient a round (Knuth, The Art of Computer
 /// Programming 2, §4.3.1, algorithm D).
 pub(super) fn quotient(a: &[u64; LIMBS], b: &[u64; LIMBS]) -> [u64; LIMBS + 1] {
     let mut remainder = [0; 2 * LIMBS + 1];

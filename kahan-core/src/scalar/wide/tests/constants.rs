@@ -1,4 +1,4 @@
-//! Literals in 384 bits, against their exact ratios.
+//! Literals in 1024 bits, against their exact ratios.
 
 use std::boxed::Box;
 use std::vec::Vec;

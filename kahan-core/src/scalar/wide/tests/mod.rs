@@ -27,7 +27,7 @@ impl Dyadic {
         }
         let sign = if number.negative { Sign::Minus } else { Sign::Plus };
         let bytes = number.mantissa.map(u64::to_le_bytes).concat();
-        Self { integer: BigInt::from_bytes_le(sign, &bytes), exponent: number.exponent - 383 }
+        Self { integer: BigInt::from_bytes_le(sign, &bytes), exponent: number.exponent - 1023 }
     }
 
     /// The integers of both over the smaller exponent, which is the third.
