@@ -49,7 +49,51 @@ pub(crate) trait Working: Pivot + Copy {
     }
     /// Whether one magnitude is larger than another; false if either is not a number.
     fn exceeds(one: Self::Magnitude, other: Self::Magnitude) -> bool;
+
+    /// a + b
+    fn plus(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self>;
+    /// a − b
+    fn minus(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self>;
+    /// a·b
+    fn times(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self>;
+    /// a·b + c
+    fn multiply_add(a: Bounded<Self>, b: Bounded<Self>, c: Bounded<Self>) -> Bounded<Self>;
+    /// a/b, if b is certainly not zero.
+    fn over(a: Bounded<Self>, b: Bounded<Self>) -> Option<Bounded<Self>>;
 }
+
+/// The operations of a [`Working`] scalar: for hardware floats inlined, so that a step is one piece of code; for wide numbers,
+/// whose rungs are seldom reached, called, so that a step over them stays small.
+macro_rules! operations {
+    ($inline:meta) => {
+        #[$inline]
+        fn plus(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self> {
+            a.sum(b)
+        }
+
+        #[$inline]
+        fn minus(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self> {
+            a.difference(b)
+        }
+
+        #[$inline]
+        fn times(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self> {
+            a.product(b)
+        }
+
+        #[$inline]
+        fn multiply_add(a: Bounded<Self>, b: Bounded<Self>, c: Bounded<Self>) -> Bounded<Self> {
+            a.product_plus(b, c)
+        }
+
+        #[$inline]
+        fn over(a: Bounded<Self>, b: Bounded<Self>) -> Option<Bounded<Self>> {
+            a.quotient(b)
+        }
+    };
+}
+
+pub(super) use operations;
 
 /// 2⁻¹⁵⁰
 pub(super) const ALLOWANCE: f64 = 1.0 / (1_u128 << 75) as f64 / (1_u128 << 75) as f64;
@@ -119,9 +163,30 @@ impl<V: Working> Bounded<V> {
         self.magnitude() * self.gamma() + V::magnitude(V::ALLOWANCE)
     }
 
+    #[inline(always)]
+    pub(super) fn sum(self, other: Self) -> Self {
+        self.added(other, self.pair.plus(other.pair))
+    }
+
+    #[inline(always)]
+    pub(super) fn difference(self, other: Self) -> Self {
+        self.added(other, self.pair.minus(other.pair))
+    }
+
+    #[inline(always)]
+    pub(super) fn product(self, other: Self) -> Self {
+        self.multiplied(other, self.pair.times(other.pair))
+    }
+
+    #[inline(always)]
+    pub(super) fn product_plus(self, other: Self, addend: Self) -> Self {
+        let pair = self.pair.multiply_add(other.pair, addend.pair);
+        self.multiplied(other, pair).added(addend, pair)
+    }
+
     /// The pair of a sum or difference.
     #[inline(always)]
-    fn sum(self, other: Self, pair: V::Pair) -> Self {
+    fn added(self, other: Self, pair: V::Pair) -> Self {
         Self {
             pair,
             roundings: self.roundings.max(other.roundings).saturating_add(1),
@@ -133,7 +198,7 @@ impl<V: Working> Bounded<V> {
 
     /// The pair of a product.
     #[inline(always)]
-    fn product(self, other: Self, pair: V::Pair) -> Self {
+    fn multiplied(self, other: Self, pair: V::Pair) -> Self {
         Self {
             pair,
             roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
@@ -156,7 +221,8 @@ impl<V: Working> Bounded<V> {
 
     /// self/divisor, if the divisor is certainly not zero.
     #[inline(always)]
-    fn over(self, divisor: Self, value: V) -> Option<Self> {
+    pub(super) fn quotient(self, divisor: Self) -> Option<Self> {
+        let value = self.value().quotient(divisor.value())?;
         let size = divisor.value().size();
         let is_certain = V::exceeds(size, V::magnitude(64.0) * divisor.error())
             && (V::ALLOWANCE == 0.0 || V::exceeds(size, V::magnitude(LEAST_DIVISOR)));
@@ -221,13 +287,12 @@ impl<V: Working> Scalar for Bounded<V> {
 
     #[inline(always)]
     fn reciprocal(&self) -> Option<Self> {
-        Self::one().quotient(*self)
+        V::over(Self::one(), *self)
     }
 
     #[inline(always)]
     fn quotient(self, divisor: Self) -> Option<Self> {
-        let value = self.value().quotient(divisor.value())?;
-        self.over(divisor, value)
+        V::over(self, divisor)
     }
 
     #[inline(always)]
@@ -237,18 +302,17 @@ impl<V: Working> Scalar for Bounded<V> {
 
     #[inline(always)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
-        let pair = self.pair.multiply_add(factor.pair, addend.pair);
-        self.product(factor, pair).sum(addend, pair)
+        <V as Working>::multiply_add(self, factor, addend)
     }
 
     #[inline(always)]
     fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
-        self.multiply_add(factor, -subtrahend)
+        <V as Working>::multiply_add(self, factor, -subtrahend)
     }
 
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
-        (-a).multiply_add(b, self)
+        <V as Working>::multiply_add(-a, b, self)
     }
 
     fn approximate(&self) -> f64 {
@@ -261,7 +325,7 @@ impl<V: Working> Add for Bounded<V> {
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        self.sum(other, self.pair.plus(other.pair))
+        V::plus(self, other)
     }
 }
 
@@ -270,7 +334,7 @@ impl<V: Working> Sub for Bounded<V> {
 
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        self.sum(other, self.pair.minus(other.pair))
+        V::minus(self, other)
     }
 }
 
@@ -279,7 +343,7 @@ impl<V: Working> Mul for Bounded<V> {
 
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        self.product(other, self.pair.times(other.pair))
+        V::times(self, other)
     }
 }
 
@@ -288,10 +352,10 @@ impl<V: Working> Div for Bounded<V> {
 
     #[inline(always)]
     fn div(self, other: Self) -> Self {
-        let value = self.value() / other.value();
-        let pair = Pair::new(value, V::magnitude(f64::INFINITY));
-        let unknown = Self { pair, roundings: 1, ..self };
-        self.over(other, value).unwrap_or(unknown)
+        V::over(self, other).unwrap_or_else(|| {
+            let value = self.value() / other.value();
+            Self { pair: Pair::new(value, V::magnitude(f64::INFINITY)), roundings: 1, ..self }
+        })
     }
 }
 

@@ -26,8 +26,7 @@ pub(crate) trait Pair<V: Working>: Copy + Debug {
     fn weighed(self, a: V::Magnitude, b: V::Magnitude) -> V::Magnitude;
 }
 
-/// One after the other. Wide numbers are for rungs that are seldom reached: each operation is called, so that a step over them
-/// stays small.
+/// One after the other.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Both<V: Working> {
     value: V,
@@ -47,17 +46,14 @@ impl<V: Working> Pair<V> for Both<V> {
         self.magnitude
     }
 
-    #[inline(never)]
     fn plus(self, other: Self) -> Self {
         Self { value: self.value + other.value, magnitude: self.magnitude + other.magnitude }
     }
 
-    #[inline(never)]
     fn minus(self, other: Self) -> Self {
         Self { value: self.value - other.value, magnitude: self.magnitude + other.magnitude }
     }
 
-    #[inline(never)]
     fn times(self, other: Self) -> Self {
         Self { value: self.value * other.value, magnitude: self.magnitude * other.magnitude }
     }
@@ -66,7 +62,6 @@ impl<V: Working> Pair<V> for Both<V> {
         Self { value: -self.value, ..self }
     }
 
-    #[inline(never)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         Self {
             value: self.value.multiply_add(factor.value, addend.value),
@@ -74,7 +69,6 @@ impl<V: Working> Pair<V> for Both<V> {
         }
     }
 
-    #[inline(never)]
     fn weighed(self, a: V::Magnitude, b: V::Magnitude) -> V::Magnitude {
         self.value.size() * a + self.magnitude * b
     }

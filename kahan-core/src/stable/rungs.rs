@@ -12,7 +12,7 @@ use crate::scalar::Wide;
 use crate::{Dd, KahanMap, Lift, Pivot, SingularStep};
 
 use super::attempt::Attempt;
-use super::bounded::{ALLOWANCE, Bounded, Working};
+use super::bounded::{ALLOWANCE, Bounded, Working, operations};
 use super::pair::Both;
 
 /// A scalar that steps can be promised in.
@@ -161,7 +161,7 @@ where
     let given = |number: &T| Bounded::given(number.widen());
     let lifted = map.lift(given);
     let state = SVector::from_fn(|i, _| given(&x[i]));
-    let increments = Attempt::by_increments(&lifted, &state, given(&eps));
+    let increments = wide_increments(&lifted, &state, given(&eps));
     let quotients = once_with(|| Attempt::by_quotients(&lifted, &state, given(&eps)));
     let mut bound = f64::INFINITY;
     for attempt in increments.into_iter().chain(quotients.flatten()) {
@@ -173,6 +173,19 @@ where
     }
     let determinant = lifted.det_matrix(&state, given(&eps)).value();
     Some(SingularStep::unestablished(report(determinant), bound, eps.approximate()))
+}
+
+/// The increment form in [`Wide`]; apart, because it is the same for every scalar that comes here.
+#[inline(never)]
+fn wide_increments<M, const N: usize>(
+    map: &M,
+    x: &SVector<Bounded<Wide>, N>,
+    eps: Bounded<Wide>,
+) -> Option<Attempt<Wide, N>>
+where
+    M: KahanMap<Bounded<Wide>, N>,
+{
+    Attempt::by_increments(map, x, eps)
 }
 
 /// A determinant as a float that is 0 only where the determinant is, and infinite nowhere.
@@ -207,6 +220,8 @@ impl Working for f64 {
     fn exceeds(one: f64, other: f64) -> bool {
         one > other
     }
+
+    operations!(inline(always));
 }
 
 impl Working for Dd {
@@ -230,6 +245,8 @@ impl Working for Dd {
     fn exceeds(one: f64, other: f64) -> bool {
         one > other
     }
+
+    operations!(inline(never));
 }
 
 impl Working for Wide {
@@ -254,6 +271,8 @@ impl Working for Wide {
     fn exceeds(one: Wide, other: Wide) -> bool {
         one.magnitude_exceeds(&other)
     }
+
+    operations!(inline(never));
 }
 
 impl Promised for f32 {
