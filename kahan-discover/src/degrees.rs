@@ -1,0 +1,138 @@
+//! The degrees of the iterates of the map, common factors removed.
+//!
+//! The n-th iterate is evaluated along a line through random points (with a random Möbius parameter, so that infinity is
+//! not special on it); a random combination of its components is a rational function of the parameter, and its degree is
+//! that of the iterate as a projective map: a factor common to all numerators and the denominator never appears in values.
+//! No polynomial is ever formed.
+
+use std::time::Instant;
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::map::ModularMap;
+use crate::thiele::{SPARE, degree};
+
+/// Where to stop.
+#[derive(Clone, Copy, Debug)]
+pub struct DegreeLimits {
+    /// The number of iterates.
+    pub iterates: usize,
+    /// The degree beyond which no further iterate is taken.
+    pub degree: usize,
+    /// When to stop in any case.
+    pub deadline: Instant,
+}
+
+/// d₀ = 1, d₁, d₂, … of one map at one ε: the degrees of its iterates on a random line. Empty if the map has no value
+/// anywhere on it.
+///
+/// Cost: for degree d, 2d evaluations of each iterate and 8d² products.
+pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits) -> Vec<usize> {
+    let mut line = Line::new(map, random);
+    let mut degrees = vec![1];
+    // One iterate more than the limit on degrees lets pass, and never more points than it may need.
+    let most_points = 4 * limits.degree + 16;
+    while degrees.len() <= limits.iterates {
+        let known = degrees.len();
+        let last = degrees[known - 1];
+        let before = if known > 1 { degrees[known - 2] } else { 1 };
+        let expected = last * last / before.max(1) + 2;
+        let mut points = (2 * expected + SPARE + 1).max(16);
+        let found = loop {
+            if Instant::now() >= limits.deadline || points > most_points {
+                break None;
+            }
+            if !line.prepare(points, known, random) {
+                // Not one more iterate has a value on the line.
+                return if known == 1 { Vec::new() } else { degrees };
+            }
+            let values: Vec<u64> = line.samples[..points].iter().map(|sample| line.value(sample)).collect();
+            let parameters: Vec<u64> = line.samples[..points].iter().map(|sample| sample.parameter).collect();
+            match degree(map.modulus(), &parameters, &values) {
+                Some(degree) => break Some(degree),
+                None => points += points / 2,
+            }
+        };
+        let Some(found) = found else { break };
+        degrees.push(found);
+        if found > limits.degree {
+            break;
+        }
+    }
+    degrees
+}
+
+/// Points on a random line that are stepped together.
+struct Line<'a> {
+    map: &'a ModularMap,
+    base: Vec<u64>,
+    direction: Vec<u64>,
+    /// The coefficient c of the Möbius parameter t/(1 + ct).
+    bend: u64,
+    /// The combination of components.
+    weights: Vec<u64>,
+    samples: Vec<Sample>,
+}
+
+struct Sample {
+    parameter: u64,
+    state: Vec<u64>,
+    steps: usize,
+}
+
+impl<'a> Line<'a> {
+    fn new(map: &'a ModularMap, random: &mut SplitMix64) -> Self {
+        Line {
+            map,
+            base: map.point(random),
+            direction: map.point(random),
+            bend: map.modulus().sample(random),
+            weights: map.point(random),
+            samples: Vec::new(),
+        }
+    }
+
+    /// Brings at least `count` samples to the iterate `steps`; `false` if points keep ending at poles.
+    fn prepare(&mut self, count: usize, steps: usize, random: &mut SplitMix64) -> bool {
+        let map = self.map;
+        self.samples.retain_mut(|sample| sample.advance(map, steps));
+        let mut failures = 0;
+        while self.samples.len() < count && failures < 16 {
+            let modulus = map.modulus();
+            let parameter = modulus.sample(random);
+            let below = modulus.plus(modulus.one(), modulus.times(self.bend, parameter));
+            let Some(inverse) = modulus.inverse(below) else { continue };
+            let place = modulus.times(parameter, inverse);
+            let state = self.base.iter().zip(&self.direction);
+            let state =
+                state.map(|(base, slope)| modulus.plus(*base, modulus.times(*slope, place))).collect();
+            let mut sample = Sample { parameter, state, steps: 0 };
+            if sample.advance(map, steps) {
+                self.samples.push(sample);
+            } else {
+                failures += 1;
+            }
+        }
+        self.samples.len() >= count
+    }
+
+    fn value(&self, sample: &Sample) -> u64 {
+        let modulus = self.map.modulus();
+        let products = self.weights.iter().zip(&sample.state);
+        products.fold(0, |sum, (weight, x)| modulus.plus(sum, modulus.times(*weight, *x)))
+    }
+}
+
+impl Sample {
+    /// `false` at a pole.
+    fn advance(&mut self, map: &ModularMap, steps: usize) -> bool {
+        while self.steps < steps {
+            match map.next(&self.state) {
+                Some(next) => self.state = next,
+                None => return false,
+            }
+            self.steps += 1;
+        }
+        true
+    }
+}

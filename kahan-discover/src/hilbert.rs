@@ -1,0 +1,139 @@
+//! The Hilbert function of a generic orbit, and the number of integrals that it shows.
+
+use std::time::Instant;
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::map::ModularMap;
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::relations::Relations;
+use crate::setting::Setting;
+
+/// h(d) for a generic orbit: the number of monomials of degree ≤ d that are independent on it.
+///
+/// That all monomials up to degree d are independent bounds the degree of a relation from below; it does not prove that
+/// there is none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hilbert {
+    /// h(1), h(2), ….
+    pub values: Vec<usize>,
+    /// The number of monomials of degree ≤ 1, ≤ 2, …: what h is where nothing is conserved.
+    pub full: Vec<usize>,
+    /// The codimension of the orbit's closure as cut out by the relations seen: the number of independent algebraic
+    /// integrals visible up to this degree.
+    pub integrals: usize,
+    /// The least degree of a relation.
+    pub relation_degree: Option<u32>,
+    /// The points of the longest orbit looked at.
+    pub points: usize,
+    /// The period, if every orbit looked at closed with the same one.
+    pub period: Option<usize>,
+    /// The orbits looked at: two primes, two points each, unless time ran out.
+    pub orbits: usize,
+    /// Whether all of them gave the same.
+    pub agree: bool,
+}
+
+/// As many monomials as an orbit is looked at for, unless a degree is asked for.
+const MOST_MONOMIALS: usize = 300;
+
+/// The highest degree, unless one is asked for.
+const HIGHEST_DEGREE: u32 = 10;
+
+/// How often a start is drawn again when its orbit ends at a pole.
+const MOST_DRAWS: usize = 8;
+
+/// The degree up to which relations in n variables are looked for: as high as 300 monomials allow, between 1 and 10.
+#[must_use]
+pub fn default_degree(variables: usize) -> u32 {
+    (2..=HIGHEST_DEGREE)
+        .take_while(|&degree| Monomials::count(variables, degree) <= MOST_MONOMIALS)
+        .last()
+        .unwrap_or(1)
+}
+
+/// The relations on a random orbit; `None` if all of 8 orbits end at poles.
+pub fn random_relations(
+    map: &ModularMap,
+    monomials: &Monomials,
+    random: &mut SplitMix64,
+) -> Option<Relations> {
+    (0..MOST_DRAWS).find_map(|_| Relations::on_orbit(map, map.point(random), monomials))
+}
+
+impl Hilbert {
+    /// Looks at orbits modulo two primes from two points each, with random unknowns; after the first, none that would
+    /// begin behind the deadline. `None` if the map, or every orbit, has no value.
+    ///
+    /// Cost: with N = C(n + degree, n) monomials and h = h(degree), 4 N² h products.
+    pub fn of(setting: &Setting, degree: u32, random: &mut SplitMix64, deadline: Instant) -> Option<Self> {
+        let monomials = Monomials::new(setting.dimension(), degree);
+        let mut found: Option<Hilbert> = None;
+        for modulus in [Modulus::mersenne_61(), Modulus::random(random)] {
+            for _ in 0..2 {
+                if found.is_some() && Instant::now() >= deadline {
+                    break;
+                }
+                let map = setting.draw(modulus, random)?.map;
+                let relations = random_relations(&map, &monomials, random)?;
+                let next = Hilbert::from_relations(&relations, &modulus, &monomials);
+                found = Some(match found {
+                    None => next,
+                    Some(known) => known.with(next),
+                });
+            }
+        }
+        found
+    }
+
+    /// What one orbit shows.
+    #[must_use]
+    pub fn from_relations(relations: &Relations, modulus: &Modulus, monomials: &Monomials) -> Self {
+        let full: Vec<usize> = (1..=monomials.degree()).map(|degree| monomials.up_to(degree)).collect();
+        let values = relations.ranks[1..].to_vec();
+        let first = values.iter().zip(&full).position(|(rank, full)| rank < full);
+        Hilbert {
+            relation_degree: first.map(|index| index as u32 + 1),
+            values,
+            full,
+            integrals: relations.codimension(modulus, monomials),
+            points: relations.points,
+            period: relations.period,
+            orbits: 1,
+            agree: true,
+        }
+    }
+
+    /// Two findings as one. Where they differ the larger ranks are the generic ones.
+    fn with(mut self, other: Hilbert) -> Self {
+        self.agree &= self.values == other.values && self.integrals == other.integrals;
+        if other.values > self.values {
+            self.values = other.values;
+            self.integrals = other.integrals;
+            self.relation_degree = other.relation_degree;
+        }
+        self.period = self.period.filter(|period| Some(*period) == other.period);
+        self.points = self.points.max(other.points);
+        self.orbits += 1;
+        self
+    }
+
+    /// The highest degree looked at.
+    #[must_use]
+    pub fn degree(&self) -> u32 {
+        self.values.len() as u32
+    }
+
+    /// The dimension of the orbit's closure, n minus the number of integrals.
+    #[must_use]
+    pub fn dimension(&self, variables: usize) -> usize {
+        variables - self.integrals
+    }
+
+    /// Whether nothing is conserved up to this degree.
+    #[must_use]
+    pub fn is_full(&self) -> bool {
+        self.relation_degree.is_none()
+    }
+}

@@ -1,0 +1,12 @@
+//! What the Kahan map of a quadratic field preserves, found from its equations alone.
+
+pub mod degrees;
+pub mod growth;
+pub mod hilbert;
+pub mod map;
+pub mod matrix;
+pub mod modulus;
+pub mod monomials;
+pub mod relations;
+pub mod setting;
+pub mod thiele;

@@ -1,0 +1,313 @@
+//! Kahan's map modulo a prime, at parameters and ε that are residues.
+//!
+//! A [`Family`] is the field with its coefficients as polynomials in the parameters; [`Family::at`] puts values in, and the
+//! [`ModularMap`] that comes out steps by elimination on A(x,ε). Removable poles count as poles here: random points meet
+//! neither.
+
+use kahan_algebra::field::Field;
+use kahan_algebra::poly::{Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::symbols::{Symbol, Symbols};
+
+use crate::modulus::Modulus;
+
+/// A field, its coefficients sorted by the monomials of the states.
+#[derive(Clone, Debug)]
+pub struct Family {
+    dimension: usize,
+    symbols: Symbols,
+    /// qᵢ, by component.
+    divisors: Vec<Polynomial>,
+    terms: Vec<FamilyTerm>,
+}
+
+#[derive(Clone, Debug)]
+struct FamilyTerm {
+    component: usize,
+    states: Vec<usize>,
+    coefficient: Polynomial,
+}
+
+/// c·xⱼxₖ, c·xⱼ or c in one component of f.
+#[derive(Clone, Copy, Debug)]
+struct Term {
+    component: usize,
+    coefficient: u64,
+    first: Option<usize>,
+    second: Option<usize>,
+}
+
+/// A step that was taken.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// x̃
+    pub next: Vec<u64>,
+    /// det ∂x̃/∂x = det A(x̃,−ε) / det A(x,ε)
+    pub jacobian: u64,
+}
+
+impl Family {
+    /// Sorts the coefficients of a field.
+    #[must_use]
+    pub fn of(field: &Field) -> Self {
+        let mut terms = Vec::new();
+        for (component, quotient) in field.components.iter().enumerate() {
+            for (monomial, coefficient) in
+                quotient.numerator.group(|variable| field.symbols.is_state(variable))
+            {
+                terms.push(FamilyTerm { component, states: field.states_of(&monomial), coefficient });
+            }
+        }
+        Family {
+            dimension: field.dimension(),
+            symbols: field.symbols.clone(),
+            divisors: field.components.iter().map(|component| component.denominator.clone()).collect(),
+            terms,
+        }
+    }
+
+    /// The number of states n.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The names of the states and parameters.
+    #[must_use]
+    pub fn symbols(&self) -> &Symbols {
+        &self.symbols
+    }
+
+    /// The map at these parameters and ε (half the time step); `None` where the field then divides by zero.
+    ///
+    /// # Panics
+    /// If there are fewer values than parameters.
+    #[must_use]
+    pub fn at(&self, modulus: Modulus, parameters: &[u64], eps: u64) -> Option<ModularMap> {
+        let value = |variable: Variable| match self.symbols.symbol(variable) {
+            Symbol::Parameter(k) => parameters[k],
+            // Coefficients of a field contain parameters only.
+            _ => 0,
+        };
+        let mut inverses = Vec::with_capacity(self.dimension);
+        for divisor in &self.divisors {
+            inverses.push(modulus.inverse(evaluate(&modulus, divisor, value)?)?);
+        }
+        let mut terms = Vec::with_capacity(self.terms.len());
+        for term in &self.terms {
+            let coefficient = evaluate(&modulus, &term.coefficient, value)?;
+            terms.push(Term {
+                component: term.component,
+                coefficient: modulus.times(coefficient, inverses[term.component]),
+                first: term.states.first().copied(),
+                second: term.states.get(1).copied(),
+            });
+        }
+        terms.retain(|term| term.coefficient != 0);
+        Some(ModularMap { modulus, dimension: self.dimension, eps, terms })
+    }
+}
+
+/// The value of a polynomial; `None` where the prime divides a denominator of its coefficients.
+pub(crate) fn evaluate(
+    modulus: &Modulus,
+    polynomial: &Polynomial,
+    value: impl Fn(Variable) -> u64,
+) -> Option<u64> {
+    let mut sum = 0;
+    for (monomial, coefficient) in polynomial.terms() {
+        let mut product = modulus.rational(coefficient)?;
+        for &(variable, exponent) in monomial.powers() {
+            product = modulus.times(product, modulus.power(value(variable), exponent));
+        }
+        sum = modulus.plus(sum, product);
+    }
+    Some(sum)
+}
+
+/// The map of one field at one ε.
+#[derive(Clone, Debug)]
+pub struct ModularMap {
+    modulus: Modulus,
+    dimension: usize,
+    eps: u64,
+    terms: Vec<Term>,
+}
+
+impl ModularMap {
+    /// The field that it works in.
+    #[must_use]
+    pub fn modulus(&self) -> &Modulus {
+        &self.modulus
+    }
+
+    /// The number of states n.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// ε, half the time step.
+    #[must_use]
+    pub fn eps(&self) -> u64 {
+        self.eps
+    }
+
+    /// The map with another ε.
+    #[must_use]
+    pub fn with_eps(&self, eps: u64) -> Self {
+        ModularMap { eps, ..self.clone() }
+    }
+
+    /// A uniformly drawn point.
+    pub fn point(&self, random: &mut SplitMix64) -> Vec<u64> {
+        (0..self.dimension).map(|_| self.modulus.sample(random)).collect()
+    }
+
+    /// x̃; `None` where det A(x,ε) = 0.
+    #[must_use]
+    pub fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
+        self.solve(point, self.eps).map(|(next, _)| next)
+    }
+
+    /// x̃ with the determinant of the Jacobian; `None` where det A(x,ε) = 0.
+    #[must_use]
+    pub fn step(&self, point: &[u64]) -> Option<Step> {
+        let (next, determinant) = self.solve(point, self.eps)?;
+        let back = match self.solve(&next, self.modulus.opposite(self.eps)) {
+            Some((_, back)) => back,
+            None => 0,
+        };
+        let jacobian = self.modulus.times(back, self.modulus.inverse(determinant)?);
+        Some(Step { next, jacobian })
+    }
+
+    /// det A(x, ε) for any ε.
+    #[must_use]
+    pub fn determinant(&self, point: &[u64], eps: u64) -> u64 {
+        self.solve(point, eps).map_or(0, |(_, determinant)| determinant)
+    }
+
+    /// The orbit of `length` points from `start`, which is the first; shorter where it ends at a pole.
+    #[must_use]
+    pub fn orbit(&self, start: Vec<u64>, length: usize) -> Vec<Vec<u64>> {
+        let mut orbit = vec![start];
+        while orbit.len() < length {
+            let Some(next) = self.next(&orbit[orbit.len() - 1]) else { break };
+            orbit.push(next);
+        }
+        orbit
+    }
+
+    /// The matrix (A | f), row by row.
+    fn extended_matrix(&self, point: &[u64], eps: u64) -> Vec<u64> {
+        let (modulus, n) = (&self.modulus, self.dimension);
+        let width = n + 1;
+        let minus_eps = modulus.opposite(eps);
+        let mut matrix = vec![0; n * width];
+        for i in 0..n {
+            matrix[i * width + i] = modulus.one();
+        }
+        for term in &self.terms {
+            let row = &mut matrix[term.component * width..][..width];
+            let slope = modulus.times(minus_eps, term.coefficient);
+            let value = match (term.first, term.second) {
+                (Some(j), Some(k)) => {
+                    row[j] = modulus.plus(row[j], modulus.times(slope, point[k]));
+                    row[k] = modulus.plus(row[k], modulus.times(slope, point[j]));
+                    modulus.times(term.coefficient, modulus.times(point[j], point[k]))
+                }
+                (Some(j), None) => {
+                    row[j] = modulus.plus(row[j], slope);
+                    modulus.times(term.coefficient, point[j])
+                }
+                _ => term.coefficient,
+            };
+            row[n] = modulus.plus(row[n], value);
+        }
+        matrix
+    }
+
+    /// x̃ = x + 2ε A⁻¹f and det A, with one inversion: elimination multiplies rows instead of dividing them.
+    fn solve(&self, point: &[u64], eps: u64) -> Option<(Vec<u64>, u64)> {
+        let (modulus, n) = (&self.modulus, self.dimension);
+        let width = n + 1;
+        let mut matrix = self.extended_matrix(point, eps);
+        let mut is_negative = false;
+        // How many rows were multiplied by each pivot.
+        let mut multiplied = vec![0u32; n];
+        for k in 0..n {
+            let found = (k..n).find(|&row| matrix[row * width + k] != 0)?;
+            if found != k {
+                let (above, below) = matrix.split_at_mut(found * width);
+                above[k * width..][..width].swap_with_slice(&mut below[..width]);
+                is_negative = !is_negative;
+            }
+            let (above, below) = matrix.split_at_mut((k + 1) * width);
+            let pivot_row = &above[k * width..];
+            for row in below.chunks_mut(width) {
+                let factor = row[k];
+                if factor == 0 {
+                    continue;
+                }
+                multiplied[k] += 1;
+                for (entry, pivot) in row[k..].iter_mut().zip(&pivot_row[k..]) {
+                    *entry =
+                        modulus.minus(modulus.times(*entry, pivot_row[k]), modulus.times(factor, *pivot));
+                }
+            }
+        }
+        let mut inverses: Vec<u64> = (0..n).map(|k| matrix[k * width + k]).collect();
+        if !modulus.invert_all(&mut inverses) {
+            return None;
+        }
+        let mut determinant = modulus.one();
+        for k in 0..n {
+            determinant = modulus.times(determinant, matrix[k * width + k]);
+            determinant = modulus.times(determinant, modulus.power(inverses[k], multiplied[k]));
+        }
+        let mut slopes = vec![0; n];
+        for k in (0..n).rev() {
+            let row = &matrix[k * width..][..width];
+            let mut sum = row[n];
+            for (entry, slope) in row[k + 1..n].iter().zip(&slopes[k + 1..]) {
+                sum = modulus.minus(sum, modulus.times(*entry, *slope));
+            }
+            slopes[k] = modulus.times(sum, inverses[k]);
+        }
+        let two_eps = modulus.plus(eps, eps);
+        let moved = point.iter().zip(&slopes).map(|(x, v)| modulus.plus(*x, modulus.times(two_eps, *v)));
+        let signed = if is_negative { modulus.opposite(determinant) } else { determinant };
+        Some((moved.collect(), signed))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kahan_algebra::interpret::{Interpreter, Point};
+    use kahan_algebra::{lexer, read};
+
+    #[test]
+    fn steps_and_jacobians_are_those_of_the_interpreter() {
+        let fields = [
+            "xdot = a*y*z + x; ydot = z*x/b - 2; zdot = x*y + b*x^2;",
+            "xdot = y; ydot = 0; zdot = w*x; wdot = 1/2*x*y + z;",
+        ];
+        for text in fields {
+            let system = read(&lexer::lex(text).tokens).system;
+            let mut random = SplitMix64::new(3);
+            let modulus = Modulus::random(&mut random);
+            let parameters: Vec<u64> =
+                system.field.symbols.parameters.iter().map(|_| modulus.sample(&mut random)).collect();
+            let eps = modulus.sample(&mut random);
+            let map = Family::of(&system.field).at(modulus, &parameters, eps).unwrap();
+            let state = map.point(&mut random);
+            let step = map.step(&state).unwrap();
+            let there =
+                Interpreter::new(&system).evaluate(&modulus, &Point { state, parameters, eps }).unwrap();
+            assert_eq!(Some(step.next), there.next);
+            assert_eq!(Some(step.jacobian), there.det_jacobian);
+        }
+    }
+}

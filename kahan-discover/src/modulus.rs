@@ -1,0 +1,239 @@
+//! Arithmetic modulo a prime of 61 bits in Montgomery form: the orbits, matrices and interpolations of this crate are
+//! some millions of products each, and a remainder of 128 bits a product would be most of their time.
+//!
+//! In and out go rationals; between them every residue a stands for a·2⁶⁴ mod p. What holds: residues are below p, so
+//! equal residues are equal numbers. Conversions back to ℚ ([`rational_from_residue`]) are guesses that a proof confirms.
+
+use kahan_algebra::arithmetic::Arithmetic;
+use kahan_algebra::prime_field::{PrimeField, SplitMix64};
+use kahan_algebra::rational::Rational;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{Signed, Zero};
+
+/// The field of p elements, p an odd prime below 2⁶²; its elements are `u64` in Montgomery form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Modulus {
+    plain: PrimeField,
+    prime: u64,
+    /// −1/p modulo 2⁶⁴.
+    negated_inverse: u64,
+    /// 2⁶⁴ and 2¹²⁸ modulo p.
+    one: u64,
+    square: u64,
+}
+
+impl Modulus {
+    /// The field of 2⁶¹ − 1 elements.
+    #[must_use]
+    pub fn mersenne_61() -> Self {
+        Self::of(PrimeField::MERSENNE_61)
+    }
+
+    /// A field with a uniformly drawn prime of 61 bits.
+    pub fn random(random: &mut SplitMix64) -> Self {
+        Self::of(PrimeField::random(random))
+    }
+
+    fn of(plain: PrimeField) -> Self {
+        let prime = plain.prime();
+        // Newton's iteration doubles the correct bits of 1/p modulo a power of two; p itself is right to three.
+        let mut inverse = prime;
+        for _ in 0..5 {
+            inverse = inverse.wrapping_mul(2u64.wrapping_sub(prime.wrapping_mul(inverse)));
+        }
+        let one = ((1u128 << 64) % u128::from(prime)) as u64;
+        let square = (u128::from(one) * u128::from(one) % u128::from(prime)) as u64;
+        Modulus { plain, prime, negated_inverse: inverse.wrapping_neg(), one, square }
+    }
+
+    /// p
+    #[must_use]
+    pub fn prime(&self) -> u64 {
+        self.prime
+    }
+
+    /// The number 1.
+    #[must_use]
+    pub fn one(&self) -> u64 {
+        self.one
+    }
+
+    /// An integer.
+    #[must_use]
+    pub fn integer(&self, value: u64) -> u64 {
+        self.times(value % self.prime, self.square)
+    }
+
+    /// a + b
+    #[inline]
+    #[must_use]
+    pub fn plus(&self, a: u64, b: u64) -> u64 {
+        let sum = a + b;
+        if sum >= self.prime { sum - self.prime } else { sum }
+    }
+
+    /// a − b
+    #[inline]
+    #[must_use]
+    pub fn minus(&self, a: u64, b: u64) -> u64 {
+        if a >= b { a - b } else { a + self.prime - b }
+    }
+
+    /// a·b
+    #[inline]
+    #[must_use]
+    pub fn times(&self, a: u64, b: u64) -> u64 {
+        let product = u128::from(a) * u128::from(b);
+        let quotient = (product as u64).wrapping_mul(self.negated_inverse);
+        let reduced = ((product + u128::from(quotient) * u128::from(self.prime)) >> 64) as u64;
+        if reduced >= self.prime { reduced - self.prime } else { reduced }
+    }
+
+    /// −a
+    #[inline]
+    #[must_use]
+    pub fn opposite(&self, a: u64) -> u64 {
+        if a == 0 { 0 } else { self.prime - a }
+    }
+
+    /// 1/a; `None` for 0.
+    #[must_use]
+    pub fn inverse(&self, a: u64) -> Option<u64> {
+        // a stands for ã = a·2⁶⁴, and 1/ã must be multiplied by 2¹²⁸ to stand for the inverse.
+        let inverse = self.plain.inverse(a)?;
+        Some(self.times(self.times(inverse, self.square), self.square))
+    }
+
+    /// Replaces every value by its inverse at the price of one inversion; `false`, and nothing is changed, if one is 0.
+    pub fn invert_all(&self, values: &mut [u64]) -> bool {
+        let mut products = Vec::with_capacity(values.len());
+        let mut product = self.one;
+        for &value in values.iter() {
+            products.push(product);
+            product = self.times(product, value);
+        }
+        let Some(mut inverse) = self.inverse(product) else { return false };
+        for (value, before) in values.iter_mut().zip(&products).rev() {
+            let own = self.times(inverse, *before);
+            inverse = self.times(inverse, *value);
+            *value = own;
+        }
+        true
+    }
+
+    /// a^exponent; 0⁰ is 1.
+    #[must_use]
+    pub fn power(&self, a: u64, exponent: u32) -> u64 {
+        let (mut power, mut base, mut exponent) = (self.one, a, exponent);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                power = self.times(power, base);
+            }
+            base = self.times(base, base);
+            exponent >>= 1;
+        }
+        power
+    }
+
+    /// A rational; `None` where p divides its denominator.
+    #[must_use]
+    pub fn rational(&self, value: &Rational) -> Option<u64> {
+        self.plain.reduce(value).map(|residue| self.times(residue, self.square))
+    }
+
+    /// The ordinary residue 0 ≤ r < p that `a` stands for.
+    #[must_use]
+    pub fn residue(&self, a: u64) -> u64 {
+        self.times(a, 1)
+    }
+
+    /// A uniformly drawn element.
+    pub fn sample(&self, random: &mut SplitMix64) -> u64 {
+        random.below(self.prime)
+    }
+}
+
+impl Arithmetic for Modulus {
+    type Value = u64;
+
+    fn constant(&self, value: &Rational) -> Option<u64> {
+        self.rational(value)
+    }
+
+    fn add(&self, a: &u64, b: &u64) -> u64 {
+        self.plus(*a, *b)
+    }
+
+    fn subtract(&self, a: &u64, b: &u64) -> u64 {
+        self.minus(*a, *b)
+    }
+
+    fn multiply(&self, a: &u64, b: &u64) -> u64 {
+        self.times(*a, *b)
+    }
+
+    fn negate(&self, a: &u64) -> u64 {
+        self.opposite(*a)
+    }
+
+    fn divide(&self, a: &u64, b: &u64) -> Option<u64> {
+        self.inverse(*b).map(|inverse| self.times(*a, inverse))
+    }
+
+    fn is_zero(&self, a: &u64) -> bool {
+        *a == 0
+    }
+}
+
+/// The fraction num/den with |num|, den ≤ √(m/2) that is r modulo m, by Euclid's algorithm; there is at most one, and
+/// `None` where there is none (Wang, Guy and Davenport, "P-adic reconstruction of rational numbers", SIGSAM 1982).
+#[must_use]
+pub fn rational_from_residue(r: &BigInt, m: &BigInt) -> Option<Rational> {
+    let bound = (m / 2i32).sqrt();
+    let (mut upper, mut lower) = (m.clone(), r.mod_floor(m));
+    let (mut upper_factor, mut lower_factor) = (BigInt::zero(), BigInt::from(1));
+    while lower > bound {
+        let quotient = &upper / &lower;
+        let next = &upper - &quotient * &lower;
+        upper = std::mem::replace(&mut lower, next);
+        let next = &upper_factor - &quotient * &lower_factor;
+        upper_factor = std::mem::replace(&mut lower_factor, next);
+    }
+    if lower_factor.is_zero() || lower_factor.abs() > bound || !lower.gcd(&lower_factor).eq(&BigInt::from(1))
+    {
+        return None;
+    }
+    Rational::from(lower).checked_div(&Rational::from(lower_factor))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn montgomery_arithmetic_is_that_of_the_prime_field() {
+        let mut random = SplitMix64::new(7);
+        for modulus in [Modulus::mersenne_61(), Modulus::random(&mut random)] {
+            let plain = PrimeField::new(modulus.prime()).unwrap();
+            for _ in 0..200 {
+                let (a, b) = (plain.sample(&mut random), plain.sample(&mut random));
+                let (x, y) = (modulus.integer(a), modulus.integer(b));
+                assert_eq!(modulus.residue(modulus.times(x, y)), plain.mul(a, b));
+                assert_eq!(modulus.residue(modulus.plus(x, y)), plain.add(a, b));
+                assert_eq!(modulus.residue(modulus.minus(x, y)), plain.sub(a, b));
+                assert_eq!(modulus.residue(modulus.inverse(x).unwrap()), plain.inverse(a).unwrap());
+            }
+        }
+    }
+
+    #[test]
+    fn a_fraction_comes_back_from_its_residue() {
+        let modulus = Modulus::mersenne_61();
+        let m = BigInt::from(modulus.prime());
+        for value in [Rational::new(-355, 113), Rational::new(1, 3), Rational::zero(), Rational::from(-4)] {
+            let residue = modulus.residue(modulus.rational(&value).unwrap());
+            assert_eq!(rational_from_residue(&BigInt::from(residue), &m), Some(value));
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! What is fixed and what is generic: the maps that a search looks at.
+
+use kahan_algebra::field::Field;
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+
+use crate::map::{Family, ModularMap};
+use crate::modulus::Modulus;
+
+/// A field, and ε where it is fixed.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    family: Family,
+    eps: Option<Rational>,
+}
+
+/// A map at values of the unknowns: the parameters in order, then ε where it is not fixed.
+#[derive(Clone, Debug)]
+pub struct Draw {
+    /// The map.
+    pub map: ModularMap,
+    /// The values.
+    pub unknowns: Vec<u64>,
+}
+
+/// How often values are drawn again before the map counts as undefined.
+const MOST_DRAWS: usize = 16;
+
+impl Setting {
+    /// The maps of a field at every ε (half the time step), or at one.
+    #[must_use]
+    pub fn new(field: &Field, eps: Option<Rational>) -> Self {
+        Setting { family: Family::of(field), eps }
+    }
+
+    /// The field's coefficients.
+    #[must_use]
+    pub fn family(&self) -> &Family {
+        &self.family
+    }
+
+    /// ε, where it is fixed.
+    #[must_use]
+    pub fn eps(&self) -> Option<&Rational> {
+        self.eps.as_ref()
+    }
+
+    /// The number of states n.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.family.dimension()
+    }
+
+    /// The number of unknowns: the parameters, and ε unless it is fixed.
+    #[must_use]
+    pub fn unknowns(&self) -> usize {
+        self.family.symbols().parameters.len() + usize::from(self.eps.is_none())
+    }
+
+    /// The map at these values of the unknowns; `None` where the field divides by zero, or p divides the denominator of ε.
+    #[must_use]
+    pub fn at(&self, modulus: Modulus, unknowns: &[u64]) -> Option<ModularMap> {
+        let (parameters, eps) = match &self.eps {
+            Some(eps) => (unknowns, modulus.rational(eps)?),
+            None => {
+                let (eps, parameters) = unknowns.split_last()?;
+                (parameters, *eps)
+            }
+        };
+        self.family.at(modulus, parameters, eps)
+    }
+
+    /// The map at random values of the unknowns, at which a random point has an image; `None` if 16 draws bring none.
+    pub fn draw(&self, modulus: Modulus, random: &mut SplitMix64) -> Option<Draw> {
+        (0..MOST_DRAWS).find_map(|_| {
+            let unknowns: Vec<u64> = (0..self.unknowns()).map(|_| modulus.sample(random)).collect();
+            let map = self.at(modulus, &unknowns)?;
+            map.next(&map.point(random))?;
+            Some(Draw { map, unknowns })
+        })
+    }
+}
