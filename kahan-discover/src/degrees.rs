@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use kahan_algebra::prime_field::SplitMix64;
 
-use crate::map::ModularMap;
+use crate::map::{ModularMap, Stepping};
 use crate::thiele::{SPARE, degree};
 
 /// Where to stop.

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use kahan_algebra::prime_field::SplitMix64;
 
-use crate::map::ModularMap;
+use crate::map::Stepping;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
@@ -55,7 +55,7 @@ pub fn default_degree(variables: usize) -> u32 {
 
 /// The relations on a random orbit; `None` if all of 8 orbits end at poles.
 pub fn random_relations(
-    map: &ModularMap,
+    map: &impl Stepping,
     monomials: &Monomials,
     random: &mut SplitMix64,
 ) -> Option<Relations> {

@@ -125,6 +125,33 @@ pub(crate) fn evaluate(
     Some(sum)
 }
 
+/// A map that can be stepped, modulo a prime.
+pub trait Stepping {
+    /// The field that it works in.
+    fn modulus(&self) -> &Modulus;
+
+    /// The number of states n.
+    fn dimension(&self) -> usize;
+
+    /// The image of a point; `None` at a pole.
+    fn next(&self, point: &[u64]) -> Option<Vec<u64>>;
+
+    /// A uniformly drawn point.
+    fn point(&self, random: &mut SplitMix64) -> Vec<u64> {
+        (0..self.dimension()).map(|_| self.modulus().sample(random)).collect()
+    }
+
+    /// The orbit of `length` points from `start`, which is the first; shorter where it ends at a pole.
+    fn orbit(&self, start: Vec<u64>, length: usize) -> Vec<Vec<u64>> {
+        let mut orbit = vec![start];
+        while orbit.len() < length {
+            let Some(next) = self.next(&orbit[orbit.len() - 1]) else { break };
+            orbit.push(next);
+        }
+        orbit
+    }
+}
+
 /// The map of one field at one ε.
 #[derive(Clone, Debug)]
 pub struct ModularMap {
@@ -134,19 +161,22 @@ pub struct ModularMap {
     terms: Vec<Term>,
 }
 
-impl ModularMap {
-    /// The field that it works in.
-    #[must_use]
-    pub fn modulus(&self) -> &Modulus {
+impl Stepping for ModularMap {
+    fn modulus(&self) -> &Modulus {
         &self.modulus
     }
 
-    /// The number of states n.
-    #[must_use]
-    pub fn dimension(&self) -> usize {
+    fn dimension(&self) -> usize {
         self.dimension
     }
 
+    /// x̃; `None` where det A(x,ε) = 0.
+    fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
+        self.solve(point, self.eps).map(|(next, _)| next)
+    }
+}
+
+impl ModularMap {
     /// ε, half the time step.
     #[must_use]
     pub fn eps(&self) -> u64 {
@@ -157,17 +187,6 @@ impl ModularMap {
     #[must_use]
     pub fn with_eps(&self, eps: u64) -> Self {
         ModularMap { eps, ..self.clone() }
-    }
-
-    /// A uniformly drawn point.
-    pub fn point(&self, random: &mut SplitMix64) -> Vec<u64> {
-        (0..self.dimension).map(|_| self.modulus.sample(random)).collect()
-    }
-
-    /// x̃; `None` where det A(x,ε) = 0.
-    #[must_use]
-    pub fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
-        self.solve(point, self.eps).map(|(next, _)| next)
     }
 
     /// x̃ with the determinant of the Jacobian; `None` where det A(x,ε) = 0.
@@ -188,15 +207,21 @@ impl ModularMap {
         self.solve(point, eps).map_or(0, |(_, determinant)| determinant)
     }
 
-    /// The orbit of `length` points from `start`, which is the first; shorter where it ends at a pole.
+    /// f(x) and f′(x), row by row.
     #[must_use]
-    pub fn orbit(&self, start: Vec<u64>, length: usize) -> Vec<Vec<u64>> {
-        let mut orbit = vec![start];
-        while orbit.len() < length {
-            let Some(next) = self.next(&orbit[orbit.len() - 1]) else { break };
-            orbit.push(next);
+    pub fn field(&self, point: &[u64]) -> (Vec<u64>, Vec<Vec<u64>>) {
+        let n = self.dimension;
+        // I − ε f′ at ε = −1
+        let matrix = self.extended_matrix(point, self.modulus.opposite(self.modulus.one()));
+        let mut values = Vec::with_capacity(n);
+        let mut slopes = Vec::with_capacity(n);
+        for (i, row) in matrix.chunks(n + 1).enumerate() {
+            let mut slope = row[..n].to_vec();
+            slope[i] = self.modulus.minus(slope[i], self.modulus.one());
+            slopes.push(slope);
+            values.push(row[n]);
         }
-        orbit
+        (values, slopes)
     }
 
     /// The matrix (A | f), row by row.

@@ -5,7 +5,7 @@
 //! expresses it by is the same along the orbit: every entry, as a function of the orbit's start, is an integral
 //! (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations", 2011).
 
-use crate::map::ModularMap;
+use crate::map::Stepping;
 use crate::matrix::{Echelon, NullVector};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
@@ -34,7 +34,7 @@ impl Relations {
     ///
     /// Cost: with N monomials and rank r, N + 6 steps and N² r products.
     #[must_use]
-    pub fn on_orbit(map: &ModularMap, start: Vec<u64>, monomials: &Monomials) -> Option<Self> {
+    pub fn on_orbit(map: &impl Stepping, start: Vec<u64>, monomials: &Monomials) -> Option<Self> {
         let wanted = monomials.len() + SPARE;
         let orbit = map.orbit(start, wanted);
         let period = orbit.iter().skip(1).position(|point| *point == orbit[0]).map(|before| before + 1);

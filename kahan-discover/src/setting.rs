@@ -1,10 +1,12 @@
 //! What is fixed and what is generic: the maps that a search looks at.
 
 use kahan_algebra::field::Field;
+use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::Symbol;
 
-use crate::map::{Family, ModularMap};
+use crate::map::{Family, ModularMap, Stepping, evaluate};
 use crate::modulus::Modulus;
 
 /// A field, and ε where it is fixed.
@@ -57,6 +59,14 @@ impl Setting {
         self.family.symbols().parameters.len() + usize::from(self.eps.is_none())
     }
 
+    /// The variables of the unknowns in formulas, in order.
+    #[must_use]
+    pub fn unknown_variables(&self) -> Vec<Variable> {
+        let symbols = self.family.symbols();
+        let parameters = (0..symbols.parameters.len()).map(|k| symbols.parameter(k));
+        parameters.chain(self.eps.is_none().then(|| symbols.epsilon())).collect()
+    }
+
     /// The map at these values of the unknowns; `None` where the field divides by zero, or p divides the denominator of ε.
     #[must_use]
     pub fn at(&self, modulus: Modulus, unknowns: &[u64]) -> Option<ModularMap> {
@@ -78,5 +88,19 @@ impl Setting {
             map.next(&map.point(random))?;
             Some(Draw { map, unknowns })
         })
+    }
+
+    /// The value of a polynomial in states, parameters and ε at a point of a drawn map; `None` where the prime divides a
+    /// denominator of its coefficients.
+    #[must_use]
+    pub fn evaluate(&self, modulus: &Modulus, polynomial: &Polynomial, draw: &Draw, point: &[u64]) -> Option<u64> {
+        let symbols = self.family.symbols();
+        let parameters = symbols.parameters.len();
+        let value = |variable: Variable| match symbols.symbol(variable) {
+            Symbol::State(i) | Symbol::SecondState(i) => point[i],
+            Symbol::Parameter(k) => draw.unknowns[k],
+            Symbol::Epsilon => draw.unknowns.get(parameters).copied().unwrap_or_else(|| draw.map.eps()),
+        };
+        evaluate(modulus, polynomial, value)
     }
 }

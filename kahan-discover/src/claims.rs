@@ -1,0 +1,192 @@
+//! Formulas as claims in the language of `kahan!`: written, read again, and proved.
+//!
+//! What is printed is what was proved: the text of the claim is parsed behind the equations of the field and goes through
+//! the prover of claims. A formula that does not pass is not returned.
+
+use kahan_algebra::poly::{Monomial, Polynomial};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::{Formulas, Notation};
+use kahan_algebra::symbols::Symbols;
+use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::System;
+use kahan_algebra::{lexer, read};
+
+/// A proved claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formula {
+    /// What is claimed: an integral or a density.
+    pub kind: ClaimKind,
+    /// The claim as a line of the language of `kahan!`: `integral H1 = …;`.
+    pub text: String,
+    /// The degree in the states of numerator and denominator, the larger.
+    pub degree: u32,
+    /// Numerator and denominator.
+    pub numerator: Polynomial,
+    /// Numerator and denominator.
+    pub denominator: Polynomial,
+}
+
+/// Writes and proves claims about one field, some of its parameters and ε perhaps fixed.
+#[derive(Clone, Debug)]
+pub struct Claims<'a> {
+    system: &'a System,
+    equations: String,
+    /// ` when a = 1, eps = 1/2`, or empty.
+    condition: String,
+    taken: Vec<String>,
+}
+
+impl<'a> Claims<'a> {
+    /// For the field of `system`, at these values of parameters and of ε (half the time step).
+    #[must_use]
+    pub fn new(system: &'a System, parameters: &[(String, Rational)], eps: Option<&Rational>) -> Self {
+        let field = &system.field;
+        let symbols = &field.symbols;
+        let values = Formulas { field, map: None, notation: Notation::Text }.field();
+        let lines: Vec<String> =
+            symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};")).collect();
+        // A parameter that cancelled from the equations is unknown to them.
+        let occurs = |name: &str| {
+            symbols.parameters.iter().position(|known| known == name).is_some_and(|k| {
+                let variable = symbols.parameter(k);
+                field.components.iter().any(|c| c.numerator.contains(variable) || c.denominator.contains(variable))
+            })
+        };
+        let mut conditions: Vec<String> = parameters
+            .iter()
+            .filter(|(name, _)| occurs(name))
+            .map(|(name, value)| format!("{name} = {value}"))
+            .collect();
+        conditions.extend(eps.map(|value| format!("eps = {value}")));
+        let condition =
+            if conditions.is_empty() { String::new() } else { format!(" when {}", conditions.join(", ")) };
+        let taken = [symbols.states.clone(), symbols.parameters.clone(), vec!["eps".to_owned()]].concat();
+        Claims { system, equations: lines.join(" "), condition, taken }
+    }
+
+    /// A name that nothing else in the block has: the stem, or with a number or more letters.
+    fn name(&self, stem: &str, index: Option<usize>) -> String {
+        let mut name = match index {
+            Some(index) => format!("{stem}{index}"),
+            None => stem.to_owned(),
+        };
+        let is_taken = |name: &String| {
+            self.taken.contains(name)
+                || self.system.constants.iter().any(|(known, _)| known == name)
+                || self.system.claims.iter().any(|claim| claim.name.text == *name)
+        };
+        while is_taken(&name) {
+            name.push('_');
+        }
+        name
+    }
+
+    /// The claim that numerator/denominator is an integral, if it is proved; `index` numbers its name.
+    #[must_use]
+    pub fn integral(&self, symbols: &Symbols, index: usize, numerator: &Polynomial, denominator: &Polynomial) -> Option<Formula> {
+        let above = factored(symbols, &[(numerator.clone(), 1)]);
+        let value = if denominator.is_one() {
+            above
+        } else {
+            quotient(&above, &factored(symbols, &[(denominator.clone(), 1)]))
+        };
+        let text = format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition);
+        self.proved(symbols, ClaimKind::Integral, text, numerator, denominator)
+    }
+
+    /// The claim that 1/∏ factorᵏ is an invariant density, if it is proved.
+    #[must_use]
+    pub fn density(&self, symbols: &Symbols, index: Option<usize>, factors: &[(Polynomial, u32)]) -> Option<Formula> {
+        let value = if factors.is_empty() { "1".to_owned() } else { quotient("1", &factored(symbols, factors)) };
+        let text = format!("density {} = {value}{};", self.name("rho", index), self.condition);
+        let power = |(factor, exponent): &(Polynomial, u32)| (0..*exponent).map(|_| factor.clone()).collect::<Vec<_>>();
+        let product = factors.iter().flat_map(power).fold(Polynomial::one(), |product, factor| &product * &factor);
+        self.proved(symbols, ClaimKind::Density, text, &Polynomial::one(), &product)
+    }
+
+    fn proved(
+        &self,
+        symbols: &Symbols,
+        kind: ClaimKind,
+        text: String,
+        numerator: &Polynomial,
+        denominator: &Polynomial,
+    ) -> Option<Formula> {
+        let block = format!("{} {text}", self.equations);
+        let reading = read(&lexer::lex(&block).tokens);
+        if !reading.diagnostics.is_empty() {
+            return None;
+        }
+        let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));
+        Some(Formula {
+            kind,
+            text,
+            degree: degree(numerator).max(degree(denominator)),
+            numerator: numerator.clone(),
+            denominator: denominator.clone(),
+        })
+    }
+}
+
+/// `above/below`.
+fn quotient(above: &str, below: &str) -> String {
+    let above = if above.contains(' ') && !is_product(above) { format!("({above})") } else { above.to_owned() };
+    let is_atom = below.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '^') || is_group(below);
+    if is_atom { format!("{above}/{below}") } else { format!("{above}/({below})") }
+}
+
+/// Whether sums stand in parentheses only.
+fn is_product(text: &str) -> bool {
+    let mut depth = 0;
+    text.chars().all(|c| {
+        match c {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            ' ' if depth == 0 => return false,
+            _ => {}
+        }
+        true
+    })
+}
+
+/// Whether the text is one sum in parentheses, perhaps with an exponent.
+fn is_group(text: &str) -> bool {
+    let inner = text.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('^');
+    inner.starts_with('(') && inner.ends_with(')') && !inner[1..inner.len() - 1].contains(['(', ')'])
+}
+
+/// A product of powers, what divides every term of a factor written before it.
+fn factored(symbols: &Symbols, factors: &[(Polynomial, u32)]) -> String {
+    let mut common = Monomial::one();
+    let mut sums: Vec<String> = Vec::new();
+    let mut sign = false;
+    for (factor, exponent) in factors {
+        let monomial = factor.monomial_content();
+        let rest = factor.div_monomial(&monomial).unwrap_or_else(|| factor.clone());
+        common = common.mul(&monomial.pow(*exponent));
+        if let Some(value) = rest.as_constant() {
+            sign ^= value.is_negative() && exponent % 2 == 1;
+            let size = value.abs();
+            if !size.is_one() {
+                sums.insert(0, Notation::Text.power(&size.to_string(), i64::from(*exponent)));
+            }
+            continue;
+        }
+        let text = Notation::Text.polynomial(symbols, &rest);
+        sums.push(Notation::Text.power(&format!("({text})"), i64::from(*exponent)));
+    }
+    let alone = sums.len() == 1 && common.is_one() && !sign;
+    if alone && sums[0].ends_with(')') {
+        let text = &sums[0];
+        return text[1..text.len() - 1].to_owned();
+    }
+    let mut parts = Vec::new();
+    if !common.is_one() {
+        parts.push(Notation::Text.polynomial(symbols, &Polynomial::term(common, Rational::one())));
+    }
+    parts.extend(sums);
+    if parts.is_empty() {
+        parts.push("1".to_owned());
+    }
+    format!("{}{}", if sign { "-" } else { "" }, parts.join("*"))
+}

@@ -1,0 +1,174 @@
+//! Polynomials with a given cofactor under the map: P(φ(x)) = C(x) P(x), linear in P.
+//!
+//! With C = det ∂x̃/∂x, dx/P is an invariant measure; with C = 1, P is an integral. Two P with the same C have an integral
+//! as their quotient, so with integrals the P of one degree form a space; its simplest element is the one to write.
+
+use std::time::Instant;
+
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::map::{ModularMap, Step, Stepping};
+use crate::matrix::Echelon;
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::setting::Setting;
+use crate::space::{Form, Space, lift_space};
+
+/// Equations beyond the number of unknowns.
+const SPARE: usize = 6;
+
+/// How often a point is drawn again.
+const MOST_DRAWS: usize = 16;
+
+/// The polynomial of an invariant measure dx/P, in factors.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Measure {
+    /// P as a product: factors and their exponents.
+    pub factors: Vec<(Polynomial, u32)>,
+    /// The degree of P in the states.
+    pub degree: u32,
+}
+
+fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(Vec<u64>, Step)> {
+    (0..MOST_DRAWS).find_map(|_| {
+        let point = map.point(random);
+        let step = map.step(&point)?;
+        Some((point, step))
+    })
+}
+
+/// The null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on some monomials; `None` if the map has no value.
+fn null_vectors(
+    map: &ModularMap,
+    monomials: &Monomials,
+    support: &[usize],
+    random: &mut SplitMix64,
+) -> Option<Vec<Vec<u64>>> {
+    let modulus = map.modulus();
+    let mut rows = Vec::with_capacity(support.len() + SPARE);
+    for _ in 0..support.len() + SPARE {
+        let (point, step) = random_step(map, random)?;
+        let (here, there) = (monomials.values(modulus, &point), monomials.values(modulus, &step.next));
+        let difference = |&index: &usize| modulus.minus(there[index], modulus.times(step.jacobian, here[index]));
+        rows.push(support.iter().map(difference).collect());
+    }
+    let echelon = Echelon::of(modulus, rows, support.len());
+    Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
+}
+
+/// The least degree up to `highest` in which some P has the cofactor det ∂x̃/∂x, and the space of them.
+pub fn measure_space(
+    map: &ModularMap,
+    highest: u32,
+    random: &mut SplitMix64,
+    deadline: Instant,
+) -> Option<(u32, Space)> {
+    for degree in 0..=highest {
+        if Instant::now() >= deadline {
+            return None;
+        }
+        let monomials = Monomials::new(map.dimension(), degree);
+        let all: Vec<usize> = (0..monomials.len()).collect();
+        let vectors = null_vectors(map, &monomials, &all, random)?;
+        if !vectors.is_empty() {
+            return Some((degree, Space::spanned(map.modulus(), vectors)));
+        }
+    }
+    None
+}
+
+/// The measure of least degree, over ℚ with all unknowns; products of `factors` are preferred to anything else. `None` if
+/// there is none up to `highest`, or it could not be lifted before the deadline.
+pub fn measure(
+    setting: &Setting,
+    factors: &[Polynomial],
+    highest: u32,
+    random: &mut SplitMix64,
+    deadline: Instant,
+) -> Option<Measure> {
+    let modulus = Modulus::mersenne_61();
+    let draw = setting.draw(modulus, random)?;
+    let (degree, space) = measure_space(&draw.map, highest, random, deadline)?;
+    if degree == 0 {
+        return Some(Measure { factors: Vec::new(), degree });
+    }
+    if let Some(factors) = product(setting, factors, degree, random) {
+        return Some(Measure { factors, degree });
+    }
+    let monomials = Monomials::new(setting.dimension(), degree);
+    let simplest = (0..space.dimension()).min_by_key(|&index| space.terms(index))?;
+    let places = space.form.support.iter().zip(&space.rows[simplest]).filter(|(_, value)| **value != 0);
+    let support: Vec<usize> = places.map(|(&index, _)| index).collect();
+    let alone = null_vectors(&draw.map, &monomials, &support, random)?.len() == 1;
+    let (form, row) = if alone {
+        (Form { support, pivots: vec![0] }, 0)
+    } else {
+        (space.form.clone(), simplest)
+    };
+    let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+        let map = setting.at(modulus, unknowns)?;
+        let vectors = null_vectors(&map, &monomials, &form.support, random)?;
+        Space::of_form(&modulus, &form, vectors)
+    };
+    let polynomials = lift_space(setting, &monomials, &form, at, random, deadline)?;
+    Some(Measure { factors: vec![(polynomials[row].clone(), 1)], degree })
+}
+
+/// The simplest product of the given polynomials that has this degree and the cofactor det ∂x̃/∂x.
+fn product(
+    setting: &Setting,
+    factors: &[Polynomial],
+    degree: u32,
+    random: &mut SplitMix64,
+) -> Option<Vec<(Polynomial, u32)>> {
+    let symbols = setting.family().symbols();
+    let degrees: Vec<u32> =
+        factors.iter().map(|factor| factor.degree_where(|variable| symbols.is_state(variable))).collect();
+    let modulus = Modulus::mersenne_61();
+    // For each of two points the factors' cofactors and the determinant.
+    let mut samples: Vec<(Vec<u64>, u64)> = Vec::new();
+    for _ in 0..2 {
+        let draw = setting.draw(modulus, random)?;
+        let (point, step) = random_step(&draw.map, random)?;
+        let cofactors: Option<Vec<u64>> = factors
+            .iter()
+            .map(|factor| {
+                let here = setting.evaluate(&modulus, factor, &draw, &point)?;
+                let there = setting.evaluate(&modulus, factor, &draw, &step.next)?;
+                Some(modulus.times(there, modulus.inverse(here)?))
+            })
+            .collect();
+        samples.push((cofactors?, step.jacobian));
+    }
+    let mut candidates: Vec<Vec<u32>> = Vec::new();
+    exponents(&degrees, degree, &mut Vec::new(), &mut candidates);
+    let has_cofactor = |exponents: &Vec<u32>| {
+        samples.iter().all(|(cofactors, jacobian)| {
+            let powers = cofactors.iter().zip(exponents).map(|(&base, &exponent)| modulus.power(base, exponent));
+            powers.fold(modulus.one(), |product, power| modulus.times(product, power)) == *jacobian
+        })
+    };
+    let terms = |exponents: &Vec<u32>| -> usize {
+        exponents.iter().zip(factors).map(|(&exponent, factor)| exponent as usize * (factor.len() + 1)).sum()
+    };
+    let best = candidates.into_iter().filter(has_cofactor).min_by_key(terms)?;
+    let used = factors.iter().cloned().zip(best).filter(|(_, exponent)| *exponent > 0);
+    Some(used.collect())
+}
+
+/// All exponents with Σ exponent·degree = total, up to a few thousand.
+fn exponents(degrees: &[u32], total: u32, begun: &mut Vec<u32>, found: &mut Vec<Vec<u32>>) {
+    const MOST: usize = 5000;
+    let Some((&first, rest)) = degrees.split_first() else {
+        if total == 0 && found.len() < MOST {
+            found.push(begun.clone());
+        }
+        return;
+    };
+    for exponent in 0..=total.checked_div(first).unwrap_or(0) {
+        begun.push(exponent);
+        exponents(rest, total - exponent * first, begun, found);
+        begun.pop();
+    }
+}

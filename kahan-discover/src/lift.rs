@@ -1,0 +1,299 @@
+//! From residues to formulas: functions that can be evaluated modulo primes become rational functions over ℚ.
+//!
+//! An [`Oracle`] gives a vector of values at any values of the unknowns (the parameters and ε). Its degrees in each
+//! unknown and in all together bound an ansatz N/D for each entry, whose coefficients are a null vector; coefficients
+//! modulo one prime, or several by the Chinese remainder theorem, become rationals. What holds: the result agrees with the
+//! oracle at a random point modulo a prime that was not used. That is evidence; proofs are made elsewhere.
+
+use std::time::Instant;
+
+use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use num_bigint::BigInt;
+use num_integer::Integer;
+
+use crate::map::evaluate;
+use crate::matrix::Echelon;
+use crate::modulus::{Modulus, rational_from_residue};
+use crate::thiele::{SPARE, degree};
+
+/// Values that are rational functions of unknowns.
+pub trait Oracle {
+    /// The values at these unknowns, always equally many; `None` where they are not defined.
+    fn values(&mut self, modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64) -> Option<Vec<u64>>;
+}
+
+impl<F: FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>>> Oracle for F {
+    fn values(&mut self, modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64) -> Option<Vec<u64>> {
+        self(modulus, unknowns, random)
+    }
+}
+
+/// The most points on a line; degrees up to some twenty in one unknown.
+const MOST_ON_LINE: usize = 48;
+
+/// The most unknown coefficients of one function.
+const MOST_COEFFICIENTS: usize = 500;
+
+/// The most primes that are joined.
+const MOST_PRIMES: usize = 4;
+
+/// How often a point is drawn again where the oracle has no value.
+const MOST_DRAWS: usize = 8;
+
+/// The functions behind an oracle, over ℚ; unknown k becomes `variables[k]`. `None` if degrees or coefficients are out of
+/// reach, the deadline passes, or the values are those of no rational function.
+///
+/// Cost: for ansatz functions of m coefficients in all, m + 4 calls a prime and m³ products for each entry.
+pub fn lift(
+    oracle: &mut dyn Oracle,
+    variables: &[Variable],
+    random: &mut SplitMix64,
+    deadline: Instant,
+) -> Option<Vec<RationalFunction>> {
+    let mut primes: Vec<(Modulus, Vec<Vec<u64>>)> = Vec::new();
+    let mut lifter = Lifter { oracle, unknowns: variables.len(), random, deadline };
+    let mut modulus = Modulus::mersenne_61();
+    let shapes = lifter.shapes(modulus)?;
+    while primes.len() < MOST_PRIMES {
+        let coefficients = lifter.coefficients(modulus, &shapes)?;
+        primes.push((modulus, coefficients));
+        modulus = Modulus::random(lifter.random);
+        let functions: Option<Vec<RationalFunction>> =
+            shapes.iter().enumerate().map(|(index, shape)| shape.function(&primes, index, variables)).collect();
+        if let Some(functions) = functions
+            && lifter.confirms(modulus, &functions, variables)?
+        {
+            return Some(functions);
+        }
+    }
+    None
+}
+
+struct Lifter<'a> {
+    oracle: &'a mut dyn Oracle,
+    unknowns: usize,
+    random: &'a mut SplitMix64,
+    deadline: Instant,
+}
+
+/// The monomials of numerator and denominator of one entry, as exponents of the unknowns.
+struct Shape {
+    monomials: Vec<Vec<u32>>,
+}
+
+impl Lifter<'_> {
+    fn point(&mut self, modulus: &Modulus) -> Vec<u64> {
+        (0..self.unknowns).map(|_| modulus.sample(self.random)).collect()
+    }
+
+    /// The oracle's values somewhere.
+    fn sample(&mut self, modulus: Modulus) -> Option<(Vec<u64>, Vec<u64>)> {
+        (0..MOST_DRAWS).find_map(|_| {
+            if Instant::now() >= self.deadline {
+                return None;
+            }
+            let point = self.point(&modulus);
+            let values = self.oracle.values(modulus, &point, self.random)?;
+            Some((point, values))
+        })
+    }
+
+    /// The degrees of all entries on the line base + t·direction.
+    fn degrees_on_line(&mut self, modulus: Modulus, direction: &[u64]) -> Option<Vec<usize>> {
+        let base = self.point(&modulus);
+        let (mut points, mut values): (Vec<u64>, Vec<Vec<u64>>) = (Vec::new(), Vec::new());
+        let mut wanted = 2 * 2 + 1 + SPARE;
+        let mut failures = 0;
+        loop {
+            while points.len() < wanted {
+                if Instant::now() >= self.deadline || failures > MOST_DRAWS {
+                    return None;
+                }
+                let t = modulus.sample(self.random);
+                let place: Vec<u64> =
+                    base.iter().zip(direction).map(|(a, b)| modulus.plus(*a, modulus.times(*b, t))).collect();
+                match self.oracle.values(modulus, &place, self.random) {
+                    Some(found) => {
+                        points.push(t);
+                        values.push(found);
+                    }
+                    None => failures += 1,
+                }
+            }
+            let entries = values[0].len();
+            let degrees: Option<Vec<usize>> = (0..entries)
+                .map(|entry| {
+                    let column: Vec<u64> = values.iter().map(|row| row[entry]).collect();
+                    degree(&modulus, &points, &column)
+                })
+                .collect();
+            match degrees {
+                Some(degrees) => return Some(degrees),
+                None if wanted >= MOST_ON_LINE => return None,
+                None => wanted = (2 * wanted).min(MOST_ON_LINE),
+            }
+        }
+    }
+
+    fn shapes(&mut self, modulus: Modulus) -> Option<Vec<Shape>> {
+        if self.unknowns == 0 {
+            let (_, values) = self.sample(modulus)?;
+            return Some(values.iter().map(|_| Shape { monomials: vec![Vec::new()] }).collect());
+        }
+        let mut by_unknown = Vec::with_capacity(self.unknowns);
+        for unknown in 0..self.unknowns {
+            let mut direction = vec![0; self.unknowns];
+            direction[unknown] = modulus.one();
+            by_unknown.push(self.degrees_on_line(modulus, &direction)?);
+        }
+        let direction = self.point(&modulus);
+        let total = self.degrees_on_line(modulus, &direction)?;
+        (0..total.len())
+            .map(|entry| {
+                let bounds: Vec<usize> = by_unknown.iter().map(|degrees| degrees[entry]).collect();
+                Shape::within(&bounds, total[entry])
+            })
+            .collect()
+    }
+
+    /// The coefficients of each entry: numerator, then denominator, the last that is not zero being 1.
+    fn coefficients(&mut self, modulus: Modulus, shapes: &[Shape]) -> Option<Vec<Vec<u64>>> {
+        let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE;
+        let mut samples = Vec::with_capacity(wanted);
+        for _ in 0..wanted {
+            samples.push(self.sample(modulus)?);
+        }
+        let solve = |(entry, shape): (usize, &Shape)| {
+            let width = 2 * shape.monomials.len();
+            let rows = samples[..width + SPARE].iter().map(|(point, values)| {
+                let own = shape.values(&modulus, point);
+                let factor = modulus.opposite(values[entry]);
+                let scaled: Vec<u64> = own.iter().map(|&value| modulus.times(value, factor)).collect();
+                [own, scaled].concat()
+            });
+            let null = Echelon::of(&modulus, rows.collect(), width).null_space(&modulus);
+            match &null[..] {
+                [vector] => Some(vector.entries.clone()),
+                _ => None,
+            }
+        };
+        shapes.iter().enumerate().map(solve).collect()
+    }
+
+    fn confirms(
+        &mut self,
+        modulus: Modulus,
+        functions: &[RationalFunction],
+        variables: &[Variable],
+    ) -> Option<bool> {
+        let (point, values) = self.sample(modulus)?;
+        let value = |variable: Variable| {
+            variables.iter().position(|known| *known == variable).map_or(0, |place| point[place])
+        };
+        Some(functions.iter().zip(&values).all(|(function, expected)| {
+            let above = evaluate(&modulus, function.numerator(), value);
+            let below = evaluate(&modulus, function.denominator(), value);
+            above.zip(below).is_some_and(|(above, below)| above == modulus.times(*expected, below))
+        }))
+    }
+}
+
+impl Shape {
+    /// All monomials within a degree for each unknown and one for all; `None` if they are too many.
+    fn within(bounds: &[usize], total: usize) -> Option<Self> {
+        let mut monomials: Vec<Vec<u32>> = vec![Vec::new()];
+        for &bound in bounds {
+            let extended = monomials.iter().flat_map(|monomial| {
+                let used = monomial.iter().sum::<u32>() as usize;
+                (0..=bound.min(total.saturating_sub(used))).map(move |exponent| {
+                    let mut longer = monomial.clone();
+                    longer.push(exponent as u32);
+                    longer
+                })
+            });
+            monomials = extended.take(MOST_COEFFICIENTS + 1).collect();
+        }
+        (2 * monomials.len() <= MOST_COEFFICIENTS).then_some(Shape { monomials })
+    }
+
+    fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
+        let value = |monomial: &Vec<u32>| {
+            let powers = monomial.iter().zip(point).map(|(&exponent, &x)| modulus.power(x, exponent));
+            powers.fold(modulus.one(), |product, power| modulus.times(product, power))
+        };
+        self.monomials.iter().map(value).collect()
+    }
+
+    /// The function whose coefficients modulo several primes are known; `None` if those are not of small rationals.
+    fn function(
+        &self,
+        primes: &[(Modulus, Vec<Vec<u64>>)],
+        entry: usize,
+        variables: &[Variable],
+    ) -> Option<RationalFunction> {
+        let count = self.monomials.len();
+        let side = |offset: usize| -> Option<Polynomial> {
+            let mut terms = Vec::new();
+            for (index, exponents) in self.monomials.iter().enumerate() {
+                let residues = primes
+                    .iter()
+                    .map(|(modulus, all)| (modulus.prime(), modulus.residue(all[entry][offset + index])));
+                let coefficient = rational_from_residues(residues)?;
+                let powers = variables.iter().zip(exponents).map(|(variable, exponent)| (*variable, *exponent));
+                terms.push((powers.collect::<Monomial>(), coefficient));
+            }
+            Some(Polynomial::from_terms(terms))
+        };
+        RationalFunction::new_within(side(0)?, side(count)?, &mut Budget::new(2000, 10_000_000)).ok()?
+    }
+}
+
+/// The small rational with these residues.
+fn rational_from_residues(residues: impl Iterator<Item = (u64, u64)>) -> Option<Rational> {
+    let (mut value, mut product) = (BigInt::from(0), BigInt::from(1));
+    for (prime, residue) in residues {
+        let prime = BigInt::from(prime);
+        // value + product·k ≡ residue modulo the new prime
+        let inverse = product.extended_gcd(&prime).x;
+        let step = ((BigInt::from(residue) - &value) * inverse).mod_floor(&prime);
+        value += &product * step;
+        product *= prime;
+    }
+    rational_from_residue(&value, &product)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    #[test]
+    fn rational_functions_come_back_from_their_values() {
+        // (3a²b − 1/7)/(a − b), the constant 123456789012345678901/2 (more than one prime), and 0.
+        let large = Rational::parse("123456789012345678901/2").unwrap();
+        let (a, b) = (Variable(4), Variable(9));
+        let mut oracle = |modulus: Modulus, at: &[u64], _: &mut SplitMix64| {
+            let seventh = modulus.rational(&Rational::new(1, 7))?;
+            let above = modulus.times(modulus.integer(3), modulus.times(modulus.power(at[0], 2), at[1]));
+            let below = modulus.inverse(modulus.minus(at[0], at[1]))?;
+            Some(vec![modulus.times(modulus.minus(above, seventh), below), modulus.rational(&large)?, 0])
+        };
+        let deadline = Instant::now() + Duration::from_secs(3600);
+        let found = lift(&mut oracle, &[a, b], &mut SplitMix64::new(2), deadline).unwrap();
+        let (pa, pb) = (Polynomial::variable(a), Polynomial::variable(b));
+        let above = (&(&pa * &pa) * &pb).scale(&Rational::from(3)) - Polynomial::constant(Rational::new(1, 7));
+        assert_eq!(found[0], RationalFunction::new(above, pa - pb).unwrap());
+        assert_eq!(found[1], RationalFunction::constant(large));
+        assert!(found[2].is_zero());
+    }
+
+    #[test]
+    fn what_is_no_rational_function_is_not_lifted() {
+        let mut oracle = |modulus: Modulus, at: &[u64], _: &mut SplitMix64| Some(vec![modulus.power(at[0], 1 << 30)]);
+        let deadline = Instant::now() + Duration::from_secs(3600);
+        assert!(lift(&mut oracle, &[Variable(0)], &mut SplitMix64::new(2), deadline).is_none());
+    }
+}

@@ -1,0 +1,137 @@
+//! Spaces of polynomials in the states, given by bases in reduced echelon form on fixed monomials.
+//!
+//! A space that depends on parameters and ε has a basis in reduced form whose entries are rational functions of them; this
+//! is what is lifted.
+
+use std::time::Instant;
+
+use kahan_algebra::poly::{Monomial, Polynomial, gcd};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::symbols::Symbols;
+
+use crate::lift::lift;
+use crate::matrix::Echelon;
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::setting::Setting;
+
+/// The shape of a space's basis: which monomials occur, and which lead.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Form {
+    /// The monomials that occur, by their indices, ascending.
+    pub support: Vec<usize>,
+    /// The places in `support` of the first monomial of each basis element.
+    pub pivots: Vec<usize>,
+}
+
+/// A basis in reduced form: each element begins with the monomial of its pivot with coefficient 1, the others lack it.
+#[derive(Clone, Debug)]
+pub struct Space {
+    /// The shape.
+    pub form: Form,
+    /// One row of coefficients for each element, on the support.
+    pub rows: Vec<Vec<u64>>,
+}
+
+impl Space {
+    /// The space spanned by vectors of coefficients of all monomials.
+    #[must_use]
+    pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
+        let columns = vectors.first().map_or(0, Vec::len);
+        let echelon = Echelon::of(modulus, vectors, columns);
+        let support: Vec<usize> =
+            (0..columns).filter(|&column| echelon.rows.iter().any(|row| row[column] != 0)).collect();
+        let rows = echelon.rows.iter().map(|row| support.iter().map(|&column| row[column]).collect()).collect();
+        let places = echelon.pivots.iter().filter_map(|pivot| support.binary_search(pivot).ok()).collect();
+        Space { form: Form { support, pivots: places }, rows }
+    }
+
+    /// The space spanned by vectors on a known support, if it has the known form.
+    #[must_use]
+    pub fn of_form(modulus: &Modulus, form: &Form, vectors: Vec<Vec<u64>>) -> Option<Self> {
+        let echelon = Echelon::of(modulus, vectors, form.support.len());
+        (echelon.pivots == form.pivots).then(|| Space { form: form.clone(), rows: echelon.rows })
+    }
+
+    /// The number of basis elements.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The coefficients of element `index` on all `count` monomials.
+    #[must_use]
+    pub fn element(&self, index: usize, count: usize) -> Vec<u64> {
+        let mut entries = vec![0; count];
+        for (&place, &value) in self.form.support.iter().zip(&self.rows[index]) {
+            entries[place] = value;
+        }
+        entries
+    }
+
+    /// The number of terms of element `index`.
+    #[must_use]
+    pub fn terms(&self, index: usize) -> usize {
+        self.rows[index].iter().filter(|&&value| value != 0).count()
+    }
+}
+
+/// The basis of a space over ℚ: polynomials in states, parameters and ε, each [`tidy`]. `at` gives the space at any values of
+/// the unknowns, always of the same form; `None` as for [`lift`].
+pub fn lift_space(
+    setting: &Setting,
+    monomials: &Monomials,
+    form: &Form,
+    mut at: impl FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Space>,
+    random: &mut SplitMix64,
+    deadline: Instant,
+) -> Option<Vec<Polynomial>> {
+    let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+        let space = at(modulus, unknowns, random)?;
+        (space.form.support.len() == form.support.len()).then(|| space.rows.concat())
+    };
+    let entries = lift(&mut oracle, &setting.unknown_variables(), random, deadline)?;
+    let symbols = setting.family().symbols();
+    let width = form.support.len();
+    Some(entries.chunks(width).map(|row| cleared(symbols, monomials, &form.support, row)).collect())
+}
+
+/// Σ cₘ m without denominators and without a factor that is free of states: coprime integer coefficients, the first term in
+/// writing positive.
+#[must_use]
+pub fn cleared(
+    symbols: &Symbols,
+    monomials: &Monomials,
+    support: &[usize],
+    coefficients: &[RationalFunction],
+) -> Polynomial {
+    let common = coefficients.iter().fold(Polynomial::one(), |common, coefficient| {
+        let shared = gcd(&common, coefficient.denominator());
+        let rest = coefficient.denominator().checked_div(&shared).unwrap_or_else(Polynomial::one);
+        &common * &rest
+    });
+    let mut sum = Polynomial::zero();
+    for (&index, coefficient) in support.iter().zip(coefficients).filter(|(_, c)| !c.is_zero()) {
+        let factor = common.checked_div(coefficient.denominator()).unwrap_or_else(Polynomial::one);
+        let exponents = monomials.exponents(index).iter().enumerate();
+        let states: Monomial = exponents.map(|(i, &exponent)| (symbols.state(i), exponent)).collect();
+        sum = sum + (coefficient.numerator() * &factor).mul_monomial(&states);
+    }
+    tidy(symbols, &sum)
+}
+
+/// The polynomial divided by every factor that is free of states, its first term in writing positive.
+#[must_use]
+pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
+    let groups = polynomial.group(|variable| symbols.is_state(variable));
+    let content = groups.values().fold(Polynomial::zero(), |content, group| gcd(&content, group));
+    let primitive = polynomial.checked_div(&content).unwrap_or_else(|| polynomial.clone()).primitive_part();
+    // Formulas are written with low degrees first, in the order of terms within a degree.
+    let lowest = primitive.terms().map(|(monomial, _)| monomial.degree()).min().unwrap_or(0);
+    let first = primitive.terms().find(|(monomial, _)| monomial.degree() == lowest);
+    match first {
+        Some((_, coefficient)) if coefficient.is_negative() => -&primitive,
+        _ => primitive,
+    }
+}
