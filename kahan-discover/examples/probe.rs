@@ -19,8 +19,8 @@ fn main() {
     let t = Instant::now();
     let mut factors = vec![];
     for f in &found { for p in [&f.numerator, &f.denominator] { let q = tidy(&system.field.symbols, p); if !factors.contains(&q) && q.as_constant().is_none() { factors.push(q); } } }
-    if let Some(m) = darboux::measure(&setting, &factors, 6, &mut r, deadline) {
-        println!("{:?}", claims.density(&system.field.symbols, None, &m.factors).map(|f| f.text));
+    if let Some(m) = darboux::measure(&setting, &factors, if setting.dimension() > 4 {4} else {6}, &mut r, deadline) {
+        println!("{:?}", claims.density(&system.field.symbols, None, &m.factors).filter(|f| f.text.len() < 1500).map(|f| f.text));
     }
     println!("{:?}", t.elapsed());
 }

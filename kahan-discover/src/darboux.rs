@@ -5,7 +5,7 @@
 
 use std::time::Instant;
 
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::map::{ModularMap, Step, Stepping};
@@ -13,7 +13,7 @@ use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::setting::Setting;
-use crate::space::{Form, Space, lift_space};
+use crate::space::{Form, Space, lift_space, tidy};
 
 /// Equations beyond the number of unknowns.
 const SPARE: usize = 6;
@@ -111,8 +111,11 @@ pub fn measure(
         let vectors = null_vectors(&map, &monomials, &form.support, random)?;
         Space::of_form(&modulus, &form, vectors)
     };
-    let polynomials = lift_space(setting, &monomials, &form, at, random, deadline)?;
-    Some(Measure { factors: vec![(polynomials[row].clone(), 1)], degree })
+    let symbols = setting.family().symbols();
+    let states: Vec<Variable> = (0..setting.dimension()).map(|i| symbols.state(i)).collect();
+    let unknowns = setting.unknown_variables();
+    let polynomials = lift_space(&unknowns, &states, &monomials, &form, at, random, deadline)?;
+    Some(Measure { factors: vec![(tidy(symbols, &polynomials[row]), 1)], degree })
 }
 
 /// The simplest product of the given polynomials that has this degree and the cofactor det ∂x̃/∂x.

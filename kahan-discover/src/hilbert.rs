@@ -36,7 +36,7 @@ pub struct Hilbert {
 }
 
 /// As many monomials as an orbit is looked at for, unless a degree is asked for.
-const MOST_MONOMIALS: usize = 300;
+const MOST_MONOMIALS: usize = 220;
 
 /// The highest degree, unless one is asked for.
 const HIGHEST_DEGREE: u32 = 10;
@@ -44,7 +44,7 @@ const HIGHEST_DEGREE: u32 = 10;
 /// How often a start is drawn again when its orbit ends at a pole.
 const MOST_DRAWS: usize = 8;
 
-/// The degree up to which relations in n variables are looked for: as high as 300 monomials allow, between 1 and 10.
+/// The degree up to which relations in n variables are looked for: as high as 220 monomials allow, between 1 and 10.
 #[must_use]
 pub fn default_degree(variables: usize) -> u32 {
     (2..=HIGHEST_DEGREE)

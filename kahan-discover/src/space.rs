@@ -5,7 +5,7 @@
 
 use std::time::Instant;
 
-use kahan_algebra::poly::{Monomial, Polynomial, gcd};
+use kahan_algebra::poly::{Monomial, Polynomial, Variable, gcd};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
@@ -14,18 +14,18 @@ use crate::lift::lift;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
-use crate::setting::Setting;
 
 /// The shape of a space's basis: which monomials occur, and which lead.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Form {
-    /// The monomials that occur, by their indices, ascending.
+    /// The monomials that occur, by their indices, ascending or descending.
     pub support: Vec<usize>,
     /// The places in `support` of the first monomial of each basis element.
     pub pivots: Vec<usize>,
 }
 
-/// A basis in reduced form: each element begins with the monomial of its pivot with coefficient 1, the others lack it.
+/// A basis in reduced form: each element begins, in the order of the support, with the monomial of its pivot with
+/// coefficient 1, and the others lack it.
 #[derive(Clone, Debug)]
 pub struct Space {
     /// The shape.
@@ -35,16 +35,21 @@ pub struct Space {
 }
 
 impl Space {
-    /// The space spanned by vectors of coefficients of all monomials.
+    /// The space spanned by vectors of coefficients of all monomials: of the two reduced bases, that begin with low monomials
+    /// or with high ones, the one with fewer terms.
     #[must_use]
     pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
         let columns = vectors.first().map_or(0, Vec::len);
-        let echelon = Echelon::of(modulus, vectors, columns);
-        let support: Vec<usize> =
-            (0..columns).filter(|&column| echelon.rows.iter().any(|row| row[column] != 0)).collect();
-        let rows = echelon.rows.iter().map(|row| support.iter().map(|&column| row[column]).collect()).collect();
-        let places = echelon.pivots.iter().filter_map(|pivot| support.binary_search(pivot).ok()).collect();
-        Space { form: Form { support, pivots: places }, rows }
+        let used: Vec<usize> = (0..columns).filter(|&column| vectors.iter().any(|row| row[column] != 0)).collect();
+        let in_order = |support: Vec<usize>| {
+            let rows = vectors.iter().map(|row| support.iter().map(|&column| row[column]).collect()).collect();
+            let echelon = Echelon::of(modulus, rows, support.len());
+            Space { form: Form { support, pivots: echelon.pivots }, rows: echelon.rows }
+        };
+        let terms = |space: &Space| (0..space.dimension()).map(|index| space.terms(index)).sum::<usize>();
+        let low_first = in_order(used.clone());
+        let high_first = in_order(used.into_iter().rev().collect());
+        if terms(&high_first) < terms(&low_first) { high_first } else { low_first }
     }
 
     /// The space spanned by vectors on a known support, if it has the known form.
@@ -77,10 +82,12 @@ impl Space {
     }
 }
 
-/// The basis of a space over ℚ: polynomials in states, parameters and ε, each [`tidy`]. `at` gives the space at any values of
-/// the unknowns, always of the same form; `None` as for [`lift`].
+/// The basis of a space over ℚ as polynomials with coprime integer coefficients: `states` are the variables of the monomials,
+/// `unknowns` those of parameters and ε. `at` gives the space at any values of the unknowns, always of the same form; `None`
+/// as for [`lift`].
 pub fn lift_space(
-    setting: &Setting,
+    unknowns: &[Variable],
+    states: &[Variable],
     monomials: &Monomials,
     form: &Form,
     mut at: impl FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Space>,
@@ -89,19 +96,17 @@ pub fn lift_space(
 ) -> Option<Vec<Polynomial>> {
     let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let space = at(modulus, unknowns, random)?;
-        (space.form.support.len() == form.support.len()).then(|| space.rows.concat())
+        (space.form == *form).then(|| space.rows.concat())
     };
-    let entries = lift(&mut oracle, &setting.unknown_variables(), random, deadline)?;
-    let symbols = setting.family().symbols();
-    let width = form.support.len();
-    Some(entries.chunks(width).map(|row| cleared(symbols, monomials, &form.support, row)).collect())
+    let entries = lift(&mut oracle, unknowns, random, deadline)?;
+    let rows = entries.chunks(form.support.len());
+    Some(rows.map(|row| cleared(states, monomials, &form.support, row)).collect())
 }
 
-/// Σ cₘ m without denominators and without a factor that is free of states: coprime integer coefficients, the first term in
-/// writing positive.
+/// Σ cₘ m times the least common denominator, with coprime integer coefficients.
 #[must_use]
 pub fn cleared(
-    symbols: &Symbols,
+    states: &[Variable],
     monomials: &Monomials,
     support: &[usize],
     coefficients: &[RationalFunction],
@@ -114,11 +119,10 @@ pub fn cleared(
     let mut sum = Polynomial::zero();
     for (&index, coefficient) in support.iter().zip(coefficients).filter(|(_, c)| !c.is_zero()) {
         let factor = common.checked_div(coefficient.denominator()).unwrap_or_else(Polynomial::one);
-        let exponents = monomials.exponents(index).iter().enumerate();
-        let states: Monomial = exponents.map(|(i, &exponent)| (symbols.state(i), exponent)).collect();
-        sum = sum + (coefficient.numerator() * &factor).mul_monomial(&states);
+        let exponents = states.iter().copied().zip(monomials.exponents(index).iter().copied());
+        sum = sum + (coefficient.numerator() * &factor).mul_monomial(&exponents.collect::<Monomial>());
     }
-    tidy(symbols, &sum)
+    sum.primitive_part()
 }
 
 /// The polynomial divided by every factor that is free of states, its first term in writing positive.

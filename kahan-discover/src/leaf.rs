@@ -1,0 +1,221 @@
+//! Affine leaves: orbits that satisfy linear relations are looked at inside them.
+//!
+//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace; their varying entries c₁, c₂, … are
+//! integrals. On one such leaf, with the entries as further unknowns and fewer variables, other integrals are not mixed with
+//! multiples of the linear relations. Formulas found there hold everywhere once cⱼ is replaced by its own formula.
+
+use std::time::Instant;
+
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::symbols::Symbol;
+
+use crate::hilbert::random_relations;
+use crate::lift::lift;
+use crate::map::{ModularMap, Stepping};
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::pencil::{Entry, SPARE};
+use crate::setting::Setting;
+
+/// Which variables remain on a leaf, and which entries of the linear relations choose it.
+#[derive(Clone, Debug)]
+pub struct Leaf {
+    /// The entries that vary: the relation's leading monomial and the entry's.
+    places: Vec<(usize, usize)>,
+    /// The states that are coordinates on the leaf, the lowest in the order of monomials last.
+    order: Vec<usize>,
+}
+
+/// cⱼ = Pⱼ/Qⱼ.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// Pⱼ
+    pub numerator: Polynomial,
+    /// Qⱼ
+    pub denominator: Polynomial,
+}
+
+/// The map on one leaf, in the leaf's coordinates.
+#[derive(Clone, Debug)]
+pub struct LeafMap {
+    map: ModularMap,
+    order: Vec<usize>,
+    /// Each leading state with its value: coefficients of 1 and of the coordinates.
+    leading: Vec<(usize, Vec<u64>)>,
+}
+
+impl Leaf {
+    /// The whole space, the coordinates in any order.
+    #[must_use]
+    pub fn whole(order: Vec<usize>) -> Self {
+        Leaf { places: Vec::new(), order }
+    }
+
+    /// The leaves of a map; the whole space where there are no linear relations, or where their entries depend on each
+    /// other so that they cannot be chosen.
+    pub fn of(map: &ModularMap, random: &mut SplitMix64) -> Self {
+        let n = map.dimension();
+        let whole = Leaf::whole((0..n).collect());
+        Self::with_relations(map, random).unwrap_or(whole)
+    }
+
+    fn with_relations(map: &ModularMap, random: &mut SplitMix64) -> Option<Self> {
+        let modulus = map.modulus();
+        let linear = Monomials::new(map.dimension(), 1);
+        let first = random_relations(map, &linear, random)?;
+        let second = random_relations(map, &linear, random)?;
+        if first.vectors.is_empty() || first.vectors.len() != second.vectors.len() {
+            return None;
+        }
+        let mut places = Vec::new();
+        for (vector, other) in first.vectors.iter().zip(&second.vectors) {
+            let varies = (0..linear.len()).filter(|&index| vector.entries[index] != other.entries[index]);
+            places.extend(varies.map(|index| (vector.free, index)));
+        }
+        let leads = |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
+        let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
+        let leaf = Leaf { places, order };
+        // Chosen at random, do the entries come back from an orbit?
+        let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
+        let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
+        let start = on_leaf.embed(&on_leaf.point(random));
+        let relations = crate::relations::Relations::on_orbit(map, start, &linear)?;
+        let found: Option<Vec<u64>> = leaf
+            .places
+            .iter()
+            .map(|&(leading, lower)| {
+                relations.vectors.iter().find(|vector| vector.free == leading).map(|vector| vector.entries[lower])
+            })
+            .collect();
+        (found? == chosen).then_some(leaf)
+    }
+
+    /// The number of entries that choose a leaf.
+    #[must_use]
+    pub fn unknowns(&self) -> usize {
+        self.places.len()
+    }
+
+    /// The states that are coordinates.
+    #[must_use]
+    pub fn order(&self) -> &[usize] {
+        &self.order
+    }
+
+    /// The variables that stand for the cⱼ in formulas.
+    #[must_use]
+    pub fn variables(&self, setting: &Setting) -> Vec<Variable> {
+        let symbols = setting.family().symbols();
+        (0..self.places.len()).map(|j| symbols.variable(Symbol::SecondState(j))).collect()
+    }
+
+    /// The map on the leaf chosen by `entries`; `None` where the linear relations have another form.
+    pub fn map_at(&self, map: ModularMap, entries: &[u64], random: &mut SplitMix64) -> Option<LeafMap> {
+        let modulus = *map.modulus();
+        let n = map.dimension();
+        let mut leading = Vec::new();
+        if self.order.len() < n {
+            let linear = Monomials::new(n, 1);
+            let mut relations = random_relations(&map, &linear, random)?;
+            for vector in &mut relations.vectors {
+                for (&(free, lower), &entry) in self.places.iter().zip(entries) {
+                    if free == vector.free {
+                        vector.entries[lower] = entry;
+                    }
+                }
+                let state = linear.exponents(vector.free).iter().position(|&exponent| exponent == 1)?;
+                let column = |state: usize| (1..=n).find(|&index| linear.exponents(index)[state] == 1);
+                let mut value = vec![modulus.opposite(vector.entries[0])];
+                for &coordinate in &self.order {
+                    value.push(modulus.opposite(vector.entries[column(coordinate)?]));
+                }
+                leading.push((state, value));
+            }
+            if leading.len() + self.order.len() != n || leading.iter().any(|(state, _)| self.order.contains(state)) {
+                return None;
+            }
+        }
+        Some(LeafMap { map, order: self.order.clone(), leading })
+    }
+
+    /// The formulas of the cⱼ, where they are quotients of polynomials of degree 1 that can be lifted.
+    pub fn coordinates(
+        &self,
+        setting: &Setting,
+        random: &mut SplitMix64,
+        deadline: Instant,
+    ) -> Option<Vec<Coordinate>> {
+        let n = setting.dimension();
+        let linear = Monomials::new(n, 1);
+        let all: Vec<usize> = (0..linear.len()).collect();
+        let states = |index: usize| -> Monomial {
+            let exponents = linear.exponents(index).iter().enumerate();
+            exponents.map(|(i, &exponent)| (setting.family().symbols().state(i), exponent)).collect()
+        };
+        let mut coordinates = Vec::new();
+        for &(leading, lower) in &self.places {
+            let entry = Entry { leading, lower, numerator: all.clone(), denominator: all.clone() };
+            let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+                let map = setting.at(modulus, unknowns)?;
+                let mut orbits = Vec::new();
+                for _ in 0..2 * all.len() + SPARE {
+                    orbits.push(random_relations(&map, &linear, random)?);
+                }
+                let values: Vec<Vec<u64>> =
+                    orbits.iter().map(|orbit| linear.values(&modulus, &orbit.start)).collect();
+                let (above, below) = entry.quotient(&modulus, &orbits, &values)?;
+                let scale = modulus.inverse(*below.iter().find(|&&value| value != 0)?)?;
+                Some([above, below].concat().iter().map(|&value| modulus.times(value, scale)).collect())
+            };
+            let entries = lift(&mut oracle, &setting.unknown_variables(), random, deadline)?;
+            // One denominator for all entries, so that P and Q are polynomials.
+            let common = entries.iter().fold(Polynomial::one(), |common, entry| {
+                let shared = kahan_algebra::poly::gcd(&common, entry.denominator());
+                &common * &entry.denominator().checked_div(&shared).unwrap_or_else(Polynomial::one)
+            });
+            let side = |offset: usize| {
+                (0..linear.len()).fold(Polynomial::zero(), |sum, index| {
+                    let entry = &entries[offset + index];
+                    let factor = common.checked_div(entry.denominator()).unwrap_or_else(Polynomial::one);
+                    sum + (entry.numerator() * &factor).mul_monomial(&states(index))
+                })
+            };
+            coordinates.push(Coordinate { numerator: side(0), denominator: side(linear.len()) });
+        }
+        Some(coordinates)
+    }
+}
+
+impl LeafMap {
+    /// The point of the whole space with these coordinates.
+    #[must_use]
+    pub fn embed(&self, point: &[u64]) -> Vec<u64> {
+        let modulus = self.map.modulus();
+        let mut full = vec![0; self.map.dimension()];
+        for (&state, &value) in self.order.iter().zip(point) {
+            full[state] = value;
+        }
+        for (state, value) in &self.leading {
+            let products = value[1..].iter().zip(point);
+            full[*state] =
+                products.fold(value[0], |sum, (slope, x)| modulus.plus(sum, modulus.times(*slope, *x)));
+        }
+        full
+    }
+}
+
+impl Stepping for LeafMap {
+    fn modulus(&self) -> &Modulus {
+        self.map.modulus()
+    }
+
+    fn dimension(&self) -> usize {
+        self.order.len()
+    }
+
+    fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
+        let next = self.map.next(&self.embed(point))?;
+        Some(self.order.iter().map(|&state| next[state]).collect())
+    }
+}
