@@ -20,10 +20,18 @@ pub struct Formula {
     pub text: String,
     /// The degree in the states of numerator and denominator, the larger.
     pub degree: u32,
-    /// Numerator and denominator.
+    /// The numerator; 1 for a density.
     pub numerator: Polynomial,
-    /// Numerator and denominator.
+    /// The denominator.
     pub denominator: Polynomial,
+}
+
+impl Formula {
+    /// The claim's name.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        self.text.split_whitespace().nth(1)
+    }
 }
 
 /// Writes and proves claims about one field, some of its parameters and ε perhaps fixed.

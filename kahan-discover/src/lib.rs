@@ -1,9 +1,31 @@
 //! What the Kahan map of a quadratic field preserves, found from its equations alone.
+//!
+//! [`discover`] answers what can be asked of a new field: how fast the degrees of the map's iterates grow, how many
+//! independent algebraic integrals its orbits show, their formulas, an invariant density, the Hamiltonian structure of the
+//! field, and which integrals survive composition. Everything is found modulo primes, from orbits, by linear algebra and
+//! interpolation; a formula is returned only once the prover of `kahan-algebra` has proved its text.
+//!
+//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`] (the tools); [`map`], [`setting`] (the maps looked at);
+//! [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`], [`space`] (back to ℚ); [`pencil`], [`search`],
+//! [`leaf`], [`independent`], [`integrals`]; [`darboux`]; [`structure`], [`hamiltonian`]; [`composition`]; [`claims`],
+//! [`report`].
+//!
+//! ```
+//! use kahan_algebra::{lexer, read};
+//! use kahan_discover::{Options, discover};
+//!
+//! let system = read(&lexer::lex("xdot = -x*z; ydot = y*z; zdot = x^2 - y^2;").tokens).system;
+//! let report = discover(&system, &Options::default(), &mut |_| {}).unwrap();
+//! assert_eq!(report.independent_integrals(), 2);
+//! assert_eq!(report.integrals.len(), 2); // each `text` is a line for `kahan!`
+//! ```
 
 pub mod claims;
+pub mod composition;
 pub mod darboux;
 pub mod degrees;
 pub mod growth;
+pub mod hamiltonian;
 pub mod hilbert;
 pub mod independent;
 pub mod integrals;
@@ -15,7 +37,14 @@ pub mod modulus;
 pub mod monomials;
 pub mod pencil;
 pub mod relations;
+pub mod report;
 pub mod search;
 pub mod setting;
 pub mod space;
+mod stages;
+pub mod structure;
 pub mod thiele;
+mod words;
+
+pub use report::{DiscoverError, Options, Report, Stage};
+pub use stages::discover;

@@ -1,0 +1,68 @@
+//! What survives composition: the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ, the pattern of every
+//! composition of higher order.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::claims::Formula;
+use crate::hilbert::{Hilbert, random_relations};
+use crate::map::{ModularMap, Stepping};
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::setting::Setting;
+
+/// What is left of the integrals under composition.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Survivors {
+    /// The Hilbert function of a generic orbit of the composed map.
+    pub hilbert: Hilbert,
+    /// For each formula whether it is an integral of the composed map too.
+    pub formulas: Vec<bool>,
+}
+
+struct Composed {
+    outer: ModularMap,
+    inner: ModularMap,
+}
+
+impl Stepping for Composed {
+    fn modulus(&self) -> &Modulus {
+        self.outer.modulus()
+    }
+
+    fn dimension(&self) -> usize {
+        self.outer.dimension()
+    }
+
+    fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
+        self.outer.next(&self.inner.next(&self.outer.next(point)?)?)
+    }
+}
+
+/// Looks at one orbit of the composed map modulo one prime, at parameters, ε and γ drawn at random; `None` where it has no
+/// value. A formula that contains ε is meant at the ε of the whole, as it would be used.
+pub fn survivors(
+    setting: &Setting,
+    formulas: &[Formula],
+    degree: u32,
+    random: &mut SplitMix64,
+) -> Option<Survivors> {
+    let modulus = Modulus::mersenne_61();
+    let draw = setting.draw(modulus, random)?;
+    let eps = draw.map.eps();
+    let scaled = |factor: u64| draw.map.with_eps(modulus.times(factor, eps));
+    let (outer, inner) = (modulus.sample(random), modulus.sample(random));
+    let composed = Composed { outer: scaled(outer), inner: scaled(inner) };
+    let monomials = Monomials::new(setting.dimension(), degree);
+    let relations = random_relations(&composed, &monomials, random)?;
+    let hilbert = Hilbert::from_relations(&relations, &modulus, &monomials);
+    let next = composed.next(&relations.start)?;
+    let survives = |formula: &Formula| {
+        let value = |point: &[u64]| {
+            let above = setting.evaluate(&modulus, &formula.numerator, &draw, point)?;
+            let below = setting.evaluate(&modulus, &formula.denominator, &draw, point)?;
+            Some(modulus.times(above, modulus.inverse(below)?))
+        };
+        value(&relations.start).is_some_and(|here| value(&next) == Some(here))
+    };
+    Some(Survivors { hilbert, formulas: formulas.iter().map(survives).collect() })
+}

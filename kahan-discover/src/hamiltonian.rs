@@ -1,0 +1,189 @@
+//! A constant Poisson structure of the field: f = K∇H, and what the map keeps of H.
+
+use std::time::Instant;
+
+use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::system::upper_index;
+
+use crate::lift::lift;
+use crate::map::{ModularMap, Stepping};
+use crate::matrix::Echelon;
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::relations::monomial_gradients;
+use crate::setting::Setting;
+
+/// Equations beyond the number of unknowns, a component.
+const SPARE: usize = 6;
+
+/// f = K∇H with K constant and antisymmetric.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hamiltonian {
+    /// K, row by row; its entries are free of states.
+    pub tensor: Vec<Vec<RationalFunction>>,
+    /// H, a polynomial in the states over parameters, of degree at most three.
+    pub hamiltonian: RationalFunction,
+}
+
+/// The most coefficients of H.
+const MOST_COEFFICIENTS: usize = 400;
+
+/// K and H with f = K∇H, found by linear algebra: f′(x)K is symmetric for all x, which is linear in K; then H is cubic, which
+/// is linear in H. `None` where there is none among the K of a basis and their sum, where H has more than 400 coefficients,
+/// or where the field is zero.
+pub fn hamiltonian(setting: &Setting, random: &mut SplitMix64, deadline: Instant) -> Option<Hamiltonian> {
+    let n = setting.dimension();
+    if n < 2 || Monomials::count(n, 3) > MOST_COEFFICIENTS {
+        return None;
+    }
+    let monomials = Monomials::new(n, 3);
+    let draw = setting.draw(Modulus::mersenne_61(), random)?;
+    let tensors = tensors(&draw.map, random);
+    let choice = (0..=tensors.len())
+        .find(|&choice| chosen(&draw.map, &tensors, choice).is_some_and(|k| potential(&draw.map, &monomials, &k, random).is_some()))?;
+    let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+        let map = setting.at(modulus, unknowns)?;
+        let found = self::tensors(&map, random);
+        if found.len() != tensors.len() {
+            return None;
+        }
+        let tensor = chosen(&map, &found, choice)?;
+        let potential = potential(&map, &monomials, &tensor, random)?;
+        Some([tensor, potential].concat())
+    };
+    let entries = lift(&mut oracle, &setting.unknown_variables(), random, deadline)?;
+    let (upper, coefficients) = entries.split_at(n * (n - 1) / 2);
+    let symbols = setting.family().symbols();
+    let mut hamiltonian = RationalFunction::zero();
+    for (index, coefficient) in coefficients.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero()) {
+        let powers = monomials.exponents(index + 1).iter().enumerate();
+        let states = powers.map(|(i, &exponent)| (symbols.state(i), exponent)).collect();
+        let term = Polynomial::term(states, Rational::one());
+        let numerator = coefficient.numerator() * &term;
+        hamiltonian = &hamiltonian + &RationalFunction::new(numerator, coefficient.denominator().clone())?;
+    }
+    if hamiltonian.is_zero() {
+        return None;
+    }
+    let mut tensor = vec![vec![RationalFunction::zero(); n]; n];
+    for ((i, j), entry) in pairs(n).into_iter().zip(upper) {
+        tensor[i][j] = entry.clone();
+        tensor[j][i] = -entry;
+    }
+    Some(Hamiltonian { tensor, hamiltonian })
+}
+
+/// The places above the diagonal, row by row.
+fn pairs(n: usize) -> Vec<(usize, usize)> {
+    (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect()
+}
+
+/// A basis of the antisymmetric K with f′(x)K symmetric for all x, each by its entries above the diagonal.
+fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
+    let modulus = map.modulus();
+    let n = map.dimension();
+    let places = pairs(n);
+    let mut rows = Vec::new();
+    // f′ is affine in x: n + 1 points in general position say all.
+    for _ in 0..n + 2 {
+        let (_, slopes) = map.field(&map.point(random));
+        for &(i, j) in &places {
+            // (f′K)ᵢⱼ − (f′K)ⱼᵢ = Σₗ f′ᵢₗ Kₗⱼ − f′ⱼₗ Kₗᵢ
+            let mut row = vec![0; places.len()];
+            let mut add = |a: usize, b: usize, value: u64| {
+                if a == b {
+                    return;
+                }
+                let place = upper_index(n, a.min(b), a.max(b));
+                let signed = if a < b { value } else { modulus.opposite(value) };
+                row[place] = modulus.plus(row[place], signed);
+            };
+            for (l, (left, right)) in slopes[i].iter().zip(&slopes[j]).enumerate() {
+                add(l, j, *left);
+                add(l, i, modulus.opposite(*right));
+            }
+            rows.push(row);
+        }
+    }
+    let echelon = Echelon::of(modulus, rows, places.len());
+    echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect()
+}
+
+/// Choice 0 is the sum of the basis, choice k its element k − 1.
+fn chosen(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u64>> {
+    if choice > 0 {
+        return tensors.get(choice - 1).cloned();
+    }
+    let (first, others) = tensors.split_first()?;
+    let add = |sum: Vec<u64>, other: &Vec<u64>| {
+        sum.iter().zip(other).map(|(a, b)| map.modulus().plus(*a, *b)).collect()
+    };
+    Some(others.iter().fold(first.clone(), add))
+}
+
+/// The coefficients, without that of 1, of a cubic H with K∇H = f; `None` where there is none.
+fn potential(
+    map: &ModularMap,
+    monomials: &Monomials,
+    tensor: &[u64],
+    random: &mut SplitMix64,
+) -> Option<Vec<u64>> {
+    let modulus = map.modulus();
+    let n = map.dimension();
+    let width = monomials.len() - 1;
+    let mut rows = Vec::new();
+    while rows.len() < width + n * SPARE {
+        let point = map.point(random);
+        let (value, _) = map.field(&point);
+        let slopes = monomial_gradients(modulus, monomials, &point);
+        for (i, &right) in value.iter().enumerate() {
+            let mut row: Vec<u64> = (1..=width)
+                .map(|index| {
+                    (0..n).filter(|&j| j != i).fold(0, |sum, j| {
+                        let entry = tensor[upper_index(n, i.min(j), i.max(j))];
+                        let entry = if i < j { entry } else { modulus.opposite(entry) };
+                        modulus.plus(sum, modulus.times(entry, slopes[index][j]))
+                    })
+                })
+                .collect();
+            row.push(right);
+            rows.push(row);
+        }
+    }
+    let echelon = Echelon::of(modulus, rows, width + 1);
+    if echelon.pivots.last() == Some(&width) {
+        return None;
+    }
+    let mut coefficients = vec![0; width];
+    for (row, &pivot) in echelon.rows.iter().zip(&echelon.pivots) {
+        coefficients[pivot] = row[width];
+    }
+    Some(coefficients)
+}
+
+impl Hamiltonian {
+    /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε, an integral of the map (Celledoni, McLachlan, Owren, Quispel,
+    /// "Geometric properties of Kahan's method", 2013); the solve is the reduced map's increment n/d. `None` where ε makes
+    /// d vanish.
+    #[must_use]
+    pub fn modified(&self, setting: &Setting, map: &RationalMap) -> Option<RationalFunction> {
+        let symbols = setting.family().symbols();
+        let two_thirds = Rational::new(2, 3);
+        let scale = Polynomial::variable(symbols.epsilon()).scale(&two_thirds);
+        let mut sum = RationalFunction::zero();
+        for (i, increment) in map.reduced.increments.iter().enumerate() {
+            let slope = self.hamiltonian.derivative(symbols.state(i));
+            sum = &sum + &(&slope * &RationalFunction::from(increment * &scale));
+        }
+        let correction = sum.checked_div(&RationalFunction::from(map.reduced.denominator.clone()))?;
+        let modified = &self.hamiltonian + &correction;
+        match setting.eps() {
+            Some(eps) => modified.substitute(symbols.epsilon(), eps),
+            None => Some(modified),
+        }
+    }
+}

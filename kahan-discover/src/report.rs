@@ -1,0 +1,163 @@
+//! What was found, as plain data, and in words.
+
+use std::fmt;
+
+use kahan_algebra::rational::Rational;
+
+use crate::claims::Formula;
+use crate::composition::Survivors;
+use crate::growth::GrowthVerdict;
+use crate::hilbert::Hilbert;
+
+/// What is fixed, and how far to look.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// ε, half the time step, where it is fixed; generic otherwise.
+    pub eps: Option<Rational>,
+    /// The parameters that are fixed, by name; the others are generic.
+    pub parameters: Vec<(String, Rational)>,
+    /// The degree up to which relations are looked for; chosen by the number of variables otherwise.
+    pub degree: Option<u32>,
+    /// The number of iterates whose degrees are taken, at most.
+    pub iterates: usize,
+    /// The degree beyond which no further iterate is taken.
+    pub iterate_degree: usize,
+    /// The time to spend, in seconds; what is not finished then is left out, and the report says so.
+    pub seconds: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            eps: None,
+            parameters: Vec::new(),
+            degree: None,
+            iterates: 24,
+            iterate_degree: 1200,
+            seconds: 60.0,
+        }
+    }
+}
+
+/// What a search is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Degrees of iterates.
+    Degrees,
+    /// Hilbert functions.
+    Orbits,
+    /// The structure of the field.
+    Structure,
+    /// Formulas of integrals.
+    Integrals,
+    /// Invariant densities.
+    Densities,
+    /// The composed map.
+    Composition,
+}
+
+impl fmt::Display for Stage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Stage::Degrees => "degrees of iterates",
+            Stage::Orbits => "relations on orbits",
+            Stage::Structure => "structure of the field",
+            Stage::Integrals => "formulas of integrals",
+            Stage::Densities => "invariant densities",
+            Stage::Composition => "what survives composition",
+        })
+    }
+}
+
+/// The structure of the field.
+#[derive(Clone, Debug, Default)]
+pub struct StructureReport {
+    /// div f.
+    pub divergence: String,
+    /// Whether det(I − t f′(x)) is even in t.
+    pub is_even: bool,
+    /// Linear integrals of the flow, which the map keeps.
+    pub linear_integrals: Vec<String>,
+    /// Quadratic integrals of the flow, independent of these and of each other; the map need not keep them.
+    pub quadratic_integrals: Vec<String>,
+    /// K and H with f = K∇H, where they were found.
+    pub hamiltonian: Option<HamiltonianReport>,
+}
+
+/// f = K∇H.
+#[derive(Clone, Debug)]
+pub struct HamiltonianReport {
+    /// K, row by row.
+    pub tensor: Vec<Vec<String>>,
+    /// H
+    pub hamiltonian: String,
+    /// Whether the modified Hamiltonian is among the integrals of the report, proved.
+    pub modified_is_proved: bool,
+}
+
+/// What was found of a field.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The state variables.
+    pub variables: Vec<String>,
+    /// The parameters that are generic.
+    pub parameters: Vec<String>,
+    /// d₀ = 1, d₁, d₂, …: the degrees of the iterates.
+    pub degrees: Vec<usize>,
+    /// Their growth.
+    pub growth: GrowthVerdict,
+    /// The Hilbert function of a generic orbit; absent where every orbit ended at a pole.
+    pub hilbert: Option<Hilbert>,
+    /// The integrals of the map, independent and proved.
+    pub integrals: Vec<Formula>,
+    /// Invariant densities, proved; the first of least degree.
+    pub densities: Vec<Formula>,
+    /// The structure of the field.
+    pub structure: StructureReport,
+    /// What composition leaves; absent where there is nothing to leave.
+    pub survivors: Option<Survivors>,
+    /// Whether the time ran out before all was done.
+    pub out_of_time: bool,
+    /// Every verdict in words, worded as what was shown.
+    pub sentences: Vec<String>,
+}
+
+impl Report {
+    /// The number of independent algebraic integrals that orbits show.
+    #[must_use]
+    pub fn independent_integrals(&self) -> usize {
+        self.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals)
+    }
+}
+
+/// Why there is nothing to report.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DiscoverError {
+    /// A value was given for a name that is no parameter of the field.
+    UnknownParameter(String),
+    /// At the parameters given the field divides by zero.
+    UndefinedField,
+    /// The block has mistakes or no equation.
+    UnsoundField,
+    /// det A vanishes identically at the values given, so there is no map.
+    NoMap,
+}
+
+impl fmt::Display for DiscoverError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            DiscoverError::UnknownParameter(name) => {
+                write!(f, "`{name}` is no parameter of the field: give values to its parameters only")
+            }
+            DiscoverError::UndefinedField => {
+                f.write_str("the field divides by zero at these parameters: choose other values")
+            }
+            DiscoverError::UnsoundField => f.write_str("the field has no sound equations: correct them first"),
+            DiscoverError::NoMap => f.write_str(
+                "det A vanishes identically at these values, so there is no map to look at: choose another eps or other parameters",
+            ),
+        }
+    }
+}
+
+impl std::error::Error for DiscoverError {}

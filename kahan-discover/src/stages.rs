@@ -1,0 +1,215 @@
+//! The whole search, stage by stage.
+
+use std::time::{Duration, Instant};
+
+use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::render::Notation;
+use kahan_algebra::symbols::Symbols;
+use kahan_algebra::system::System;
+
+use crate::claims::{Claims, Formula};
+use crate::composition::survivors;
+use crate::darboux::measure;
+use crate::degrees::{DegreeLimits, degrees};
+use crate::growth::GrowthVerdict;
+use crate::hamiltonian::hamiltonian;
+use crate::hilbert::{Hilbert, default_degree};
+use crate::independent::Independent;
+use crate::integrals::integrals;
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::report::{DiscoverError, HamiltonianReport, Options, Report, Stage, StructureReport};
+use crate::setting::Setting;
+use crate::space::tidy;
+use crate::structure::{determinant, divergence, flow_integrals, is_even};
+use crate::words::sentences;
+
+/// The most coefficients of the polynomial of a density.
+const MOST_DENSITY_COEFFICIENTS: usize = 220;
+
+/// A density of more terms than this is not written.
+const MOST_DENSITY_TERMS: usize = 300;
+
+/// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked at, so that nothing is
+/// found but from the equations; `progress` is told of every stage as it begins.
+///
+/// Equal fields and options give equal results, unless time runs out.
+///
+/// # Errors
+/// Where there is no map to look at: see [`DiscoverError`].
+pub fn discover(
+    system: &System,
+    options: &Options,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<Report, DiscoverError> {
+    let start = Instant::now();
+    let by = |share: f64| start + Duration::from_secs_f64((options.seconds * share).clamp(0.0, 1e9));
+    let fixed = specialised(system, &options.parameters)?;
+    let symbols = &fixed.field.symbols;
+    let setting = Setting::new(&fixed.field, options.eps.clone());
+    let mut random = SplitMix64::from_bytes(format!("{:?}{:?}", fixed.field, options.eps).as_bytes());
+    let random = &mut random;
+    let draw = setting.draw(Modulus::mersenne_61(), random).ok_or(DiscoverError::NoMap)?;
+
+    progress(Stage::Degrees);
+    let limits =
+        DegreeLimits { iterates: options.iterates, degree: options.iterate_degree, deadline: by(0.2) };
+    let degrees = degrees(&draw.map, random, limits);
+
+    progress(Stage::Orbits);
+    let degree = options.degree.unwrap_or_else(|| default_degree(setting.dimension()));
+    let hilbert = Hilbert::of(&setting, degree, random, by(0.4));
+
+    progress(Stage::Structure);
+    let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
+    let map = RationalMap::of(&fixed.field);
+    let mut structure = structure(&setting, &fixed, random, by(0.5));
+    let hamiltonian = hamiltonian(&setting, random, by(0.5));
+
+    progress(Stage::Integrals);
+    let mut integrals = match &hilbert {
+        Some(hilbert) => integrals(&setting, &claims, hilbert, random, by(0.85)),
+        None => Vec::new(),
+    };
+    if let Some(found) = &hamiltonian {
+        let modified = map.as_ref().and_then(|map| found.modified(&setting, map));
+        let proved = modified.as_ref().is_some_and(|modified| {
+            let formula = modified_formula(symbols, &claims, modified, integrals.len() + 1);
+            let is_proved = formula.is_some();
+            add_if_independent(&setting, &mut integrals, formula, random);
+            is_proved
+        });
+        structure.hamiltonian = Some(HamiltonianReport {
+            tensor: found.tensor.iter().map(|row| row.iter().map(|k| text(symbols, k)).collect()).collect(),
+            hamiltonian: text(symbols, &found.hamiltonian),
+            modified_is_proved: proved,
+        });
+    }
+
+    progress(Stage::Densities);
+    let densities = densities(&setting, &claims, &integrals, map.as_ref(), structure.is_even, random, by(0.95));
+
+    progress(Stage::Composition);
+    let survivors = hilbert
+        .as_ref()
+        .filter(|hilbert| hilbert.integrals > 0 && Instant::now() < by(1.0))
+        .and_then(|hilbert| survivors(&setting, &integrals, hilbert.degree(), random));
+    let mut report = Report {
+        variables: symbols.states.clone(),
+        parameters: symbols.parameters.clone(),
+        growth: GrowthVerdict::of(&degrees),
+        degrees,
+        hilbert,
+        integrals,
+        densities,
+        structure,
+        survivors,
+        out_of_time: Instant::now() >= by(1.0),
+        sentences: Vec::new(),
+    };
+    report.sentences = sentences(&report);
+    Ok(report)
+}
+
+/// The system at the values given, and without claims.
+fn specialised(system: &System, parameters: &[(String, Rational)]) -> Result<System, DiscoverError> {
+    if !system.is_field_sound || system.field.dimension() == 0 {
+        return Err(DiscoverError::UnsoundField);
+    }
+    let mut values = Vec::new();
+    for (name, value) in parameters {
+        let place = system.field.symbols.parameters.iter().position(|known| known == name);
+        values.push((place.ok_or_else(|| DiscoverError::UnknownParameter(name.clone()))?, value.clone()));
+    }
+    let bare = System { claims: Vec::new(), ..system.clone() };
+    bare.specialise(&values).ok_or(DiscoverError::UndefinedField)
+}
+
+fn structure(setting: &Setting, system: &System, random: &mut SplitMix64, deadline: Instant) -> StructureReport {
+    let symbols = &system.field.symbols;
+    let of_flow = flow_integrals(setting, 2, random, deadline).unwrap_or_default();
+    let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));
+    let written = |wanted: u32| -> Vec<String> {
+        let chosen = of_flow.iter().filter(|polynomial| degree(polynomial) == wanted);
+        chosen.map(|polynomial| Notation::Text.polynomial(symbols, polynomial)).collect()
+    };
+    StructureReport {
+        divergence: text(symbols, &divergence(&system.field)),
+        is_even: is_even(setting, random),
+        linear_integrals: written(1),
+        quadratic_integrals: written(2),
+        hamiltonian: None,
+    }
+}
+
+fn text(symbols: &Symbols, function: &RationalFunction) -> String {
+    let above = Notation::Text.polynomial(symbols, function.numerator());
+    match function.as_polynomial() {
+        Some(_) => above,
+        None => {
+            Notation::Text.quotient(&above, &Notation::Text.polynomial(symbols, function.denominator()))
+        }
+    }
+}
+
+fn modified_formula(
+    symbols: &Symbols,
+    claims: &Claims<'_>,
+    modified: &RationalFunction,
+    index: usize,
+) -> Option<Formula> {
+    let (above, below) = (tidy(symbols, modified.numerator()), tidy(symbols, modified.denominator()));
+    claims.integral(symbols, index, &above, &below)
+}
+
+/// A formula that depends on the others adds nothing; one that replaces nothing is kept.
+fn add_if_independent(
+    setting: &Setting,
+    integrals: &mut Vec<Formula>,
+    formula: Option<Formula>,
+    random: &mut SplitMix64,
+) {
+    let Some(formula) = formula else { return };
+    let mut independent = Independent::new(setting, random);
+    for known in integrals.iter() {
+        independent.keep(&known.numerator, &known.denominator);
+    }
+    if independent.admits(&formula.numerator, &formula.denominator) {
+        integrals.push(formula);
+    }
+}
+
+/// The density of least degree; and 1/det A where det(I − t f′) is even, if that is another or the only one.
+fn densities(
+    setting: &Setting,
+    claims: &Claims<'_>,
+    integrals: &[Formula],
+    map: Option<&RationalMap>,
+    is_even: bool,
+    random: &mut SplitMix64,
+    deadline: Instant,
+) -> Vec<Formula> {
+    let symbols = setting.family().symbols();
+    let mut factors: Vec<Polynomial> = Vec::new();
+    for polynomial in integrals.iter().flat_map(|formula| [&formula.numerator, &formula.denominator]) {
+        if polynomial.variables().iter().any(|&variable| symbols.is_state(variable)) && !factors.contains(polynomial) {
+            factors.push(polynomial.clone());
+        }
+    }
+    let n = setting.dimension();
+    let highest =
+        (1..=8).take_while(|&degree| Monomials::count(n, degree) <= MOST_DENSITY_COEFFICIENTS).last().unwrap_or(1);
+    let mut densities = Vec::new();
+    if let Some(found) = measure(setting, &factors, highest, random, deadline) {
+        densities.extend(claims.density(symbols, None, &found.factors));
+    }
+    let determinant = map.filter(|_| is_even && densities.is_empty()).map(|map| determinant(setting, map));
+    if let Some(determinant) = determinant.filter(|determinant| determinant.len() <= MOST_DENSITY_TERMS) {
+        densities.extend(claims.density(symbols, None, &[(determinant, 1)]));
+    }
+    densities
+}
