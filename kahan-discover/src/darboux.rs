@@ -5,7 +5,7 @@
 
 use std::time::Instant;
 
-use kahan_algebra::poly::{Polynomial, Variable};
+use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::map::{ModularMap, Step, Stepping};
@@ -13,7 +13,7 @@ use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::setting::Setting;
-use crate::space::{Form, Space, lift_space, tidy};
+use crate::space::{Form, Names, Space, lift_space, tidy};
 
 /// Equations beyond the number of unknowns.
 const SPARE: usize = 6;
@@ -112,9 +112,7 @@ pub fn measure(
         Space::of_form(&modulus, &form, vectors)
     };
     let symbols = setting.family().symbols();
-    let states: Vec<Variable> = (0..setting.dimension()).map(|i| symbols.state(i)).collect();
-    let unknowns = setting.unknown_variables();
-    let polynomials = lift_space(&unknowns, &states, &monomials, &form, at, random, deadline)?;
+    let polynomials = lift_space(&Names::of(setting), &monomials, &form, at, random, deadline)?;
     Some(Measure { factors: vec![(tidy(symbols, &polynomials[row]), 1)], degree })
 }
 

@@ -2,12 +2,14 @@
 
 use std::time::Instant;
 
-use kahan_algebra::poly::{Budget, Polynomial, Variable};
+use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::{Symbol, Symbols};
 
 use crate::claims::{Claims, Formula};
+use crate::constrained::Constraint;
 use crate::hilbert::{Hilbert, random_relations};
 use crate::independent::Independent;
 use crate::leaf::{Coordinate, Leaf};
@@ -15,9 +17,9 @@ use crate::map::Stepping;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::Pencil;
-use crate::search::pencils;
+use crate::search::{pencils_of_entries, spanned_pencils};
 use crate::setting::{Draw, Setting};
-use crate::space::{lift_space, tidy};
+use crate::space::{Names, lift_space, tidy};
 
 /// The work that putting the formulas of a leaf's coordinates in may take, in products of terms.
 const SUBSTITUTION_WORK: u64 = 20_000_000;
@@ -36,24 +38,17 @@ pub fn integrals(
     let modulus = Modulus::mersenne_61();
     let Some(draw) = setting.draw(modulus, random) else { return Vec::new() };
     let Some(relation_degree) = defining_degree(setting, &draw, hilbert, random) else { return Vec::new() };
+    let bounds = Bounds { relation_degree, highest: hilbert.degree(), deadline };
     let leaf = Leaf::of(&draw.map, random);
-    let coordinates = leaf.coordinates(setting, random, deadline);
-    if let Some(coordinates) = coordinates {
+    if let Some(coordinates) = leaf.coordinates(setting, random, deadline) {
         for Coordinate { numerator, denominator } in &coordinates {
             collector.offer(numerator.clone(), denominator.clone());
         }
-        collector.search_leaf(&leaf, &coordinates, &draw, relation_degree, hilbert.degree(), random, deadline);
+        collector.search_leaf(&Chart { leaf, coordinates }, &draw, &bounds, random);
     }
-    // Which entries of the relations are simple depends on the order of the variables.
-    let n = setting.dimension();
-    let forward = |shift: usize| (0..n).map(|i| (i + shift) % n).collect::<Vec<_>>();
-    let orders = (0..n).flat_map(|shift| [forward(shift), forward(shift).into_iter().rev().collect()]);
-    for order in orders {
-        if collector.is_done() || Instant::now() >= deadline {
-            break;
-        }
-        let whole = Leaf::whole(order);
-        collector.search_leaf(&whole, &[], &draw, relation_degree, hilbert.degree(), random, deadline);
+    if !collector.is_done() {
+        let chart = Chart { leaf: Leaf::whole((0..setting.dimension()).collect()), coordinates: Vec::new() };
+        collector.search_leaf(&chart, &draw, &bounds, random);
     }
     collector.formulas
 }
@@ -89,6 +84,7 @@ impl Collector<'_> {
             return;
         }
         let (numerator, denominator) = (tidy(symbols, &numerator), tidy(symbols, &denominator));
+        let numerator = with_a_limit(symbols, numerator, &denominator);
         if let Some(formula) = self.claims.integral(symbols, self.formulas.len() + 1, &numerator, &denominator) {
             self.independent.keep(&numerator, &denominator);
             self.formulas.push(formula);
@@ -96,94 +92,218 @@ impl Collector<'_> {
     }
 
     /// Looks for the integrals that are missing on a leaf.
-    #[expect(clippy::too_many_arguments, reason = "what one search is about")]
-    fn search_leaf(
-        &mut self,
-        leaf: &Leaf,
-        coordinates: &[Coordinate],
-        draw: &Draw,
-        relation_degree: u32,
-        highest: u32,
-        random: &mut SplitMix64,
-        deadline: Instant,
-    ) {
+    fn search_leaf(&mut self, chart: &Chart, draw: &Draw, bounds: &Bounds, random: &mut SplitMix64) {
         let modulus = draw.map.modulus();
-        let chosen: Vec<u64> = (0..leaf.unknowns()).map(|_| modulus.sample(random)).collect();
-        let Some(map) = leaf.map_at(draw.map.clone(), &chosen, random) else { return };
-        let wanted = self.wanted.saturating_sub(self.formulas.len().min(leaf.unknowns()));
-        if wanted == 0 || map.dimension() == 0 {
+        let chosen: Vec<u64> = (0..chart.leaf.unknowns()).map(|_| modulus.sample(random)).collect();
+        let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
+        if self.is_done() || map.dimension() == 0 {
             return;
         }
-        for pencil in pencils(&map, relation_degree, wanted, highest, random, deadline) {
-            let Some(basis) = self.lift_pencil(&pencil, leaf, random, deadline) else { continue };
-            let symbols = self.setting.family().symbols();
-            let base = denominator_of(symbols, &basis);
-            for numerator in (0..basis.len()).filter(|&index| index != base).map(|index| &basis[index]) {
-                let quotient = if coordinates.is_empty() {
-                    Some((numerator.clone(), basis[base].clone()))
-                } else {
-                    substituted(symbols, coordinates, numerator, &basis[base])
-                };
-                if let Some((numerator, denominator)) = quotient {
-                    self.offer(numerator, denominator);
+        let spanned = spanned_pencils(&map, bounds.relation_degree, self.wanted, random);
+        self.take(&spanned, chart, bounds, random);
+        for degree in 1..=bounds.highest {
+            // Which entries of the relations are simple depends on the order of the variables.
+            for leaf in chart.leaf.orders() {
+                let chart = Chart { leaf, coordinates: chart.coordinates.clone() };
+                if self.is_done() || Instant::now() >= bounds.deadline {
+                    return;
+                }
+                let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
+                let found =
+                    pencils_of_entries(&map, bounds.relation_degree, degree, random, bounds.deadline);
+                for basis in self.take(&found, &chart, bounds, random) {
+                    if !self.is_done() {
+                        self.search_constrained(&basis, degree, &chart, draw, bounds, random);
+                    }
                 }
             }
         }
     }
 
-    fn lift_pencil(
-        &self,
-        pencil: &Pencil,
-        leaf: &Leaf,
+    /// Lifts pencils and keeps their integrals; returns the bases.
+    fn take(
+        &mut self,
+        pencils: &[Pencil],
+        chart: &Chart,
+        bounds: &Bounds,
         random: &mut SplitMix64,
-        deadline: Instant,
-    ) -> Option<Vec<Polynomial>> {
-        let symbols = self.setting.family().symbols();
-        let monomials = Monomials::new(leaf.order().len(), pencil.degree);
-        let own = self.setting.unknowns();
-        let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
-            let (generic, entries) = unknowns.split_at(own);
-            let map = leaf.map_at(self.setting.at(modulus, generic)?, entries, random)?;
-            pencil.at(&map, random)
-        };
-        let unknowns = [self.setting.unknown_variables(), leaf.variables(self.setting)].concat();
-        let states: Vec<Variable> = leaf.order().iter().map(|&state| symbols.state(state)).collect();
-        lift_space(&unknowns, &states, &monomials, &pencil.space.form, at, random, deadline)
-    }
-}
-
-/// The element to divide by: one that is not 0 at the origin, the shortest of them.
-fn denominator_of(symbols: &Symbols, basis: &[Polynomial]) -> usize {
-    let has_constant = |polynomial: &Polynomial| {
-        polynomial.terms().any(|(monomial, _)| monomial.degree_where(|variable| symbols.is_state(variable)) == 0)
-    };
-    (0..basis.len()).min_by_key(|&index| (!has_constant(&basis[index]), basis[index].len())).unwrap_or(0)
-}
-
-/// P/Q in lowest terms with cⱼ replaced by its formula; `None` beyond the budget.
-fn substituted(
-    symbols: &Symbols,
-    coordinates: &[Coordinate],
-    numerator: &Polynomial,
-    denominator: &Polynomial,
-) -> Option<(Polynomial, Polynomial)> {
-    let mut budget = Budget::new(20_000, SUBSTITUTION_WORK);
-    let mut quotient = [numerator.clone(), denominator.clone()];
-    for (j, coordinate) in coordinates.iter().enumerate() {
-        let variable = symbols.variable(Symbol::SecondState(j));
-        let highest = quotient.iter().map(|side| side.degree_in(variable)).max()?;
-        for side in &mut quotient {
-            let mut sum = Polynomial::zero();
-            for (exponent, coefficient) in side.coefficients_in(variable) {
-                let above = coordinate.numerator.pow_within(exponent, &mut budget).ok()?;
-                let below = coordinate.denominator.pow_within(highest - exponent, &mut budget).ok()?;
-                let power = above.mul_within(&below, &mut budget).ok()?;
-                sum = sum + coefficient.mul_within(&power, &mut budget).ok()?;
+    ) -> Vec<Vec<Polynomial>> {
+        let mut bases = Vec::new();
+        for pencil in pencils {
+            if self.is_done() {
+                break;
             }
-            *side = sum;
+            let own = self.setting.unknowns();
+            let setting = self.setting;
+            let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+                let (generic, entries) = unknowns.split_at(own);
+                let map = chart.leaf.map_at(setting.at(modulus, generic)?, entries, random)?;
+                pencil.at(&map, random)
+            };
+            let monomials = Monomials::new(chart.leaf.order().len(), pencil.degree);
+            let names = chart.names(setting);
+            let form = &pencil.space.form;
+            let Some(basis) = lift_space(&names, &monomials, form, at, random, bounds.deadline) else { continue };
+            self.offer_quotients(&basis, chart);
+            bases.push(basis);
+        }
+        bases
+    }
+
+    /// Keeps the quotients of a basis by the simplest of its elements that does not vanish on the leaf.
+    fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
+        let symbols = self.setting.family().symbols();
+        let mut order: Vec<usize> = (0..basis.len()).collect();
+        order.sort_by_key(|&index| (!has_constant(symbols, &basis[index]), basis[index].len()));
+        for &base in &order {
+            let before = self.formulas.len();
+            for &index in order.iter().filter(|&&index| index != base) {
+                if let Some((above, below)) = chart.substituted(symbols, &basis[index], &basis[base]) {
+                    self.offer(above, below);
+                }
+            }
+            if self.formulas.len() > before {
+                return;
+            }
         }
     }
-    let [above, below] = quotient;
-    let reduced = RationalFunction::new_within(above, below, &mut budget).ok()??;
-    Some((reduced.numerator().clone(), reduced.denominator().clone()))
+
+    /// Looks on a leaf among orbits with a chosen value of an integral found there, the quotient of the basis.
+    fn search_constrained(
+        &mut self,
+        basis: &[Polynomial],
+        degree: u32,
+        chart: &Chart,
+        draw: &Draw,
+        bounds: &Bounds,
+        random: &mut SplitMix64,
+    ) -> Option<()> {
+        let [first, second, ..] = basis else { return None };
+        let setting = self.setting;
+        let symbols = setting.family().symbols();
+        let states: Vec<Variable> = chart.leaf.order().iter().map(|&state| symbols.state(state)).collect();
+        let monomials = Monomials::new(states.len(), degree);
+        let coefficients = |polynomial: &Polynomial, index: usize| {
+            let powers = states.iter().copied().zip(monomials.exponents(index).iter().copied());
+            let wanted: Monomial = powers.collect();
+            polynomial.group(|variable| symbols.is_state(variable)).remove(&wanted).unwrap_or_default()
+        };
+        let pairs: Vec<(Polynomial, Polynomial)> = (0..monomials.len())
+            .map(|index| (coefficients(first, index), coefficients(second, index)))
+            .collect();
+        let constraint = Constraint::new(monomials, pairs)?;
+        let (numerator, denominator) = chart.substituted(symbols, first, second)?;
+        let mut wider = chart.clone();
+        wider.coordinates.push(Coordinate { numerator, denominator });
+        let names = wider.names(setting);
+        let own = setting.unknowns();
+        let constrained = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+            let (generic, entries) = unknowns.split_at(own);
+            let (value, entries) = entries.split_last()?;
+            let map = chart.leaf.map_at(setting.at(modulus, generic)?, entries, random)?;
+            constraint.on(map, *value, |variable| {
+                names.unknowns.iter().position(|known| *known == variable).map_or(0, |place| unknowns[place])
+            })
+        };
+        let modulus = *draw.map.modulus();
+        let extra = (0..names.unknowns.len() - own).map(|_| modulus.sample(random));
+        let unknowns: Vec<u64> = draw.unknowns.iter().copied().chain(extra).collect();
+        let map = constrained(modulus, &unknowns, random)?;
+        for pencil in spanned_pencils(&map, bounds.relation_degree, self.wanted, random) {
+            let monomials = Monomials::new(states.len(), pencil.degree);
+            let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+                pencil.at(&constrained(modulus, unknowns, random)?, random)
+            };
+            let basis = lift_space(&names, &monomials, &pencil.space.form, at, random, bounds.deadline)?;
+            self.offer_quotients(&basis, &wider);
+        }
+        Some(())
+    }
+}
+
+/// How far to look.
+struct Bounds {
+    relation_degree: u32,
+    highest: u32,
+    deadline: Instant,
+}
+
+/// A leaf with the formulas of what chooses it: its entries, and perhaps the value of an integral on it.
+#[derive(Clone)]
+struct Chart {
+    leaf: Leaf,
+    coordinates: Vec<Coordinate>,
+}
+
+impl Chart {
+    fn variable(&self, symbols: &Symbols, j: usize) -> Variable {
+        symbols.variable(Symbol::SecondState(j))
+    }
+
+    /// Which variables of formulas on the leaf stand for what.
+    fn names(&self, setting: &Setting) -> Names {
+        let symbols = setting.family().symbols();
+        let mut names = Names::of(setting);
+        names.unknowns.extend((0..self.coordinates.len()).map(|j| self.variable(symbols, j)));
+        names.states = self.leaf.order().iter().map(|&state| symbols.state(state)).collect();
+        if let Some((weights, unknowns)) = &mut names.weights {
+            unknowns.extend(self.coordinates.iter().map(|coordinate| coordinate.weight(weights)));
+        }
+        names
+    }
+
+    /// P/Q in lowest terms with every coordinate replaced by its formula; `None` beyond the budget, and where Q becomes 0.
+    fn substituted(
+        &self,
+        symbols: &Symbols,
+        numerator: &Polynomial,
+        denominator: &Polynomial,
+    ) -> Option<(Polynomial, Polynomial)> {
+        if self.coordinates.is_empty() {
+            return Some((numerator.clone(), denominator.clone()));
+        }
+        let mut budget = Budget::new(20_000, SUBSTITUTION_WORK);
+        let mut quotient = [numerator.clone(), denominator.clone()];
+        for (j, coordinate) in self.coordinates.iter().enumerate() {
+            let variable = self.variable(symbols, j);
+            let highest = quotient.iter().map(|side| side.degree_in(variable)).max()?;
+            for side in &mut quotient {
+                let mut sum = Polynomial::zero();
+                for (exponent, coefficient) in side.coefficients_in(variable) {
+                    let above = coordinate.numerator.pow_within(exponent, &mut budget).ok()?;
+                    let below = coordinate.denominator.pow_within(highest - exponent, &mut budget).ok()?;
+                    let power = above.mul_within(&below, &mut budget).ok()?;
+                    sum = sum + coefficient.mul_within(&power, &mut budget).ok()?;
+                }
+                *side = sum;
+            }
+        }
+        let [above, below] = quotient;
+        let reduced = RationalFunction::new_within(above, below, &mut budget).ok()??;
+        Some((reduced.numerator().clone(), reduced.denominator().clone()))
+    }
+}
+
+/// Whether the polynomial is not 0 where all states are.
+fn has_constant(symbols: &Symbols, polynomial: &Polynomial) -> bool {
+    polynomial.terms().any(|(monomial, _)| monomial.degree_where(|variable| symbols.is_state(variable)) == 0)
+}
+
+/// P such that P/Q depends on the states at ε = 0 too: where it is a constant c there, (P − cQ)/εᵏ instead.
+fn with_a_limit(symbols: &Symbols, mut numerator: Polynomial, denominator: &Polynomial) -> Polynomial {
+    let at_zero = |polynomial: &Polynomial| polynomial.substitute(symbols.epsilon(), &Rational::zero());
+    let below = at_zero(denominator);
+    for _ in 0..8 {
+        let Some(limit) = RationalFunction::new(at_zero(&numerator), below.clone()) else { break };
+        let varies = |side: &Polynomial| side.variables().iter().any(|&variable| symbols.is_state(variable));
+        if varies(limit.numerator()) || varies(limit.denominator()) {
+            break;
+        }
+        let rest = &numerator * limit.denominator() - denominator * limit.numerator();
+        if rest.is_zero() {
+            break;
+        }
+        numerator = tidy(symbols, &rest);
+    }
+    numerator
 }

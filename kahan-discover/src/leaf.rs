@@ -6,9 +6,9 @@
 
 use std::time::Instant;
 
-use kahan_algebra::poly::{Monomial, Polynomial, Variable};
+use kahan_algebra::poly::{Monomial, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_algebra::symbols::Symbol;
+use kahan_algebra::rational::Rational;
 
 use crate::hilbert::random_relations;
 use crate::lift::lift;
@@ -17,6 +17,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::{Entry, SPARE};
 use crate::setting::Setting;
+use crate::weights::Weights;
 
 /// Which variables remain on a leaf, and which entries of the linear relations choose it.
 #[derive(Clone, Debug)]
@@ -43,6 +44,17 @@ pub struct LeafMap {
     order: Vec<usize>,
     /// Each leading state with its value: coefficients of 1 and of the coordinates.
     leading: Vec<(usize, Vec<u64>)>,
+}
+
+impl Coordinate {
+    /// The weight of cⱼ.
+    #[must_use]
+    pub fn weight(&self, weights: &Weights) -> Vec<Rational> {
+        let of = |side: &Polynomial| {
+            side.leading_term().map(|(monomial, _)| weights.of_monomial(monomial)).unwrap_or_default()
+        };
+        of(&self.numerator).iter().zip(of(&self.denominator)).map(|(above, below)| above - &below).collect()
+    }
 }
 
 impl Leaf {
@@ -97,17 +109,20 @@ impl Leaf {
         self.places.len()
     }
 
+    /// The same leaves with their coordinates in other orders: all rotations, forward and backward.
+    pub fn orders(&self) -> impl Iterator<Item = Leaf> {
+        let count = self.order.len();
+        let rotated = move |shift: usize| (0..count).map(move |i| self.order[(i + shift) % count]);
+        (0..count).flat_map(move |shift| {
+            [rotated(shift).collect::<Vec<_>>(), rotated(shift).rev().collect()]
+                .map(|order| Leaf { places: self.places.clone(), order })
+        })
+    }
+
     /// The states that are coordinates.
     #[must_use]
     pub fn order(&self) -> &[usize] {
         &self.order
-    }
-
-    /// The variables that stand for the cⱼ in formulas.
-    #[must_use]
-    pub fn variables(&self, setting: &Setting) -> Vec<Variable> {
-        let symbols = setting.family().symbols();
-        (0..self.places.len()).map(|j| symbols.variable(Symbol::SecondState(j))).collect()
     }
 
     /// The map on the leaf chosen by `entries`; `None` where the linear relations have another form.

@@ -6,8 +6,8 @@
 //! interpolation; a formula is returned only once the prover of `kahan-algebra` has proved its text.
 //!
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`] (the tools); [`map`], [`setting`] (the maps looked at);
-//! [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`], [`space`] (back to ℚ); [`pencil`], [`search`],
-//! [`leaf`], [`independent`], [`integrals`]; [`darboux`]; [`structure`], [`hamiltonian`]; [`composition`]; [`claims`],
+//! [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`], [`weights`], [`space`] (back to ℚ); [`pencil`], [`search`],
+//! [`leaf`], [`constrained`], [`independent`], [`integrals`]; [`darboux`]; [`structure`], [`hamiltonian`]; [`composition`]; [`claims`],
 //! [`report`].
 //!
 //! ```
@@ -22,6 +22,7 @@
 
 pub mod claims;
 pub mod composition;
+pub mod constrained;
 pub mod darboux;
 pub mod degrees;
 pub mod growth;
@@ -44,6 +45,7 @@ pub mod space;
 mod stages;
 pub mod structure;
 pub mod thiele;
+pub mod weights;
 mod words;
 
 pub use report::{DiscoverError, Options, Report, Stage};

@@ -64,7 +64,7 @@ pub fn lift(
         let functions: Option<Vec<RationalFunction>> =
             shapes.iter().enumerate().map(|(index, shape)| shape.function(&primes, index, variables)).collect();
         if let Some(functions) = functions
-            && lifter.confirms(modulus, &functions, variables)?
+            && confirms(lifter.oracle, &functions, variables, lifter.random, deadline)
         {
             return Some(functions);
         }
@@ -182,23 +182,28 @@ impl Lifter<'_> {
         };
         shapes.iter().enumerate().map(solve).collect()
     }
+}
 
-    fn confirms(
-        &mut self,
-        modulus: Modulus,
-        functions: &[RationalFunction],
-        variables: &[Variable],
-    ) -> Option<bool> {
-        let (point, values) = self.sample(modulus)?;
+/// Whether functions agree with the oracle at a random point modulo a random prime.
+pub fn confirms(
+    oracle: &mut dyn Oracle,
+    functions: &[RationalFunction],
+    variables: &[Variable],
+    random: &mut SplitMix64,
+    deadline: Instant,
+) -> bool {
+    let modulus = Modulus::random(random);
+    let mut lifter = Lifter { oracle, unknowns: variables.len(), random, deadline };
+    lifter.sample(modulus).is_some_and(|(point, values)| {
         let value = |variable: Variable| {
             variables.iter().position(|known| *known == variable).map_or(0, |place| point[place])
         };
-        Some(functions.iter().zip(&values).all(|(function, expected)| {
+        functions.iter().zip(&values).all(|(function, expected)| {
             let above = evaluate(&modulus, function.numerator(), value);
             let below = evaluate(&modulus, function.denominator(), value);
             above.zip(below).is_some_and(|(above, below)| above == modulus.times(*expected, below))
-        }))
-    }
+        })
+    })
 }
 
 impl Shape {

@@ -22,17 +22,13 @@ use crate::space::Space;
 /// The most unknown coefficients of P and Q together.
 const MOST_COEFFICIENTS: usize = 900;
 
-/// The pencils of least degree that hold `wanted` independent integrals of the map, or as many as were found before the
-/// deadline; `relation_degree` is a degree up to which relations define the orbit's closure.
-///
-/// Cost: for P and Q with N monomials each, 2N orbits and (2N)³ products for each entry of the relations.
-pub fn pencils<M: Stepping>(
+/// The pencils that relations of orbits span, of least degree first, up to `relation_degree`, until `wanted` independent
+/// integrals are found.
+pub fn spanned_pencils<M: Stepping>(
     map: &M,
     relation_degree: u32,
     wanted: usize,
-    highest: u32,
     random: &mut SplitMix64,
-    deadline: Instant,
 ) -> Vec<Pencil> {
     let mut search = Search::new(map, random);
     for degree in 1..=relation_degree {
@@ -40,10 +36,25 @@ pub fn pencils<M: Stepping>(
             search.offer(Pencil { degree, space, source: Source::Span });
         }
         if search.rank() >= wanted {
-            return search.pencils;
+            break;
         }
     }
-    entries_by_degree(&mut search, relation_degree, wanted, highest, deadline);
+    search.pencils
+}
+
+/// The pencils of one degree in which entries of the relations up to `relation_degree` are quotients P/Q, and of no lower
+/// degree; none if the deadline passes first.
+///
+/// Cost: for P and Q with N monomials each, 2N orbits and (2N)³ products for each entry of the relations.
+pub fn pencils_of_entries<M: Stepping>(
+    map: &M,
+    relation_degree: u32,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: Instant,
+) -> Vec<Pencil> {
+    let mut search = Search::new(map, random);
+    entries_of_degree(&mut search, relation_degree, degree, deadline);
     search.pencils
 }
 
@@ -124,67 +135,51 @@ fn span_of_relations(map: &impl Stepping, degree: u32, random: &mut SplitMix64) 
     (space.dimension() == own + 1).then_some(space)
 }
 
-/// Tries P/Q of degree 1, 2, … for the entries of the relations.
-fn entries_by_degree<M: Stepping>(
+/// Tries P/Q of one degree for the entries of the relations.
+fn entries_of_degree<M: Stepping>(
     search: &mut Search<'_, M>,
     relation_degree: u32,
-    wanted: usize,
-    highest: u32,
+    degree: u32,
     deadline: Instant,
 ) {
     let map = search.map;
     let modulus = map.modulus();
     let n = map.dimension();
     let monomials = Monomials::new(n, relation_degree);
+    let unknown = Monomials::new(n, degree);
+    let width = 2 * unknown.len();
+    if width > MOST_COEFFICIENTS {
+        return;
+    }
     let mut orbits: Vec<Relations> = Vec::new();
-    for _ in 0..2 {
+    while orbits.len() < width + SPARE {
+        if Instant::now() >= deadline {
+            return;
+        }
         let Some(relations) = random_relations(map, &monomials, search.random) else { return };
         orbits.push(relations);
     }
-    let mut places = entry_places(&orbits, &monomials);
-    for degree in 1..=highest {
-        let unknown = Monomials::new(n, degree);
-        let width = 2 * unknown.len();
-        if width > MOST_COEFFICIENTS {
+    let values: Vec<Vec<u64>> = orbits.iter().map(|orbit| unknown.values(modulus, &orbit.start)).collect();
+    let all: Vec<usize> = (0..unknown.len()).collect();
+    let mut found: Vec<Pencil> = Vec::new();
+    for (leading, lower) in entry_places(&orbits, &monomials) {
+        if Instant::now() >= deadline {
             return;
         }
-        while orbits.len() < width + SPARE {
-            if Instant::now() >= deadline {
-                return;
-            }
-            let Some(relations) = random_relations(map, &monomials, search.random) else { return };
-            orbits.push(relations);
+        let entry = Entry { leading, lower, numerator: all.clone(), denominator: all.clone() };
+        let Some((numerator, denominator)) = entry.quotient(modulus, &orbits, &values) else { continue };
+        let used = |vector: &[u64]| (0..vector.len()).filter(|&index| vector[index] != 0).collect();
+        let entry = Entry { numerator: used(&numerator), denominator: used(&denominator), ..entry };
+        let space = Space::spanned(modulus, vec![numerator, denominator]);
+        if space.dimension() == 2 {
+            let source = Source::Entries { relation_degree, entries: vec![entry] };
+            found.push(Pencil { degree, space, source });
         }
-        let values: Vec<Vec<u64>> =
-            orbits[..width + SPARE].iter().map(|orbit| unknown.values(modulus, &orbit.start)).collect();
-        let all: Vec<usize> = (0..unknown.len()).collect();
-        let mut found: Vec<Pencil> = Vec::new();
-        places.retain(|&(leading, lower)| {
-            if Instant::now() >= deadline {
-                return false;
-            }
-            let entry = Entry { leading, lower, numerator: all.clone(), denominator: all.clone() };
-            let Some((numerator, denominator)) = entry.quotient(modulus, &orbits, &values) else { return true };
-            let entry = Entry {
-                numerator: (0..all.len()).filter(|&index| numerator[index] != 0).collect(),
-                denominator: (0..all.len()).filter(|&index| denominator[index] != 0).collect(),
-                ..entry
-            };
-            let space = Space::spanned(modulus, vec![numerator, denominator]);
-            if space.dimension() == 2 {
-                let source = Source::Entries { relation_degree, entries: vec![entry] };
-                found.push(Pencil { degree, space, source });
-            }
-            false
-        });
-        let mut merged = merge_by_cofactor(map, &unknown, found, search.random);
-        merged.sort_by_key(|pencil| (0..pencil.space.dimension()).map(|i| pencil.space.terms(i)).sum::<usize>());
-        for pencil in merged {
-            search.offer(pencil);
-        }
-        if search.rank() >= wanted {
-            return;
-        }
+    }
+    let mut merged = merge_by_cofactor(map, &unknown, found, search.random);
+    merged.sort_by_key(|pencil| (0..pencil.space.dimension()).map(|i| pencil.space.terms(i)).sum::<usize>());
+    for pencil in merged {
+        search.offer(pencil);
     }
 }
 

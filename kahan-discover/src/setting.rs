@@ -8,12 +8,14 @@ use kahan_algebra::symbols::Symbol;
 
 use crate::map::{Family, ModularMap, Stepping, evaluate};
 use crate::modulus::Modulus;
+use crate::weights::Weights;
 
 /// A field, and ε where it is fixed.
 #[derive(Clone, Debug)]
 pub struct Setting {
     family: Family,
     eps: Option<Rational>,
+    weights: Weights,
 }
 
 /// A map at values of the unknowns: the parameters in order, then ε where it is not fixed.
@@ -32,13 +34,20 @@ impl Setting {
     /// The maps of a field at every ε (half the time step), or at one.
     #[must_use]
     pub fn new(field: &Field, eps: Option<Rational>) -> Self {
-        Setting { family: Family::of(field), eps }
+        let weights = Weights::of(field, eps.is_some());
+        Setting { family: Family::of(field), eps, weights }
     }
 
     /// The field's coefficients.
     #[must_use]
     pub fn family(&self) -> &Family {
         &self.family
+    }
+
+    /// The scaling symmetries.
+    #[must_use]
+    pub fn weights(&self) -> &Weights {
+        &self.weights
     }
 
     /// ε, where it is fixed.

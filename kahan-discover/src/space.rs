@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable, gcd};
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
@@ -14,6 +15,8 @@ use crate::lift::lift;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
+use crate::setting::Setting;
+use crate::weights::{Grading, Weights, lift_graded};
 
 /// The shape of a space's basis: which monomials occur, and which lead.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -82,12 +85,52 @@ impl Space {
     }
 }
 
-/// The basis of a space over ℚ as polynomials with coprime integer coefficients: `states` are the variables of the monomials,
-/// `unknowns` those of parameters and ε. `at` gives the space at any values of the unknowns, always of the same form; `None`
+/// Which variables of formulas stand for what.
+#[derive(Clone, Debug)]
+pub struct Names {
+    /// The parameters and ε, and what else a space depends on.
+    pub unknowns: Vec<Variable>,
+    /// The states that the monomials are made of.
+    pub states: Vec<Variable>,
+    /// The scaling symmetries, with the weights of all unknowns, where they are known.
+    pub weights: Option<(Weights, Vec<Vec<Rational>>)>,
+}
+
+impl Names {
+    /// Those of a map in all its states.
+    #[must_use]
+    pub fn of(setting: &Setting) -> Self {
+        let symbols = setting.family().symbols();
+        let unknowns = setting.unknown_variables();
+        let own = unknowns.iter().map(|&unknown| setting.weights().of_variable(unknown)).collect();
+        Names {
+            unknowns,
+            states: (0..setting.dimension()).map(|i| symbols.state(i)).collect(),
+            weights: Some((setting.weights().clone(), own)),
+        }
+    }
+
+    /// The coefficient of m in a basis element that begins with the monomial p weighs as much as p/m.
+    fn grading(&self, weights: &(Weights, Vec<Vec<Rational>>), monomials: &Monomials, form: &Form) -> Grading {
+        let weight = |place: usize| {
+            let exponents = monomials.exponents(form.support[place]);
+            let powers = self.states.iter().copied().zip(exponents.iter().copied());
+            weights.0.of_monomial(&powers.collect())
+        };
+        let entries = form.pivots.iter().flat_map(|&pivot| {
+            let leading = weight(pivot);
+            (0..form.support.len())
+                .map(|place| leading.iter().zip(weight(place)).map(|(a, b)| a - &b).collect())
+                .collect::<Vec<Vec<Rational>>>()
+        });
+        Grading { unknowns: weights.1.clone(), entries: entries.collect() }
+    }
+}
+
+/// The basis of a space over ℚ as polynomials with coprime integer coefficients. `at` gives the space at any values of the unknowns, always of the same form; `None`
 /// as for [`lift`].
 pub fn lift_space(
-    unknowns: &[Variable],
-    states: &[Variable],
+    names: &Names,
     monomials: &Monomials,
     form: &Form,
     mut at: impl FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Space>,
@@ -98,9 +141,15 @@ pub fn lift_space(
         let space = at(modulus, unknowns, random)?;
         (space.form == *form).then(|| space.rows.concat())
     };
-    let entries = lift(&mut oracle, unknowns, random, deadline)?;
+    let entries = match &names.weights {
+        Some(weights) => {
+            let grading = names.grading(weights, monomials, form);
+            lift_graded(&mut oracle, &names.unknowns, &grading, random, deadline)?
+        }
+        None => lift(&mut oracle, &names.unknowns, random, deadline)?,
+    };
     let rows = entries.chunks(form.support.len());
-    Some(rows.map(|row| cleared(states, monomials, &form.support, row)).collect())
+    Some(rows.map(|row| cleared(&names.states, monomials, &form.support, row)).collect())
 }
 
 /// Σ cₘ m times the least common denominator, with coprime integer coefficients.

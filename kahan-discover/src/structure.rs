@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::poly::{Polynomial, Variable};
+use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
 
@@ -15,7 +15,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
 use crate::setting::Setting;
-use crate::space::{Form, Space, lift_space, tidy};
+use crate::space::{Form, Names, Space, lift_space, tidy};
 
 /// Equations beyond the number of unknowns.
 const SPARE: usize = 6;
@@ -79,9 +79,7 @@ pub fn flow_integrals(
             let map = setting.at(modulus, unknowns)?;
             on_form(&map, &monomials, &form, random)
         };
-        let states: Vec<Variable> = (0..setting.dimension()).map(|i| symbols.state(i)).collect();
-        let unknowns = setting.unknown_variables();
-        for polynomial in lift_space(&unknowns, &states, &monomials, &form, at, random, deadline)? {
+        for polynomial in lift_space(&Names::of(setting), &monomials, &form, at, random, deadline)? {
             let polynomial = tidy(symbols, &polynomial);
             if independent.admits(&polynomial, &Polynomial::one()) {
                 independent.keep(&polynomial, &Polynomial::one());

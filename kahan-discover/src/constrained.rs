@@ -1,0 +1,102 @@
+//! Orbits on which an integral that is known already has a chosen value.
+//!
+//! Where relations mix several integrals and one of them, F = P/Q, is found, starts are drawn with F = c, that is on
+//! P − cQ = 0, with c as one more unknown. Relations of such orbits mix one integral less.
+
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::leaf::LeafMap;
+use crate::map::{Stepping, evaluate};
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+
+/// P − cQ as coefficients of monomials, each a polynomial in unknowns.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    monomials: Monomials,
+    /// For each monomial the coefficients of P and Q.
+    coefficients: Vec<(Polynomial, Polynomial)>,
+    /// A coordinate in which P and Q are linear, so that starts can be solved for.
+    linear: usize,
+}
+
+/// A map whose drawn points satisfy a constraint.
+#[derive(Clone, Debug)]
+pub struct ConstrainedMap<'a> {
+    base: LeafMap,
+    constraint: &'a Constraint,
+    coefficients: Vec<u64>,
+}
+
+impl Constraint {
+    /// The constraint that P/Q is given; `coefficients` are those of P and Q on the monomials. `None` where they are linear
+    /// in no coordinate.
+    #[must_use]
+    pub fn new(monomials: Monomials, coefficients: Vec<(Polynomial, Polynomial)>) -> Option<Self> {
+        let is_used = |index: &usize| !(coefficients[*index].0.is_zero() && coefficients[*index].1.is_zero());
+        let used: Vec<usize> = (0..monomials.len()).filter(is_used).collect();
+        let degree_in = |coordinate: usize| {
+            used.iter().map(|&index| monomials.exponents(index)[coordinate]).max().unwrap_or(0)
+        };
+        let linear = (0..monomials.variables()).find(|&coordinate| degree_in(coordinate) == 1)?;
+        Some(Constraint { monomials, coefficients, linear })
+    }
+
+    /// The map with F = `value`; `None` where a coefficient has no value modulo the prime.
+    #[must_use]
+    pub fn on(
+        &self,
+        base: LeafMap,
+        value: u64,
+        unknown: impl Fn(kahan_algebra::poly::Variable) -> u64,
+    ) -> Option<ConstrainedMap<'_>> {
+        let modulus = *base.modulus();
+        let coefficient = |(above, below): &(Polynomial, Polynomial)| {
+            let (above, below) = (evaluate(&modulus, above, &unknown)?, evaluate(&modulus, below, &unknown)?);
+            Some(modulus.minus(above, modulus.times(value, below)))
+        };
+        let coefficients: Option<Vec<u64>> = self.coefficients.iter().map(coefficient).collect();
+        Some(ConstrainedMap { base, constraint: self, coefficients: coefficients? })
+    }
+}
+
+impl ConstrainedMap<'_> {
+    fn residual(&self, point: &[u64]) -> u64 {
+        let modulus = self.base.modulus();
+        let values = self.constraint.monomials.values(modulus, point);
+        let products = values.iter().zip(&self.coefficients);
+        products.fold(0, |sum, (m, c)| modulus.plus(sum, modulus.times(*m, *c)))
+    }
+}
+
+impl Stepping for ConstrainedMap<'_> {
+    fn modulus(&self) -> &Modulus {
+        self.base.modulus()
+    }
+
+    fn dimension(&self) -> usize {
+        self.base.dimension()
+    }
+
+    fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
+        self.base.next(point)
+    }
+
+    /// A random point with P − cQ = 0, solved for the coordinate in which that is linear.
+    fn point(&self, random: &mut SplitMix64) -> Vec<u64> {
+        let modulus = *self.modulus();
+        loop {
+            let mut point: Vec<u64> = (0..self.dimension()).map(|_| modulus.sample(random)).collect();
+            point[self.constraint.linear] = 0;
+            let base = self.residual(&point);
+            point[self.constraint.linear] = modulus.one();
+            let slope = modulus.minus(self.residual(&point), base);
+            // The slope is a polynomial that is not zero: almost no point fails.
+            if let Some(inverse) = modulus.inverse(slope) {
+                point[self.constraint.linear] = modulus.opposite(modulus.times(base, inverse));
+                return point;
+            }
+        }
+    }
+}
