@@ -51,13 +51,20 @@ impl<'a> Claims<'a> {
         let field = &system.field;
         let symbols = &field.symbols;
         let values = Formulas { field, map: None, notation: Notation::Text }.field();
-        let lines: Vec<String> =
-            symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};")).collect();
+        let lines: Vec<String> = symbols
+            .states
+            .iter()
+            .zip(values)
+            .map(|(state, value)| format!("{state}dot = {value};"))
+            .collect();
         // A parameter that cancelled from the equations is unknown to them.
         let occurs = |name: &str| {
             symbols.parameters.iter().position(|known| known == name).is_some_and(|k| {
                 let variable = symbols.parameter(k);
-                field.components.iter().any(|c| c.numerator.contains(variable) || c.denominator.contains(variable))
+                field
+                    .components
+                    .iter()
+                    .any(|c| c.numerator.contains(variable) || c.denominator.contains(variable))
             })
         };
         let mut conditions: Vec<String> = parameters
@@ -91,7 +98,13 @@ impl<'a> Claims<'a> {
 
     /// The claim that numerator/denominator is an integral, if it is proved; `index` numbers its name.
     #[must_use]
-    pub fn integral(&self, symbols: &Symbols, index: usize, numerator: &Polynomial, denominator: &Polynomial) -> Option<Formula> {
+    pub fn integral(
+        &self,
+        symbols: &Symbols,
+        index: usize,
+        numerator: &Polynomial,
+        denominator: &Polynomial,
+    ) -> Option<Formula> {
         let above = factored(symbols, &[(numerator.clone(), 1)]);
         let value = if denominator.is_one() {
             above
@@ -104,11 +117,20 @@ impl<'a> Claims<'a> {
 
     /// The claim that 1/∏ factorᵏ is an invariant density, if it is proved.
     #[must_use]
-    pub fn density(&self, symbols: &Symbols, index: Option<usize>, factors: &[(Polynomial, u32)]) -> Option<Formula> {
-        let value = if factors.is_empty() { "1".to_owned() } else { quotient("1", &factored(symbols, factors)) };
+    pub fn density(
+        &self,
+        symbols: &Symbols,
+        index: Option<usize>,
+        factors: &[(Polynomial, u32)],
+    ) -> Option<Formula> {
+        let value =
+            if factors.is_empty() { "1".to_owned() } else { quotient("1", &factored(symbols, factors)) };
         let text = format!("density {} = {value}{};", self.name("rho", index), self.condition);
-        let power = |(factor, exponent): &(Polynomial, u32)| (0..*exponent).map(|_| factor.clone()).collect::<Vec<_>>();
-        let product = factors.iter().flat_map(power).fold(Polynomial::one(), |product, factor| &product * &factor);
+        let power = |(factor, exponent): &(Polynomial, u32)| {
+            (0..*exponent).map(|_| factor.clone()).collect::<Vec<_>>()
+        };
+        let product =
+            factors.iter().flat_map(power).fold(Polynomial::one(), |product, factor| &product * &factor);
         self.proved(symbols, ClaimKind::Density, text, &Polynomial::one(), &product)
     }
 
@@ -138,7 +160,8 @@ impl<'a> Claims<'a> {
 
 /// `above/below`.
 fn quotient(above: &str, below: &str) -> String {
-    let above = if above.contains(' ') && !is_product(above) { format!("({above})") } else { above.to_owned() };
+    let above =
+        if above.contains(' ') && !is_product(above) { format!("({above})") } else { above.to_owned() };
     let is_atom = below.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '^') || is_group(below);
     if is_atom { format!("{above}/{below}") } else { format!("{above}/({below})") }
 }

@@ -17,6 +17,8 @@ pub struct Survivors {
     pub hilbert: Hilbert,
     /// For each formula whether it is an integral of the composed map too.
     pub formulas: Vec<bool>,
+    /// The pairs of formulas that are no integrals of the composed map while their quotient is.
+    pub quotients: Vec<(usize, usize)>,
 }
 
 struct Composed {
@@ -56,13 +58,22 @@ pub fn survivors(
     let relations = random_relations(&composed, &monomials, random)?;
     let hilbert = Hilbert::from_relations(&relations, &modulus, &monomials);
     let next = composed.next(&relations.start)?;
-    let survives = |formula: &Formula| {
-        let value = |point: &[u64]| {
-            let above = setting.evaluate(&modulus, &formula.numerator, &draw, point)?;
-            let below = setting.evaluate(&modulus, &formula.denominator, &draw, point)?;
-            Some(modulus.times(above, modulus.inverse(below)?))
-        };
-        value(&relations.start).is_some_and(|here| value(&next) == Some(here))
+    let value = |formula: &Formula, point: &[u64]| {
+        let above = setting.evaluate(&modulus, &formula.numerator, &draw, point)?;
+        let below = setting.evaluate(&modulus, &formula.denominator, &draw, point)?;
+        Some(modulus.times(above, modulus.inverse(below)?))
     };
-    Some(Survivors { hilbert, formulas: formulas.iter().map(survives).collect() })
+    // By which factor each formula changes in a step of the composed map.
+    let factor = |formula: &Formula| {
+        let (here, there) = (value(formula, &relations.start)?, value(formula, &next)?);
+        Some(modulus.times(there, modulus.inverse(here)?))
+    };
+    let factors: Vec<Option<u64>> = formulas.iter().map(factor).collect();
+    let survives: Vec<bool> = factors.iter().map(|factor| *factor == Some(modulus.one())).collect();
+    let mut quotients = Vec::new();
+    for (i, own) in factors.iter().enumerate().filter(|(i, own)| own.is_some() && !survives[*i]) {
+        let same = factors[i + 1..].iter().position(|other| other == own);
+        quotients.extend(same.map(|offset| (i, i + 1 + offset)));
+    }
+    Some(Survivors { hilbert, formulas: survives, quotients })
 }

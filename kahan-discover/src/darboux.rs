@@ -50,33 +50,24 @@ fn null_vectors(
     for _ in 0..support.len() + SPARE {
         let (point, step) = random_step(map, random)?;
         let (here, there) = (monomials.values(modulus, &point), monomials.values(modulus, &step.next));
-        let difference = |&index: &usize| modulus.minus(there[index], modulus.times(step.jacobian, here[index]));
+        let difference =
+            |&index: &usize| modulus.minus(there[index], modulus.times(step.jacobian, here[index]));
         rows.push(support.iter().map(difference).collect());
     }
     let echelon = Echelon::of(modulus, rows, support.len());
     Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
 }
 
-/// The least degree up to `highest` in which some P has the cofactor det ∂x̃/∂x, and the space of them.
-pub fn measure_space(
-    map: &ModularMap,
-    highest: u32,
-    random: &mut SplitMix64,
-    deadline: Instant,
-) -> Option<(u32, Space)> {
-    for degree in 0..=highest {
-        if Instant::now() >= deadline {
-            return None;
-        }
-        let monomials = Monomials::new(map.dimension(), degree);
-        let all: Vec<usize> = (0..monomials.len()).collect();
-        let vectors = null_vectors(map, &monomials, &all, random)?;
-        if !vectors.is_empty() {
-            return Some((degree, Space::spanned(map.modulus(), vectors)));
-        }
-    }
-    None
+/// The space of the P of one degree with the cofactor det ∂x̃/∂x; `None` where there is none.
+pub fn measure_space(map: &ModularMap, degree: u32, random: &mut SplitMix64) -> Option<Space> {
+    let monomials = Monomials::new(map.dimension(), degree);
+    let all: Vec<usize> = (0..monomials.len()).collect();
+    let vectors = null_vectors(map, &monomials, &all, random)?;
+    (!vectors.is_empty()).then(|| Space::spanned(map.modulus(), vectors))
 }
+
+/// Products of factors are tried to this degree, beyond what linear algebra reaches.
+const HIGHEST_PRODUCT: u32 = 12;
 
 /// The measure of least degree, over ℚ with all unknowns; products of `factors` are preferred to anything else. `None` if
 /// there is none up to `highest`, or it could not be lifted before the deadline.
@@ -89,23 +80,38 @@ pub fn measure(
 ) -> Option<Measure> {
     let modulus = Modulus::mersenne_61();
     let draw = setting.draw(modulus, random)?;
-    let (degree, space) = measure_space(&draw.map, highest, random, deadline)?;
-    if degree == 0 {
-        return Some(Measure { factors: Vec::new(), degree });
+    for degree in 0..=highest.max(HIGHEST_PRODUCT) {
+        if Instant::now() >= deadline {
+            return None;
+        }
+        if let Some(factors) = product(setting, factors, degree, random) {
+            return Some(Measure { factors, degree });
+        }
+        if degree <= highest
+            && let Some(space) = measure_space(&draw.map, degree, random)
+        {
+            return lifted(setting, &draw.map, &space, degree, random, deadline);
+        }
     }
-    if let Some(factors) = product(setting, factors, degree, random) {
-        return Some(Measure { factors, degree });
-    }
+    None
+}
+
+/// The simplest element of a space of P, over ℚ.
+fn lifted(
+    setting: &Setting,
+    map: &ModularMap,
+    space: &Space,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: Instant,
+) -> Option<Measure> {
     let monomials = Monomials::new(setting.dimension(), degree);
     let simplest = (0..space.dimension()).min_by_key(|&index| space.terms(index))?;
     let places = space.form.support.iter().zip(&space.rows[simplest]).filter(|(_, value)| **value != 0);
     let support: Vec<usize> = places.map(|(&index, _)| index).collect();
-    let alone = null_vectors(&draw.map, &monomials, &support, random)?.len() == 1;
-    let (form, row) = if alone {
-        (Form { support, pivots: vec![0] }, 0)
-    } else {
-        (space.form.clone(), simplest)
-    };
+    let alone = null_vectors(map, &monomials, &support, random)?.len() == 1;
+    let (form, row) =
+        if alone { (Form { support, pivots: vec![0] }, 0) } else { (space.form.clone(), simplest) };
     let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let map = setting.at(modulus, unknowns)?;
         let vectors = null_vectors(&map, &monomials, &form.support, random)?;
@@ -146,7 +152,8 @@ fn product(
     exponents(&degrees, degree, &mut Vec::new(), &mut candidates);
     let has_cofactor = |exponents: &Vec<u32>| {
         samples.iter().all(|(cofactors, jacobian)| {
-            let powers = cofactors.iter().zip(exponents).map(|(&base, &exponent)| modulus.power(base, exponent));
+            let powers =
+                cofactors.iter().zip(exponents).map(|(&base, &exponent)| modulus.power(base, exponent));
             powers.fold(modulus.one(), |product, power| modulus.times(product, power)) == *jacobian
         })
     };

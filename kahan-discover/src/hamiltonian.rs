@@ -43,8 +43,10 @@ pub fn hamiltonian(setting: &Setting, random: &mut SplitMix64, deadline: Instant
     let monomials = Monomials::new(n, 3);
     let draw = setting.draw(Modulus::mersenne_61(), random)?;
     let tensors = tensors(&draw.map, random);
-    let choice = (0..=tensors.len())
-        .find(|&choice| chosen(&draw.map, &tensors, choice).is_some_and(|k| potential(&draw.map, &monomials, &k, random).is_some()))?;
+    let choice = (0..=tensors.len()).find(|&choice| {
+        chosen(&draw.map, &tensors, choice)
+            .is_some_and(|k| potential(&draw.map, &monomials, &k, random).is_some())
+    })?;
     let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let map = setting.at(modulus, unknowns)?;
         let found = self::tensors(&map, random);
@@ -59,7 +61,9 @@ pub fn hamiltonian(setting: &Setting, random: &mut SplitMix64, deadline: Instant
     let (upper, coefficients) = entries.split_at(n * (n - 1) / 2);
     let symbols = setting.family().symbols();
     let mut hamiltonian = RationalFunction::zero();
-    for (index, coefficient) in coefficients.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero()) {
+    for (index, coefficient) in
+        coefficients.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero())
+    {
         let powers = monomials.exponents(index + 1).iter().enumerate();
         let states = powers.map(|(i, &exponent)| (symbols.state(i), exponent)).collect();
         let term = Polynomial::term(states, Rational::one());

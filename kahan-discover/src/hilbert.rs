@@ -38,17 +38,22 @@ pub struct Hilbert {
 /// As many monomials as an orbit is looked at for, unless a degree is asked for.
 const MOST_MONOMIALS: usize = 220;
 
+/// As many for degree 2, which is looked at in more variables.
+const MOST_QUADRATIC_MONOMIALS: usize = 900;
+
 /// The highest degree, unless one is asked for.
 const HIGHEST_DEGREE: u32 = 10;
 
 /// How often a start is drawn again when its orbit ends at a pole.
 const MOST_DRAWS: usize = 8;
 
-/// The degree up to which relations in n variables are looked for: as high as 220 monomials allow, between 1 and 10.
+/// The degree up to which relations in n variables are looked for: as high as 220 monomials allow, between 2 and 10 (in more
+/// than 40 variables 1).
 #[must_use]
 pub fn default_degree(variables: usize) -> u32 {
+    let most = |degree: u32| if degree == 2 { MOST_QUADRATIC_MONOMIALS } else { MOST_MONOMIALS };
     (2..=HIGHEST_DEGREE)
-        .take_while(|&degree| Monomials::count(variables, degree) <= MOST_MONOMIALS)
+        .take_while(|&degree| Monomials::count(variables, degree) <= most(degree))
         .last()
         .unwrap_or(1)
 }

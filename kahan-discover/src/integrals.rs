@@ -33,8 +33,13 @@ pub fn integrals(
     random: &mut SplitMix64,
     deadline: Instant,
 ) -> Vec<Formula> {
-    let mut collector =
-        Collector { setting, claims, wanted: hilbert.integrals, independent: Independent::new(setting, random), formulas: Vec::new() };
+    let mut collector = Collector {
+        setting,
+        claims,
+        wanted: hilbert.integrals,
+        independent: Independent::new(setting, random),
+        formulas: Vec::new(),
+    };
     let modulus = Modulus::mersenne_61();
     let Some(draw) = setting.draw(modulus, random) else { return Vec::new() };
     let Some(relation_degree) = defining_degree(setting, &draw, hilbert, random) else { return Vec::new() };
@@ -54,7 +59,12 @@ pub fn integrals(
 }
 
 /// The least degree up to which relations define the orbit's closure.
-fn defining_degree(setting: &Setting, draw: &Draw, hilbert: &Hilbert, random: &mut SplitMix64) -> Option<u32> {
+fn defining_degree(
+    setting: &Setting,
+    draw: &Draw,
+    hilbert: &Hilbert,
+    random: &mut SplitMix64,
+) -> Option<u32> {
     let lowest = hilbert.relation_degree?;
     (lowest..=hilbert.degree()).find(|&degree| {
         let monomials = Monomials::new(setting.dimension(), degree);
@@ -85,7 +95,9 @@ impl Collector<'_> {
         }
         let (numerator, denominator) = (tidy(symbols, &numerator), tidy(symbols, &denominator));
         let numerator = with_a_limit(symbols, numerator, &denominator);
-        if let Some(formula) = self.claims.integral(symbols, self.formulas.len() + 1, &numerator, &denominator) {
+        if let Some(formula) =
+            self.claims.integral(symbols, self.formulas.len() + 1, &numerator, &denominator)
+        {
             self.independent.keep(&numerator, &denominator);
             self.formulas.push(formula);
         }
@@ -109,8 +121,7 @@ impl Collector<'_> {
                     return;
                 }
                 let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
-                let found =
-                    pencils_of_entries(&map, bounds.relation_degree, degree, random, bounds.deadline);
+                let found = pencils_of_entries(&map, bounds.relation_degree, degree, random, bounds.deadline);
                 for basis in self.take(&found, &chart, bounds, random) {
                     if !self.is_done() {
                         self.search_constrained(&basis, degree, &chart, draw, bounds, random);
@@ -143,7 +154,9 @@ impl Collector<'_> {
             let monomials = Monomials::new(chart.leaf.order().len(), pencil.degree);
             let names = chart.names(setting);
             let form = &pencil.space.form;
-            let Some(basis) = lift_space(&names, &monomials, form, at, random, bounds.deadline) else { continue };
+            let Some(basis) = lift_space(&names, &monomials, form, at, random, bounds.deadline) else {
+                continue;
+            };
             self.offer_quotients(&basis, chart);
             bases.push(basis);
         }

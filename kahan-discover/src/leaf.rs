@@ -85,7 +85,8 @@ impl Leaf {
             let varies = (0..linear.len()).filter(|&index| vector.entries[index] != other.entries[index]);
             places.extend(varies.map(|index| (vector.free, index)));
         }
-        let leads = |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
+        let leads =
+            |state: usize| first.vectors.iter().any(|vector| linear.exponents(vector.free)[state] == 1);
         let order = (0..map.dimension()).filter(|&state| !leads(state)).collect();
         let leaf = Leaf { places, order };
         // Chosen at random, do the entries come back from an orbit?
@@ -97,7 +98,11 @@ impl Leaf {
             .places
             .iter()
             .map(|&(leading, lower)| {
-                relations.vectors.iter().find(|vector| vector.free == leading).map(|vector| vector.entries[lower])
+                relations
+                    .vectors
+                    .iter()
+                    .find(|vector| vector.free == leading)
+                    .map(|vector| vector.entries[lower])
             })
             .collect();
         (found? == chosen).then_some(leaf)
@@ -147,7 +152,9 @@ impl Leaf {
                 }
                 leading.push((state, value));
             }
-            if leading.len() + self.order.len() != n || leading.iter().any(|(state, _)| self.order.contains(state)) {
+            if leading.len() + self.order.len() != n
+                || leading.iter().any(|(state, _)| self.order.contains(state))
+            {
                 return None;
             }
         }

@@ -61,8 +61,11 @@ pub fn lift(
         let coefficients = lifter.coefficients(modulus, &shapes)?;
         primes.push((modulus, coefficients));
         modulus = Modulus::random(lifter.random);
-        let functions: Option<Vec<RationalFunction>> =
-            shapes.iter().enumerate().map(|(index, shape)| shape.function(&primes, index, variables)).collect();
+        let functions: Option<Vec<RationalFunction>> = shapes
+            .iter()
+            .enumerate()
+            .map(|(index, shape)| shape.function(&primes, index, variables))
+            .collect();
         if let Some(functions) = functions
             && confirms(lifter.oracle, &functions, variables, lifter.random, deadline)
         {
@@ -247,7 +250,8 @@ impl Shape {
                     .iter()
                     .map(|(modulus, all)| (modulus.prime(), modulus.residue(all[entry][offset + index])));
                 let coefficient = rational_from_residues(residues)?;
-                let powers = variables.iter().zip(exponents).map(|(variable, exponent)| (*variable, *exponent));
+                let powers =
+                    variables.iter().zip(exponents).map(|(variable, exponent)| (*variable, *exponent));
                 terms.push((powers.collect::<Monomial>(), coefficient));
             }
             Some(Polynomial::from_terms(terms))
@@ -289,7 +293,8 @@ mod tests {
         let deadline = Instant::now() + Duration::from_secs(3600);
         let found = lift(&mut oracle, &[a, b], &mut SplitMix64::new(2), deadline).unwrap();
         let (pa, pb) = (Polynomial::variable(a), Polynomial::variable(b));
-        let above = (&(&pa * &pa) * &pb).scale(&Rational::from(3)) - Polynomial::constant(Rational::new(1, 7));
+        let above =
+            (&(&pa * &pa) * &pb).scale(&Rational::from(3)) - Polynomial::constant(Rational::new(1, 7));
         assert_eq!(found[0], RationalFunction::new(above, pa - pb).unwrap());
         assert_eq!(found[1], RationalFunction::constant(large));
         assert!(found[2].is_zero());
@@ -297,7 +302,8 @@ mod tests {
 
     #[test]
     fn what_is_no_rational_function_is_not_lifted() {
-        let mut oracle = |modulus: Modulus, at: &[u64], _: &mut SplitMix64| Some(vec![modulus.power(at[0], 1 << 30)]);
+        let mut oracle =
+            |modulus: Modulus, at: &[u64], _: &mut SplitMix64| Some(vec![modulus.power(at[0], 1 << 30)]);
         let deadline = Instant::now() + Duration::from_secs(3600);
         assert!(lift(&mut oracle, &[Variable(0)], &mut SplitMix64::new(2), deadline).is_none());
     }

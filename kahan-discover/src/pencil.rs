@@ -84,7 +84,8 @@ impl Pencil {
         }
         let Source::Entries { relation_degree, entries } = &self.source else { return None };
         let relation_monomials = Monomials::new(map.dimension(), *relation_degree);
-        let wanted = entries.iter().map(|entry| entry.numerator.len() + entry.denominator.len()).max()? + SPARE;
+        let wanted =
+            entries.iter().map(|entry| entry.numerator.len() + entry.denominator.len()).max()? + SPARE;
         let mut orbits = Vec::with_capacity(wanted);
         for _ in 0..wanted {
             orbits.push(random_relations(map, &relation_monomials, random)?);
@@ -125,4 +126,3 @@ impl Pencil {
         Space::of_form(modulus, &self.space.form, vectors)
     }
 }
-

@@ -112,6 +112,8 @@ pub struct Report {
     pub integrals: Vec<Formula>,
     /// Invariant densities, proved; the first of least degree.
     pub densities: Vec<Formula>,
+    /// The degree up to which all P of densities 1/P were looked for.
+    pub density_degree: u32,
     /// The structure of the field.
     pub structure: StructureReport,
     /// What composition leaves; absent where there is nothing to leave.

@@ -113,7 +113,9 @@ pub fn quotient_gradients(
     // ∇(P/Q) Q² = Q ∇P − P ∇Q
     let quotient = |(value, slope): &(u64, Vec<u64>)| {
         let pairs = slope.iter().zip(base_slope);
-        pairs.map(|(own, below)| modulus.minus(modulus.times(*own, *base), modulus.times(*value, *below))).collect()
+        pairs
+            .map(|(own, below)| modulus.minus(modulus.times(*own, *base), modulus.times(*value, *below)))
+            .collect()
     };
     others.iter().map(quotient).collect()
 }
@@ -253,4 +255,3 @@ fn merge_by_cofactor(
     }
     groups.into_iter().map(|(_, pencil)| pencil).collect()
 }
-

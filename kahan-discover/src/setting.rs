@@ -102,7 +102,13 @@ impl Setting {
     /// The value of a polynomial in states, parameters and ε at a point of a drawn map; `None` where the prime divides a
     /// denominator of its coefficients.
     #[must_use]
-    pub fn evaluate(&self, modulus: &Modulus, polynomial: &Polynomial, draw: &Draw, point: &[u64]) -> Option<u64> {
+    pub fn evaluate(
+        &self,
+        modulus: &Modulus,
+        polynomial: &Polynomial,
+        draw: &Draw,
+        point: &[u64],
+    ) -> Option<u64> {
         let symbols = self.family.symbols();
         let parameters = symbols.parameters.len();
         let value = |variable: Variable| match symbols.symbol(variable) {

@@ -43,9 +43,11 @@ impl Space {
     #[must_use]
     pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
         let columns = vectors.first().map_or(0, Vec::len);
-        let used: Vec<usize> = (0..columns).filter(|&column| vectors.iter().any(|row| row[column] != 0)).collect();
+        let used: Vec<usize> =
+            (0..columns).filter(|&column| vectors.iter().any(|row| row[column] != 0)).collect();
         let in_order = |support: Vec<usize>| {
-            let rows = vectors.iter().map(|row| support.iter().map(|&column| row[column]).collect()).collect();
+            let rows =
+                vectors.iter().map(|row| support.iter().map(|&column| row[column]).collect()).collect();
             let echelon = Echelon::of(modulus, rows, support.len());
             Space { form: Form { support, pivots: echelon.pivots }, rows: echelon.rows }
         };
@@ -111,7 +113,12 @@ impl Names {
     }
 
     /// The coefficient of m in a basis element that begins with the monomial p weighs as much as p/m.
-    fn grading(&self, weights: &(Weights, Vec<Vec<Rational>>), monomials: &Monomials, form: &Form) -> Grading {
+    fn grading(
+        &self,
+        weights: &(Weights, Vec<Vec<Rational>>),
+        monomials: &Monomials,
+        form: &Form,
+    ) -> Grading {
         let weight = |place: usize| {
             let exponents = monomials.exponents(form.support[place]);
             let powers = self.states.iter().copied().zip(exponents.iter().copied());

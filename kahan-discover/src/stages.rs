@@ -91,7 +91,8 @@ pub fn discover(
     }
 
     progress(Stage::Densities);
-    let densities = densities(&setting, &claims, &integrals, map.as_ref(), structure.is_even, random, by(0.95));
+    let densities =
+        densities(&setting, &claims, &integrals, map.as_ref(), structure.is_even, random, by(0.95));
 
     progress(Stage::Composition);
     let survivors = hilbert
@@ -106,6 +107,7 @@ pub fn discover(
         hilbert,
         integrals,
         densities,
+        density_degree: density_degree(setting.dimension()),
         structure,
         survivors,
         out_of_time: Instant::now() >= by(1.0),
@@ -129,7 +131,12 @@ fn specialised(system: &System, parameters: &[(String, Rational)]) -> Result<Sys
     bare.specialise(&values).ok_or(DiscoverError::UndefinedField)
 }
 
-fn structure(setting: &Setting, system: &System, random: &mut SplitMix64, deadline: Instant) -> StructureReport {
+fn structure(
+    setting: &Setting,
+    system: &System,
+    random: &mut SplitMix64,
+    deadline: Instant,
+) -> StructureReport {
     let symbols = &system.field.symbols;
     let of_flow = flow_integrals(setting, 2, random, deadline).unwrap_or_default();
     let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));
@@ -150,9 +157,7 @@ fn text(symbols: &Symbols, function: &RationalFunction) -> String {
     let above = Notation::Text.polynomial(symbols, function.numerator());
     match function.as_polynomial() {
         Some(_) => above,
-        None => {
-            Notation::Text.quotient(&above, &Notation::Text.polynomial(symbols, function.denominator()))
-        }
+        None => Notation::Text.quotient(&above, &Notation::Text.polynomial(symbols, function.denominator())),
     }
 }
 
@@ -183,6 +188,11 @@ fn add_if_independent(
     }
 }
 
+/// The degree up to which densities are looked for.
+fn density_degree(n: usize) -> u32 {
+    (1..=8).take_while(|&degree| Monomials::count(n, degree) <= MOST_DENSITY_COEFFICIENTS).last().unwrap_or(1)
+}
+
 /// The density of least degree; and 1/det A where det(I − t f′) is even, if that is another or the only one.
 fn densities(
     setting: &Setting,
@@ -196,13 +206,13 @@ fn densities(
     let symbols = setting.family().symbols();
     let mut factors: Vec<Polynomial> = Vec::new();
     for polynomial in integrals.iter().flat_map(|formula| [&formula.numerator, &formula.denominator]) {
-        if polynomial.variables().iter().any(|&variable| symbols.is_state(variable)) && !factors.contains(polynomial) {
+        if polynomial.variables().iter().any(|&variable| symbols.is_state(variable))
+            && !factors.contains(polynomial)
+        {
             factors.push(polynomial.clone());
         }
     }
-    let n = setting.dimension();
-    let highest =
-        (1..=8).take_while(|&degree| Monomials::count(n, degree) <= MOST_DENSITY_COEFFICIENTS).last().unwrap_or(1);
+    let highest = density_degree(setting.dimension());
     let mut densities = Vec::new();
     if let Some(found) = measure(setting, &factors, highest, random, deadline) {
         densities.extend(claims.density(symbols, None, &found.factors));

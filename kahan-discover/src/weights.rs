@@ -128,7 +128,8 @@ impl Grading {
     fn separated(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for unknown in (0..self.unknowns.len()).rev() {
-            let mut rows: Vec<Vec<Rational>> = chosen.iter().map(|&other| self.unknowns[other].clone()).collect();
+            let mut rows: Vec<Vec<Rational>> =
+                chosen.iter().map(|&other| self.unknowns[other].clone()).collect();
             rows.push(self.unknowns[unknown].clone());
             let wanted = rows.len();
             if reduce(&mut rows, self.unknowns[unknown].len()).len() == wanted {
@@ -163,7 +164,8 @@ impl Grading {
         variables: &[Variable],
         chosen: &[usize],
     ) -> Option<RationalFunction> {
-        let Some((first, _)) = function.numerator().leading_term().and(function.denominator().leading_term()) else {
+        let Some((first, _)) = function.numerator().leading_term().and(function.denominator().leading_term())
+        else {
             return Some(function.clone());
         };
         let weight = |monomial: &Monomial| {

@@ -22,7 +22,8 @@ pub(crate) fn sentences(report: &Report) -> Vec<String> {
     sentences.extend(structure(report));
     sentences.extend(composition(report));
     if report.out_of_time {
-        sentences.push("The time ran out before everything was tried: more seconds may show more.".to_owned());
+        sentences
+            .push("The time ran out before everything was tried: more seconds may show more.".to_owned());
     }
     sentences
 }
@@ -68,7 +69,10 @@ fn orbits(report: &Report) -> Vec<String> {
         )
     });
     if !hilbert.agree {
-        sentences.push("The orbits looked at did not all agree; the larger ranks, those of a generic orbit, are given.".to_owned());
+        sentences.push(
+            "The orbits looked at did not all agree; the larger ranks, those of a generic orbit, are given."
+                .to_owned(),
+        );
     }
     sentences
 }
@@ -93,7 +97,7 @@ fn densities(report: &Report) -> String {
     match report.densities.first() {
         Some(density) if density.degree == 0 => "The map preserves volume, proved.".to_owned(),
         Some(density) => format!("An invariant density 1/P with P of degree {}, proved.", density.degree),
-        None => "No invariant density 1/P was found.".to_owned(),
+        None => format!("No invariant density 1/P shows up to degree {} of P.", report.density_degree),
     }
 }
 
@@ -112,7 +116,11 @@ fn structure(report: &Report) -> Vec<String> {
         Some(hamiltonian) => format!(
             "The field is K grad H with a constant antisymmetric K and H = {}{}.",
             hamiltonian.hamiltonian,
-            if hamiltonian.modified_is_proved { "; the modified Hamiltonian is an integral of the map, proved" } else { "" }
+            if hamiltonian.modified_is_proved {
+                "; the modified Hamiltonian is an integral of the map, proved"
+            } else {
+                ""
+            }
         ),
         None => "No constant antisymmetric K with f = K grad H was found.".to_owned(),
     });
@@ -121,14 +129,18 @@ fn structure(report: &Report) -> Vec<String> {
 
 fn composition(report: &Report) -> Option<String> {
     let survivors = report.survivors.as_ref()?;
-    let kept: Vec<&str> = report
-        .integrals
-        .iter()
-        .zip(&survivors.formulas)
-        .filter(|(_, survives)| **survives)
-        .filter_map(|(formula, _)| formula.name())
-        .collect();
-    let which = if kept.is_empty() { "none of the formulas as they stand".to_owned() } else { kept.join(", ") };
+    let name = |index: usize| report.integrals[index].name().unwrap_or_default();
+    let kept = (0..report.integrals.len())
+        .filter(|&index| survivors.formulas[index])
+        .map(|index| name(index).to_owned());
+    let quotients =
+        survivors.quotients.iter().map(|&(above, below)| format!("{}/{}", name(above), name(below)));
+    let kept: Vec<String> = kept.chain(quotients).collect();
+    let which = if kept.is_empty() {
+        "neither one as it stands nor a quotient of two".to_owned()
+    } else {
+        kept.join(", ")
+    };
     Some(format!(
         "Of the integrals {} under symmetric composition, up to degree {}; among the formulas: {which}.",
         match survivors.hilbert.integrals {

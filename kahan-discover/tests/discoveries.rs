@@ -1,0 +1,175 @@
+//! From bare equations to proved lines: integrals and densities of the systems whose answers are known, and true sentences
+//! for fields where there is little to find.
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::{lexer, read};
+use kahan_discover::{DiscoverError, Options, Report, discover};
+
+mod support;
+use support::*;
+
+/// Few iterates: their degrees are tested elsewhere.
+fn options() -> Options {
+    Options { iterates: 8, iterate_degree: 100, seconds: 3600.0, ..Options::default() }
+}
+
+fn report(text: &str, options: &Options) -> Report {
+    discover(&system(text), options, &mut |_| {}).expect("there is a map")
+}
+
+/// Every line compiles behind the equations as they were written, all of them together.
+fn check_lines(text: &str, report: &Report) {
+    let lines: Vec<&str> =
+        report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str()).collect();
+    let block = format!("{text} {}", lines.join(" "));
+    let reading = read(&lexer::lex(&block).tokens);
+    assert!(reading.diagnostics.is_empty(), "{block}: {:?}", reading.diagnostics);
+}
+
+/// The degrees of the integrals found, ascending, and that of the density.
+fn check(text: &str, integrals: &[u32], density: Option<u32>) -> Report {
+    check_with(text, &options(), integrals, density)
+}
+
+fn check_with(text: &str, options: &Options, integrals: &[u32], density: Option<u32>) -> Report {
+    let report = report(text, options);
+    assert_eq!(report.independent_integrals(), integrals.len(), "{text}");
+    let mut degrees: Vec<u32> = report.integrals.iter().map(|formula| formula.degree).collect();
+    degrees.sort_unstable();
+    assert_eq!(degrees, integrals, "{text}");
+    assert_eq!(report.densities.first().map(|formula| formula.degree), density, "{text}");
+    check_lines(text, &report);
+    report
+}
+
+#[test]
+fn integrals_of_known_systems_are_found_at_their_degree_and_proved() {
+    // The degrees of the integrals of the paper's Table 2.
+    check(E1, &[1, 2], Some(4));
+    check(E2, &[2, 2], Some(4));
+    check(E3, &[1, 2], Some(4));
+    for text in [E4, E5, E6, EULER] {
+        check(text, &[2, 2], Some(4));
+    }
+    check(WEIERSTRASS, &[3], Some(1));
+    check(VOLTERRA, &[1, 3], Some(2));
+    check(HENON_HEILES, &[4], Some(2));
+}
+
+#[test]
+fn fields_without_integrals_have_none_and_a_bound() {
+    for (text, density) in
+        [(E7, Some(4)), (E8, Some(4)), (E9, Some(4)), (LOTKA_VOLTERRA, Some(2)), (LORENZ, None)]
+    {
+        let report = check(text, &[], density);
+        let bound = format!("none of degree ≤ {}", report.hilbert.as_ref().unwrap().degree());
+        assert!(report.sentences.iter().any(|sentence| sentence.contains(&bound)), "{:?}", report.sentences);
+    }
+}
+
+#[test]
+fn what_is_fixed_stands_behind_when() {
+    let with_eps = Options { eps: Some(Rational::one()), ..options() };
+    let report = check_with(LOTKA_VOLTERRA, &with_eps, &[4], Some(2));
+    assert!(report.integrals[0].text.ends_with(" when eps = 1;"));
+    let with_xi = Options { parameters: vec![("xi".to_owned(), Rational::from(-1))], ..options() };
+    let report = check_with(E9, &with_xi, &[2, 2], Some(4));
+    assert!(report.integrals.iter().all(|formula| formula.text.ends_with(" when xi = -1;")));
+}
+
+#[test]
+#[ignore = "some ten seconds unoptimised"]
+fn the_lagrange_top_has_four_integrals() {
+    let report = report(LAGRANGE, &options());
+    assert_eq!((report.independent_integrals(), report.integrals.len()), (4, 4));
+    check_lines(LAGRANGE, &report);
+}
+
+#[test]
+fn the_lattice_of_four_sites_has_three_integrals() {
+    let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
+    check(text, &[1, 2, 2], Some(4));
+}
+
+#[test]
+fn hamiltonian_structure_is_found_with_its_tensor() {
+    let structure = report(HENON_HEILES, &options()).structure;
+    assert!(structure.is_even);
+    assert_eq!(structure.divergence, "0");
+    let hamiltonian = structure.hamiltonian.expect("f = K grad H");
+    assert!(hamiltonian.modified_is_proved);
+    // K is determined up to a factor, which is chosen so that its first entry is 1.
+    let expected = [["0", "0", "1", "0"], ["0", "0", "0", "1"], ["-1", "0", "0", "0"], ["0", "-1", "0", "0"]];
+    assert_eq!(hamiltonian.tensor, expected);
+    assert_eq!(hamiltonian.hamiltonian, "1/2*p^2 + 1/2*q^2 + x^2*y + 1/2*a*x^2 + 1/2*b*y^2 - 1/3*c*y^3");
+    let structure = report(EULER, &options()).structure;
+    assert!(structure.hamiltonian.is_none() && !structure.is_even);
+    assert_eq!(structure.quadratic_integrals.len(), 2);
+}
+
+#[test]
+fn composition_keeps_what_does_not_depend_on_the_step() {
+    for (text, kept, quotients) in
+        [(E1, vec![true, false], 0), (E6, vec![false, false], 1), (WEIERSTRASS, vec![false], 0)]
+    {
+        let survivors = report(text, &options()).survivors.expect("there are integrals");
+        assert_eq!(survivors.formulas, kept, "{text}");
+        assert_eq!(survivors.quotients.len(), quotients, "{text}");
+        assert_eq!(survivors.hilbert.integrals, usize::from(kept.contains(&true)) + quotients, "{text}");
+    }
+}
+
+#[test]
+fn fields_with_little_in_them_end_in_true_sentences() {
+    // Field, independent integrals, growth, a sentence that must stand.
+    let cases = [
+        ("xdot = 0; ydot = 0;", 2, "bounded", "identity"),
+        ("xdot = 0;", 1, "bounded", "identity"),
+        ("xdot = 1;", 0, "bounded", "preserves volume"),
+        ("xdot = x^2 + 1;", 0, "bounded", "degree 2"),
+        ("xdot = y; ydot = -x;", 1, "bounded", "one integral"),
+        ("xdot = x + y; ydot = -2*x + y;", 0, "bounded", "divergence of the field is 2"),
+        ("xdot = x*y/2; ydot = a*x*y - a*y*x + x^2;", 1, "linear", "one integral"),
+        (
+            "xdot = x^2 + y*z + 1; ydot = x*y - z^2; zdot = y^2 + 3*x;",
+            0,
+            "exponential",
+            "No algebraic integral",
+        ),
+    ];
+    for (text, integrals, growth, sentence) in cases {
+        let report = report(text, &options());
+        assert_eq!(
+            (report.independent_integrals(), report.integrals.len()),
+            (integrals, integrals),
+            "{text}"
+        );
+        assert_eq!(report.growth.growth.word(), growth, "{text}");
+        let all = report.sentences.join(" ");
+        assert!(all.contains(sentence), "{text}: {all}");
+        check_lines(text, &report);
+        assert!(report.densities.iter().all(|formula| formula.kind == ClaimKind::Density));
+    }
+}
+
+#[test]
+fn wrong_input_is_explained() {
+    let with = |name: &str, value: i64| Options {
+        parameters: vec![(name.to_owned(), Rational::from(value))],
+        ..options()
+    };
+    let error = |text: &str, options: &Options| discover(&system(text), options, &mut |_| {}).unwrap_err();
+    assert_eq!(error(E9, &with("zeta", 1)), DiscoverError::UnknownParameter("zeta".to_owned()));
+    assert_eq!(error("xdot = y/a; ydot = x;", &with("a", 0)), DiscoverError::UndefinedField);
+    assert_eq!(error("", &options()), DiscoverError::UnsoundField);
+    let at_one = Options { eps: Some(Rational::one()), ..options() };
+    assert_eq!(error("xdot = x;", &at_one), DiscoverError::NoMap);
+}
+
+#[test]
+fn without_time_there_is_still_a_report() {
+    let report = report(E6, &Options { seconds: 0.0, ..options() });
+    assert!(report.out_of_time && report.integrals.is_empty());
+    assert!(report.sentences.iter().any(|sentence| sentence.contains("time ran out")));
+}
