@@ -171,7 +171,8 @@ impl Collector<'_> {
         for &base in &order {
             let before = self.formulas.len();
             for &index in order.iter().filter(|&&index| index != base) {
-                if let Some((above, below)) = chart.substituted(symbols, &basis[index], &basis[base]) {
+                let above = with_a_limit(symbols, basis[index].clone(), &basis[base]);
+                if let Some((above, below)) = chart.substituted(symbols, &above, &basis[base]) {
                     self.offer(above, below);
                 }
             }
@@ -302,7 +303,8 @@ fn has_constant(symbols: &Symbols, polynomial: &Polynomial) -> bool {
     polynomial.terms().any(|(monomial, _)| monomial.degree_where(|variable| symbols.is_state(variable)) == 0)
 }
 
-/// P such that P/Q depends on the states at ε = 0 too: where it is a constant c there, (P − cQ)/εᵏ instead.
+/// P such that P/Q depends on the states at ε = 0 too: where it is a constant c there, (P − cQ)/εᵏ instead. On a leaf what
+/// chooses it counts as constant.
 fn with_a_limit(symbols: &Symbols, mut numerator: Polynomial, denominator: &Polynomial) -> Polynomial {
     let at_zero = |polynomial: &Polynomial| polynomial.substitute(symbols.epsilon(), &Rational::zero());
     let below = at_zero(denominator);

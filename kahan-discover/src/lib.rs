@@ -8,7 +8,7 @@
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`] (the tools); [`map`], [`setting`] (the maps looked at);
 //! [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`], [`weights`], [`space`] (back to ℚ); [`pencil`], [`search`],
 //! [`leaf`], [`constrained`], [`independent`], [`integrals`]; [`darboux`]; [`structure`], [`hamiltonian`]; [`composition`]; [`claims`],
-//! [`report`].
+//! [`report`]; [`mod@scan`] looks for special values on a grid.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};
@@ -39,6 +39,7 @@ pub mod monomials;
 pub mod pencil;
 pub mod relations;
 pub mod report;
+pub mod scan;
 pub mod search;
 pub mod setting;
 pub mod space;
@@ -49,4 +50,5 @@ pub mod weights;
 mod words;
 
 pub use report::{DiscoverError, Options, Report, Stage};
+pub use scan::{Axis, Scan, scan};
 pub use stages::discover;

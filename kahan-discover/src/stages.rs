@@ -118,7 +118,10 @@ pub fn discover(
 }
 
 /// The system at the values given, and without claims.
-fn specialised(system: &System, parameters: &[(String, Rational)]) -> Result<System, DiscoverError> {
+pub(crate) fn specialised(
+    system: &System,
+    parameters: &[(String, Rational)],
+) -> Result<System, DiscoverError> {
     if !system.is_field_sound || system.field.dimension() == 0 {
         return Err(DiscoverError::UnsoundField);
     }

@@ -260,3 +260,52 @@ fn lift_scaled(
     let restored = restored?;
     confirms(oracle, &restored, variables, random, deadline).then_some(restored)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kahan_algebra::{lexer, read};
+
+    fn weights(text: &str, eps_is_fixed: bool) -> (Weights, Field) {
+        let field = read(&lexer::lex(text).tokens).system.field;
+        (Weights::of(&field, eps_is_fixed), field)
+    }
+
+    fn rank(weights: &Weights) -> usize {
+        weights.by_variable[0].len()
+    }
+
+    #[test]
+    fn every_equation_is_homogeneous_in_the_weights() {
+        for text in [
+            "xdot = a1*y*z; ydot = a2*z*x; zdot = a3*x*y;",
+            "xdot = y; ydot = 6*x^2 - a;",
+            "xdot = y/a + b*x; ydot = x^2/(a + b);",
+        ] {
+            let (weights, field) = weights(text, false);
+            assert!(rank(&weights) > 0, "{text}");
+            let eps = Monomial::variable(field.symbols.epsilon());
+            for (i, component) in field.components.iter().enumerate() {
+                let state = weights.of_variable(field.symbols.state(i));
+                for (above, _) in component.numerator.terms() {
+                    for (below, _) in component.denominator.terms() {
+                        let above = weights.of_monomial(&above.mul(&eps));
+                        let below = weights.of_monomial(below);
+                        let quotient: Vec<Rational> = above.iter().zip(&below).map(|(a, b)| a - b).collect();
+                        assert_eq!(quotient, state, "{text}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_number_of_symmetries_is_known() {
+        // Three coordinates and time scale freely; three coefficients follow.
+        assert_eq!(rank(&weights("xdot = a1*y*z; ydot = a2*z*x; zdot = a3*x*y;", false).0), 4);
+        assert_eq!(rank(&weights("xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;", false).0), 2);
+        assert_eq!(rank(&weights("xdot = x*(1 - y); ydot = y*(x - 1);", false).0), 0);
+        assert_eq!(rank(&weights("xdot = y; ydot = 6*x^2 - a;", false).0), 1);
+        assert_eq!(rank(&weights("xdot = y; ydot = 6*x^2 - a;", true).0), 0);
+    }
+}

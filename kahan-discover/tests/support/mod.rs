@@ -1,5 +1,7 @@
 //! The fields whose answers are known, with how their names are written in the tests.
 
+#![allow(dead_code, reason = "not every test uses every field")]
+
 use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
 

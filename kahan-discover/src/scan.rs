@@ -1,0 +1,164 @@
+//! Special values of parameters and of ε: where degrees or ranks on a rational grid are not the generic ones.
+
+use std::time::{Duration, Instant};
+
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+
+use crate::degrees::{DegreeLimits, degrees};
+use crate::hilbert::{Hilbert, default_degree};
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::report::{DiscoverError, Options};
+use crate::setting::Setting;
+use crate::stages::specialised;
+
+/// The values of one parameter, or of ε, on a grid.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Axis {
+    /// The parameter, or `eps`.
+    pub name: String,
+    /// The values.
+    pub values: Vec<Rational>,
+}
+
+/// The most values on one axis.
+const MOST_VALUES: usize = 100_000;
+
+impl Axis {
+    /// from, from + step, … up to `to`; `None` unless the step is positive and `to` is reached within 100 000 values.
+    #[must_use]
+    pub fn range(name: &str, from: &Rational, to: &Rational, step: &Rational) -> Option<Self> {
+        if step.is_zero() || step.is_negative() {
+            return None;
+        }
+        let mut values = Vec::new();
+        let mut value = from.clone();
+        while value <= *to {
+            if values.len() == MOST_VALUES {
+                return None;
+            }
+            let next = &value + step;
+            values.push(std::mem::replace(&mut value, next));
+        }
+        (!values.is_empty()).then(|| Axis { name: name.to_owned(), values })
+    }
+}
+
+/// What was seen at values of the scanned quantities.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sight {
+    /// d₀ = 1, d₁, ….
+    pub degrees: Vec<usize>,
+    /// h(1), h(2), ….
+    pub hilbert: Vec<usize>,
+    /// The independent algebraic integrals that orbits show.
+    pub integrals: usize,
+}
+
+/// A point of the grid.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GridPoint {
+    /// The values, in the order of the axes.
+    pub values: Vec<Rational>,
+    /// What was seen there; absent where there is no map, or its orbits end at poles.
+    pub sight: Option<Sight>,
+}
+
+/// A grid, and what is seen at generic values.
+#[derive(Clone, Debug)]
+pub struct Scan {
+    /// The names of the axes.
+    pub names: Vec<String>,
+    /// What was seen with all scanned quantities generic.
+    pub generic: Sight,
+    /// The grid, the last axis running fastest; shorter than it where time ran out.
+    pub points: Vec<GridPoint>,
+    /// Whether time ran out.
+    pub out_of_time: bool,
+}
+
+impl Scan {
+    /// The points where something else is seen than at generic values.
+    pub fn special(&self) -> impl Iterator<Item = &GridPoint> {
+        self.points.iter().filter(|point| point.sight.as_ref() != Some(&self.generic))
+    }
+}
+
+/// Iterates, the degree of the last of them, and monomials of relations: enough to tell special values, little enough for
+/// thousands of points.
+const ITERATES: usize = 6;
+const ITERATE_DEGREE: usize = 250;
+const MOST_MONOMIALS: usize = 84;
+
+/// Degrees and ranks on the grid of all axes. `options` fixes further parameters and ε, the degree of relations and the
+/// time; `progress` is told of every point (done, of how many).
+///
+/// # Errors
+/// As [`discover`](crate::discover()), for the field at generic values of what is scanned.
+pub fn scan(
+    system: &System,
+    axes: &[Axis],
+    options: &Options,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<Scan, DiscoverError> {
+    let deadline = Instant::now() + Duration::from_secs_f64(options.seconds.clamp(0.0, 1e9));
+    for axis in axes.iter().filter(|axis| axis.name != "eps") {
+        if !system.field.symbols.parameters.contains(&axis.name) {
+            return Err(DiscoverError::UnknownParameter(axis.name.clone()));
+        }
+    }
+    let n = system.field.dimension();
+    let degree = options.degree.unwrap_or_else(|| {
+        let small = |degree: &u32| Monomials::count(n, *degree) <= MOST_MONOMIALS;
+        (1..=default_degree(n)).rev().find(small).unwrap_or(1)
+    });
+    let generic = look(system, &[], options, degree)?.ok_or(DiscoverError::NoMap)?;
+    let total: usize = axes.iter().map(|axis| axis.values.len()).product();
+    let mut points = Vec::new();
+    for index in 0..total {
+        if Instant::now() >= deadline {
+            break;
+        }
+        let mut rest = index;
+        let mut values = Vec::with_capacity(axes.len());
+        for axis in axes.iter().rev() {
+            values.push((axis.name.clone(), axis.values[rest % axis.values.len()].clone()));
+            rest /= axis.values.len();
+        }
+        values.reverse();
+        let sight = look(system, &values, options, degree).unwrap_or(None);
+        points.push(GridPoint { values: values.into_iter().map(|(_, value)| value).collect(), sight });
+        progress(index + 1, total);
+    }
+    let out_of_time = points.len() < total;
+    Ok(Scan { names: axes.iter().map(|axis| axis.name.clone()).collect(), generic, points, out_of_time })
+}
+
+/// Degrees and ranks at these values; `None` inside where orbits end at poles.
+fn look(
+    system: &System,
+    values: &[(String, Rational)],
+    options: &Options,
+    degree: u32,
+) -> Result<Option<Sight>, DiscoverError> {
+    let is_scanned = |name: &str| values.iter().any(|(scanned, _)| scanned == name);
+    let mut parameters: Vec<(String, Rational)> =
+        values.iter().filter(|(name, _)| name != "eps").cloned().collect();
+    parameters.extend(options.parameters.iter().filter(|(name, _)| !is_scanned(name)).cloned());
+    let eps = values.iter().find(|(name, _)| name == "eps").map(|(_, value)| value.clone());
+    let fixed = specialised(system, &parameters)?;
+    let setting = Setting::new(&fixed.field, eps.or_else(|| options.eps.clone()));
+    let mut random = SplitMix64::from_bytes(format!("{values:?}").as_bytes());
+    let draw = setting.draw(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
+    // Every point is looked at alike: no deadline inside.
+    let far = Instant::now() + Duration::from_secs(1_000_000);
+    let limits = DegreeLimits { iterates: ITERATES, degree: ITERATE_DEGREE, deadline: far };
+    let degrees = degrees(&draw.map, &mut random, limits);
+    Ok(Hilbert::of(&setting, degree, &mut random, far).map(|hilbert| Sight {
+        degrees,
+        integrals: hilbert.integrals,
+        hilbert: hilbert.values,
+    }))
+}
