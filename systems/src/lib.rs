@@ -8,6 +8,7 @@ pub mod atlas;
 pub mod entry;
 pub mod extremes;
 pub mod heights;
+pub mod interpreted;
 pub mod paper;
 pub mod registry;
 pub mod solution;

@@ -1,0 +1,68 @@
+//! The prepared step of an interpreted system.
+
+use core::array::from_fn;
+use std::sync::Arc;
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::{Elimination, PreparedStep, Quotients, Scalar, WideStep};
+
+use super::Interpreted;
+use super::code::StepCode;
+use super::program::Inputs;
+
+/// The step of an [`Interpreted`] system at one ε: its constants, and the kernel they belong to.
+///
+/// Its `COST` is that of elimination, since a type cannot know what was read at run time: [`Interpreted::cost`] knows.
+#[derive(Clone, Debug)]
+pub struct InterpretedStep<T, const N: usize> {
+    map: Interpreted<T, N>,
+    eps: T,
+    constants: Arc<[T]>,
+}
+
+impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
+    /// Runs what depends on ε and the parameters alone.
+    ///
+    /// # Panics
+    /// Where the parameters make the field divide by zero.
+    pub(super) fn new(map: Interpreted<T, N>, eps: T) -> Self {
+        let constants = match &map.code.step {
+            Some(StepCode { constants, .. }) => {
+                let inputs = Inputs { parameters: &map.parameters, eps: Some(&eps), ..Inputs::default() };
+                constants.run(&inputs).unwrap_or_else(|| super::undefined())
+            }
+            None => Vec::new(),
+        };
+        InterpretedStep { map, eps, constants: constants.into() }
+    }
+}
+
+impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
+    fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
+        let Some(StepCode { kernel, reciprocals, .. }) = &self.map.code.step else {
+            return Elimination::new(self.map.clone(), self.eps.clone()).quotients(x);
+        };
+        let inputs = Inputs { state: x.as_slice(), prepared: &self.constants, ..Inputs::default() };
+        let results = kernel.run(&inputs)?;
+        let (numerators, divisions) = results.split_at(N);
+        Some(Quotients {
+            numerators: from_fn(|i| numerators[i].clone()),
+            reciprocals: from_fn(|i| reciprocals[i].map_or_else(T::one, |place| divisions[place].clone())),
+        })
+    }
+}
+
+impl<T: Scalar, const N: usize> WideStep<T, N> for InterpretedStep<T, N> {
+    /// Ensembles step an interpreted system one trajectory at a time.
+    const HAS_LANES: bool = false;
+
+    type Wide<L: Scalar> = InterpretedStep<L, N>;
+
+    fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> InterpretedStep<L, N> {
+        InterpretedStep {
+            map: self.map.over(&spread),
+            eps: spread(&self.eps),
+            constants: self.constants.iter().map(&spread).collect(),
+        }
+    }
+}
