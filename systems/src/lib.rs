@@ -10,6 +10,7 @@ pub mod extremes;
 pub mod heights;
 pub mod interpreted;
 pub mod paper;
+pub mod reference;
 pub mod registry;
 pub mod solution;
 pub mod special;
