@@ -14,6 +14,7 @@ pub mod reference;
 pub mod registry;
 pub mod solution;
 pub mod special;
+pub mod trade;
 
 pub mod e1;
 pub mod e2;

@@ -12,7 +12,7 @@ mod errata;
 mod figures;
 mod found;
 mod math;
-mod plot;
+pub(crate) mod plot;
 mod readable;
 mod solutions;
 mod structures;

@@ -11,11 +11,11 @@ use maud::{Markup, html};
 
 use super::words::decimal;
 
-pub(super) use axis::Axis;
+pub(crate) use axis::Axis;
 
 /// How the points of a series are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Mark {
+pub(crate) enum Mark {
     /// A line through them.
     Line,
     /// A dot each.
@@ -28,7 +28,7 @@ pub(super) enum Mark {
 
 /// Where the label of a series stands, seen from its last point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Side {
+pub(crate) enum Side {
     /// Above, to the right or to the left, where there is room.
     Above,
     /// Above, to the left.
@@ -39,42 +39,42 @@ pub(super) enum Side {
 
 /// Points that belong together.
 #[derive(Clone, Debug)]
-pub(super) struct Series {
+pub(crate) struct Series {
     /// What stands where it ends; may be empty.
-    pub(super) label: String,
+    pub(crate) label: String,
     /// Where its label stands.
-    pub(super) side: Side,
+    pub(crate) side: Side,
     /// The colour, 1 to 6.
-    pub(super) colour: usize,
+    pub(crate) colour: usize,
     /// How it is drawn.
-    pub(super) mark: Mark,
+    pub(crate) mark: Mark,
     /// (x, y) in the units of the axes; what is not finite is left out.
-    pub(super) points: Vec<(f64, f64)>,
+    pub(crate) points: Vec<(f64, f64)>,
 }
 
 impl Series {
     /// A series with its label above its end.
-    pub(super) fn new(label: &str, colour: usize, mark: Mark, points: Vec<(f64, f64)>) -> Self {
+    pub(crate) fn new(label: &str, colour: usize, mark: Mark, points: Vec<(f64, f64)>) -> Self {
         Series { label: label.to_owned(), side: Side::Above, colour, mark, points }
     }
 }
 
 /// A drawing in the plane.
 #[derive(Clone, Debug)]
-pub(super) struct Plot {
+pub(crate) struct Plot {
     /// What is seen, for those who do not see it.
-    pub(super) description: String,
+    pub(crate) description: String,
     /// Width and height of the view box.
-    pub(super) size: (f64, f64),
-    pub(super) x: Axis,
-    pub(super) y: Axis,
+    pub(crate) size: (f64, f64),
+    pub(crate) x: Axis,
+    pub(crate) y: Axis,
     /// Horizontal lines for comparison: height and label.
-    pub(super) levels: Vec<(f64, String)>,
-    pub(super) series: Vec<Series>,
+    pub(crate) levels: Vec<(f64, String)>,
+    pub(crate) series: Vec<Series>,
 }
 
 /// The usual size.
-pub(super) const SIZE: (f64, f64) = (480.0, 320.0);
+pub(crate) const SIZE: (f64, f64) = (480.0, 320.0);
 const LEFT: f64 = 66.0;
 const RIGHT: f64 = 18.0;
 const TOP: f64 = 16.0;
@@ -88,7 +88,7 @@ impl Plot {
     }
 
     /// The drawing.
-    pub(super) fn svg(&self) -> Markup {
+    pub(crate) fn svg(&self) -> Markup {
         let (width, height) = self.size;
         html! {
             svg viewBox=(format!("0 0 {width} {height}")) role="img" aria-label=(self.description) {
@@ -178,17 +178,17 @@ impl Plot {
 }
 
 /// A straight line.
-pub(super) fn line(from: (f64, f64), to: (f64, f64)) -> Markup {
+pub(crate) fn line(from: (f64, f64), to: (f64, f64)) -> Markup {
     html! { line x1=(tenths(from.0)) y1=(tenths(from.1)) x2=(tenths(to.0)) y2=(tenths(to.1)) {} }
 }
 
 /// Words at a place; `anchor` is `start`, `middle` or `end`.
-pub(super) fn text(at: (f64, f64), anchor: &str, words: &str) -> Markup {
+pub(crate) fn text(at: (f64, f64), anchor: &str, words: &str) -> Markup {
     html! { text x=(tenths(at.0)) y=(tenths(at.1)) text-anchor=(anchor) { (words) } }
 }
 
 /// A line through places, in tenths of a unit; places that fall together are one.
-pub(super) fn polyline(places: &[(f64, f64)]) -> String {
+pub(crate) fn polyline(places: &[(f64, f64)]) -> String {
     let mut path = String::new();
     let mut before = None;
     for &(x, y) in places {
@@ -204,7 +204,7 @@ pub(super) fn polyline(places: &[(f64, f64)]) -> String {
 }
 
 /// A dot at each place: lines of no length with round ends, which is a third of the size of circles.
-pub(super) fn dots(places: &[(f64, f64)]) -> String {
+pub(crate) fn dots(places: &[(f64, f64)]) -> String {
     places.iter().fold(String::new(), |mut path, &(x, y)| {
         let _ = write!(path, "M{} {}h0", tenths(x), tenths(y));
         path

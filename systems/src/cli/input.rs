@@ -194,6 +194,11 @@ impl Block {
         self.accept(system, &diagnostics.finish())
     }
 
+    /// The text, as it was given.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// The seed of the macro's proof.
     pub(crate) fn seed(&self) -> u64 {
         kahan_algebra::seed(&self.lexed.tokens)

@@ -19,6 +19,7 @@ mod scalar;
 mod show;
 mod sink;
 mod table;
+mod trade;
 mod verify;
 
 use std::ffi::OsString;
@@ -48,6 +49,7 @@ Examples:
   kahan show e6                               the formulas of E6
   kahan eval e1 --eps 1/2 --at -2,1,1/3       every object at a point
   kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
+  kahan trade e6 --at 1,1/2,1/3 --horizon 100   the cheapest step that is accurate enough
   kahan show --field 'xdot = y; ydot = x^2 - a;'";
 
 #[derive(Debug, Subcommand)]
@@ -59,6 +61,7 @@ enum Command {
     Orbit(orbit::Orbit),
     Heights(heights::Heights),
     Extremes(extremes::Extremes),
+    Trade(trade::Trade),
     Atlas(atlas::Atlas),
 }
 
@@ -80,6 +83,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Orbit(command)) => command.run(),
         Some(Command::Heights(command)) => command.run(),
         Some(Command::Extremes(command)) => command.run(),
+        Some(Command::Trade(command)) => command.run(),
         Some(Command::Atlas(command)) => command.run(),
     }
 }

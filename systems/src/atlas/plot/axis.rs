@@ -2,18 +2,18 @@
 
 /// A number line.
 #[derive(Clone, Debug)]
-pub(in crate::atlas) struct Axis {
+pub(crate) struct Axis {
     /// What it shows: `log n`.
-    pub(in crate::atlas) label: String,
+    pub(crate) label: String,
     /// The least value shown.
-    pub(in crate::atlas) low: f64,
+    pub(crate) low: f64,
     /// The greatest value shown.
-    pub(in crate::atlas) high: f64,
+    pub(crate) high: f64,
 }
 
 impl Axis {
     /// An axis that shows all these values, with a little room.
-    pub(in crate::atlas) fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
+    pub(crate) fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = values
             .filter(|value| value.is_finite())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));

@@ -1,0 +1,156 @@
+//! What `kahan trade` says in words.
+
+use kahan_systems::reference::Method;
+use kahan_systems::trade::{Kind, Need, ScalarKind, Setting};
+
+use super::super::output::{columns, widths};
+use super::Finding;
+use super::paste::rust_of;
+
+/// Steps beyond which a badly rounded ε shows as a linear drift.
+const LONG_RUN: u64 = 100_000;
+
+impl Finding<'_> {
+    pub(super) fn text(&self) -> String {
+        let mut lines = vec![
+            format!("{}: need {}, tolerance {:e}", self.title(), self.need_name(), self.tolerance),
+            String::new(),
+        ];
+        lines.extend(self.front());
+        lines.push(String::new());
+        if let Some(choice) = self.choice() {
+            lines.push(format!(
+                "choice     {}, eps = {}: {} ns per unit of time, {} {:.1e}",
+                choice.kind,
+                choice.eps,
+                price(choice),
+                self.error_name(),
+                choice.error(self.need)
+            ));
+            let rust = rust_of(self, choice);
+            lines.extend(rust.lines().map(|line| format!("           {line}")));
+        }
+        lines.extend(self.out_of_reach());
+        lines.extend(self.notes());
+        lines.join("\n") + "\n"
+    }
+
+    fn error_name(&self) -> &'static str {
+        match self.need {
+            Need::Trajectory => "trajectory error",
+            Need::Integrals => "drift of integrals",
+        }
+    }
+
+    /// A row for each setting on the front, the cheapest first.
+    fn front(&self) -> Vec<String> {
+        let header = [
+            "scalar",
+            "order",
+            "compensated",
+            "eps",
+            "ns per unit time",
+            "trajectory",
+            "integrals",
+            "return",
+        ];
+        let mut rows = vec![header.map(str::to_owned).to_vec()];
+        rows.extend(self.trade.settings.iter().filter(|setting| setting.on_front).map(|setting| {
+            vec![
+                setting.kind.scalar.name().to_owned(),
+                setting.kind.order.to_string(),
+                if setting.kind.compensated { "yes" } else { "no" }.to_owned(),
+                setting.eps.to_string(),
+                price(setting),
+                error(setting.trajectory_error),
+                error(setting.integral_drift),
+                error(setting.return_error),
+            ]
+        }));
+        let widths = widths(&rows);
+        rows.iter().map(|row| columns(row, &widths)).collect()
+    }
+
+    /// The kinds that stayed above the tolerance although they were followed as far as they gain, with the best they reached.
+    fn out_of_reach(&self) -> Vec<String> {
+        let least = self.choice().map_or(f64::INFINITY, |choice| choice.nanoseconds_per_unit_time);
+        let mut lines = Vec::new();
+        for kind in Kind::all() {
+            let settings = || self.trade.settings.iter().filter(|setting| setting.kind == kind);
+            let met = settings().any(|setting| setting.error(self.need) <= self.tolerance);
+            // What ended because it grew dearer than the choice was not at its limit.
+            let finest = settings().max_by_key(|setting| setting.steps);
+            let was_dear = finest.is_some_and(|finest| 2.0 * finest.nanoseconds_per_unit_time >= least);
+            let best = settings().min_by(|a, b| a.error(self.need).total_cmp(&b.error(self.need)));
+            let Some(best) = best.filter(|_| !met && !was_dear) else { continue };
+            let reached = match best.error(self.need) {
+                error if error.is_finite() => format!("{error:.1e} at eps = {}", best.eps),
+                _ => "no finite numbers".to_owned(),
+            };
+            lines.push(format!(
+                "{}{kind}: {reached}",
+                if lines.is_empty() { "too coarse " } else { "           " }
+            ));
+        }
+        lines
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        let mut note = |text: String| lines.push(format!("note       {text}"));
+        if let Some(certificate) = self.trade.certificate {
+            let second = match certificate.method {
+                Method::ClosedSolution => "the closed solution".to_owned(),
+                Method::Composition { steps } => format!("{steps} steps of order 8 in dd"),
+            };
+            note(format!(
+                "errors are against a Taylor series that differs from {second} by {:.1e}; relative to {:.4}",
+                certificate.difference,
+                self.trade.scale.unwrap_or(1.0)
+            ));
+        }
+        if !self.trade.is_compiled {
+            note("prices are predicted: the field is interpreted here; compiled E6 was timed, and scaled by the plans' costs".into());
+        }
+        if let Some(choice) = self.choice() {
+            if self.need == Need::Integrals && choice.kind.order == 2 {
+                let flow = choice.flow_integral_drift.unwrap_or(0.0);
+                note(format!(
+                    "the map's own integrals are kept at any eps; at this one the flow's vary by {flow:.1e}, and the orbit need not \
+                     follow the flow"
+                ));
+            }
+            if choice.steps >= LONG_RUN && choice.kind.order == 2 && choice.kind.scalar != ScalarKind::Dd {
+                note(format!(
+                    "keep eps = {} to the last digit: an eps with more bits has rounded powers, and over {} steps the integrals \
+                     would drift linearly, compensated or not",
+                    choice.eps, choice.steps
+                ));
+            }
+        }
+        for (kind, eps) in &self.trade.skipped {
+            note(format!("no time for {kind} from eps = {eps} on; --seconds gives more"));
+        }
+        lines
+    }
+}
+
+fn price(setting: &Setting) -> String {
+    let price = setting.nanoseconds_per_unit_time;
+    let decimals = if price < 10.0 {
+        2
+    } else if price < 100.0 {
+        1
+    } else {
+        0
+    };
+    format!("{price:.decimals$}")
+}
+
+fn error(value: Option<f64>) -> String {
+    match value {
+        Some(value) if value.is_finite() => format!("{value:.1e}"),
+        Some(_) => "not finite".to_owned(),
+        None => "-".to_owned(),
+    }
+}

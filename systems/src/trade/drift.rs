@@ -1,0 +1,100 @@
+//! How far the integrals drift: the map's own, and the flow's.
+
+use kahan_core::Dd;
+
+use super::runner::Runner;
+
+/// The declared integrals, as what a map and a flow conserve.
+///
+/// A map's own integral is the claim at its ε; the flow's is the claim at ε = 0. Where that is a constant (the Euler top's
+/// claims are 1 at ε = 0), the coefficient of ε² takes its place, and the claim is measured from the constant.
+#[derive(Debug)]
+pub(super) struct Integrals {
+    /// For each claim which coefficient in ε depends on the state; `None` where neither does.
+    coefficients: Vec<Option<usize>>,
+}
+
+/// The integrals at the beginning of an orbit, and how far they have moved since.
+#[derive(Debug)]
+pub(super) struct Drift<'a> {
+    subject: &'a dyn Runner,
+    integrals: &'a Integrals,
+    eps: f64,
+    begin: Option<(Vec<Dd>, Vec<Dd>)>,
+    /// The largest relative change of the map's own integrals,
+    own: f64,
+    /// and of the flow's.
+    flow: f64,
+}
+
+impl core::fmt::Debug for dyn Runner + '_ {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("Runner")
+    }
+}
+
+impl Integrals {
+    /// Looks at a few points near the start which coefficients vary.
+    pub(super) fn of(subject: &dyn Runner, start: &[Dd]) -> Self {
+        let near = |k: usize| -> Vec<Dd> {
+            let moved = start.iter().enumerate();
+            let shift = |i: usize| Dd::from(((3 * k + 5 * i) % 7) as f64) / Dd::from(11.0);
+            moved.map(|(i, x)| *x + (Dd::from(1.0) + x.abs()) * shift(i)).collect()
+        };
+        let begin = subject.integrals_at_zero(start);
+        let others: Vec<Vec<[Dd; 2]>> = (1..4).map(|k| subject.integrals_at_zero(&near(k))).collect();
+        let varies = |claim: usize, power: usize| {
+            let value = begin[claim][power];
+            let tolerance = Dd::from(1e-24) * (Dd::from(1.0) + value.abs());
+            value.is_finite() && others.iter().any(|other| (other[claim][power] - value).abs() > tolerance)
+        };
+        let coefficients = (0..begin.len()).map(|claim| (0..2).find(|&power| varies(claim, power)));
+        Integrals { coefficients: coefficients.collect() }
+    }
+
+    /// Whether none says anything.
+    pub(super) fn is_empty(&self) -> bool {
+        self.coefficients.iter().all(Option::is_none)
+    }
+}
+
+impl<'a> Drift<'a> {
+    pub(super) fn new(subject: &'a dyn Runner, integrals: &'a Integrals, eps: f64) -> Self {
+        Drift { subject, integrals, eps, begin: None, own: 0.0, flow: 0.0 }
+    }
+
+    /// Looks at a point; the first is where the orbit begins.
+    pub(super) fn visit(&mut self, x: &[Dd]) {
+        let at_zero = self.subject.integrals_at_zero(x);
+        let powers = self.integrals.coefficients.iter();
+        let (mut own, mut flow) = (Vec::new(), Vec::new());
+        for ((power, value), coefficients) in powers.zip(self.subject.integrals(x, self.eps)).zip(at_zero) {
+            let Some(power) = *power else { continue };
+            let constant = if power == 0 { Dd::from(0.0) } else { coefficients[0] };
+            own.push(value - constant);
+            flow.push(coefficients[power]);
+        }
+        match &self.begin {
+            None => self.begin = Some((own, flow)),
+            Some((own_begin, flow_begin)) => {
+                self.own = self.own.max(change(own_begin, &own));
+                self.flow = self.flow.max(change(flow_begin, &flow));
+            }
+        }
+    }
+
+    /// The drifts of the map's own integrals and of the flow's.
+    pub(super) fn finish(self) -> (f64, f64) {
+        (self.own, self.flow)
+    }
+}
+
+/// The largest change relative to the value at the beginning, or as it is where that is 0; infinite where there is no number.
+fn change(begin: &[Dd], now: &[Dd]) -> f64 {
+    let relative = begin.iter().zip(now).map(|(begin, now)| {
+        let size = f64::from(begin.abs());
+        let change = f64::from((*now - *begin).abs());
+        if size > 0.0 { change / size } else { change }
+    });
+    relative.fold(0.0, |worst, change| if change.is_nan() { f64::INFINITY } else { worst.max(change) })
+}

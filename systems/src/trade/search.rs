@@ -1,0 +1,135 @@
+//! Which settings to measure: as few as make the answer clear.
+//!
+//! For each kind a ladder, the number of steps doubled from the coarsest sensible one, until it meets the tolerance, or costs more
+//! than a setting that does (then so does everything finer), or is sure to by the law error ∝ ε^order, or gains nothing
+//! any more. Then between the last rung that fails and the first that would be too dear, by the same law.
+
+use super::kind::{Kind, ORDERS, ScalarKind};
+use super::study::Study;
+
+/// A ladder ends where two rungs in a row gained less than this factor, below errors of a tenth (above, trajectories have lost
+/// their phase, and the error says nothing).
+const STALL: f64 = 0.7;
+/// The most rungs of a ladder.
+const RUNGS: u32 = 34;
+/// Steps that differ by less than this factor are not told apart.
+const CLOSE: f64 = 1.04;
+/// Trials between two rungs.
+const TRIALS: usize = 6;
+
+/// A ladder is given up where the law says that its end will cost this factor more than what is known to do,
+const SURELY: f64 = 2.0;
+/// or that it will take this part of the time that is left.
+const SHARE: f64 = 0.3;
+
+/// How a ladder ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum End {
+    /// It met the tolerance.
+    Met,
+    /// What is finer costs more than what is known to do.
+    TooDear,
+    /// What is finer is no better: rounding errors.
+    Stalled,
+    /// There was no time.
+    OutOfTime,
+}
+
+impl Study<'_> {
+    /// Measures until the answer is clear; `coarsest` is the least number of steps over the horizon.
+    pub(super) fn search(&mut self, coarsest: u64) {
+        let plain = |scalar, order| Kind { scalar, order, compensated: false };
+        let mut stalled = Vec::new();
+        for scalar in [ScalarKind::F64, ScalarKind::F32, ScalarKind::F32ThroughF64] {
+            // No point is nearer to a trajectory than its own rounding: one order shows how near that is.
+            let is_hopeless = self.tolerance < scalar.unit() / 8.0;
+            let orders = if is_hopeless { &ORDERS[3..] } else { &ORDERS[..] };
+            // High orders first: they find something that does, and end the ladders of the low ones early.
+            for &order in orders.iter().rev() {
+                let kind = plain(scalar, order);
+                let end = self.ladder(kind, coarsest);
+                // Near the scalar's own precision roundings count beside the step's error.
+                if !is_hopeless && (end == End::Stalled || self.tolerance < 1e3 * scalar.unit()) {
+                    stalled.push(kind);
+                }
+            }
+        }
+        for kind in stalled {
+            self.ladder(Kind { compensated: true, ..kind }, coarsest);
+        }
+        if self.best().is_none() {
+            for order in ORDERS.into_iter().rev() {
+                self.ladder(plain(ScalarKind::Dd, order), coarsest);
+            }
+        }
+        for kind in Kind::all() {
+            self.refine(kind);
+        }
+    }
+
+    fn ladder(&mut self, kind: Kind, coarsest: u64) -> End {
+        let (mut before, mut stalls) = (f64::INFINITY, 0);
+        for rung in 0..RUNGS {
+            let steps = coarsest << rung;
+            if self.cost(kind, steps) >= self.least_cost() {
+                return End::TooDear;
+            }
+            let Some(error) = self.error(kind, steps) else { return End::OutOfTime };
+            if error <= self.tolerance {
+                return End::Met;
+            }
+            stalls = if error < 0.1 && error > STALL * before { stalls + 1 } else { 0 };
+            if stalls == 2 {
+                return End::Stalled;
+            }
+            // Two rungs make sure that the law holds already.
+            if error < 0.1 && error < 0.5 * before && before.is_finite() {
+                let gain = (error / self.tolerance).powf(1.0 / f64::from(kind.order));
+                let enough = steps as f64 * gain;
+                if self.cost(kind, 1) * enough > SURELY * self.least_cost() {
+                    return End::TooDear;
+                }
+                if self.takes_more_than(SHARE, kind, enough) {
+                    self.skip(kind, steps.saturating_mul(2));
+                    return End::OutOfTime;
+                }
+            }
+            before = error;
+        }
+        End::Stalled
+    }
+
+    /// Looks for fewer steps that still do.
+    fn refine(&mut self, kind: Kind) {
+        for _ in 0..TRIALS {
+            let Some((low, high, error)) = self.gap(kind) else { return };
+            let (low, high) = (low as f64, high);
+            if high / low < CLOSE {
+                return;
+            }
+            // error ∝ steps^(−order), with a little to spare.
+            let gain = (error / self.tolerance).powf(1.0 / f64::from(kind.order));
+            let guess = if gain.is_finite() { 1.01 * low * gain } else { (low * high).sqrt() };
+            if guess >= high * 1.2 {
+                return;
+            }
+            let steps = guess.clamp(low * 1.02, high * 0.98).round() as u64;
+            if steps as f64 <= low || steps as f64 >= high || self.error(kind, steps).is_none() {
+                return;
+            }
+        }
+    }
+
+    /// Between the finest setting of a kind that fails and what would be as dear as the best: steps and their error.
+    fn gap(&self, kind: Kind) -> Option<(u64, f64, f64)> {
+        let dearest = self.least_cost() * self.horizon / self.clock.nanoseconds(kind);
+        if !dearest.is_finite() {
+            return None;
+        }
+        let fails = self.settings.iter().filter(|setting| setting.kind == kind);
+        let fails = fails.filter(|setting| setting.error(self.need) > self.tolerance);
+        let fails = fails.filter(|setting| (setting.steps as f64) < dearest);
+        let last = fails.max_by_key(|setting| setting.steps)?;
+        Some((last.steps, dearest, last.error(self.need)))
+    }
+}
