@@ -169,7 +169,7 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
         let mut found = Vec::new();
         for scalar in ["f32", "f32-through-f64", "f64", "dd"] {
             for (order, compensated) in [2, 4, 6, 8].into_iter().flat_map(|p| [(p, false), (p, true)]) {
-                let mut steps = (self.horizon * self.reference.slope() / 4.0).ceil().max(1.0);
+                let mut steps = (self.horizon * self.reference.slope() / 8.0).ceil().max(1.0);
                 while steps < MOST {
                     let eps = self.horizon / (2.0 * steps);
                     let eps = if scalar.starts_with("f32") {
@@ -190,7 +190,14 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
     }
 }
 
-fn check<M, const N: usize>(name: &str, map: M, text: &str, start: [&str; N], horizon: f64, tolerance: f64)
+fn check<M, const N: usize>(
+    name: &str,
+    map: M,
+    text: &str,
+    start: [&str; N],
+    horizon: f64,
+    tolerance: f64,
+) -> f64
 where
     M: Lift<BigRational, N>,
 {
@@ -214,6 +221,7 @@ where
         &tolerance.to_string(),
     ];
     let output = Command::new(env!("CARGO_BIN_EXE_kahan")).args(arguments).output().expect("it runs");
+    assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     let choice = &object["choice"];
     let scalar = ["f32", "f32-through-f64", "f64", "dd"].into_iter().find(|name| choice["scalar"] == **name);
@@ -243,15 +251,18 @@ where
         settings[best],
         prices[best],
     );
-    assert!(ratio <= 1.3, "{name}, {tolerance:e}: {ratio}");
+    ratio
 }
 
 #[test]
 #[ignore = "times, on a quiet machine"]
 fn the_choice_costs_at_most_1_3_times_the_best_of_all_settings() {
+    let mut ratios = Vec::new();
     for tolerance in [1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-14] {
-        check("henon", Henon, HENON, ["1/10", "1/5", "-1/4", "1/3"], 20.0, tolerance);
-        check("gyrostat", Gyrostat, GYROSTAT, ["1", "1/2", "-1/3"], 20.0, tolerance);
-        check("tired", Tired, TIRED, ["1/2", "2/3"], 20.0, tolerance);
+        let henon = check("henon", Henon, HENON, ["1/10", "1/5", "-1/4", "1/3"], 20.0, tolerance);
+        let gyrostat = check("gyrostat", Gyrostat, GYROSTAT, ["1", "1/2", "-1/3"], 20.0, tolerance);
+        let tired = check("tired", Tired, TIRED, ["1/2", "2/3"], 20.0, tolerance);
+        ratios.extend([henon, gyrostat, tired]);
     }
+    assert!(ratios.iter().all(|ratio| *ratio <= 1.3), "{ratios:?}");
 }

@@ -165,8 +165,12 @@ impl Trade {
             Need::Trajectory => Some(reference(scene, subject, &parameters, &start)?),
         };
         let slope = reference.as_ref().map_or_else(|| subject.slope(), Reference::slope);
-        // ε‖f′‖ ≤ 1
-        let coarsest = (0.5 * scene.horizon * slope).ceil().clamp(1.0, 1e15) as u64;
+        // The largest ε‖f′‖: compositions, whose stages are shorter, follow trajectories up to 2 or so, with errors to match.
+        let largest = match scene.need {
+            Need::Trajectory => 4.0,
+            Need::Integrals => 1.0,
+        };
+        let coarsest = (0.5 * scene.horizon * slope / largest).ceil().clamp(1.0, 1e15) as u64;
         let eps = scene.horizon / (2.0 * coarsest as f64);
         let clock = if is_compiled {
             Clock::of(subject, 0.1 * eps)

@@ -13,7 +13,7 @@ const STALL: f64 = 0.7;
 /// The most rungs of a ladder.
 const RUNGS: u32 = 34;
 /// Steps that differ by less than this factor are not told apart.
-const CLOSE: f64 = 1.04;
+const CLOSE: f64 = 1.05;
 /// Trials between two rungs.
 const TRIALS: usize = 6;
 
@@ -113,7 +113,7 @@ impl Study<'_> {
             if guess >= high * 1.2 {
                 return;
             }
-            let steps = guess.clamp(low * 1.02, high * 0.98).round() as u64;
+            let steps = guess.max(low * 1.02).min(high * 0.98).round() as u64;
             if steps as f64 <= low || steps as f64 >= high || self.error(kind, steps).is_none() {
                 return;
             }
