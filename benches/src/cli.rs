@@ -57,6 +57,10 @@ enum What {
     Ensembles,
     /// The tiers of one step: what compensation, a promise and double-double cost
     Tiers,
+    /// Order 8 against DOP853 at one error of the trajectory
+    Orders,
+    /// An integral over 10⁹ steps, plain and compensated
+    Drift,
     /// What a block costs while compiling, against the state kept in benches/before.tsv
     Compile {
         /// A checkout to measure in place of this one
@@ -87,6 +91,8 @@ pub(crate) fn run() -> Result<()> {
         What::Orbits { systems } => print(report::journeys(&chosen(&systems)?, effort)),
         What::Ensembles => print(report::ensembles(effort)?),
         What::Tiers => print(report::tiers(effort)?),
+        What::Orders => print(report::orders(effort)),
+        What::Drift => print(report::drift(effort)),
         What::Compile { checkout, save } => {
             let figures = compile::measure(&checkout.unwrap_or_else(root), cli.quick)?;
             if let Some(path) = save {
@@ -135,6 +141,8 @@ fn all(effort: Effort, path: &Path) -> Result<()> {
         report::journeys(&systems, effort),
         report::ensembles(effort)?,
         report::tiers(effort)?,
+        report::orders(effort),
+        report::drift(effort),
         report::compile(&compile::measure(&root(), effort.is_quick())?)?,
     ];
     let (mut sections, mut limits) = (Vec::new(), Vec::new());

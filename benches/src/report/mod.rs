@@ -1,8 +1,10 @@
 //! Measurements as sections of a document, each with the limits that it decides.
 
 mod compile;
+mod drift;
 mod ensembles;
 mod journeys;
+mod orders;
 mod steps;
 mod tiers;
 
@@ -13,8 +15,10 @@ use crate::race::Effort;
 use crate::table::Table;
 
 pub(crate) use compile::compile;
+pub(crate) use drift::drift;
 pub(crate) use ensembles::ensembles;
 pub(crate) use journeys::journeys;
+pub(crate) use orders::orders;
 pub(crate) use steps::steps;
 pub(crate) use tiers::tiers;
 

@@ -1,0 +1,91 @@
+//! Order 8 against DOP853, each at the cheapest setting that keeps the error of the trajectory below [`ERROR`].
+//!
+//! In: a system and its start. Out: what it takes from t = 0 to [`HORIZON`]. The reference is the same composition in
+//! double-double at a sixteenth of the step, where its error is 16⁸ times smaller.
+
+use kahan_core::prelude::*;
+use kahan_core::{Composition, Lift};
+
+use crate::rivals::dop853;
+
+/// The simulated time.
+pub(crate) const HORIZON: f64 = 64.0;
+
+/// The largest error on the way, relative to the largest component.
+pub(crate) const ERROR: f64 = 1e-8;
+
+/// Times at which errors are taken, equally far from each other.
+const SAMPLES: usize = 32;
+
+/// The composition that is raced.
+pub(crate) const COMPOSITION: Composition = Composition::KAHAN_LI_8;
+
+/// A way to the horizon at its cheapest setting.
+pub(crate) struct Run {
+    pub(crate) name: String,
+    /// The largest error on the way, relative to the largest component.
+    pub(crate) error: f64,
+    pub(crate) go: Box<dyn Fn()>,
+}
+
+/// The two ways of one system; the composition is the second.
+pub(crate) fn runs<M, const N: usize>(map: M, start: [f64; N]) -> [Run; 2]
+where
+    M: Lift<f64, N> + Copy + 'static,
+{
+    let start = SVector::from(start);
+    let mut steps = 4;
+    let composed = |steps: usize| -> Vec<SVector<f64, N>> {
+        let eps = 0.5 * HORIZON / (SAMPLES * steps) as f64;
+        map.orbit(start, eps).composed(COMPOSITION).step_by(steps).take(SAMPLES + 1).collect()
+    };
+    let error_of = |points: &[SVector<f64, N>], reference: &[SVector<f64, N>]| {
+        let size = reference.iter().map(|x| x.amax()).fold(0.0, f64::max);
+        points.iter().zip(reference).map(|(x, y)| (x - y).amax()).fold(0.0, f64::max) / size
+    };
+    let reference = reference(map, start);
+    while error_of(&composed(steps), &reference) > ERROR {
+        steps += (steps / 16).max(1);
+    }
+    let ours = error_of(&composed(steps), &reference);
+    let (mut tolerance, mut theirs) = (1e-5, f64::INFINITY);
+    while theirs > ERROR {
+        tolerance *= 0.8;
+        let solver = dop853::end(map, tolerance);
+        let quarters = [1, 2, 3, 4].map(|k| k * SAMPLES / 4);
+        let points =
+            quarters.map(|k| SVector::from(solver(start.into(), HORIZON * k as f64 / SAMPLES as f64)));
+        theirs = error_of(&points, &quarters.map(|k| reference[k]));
+    }
+    let eps = 0.5 * HORIZON / (SAMPLES * steps) as f64;
+    let solver = dop853::end(map, tolerance);
+    [
+        Run {
+            name: format!("DOP853, tolerances {tolerance:.1e}"),
+            error: theirs,
+            go: Box::new(move || {
+                std::hint::black_box(solver(std::hint::black_box(start).into(), HORIZON));
+            }),
+        },
+        Run {
+            name: format!("{}, {} stages, step {:.2e}", COMPOSITION.name(), COMPOSITION.stages(), 2.0 * eps),
+            error: ours,
+            go: Box::new(move || {
+                let mut orbit = map.orbit(std::hint::black_box(start), eps).composed(COMPOSITION);
+                std::hint::black_box(orbit.nth(SAMPLES * steps));
+            }),
+        },
+    ]
+}
+
+/// The trajectory at the times of the samples, the start included.
+fn reference<M, const N: usize>(map: M, start: SVector<f64, N>) -> Vec<SVector<f64, N>>
+where
+    M: Lift<f64, N>,
+{
+    let wide = map.lift(|parameter| Dd::from(*parameter));
+    let steps = 1024;
+    let eps = Dd::from(0.5 * HORIZON / (SAMPLES * steps) as f64);
+    let orbit = wide.orbit(start.map(Dd::from), eps).composed(COMPOSITION);
+    orbit.step_by(steps).take(SAMPLES + 1).map(|x| x.map(f64::from)).collect()
+}
