@@ -215,6 +215,11 @@ fn the_text_names_the_choice_and_what_stands_behind_it() {
         assert!(text.contains(part), "{part} in {text}");
     }
     assert!(output.stderr.is_empty(), "no progress without a terminal");
+
+    // The first that is tried, and no float of 53 bits has a relative error of 1e-20.
+    let output = kahan(&[&E6_SCENE[..], &["--tolerance", "1e-20"]].concat());
+    let text = String::from_utf8(output.stdout).expect("UTF-8");
+    assert!(text.contains("too coarse f64, order 8: at best "), "{text}");
 }
 
 #[test]

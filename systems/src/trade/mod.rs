@@ -102,6 +102,8 @@ pub struct Trade {
     pub is_compiled: bool,
     /// Kinds that there was no time for, and the ε from which on.
     pub skipped: Vec<(Kind, f64)>,
+    /// Kinds that cannot: their errors fall no further, and stay above the tolerance.
+    pub stalled: Vec<Kind>,
 }
 
 /// Why nothing was measured.
@@ -190,6 +192,7 @@ impl Trade {
             is_compiled,
             settings: Vec::new(),
             skipped: Vec::new(),
+            stalled: Vec::new(),
             progress,
         };
         study.search(coarsest);
@@ -230,6 +233,7 @@ impl Study<'_> {
             scale: self.reference.as_ref().map(Reference::scale),
             is_compiled: self.is_compiled,
             skipped: self.skipped,
+            stalled: self.stalled,
             settings: self.settings,
         }
     }

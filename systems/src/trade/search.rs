@@ -22,43 +22,37 @@ const SURELY: f64 = 2.0;
 /// or that it will take this part of the time that is left.
 const SHARE: f64 = 0.3;
 
-/// How a ladder ended.
+/// Whether the errors on a ladder fell as the order has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum End {
-    /// It met the tolerance.
-    Met,
-    /// What is finer costs more than what is known to do.
-    TooDear,
-    /// What is finer is no better: rounding errors.
-    Stalled,
-    /// There was no time.
-    OutOfTime,
+enum Roundings {
+    /// They did.
+    Unseen,
+    /// They fell less: there were roundings in them, which compensation makes fewer.
+    Felt,
 }
 
 impl Study<'_> {
     /// Measures until the answer is clear; `coarsest` is the least number of steps over the horizon.
     pub(super) fn search(&mut self, coarsest: u64) {
         let plain = |scalar, order| Kind { scalar, order, compensated: false };
-        let mut stalled = Vec::new();
+        // First something that does, which ends the ladders of others early: high orders before low ones.
+        self.with_and_without(plain(ScalarKind::F64, 8), coarsest);
+        if self.best().is_none() {
+            self.ladder(plain(ScalarKind::Dd, 8), coarsest);
+        }
         for scalar in [ScalarKind::F64, ScalarKind::F32, ScalarKind::F32ThroughF64] {
-            // No point is nearer to a trajectory than its own rounding: one order shows how near that is.
-            let is_hopeless = self.tolerance < scalar.unit() / 8.0;
-            let orders = if is_hopeless { &ORDERS[3..] } else { &ORDERS[..] };
-            // High orders first: they find something that does, and end the ladders of the low ones early.
-            for &order in orders.iter().rev() {
-                let kind = plain(scalar, order);
-                let end = self.ladder(kind, coarsest);
-                // Near the scalar's own precision roundings count beside the step's error.
-                if !is_hopeless && (end == End::Stalled || self.tolerance < 1e3 * scalar.unit()) {
-                    stalled.push(kind);
+            for order in ORDERS.into_iter().rev() {
+                // No point is nearer to a trajectory than its own rounding: one order shows how near that is.
+                let is_hopeless = self.tolerance < scalar.unit() / 8.0;
+                let is_known = scalar == ScalarKind::F64 && order == 8;
+                if !(is_known || is_hopeless && order < 8) {
+                    self.with_and_without(plain(scalar, order), coarsest);
                 }
             }
         }
-        for kind in stalled {
-            self.ladder(Kind { compensated: true, ..kind }, coarsest);
-        }
-        if self.best().is_none() {
-            for order in ORDERS.into_iter().rev() {
+        let only_dd = self.best().is_none_or(|best| self.settings[best].kind.scalar == ScalarKind::Dd);
+        if only_dd {
+            for order in [6, 4, 2] {
                 self.ladder(plain(ScalarKind::Dd, order), coarsest);
             }
         }
@@ -67,36 +61,49 @@ impl Study<'_> {
         }
     }
 
-    fn ladder(&mut self, kind: Kind, coarsest: u64) -> End {
+    /// The plain kind, and the compensated one where the plain one's errors show its roundings.
+    fn with_and_without(&mut self, kind: Kind, coarsest: u64) {
+        if self.ladder(kind, coarsest) == Roundings::Felt && self.tolerance >= kind.scalar.unit() / 8.0 {
+            self.ladder(Kind { compensated: true, ..kind }, coarsest);
+        }
+    }
+
+    fn ladder(&mut self, kind: Kind, coarsest: u64) -> Roundings {
         let (mut before, mut stalls) = (f64::INFINITY, 0);
+        let mut roundings = Roundings::Unseen;
         for rung in 0..RUNGS {
             let steps = coarsest << rung;
             if self.cost(kind, steps) >= self.least_cost() {
-                return End::TooDear;
+                return roundings;
             }
-            let Some(error) = self.error(kind, steps) else { return End::OutOfTime };
+            let Some(error) = self.error(kind, steps) else { return roundings };
+            // What the step itself leaves falls by 2^order.
+            if before < 0.01 && error > 4.0 * before * 0.5_f64.powi(kind.order as i32) {
+                roundings = Roundings::Felt;
+            }
             if error <= self.tolerance {
-                return End::Met;
+                return roundings;
             }
             stalls = if error < 0.1 && error > STALL * before { stalls + 1 } else { 0 };
             if stalls == 2 {
-                return End::Stalled;
+                self.stalled.push(kind);
+                return roundings;
             }
             // Two rungs make sure that the law holds already.
             if error < 0.1 && error < 0.5 * before && before.is_finite() {
                 let gain = (error / self.tolerance).powf(1.0 / f64::from(kind.order));
                 let enough = steps as f64 * gain;
                 if self.cost(kind, 1) * enough > SURELY * self.least_cost() {
-                    return End::TooDear;
+                    return roundings;
                 }
                 if self.takes_more_than(SHARE, kind, enough) {
                     self.skip(kind, steps.saturating_mul(2));
-                    return End::OutOfTime;
+                    return roundings;
                 }
             }
             before = error;
         }
-        End::Stalled
+        roundings
     }
 
     /// Looks for fewer steps that still do.

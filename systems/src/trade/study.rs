@@ -32,6 +32,8 @@ pub(super) struct Study<'a> {
     pub(super) settings: Vec<Setting>,
     /// The first kinds and steps that there was no time for.
     pub(super) skipped: Vec<(Kind, f64)>,
+    /// Kinds whose errors fell no further, above the tolerance.
+    pub(super) stalled: Vec<Kind>,
     pub(super) progress: &'a mut dyn FnMut(u64),
 }
 

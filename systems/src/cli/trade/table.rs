@@ -1,7 +1,7 @@
 //! What `kahan trade` says in words.
 
 use kahan_systems::reference::Method;
-use kahan_systems::trade::{Kind, Need, ScalarKind, Setting};
+use kahan_systems::trade::{Need, ScalarKind, Setting};
 
 use super::super::output::{columns, widths};
 use super::Finding;
@@ -71,26 +71,19 @@ impl Finding<'_> {
         rows.iter().map(|row| columns(row, &widths)).collect()
     }
 
-    /// The kinds that stayed above the tolerance although they were followed as far as they gain, with the best they reached.
+    /// The kinds that cannot reach the tolerance, with the best they reached.
     fn out_of_reach(&self) -> Vec<String> {
-        let least = self.choice().map_or(f64::INFINITY, |choice| choice.nanoseconds_per_unit_time);
         let mut lines = Vec::new();
-        for kind in Kind::all() {
-            let settings = || self.trade.settings.iter().filter(|setting| setting.kind == kind);
-            let met = settings().any(|setting| setting.error(self.need) <= self.tolerance);
-            // What ended because it grew dearer than the choice was not at its limit.
-            let finest = settings().max_by_key(|setting| setting.steps);
-            let was_dear = finest.is_some_and(|finest| 2.0 * finest.nanoseconds_per_unit_time >= least);
-            let best = settings().min_by(|a, b| a.error(self.need).total_cmp(&b.error(self.need)));
-            let Some(best) = best.filter(|_| !met && !was_dear) else { continue };
+        for &kind in &self.trade.stalled {
+            let settings = self.trade.settings.iter().filter(|setting| setting.kind == kind);
+            let best = settings.min_by(|a, b| a.error(self.need).total_cmp(&b.error(self.need)));
+            let Some(best) = best.filter(|best| best.error(self.need) > self.tolerance) else { continue };
             let reached = match best.error(self.need) {
                 error if error.is_finite() => format!("{error:.1e} at eps = {}", best.eps),
                 _ => "no finite numbers".to_owned(),
             };
-            lines.push(format!(
-                "{}{kind}: {reached}",
-                if lines.is_empty() { "too coarse " } else { "           " }
-            ));
+            let heading = if lines.is_empty() { "too coarse" } else { "" };
+            lines.push(format!("{heading:<10} {kind}: at best {reached}"));
         }
         lines
     }
