@@ -17,11 +17,15 @@ use crate::thiele::{SPARE, degree};
 pub struct DegreeLimits {
     /// The number of iterates.
     pub iterates: usize,
-    /// The degree beyond which no further iterate is taken.
+    /// The degree beyond which no further iterate is taken; up to four times as much for the first five, without which
+    /// nothing can be said of growth.
     pub degree: usize,
     /// When to stop in any case.
     pub deadline: Instant,
 }
+
+/// As many degrees are needed before growth can be called exponential.
+const FEWEST: usize = 6;
 
 /// d₀ = 1, d₁, d₂, … of one map at one ε: the degrees of its iterates on a random line. Empty if the map has no value
 /// anywhere on it.
@@ -31,7 +35,7 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits) 
     let mut line = Line::new(map, random);
     let mut degrees = vec![1];
     // One iterate more than the limit on degrees lets pass, and never more points than it may need.
-    let most_points = 4 * limits.degree + 16;
+    let most_points = 16 * limits.degree + 16;
     while degrees.len() <= limits.iterates {
         let known = degrees.len();
         let last = degrees[known - 1];
@@ -55,7 +59,8 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits) 
         };
         let Some(found) = found else { break };
         degrees.push(found);
-        if found > limits.degree {
+        let limit = if degrees.len() < FEWEST { 4 * limits.degree } else { limits.degree };
+        if found > limit {
             break;
         }
     }

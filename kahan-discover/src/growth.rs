@@ -59,7 +59,7 @@ impl fmt::Display for Growth {
 }
 
 /// Two successive ratios of an exponential sequence differ by at most this; those of n^k fall like 1 + k/n.
-const STEADY: f64 = 0.05;
+const STEADY: f64 = 0.08;
 
 impl GrowthVerdict {
     /// The class of d₀, d₁, …, by these rules, the first that applies:
@@ -67,7 +67,7 @@ impl GrowthVerdict {
     /// 1. The differences over k steps, dₙ₊ₖ − dₙ, are constant over the last max(4, 2k) of them, for the least such
     ///    k: *bounded* where the constant is 0 and k = 1, *linear* else. (k > 1 is a pattern that repeats.)
     /// 2. The same of the second differences over k steps: *quadratic*.
-    /// 3. *Exponential* if the last four ratios dₙ₊₁/dₙ exceed 1.15, and the last is neither 5 % from the one two steps
+    /// 3. *Exponential* if the last four ratios dₙ₊₁/dₙ exceed 1.15, and the last is neither 8 % from the one two steps
     ///    before nor has the excess over 1 fallen by a third over the second half of the sequence.
     /// 4. *Undecided*.
     #[must_use]
@@ -97,7 +97,7 @@ impl GrowthVerdict {
         match exponential(&values) {
             Some(ratio) => verdict(
                 Growth::Exponential { entropy: ratio.ln() },
-                format!("the last ratios of {count} degrees stay at {ratio:.4}"),
+                format!("the last ratio of {count} degrees is {ratio:.4}, and the ratios are steady"),
             ),
             None => verdict(
                 Growth::Undecided,

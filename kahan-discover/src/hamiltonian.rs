@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::poly::{Budget, Polynomial, gcd_within};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -16,6 +16,10 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
 use crate::setting::Setting;
+
+/// The most terms of the modified Hamiltonian, and the work it may take, in products of terms.
+const MOST_TERMS: usize = 4000;
+const MODIFIED_WORK: u64 = 10_000_000;
 
 /// Equations beyond the number of unknowns, a component.
 const SPARE: usize = 6;
@@ -171,23 +175,36 @@ fn potential(
 
 impl Hamiltonian {
     /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε, an integral of the map (Celledoni, McLachlan, Owren, Quispel,
-    /// "Geometric properties of Kahan's method", 2013); the solve is the reduced map's increment n/d. `None` where ε makes
-    /// d vanish.
+    /// "Geometric properties of Kahan's method", 2013), as numerator and denominator up to a factor free of states; the solve is the
+    /// reduced map's increment n/d. `None` where ε makes d vanish, or beyond 4000 terms.
+    ///
+    /// Not reduced beyond that: a common factor of numerator and denominator may be left where it is expensive to find.
     #[must_use]
-    pub fn modified(&self, setting: &Setting, map: &RationalMap) -> Option<RationalFunction> {
+    pub fn modified(&self, setting: &Setting, map: &RationalMap) -> Option<(Polynomial, Polynomial)> {
         let symbols = setting.family().symbols();
-        let two_thirds = Rational::new(2, 3);
-        let scale = Polynomial::variable(symbols.epsilon()).scale(&two_thirds);
-        let mut sum = RationalFunction::zero();
+        let mut budget = Budget::new(MOST_TERMS, MODIFIED_WORK);
+        let below = &map.reduced.denominator;
+        // With H = P/q: H̃ = (3Pd + 2ε Σ ∂ᵢP nᵢ)/(3qd)
+        let three = Rational::from(3);
+        let mut above = self.hamiltonian.numerator().mul_within(below, &mut budget).ok()?.scale(&three);
+        let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
         for (i, increment) in map.reduced.increments.iter().enumerate() {
-            let slope = self.hamiltonian.derivative(symbols.state(i));
-            sum = &sum + &(&slope * &RationalFunction::from(increment * &scale));
+            let slope = self.hamiltonian.numerator().derivative(symbols.state(i));
+            let term =
+                increment.mul_within(&slope, &mut budget).ok()?.mul_within(&two_eps, &mut budget).ok()?;
+            above = above + term;
         }
-        let correction = sum.checked_div(&RationalFunction::from(map.reduced.denominator.clone()))?;
-        let modified = &self.hamiltonian + &correction;
-        match setting.eps() {
-            Some(eps) => modified.substitute(symbols.epsilon(), eps),
-            None => Some(modified),
+        let fixed = |polynomial: &Polynomial| match setting.eps() {
+            Some(eps) => polynomial.substitute(symbols.epsilon(), eps),
+            None => polynomial.clone(),
+        };
+        let (above, below) = (fixed(&above), fixed(below));
+        if below.is_zero() {
+            return None;
+        }
+        match gcd_within(&above, &below, &mut budget) {
+            Ok(common) => Some((above.checked_div(&common)?, below.checked_div(&common)?)),
+            Err(_) => Some((above, below)),
         }
     }
 }

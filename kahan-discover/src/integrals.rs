@@ -24,6 +24,9 @@ use crate::space::{Names, lift_space, tidy};
 /// The work that putting the formulas of a leaf's coordinates in may take, in products of terms.
 const SUBSTITUTION_WORK: u64 = 20_000_000;
 
+/// The work that one look at ε = 0 may take, in products of terms.
+const LIMIT_WORK: u64 = 2_000_000;
+
 /// Independent integrals over ℚ with all unknowns, each proved, of least degree first: as many as there are, or as were
 /// found before the deadline. `hilbert` says how many to look for.
 pub fn integrals(
@@ -309,7 +312,9 @@ fn with_a_limit(symbols: &Symbols, mut numerator: Polynomial, denominator: &Poly
     let at_zero = |polynomial: &Polynomial| polynomial.substitute(symbols.epsilon(), &Rational::zero());
     let below = at_zero(denominator);
     for _ in 0..8 {
-        let Some(limit) = RationalFunction::new(at_zero(&numerator), below.clone()) else { break };
+        let mut budget = Budget::new(20_000, LIMIT_WORK);
+        let limit = RationalFunction::new_within(at_zero(&numerator), below.clone(), &mut budget);
+        let Ok(Some(limit)) = limit else { break };
         let varies = |side: &Polynomial| side.variables().iter().any(|&variable| symbols.is_state(variable));
         if varies(limit.numerator()) || varies(limit.denominator()) {
             break;

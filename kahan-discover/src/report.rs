@@ -20,7 +20,7 @@ pub struct Options {
     pub degree: Option<u32>,
     /// The number of iterates whose degrees are taken, at most.
     pub iterates: usize,
-    /// The degree beyond which no further iterate is taken.
+    /// The degree beyond which no further iterate is taken; up to four times as much for the first five.
     pub iterate_degree: usize,
     /// The time to spend, in seconds; what is not finished then is left out, and the report says so.
     pub seconds: f64,
@@ -125,10 +125,11 @@ pub struct Report {
 }
 
 impl Report {
-    /// The number of independent algebraic integrals that orbits show.
+    /// The number of independent algebraic integrals: those that orbits show up to the degree looked at, or those that are
+    /// proved, where these are more (a modified Hamiltonian may have a higher degree).
     #[must_use]
     pub fn independent_integrals(&self) -> usize {
-        self.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals)
+        self.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals).max(self.integrals.len())
     }
 }
 
@@ -141,6 +142,8 @@ pub enum DiscoverError {
     UndefinedField,
     /// The block has mistakes or no equation.
     UnsoundField,
+    /// ε = 0, where the map is the identity.
+    ZeroStep,
     /// det A vanishes identically at the values given, so there is no map.
     NoMap,
 }
@@ -153,6 +156,9 @@ impl fmt::Display for DiscoverError {
             }
             DiscoverError::UndefinedField => {
                 f.write_str("the field divides by zero at these parameters: choose other values")
+            }
+            DiscoverError::ZeroStep => {
+                f.write_str("at eps = 0 the map is the identity, which keeps everything: choose another eps")
             }
             DiscoverError::UnsoundField => f.write_str("the field has no sound equations: correct them first"),
             DiscoverError::NoMap => f.write_str(

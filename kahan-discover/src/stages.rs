@@ -50,6 +50,9 @@ pub fn discover(
     let by = |share: f64| start + Duration::from_secs_f64((options.seconds * share).clamp(0.0, 1e9));
     let fixed = specialised(system, &options.parameters)?;
     let symbols = &fixed.field.symbols;
+    if options.eps.as_ref().is_some_and(Rational::is_zero) {
+        return Err(DiscoverError::ZeroStep);
+    }
     let setting = Setting::new(&fixed.field, options.eps.clone());
     let mut random = SplitMix64::from_bytes(format!("{:?}{:?}", fixed.field, options.eps).as_bytes());
     let random = &mut random;
@@ -77,8 +80,9 @@ pub fn discover(
     };
     if let Some(found) = &hamiltonian {
         let modified = map.as_ref().and_then(|map| found.modified(&setting, map));
-        let proved = modified.as_ref().is_some_and(|modified| {
-            let formula = modified_formula(symbols, &claims, modified, integrals.len() + 1);
+        let proved = modified.as_ref().is_some_and(|(above, below)| {
+            let (above, below) = (tidy(symbols, above), tidy(symbols, below));
+            let formula = claims.integral(symbols, integrals.len() + 1, &above, &below);
             let is_proved = formula.is_some();
             add_if_independent(&setting, &mut integrals, formula, random);
             is_proved
@@ -162,16 +166,6 @@ fn text(symbols: &Symbols, function: &RationalFunction) -> String {
         Some(_) => above,
         None => Notation::Text.quotient(&above, &Notation::Text.polynomial(symbols, function.denominator())),
     }
-}
-
-fn modified_formula(
-    symbols: &Symbols,
-    claims: &Claims<'_>,
-    modified: &RationalFunction,
-    index: usize,
-) -> Option<Formula> {
-    let (above, below) = (tidy(symbols, modified.numerator()), tidy(symbols, modified.denominator()));
-    claims.integral(symbols, index, &above, &below)
 }
 
 /// A formula that depends on the others adds nothing; one that replaces nothing is kept.

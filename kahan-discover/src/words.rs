@@ -63,7 +63,7 @@ fn orbits(report: &Report) -> Vec<String> {
         )
     } else {
         format!(
-            "Orbits fill sets of dimension {} in dimension {n}: {}, visible up to degree {degree}, {from}.",
+            "Relations of degree ≤ {degree} confine orbits to sets of dimension {} in dimension {n}: {} visible up to that degree, {from}.",
             hilbert.dimension(n),
             counted(hilbert.integrals, "independent algebraic integral")
         )

@@ -165,6 +165,8 @@ fn wrong_input_is_explained() {
     assert_eq!(error("", &options()), DiscoverError::UnsoundField);
     let at_one = Options { eps: Some(Rational::one()), ..options() };
     assert_eq!(error("xdot = x;", &at_one), DiscoverError::NoMap);
+    let at_zero = Options { eps: Some(Rational::zero()), ..options() };
+    assert_eq!(error(E6, &at_zero), DiscoverError::ZeroStep);
 }
 
 #[test]
