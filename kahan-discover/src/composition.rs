@@ -5,10 +5,11 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use crate::claims::Formula;
 use crate::hilbert::{Hilbert, random_relations};
-use crate::map::{ModularMap, Stepping};
+use crate::map::ModularMap;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::setting::Setting;
+use crate::stepping::Stepping;
 
 /// What is left of the integrals under composition.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -7,9 +7,10 @@ use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::leaf::LeafMap;
-use crate::map::{Stepping, evaluate};
+use crate::map::evaluate;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
+use crate::stepping::Stepping;
 
 /// P − cQ as coefficients of monomials, each a polynomial in unknowns.
 #[derive(Clone, Debug)]

@@ -8,12 +8,13 @@ use std::time::Instant;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
-use crate::map::{ModularMap, Step, Stepping};
+use crate::map::{ModularMap, Step};
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::setting::Setting;
 use crate::space::{Form, Names, Space, lift_space, tidy};
+use crate::stepping::Stepping;
 
 /// Equations beyond the number of unknowns.
 const SPARE: usize = 6;

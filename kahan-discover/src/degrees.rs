@@ -9,7 +9,8 @@ use std::time::Instant;
 
 use kahan_algebra::prime_field::SplitMix64;
 
-use crate::map::{ModularMap, Stepping};
+use crate::map::ModularMap;
+use crate::stepping::Stepping;
 use crate::thiele::{SPARE, degree};
 
 /// Where to stop.

@@ -10,12 +10,13 @@ use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::system::upper_index;
 
 use crate::lift::lift;
-use crate::map::{ModularMap, Stepping};
+use crate::map::ModularMap;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
 use crate::setting::Setting;
+use crate::stepping::Stepping;
 
 /// The most terms of the modified Hamiltonian, and the work it may take, in products of terms.
 const MOST_TERMS: usize = 4000;

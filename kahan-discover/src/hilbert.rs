@@ -4,11 +4,11 @@ use std::time::Instant;
 
 use kahan_algebra::prime_field::SplitMix64;
 
-use crate::map::Stepping;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
 use crate::setting::Setting;
+use crate::stepping::Stepping;
 
 /// h(d) for a generic orbit: the number of monomials of degree ≤ d that are independent on it.
 ///

@@ -3,10 +3,10 @@
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
-use crate::map::Stepping;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::setting::{Draw, Setting};
+use crate::stepping::Stepping;
 
 /// Functional independence: the rank of gradients at one random point modulo one prime. (A rank seen is a rank over ℚ.)
 #[derive(Debug)]

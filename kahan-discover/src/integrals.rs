@@ -6,23 +6,21 @@ use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::symbols::{Symbol, Symbols};
+use kahan_algebra::symbols::Symbols;
 
+use crate::chart::Chart;
 use crate::claims::{Claims, Formula};
 use crate::constrained::Constraint;
 use crate::hilbert::{Hilbert, random_relations};
 use crate::independent::Independent;
 use crate::leaf::{Coordinate, Leaf};
-use crate::map::Stepping;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::Pencil;
 use crate::search::{pencils_of_entries, spanned_pencils};
 use crate::setting::{Draw, Setting};
-use crate::space::{Names, lift_space, tidy};
-
-/// The work that putting the formulas of a leaf's coordinates in may take, in products of terms.
-const SUBSTITUTION_WORK: u64 = 20_000_000;
+use crate::space::{lift_space, tidy};
+use crate::stepping::Stepping;
 
 /// The work that one look at ε = 0 may take, in products of terms.
 const LIMIT_WORK: u64 = 2_000_000;
@@ -243,62 +241,6 @@ struct Bounds {
     relation_degree: u32,
     highest: u32,
     deadline: Instant,
-}
-
-/// A leaf with the formulas of what chooses it: its entries, and perhaps the value of an integral on it.
-#[derive(Clone)]
-struct Chart {
-    leaf: Leaf,
-    coordinates: Vec<Coordinate>,
-}
-
-impl Chart {
-    fn variable(&self, symbols: &Symbols, j: usize) -> Variable {
-        symbols.variable(Symbol::SecondState(j))
-    }
-
-    /// Which variables of formulas on the leaf stand for what.
-    fn names(&self, setting: &Setting) -> Names {
-        let symbols = setting.family().symbols();
-        let mut names = Names::of(setting);
-        names.unknowns.extend((0..self.coordinates.len()).map(|j| self.variable(symbols, j)));
-        names.states = self.leaf.order().iter().map(|&state| symbols.state(state)).collect();
-        if let Some((weights, unknowns)) = &mut names.weights {
-            unknowns.extend(self.coordinates.iter().map(|coordinate| coordinate.weight(weights)));
-        }
-        names
-    }
-
-    /// P/Q in lowest terms with every coordinate replaced by its formula; `None` beyond the budget, and where Q becomes 0.
-    fn substituted(
-        &self,
-        symbols: &Symbols,
-        numerator: &Polynomial,
-        denominator: &Polynomial,
-    ) -> Option<(Polynomial, Polynomial)> {
-        if self.coordinates.is_empty() {
-            return Some((numerator.clone(), denominator.clone()));
-        }
-        let mut budget = Budget::new(20_000, SUBSTITUTION_WORK);
-        let mut quotient = [numerator.clone(), denominator.clone()];
-        for (j, coordinate) in self.coordinates.iter().enumerate() {
-            let variable = self.variable(symbols, j);
-            let highest = quotient.iter().map(|side| side.degree_in(variable)).max()?;
-            for side in &mut quotient {
-                let mut sum = Polynomial::zero();
-                for (exponent, coefficient) in side.coefficients_in(variable) {
-                    let above = coordinate.numerator.pow_within(exponent, &mut budget).ok()?;
-                    let below = coordinate.denominator.pow_within(highest - exponent, &mut budget).ok()?;
-                    let power = above.mul_within(&below, &mut budget).ok()?;
-                    sum = sum + coefficient.mul_within(&power, &mut budget).ok()?;
-                }
-                *side = sum;
-            }
-        }
-        let [above, below] = quotient;
-        let reduced = RationalFunction::new_within(above, below, &mut budget).ok()??;
-        Some((reduced.numerator().clone(), reduced.denominator().clone()))
-    }
 }
 
 /// Whether the polynomial is not 0 where all states are.

@@ -12,11 +12,12 @@ use kahan_algebra::rational::Rational;
 
 use crate::hilbert::random_relations;
 use crate::lift::lift;
-use crate::map::{ModularMap, Stepping};
+use crate::map::ModularMap;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::{Entry, SPARE};
 use crate::setting::Setting;
+use crate::stepping::Stepping;
 use crate::weights::Weights;
 
 /// Which variables remain on a leaf, and which entries of the linear relations choose it.

@@ -5,10 +5,10 @@
 //! field, and which integrals survive composition. Everything is found modulo primes, from orbits, by linear algebra and
 //! interpolation; a formula is returned only once the prover of `kahan-algebra` has proved its text.
 //!
-//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`] (the tools); [`map`], [`setting`] (the maps looked at);
-//! [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`], [`weights`], [`space`] (back to ℚ); [`pencil`], [`search`],
-//! [`leaf`], [`constrained`], [`independent`], [`integrals`]; [`darboux`]; [`structure`], [`hamiltonian`]; [`composition`]; [`claims`],
-//! [`report`]; [`mod@scan`] looks for special values on a grid.
+//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`] (the tools); [`stepping`], [`map`], [`setting`] (the maps
+//! looked at); [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`], [`weights`], [`grading`], [`space`]
+//! (back to ℚ); [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`], [`independent`], [`integrals`]; [`darboux`];
+//! [`structure`], [`hamiltonian`]; [`composition`]; [`claims`], [`report`]; [`mod@scan`] looks for special values on a grid.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};
@@ -20,11 +20,13 @@
 //! assert_eq!(report.integrals.len(), 2); // each `text` is a line for `kahan!`
 //! ```
 
+pub mod chart;
 pub mod claims;
 pub mod composition;
 pub mod constrained;
 pub mod darboux;
 pub mod degrees;
+pub mod grading;
 pub mod growth;
 pub mod hamiltonian;
 pub mod hilbert;
@@ -44,6 +46,7 @@ pub mod search;
 pub mod setting;
 pub mod space;
 mod stages;
+pub mod stepping;
 pub mod structure;
 pub mod thiele;
 pub mod weights;

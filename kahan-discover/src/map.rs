@@ -6,10 +6,10 @@
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
-use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::symbols::{Symbol, Symbols};
 
 use crate::modulus::Modulus;
+use crate::stepping::Stepping;
 
 /// A field, its coefficients sorted by the monomials of the states.
 #[derive(Clone, Debug)]
@@ -123,33 +123,6 @@ pub(crate) fn evaluate(
         sum = modulus.plus(sum, product);
     }
     Some(sum)
-}
-
-/// A map that can be stepped, modulo a prime.
-pub trait Stepping {
-    /// The field that it works in.
-    fn modulus(&self) -> &Modulus;
-
-    /// The number of states n.
-    fn dimension(&self) -> usize;
-
-    /// The image of a point; `None` at a pole.
-    fn next(&self, point: &[u64]) -> Option<Vec<u64>>;
-
-    /// A uniformly drawn point.
-    fn point(&self, random: &mut SplitMix64) -> Vec<u64> {
-        (0..self.dimension()).map(|_| self.modulus().sample(random)).collect()
-    }
-
-    /// The orbit of `length` points from `start`, which is the first; shorter where it ends at a pole.
-    fn orbit(&self, start: Vec<u64>, length: usize) -> Vec<Vec<u64>> {
-        let mut orbit = vec![start];
-        while orbit.len() < length {
-            let Some(next) = self.next(&orbit[orbit.len() - 1]) else { break };
-            orbit.push(next);
-        }
-        orbit
-    }
 }
 
 /// The map of one field at one ε.
@@ -311,6 +284,7 @@ impl ModularMap {
 mod tests {
     use super::*;
     use kahan_algebra::interpret::{Interpreter, Point};
+    use kahan_algebra::prime_field::SplitMix64;
     use kahan_algebra::{lexer, read};
 
     #[test]

@@ -3,12 +3,12 @@
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::hilbert::random_relations;
-use crate::map::Stepping;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
 use crate::space::{Form, Space};
+use crate::stepping::Stepping;
 
 /// Equations beyond the number of unknowns.
 pub(crate) const SPARE: usize = 4;

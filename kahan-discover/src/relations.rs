@@ -5,10 +5,10 @@
 //! expresses it by is the same along the orbit: every entry, as a function of the orbit's start, is an integral
 //! (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations", 2011).
 
-use crate::map::Stepping;
 use crate::matrix::{Echelon, NullVector};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
+use crate::stepping::Stepping;
 
 /// The points of an orbit beyond the number of monomials: a polynomial that vanishes on all by accident is one that
 /// vanishes on so many random points.

@@ -11,13 +11,13 @@ use std::time::Instant;
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::hilbert::random_relations;
-use crate::map::Stepping;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::{Entry, Pencil, SPARE, Source};
 use crate::relations::{Relations, gradient, monomial_gradients};
 use crate::space::Space;
+use crate::stepping::Stepping;
 
 /// The most unknown coefficients of P and Q together.
 const MOST_COEFFICIENTS: usize = 900;

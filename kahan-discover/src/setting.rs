@@ -6,8 +6,9 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
 
-use crate::map::{Family, ModularMap, Stepping, evaluate};
+use crate::map::{Family, ModularMap, evaluate};
 use crate::modulus::Modulus;
+use crate::stepping::Stepping;
 use crate::weights::Weights;
 
 /// A field, and ε where it is fixed.

@@ -11,12 +11,13 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
+use crate::grading::{Grading, lift_graded};
 use crate::lift::lift;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::setting::Setting;
-use crate::weights::{Grading, Weights, lift_graded};
+use crate::weights::Weights;
 
 /// The shape of a space's basis: which monomials occur, and which lead.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -9,13 +9,14 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
 
 use crate::independent::Independent;
-use crate::map::{ModularMap, Stepping};
+use crate::map::ModularMap;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
 use crate::setting::Setting;
 use crate::space::{Form, Names, Space, lift_space, tidy};
+use crate::stepping::Stepping;
 
 /// Equations beyond the number of unknowns.
 const SPARE: usize = 6;

@@ -1,0 +1,72 @@
+//! A leaf together with the formulas of what chooses it, by which formulas on the leaf become formulas everywhere.
+
+use kahan_algebra::poly::{Budget, Polynomial, Variable};
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::symbols::{Symbol, Symbols};
+
+use crate::leaf::{Coordinate, Leaf};
+use crate::setting::Setting;
+use crate::space::Names;
+
+/// The work that putting the formulas of a leaf's coordinates in may take, in products of terms.
+const SUBSTITUTION_WORK: u64 = 20_000_000;
+
+/// A leaf with the formulas of what chooses it: its entries, and perhaps the value of an integral on it.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    /// The leaf.
+    pub leaf: Leaf,
+    /// The formulas, in the order of the entries; the value of an integral last.
+    pub coordinates: Vec<Coordinate>,
+}
+
+impl Chart {
+    fn variable(&self, symbols: &Symbols, j: usize) -> Variable {
+        symbols.variable(Symbol::SecondState(j))
+    }
+
+    /// Which variables of formulas on the leaf stand for what.
+    #[must_use]
+    pub fn names(&self, setting: &Setting) -> Names {
+        let symbols = setting.family().symbols();
+        let mut names = Names::of(setting);
+        names.unknowns.extend((0..self.coordinates.len()).map(|j| self.variable(symbols, j)));
+        names.states = self.leaf.order().iter().map(|&state| symbols.state(state)).collect();
+        if let Some((weights, unknowns)) = &mut names.weights {
+            unknowns.extend(self.coordinates.iter().map(|coordinate| coordinate.weight(weights)));
+        }
+        names
+    }
+
+    /// P/Q in lowest terms with every coordinate replaced by its formula; `None` beyond the budget, and where Q becomes 0.
+    #[must_use]
+    pub fn substituted(
+        &self,
+        symbols: &Symbols,
+        numerator: &Polynomial,
+        denominator: &Polynomial,
+    ) -> Option<(Polynomial, Polynomial)> {
+        if self.coordinates.is_empty() {
+            return Some((numerator.clone(), denominator.clone()));
+        }
+        let mut budget = Budget::new(20_000, SUBSTITUTION_WORK);
+        let mut quotient = [numerator.clone(), denominator.clone()];
+        for (j, coordinate) in self.coordinates.iter().enumerate() {
+            let variable = self.variable(symbols, j);
+            let highest = quotient.iter().map(|side| side.degree_in(variable)).max()?;
+            for side in &mut quotient {
+                let mut sum = Polynomial::zero();
+                for (exponent, coefficient) in side.coefficients_in(variable) {
+                    let above = coordinate.numerator.pow_within(exponent, &mut budget).ok()?;
+                    let below = coordinate.denominator.pow_within(highest - exponent, &mut budget).ok()?;
+                    let power = above.mul_within(&below, &mut budget).ok()?;
+                    sum = sum + coefficient.mul_within(&power, &mut budget).ok()?;
+                }
+                *side = sum;
+            }
+        }
+        let [above, below] = quotient;
+        let reduced = RationalFunction::new_within(above, below, &mut budget).ok()??;
+        Some((reduced.numerator().clone(), reduced.denominator().clone()))
+    }
+}

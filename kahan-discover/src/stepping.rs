@@ -1,0 +1,32 @@
+//! What every search asks of a map modulo a prime: the map itself, on a leaf of it, or composed with itself.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::modulus::Modulus;
+
+/// A map that can be stepped, modulo a prime.
+pub trait Stepping {
+    /// The field that it works in.
+    fn modulus(&self) -> &Modulus;
+
+    /// The number of states n.
+    fn dimension(&self) -> usize;
+
+    /// The image of a point; `None` at a pole.
+    fn next(&self, point: &[u64]) -> Option<Vec<u64>>;
+
+    /// A uniformly drawn point.
+    fn point(&self, random: &mut SplitMix64) -> Vec<u64> {
+        (0..self.dimension()).map(|_| self.modulus().sample(random)).collect()
+    }
+
+    /// The orbit of `length` points from `start`, which is the first; shorter where it ends at a pole.
+    fn orbit(&self, start: Vec<u64>, length: usize) -> Vec<Vec<u64>> {
+        let mut orbit = vec![start];
+        while orbit.len() < length {
+            let Some(next) = self.next(&orbit[orbit.len() - 1]) else { break };
+            orbit.push(next);
+        }
+        orbit
+    }
+}
