@@ -11,11 +11,13 @@ use crate::worker::{self, Worker};
 
 /// What all others are compared with.
 const FAST: &str = "fast";
+/// The same, asked for one step at a time, as the stable tier is.
+const STEP: &str = "fast, a step at a time";
 
-/// The tiers with a limit: whether it is one of the build for this processor (with multiply-adds), and the most that the ratio
-/// may be.
-const LIMITS: [(&str, bool, f64); 3] =
-    [("compensated", false, 1.20), ("stable", false, 1.5), ("accurate", true, 10.0)];
+/// The tiers with a limit: what they are compared with, whether in the build for this processor (with multiply-adds), and the
+/// most that the ratio may be.
+const LIMITS: [(&str, &str, bool, f64); 3] =
+    [("compensated", FAST, false, 1.20), ("stable", STEP, false, 1.5), ("accurate", FAST, true, 10.0)];
 
 /// Builds and times the tiers.
 pub(crate) fn tiers(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
@@ -38,15 +40,14 @@ pub(crate) fn tiers(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
             short(Some(native.ratio)),
         ]);
     }
-    for (what, native, at_most) in LIMITS {
+    for (what, base, native, at_most) in LIMITS {
         let build = if native { ", built for this processor" } else { "" };
-        for line in columns[usize::from(native)].iter().filter(|line| line.what == what) {
-            // The promise is for three variables; larger systems are told, not judged.
-            if what == "stable" && !line.is_small() {
-                continue;
-            }
-            let figure = format!("{}: {what} / fast{build}", line.system);
-            limits.push(Limit::ratio(figure, at_most, Some(line.ratio)));
+        let lines = &columns[usize::from(native)];
+        for line in lines.iter().filter(|line| line.what == what && line.is_small()) {
+            let base_line = lines.iter().find(|other| other.system == line.system && other.what == base);
+            let ratio = base_line.map(|base_line| line.ratio / base_line.ratio);
+            let figure = format!("{}: {what} / {base}{build}", line.system);
+            limits.push(Limit::ratio(figure, at_most, ratio));
         }
     }
     progress.advance();
@@ -64,6 +65,7 @@ struct Line {
 }
 
 impl Line {
+    /// The limits are for two and three variables; larger systems are told, not judged.
     fn is_small(&self) -> bool {
         self.system != "Clebsch"
     }

@@ -224,9 +224,9 @@ impl<V: Working> Bounded<V> {
     pub(super) fn quotient(self, divisor: Self) -> Option<Self> {
         let value = self.value().quotient(divisor.value())?;
         let size = divisor.value().size();
-        let is_certain = V::exceeds(size, V::magnitude(64.0) * divisor.error())
-            && (V::ALLOWANCE == 0.0 || V::exceeds(size, V::magnitude(LEAST_DIVISOR)));
-        if !is_certain {
+        let doubt = V::magnitude(64.0) * divisor.gamma() * divisor.magnitude();
+        let least = V::magnitude(if V::ALLOWANCE > 0.0 { LEAST_DIVISOR } else { 0.0 });
+        if !V::exceeds(size, doubt + least) {
             return None;
         }
         let numerator = self.magnitude() + value.size() * divisor.magnitude();

@@ -42,7 +42,7 @@ where
     V: Working,
     M: Lift<T, N>,
 {
-    let largest = Cell::new(V::magnitude(0.0));
+    let largest = Cell::new(embed(eps).size());
     let given = |number: &T| {
         let value = embed(number);
         if V::exceeds(value.size(), largest.get()) {
@@ -51,7 +51,7 @@ where
         Bounded::given(value)
     };
     let state = SVector::from_fn(|i, _| given(&x[i]));
-    let attempt = Attempt::by_increments(&map.lift(given), &state, given(eps))?;
+    let attempt = Attempt::by_increments(&map.lift(given), &state, Bounded::given(embed(eps)))?;
     V::exceeds(attempt.largest_input(), largest.get()).then_some(attempt)
 }
 
