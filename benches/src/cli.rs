@@ -11,7 +11,7 @@ use crate::limit::{self, Limit};
 use crate::output::write_whole;
 use crate::race::Effort;
 use crate::report::{self, Section};
-use crate::{instructions, machine, systems};
+use crate::{instructions, machine, readme, systems};
 
 const EXAMPLES: &str = "\
 Examples (from the repository's root, on a machine with nothing else to do):
@@ -61,6 +61,8 @@ enum What {
     Orders,
     /// An integral over 10⁹ steps, plain and compensated
     Drift,
+    /// The README's picture and its tables of tiers and extremes, measured and written into it
+    Readme,
     /// What a block costs while compiling, against the state kept in benches/before.tsv
     Compile {
         /// A checkout to measure in place of this one
@@ -92,6 +94,7 @@ pub(crate) fn run() -> Result<()> {
         What::Ensembles => print(report::ensembles(effort)?),
         What::Tiers => print(report::tiers(effort)?),
         What::Orders => print(report::orders(effort)),
+        What::Readme => readme::write(&root(), effort),
         What::Drift => print(report::drift(effort)),
         What::Compile { checkout, save } => {
             let figures = compile::measure(&checkout.unwrap_or_else(root), cli.quick)?;

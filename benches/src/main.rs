@@ -14,6 +14,7 @@ mod orders;
 mod output;
 mod progress;
 mod race;
+mod readme;
 mod report;
 mod rivals;
 mod systems;

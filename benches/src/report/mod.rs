@@ -20,7 +20,7 @@ pub(crate) use ensembles::ensembles;
 pub(crate) use journeys::journeys;
 pub(crate) use orders::orders;
 pub(crate) use steps::steps;
-pub(crate) use tiers::tiers;
+pub(crate) use tiers::{tier_prices, tiers};
 
 /// A heading, what the table below it means, the table.
 pub(crate) struct Section {

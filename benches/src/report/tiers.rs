@@ -57,6 +57,13 @@ pub(crate) fn tiers(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     Ok((vec![Section { title: "Tiers".to_owned(), text, table }], limits))
 }
 
+/// Each tier's price against the fast one in the build for every processor, for systems of two and three variables.
+pub(crate) fn tier_prices(effort: Effort) -> Result<Vec<(String, f64)>> {
+    let mut worker = Worker::start(&worker::build(worker::TIERS, false)?)?;
+    let lines = measure(&mut worker, effort)?;
+    Ok(lines.into_iter().filter(Line::is_small).map(|line| (line.what, line.ratio)).collect())
+}
+
 struct Line {
     system: String,
     what: String,

@@ -1,6 +1,7 @@
-//! The work–precision picture: price against error, a line for each kind, the front above all.
+//! The work–precision picture: price against error, a line for each order in doubles, small dots for other scalars and for
+//! compensation, the front above all.
 
-use crate::atlas::plot::{Axis, Mark, Plot, Series};
+use crate::atlas::plot::{Axis, Mark, Plot, Series, Side};
 
 use super::{Need, ScalarKind, Setting, Trade};
 
@@ -38,17 +39,21 @@ impl Trade {
         kinds.sort_by_key(|kind| (kind.order, kind.scalar.name(), kind.compensated));
         kinds.dedup();
         for kind in kinds {
-            let label = match (kind.scalar, kind.compensated) {
-                (ScalarKind::F64, false) => format!("order {}", kind.order),
-                (scalar, false) => format!("{}, {}", kind.order, scalar.name()),
-                (scalar, true) => format!("{}, {}, compensated", kind.order, scalar.name()),
+            // One label an order, at the line of plain doubles; other scalars of the order share its colour.
+            let (label, mark) = match (kind.scalar, kind.compensated) {
+                (ScalarKind::F64, false) => (format!("order {}", kind.order), Mark::Both),
+                (ScalarKind::Dd, false) => (format!("order {}, dd", kind.order), Mark::Both),
+                _ => (String::new(), Mark::Points),
             };
             let colour = ORDER_COLOURS[kind.order as usize / 2 % ORDER_COLOURS.len()];
-            series.push(Series::new(&label, colour, Mark::Both, points(&|setting| setting.kind == kind)));
+            let mut points = points(&|setting| setting.kind == kind);
+            points.sort_by(|one, other| one.0.total_cmp(&other.0));
+            series.push(Series::new(&label, colour, mark, points));
         }
         series.push(Series::new("", 6, Mark::Line, points(&|setting| setting.on_front)));
         if let Some(choice) = self.choice.map(|choice| &self.settings[choice]) {
-            series.push(Series::new("choice", 4, Mark::Dots, points(&|setting| setting == choice)));
+            let points = points(&|setting| setting == choice);
+            series.push(Series { side: Side::Left, ..Series::new("choice", 4, Mark::Dots, points) });
         }
         let level = (tolerance.log10(), "tolerance".to_owned());
         let places = || shown.iter().map(|setting| place(setting, need));
@@ -57,7 +62,10 @@ impl Trade {
                 "{title}: {what} against nanoseconds per unit of simulated time, both as decimal logarithms"
             ),
             size: SIZE,
-            x: Axis::around("log10 of nanoseconds per unit of time", places().map(|(x, _)| x)),
+            x: Axis::around(
+                "log10 of nanoseconds per unit of time; small dots: other scalars than f64",
+                places().map(|(x, _)| x),
+            ),
             y: Axis::around(&format!("log10 of {what}"), places().map(|(_, y)| y).chain([level.0])),
             levels: vec![level],
             series,
