@@ -40,7 +40,7 @@ where
         map.orbit(start, eps).composed(COMPOSITION).step_by(steps).take(SAMPLES + 1).collect()
     };
     let error_of = |points: &[SVector<f64, N>], reference: &[SVector<f64, N>]| {
-        let size = reference.iter().map(|x| x.amax()).fold(0.0, f64::max);
+        let size = reference.iter().map(SVector::amax).fold(0.0, f64::max);
         points.iter().zip(reference).map(|(x, y)| (x - y).amax()).fold(0.0, f64::max) / size
     };
     let reference = reference(map, start);

@@ -19,14 +19,13 @@ pub(crate) fn orders(effort: Effort) -> (Vec<Section>, Vec<Limit>) {
         "largest error on the way",
     ]);
     let mut limits = Vec::new();
-    let systems: [(&str, fn() -> [Run; 2]); 3] = [
-        ("EulerTop", || runs(fields::euler_top(), start::SPACE)),
-        ("E6", || runs(fields::E6, start::SPACE)),
-        ("LotkaVolterra", || runs(fields::LotkaVolterra, start::LOTKA_VOLTERRA)),
-    ];
-    for (system, runs) in systems {
+    for system in ["EulerTop", "E6", "LotkaVolterra"] {
         progress.begin(format!("{system}: order 8"));
-        let runs = runs();
+        let runs: [Run; 2] = match system {
+            "EulerTop" => runs(fields::euler_top(), start::SPACE),
+            "E6" => runs(fields::E6, start::SPACE),
+            _ => runs(fields::LotkaVolterra, start::LOTKA_VOLTERRA),
+        };
         let standings =
             race(runs.len(), effort, |i, units| seconds(|| (0..units).for_each(|_| (runs[i].go)())));
         for (run, standing) in runs.iter().zip(&standings) {
