@@ -6,6 +6,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use kahan_bench_fields::serve::Task;
 use kahan_bench_fields::{self as fields, EPS, start};
 use kahan_core::prelude::*;
 use kahan_core::{Ensemble, KahanAt, Level, Reciprocal, WideStep};
@@ -18,18 +19,6 @@ pub(crate) const POINTS: usize = 512;
 
 /// Steps after which an ensemble begins anew, so that no orbit leaves the usual range.
 const SEGMENT: usize = 1024;
-
-/// Something to time.
-pub(crate) struct Task {
-    /// The system, or `bound`.
-    pub(crate) system: &'static str,
-    /// How it is run.
-    pub(crate) what: &'static str,
-    /// Additions, multiplications and multiply-adds of one step, an estimated reciprocal included.
-    pub(crate) operations: usize,
-    /// The seconds that so many units take.
-    pub(crate) seconds: Box<dyn Fn(usize) -> f64>,
-}
 
 /// Every task, in a fixed order.
 pub(crate) fn all() -> Vec<Task> {

@@ -1,4 +1,4 @@
-//! The eight systems of the benchmarks.
+//! The eight systems of the benchmarks, and what the processes that time them share ([`serve`]).
 //!
 //! One file a system, holding its `kahan!` block and nothing else, so that the cost of compiling it can be measured on
 //! the very text.
@@ -11,6 +11,7 @@ mod e6;
 mod euler_top;
 mod lorenz;
 mod lotka_volterra;
+pub mod serve;
 
 pub use clebsch::Clebsch;
 pub use e1::E1;

@@ -3,20 +3,13 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use kahan_bench_fields::serve::Task;
 use kahan_bench_fields::{self as fields, EPS, start};
 use kahan_core::prelude::*;
 use kahan_core::{Lift, ThroughF64};
 
 /// Steps after which a chain begins anew, so that no orbit leaves the usual range.
 const SEGMENT: usize = 1024;
-
-/// Something to time.
-pub(crate) struct Task {
-    pub(crate) system: &'static str,
-    pub(crate) what: &'static str,
-    /// The seconds that so many steps take.
-    pub(crate) seconds: Box<dyn Fn(usize) -> f64>,
-}
 
 /// Every tier of every system, in a fixed order.
 pub(crate) fn all() -> Vec<Task> {
@@ -41,6 +34,7 @@ where
     let task = |what, run: Box<dyn Fn(usize)>| Task {
         system: name,
         what,
+        operations: 0,
         seconds: Box::new(move |steps| {
             let begun = Instant::now();
             for done in (0..steps).step_by(SEGMENT) {
