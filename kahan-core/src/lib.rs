@@ -31,6 +31,8 @@ mod orbit;
 mod prepared;
 mod prepared_step;
 mod scalar;
+#[cfg(feature = "std")]
+mod scene;
 mod stable;
 mod through_f64;
 mod try_step;
@@ -59,6 +61,8 @@ pub use orbit::{Accumulation, Compensated, Orbit, Rounded, Scaled};
 pub use prepared::KahanAt;
 pub use prepared_step::{PreparedStep, Quotients, StepCost, WideStep};
 pub use scalar::{Constant, Dd, FloatScalar, Pivot, Scalar};
+#[cfg(feature = "std")]
+pub use scene::{Need, NoSetting, Precision, Scene, Setting};
 pub use through_f64::ThroughF64;
 
 pub use nalgebra;

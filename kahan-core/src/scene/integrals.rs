@@ -1,0 +1,78 @@
+//! The cheapest setting that keeps the map's own integrals.
+//!
+//! In: a map, a first point. Out: Kahan's map at an ε that is as large as the orbit bears, in the numbers whose roundings are small
+//! enough. The discretisation does nothing to these integrals; each step's roundings move the point off their level by u times
+//! the condition, and n steps by √n of that.
+
+use nalgebra::SVector;
+
+use crate::{Composition, Lift};
+
+use super::candidates::{MOST_STEPS, SAFETY, kinds};
+use super::pilot::{norm, rate};
+use super::{NoSetting, Precision, Scene, Setting};
+
+/// The most steps of a pilot orbit.
+const PILOT: f64 = 4096.0;
+/// An orbit is as large as it should be where its largest coordinate is at most this factor beyond that of a finer one.
+const LARGER: f64 = 2.0;
+/// How often ε is halved.
+const HALVINGS: i32 = 16;
+
+pub(super) fn choose<M, const N: usize>(
+    scene: &Scene,
+    map: &M,
+    x0: &SVector<f64, N>,
+) -> Result<Setting, NoSetting>
+where
+    M: Lift<f64, N>,
+{
+    let rate = rate(map, x0);
+    let first = (0.5 * scene.horizon * rate).ceil().max(1.0);
+    let coarsest =
+        (0..HALVINGS).map(|k| first * f64::from(k).exp2()).find(|steps| is_borne(scene, map, x0, *steps));
+    let Some(coarsest) = coarsest else { return Err(NoSetting::Lost { time: 0.0 }) };
+    let (mut best, mut least_error): (Option<Setting>, f64) = (None, f64::INFINITY);
+    for (precision, compensated) in kinds() {
+        for k in 0..HALVINGS {
+            let steps = coarsest * f64::from(k).exp2();
+            let composition = Composition::KAHAN;
+            let mut setting = Setting::over(map, scene.horizon, precision, composition, compensated, steps);
+            let (eps, steps) = (setting.eps, setting.steps as f64);
+            if !(eps > 0.0 && steps < MOST_STEPS) {
+                break;
+            }
+            // Compensated, an increment is rounded, not the point.
+            let part = if compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
+            let error = SAFETY * scene.condition * precision.unit() * (1.0 + part * steps.sqrt());
+            least_error = least_error.min(error);
+            if error > scene.tolerance {
+                continue;
+            }
+            setting.error = error;
+            let cost = setting.cost;
+            if best.as_ref().is_none_or(|known| (cost, error) < (known.cost, known.error)) {
+                best = Some(setting);
+            }
+            break;
+        }
+    }
+    best.ok_or(NoSetting::OutOfReach { best: least_error })
+}
+
+/// Whether the beginning of the orbit is finite and no larger than that with a quarter of ε.
+fn is_borne<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, steps: f64) -> bool
+where
+    M: Lift<f64, N>,
+{
+    let eps = Precision::Double.short_eps(0.5 * scene.horizon / steps);
+    let count = steps.min(PILOT) as usize;
+    let coarse = size(map.orbit(*x0, eps).take(count + 1));
+    let fine = size(map.orbit(*x0, 0.25 * eps).take(4 * count + 1));
+    fine.is_finite() && coarse <= LARGER * fine
+}
+
+/// The largest coordinate of so many points.
+fn size<const N: usize>(orbit: impl Iterator<Item = SVector<f64, N>>) -> f64 {
+    orbit.fold(0.0, |size, x| norm(&x).max(size))
+}

@@ -1,0 +1,167 @@
+//! The stepper for a scene: which numbers, which order, compensated or not, and which ε.
+//!
+//! In: a map, a first point, a time to be simulated, what the orbit is for and how accurate it must be. Out: the [`Setting`]
+//! that serves at the least modelled cost. Nothing is timed, so the answer is the same on every machine of one kind, and every time:
+//! short pilot orbits give the law of each order's error ([`pilot`]) and the roundings of each kind of number ([`rounding`]),
+//! and the plan's own count of operations the price ([`price`]). The command `kahan trade` measures instead.
+//! Deliberately absent: bounds. Everything here is an estimate with a stated safety factor.
+
+mod candidates;
+mod error;
+mod integrals;
+mod pilot;
+mod price;
+mod rounding;
+mod run;
+mod setting;
+
+use nalgebra::SVector;
+
+use crate::{Composition, Lift};
+
+pub use error::NoSetting;
+pub use setting::{Precision, Setting};
+
+/// What an orbit is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Need {
+    /// To follow the flow's trajectory: the error is the largest distance from it over the horizon, in the maximum norm, relative
+    /// to the largest coordinate of the trajectory.
+    Trajectory,
+    /// To keep the map's own integrals, those at its ε: the error is the largest change over the horizon, relative to the
+    /// value at the beginning. Only Kahan's map itself keeps them, so no composition is considered; the discretisation does
+    /// nothing to them, only roundings do. See [`Scene::condition`].
+    Integrals,
+}
+
+/// A time to be simulated, and what is needed of the orbit.
+///
+/// ```
+/// use kahan_core::prelude::*;
+/// use kahan_core::Scene;
+///
+/// kahan! {
+///     /// Predator and prey.
+///     pub struct LotkaVolterra;
+///     xdot = x*(1 - y);
+///     ydot = y*(x - 1);
+/// }
+///
+/// // Twenty units of time, to nine digits.
+/// let start = vector![1.5, 1.0];
+/// let setting = Scene::trajectory(20.0, 1e-9).choose(&LotkaVolterra, &start)?;
+/// assert_eq!(setting.composition().order(), 8);
+/// assert!(setting.error() <= 1e-9);
+///
+/// // x − ln x + y − ln y is constant along the flow.
+/// let level = |x: SVector<f64, 2>| x[0] - x[0].ln() + x[1] - x[1].ln();
+/// let last = setting.run(&LotkaVolterra, start);
+/// assert!((level(last) - level(start)).abs() < 1e-9);
+///
+/// // As one would write it:
+/// println!("{setting}");
+/// # Ok::<(), kahan_core::NoSetting>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scene {
+    horizon: f64,
+    need: Need,
+    tolerance: f64,
+    condition: f64,
+}
+
+impl Scene {
+    /// The scene with this need: `horizon` is the time to be simulated, `tolerance` the largest error accepted, as [`Need`] defines
+    /// it. Both must be finite and above 0, which [`choose`](Self::choose) checks.
+    #[must_use]
+    pub const fn new(horizon: f64, need: Need, tolerance: f64) -> Self {
+        Self { horizon, need, tolerance, condition: 16.0 }
+    }
+
+    /// A scene whose trajectory must be followed.
+    #[must_use]
+    pub const fn trajectory(horizon: f64, tolerance: f64) -> Self {
+        Self::new(horizon, Need::Trajectory, tolerance)
+    }
+
+    /// A scene whose integrals must be kept.
+    #[must_use]
+    pub const fn integrals(horizon: f64, tolerance: f64) -> Self {
+        Self::new(horizon, Need::Integrals, tolerance)
+    }
+
+    /// The same scene with integrals H of this condition: Σ|xᵢ ∂H/∂xᵢ|/|H|, by how much a relative change of the state is
+    /// magnified in them. Without it, it is taken to be 16: polynomials of degree 4 that cancel to a quarter of their terms. Where the
+    /// value is near zero it is much larger. Only [`Need::Integrals`] asks for it.
+    #[must_use]
+    pub const fn condition(mut self, condition: f64) -> Self {
+        self.condition = condition;
+        self
+    }
+
+    /// The cheapest setting, by the model of cost, that is expected to meet the tolerance with a factor 2 to spare on the
+    /// discretisation and on the roundings each.
+    ///
+    /// # How
+    /// For [`Need::Trajectory`], each of the orders 2, 4, 6, 8 runs orbits in `f64` with twice, four times, … as many steps, until
+    /// the difference of two (Richardson) falls with the order; from there on the law error ∝ εᵖ is trusted. One more set of
+    /// pilots, of few steps, tells what the roundings of each kind of number grow to, against the same orbit in
+    /// [`Dd`](crate::Dd); further steps add to them like a random walk. A horizon of more than some 80 turns of the motion is not run to
+    /// its end: the errors of its beginning are continued by a power of time.
+    ///
+    /// # Cost
+    /// At most some 10⁶ steps of the map in all, most often some 10⁴ (under a millisecond), however long the horizon is. It pays where a
+    /// setting is run for long or used for many orbits.
+    ///
+    /// # Errors
+    /// [`NoSetting`]: numbers that make no sense, a trajectory that cannot be followed to the horizon, a tolerance that no setting
+    /// reaches.
+    pub fn choose<M, const N: usize>(&self, map: &M, x0: &SVector<f64, N>) -> Result<Setting, NoSetting>
+    where
+        M: Lift<f64, N>,
+    {
+        self.check(x0)?;
+        match self.need {
+            Need::Trajectory => candidates::choose(self, map, x0),
+            Need::Integrals => integrals::choose(self, map, x0),
+        }
+    }
+
+    /// A setting of one's own choosing over this scene's horizon, about so many steps, priced as [`choose`](Self::choose) prices
+    /// its own; what error to expect of it is not known, and is said to be infinite.
+    ///
+    /// # Panics
+    /// If the horizon is not a finite number above 0, or `steps` is 0.
+    pub fn setting<M, const N: usize>(
+        &self,
+        map: &M,
+        precision: Precision,
+        composition: Composition,
+        compensated: bool,
+        steps: u64,
+    ) -> Setting
+    where
+        M: Lift<f64, N>,
+    {
+        assert!(
+            self.horizon.is_finite() && self.horizon > 0.0,
+            "the horizon must be a finite number above 0"
+        );
+        assert!(steps > 0, "an orbit over a horizon has at least one step");
+        Setting::over(map, self.horizon, precision, composition, compensated, steps as f64)
+    }
+
+    fn check<const N: usize>(&self, x0: &SVector<f64, N>) -> Result<(), NoSetting> {
+        let quantities =
+            [("horizon", self.horizon), ("tolerance", self.tolerance), ("condition", self.condition)];
+        for (name, value) in quantities {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(NoSetting::NotPositive { name, value });
+            }
+        }
+        match x0.iter().position(|entry| !entry.is_finite()) {
+            Some(index) => Err(NoSetting::NotFinite { index }),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! A way to step an orbit, chosen.
+
+use core::fmt;
+
+use crate::{Composition, Lift, PreparedStep, nearest_short_eps};
+
+use super::price;
+
+/// The numbers that an orbit is computed in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Precision {
+    /// `f32`
+    Single,
+    /// A state in `f32`, every step computed in `f64` and rounded once: [`ThroughF64`](crate::ThroughF64).
+    SingleThroughDouble,
+    /// `f64`
+    Double,
+    /// [`Dd`](crate::Dd), 32 digits.
+    DoubleDouble,
+}
+
+impl Precision {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Single, Self::SingleThroughDouble, Self::Double, Self::DoubleDouble];
+
+    /// u, the relative error of one rounding (of the state).
+    #[must_use]
+    pub const fn unit(self) -> f64 {
+        match self {
+            Self::Single | Self::SingleThroughDouble => f32::EPSILON as f64 / 2.0,
+            Self::Double => f64::EPSILON / 2.0,
+            Self::DoubleDouble => f64::EPSILON * f64::EPSILON,
+        }
+    }
+
+    /// The [short](nearest_short_eps) ε nearest to this one; in `Dd` one that is short for `f64`.
+    pub(super) fn short_eps(self, eps: f64) -> f64 {
+        match self {
+            Self::Single | Self::SingleThroughDouble => f64::from(nearest_short_eps(eps as f32)),
+            Self::Double | Self::DoubleDouble => nearest_short_eps(eps),
+        }
+    }
+}
+
+/// The cheapest way to step an orbit that serves a [`Scene`](crate::Scene); made by [`Scene::choose`](crate::Scene::choose).
+///
+/// It is printed as a line of Rust, with `map` for the map and `x` for the first point, both of its precision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
+pub struct Setting {
+    pub(super) precision: Precision,
+    pub(super) composition: Composition,
+    pub(super) compensated: bool,
+    pub(super) eps: f64,
+    pub(super) steps: u64,
+    pub(super) error: f64,
+    pub(super) cost: f64,
+}
+
+impl Setting {
+    /// About so many steps over a horizon, priced; nothing is known of its error.
+    pub(super) fn over<M, const N: usize>(
+        _map: &M,
+        horizon: f64,
+        precision: Precision,
+        composition: Composition,
+        compensated: bool,
+        steps: f64,
+    ) -> Self
+    where
+        M: Lift<f64, N>,
+    {
+        let eps = precision.short_eps(0.5 * horizon / steps);
+        let steps = (0.5 * horizon / eps).round().max(1.0);
+        let stage = <M::Prepared as PreparedStep<f64, N>>::COST;
+        let cost = steps * price::of_step(stage, precision, composition, compensated);
+        Self { precision, composition, compensated, eps, steps: steps as u64, error: f64::INFINITY, cost }
+    }
+
+    /// The numbers.
+    pub fn precision(&self) -> Precision {
+        self.precision
+    }
+
+    /// The composition; [`Composition::KAHAN`] is the map itself.
+    pub fn composition(&self) -> Composition {
+        self.composition
+    }
+
+    /// Whether the state carries its rounding error.
+    pub fn is_compensated(&self) -> bool {
+        self.compensated
+    }
+
+    /// ε, half the time step; of so few bits that its powers are exact ([`nearest_short_eps`]).
+    pub fn eps(&self) -> f64 {
+        self.eps
+    }
+
+    /// The number of steps: 2ε times this is the horizon, but for less than half a step.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// The error to expect, with the safety factor 2 in it: at most the scene's tolerance.
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+
+    /// The modelled cost of the whole orbit in cycles of a core of today: steps × stages × the cycles of a stage in `f64` × what
+    /// the numbers and the compensation cost more. Only ratios are meant.
+    pub fn cost(&self) -> f64 {
+        self.cost
+    }
+}
+
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { precision, composition, compensated, eps, steps, .. } = self;
+        match precision {
+            Precision::Single | Precision::Double => write!(f, "let orbit = map.orbit(x, {eps:?})")?,
+            Precision::SingleThroughDouble => write!(f, "let orbit = ThroughF64(map).orbit(x, {eps:?})")?,
+            Precision::DoubleDouble => write!(f, "let orbit = map.orbit(x, Dd::from({eps:?}))")?,
+        }
+        if *composition != Composition::KAHAN {
+            write!(f, ".composed(Composition::{})", composition.name())?;
+        }
+        if *compensated {
+            f.write_str(".compensated()")?;
+        }
+        // x₀ and every step after it.
+        write!(f, ".take({});", u128::from(*steps) + 1)
+    }
+}

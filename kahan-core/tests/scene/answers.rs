@@ -1,0 +1,100 @@
+//! What the choice says, and what it prints.
+
+use kahan_core::prelude::*;
+use kahan_core::{Composition, NoSetting, Precision, Scene};
+
+use crate::systems::{Burst, E6, EulerTop, Lorenz, LotkaVolterra};
+
+const START: [f64; 3] = [0.25, -0.5, 0.75];
+
+#[test]
+fn the_line_that_is_printed_is_the_orbit_that_is_run() {
+    let start = vector![1.5, 1.0];
+    let setting = Scene::trajectory(20.0, 1e-9).choose(&LotkaVolterra, &start).unwrap();
+    assert_eq!(setting.precision(), Precision::Double);
+    let (eps, steps) = (setting.eps(), setting.steps());
+    let line =
+        format!("let orbit = map.orbit(x, {eps:?}).composed(Composition::KAHAN_LI_8).take({});", steps + 1);
+    assert_eq!(setting.to_string(), line);
+
+    let orbit = LotkaVolterra.orbit(start, eps).composed(Composition::KAHAN_LI_8).take(steps as usize + 1);
+    let points: Vec<_> = orbit.collect();
+    assert_eq!(Some(&setting.run(&LotkaVolterra, start)), points.last());
+    let mut visited = Vec::new();
+    setting.visit(&LotkaVolterra, start, |n, x| {
+        assert_eq!(n as usize, visited.len());
+        visited.push(*x);
+    });
+    assert_eq!(visited, points);
+}
+
+#[test]
+fn the_same_question_has_the_same_answer() {
+    let top = EulerTop { a1: 1.0, a2: -3.0, a3: 1.5 };
+    let choose = || Scene::trajectory(15.0, 1e-6).choose(&top, &START.into());
+    assert_eq!(choose(), choose());
+}
+
+#[test]
+fn epsilon_is_short_and_the_steps_reach_the_horizon() {
+    for tolerance in [1e-2, 1e-6, 1e-10, 1e-20] {
+        let setting = Scene::trajectory(10.0, tolerance).choose(&E6, &START.into()).unwrap();
+        assert_eq!(kahan_core::nearest_short_eps(setting.eps()), setting.eps());
+        assert!((2.0 * setting.eps() * setting.steps() as f64 - 10.0).abs() <= setting.eps());
+        assert!(setting.error() <= tolerance);
+    }
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    let choose = |scene: Scene| scene.choose(&E6, &START.into());
+    assert!(matches!(
+        choose(Scene::trajectory(0.0, 1e-6)),
+        Err(NoSetting::NotPositive { name: "horizon", .. })
+    ));
+    assert!(matches!(
+        choose(Scene::trajectory(1.0, f64::NAN)),
+        Err(NoSetting::NotPositive { name: "tolerance", .. })
+    ));
+    assert!(matches!(
+        choose(Scene::integrals(1.0, 1e-6).condition(-1.0)),
+        Err(NoSetting::NotPositive { name: "condition", .. })
+    ));
+    let nowhere = Scene::trajectory(1.0, 1e-6).choose(&E6, &vector![0.0, f64::INFINITY, 0.0]);
+    assert_eq!(nowhere, Err(NoSetting::NotFinite { index: 1 }));
+}
+
+#[test]
+fn a_tolerance_below_the_roundings_of_every_scalar_is_out_of_reach() {
+    let scene = |tolerance| Scene::trajectory(10.0, tolerance);
+    let Err(NoSetting::OutOfReach { best }) = scene(1e-33).choose(&E6, &START.into()) else {
+        panic!("u of Dd is 5e-32");
+    };
+    assert!(best > 1e-31 && best < 1e-27, "{best:e}");
+    // The order that is named there needs more steps, and so a little more.
+    assert!(scene(4.0 * best).choose(&E6, &START.into()).is_ok());
+}
+
+#[test]
+fn a_solution_that_ends_before_the_horizon_is_lost_there() {
+    assert!(Scene::trajectory(0.75, 1e-6).choose(&Burst, &vector![1.0]).is_ok());
+    let Err(NoSetting::Lost { time }) = Scene::trajectory(2.0, 1e-6).choose(&Burst, &vector![1.0]) else {
+        panic!("1/(1 - t) has no value at t = 1");
+    };
+    // The orbits jump over the pole and then agree again; what is known to a tenth ends there, to the steps' resolution.
+    assert!((0.5..=1.01).contains(&time), "{time}");
+}
+
+#[test]
+fn chaos_for_longer_than_f64_can_follow_is_refused() {
+    // Errors grow like exp(0.9 t): by exp(90) over this horizon.
+    let long = Scene::trajectory(100.0, 1e-6).choose(&Lorenz, &vector![1.0, 1.0, 20.0]);
+    assert!(matches!(long, Err(NoSetting::Lost { .. } | NoSetting::Unpredictable { .. })), "{long:?}");
+}
+
+#[test]
+fn a_point_at_rest_takes_one_step() {
+    let rest = Scene::trajectory(5.0, 1e-9).choose(&LotkaVolterra, &vector![1.0, 1.0]).unwrap();
+    assert!(rest.steps() <= 2, "{rest}");
+    assert_eq!(rest.run(&LotkaVolterra, vector![1.0, 1.0]), vector![1.0, 1.0]);
+}

@@ -1,0 +1,95 @@
+//! The choice against a reference, and against everything cheaper.
+
+use kahan_core::prelude::*;
+use kahan_core::{Composition, Lift, Precision, Scene};
+
+use crate::systems::{E2, E6, EulerTop, Lorenz, LotkaVolterra};
+use crate::trajectory::Trajectory;
+
+/// Of the library's choice to the cheapest setting there is, as issue 5 asks.
+const RATIO: f64 = 3.0;
+
+/// The choice for each tolerance meets it, and nothing that costs a third does.
+fn check<M, const N: usize>(name: &str, map: M, x0: [f64; N], horizon: f64, steps: usize, tolerances: &[f64])
+where
+    M: Lift<f64, N>,
+{
+    let x0 = SVector::from(x0);
+    let reference = Trajectory::new(&map, &x0, horizon, steps);
+    let doubt = reference.doubt(&Trajectory::new(&map, &x0, horizon, steps / 2));
+    for &tolerance in tolerances {
+        assert!(doubt < 1e-2 * tolerance, "{name}: the reference is known to {doubt:e} only");
+        let scene = Scene::trajectory(horizon, tolerance);
+        let chosen = scene.choose(&map, &x0).unwrap_or_else(|why| panic!("{name}, {tolerance:e}: {why}"));
+        let error = reference.error(&chosen, &map, x0, 256, f64::INFINITY);
+        println!("{name}, {tolerance:e}: {chosen} costs {:.0}, errs {error:.1e}", chosen.cost());
+        assert!(error <= tolerance, "{name}: {chosen} errs {error:e} for {tolerance:e}");
+
+        let kinds = Precision::ALL.into_iter().flat_map(|precision| [(precision, false), (precision, true)]);
+        for ((precision, compensated), order) in
+            kinds.flat_map(|kind| [2, 4, 6, 8].map(|order| (kind, order)))
+        {
+            let composition = Composition::of_order(order).unwrap();
+            let setting = |steps| scene.setting(&map, precision, composition, compensated, steps);
+            let of_step = setting(1 << 20).cost() / setting(1 << 20).steps() as f64;
+            // The dearest of what costs a third errs least; below, in case it is bad luck.
+            let mut steps = chosen.cost() / RATIO / of_step;
+            for _ in 0..8 {
+                if steps < 1.0 {
+                    break;
+                }
+                let cheap = setting(steps as u64);
+                let error = reference.error(&cheap, &map, x0, 64, tolerance);
+                assert!(error > tolerance, "{name}: {cheap} errs {error:e}, at a third of {chosen}");
+                steps /= 1.1;
+            }
+        }
+    }
+}
+
+const TOLERANCES: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13];
+
+#[test]
+fn e6_is_served_at_no_more_than_three_times_the_least_cost() {
+    check("E6", E6, [0.25, -0.5, 0.75], 20.0, 1024, &TOLERANCES);
+}
+
+#[test]
+fn the_euler_top_is_served_at_no_more_than_three_times_the_least_cost() {
+    check("Euler", EulerTop { a1: 1.0, a2: -3.0, a3: 1.5 }, [0.5, 0.25, -0.75], 20.0, 1024, &TOLERANCES);
+}
+
+#[test]
+fn lotka_volterra_is_served_at_no_more_than_three_times_the_least_cost() {
+    check("LV", LotkaVolterra, [1.5, 1.0], 20.0, 1024, &TOLERANCES);
+}
+
+#[test]
+fn e2_is_served_at_no_more_than_three_times_the_least_cost() {
+    check("E2", E2, [0.5, -0.75, 1.0], 20.0, 1024, &TOLERANCES);
+}
+
+#[test]
+fn a_little_of_lorenz_is_served_at_no_more_than_three_times_the_least_cost() {
+    check("Lorenz", Lorenz, [1.0, 1.0, 20.0], 4.0, 2048, &TOLERANCES[..6]);
+}
+
+/// The relative change of E6's own integrals over a setting's orbit, evaluated in double-double.
+#[test]
+fn the_integrals_of_e6_are_kept_as_was_asked_for() {
+    let x0 = vector![0.25, -0.5, 0.75];
+    for tolerance in [1e-4, 1e-6, 1e-12, 1e-14] {
+        let setting = Scene::integrals(500.0, tolerance).choose(&E6, &x0).unwrap();
+        assert_eq!(setting.composition(), Composition::KAHAN);
+        let values = |x: &SVector<f64, 3>| E6.integrals(&x.map(Dd::from), Dd::from(setting.eps()));
+        let (mut begin, mut worst) = (None, 0.0_f64);
+        setting.visit(&E6, x0, |_, x| {
+            let now = values(x);
+            let begin = begin.get_or_insert(now);
+            let change = now.zip_map(begin, |now, begin| f64::from(((now - begin) / begin).abs()));
+            worst = worst.max(change.max());
+        });
+        println!("E6, integrals {tolerance:e}: {setting} drifts {worst:.1e}");
+        assert!(worst > 0.0 && worst <= tolerance, "{setting} drifts {worst:e} for {tolerance:e}");
+    }
+}

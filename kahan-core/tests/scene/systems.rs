@@ -1,0 +1,46 @@
+//! The systems of the scenes.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub(crate) struct E6;
+    xdot = y*(2*z - x);
+    ydot = x^2 - z^2;
+    zdot = y*(z - 2*x);
+
+    integral H = (x*z + y^2)/(1 - 3*eps^2*x*z);
+    integral K = 1/2*(x^2 + y^2 + z^2)/(1 - 3*eps^2*x*z);
+}
+
+kahan! {
+    pub(crate) struct E2;
+    xdot = -x^2;
+    ydot = x*y;
+    zdot = -2*y^2 + x*z;
+}
+
+kahan! {
+    pub(crate) struct EulerTop { a1, a2, a3 }
+    xdot = a1*y*z;
+    ydot = a2*z*x;
+    zdot = a3*x*y;
+}
+
+kahan! {
+    pub(crate) struct LotkaVolterra;
+    xdot = x*(1 - y);
+    ydot = y*(x - 1);
+}
+
+kahan! {
+    pub(crate) struct Lorenz;
+    xdot = 10*(y - x);
+    ydot = x*(28 - z) - y;
+    zdot = x*y - 8/3*z;
+}
+
+kahan! {
+    /// Its solution 1/(1/x₀ − t) ends at t = 1/x₀.
+    pub(crate) struct Burst;
+    xdot = x^2;
+}
