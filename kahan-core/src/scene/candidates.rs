@@ -45,6 +45,10 @@ where
         return Err(NoSetting::Unpredictable { time: span.time, power });
     }
     let roundings = Roundings::of(map, x0, shortest, span.time);
+    for l in settled() {
+        std::eprintln!("{:?} finest {} power {} errors {:?}", l.composition, l.finest(), l.power, &l);
+    }
+    std::eprintln!("{roundings:?} shortest {:?}", shortest.composition);
     let trial = Trial { scene, span, roundings, power: power.max(1.0) };
 
     let (mut best, mut least_error): (Option<Setting>, f64) = (None, f64::INFINITY);

@@ -37,17 +37,22 @@ struct Gap {
     error: f64,
     /// The same over the first half of the time.
     half: f64,
-    /// The part of the time before the distance reached a tenth.
+    /// The part of the time before the distance reached a tenth of the point, or the fine orbit passed a pole.
     agreed: f64,
+    /// Whether the fine orbit passed no pole.
+    is_resolved: bool,
 }
 
 const RUNGS: usize = 20;
 /// The most steps of the map in one pilot orbit.
 const MOST_STAGES: u64 = 1 << 16;
-/// Two rungs have the order's ratio where its logarithm is within this part of what it must be,
-const SLOPE: f64 = 0.25;
+/// Two rungs have the order's ratio where its logarithm is within this part of what it must be, twice running,
+const SLOPE: f64 = 0.15;
 /// at an error that is below this.
 const SMALL: f64 = 0.03;
+/// A solution that is infinite at t* is there like c/(t − t*) with Q(c,c) = −c, so that −2/(t − t*) is an eigenvalue of f′. Kahan's
+/// map steps over such a pole as if nothing were, but one of its points is at most ε from it: there ε‖f′‖ is at least this.
+const POLE: f64 = 2.0;
 /// Below, `f64` pilots differ by roundings.
 const ROUNDINGS: f64 = 1e-12;
 
@@ -74,12 +79,20 @@ pub(super) fn rate<M, const N: usize>(map: &M, x: &SVector<f64, N>) -> f64
 where
     M: Lift<f64, N>,
 {
-    let slopes = map.field_jacobian(x);
-    let slope =
-        slopes.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>()).fold(0.0, f64::max);
+    let slope = slope(map, x);
     let (speed, size) = (norm(&map.field(x)), norm(x));
     let rate = if size > 0.0 { slope.max(speed / size) } else { slope };
     if rate.is_finite() { rate } else { 0.0 }
+}
+
+/// ‖f′(x)‖∞
+fn slope<M, const N: usize>(map: &M, x: &SVector<f64, N>) -> f64
+where
+    M: Lift<f64, N>,
+{
+    let rows = map.field_jacobian(x);
+    let sums = rows.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum());
+    sums.fold(0.0, |largest, sum: f64| if sum.is_nan() { f64::INFINITY } else { largest.max(sum) })
 }
 
 /// ‖x‖∞; infinite where a coordinate is not a number.
@@ -101,7 +114,7 @@ impl Ladder {
         let order = f64::from(composition.order());
         let mut ladder =
             Self { composition, first: span.first, errors: [f64::INFINITY; RUNGS], len: 0, power: 0.0 };
-        let mut agreed = 0.0;
+        let (mut agreed, mut settled) = (0.0, 0);
         while ladder.len < RUNGS {
             let steps = span.first << ladder.len;
             if 2 * steps * composition.stages() as u64 > MOST_STAGES {
@@ -115,7 +128,8 @@ impl Ladder {
             ladder.len += 1;
             ladder.power = if gap.half > 0.0 { (gap.error / gap.half).log2() } else { 0.0 };
             let falls = ((before / error).log2() / order - 1.0).abs() <= SLOPE;
-            if error < ROUNDINGS || (error < SMALL && falls) {
+            settled = if falls { settled + 1 } else { 0 };
+            if gap.is_resolved && (error < ROUNDINGS || (error < SMALL && settled >= 2)) {
                 return Ok(ladder);
             }
         }
@@ -181,11 +195,15 @@ where
     let mut fine = map.orbit(*x0, 0.5 * eps).composed(composition);
     fine.next();
     let (mut distance, mut half, mut scale, mut agreed) = (0.0_f64, 0.0, norm(x0), None);
+    let mut is_resolved = true;
     for (n, x) in (1..=steps).zip(coarse.skip(1)) {
-        let Some(other) = fine.nth(1) else { break };
+        let (Some(between), Some(other)) = (fine.next(), fine.next()) else { break };
+        let turns = [between, other].map(|x| 0.5 * eps * slope(map, &x)).into_iter().fold(0.0, f64::max);
+        is_resolved &= turns < POLE;
+        let apart = norm(&(x - other));
         scale = scale.max(norm(&other));
-        distance = distance.max(norm(&(x - other)));
-        if !(distance <= 0.1 * scale) || !scale.is_finite() {
+        distance = distance.max(apart);
+        if !is_resolved || !(apart <= 0.1 * norm(&other)) {
             agreed.get_or_insert((n - 1) as f64 / steps as f64);
         }
         if n <= steps.div_ceil(2) {
@@ -195,5 +213,5 @@ where
     let relative = |distance: f64| if distance > 0.0 { distance / scale } else { 0.0 };
     let error = relative(distance);
     let error = if error.is_nan() { f64::INFINITY } else { error };
-    Gap { error, half: relative(half), agreed: agreed.unwrap_or(1.0) }
+    Gap { error, half: relative(half), agreed: agreed.unwrap_or(1.0), is_resolved }
 }
