@@ -45,24 +45,21 @@ where
         return Err(NoSetting::Unpredictable { time: span.time, power });
     }
     let roundings = Roundings::of(map, x0, shortest, span.time);
-    for l in settled() {
-        std::eprintln!("{:?} finest {} power {} errors {:?}", l.composition, l.finest(), l.power, &l);
-    }
-    std::eprintln!("{roundings:?} shortest {:?}", shortest.composition);
-    let trial = Trial { scene, span, roundings, power: power.max(1.0) };
+    let trial = Trial { horizon: scene.horizon, span, roundings, power: power.max(1.0) };
 
-    let (mut best, mut least_error): (Option<Setting>, f64) = (None, f64::INFINITY);
-    for ladder in settled() {
-        for (precision, compensated) in kinds() {
-            least_error = least_error.min(trial.least_error(ladder, precision, compensated));
-            let Some(setting) = trial.setting(map, ladder, precision, compensated) else { continue };
-            let is_better = |known: &Setting| (setting.cost, setting.error) < (known.cost, known.error);
-            if best.as_ref().is_none_or(is_better) {
-                best = Some(setting);
-            }
-        }
-    }
-    best.ok_or(NoSetting::OutOfReach { best: least_error })
+    let cheapest = |tolerance| {
+        let kinds = settled().flat_map(|ladder| kinds().map(move |kind| (ladder, kind)));
+        let settings = kinds.filter_map(|(ladder, kind)| trial.setting(map, ladder, kind, tolerance));
+        settings.min_by(|a, b| a.cost.total_cmp(&b.cost).then(a.error.total_cmp(&b.error)))
+    };
+    cheapest(scene.tolerance)
+        .ok_or_else(|| NoSetting::OutOfReach { best: least(|tolerance| cheapest(tolerance).is_some()) })
+}
+
+/// The least power of 2 that serves, up to 1; infinite where none does.
+fn least(serves: impl Fn(f64) -> bool) -> f64 {
+    let mut powers = (-110..=0).map(|power| f64::from(power).exp2());
+    powers.find(|tolerance| serves(*tolerance)).unwrap_or(f64::INFINITY)
 }
 
 /// Every kind of number; compensation makes no sense where no rounding is ever seen.
@@ -73,15 +70,15 @@ pub(super) fn kinds() -> impl Iterator<Item = (Precision, bool)> {
 
 /// What is known of a scene.
 #[derive(Debug)]
-struct Trial<'a> {
-    scene: &'a Scene,
+struct Trial {
+    horizon: f64,
     span: Span,
     roundings: Roundings,
     /// The power of time with which errors grow.
     power: f64,
 }
 
-impl Trial<'_> {
+impl Trial {
     /// What roundings come to at the horizon, from the steps over the pilots' time.
     fn roundings(&self, ladder: &Ladder, precision: Precision, compensated: bool, steps: f64) -> f64 {
         let stages = steps * ladder.composition.stages() as f64;
@@ -89,27 +86,22 @@ impl Trial<'_> {
         SAFETY * further * self.roundings.expected(precision, compensated, stages)
     }
 
-    /// The least tolerance that this kind meets with as many steps as the pilots of its order took.
-    fn least_error(&self, ladder: &Ladder, precision: Precision, compensated: bool) -> f64 {
-        2.0 * self.roundings(ladder, precision, compensated, ladder.finest() as f64)
-    }
-
     /// The coarsest ε that does.
     fn setting<M, const N: usize>(
         &self,
         map: &M,
         ladder: &Ladder,
-        precision: Precision,
-        compensated: bool,
+        (precision, compensated): (Precision, bool),
+        tolerance: f64,
     ) -> Option<Setting>
     where
         M: Lift<f64, N>,
     {
         let further = SAFETY * self.span.beyond.powf(self.power);
-        let mut steps = ladder.steps(self.scene.tolerance / further);
+        let mut steps = ladder.steps(tolerance / further);
         // What the roundings leave of the tolerance; more steps round more often, so this settles from below.
         for _ in 0..4 {
-            let left = self.scene.tolerance - self.roundings(ladder, precision, compensated, steps);
+            let left = tolerance - self.roundings(ladder, precision, compensated, steps);
             // NaN, where there is no number of steps, is not above 0 either.
             if !(left > 0.0) {
                 return None;
@@ -120,12 +112,12 @@ impl Trial<'_> {
         if !(all < MOST_STEPS) {
             return None;
         }
-        let horizon = self.scene.horizon;
+        let horizon = self.horizon;
         let mut setting = Setting::over(map, horizon, precision, ladder.composition, compensated, all);
         let steps = setting.steps as f64 / self.span.beyond;
         let error = further * ladder.error(steps) + self.roundings(ladder, precision, compensated, steps);
         // A short ε may be the larger one by a last digit.
-        setting.error = error.min(self.scene.tolerance);
+        setting.error = error.min(tolerance);
         (setting.eps > 0.0).then_some(setting)
     }
 }

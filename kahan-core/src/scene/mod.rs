@@ -75,7 +75,7 @@ impl Scene {
     /// it. Both must be finite and above 0, which [`choose`](Self::choose) checks.
     #[must_use]
     pub const fn new(horizon: f64, need: Need, tolerance: f64) -> Self {
-        Self { horizon, need, tolerance, condition: 16.0 }
+        Self { horizon, need, tolerance, condition: 4.0 }
     }
 
     /// A scene whose trajectory must be followed.
@@ -91,7 +91,7 @@ impl Scene {
     }
 
     /// The same scene with integrals H of this condition: Σ|xᵢ ∂H/∂xᵢ|/|H|, by how much a relative change of the state is
-    /// magnified in them. Without it, it is taken to be 16: polynomials of degree 4 that cancel to a quarter of their terms. Where the
+    /// magnified in them. Without it, it is taken to be 4: a polynomial of degree 2 whose terms cancel to a half. Where the
     /// value is near zero it is much larger. Only [`Need::Integrals`] asks for it.
     #[must_use]
     pub const fn condition(mut self, condition: f64) -> Self {

@@ -50,9 +50,10 @@ const MOST_STAGES: u64 = 1 << 16;
 const SLOPE: f64 = 0.15;
 /// at an error that is below this.
 const SMALL: f64 = 0.03;
-/// A solution that is infinite at t* is there like c/(t − t*) with Q(c,c) = −c, so that −2/(t − t*) is an eigenvalue of f′. Kahan's
-/// map steps over such a pole as if nothing were, but one of its points is at most ε from it: there ε‖f′‖ is at least this.
-const POLE: f64 = 2.0;
+/// A solution that is infinite at t* is there like c/(t − t*), so f like −x/(t − t*). Kahan's map steps over such a pole as if
+/// nothing were, but one of its points is at most ε from it, and is the largest so far: there ε‖f‖ is at least ‖x‖. This part of that
+/// leaves room for the terms beside.
+const POLE: f64 = 0.75;
 /// Below, `f64` pilots differ by roundings.
 const ROUNDINGS: f64 = 1e-12;
 
@@ -79,20 +80,12 @@ pub(super) fn rate<M, const N: usize>(map: &M, x: &SVector<f64, N>) -> f64
 where
     M: Lift<f64, N>,
 {
-    let slope = slope(map, x);
+    let slopes = map.field_jacobian(x);
+    let sums = slopes.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
+    let slope = sums.fold(0.0, f64::max);
     let (speed, size) = (norm(&map.field(x)), norm(x));
     let rate = if size > 0.0 { slope.max(speed / size) } else { slope };
     if rate.is_finite() { rate } else { 0.0 }
-}
-
-/// ‖f′(x)‖∞
-fn slope<M, const N: usize>(map: &M, x: &SVector<f64, N>) -> f64
-where
-    M: Lift<f64, N>,
-{
-    let rows = map.field_jacobian(x);
-    let sums = rows.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum());
-    sums.fold(0.0, |largest, sum: f64| if sum.is_nan() { f64::INFINITY } else { largest.max(sum) })
 }
 
 /// ‖x‖∞; infinite where a coordinate is not a number.
@@ -129,7 +122,12 @@ impl Ladder {
             ladder.power = if gap.half > 0.0 { (gap.error / gap.half).log2() } else { 0.0 };
             let falls = ((before / error).log2() / order - 1.0).abs() <= SLOPE;
             settled = if falls { settled + 1 } else { 0 };
-            if gap.is_resolved && (error < ROUNDINGS || (error < SMALL && settled >= 2)) {
+            let is_rounding = error < ROUNDINGS;
+            if gap.is_resolved && (is_rounding || (error < SMALL && settled >= 2)) {
+                if is_rounding && before.is_finite() {
+                    // The law knows better.
+                    ladder.errors[ladder.len - 1] = error.max(before * 0.5_f64.powf(order)).min(ROUNDINGS);
+                }
                 return Ok(ladder);
             }
         }
@@ -198,10 +196,11 @@ where
     let mut is_resolved = true;
     for (n, x) in (1..=steps).zip(coarse.skip(1)) {
         let (Some(between), Some(other)) = (fine.next(), fine.next()) else { break };
-        let turns = [between, other].map(|x| 0.5 * eps * slope(map, &x)).into_iter().fold(0.0, f64::max);
-        is_resolved &= turns < POLE;
+        for x in [between, other] {
+            scale = scale.max(norm(&x));
+            is_resolved &= 0.5 * eps * norm(&map.field(&x)) < POLE * scale || scale == 0.0;
+        }
         let apart = norm(&(x - other));
-        scale = scale.max(norm(&other));
         distance = distance.max(apart);
         if !is_resolved || !(apart <= 0.1 * norm(&other)) {
             agreed.get_or_insert((n - 1) as f64 / steps as f64);

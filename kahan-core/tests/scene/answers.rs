@@ -71,8 +71,8 @@ fn a_tolerance_below_the_roundings_of_every_scalar_is_out_of_reach() {
         panic!("u of Dd is 5e-32");
     };
     assert!(best > 1e-31 && best < 1e-27, "{best:e}");
-    // The order that is named there needs more steps, and so a little more.
-    assert!(scene(4.0 * best).choose(&E6, &START.into()).is_ok());
+    assert!(scene(best).choose(&E6, &START.into()).is_ok());
+    assert!(scene(0.4 * best).choose(&E6, &START.into()).is_err());
 }
 
 #[test]
