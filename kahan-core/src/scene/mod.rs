@@ -106,7 +106,7 @@ impl Scene {
     /// For [`Need::Trajectory`], each of the orders 2, 4, 6, 8 runs orbits in `f64` with twice, four times, … as many steps, until
     /// the difference of two (Richardson) falls with the order, twice running; from there on the law error ∝ εᵖ is trusted. One more set of
     /// pilots, of few steps, tells what the roundings of each kind of number grow to, against the same orbit in
-    /// [`Dd`](crate::Dd); further steps add to them like a random walk. A horizon of more than some 80 turns of the motion is not run to
+    /// [`Dd`](crate::Dd); further steps add to them like a random walk. A horizon of more than some 40 turns of the motion is not run to
     /// its end: the errors of its beginning are continued by a power of time.
     ///
     /// # Cost

@@ -45,7 +45,7 @@ struct Gap {
 
 const RUNGS: usize = 20;
 /// The most steps of the map in one pilot orbit.
-const MOST_STAGES: u64 = 1 << 16;
+const MOST_STAGES: u64 = 1 << 17;
 /// Two rungs have the order's ratio where its logarithm is within this part of what it must be, twice running,
 const SLOPE: f64 = 0.15;
 /// at an error that is below this.
@@ -58,13 +58,13 @@ const POLE: f64 = 0.75;
 const ROUNDINGS: f64 = 1e-12;
 
 impl Span {
-    /// First steps with ε‖f′‖ = 8 or less; a horizon that takes more than 32 of them is not run to its end.
+    /// First steps with ε‖f′‖ = 8 or less; a horizon that takes more than 16 of them is not run to its end.
     pub(super) fn of<M, const N: usize>(map: &M, x0: &SVector<f64, N>, horizon: f64) -> Self
     where
         M: Lift<f64, N>,
     {
         const LARGEST: f64 = 8.0;
-        const MOST: f64 = 32.0;
+        const MOST: f64 = 16.0;
         let steps = (0.5 * horizon * rate(map, x0) / LARGEST).ceil();
         if steps > MOST {
             let beyond = steps / MOST;

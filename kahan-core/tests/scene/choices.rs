@@ -47,7 +47,7 @@ where
     }
 }
 
-const TOLERANCES: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13];
+const TOLERANCES: [f64; 8] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13];
 
 #[test]
 fn e6_is_served_at_no_more_than_three_times_the_least_cost() {
@@ -71,7 +71,7 @@ fn e2_is_served_at_no_more_than_three_times_the_least_cost() {
 
 #[test]
 fn a_little_of_lorenz_is_served_at_no_more_than_three_times_the_least_cost() {
-    check("Lorenz", Lorenz, [1.0, 1.0, 20.0], 4.0, 4096, &TOLERANCES[..6]);
+    check("Lorenz", Lorenz, [1.0, 1.0, 20.0], 4.0, 4096, &TOLERANCES[..7]);
 }
 
 /// The relative change of E6's own integrals over a setting's orbit, evaluated in double-double.
@@ -92,4 +92,10 @@ fn the_integrals_of_e6_are_kept_as_was_asked_for() {
         println!("E6, integrals {tolerance:e}: {setting} drifts {worst:.1e}");
         assert!(worst > 0.0 && worst <= tolerance, "{setting} drifts {worst:e} for {tolerance:e}");
     }
+}
+
+/// Horizons beyond what the pilots cover: the errors of the beginning are continued.
+#[test]
+fn a_long_orbit_meets_its_tolerance_too() {
+    check("LV", LotkaVolterra, [1.5, 1.0], 500.0, 8192, &[1e-3, 1e-6, 1e-9]);
 }
