@@ -17,6 +17,8 @@ pub(super) const SAFETY: f64 = 2.0;
 const WALKING_PHASE: f64 = 1.5;
 /// Errors that grow faster than this at the pilots' end are not continued.
 const STEEPEST: f64 = 2.5;
+/// How much finer roundings are measured where they decide.
+const FINER: u64 = 8;
 /// The most steps: as many as `f64` counts.
 pub(super) const MOST_STEPS: f64 = 9e15;
 
@@ -44,16 +46,23 @@ where
     if span.beyond > 1.0 && power > STEEPEST {
         return Err(NoSetting::Unpredictable { time: span.time, power });
     }
-    let roundings = Roundings::of(map, x0, shortest, span.time);
-    let trial = Trial { horizon: scene.horizon, span, roundings, power: power.max(1.0) };
-
-    let cheapest = |tolerance| {
+    let roundings = |finer| Roundings::of(map, x0, shortest, span.time, finer);
+    let mut trial =
+        Trial { horizon: scene.horizon, span, coarse: roundings(1), fine: None, power: power.max(1.0) };
+    let cheapest = |trial: &Trial, tolerance| {
         let kinds = settled().flat_map(|ladder| kinds().map(move |kind| (ladder, kind)));
         let settings = kinds.filter_map(|(ladder, kind)| trial.setting(map, ladder, kind, tolerance));
         settings.min_by(|a, b| a.cost.total_cmp(&b.cost).then(a.error.total_cmp(&b.error)))
     };
-    cheapest(scene.tolerance)
-        .ok_or_else(|| NoSetting::OutOfReach { best: least(|tolerance| cheapest(tolerance).is_some()) })
+    let is_cheap = |setting: &Setting| setting.precision != Precision::DoubleDouble;
+    let mut choice = cheapest(&trial, scene.tolerance);
+    if !choice.as_ref().is_some_and(is_cheap) && scene.tolerance > Precision::Double.unit() {
+        // Before one pays ten times as much: finer steps round less where the state carries its error.
+        trial.fine = Some(roundings(FINER));
+        choice = cheapest(&trial, scene.tolerance);
+    }
+    let serves = |tolerance| cheapest(&trial, tolerance).is_some();
+    choice.ok_or_else(|| NoSetting::OutOfReach { best: least(serves) })
 }
 
 /// The least power of 2 that serves, up to 1; infinite where none does.
@@ -73,7 +82,9 @@ pub(super) fn kinds() -> impl Iterator<Item = (Precision, bool)> {
 struct Trial {
     horizon: f64,
     span: Span,
-    roundings: Roundings,
+    /// Roundings at the steps of the shortest ladder, and where they decide, at finer ones.
+    coarse: Roundings,
+    fine: Option<Roundings>,
     /// The power of time with which errors grow.
     power: f64,
 }
@@ -83,7 +94,8 @@ impl Trial {
     fn roundings(&self, ladder: &Ladder, precision: Precision, compensated: bool, steps: f64) -> f64 {
         let stages = steps * ladder.composition.stages() as f64;
         let further = self.span.beyond.powf(self.power.max(WALKING_PHASE));
-        SAFETY * further * self.roundings.expected(precision, compensated, stages)
+        let fine = self.fine.filter(|fine| fine.stages <= stages);
+        SAFETY * further * fine.unwrap_or(self.coarse).expected(precision, compensated, stages)
     }
 
     /// The coarsest ε that does.
@@ -102,14 +114,13 @@ impl Trial {
         // What the roundings leave of the tolerance; more steps round more often, so this settles from below.
         for _ in 0..4 {
             let left = tolerance - self.roundings(ladder, precision, compensated, steps);
-            // NaN, where there is no number of steps, is not above 0 either.
-            if !(left > 0.0) {
+            if left.is_nan() || left <= 0.0 {
                 return None;
             }
             steps = ladder.steps(left / further);
         }
         let all = (steps * self.span.beyond).ceil();
-        if !(all < MOST_STEPS) {
+        if all.is_nan() || all >= MOST_STEPS {
             return None;
         }
         let horizon = self.horizon;
@@ -118,6 +129,6 @@ impl Trial {
         let error = further * ladder.error(steps) + self.roundings(ladder, precision, compensated, steps);
         // A short ε may be the larger one by a last digit.
         setting.error = error.min(tolerance);
-        (setting.eps > 0.0).then_some(setting)
+        (setting.eps > 0.0 && setting.eps.is_finite()).then_some(setting)
     }
 }

@@ -139,7 +139,7 @@ impl Ladder {
         let order = f64::from(self.composition.order());
         let rungs = &self.errors[..self.len];
         // From this rung on, all do.
-        let failing = rungs.iter().rposition(|measured| !(*measured <= error));
+        let failing = rungs.iter().rposition(|measured| *measured > error);
         let steps = |rung: usize| (self.first << rung) as f64;
         match failing {
             None => steps(0),
@@ -202,7 +202,8 @@ where
         }
         let apart = norm(&(x - other));
         distance = distance.max(apart);
-        if !is_resolved || !(apart <= 0.1 * norm(&other)) {
+        let is_near = apart <= 0.1 * norm(&other);
+        if !(is_resolved && is_near) {
             agreed.get_or_insert((n - 1) as f64 / steps as f64);
         }
         if n <= steps.div_ceil(2) {

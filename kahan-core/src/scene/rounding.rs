@@ -17,16 +17,22 @@ pub(super) struct Roundings {
     /// Of `f32`, `f32` through `f64`, `f64`: plain, and compensated.
     measured: [[f64; 2]; 3],
     /// The steps of the map over the pilots' time, all stages counted, that they belong to.
-    stages: f64,
+    pub(super) stages: f64,
 }
 
 impl Roundings {
-    /// Measured at the steps of the ladder's finest rung.
-    pub(super) fn of<M, const N: usize>(map: &M, x0: &SVector<f64, N>, ladder: &Ladder, time: f64) -> Self
+    /// Measured at `finer` times the steps of the ladder's finest rung.
+    pub(super) fn of<M, const N: usize>(
+        map: &M,
+        x0: &SVector<f64, N>,
+        ladder: &Ladder,
+        time: f64,
+        finer: u64,
+    ) -> Self
     where
         M: Lift<f64, N>,
     {
-        let steps = ladder.finest();
+        let steps = finer * ladder.finest();
         // The same in every precision.
         let eps = nearest_short_eps((0.5 * time / steps as f64) as f32);
         let single = map.lift::<f32>(|parameter| *parameter as f32);

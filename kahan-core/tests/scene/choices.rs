@@ -18,7 +18,8 @@ where
     let reference = Trajectory::new(&map, &x0, horizon, steps);
     let doubt = reference.doubt(&Trajectory::new(&map, &x0, horizon, steps / 2));
     for &tolerance in tolerances {
-        assert!(doubt < 1e-2 * tolerance, "{name}: the reference is known to {doubt:e} only");
+        // The difference from half the steps is 255 times the reference's own error, as it is of order 8.
+        assert!(doubt < 0.1 * tolerance, "{name}: the reference is known to {doubt:e} only");
         let scene = Scene::trajectory(horizon, tolerance);
         let chosen = scene.choose(&map, &x0).unwrap_or_else(|why| panic!("{name}, {tolerance:e}: {why}"));
         let error = reference.error(&chosen, &map, x0, 256, f64::INFINITY);
@@ -47,11 +48,11 @@ where
     }
 }
 
-const TOLERANCES: [f64; 8] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13];
+const TOLERANCES: [f64; 10] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13, 2e-14, 5e-15];
 
 #[test]
 fn e6_is_served_at_no_more_than_three_times_the_least_cost() {
-    check("E6", E6, [0.25, -0.5, 1.0], 20.0, 2048, &TOLERANCES);
+    check("E6", E6, [0.25, -0.5, 1.0], 20.0, 2048, &TOLERANCES[..9]);
 }
 
 #[test]
@@ -78,8 +79,8 @@ fn a_little_of_lorenz_is_served_at_no_more_than_three_times_the_least_cost() {
 #[test]
 fn the_integrals_of_e6_are_kept_as_was_asked_for() {
     let x0 = vector![0.25, -0.5, 1.0];
-    for tolerance in [1e-4, 1e-6, 1e-12, 1e-14] {
-        let setting = Scene::integrals(500.0, tolerance).choose(&E6, &x0).unwrap();
+    for (horizon, tolerance) in [(500.0, 1e-6), (500.0, 3e-14), (500.0, 1e-14), (20_000.0, 2e-13)] {
+        let setting = Scene::integrals(horizon, tolerance).choose(&E6, &x0).unwrap();
         assert_eq!(setting.composition(), Composition::KAHAN);
         let values = |x: &SVector<f64, 3>| E6.integrals(&x.map(Dd::from), Dd::from(setting.eps()));
         let (mut begin, mut worst) = (None, 0.0_f64);
