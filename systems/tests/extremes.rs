@@ -22,7 +22,7 @@ fn subject(entry: &Entry) -> Subject {
     let system = check(parse(&lex(entry.text()).tokens, &mut diagnostics), &mut diagnostics);
     assert!(diagnostics.finish().is_empty(), "{}", entry.command);
     let parameters = vec![None; system.field.symbols.parameters.len()];
-    Subject::new(entry.command, &system, parameters).expect("the catalog is compiled, and small")
+    Subject::new(Some(entry.command), &system, parameters).expect("the catalog is compiled, and small")
 }
 
 fn everything() -> Vec<Subject> {
@@ -122,10 +122,27 @@ mod command {
         }
     }
 
+    /// The text of E3 is interpreted with the bits of the compiled E3, so every verdict is the same.
+    #[test]
+    fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
+        let cells = |arguments: &[&str]| {
+            let output = kahan(&[arguments, &["--trials", "256", "--seed", "9", "--json"]].concat());
+            assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+            let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
+            object["cells"].clone()
+        };
+        let field = ["extremes", "--field", "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;"];
+        let read = cells(&field);
+        assert_eq!(read, cells(&["extremes", "e3"]));
+        assert!(read.as_array().is_some_and(|cells| cells.iter().any(|cell| cell["silently_wrong"] != 0)));
+        // A parameter that is drawn, below a fraction bar, and a constant that no float holds.
+        cells(&["extremes", "--field", "xdot = x*y/mu + 1/3; ydot = mu - x^2;"]);
+    }
+
     #[test]
     fn what_cannot_be_judged_is_refused() {
         for (arguments, word) in [
-            (&["extremes", "--field", "xdot = x^2;"][..], "compiled"),
+            (&["extremes", "--field", "xdot = x^2/mu;", "--param", "mu=0"][..], "divides by zero"),
             (&["extremes", "e7", "--param", "mu=1"], "no parameter"),
             (&["extremes", "--param", "xi=1"], "of which system"),
             (&["extremes", "e1", "--trials", "0"], "1 or more"),

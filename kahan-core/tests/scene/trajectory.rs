@@ -23,7 +23,7 @@ impl<M: Lift<f64, N>, const N: usize> Trajectory<M, N> {
         let dt = horizon / steps as f64;
         let orbit = map.orbit(x0.map(Dd::from), Dd::from(dt / 2.0)).composed(HIGHEST);
         let points: Vec<_> = orbit.take(steps + steps / 64 + 2).collect();
-        let scale = points.iter().map(|x| norm(x)).fold(0.0, f64::max);
+        let scale = points.iter().map(norm).fold(0.0, f64::max);
         Self { map, points, dt, scale }
     }
 

@@ -46,13 +46,15 @@ pub(crate) struct Extremes {
 }
 
 const EXAMPLES: &str = "\
-Without a SYSTEM it tries the catalog and the Volterra lattice with three sites (volterra).
+Without a SYSTEM it tries the catalog and the Volterra lattice with three sites (volterra). A field of your own is interpreted, with
+the bits that its compiled code would have.
 
 Examples:
   kahan extremes
   kahan extremes e3 --trials 100000
   kahan extremes volterra --seed 7 --json
   kahan extremes e9 --param xi=1/2
+  kahan extremes --field 'xdot = x*y; ydot = mu - x^2;'
   kahan extremes --trials 1000000";
 
 fn trials(text: &str) -> Result<u64, String> {
@@ -103,11 +105,10 @@ impl Extremes {
         let system = block.unproved_system()?;
         let name = block.name(&system);
         let parameters = self.source.known_parameters(&system, &name)?;
-        Subject::new(&name, &system, parameters).map_err(|why| {
+        let command = block.entry.map(|entry| entry.command);
+        Subject::new(command, &system, parameters).map_err(|why| {
             Refusal::new(match why {
-                Unjudged::NotGenerated => format!(
-                    "extremes judges the compiled steps of the catalog and of volterra; {name} has none. Name one of them"
-                ),
+                Unjudged::CannotRun(why) => format!("{name} cannot be judged: {why}"),
                 Unjudged::BeyondBudget => format!(
                     "the closed form of {name} is beyond the budget of terms, so that there is no exact map to judge by"
                 ),

@@ -23,11 +23,14 @@ use std::thread::{available_parallelism, scope};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_core::Dd;
+use kahan_core::num_rational::BigRational;
 
 use judge::Judge;
+use steps::Steps;
 use trial::Ready;
 
 pub use regime::Regime;
+pub use steps::CannotRun;
 pub use tally::{Cell, Failure, Place, Tally};
 
 /// A system whose steps are judged.
@@ -37,28 +40,49 @@ pub struct Subject {
     /// The values of parameters that are given; the others are drawn.
     parameters: Vec<Option<Rational>>,
     judge: Judge,
+    /// Where there is no compiled code: the system, and parameters at which it is defined.
+    read: Option<(System, Vec<BigRational>)>,
 }
 
 /// Why the steps of a system cannot be judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unjudged {
-    /// There is no generated code for it.
-    NotGenerated,
+    /// It has no compiled code, and cannot be run without.
+    CannotRun(CannotRun),
     /// Its closed form is beyond the budget of terms, so no exact map to compare with.
     BeyondBudget,
 }
 
 impl Subject {
-    /// A system of the catalog or the Volterra lattice, by its command name, with a value or none for each parameter.
+    /// A system with a value or none for each parameter. `command` is its command name, if it is one of the catalog or the Volterra
+    /// lattice, whose compiled steps are judged. Any other is interpreted: the same operations in the same order, so the same verdicts.
     ///
     /// # Errors
-    /// For any other system, and where the map is too large to be reduced.
-    pub fn new(command: &str, system: &System, parameters: Vec<Option<Rational>>) -> Result<Self, Unjudged> {
-        if steps::generated::<f64>(command).is_none() {
-            return Err(Unjudged::NotGenerated);
-        }
+    /// Where the map is too large to be reduced or to be interpreted, or divides by zero at the given parameters.
+    pub fn new(
+        command: Option<&str>,
+        system: &System,
+        parameters: Vec<Option<Rational>>,
+    ) -> Result<Self, Unjudged> {
         let judge = Judge::of(system).ok_or(Unjudged::BeyondBudget)?;
-        Ok(Self { name: command.to_owned(), parameters, judge })
+        let compiled = command.filter(|command| steps::generated::<f64>(command).is_some());
+        let read = if compiled.is_some() {
+            None
+        } else {
+            let values: Vec<BigRational> = (1..).zip(&parameters).map(value_or_any).collect();
+            steps::interpreted::<f64>(system, &values).map_err(Unjudged::CannotRun)?;
+            Some((system.clone(), values))
+        };
+        let name = compiled.unwrap_or_else(|| system.name()).to_owned();
+        Ok(Self { name, parameters, judge, read })
+    }
+
+    /// Its steps over a scalar.
+    fn steps<T: float::Float>(&self) -> Option<Box<dyn Steps<T>>> {
+        match &self.read {
+            None => steps::generated(&self.name),
+            Some((system, values)) => steps::interpreted(system, values).ok(),
+        }
     }
 
     /// Its name.
@@ -71,6 +95,14 @@ impl Subject {
     #[must_use]
     pub fn has_removable_poles(&self) -> bool {
         !self.judge.removable_poles.is_empty()
+    }
+}
+
+/// The value that is given, or for the k-th parameter a number that no field is likely to divide by its difference from.
+fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
+    match given {
+        Some(value) => value.to_big(),
+        None => BigRational::new((7 + 5 * k * k).into(), (3 + k).into()),
     }
 }
 

@@ -1,10 +1,17 @@
 //! The steps that are judged, of systems whose type is not known where they are called.
 
+use std::marker::PhantomData;
+
+use kahan_algebra::system::System;
 use kahan_core::Lift;
 use kahan_core::nalgebra::SVector;
+use kahan_core::num_rational::BigRational;
 
 use super::float::Float;
 
+use crate::interpreted::{
+    CannotInterpret, Interpreted, UnsupportedDimension, VisitDimension, visit_dimension,
+};
 use crate::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra, VolterraLattice};
 
 /// The steps of one map at given parameters.
@@ -60,4 +67,49 @@ pub(crate) fn generated<T: Float>(command: &str) -> Option<Box<dyn Steps<T>>> {
         "volterra" => Box::new(Generated::<_, 3>(|_: &[T]| VolterraLattice)),
         _ => return None,
     })
+}
+
+/// The steps of any system, by its plans; they have the bits of generated ones. `values` are parameters at which it is defined.
+pub(crate) fn interpreted<T: Float>(
+    system: &System,
+    values: &[BigRational],
+) -> Result<Box<dyn Steps<T>>, CannotRun> {
+    let made = visit_dimension(system.field.dimension(), Reader { system, values, scalar: PhantomData });
+    made.map_err(CannotRun::Dimension)?.map_err(CannotRun::System)
+}
+
+/// Why the steps of a system cannot be run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CannotRun {
+    /// It has too many variables.
+    Dimension(UnsupportedDimension),
+    /// It is not defined at the parameters.
+    System(CannotInterpret),
+}
+
+impl core::fmt::Display for CannotRun {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Dimension(why) => why.fmt(f),
+            Self::System(why) => why.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for CannotRun {}
+
+/// Reads a system in whatever dimension it has.
+struct Reader<'a, T> {
+    system: &'a System,
+    values: &'a [BigRational],
+    scalar: PhantomData<T>,
+}
+
+impl<T: Float> VisitDimension for Reader<'_, T> {
+    type Output = Result<Box<dyn Steps<T>>, CannotInterpret>;
+
+    fn visit<const N: usize>(self) -> Self::Output {
+        let map = Interpreted::<BigRational, N>::new(self.system, self.values)?.rounded::<T>();
+        Ok(Box::new(Generated::<_, N>(move |parameters: &[T]| map.with_parameters(parameters))))
+    }
 }

@@ -8,7 +8,7 @@ use super::float::Float;
 use super::judge::Exact;
 use super::points::{Inputs, Points};
 use super::regime::Regime;
-use super::steps::{Steps, generated};
+use super::steps::Steps;
 use super::tally::{Cell, Failure, Tally};
 
 /// The trials of one scalar, ready to be run in any order.
@@ -42,7 +42,7 @@ impl<'a, T: Float> Ready<'a, T> {
     pub(super) fn new(subjects: &'a [Subject], trials: u64, seed: u64) -> Self {
         let runner = |subject: &'a Subject| {
             let fixed = subject.parameters.iter().map(|value| value.as_ref().map(rounded)).collect();
-            Some(Runner { subject, steps: generated(subject.name())?, fixed })
+            Some(Runner { subject, steps: subject.steps()?, fixed })
         };
         let subjects: Vec<Runner<'a, T>> = subjects.iter().filter_map(runner).collect();
         let indices = |has: fn(&Subject) -> bool| {

@@ -142,6 +142,16 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.code.cost
     }
 
+    /// The same system at other parameters, in their order. Where the field divides by zero at them, a float step is not finite and an exact one panics.
+    ///
+    /// # Panics
+    /// If they are not as many as before.
+    #[must_use]
+    pub fn with_parameters(&self, parameters: &[T]) -> Self {
+        assert_eq!(parameters.len(), self.parameters.len(), "a system has as many parameters as it declares");
+        Interpreted { code: Arc::clone(&self.code), parameters: parameters.into(), dimension: PhantomData }
+    }
+
     /// The names of the state variables, in order.
     #[must_use]
     pub fn variables(&self) -> &[String] {
