@@ -1,8 +1,8 @@
 //! The law of an order's error on a scene: how far from the flow so many steps end up.
 //!
 //! In: a map, a first point, a composition. Out: measured errors on a ladder of steps, each rung twice as fine, and beyond the last
-//! rung the law error ∝ steps⁻ᵖ. An error is the difference from the next finer rung (Richardson), the largest over the common times,
-//! relative to the largest coordinate. A ladder ends once two rungs differ by 2ᵖ as they must, so it stays coarse.
+//! rung the law error ∝ steps⁻ᵖ. An error is the sum of the differences between neighbouring rungs from there on (Richardson), each the largest over the common
+//! times, relative to the largest coordinate. A ladder ends once two rungs differ by 2ᵖ as they must, so it stays coarse.
 
 use nalgebra::SVector;
 
@@ -49,7 +49,7 @@ const MOST_STAGES: u64 = 1 << 17;
 /// Two rungs have the order's ratio where its logarithm is within this part of what it must be, twice running,
 const SLOPE: f64 = 0.15;
 /// at an error that is below this.
-const SMALL: f64 = 0.03;
+const SMALL: f64 = 0.003;
 /// A solution that is infinite at t* is there like c/(t − t*), so f like −x/(t − t*). Kahan's map steps over such a pole as if
 /// nothing were, but one of its points is at most ε from it, and is the largest so far: there ε‖f‖ is at least ‖x‖. This part of that
 /// leaves room for the terms beside.
@@ -114,7 +114,7 @@ impl Ladder {
                 break;
             }
             let gap = gap(map, x0, composition, span.time, steps);
-            let error = gap.error / (1.0 - 0.5_f64.powf(order));
+            let error = gap.error;
             agreed = gap.agreed;
             let before = if ladder.len > 0 { ladder.errors[ladder.len - 1] } else { f64::INFINITY };
             ladder.errors[ladder.len] = error;
@@ -128,10 +128,21 @@ impl Ladder {
                     // The law knows better.
                     ladder.errors[ladder.len - 1] = error.max(before * 0.5_f64.powf(order)).min(ROUNDINGS);
                 }
+                ladder.sum_up();
                 return Ok(ladder);
             }
         }
         Err(agreed * span.time)
+    }
+
+    /// From differences to distances from the flow: the way there leads over every finer rung, and beyond the last one over a geometric
+    /// series.
+    fn sum_up(&mut self) {
+        let last = self.len - 1;
+        self.errors[last] /= 1.0 - 0.5_f64.powi(self.composition.order() as i32);
+        for rung in (0..last).rev() {
+            self.errors[rung] += self.errors[rung + 1];
+        }
     }
 
     /// The least number of steps over the pilots' time whose error is at most `error`; infinite for 0.

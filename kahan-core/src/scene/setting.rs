@@ -102,7 +102,7 @@ impl Setting {
         self.steps
     }
 
-    /// The error to expect, with the safety factor 2 in it: at most the scene's tolerance.
+    /// The error to expect, with the safety factors in it: at most the scene's tolerance.
     pub fn error(&self) -> f64 {
         self.error
     }

@@ -44,3 +44,12 @@ kahan! {
     pub(crate) struct Burst;
     xdot = x^2;
 }
+
+kahan! {
+    /// Two oscillators, coupled.
+    pub(crate) struct Henon;
+    qdot = p;
+    pdot = -q - 2*q*r;
+    rdot = s;
+    sdot = -r - q^2 + r^2;
+}
