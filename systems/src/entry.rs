@@ -19,9 +19,12 @@ pub struct Entry {
     pub title: &'static str,
     /// The source file with the block.
     pub(crate) file: &'static str,
-    /// The place in the paper of each claim, by the claim's name.
+    /// The place in the paper of each claim, or where else it is from, by the claim's name.
     pub sources: &'static [(&'static str, &'static str)],
 }
+
+/// The source of a claim that is in no paper: the command found it, from the equations alone.
+pub(crate) const FOUND: &str = "found by kahan discover";
 
 impl Entry {
     /// The block in the language of `kahan!`, without `kahan! {` and its closing brace.
@@ -30,7 +33,7 @@ impl Entry {
         block_range(self.file).map_or("", |range| &self.file[range])
     }
 
-    /// The place in the paper of the claim with this name.
+    /// The place in the paper of the claim with this name, or where else it is from.
     #[must_use]
     pub fn source(&self, claim: &str) -> Option<&'static str> {
         self.sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)

@@ -1,4 +1,5 @@
-//! The catalog: the Euler top, Lotka-Volterra and the systems E1 to E9 of Hone and Petrera, one file each.
+//! The catalog: the Euler top, Lotka-Volterra and the systems E1 to E9 of Hone and Petrera, and further systems whose claims
+//! were found by `kahan discover`, one file each.
 //!
 //! A file holds the `kahan!` block with every rational claim that holds, and names what no rational claim can hold. The
 //! macro proves the claims while it compiles the block. An [`entry`] offers the same block as text with the place of each
@@ -26,8 +27,14 @@ pub mod e7;
 pub mod e8;
 pub mod e9;
 pub mod euler;
+mod henon_heiles;
+mod lagrange;
+mod lorenz;
 mod lotka_volterra;
 pub mod volterra;
+mod volterra4;
+mod weierstrass;
+mod zhukovsky;
 
 pub use e1::E1;
 pub use e2::E2;
@@ -39,5 +46,11 @@ pub use e7::E7;
 pub use e8::E8;
 pub use e9::E9;
 pub use euler::EulerTop;
+pub use henon_heiles::HenonHeiles;
+pub use lagrange::LagrangeTop;
+pub use lorenz::Lorenz;
 pub use lotka_volterra::LotkaVolterra;
 pub use volterra::VolterraLattice;
+pub use volterra4::VolterraFour;
+pub use weierstrass::Weierstrass;
+pub use zhukovsky::ZhukovskyVolterra;

@@ -2,8 +2,9 @@
 
 use crate::entry::Entry;
 use crate::{e1, e2, e3, e4, e5, e6, e7, e8, e9, euler, lotka_volterra};
+use crate::{henon_heiles, lagrange, lorenz, volterra, volterra4, weierstrass, zhukovsky};
 
-/// The catalog, in the order in which it is listed.
+/// The systems of the paper, in the order in which they are listed.
 pub static SYSTEMS: [Entry; 11] = [
     euler::ENTRY,
     lotka_volterra::ENTRY,
@@ -18,10 +19,24 @@ pub static SYSTEMS: [Entry; 11] = [
     e9::ENTRY,
 ];
 
+/// The systems that are not in the paper: what is claimed of them was found by `kahan discover`.
+pub static FURTHER: [Entry; 7] = [
+    weierstrass::ENTRY,
+    volterra::ENTRY,
+    volterra4::ENTRY,
+    lagrange::ENTRY,
+    henon_heiles::ENTRY,
+    zhukovsky::ENTRY,
+    lorenz::ENTRY,
+];
+
+/// The whole catalog: the systems of the paper, then the others.
+pub fn all() -> impl Iterator<Item = &'static Entry> {
+    SYSTEMS.iter().chain(&FURTHER)
+}
+
 /// The system with this command name or type name, in any case of letters.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Entry> {
-    SYSTEMS
-        .iter()
-        .find(|entry| name.eq_ignore_ascii_case(entry.command) || name.eq_ignore_ascii_case(entry.type_name))
+    all().find(|entry| name.eq_ignore_ascii_case(entry.command) || name.eq_ignore_ascii_case(entry.type_name))
 }

@@ -1,4 +1,4 @@
-//! The periodic Volterra lattice with three sites; not a system of the paper, so not in its registry.
+//! The periodic Volterra lattice with three sites; not in the paper.
 //!
 //! With D = det A = `1 - eps^2 ((x+y+z)^2 - 4 (xy+yz+zx))`, even in eps, the map keeps `x + y + z`, which is linear, and
 //! the volume `dx dy dz/(x y z)`, and so `x y z/D`. At large steps D is what cancels: a test of accuracy for every step
@@ -6,7 +6,7 @@
 
 use kahan_core::prelude::*;
 
-use crate::entry::Entry;
+use crate::entry::{Entry, FOUND};
 
 kahan! {
     /// The periodic Volterra lattice with three sites `x`, `y`, `z`.
@@ -21,11 +21,11 @@ kahan! {
     integral K = x*y*z/(1 - eps^2*((x + y + z)^2 - 4*(x*y + y*z + z*x)));
 }
 
-/// The names and the text of the lattice, in the form of the catalog's entries.
-pub static ENTRY: Entry = Entry {
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
     command: "volterra",
     type_name: "VolterraLattice",
     title: "the periodic Volterra lattice with three sites",
     file: include_str!("volterra.rs"),
-    sources: &[],
+    sources: &[("rho", "from kahan discover's density 1/D and integral K"), ("S", FOUND), ("K", FOUND)],
 };

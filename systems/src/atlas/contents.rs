@@ -42,6 +42,7 @@ pub fn page(found: &Found<'_>, making: &Making) -> String {
                 (table_of_contents(found))
                 main {
                     (systems::section())
+                    (systems::further())
                     (structures::section(found))
                     (solutions::section(found))
                     (figures::section(found))
@@ -62,7 +63,7 @@ fn introduction(found: &Found<'_>) -> Markup {
             "Kahan’s method turns a quadratic differential equation into a rational map that can be run forwards and backwards, "
             "and the maps of Hone and Petrera’s paper “Three-dimensional discrete systems of Hirota–Kimura type and deformed "
             "Lie–Poisson algebras” keep much of what makes their flows solvable. This page shows the paper’s systems, tables, "
-            "solutions and figures, and the " (found.claims.len()) " claims by which every formula was checked. All of it was "
+            "solutions and figures, further systems, and the " (found.claims.len()) " claims by which every formula was checked. All of it was "
             "computed when the page was written: "
             @if found.failed() == 0 { "no claim failed." } @else { b { (found.failed()) " of the claims failed." } }
         }
@@ -77,6 +78,7 @@ fn table_of_contents(found: &Found<'_>) -> Markup {
             h2 { "Contents" }
             ol {
                 li { a href="#systems" { "The systems" } }
+                li { a href="#further" { "Further systems" } }
                 li {
                     a href="#tables" { "Tables 1 to 4" }
                     ul { @for (id, title) in tables { li { a href=(format!("#{id}")) { (title) } } } }

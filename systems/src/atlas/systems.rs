@@ -9,7 +9,7 @@ use maud::{Markup, html};
 use super::math::{display, displays, inline};
 use super::readable::readable;
 use crate::entry::Entry;
-use crate::registry::SYSTEMS;
+use crate::registry::{FURTHER, SYSTEMS};
 
 /// The system of an entry.
 pub(super) fn read(entry: &Entry) -> System {
@@ -33,11 +33,31 @@ pub(super) fn section() -> Markup {
     }
 }
 
+/// The section on the systems that are not in the paper.
+pub(super) fn further() -> Markup {
+    html! {
+        section #further {
+            h2 { "Further systems" }
+            p {
+                "What is claimed of these fields was found from their equations alone, by " code { "kahan discover" } ", and is "
+                "proved with the other claims below. The Lorenz system is a control: nothing was found, so nothing is claimed."
+            }
+            @for entry in &FURTHER { (sheet(entry)) }
+        }
+    }
+}
+
 /// The name as people write it.
 fn name(entry: &Entry) -> &'static str {
     match entry.command {
         "euler" => "Euler top",
         "lv" => "Lotka–Volterra",
+        "weierstrass" => "Weierstrass’ equation",
+        "volterra" => "Volterra lattice, three sites",
+        "volterra4" => "Volterra lattice, four sites",
+        "lagrange" => "Lagrange top",
+        "henon-heiles" => "Hénon–Heiles",
+        "zhukovsky" => "Zhukovsky–Volterra",
         _ => entry.type_name,
     }
 }

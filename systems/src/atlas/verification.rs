@@ -9,7 +9,7 @@ use super::words::{anchor, badge};
 use crate::paper::Outcome;
 
 /// A group of claims: its title, and what the sources of its claims begin with.
-const GROUPS: [(&str, &[&str]); 11] = [
+const GROUPS: [(&str, &[&str]); 12] = [
     ("Section 1: Kahan’s method and the Lotka–Volterra map", &["Section 1"]),
     ("Section 2: Poisson structures and the Euler top", &["Section 2"]),
     ("Section 3 and Table 1: Lie–Poisson pairs", &["Section 3", "Table 1"]),
@@ -21,6 +21,7 @@ const GROUPS: [(&str, &[&str]); 11] = [
     ("Section 6: dE7, dE8 and dE9", &["Section 6"]),
     ("Section 7 and Theorem 4: the Diophantine test", &["Section 7", "Theorem 4"]),
     ("Appendix: elliptic curves and theta functions", &["Appendix"]),
+    ("Beyond the paper: further systems", &["found by kahan discover", "from kahan discover"]),
 ];
 
 /// The section.

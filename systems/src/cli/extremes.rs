@@ -46,8 +46,8 @@ pub(crate) struct Extremes {
 }
 
 const EXAMPLES: &str = "\
-Without a SYSTEM it tries the catalog and the Volterra lattice with three sites (volterra). A field of your own is interpreted, with
-the bits that its compiled code would have.
+Without a SYSTEM it tries the systems of the paper and the Volterra lattice with three sites (volterra). A field of your own is
+interpreted, with the bits that its compiled code would have.
 
 Examples:
   kahan extremes
@@ -84,12 +84,7 @@ impl Extremes {
     }
 
     fn subjects(&self) -> Result<Vec<Subject>, Refusal> {
-        let is_lattice = |name: &str| {
-            [volterra::ENTRY.command, volterra::ENTRY.type_name].iter().any(|n| name.eq_ignore_ascii_case(n))
-        };
-        let blocks = if self.source.named_system().is_some_and(is_lattice) {
-            vec![Block::of_catalog(&volterra::ENTRY)]
-        } else if let Some(block) = self.source.block()? {
+        let blocks = if let Some(block) = self.source.block()? {
             vec![block]
         } else if self.source.has_parameters() {
             return Err(Refusal::new(

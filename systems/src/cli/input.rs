@@ -12,14 +12,14 @@ use kahan_algebra::render::report;
 use kahan_algebra::system::System;
 use kahan_algebra::{check, parse, read};
 use kahan_systems::entry::{Entry, block_range};
-use kahan_systems::registry::{SYSTEMS, find};
+use kahan_systems::registry::{all, find};
 
 use super::output::Refusal;
 
 /// The system that a command is about.
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct Source {
-    /// A system of the catalog: euler, lv, e1 to e9.
+    /// A system of the catalog, as `kahan list` names them: euler, lv, e1 to e9, …
     #[arg(value_name = "SYSTEM")]
     system: Option<String>,
 
@@ -31,7 +31,8 @@ pub(crate) struct Source {
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 
-    /// The value of a parameter; once for each. `show` and `verify` put it in before the map is reduced, `eval` and `orbit` after.
+    /// The value of a parameter; once for each. `show` and `verify` put it in before the map is reduced, `eval` and `orbit`
+    /// after; `discover` leaves the others generic, and `scan` takes FROM:TO:STEP in the place of V.
     #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
     parameters: Vec<String>,
 }
@@ -85,11 +86,6 @@ impl Source {
         }
     }
 
-    /// The SYSTEM, as it was written.
-    pub(crate) fn named_system(&self) -> Option<&str> {
-        self.system.as_deref().filter(|_| self.field.is_none() && self.file.is_none())
-    }
-
     /// Whether a parameter was given.
     pub(crate) fn has_parameters(&self) -> bool {
         !self.parameters.is_empty()
@@ -138,6 +134,25 @@ impl Source {
             )));
         }
         Ok(values.into_iter().flatten().collect())
+    }
+
+    /// This source with single values only, and the parameters that are given as ranges: `xi=-2:2:1/12` as `xi` and the rest.
+    pub(crate) fn without_ranges(&self) -> (Self, Vec<(&str, &str)>) {
+        let mut single = self.clone();
+        single.parameters.retain(|given| !given.contains(':'));
+        let ranges = self.parameters.iter().filter(|given| given.contains(':'));
+        (single, ranges.map(|given| given.split_once('=').unwrap_or((given, ""))).collect())
+    }
+
+    /// The parameters that have a value, by name, in their order; the others are generic.
+    pub(crate) fn fixed_parameters(
+        &self,
+        system: &System,
+        name: &str,
+    ) -> Result<Vec<(String, Rational)>, Refusal> {
+        let values = self.known_parameters(system, name)?;
+        let names = system.field.symbols.parameters.iter().cloned();
+        Ok(names.zip(values).filter_map(|(name, value)| Some((name, value?))).collect())
     }
 
     /// The system with the given parameters fixed, the others generic.
@@ -233,6 +248,12 @@ pub(crate) fn number(text: &str, what: &str) -> Result<Rational, Refusal> {
     })
 }
 
+/// A time bound in seconds.
+pub(crate) fn seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.trim().parse().ok().filter(|seconds: &f64| seconds.is_finite() && *seconds > 0.0);
+    seconds.ok_or_else(|| "write a number of seconds above 0, such as 60 or 0.5".to_owned())
+}
+
 /// The coordinates behind `--at`, one a state.
 pub(crate) fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>, Refusal> {
     let parts: Vec<&str> = text.split(',').collect();
@@ -272,14 +293,13 @@ fn given_values(given: &[String], names: &[String], system: &str) -> Result<Vec<
 }
 
 fn names() -> Vec<&'static str> {
-    SYSTEMS.iter().map(|entry| entry.command).collect()
+    all().map(|entry| entry.command).collect()
 }
 
 fn unknown_system(name: &str) -> Refusal {
     let wanted = name.to_lowercase();
     let distance = |known: &str| strsim::levenshtein(&wanted, &known.to_lowercase());
-    let nearest = SYSTEMS
-        .iter()
+    let nearest = all()
         .min_by_key(|entry| distance(entry.command).min(distance(entry.type_name)))
         .filter(|entry| distance(entry.command).min(distance(entry.type_name)) <= wanted.chars().count() / 2);
     let hint = nearest.map_or_else(String::new, |entry| format!(" Did you mean `{}`?", entry.command));

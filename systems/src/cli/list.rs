@@ -1,7 +1,7 @@
 //! `kahan list`: the catalog in one table.
 
 use clap::Args;
-use kahan_systems::registry::SYSTEMS;
+use kahan_systems::registry::all;
 use serde_json::{Value, json};
 
 use super::input::Block;
@@ -22,7 +22,7 @@ impl List {
         let mut rows =
             vec![["name", "variables", "parameters", "claims", "title"].map(str::to_owned).to_vec()];
         let mut objects: Vec<Value> = Vec::new();
-        for entry in &SYSTEMS {
+        for entry in all() {
             let system = Block::of_catalog(entry).unproved_system()?;
             let symbols = &system.field.symbols;
             let claims: Vec<&str> = system.claims.iter().map(|claim| claim.name.text.as_str()).collect();

@@ -11,7 +11,7 @@ use kahan_algebra::prove::ERROR_EXPONENT;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, claim_statement};
 
-use crate::registry::{SYSTEMS, find};
+use crate::registry::{all, find};
 
 use super::block::establish_statement;
 use super::claim::{Basis, Claim, Established, Outcome};
@@ -23,7 +23,7 @@ use super::identity::{Evidence, Identity};
 use super::model::Model;
 use super::sections;
 
-/// The systems and claims of the paper.
+/// The systems and claims of the paper, and those of the catalog's further systems.
 #[derive(Debug)]
 pub struct Paper {
     models: Models,
@@ -44,8 +44,7 @@ impl Paper {
     /// If a block of the catalog is wrong, which the compiler excludes.
     #[must_use]
     pub fn new() -> Self {
-        let mut models: Models =
-            SYSTEMS.iter().map(|entry| (entry.command, Model::of_catalog(entry))).collect();
+        let mut models: Models = all().map(|entry| (entry.command, Model::of_catalog(entry))).collect();
         models.insert("general", Model::new("general", sections::GENERAL_FIELD));
         models.insert("homogeneous", Model::new("homogeneous", sections::HOMOGENEOUS_FIELD));
         let claims = sections::claims(&models);
@@ -53,7 +52,7 @@ impl Paper {
         Paper { models, claims, measurements }
     }
 
-    /// Every claim, in the order of the paper.
+    /// Every claim, in the order of the paper; then those of the catalog's further systems.
     #[must_use]
     pub fn claims(&self) -> &[Claim] {
         &self.claims

@@ -16,7 +16,8 @@ use super::evaluate::Models;
 
 use kahan_algebra::render::claim_text;
 
-use crate::registry::SYSTEMS;
+use crate::entry::Entry;
+use crate::registry::{FURTHER, SYSTEMS};
 
 pub use structures::{Structure, structure};
 
@@ -59,27 +60,28 @@ pub const OPEN: &[(&str, &str)] = &[
     ("The growth constant C2 of dE7", "13.4395 by p-adic bookkeeping that matches the orbit; not proved"),
 ];
 
-/// Every claim, in the order of the paper.
+/// Every claim, in the order of the paper; last those of systems that are not in it.
 pub(super) fn claims(models: &Models) -> Vec<Claim> {
     [
         general::claims(),
         lotka_volterra::claims(),
         maps::claims(),
         tables::claims(),
-        block_claims(models),
+        block_claims(models, &SYSTEMS),
         flows::claims(),
         solutions::claims(),
         e7_e8_e9::claims(),
         diophantine::claims(),
         appendix::claims(),
+        block_claims(models, &FURTHER),
     ]
     .concat()
 }
 
 /// The claims of the systems' own blocks.
-fn block_claims(models: &Models) -> Vec<Claim> {
+fn block_claims(models: &Models, systems: &[Entry]) -> Vec<Claim> {
     let mut claims = Vec::new();
-    for entry in &SYSTEMS {
+    for entry in systems {
         let system = &models[entry.command].system;
         claims.extend(system.claims.iter().map(|claim| Claim {
             id: format!("{}.{}", entry.command, claim.name.text),
