@@ -9,7 +9,7 @@ use kahan_algebra::system::System;
 use kahan_systems::heights::{Bounds, Growth, HeightsOrbit, Stop, Survey};
 use serde_json::{Map, Value, json};
 
-use super::input::{Start, coordinates, number};
+use super::input::{Start, coordinates, number, seconds};
 use super::output::{Answer, Refusal, columns, widths};
 use super::progress::Progress;
 use super::sink::{Broken, Sink};
@@ -65,11 +65,6 @@ fn steps(text: &str) -> Result<usize, String> {
 fn digits(text: &str) -> Result<u64, String> {
     let digits = text.trim().parse().ok().filter(|digits| *digits >= 1);
     digits.ok_or_else(|| "write a whole number, 1 or more".to_owned())
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    let seconds = text.trim().parse().ok().filter(|seconds: &f64| seconds.is_finite() && *seconds > 0.0);
-    seconds.ok_or_else(|| "write a number of seconds above 0, such as 60 or 0.5".to_owned())
 }
 
 /// What was found, and what it is about.

@@ -6,6 +6,7 @@
 //! say when they end.
 
 mod atlas;
+mod discover;
 mod double_double;
 mod eval;
 mod extremes;
@@ -16,6 +17,7 @@ mod orbit;
 mod output;
 mod progress;
 mod scalar;
+mod scan;
 mod show;
 mod sink;
 mod table;
@@ -50,6 +52,7 @@ Examples:
   kahan eval e1 --eps 1/2 --at -2,1,1/3       every object at a point
   kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
   kahan trade e6 --at 1,1/2,1/3 --horizon 100   the cheapest step that is accurate enough
+  kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
   kahan show --field 'xdot = y; ydot = x^2 - a;'";
 
 #[derive(Debug, Subcommand)]
@@ -62,6 +65,8 @@ enum Command {
     Heights(heights::Heights),
     Extremes(extremes::Extremes),
     Trade(trade::Trade),
+    Discover(discover::Discover),
+    Scan(scan::Scan),
     Atlas(atlas::Atlas),
 }
 
@@ -84,6 +89,8 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Heights(command)) => command.run(),
         Some(Command::Extremes(command)) => command.run(),
         Some(Command::Trade(command)) => command.run(),
+        Some(Command::Discover(command)) => command.run(),
+        Some(Command::Scan(command)) => command.run(),
         Some(Command::Atlas(command)) => command.run(),
     }
 }

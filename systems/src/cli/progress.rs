@@ -1,6 +1,7 @@
-//! A progress bar on standard error, where that is a terminal; nothing elsewhere.
+//! A progress bar or a spinner on standard error, where that is a terminal; nothing elsewhere.
 
 use std::io::{IsTerminal, stderr};
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -16,6 +17,22 @@ impl Progress {
         let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} ({elapsed}, {eta} left)");
         let bar = ProgressBar::new(steps).with_message(what.to_owned());
         Progress(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
+    }
+
+    /// A spinner, for work in stages whose end is not known.
+    pub(crate) fn stages() -> Self {
+        if !stderr().is_terminal() {
+            return Progress(ProgressBar::hidden());
+        }
+        let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})");
+        let spinner = ProgressBar::new_spinner();
+        spinner.enable_steady_tick(Duration::from_millis(120));
+        Progress(spinner.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner())))
+    }
+
+    /// The stage that begins.
+    pub(crate) fn say(&self, stage: &str) {
+        self.0.set_message(stage.to_owned());
     }
 
     /// So many steps are done.

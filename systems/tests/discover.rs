@@ -1,0 +1,223 @@
+//! `kahan discover` and `kahan scan`: what is printed parses and proves again, JSON has its keys, refusals say why; and the
+//! catalog's further systems claim what is found of them.
+
+use std::process::{Command, Output};
+
+use kahan_algebra::{Reading, lexer, read};
+use kahan_systems::registry::{FURTHER, find};
+use serde_json::{Value, json};
+
+fn kahan(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_kahan")).args(arguments).output().expect("the command runs")
+}
+
+/// Standard output of a run that must succeed and say nothing else.
+fn answer(arguments: &[&str]) -> String {
+    let output = kahan(arguments);
+    let complaints = String::from_utf8(output.stderr).expect("UTF-8");
+    assert!(output.status.success() && complaints.is_empty(), "{arguments:?}: {complaints}");
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
+fn object(arguments: &[&str]) -> Value {
+    serde_json::from_str(&answer(&[arguments, &["--json"]].concat())).expect("one JSON object")
+}
+
+/// The one paragraph of a refusal.
+fn refusal(arguments: &[&str]) -> String {
+    let output = kahan(arguments);
+    let paragraph = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {paragraph}");
+    assert!(output.stdout.is_empty() && paragraph.starts_with("error: "), "{paragraph}");
+    assert_eq!(paragraph.matches('\n').count(), 1, "{paragraph}");
+    paragraph
+}
+
+fn texts(value: &Value) -> Vec<String> {
+    let all = value.as_array().expect("a list").iter();
+    all.map(|text| text.as_str().expect("a text").to_owned()).collect()
+}
+
+/// The block behind which the lines stand; reading proves the claims.
+fn reading(field: &str, lines: &[String]) -> Reading {
+    let reading = read(&lexer::lex(&format!("{field} {}", lines.join(" "))).tokens);
+    assert!(reading.diagnostics.is_empty(), "{field} {lines:?}: {:?}", reading.diagnostics);
+    reading
+}
+
+const WEIERSTRASS: &str = "xdot = y; ydot = 6*x^2 - a;";
+
+#[test]
+fn every_key_is_there_and_says_what_was_found() {
+    let found = object(&["discover", "--field", WEIERSTRASS]);
+    assert_eq!(found["system"], "field");
+    assert_eq!(found["variables"], json!(["x", "y"]));
+    assert_eq!((&found["parameters"], &found["eps"]), (&json!({ "a": null }), &Value::Null));
+    assert_eq!(found["hilbert"], json!([3, 6, 9, 12, 15, 18, 21, 24, 27, 30]));
+    assert_eq!(found["monomials"][1], 6);
+    assert_eq!(found["independent_integrals"], 1);
+    let degrees = found["degrees"].as_array().expect("a list");
+    assert_eq!(degrees[..10], json!([1, 2, 3, 5, 7, 11, 15, 20, 25, 32]).as_array().expect("a list")[..]);
+    assert_eq!((&found["growth"], &found["entropy"]), (&json!("quadratic"), &json!(0.0)));
+    assert_eq!(found["linear_integrals"], json!([]));
+    assert_eq!((&found["divergence"], &found["is_even"]), (&json!("0"), &json!(true)));
+    assert_eq!(found["hamiltonian"]["K"], json!([["0", "1"], ["-1", "0"]]));
+    assert_eq!(found["hamiltonian"]["modified_is_proved"], true);
+    assert_eq!(found["survivors"]["independent_integrals"], 0);
+    assert_eq!(found["survivors"]["formulas"], json!([]));
+    assert_eq!(found["out_of_time"], false);
+    assert!(found["seconds"].is_number() && !texts(&found["sentences"]).is_empty());
+    let lines = [texts(&found["integrals"]), texts(&found["densities"])].concat();
+    assert_eq!(reading(WEIERSTRASS, &lines).system.claims.len(), 2);
+}
+
+#[test]
+fn printed_lines_go_into_a_block_as_they_stand() {
+    for (name, integrals) in [("e1", 2), ("e6", 2), ("euler", 2), ("volterra", 2), ("volterra4", 3)] {
+        let page = answer(&["discover", name]);
+        let is_claim = |line: &&str| line.starts_with("integral ") || line.starts_with("density ");
+        let lines: Vec<String> = page.lines().filter(is_claim).map(str::to_owned).collect();
+        let block = find(name).expect("a system of the catalog").text();
+        let equations: Vec<&str> = block.lines().filter(|line| line.contains("dot = ")).collect();
+        assert_eq!(reading(&equations.join(" "), &lines).system.claims.len(), lines.len());
+        // Integrals also behind the catalog's own claims, as no name is taken twice; a block has one density.
+        let own = reading(block, &[]).system.claims.len();
+        let (densities, new): (Vec<String>, Vec<String>) =
+            lines.iter().cloned().partition(|line| line.starts_with("density "));
+        assert_eq!(reading(block, &new).system.claims.len(), own + new.len());
+        assert_eq!(densities.len(), 1, "{page}");
+        assert_eq!(lines.iter().filter(|line| line.starts_with("integral ")).count(), integrals, "{page}");
+        // All of the report's sentences, too.
+        let sentences = texts(&object(&["discover", name])["sentences"]);
+        assert!(sentences.len() >= 5 && sentences.iter().all(|sentence| page.contains(sentence)), "{page}");
+    }
+}
+
+#[test]
+fn the_numbers_stand_before_the_claims() {
+    let page = answer(&["discover", "e9", "--param", "xi=1"]);
+    let line = |key: &str| {
+        let found = page.lines().find_map(|line| line.strip_prefix(key));
+        found.unwrap_or_else(|| panic!("no {key} in {page}")).trim().to_owned()
+    };
+    assert_eq!(line("system "), "e9");
+    assert_eq!((line("generic "), line("fixed ")), ("eps".to_owned(), "xi = 1".to_owned()));
+    assert!(line("degrees ").starts_with("1, 2, 4, 6, 8, "));
+    assert_eq!(line("growth "), "linear");
+    assert_eq!(line("hilbert "), "3, 5, 7, 9, 11, 13, 15, 17, 19");
+    assert_eq!(line("integrals "), "2");
+    assert!(page.contains(" when xi = 1;"));
+}
+
+#[test]
+fn what_is_fixed_is_kept_apart_from_what_is_generic() {
+    let found = object(&["discover", "lv", "--eps", "1"]);
+    assert_eq!((&found["eps"], &found["independent_integrals"]), (&json!("1"), &json!(1)));
+    let integrals = texts(&found["integrals"]);
+    assert!(integrals.len() == 1 && integrals[0].ends_with(" when eps = 1;"), "{integrals:?}");
+    let zhukovsky = ["discover", "zhukovsky", "--param", "b2=0", "--param", "b3=0", "--degree", "4"];
+    let found = object(&zhukovsky);
+    assert_eq!((&found["parameters"]["b3"], &found["parameters"]["b1"]), (&json!("0"), &Value::Null));
+    assert_eq!(found["hilbert"], json!([4, 8, 12, 16]));
+}
+
+/// The integrals and densities that the blocks of the further systems claim for generic parameters, against those found.
+#[test]
+fn the_further_systems_claim_as_many_integrals_as_are_found() {
+    for entry in FURTHER.iter().filter(|entry| entry.command != "lagrange") {
+        let claims = reading(entry.text(), &[]).system.claims;
+        let claimed = |kind: &str| {
+            let generic = claims.iter().filter(|claim| claim.is_unconditional());
+            generic.filter(|claim| format!("{:?}", claim.kind).eq_ignore_ascii_case(kind)).count()
+        };
+        let found = object(&["discover", entry.command]);
+        assert_eq!(found["independent_integrals"], claimed("integral"), "{}", entry.command);
+        assert_eq!(texts(&found["integrals"]).len(), claimed("integral"), "{}", entry.command);
+        assert_eq!(texts(&found["densities"]).is_empty(), claimed("density") == 0, "{}", entry.command);
+    }
+}
+
+#[test]
+#[ignore = "some ten seconds unoptimised"]
+fn the_lagrange_top_has_four() {
+    let found = object(&["discover", "lagrange", "--seconds", "600"]);
+    assert_eq!(found["independent_integrals"], 4);
+    assert_eq!(found["hilbert"], json!([6, 18, 38, 66]));
+    assert_eq!(texts(&found["integrals"]).len(), 4);
+    reading(find("lagrange").expect("in the catalog").text(), &texts(&found["integrals"]));
+}
+
+/// The values of a scan of one axis at which as many integrals are seen.
+fn with_integrals(scan: &Value, name: &str, wanted: u64) -> Vec<String> {
+    let points = scan["points"].as_array().expect("a list").iter();
+    let chosen = points.filter(|point| point["sight"]["independent_integrals"] == wanted);
+    chosen.map(|point| point["values"][name].as_str().expect("exact").to_owned()).collect()
+}
+
+#[test]
+fn a_scan_finds_the_special_values_by_itself() {
+    for name in ["e7", "e9"] {
+        let scan = object(&["scan", name, "--param", "xi=-2:2:1/12"]);
+        assert_eq!(scan["points"].as_array().map(Vec::len), Some(49));
+        assert_eq!((&scan["names"], &scan["generic"]["independent_integrals"]), (&json!(["xi"]), &json!(0)));
+        assert_eq!(with_integrals(&scan, "xi", 2), ["-1", "0", "1"], "{name}");
+        let special = scan["special"].as_array().expect("a list");
+        for value in ["-1", "1"] {
+            assert!(special.contains(&json!({ "xi": value })), "{special:?}");
+        }
+        assert!(special.len() < 10 && scan["out_of_time"] == false);
+    }
+    let scan = object(&["scan", "lv", "--eps", "-2:2:1/4"]);
+    assert_eq!(with_integrals(&scan, "eps", 1), ["-1", "1"]);
+    assert_eq!(scan["points"].as_array().map(Vec::len), Some(17));
+}
+
+#[test]
+fn a_scan_names_its_special_points_in_a_table() {
+    let page = answer(&["scan", "e9", "--param", "xi=0:1:1/2", "--eps", "1/4:1/2:1/4"]);
+    let rows: Vec<Vec<&str>> = page.lines().map(|line| line.split_whitespace().collect()).collect();
+    let starts = |row: &[&str]| rows.iter().any(|line| line.starts_with(row));
+    assert!(starts(&["xi", "eps", "integrals"]) && starts(&["generic", "generic", "0", "4", "10"]), "{page}");
+    for special in [["1", "1/4", "2"], ["1", "1/2", "2"], ["0", "1/4", "2"]] {
+        assert!(starts(&special), "{page}");
+    }
+    assert!(!starts(&["1/2"]) && page.contains("4 are special of 6 points"), "{page}");
+    // A field that is divided by its parameter has no map at 0.
+    let page = answer(&["scan", "--field", "xdot = y/a; ydot = x^2;", "--param", "a=0:1:1"]);
+    assert!(page.lines().any(|line| line.starts_with("0 ") && line.contains("no map")), "{page}");
+    // What has one value is fixed.
+    let scan = object(&["scan", "e7", "--eps", "1/4:1/2:1/4", "--param", "xi=1"]);
+    assert_eq!((&scan["generic"]["independent_integrals"], &scan["special"]), (&json!(2), &json!([])));
+}
+
+#[test]
+fn wrong_input_is_explained() {
+    let cases: [(&[&str], &str); 14] = [
+        (&["discover"], "which system?"),
+        (&["discover", "e10"], "there is no system `e10`"),
+        (&["discover", "e9", "--param", "zeta=1"], "`zeta` is no parameter of e9"),
+        (&["discover", "e9", "--param", "xi=-2:2:1"], "not an exact number"),
+        (&["discover", "e6", "--eps", "half"], "--eps: `half` is not an exact number"),
+        (&["discover", "e6", "--eps", "0"], "identity"),
+        (&["discover", "e6", "--degree", "0"], "1 or more"),
+        (&["discover", "lagrange", "--degree", "9"], "ask for at most"),
+        (&["discover", "--field", "xdot = y/a; ydot = x;", "--param", "a=0"], "divides by zero"),
+        (&["discover", "--field", "xdot = x;", "--eps", "1"], "det A vanishes identically"),
+        (&["scan", "e9"], "FROM:TO:STEP"),
+        (&["scan", "e9", "--param", "xi=1:0:1"], "is no range"),
+        (&["scan", "e9", "--param", "xi=0:1"], "is not FROM:TO:STEP"),
+        (&["scan", "e9", "--param", "xi=0:1:1", "--param", "xi=1/2"], "given twice"),
+    ];
+    for (arguments, words) in cases {
+        let paragraph = refusal(arguments);
+        assert!(paragraph.contains(words), "{arguments:?}: {paragraph}");
+    }
+}
+
+#[test]
+fn a_bound_of_time_is_kept_and_said() {
+    let found = object(&["discover", "e6", "--seconds", "0.000001"]);
+    assert_eq!((&found["out_of_time"], &found["integrals"]), (&json!(true), &json!([])));
+    let page = answer(&["scan", "e7", "--param", "xi=-2:2:1/12", "--seconds", "0.000001"]);
+    assert!(page.contains("time ran out"), "{page}");
+}
