@@ -219,11 +219,11 @@ impl Finding {
         }
         rows.push(["integrals".to_owned(), report.independent_integrals().to_string()]);
         let structure = &report.structure;
-        rows.push(["of the flow".to_owned(), {
-            let both: Vec<String> =
-                structure.linear_integrals.iter().chain(&structure.quadratic_integrals).cloned().collect();
-            listed(&both)
-        }]);
+        // Those of higher degree are not looked for, so that silence says nothing of them.
+        let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
+        if !of_flow.is_empty() {
+            rows.push(["of the flow".to_owned(), of_flow.join(", ")]);
+        }
         rows.push(["seconds".to_owned(), format!("{:.2}", self.seconds)]);
         rows.into_iter().map(|row| row.to_vec()).collect()
     }
