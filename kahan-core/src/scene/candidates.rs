@@ -18,6 +18,11 @@ const LAW: f64 = 4.0;
 const WALKING_PHASE: f64 = 1.5;
 /// Errors that grow faster than this at the pilots' end are not continued.
 const STEEPEST: f64 = 2.5;
+/// An error that was measured at the very ε is taken times this: it is Richardson's of a coarse orbit.
+const MEASURED: f64 = 1.5;
+/// How many more steps are tried where a trial contradicts a law, and how often.
+const STRETCH: f64 = 1.15;
+const TRIALS: usize = 40;
 /// How much finer roundings are measured where they decide.
 const FINER: u64 = 8;
 /// The most steps: as many as `f64` counts.
@@ -36,34 +41,43 @@ where
     M: Lift<f64, N>,
 {
     let span = Span::of(map, x0, scene.horizon);
-    let ladders = ORDERS.map(|composition| Ladder::climb(map, x0, composition, span));
-    let settled = || ladders.iter().filter_map(|ladder| ladder.as_ref().ok());
-    let stages = |ladder: &Ladder| ladder.finest() * ladder.composition.stages() as u64;
-    let Some(shortest) = settled().min_by_key(|ladder| stages(ladder)) else {
+    let mut ladders = ORDERS.map(|composition| Ladder::climb(map, x0, composition, span));
+    let Some(shortest) = settled(&ladders).min_by_key(|ladder| ladder.stages()) else {
         let agreed = ladders.iter().filter_map(|ladder| ladder.as_ref().err());
         return Err(NoSetting::Lost { time: agreed.fold(0.0, |latest, time| latest.max(*time)) });
     };
-    let power = settled().map(|ladder| ladder.power).fold(0.0, f64::max);
+    let power = settled(&ladders).map(|ladder| ladder.power).fold(0.0, f64::max);
     if span.beyond > 1.0 && power > STEEPEST {
         return Err(NoSetting::Unpredictable { time: span.time, power });
     }
     let roundings = |finer| Roundings::of(map, x0, shortest, span.time, finer);
     let mut trial =
         Trial { horizon: scene.horizon, span, coarse: roundings(1), fine: None, power: power.max(1.0) };
-    let cheapest = |trial: &Trial, tolerance| {
-        let kinds = settled().flat_map(|ladder| kinds().map(move |kind| (ladder, kind)));
-        let settings = kinds.filter_map(|(ladder, kind)| trial.setting(map, ladder, kind, tolerance));
-        settings.min_by(|a, b| a.cost.total_cmp(&b.cost).then(a.error.total_cmp(&b.error)))
-    };
-    let is_cheap = |setting: &Setting| setting.precision != Precision::DoubleDouble;
-    let mut choice = cheapest(&trial, scene.tolerance);
-    if !choice.as_ref().is_some_and(is_cheap) && scene.tolerance > Precision::Double.unit() {
+    let is_cheap = |setting: Setting| setting.precision != Precision::DoubleDouble;
+    let first = trial.cheapest(map, &ladders, scene.tolerance);
+    if !first.is_some_and(is_cheap) && scene.tolerance > Precision::Double.unit() {
         // Before one pays ten times as much: finer steps round less where the state carries its error.
         trial.fine = Some(roundings(FINER));
-        choice = cheapest(&trial, scene.tolerance);
     }
-    let serves = |tolerance| cheapest(&trial, tolerance).is_some();
-    choice.ok_or_else(|| NoSetting::OutOfReach { best: least(serves) })
+    for _ in 0..TRIALS {
+        let Some(choice) = trial.cheapest(map, &ladders, scene.tolerance) else { break };
+        let mut chosen =
+            ladders.iter_mut().flatten().filter(|ladder| ladder.composition == choice.composition);
+        match chosen.next() {
+            Some(ladder) if !trial.bears_out(map, x0, ladder, &choice, scene.tolerance) => {
+                ladder.stretch *= STRETCH;
+            }
+            _ => return Ok(choice),
+        }
+    }
+    let serves = |tolerance| trial.cheapest(map, &ladders, tolerance).is_some();
+    Err(NoSetting::OutOfReach { best: least(serves) })
+}
+
+type Ladders = [Result<Ladder, f64>; ORDERS.len()];
+
+fn settled(ladders: &Ladders) -> impl Iterator<Item = &Ladder> {
+    ladders.iter().filter_map(|ladder| ladder.as_ref().ok())
 }
 
 /// The least power of 2 that serves, up to 1; infinite where none does.
@@ -91,6 +105,33 @@ struct Trial {
 }
 
 impl Trial {
+    fn cheapest<M, const N: usize>(&self, map: &M, ladders: &Ladders, tolerance: f64) -> Option<Setting>
+    where
+        M: Lift<f64, N>,
+    {
+        let kinds = settled(ladders).flat_map(|ladder| kinds().map(move |kind| (ladder, kind)));
+        let settings = kinds.filter_map(|(ladder, kind)| self.setting(map, ladder, kind, tolerance));
+        settings.min_by(|a, b| a.cost.total_cmp(&b.cost).then(a.error.total_cmp(&b.error)))
+    }
+
+    /// Whether an orbit of this very ε does not err more than its law says: coarse steps can come near a pole of the map where
+    /// neither half nor twice as many do.
+    fn bears_out<M, const N: usize>(
+        &self,
+        map: &M,
+        x0: &SVector<f64, N>,
+        ladder: &Ladder,
+        setting: &Setting,
+        tolerance: f64,
+    ) -> bool
+    where
+        M: Lift<f64, N>,
+    {
+        let steps = (setting.steps as f64 / self.span.beyond).ceil();
+        let measured = ladder.trial(map, x0, 2.0 * setting.eps * steps, steps as u64);
+        measured.is_none_or(|error| MEASURED * self.span.beyond.powf(self.power) * error <= tolerance)
+    }
+
     /// What roundings come to at the horizon, from the steps over the pilots' time.
     fn roundings(&self, ladder: &Ladder, precision: Precision, compensated: bool, steps: f64) -> f64 {
         let stages = steps * ladder.composition.stages() as f64;

@@ -26,6 +26,8 @@ pub(super) struct Ladder {
     first: u64,
     errors: [f64; RUNGS],
     len: usize,
+    /// How many more steps are taken than the law says, because a trial contradicted it.
+    pub(super) stretch: f64,
     /// The power of time with which the last rung's error grew over the second half.
     pub(super) power: f64,
 }
@@ -105,8 +107,14 @@ impl Ladder {
         M: Lift<f64, N>,
     {
         let order = f64::from(composition.order());
-        let mut ladder =
-            Self { composition, first: span.first, errors: [f64::INFINITY; RUNGS], len: 0, power: 0.0 };
+        let mut ladder = Self {
+            composition,
+            first: span.first,
+            errors: [f64::INFINITY; RUNGS],
+            len: 0,
+            stretch: 1.0,
+            power: 0.0,
+        };
         let (mut agreed, mut settled) = (0.0, 0);
         while ladder.len < RUNGS {
             let steps = span.first << ladder.len;
@@ -147,6 +155,10 @@ impl Ladder {
 
     /// The least number of steps over the pilots' time whose error is at most `error`; infinite for 0.
     pub(super) fn steps(&self, error: f64) -> f64 {
+        self.stretch * self.steps_by_law(error)
+    }
+
+    fn steps_by_law(&self, error: f64) -> f64 {
         let order = f64::from(self.composition.order());
         let rungs = &self.errors[..self.len];
         // From this rung on, all do.
@@ -170,7 +182,7 @@ impl Ladder {
     pub(super) fn error(&self, steps: f64) -> f64 {
         let order = f64::from(self.composition.order());
         let last = self.len - 1;
-        let place = (steps / self.first as f64).log2();
+        let place = (steps / self.stretch / self.first as f64).log2();
         if place >= last as f64 {
             return self.errors[last] * (0.5_f64).powf(order * (place - last as f64));
         }
@@ -180,6 +192,30 @@ impl Ladder {
         let rung = place as usize;
         let (above, below) = (self.errors[rung], self.errors[rung + 1].max(f64::MIN_POSITIVE));
         if above.is_finite() { above * (below / above).powf(place - rung as f64) } else { f64::INFINITY }
+    }
+
+    /// The error of so many steps over this time, by a trial; `None` where that takes too long, or roundings cover it.
+    pub(super) fn trial<M, const N: usize>(
+        &self,
+        map: &M,
+        x0: &SVector<f64, N>,
+        time: f64,
+        steps: u64,
+    ) -> Option<f64>
+    where
+        M: Lift<f64, N>,
+    {
+        if steps.saturating_mul(2 * self.composition.stages() as u64) > MOST_STAGES {
+            return None;
+        }
+        let gap = gap(map, x0, self.composition, time, steps);
+        let error = gap.error / (1.0 - 0.5_f64.powi(self.composition.order() as i32));
+        (error > ROUNDINGS).then_some(error)
+    }
+
+    /// The steps of the map that the finest rung took.
+    pub(super) fn stages(&self) -> u64 {
+        self.finest() * self.composition.stages() as u64
     }
 
     /// The steps of the finest rung that was compared, over the pilots' time.
