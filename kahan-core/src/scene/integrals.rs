@@ -9,7 +9,8 @@ use nalgebra::SVector;
 use crate::{Composition, Lift};
 
 use super::candidates::{MOST_STEPS, SAFETY, kinds};
-use super::pilot::{norm, rate};
+use super::gap::norm;
+use super::pilot::rate;
 use super::{NoSetting, Precision, Scene, Setting};
 
 /// The most steps of a pilot orbit.

@@ -8,6 +8,8 @@ use nalgebra::SVector;
 
 use crate::{Composition, Lift};
 
+use super::gap::{gap, norm};
+
 /// The time that pilots cover, and what errors do beyond it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
@@ -32,19 +34,6 @@ pub(super) struct Ladder {
     pub(super) power: f64,
 }
 
-/// Two orbits of one method, compared.
-#[derive(Clone, Copy, Debug)]
-struct Gap {
-    /// The largest distance, relative to the scale; infinite where a point is not finite.
-    error: f64,
-    /// The same over the first half of the time.
-    half: f64,
-    /// The part of the time before the distance reached a tenth of the point, or the fine orbit passed a pole.
-    agreed: f64,
-    /// Whether the fine orbit passed no pole.
-    is_resolved: bool,
-}
-
 const RUNGS: usize = 20;
 /// The most steps of the map in one pilot orbit.
 const MOST_STAGES: u64 = 1 << 17;
@@ -52,10 +41,6 @@ const MOST_STAGES: u64 = 1 << 17;
 const SLOPE: f64 = 0.15;
 /// at an error that is below this.
 const SMALL: f64 = 0.003;
-/// A solution that is infinite at t* is there like c/(t − t*), so f like −x/(t − t*). Kahan's map steps over such a pole as if
-/// nothing were, but one of its points is at most ε from it, and is the largest so far: there ε‖f‖ is at least ‖x‖. This part of that
-/// leaves room for the terms beside.
-const POLE: f64 = 0.75;
 /// Below, `f64` pilots differ by roundings.
 const ROUNDINGS: f64 = 1e-12;
 
@@ -88,11 +73,6 @@ where
     let (speed, size) = (norm(&map.field(x)), norm(x));
     let rate = if size > 0.0 { slope.max(speed / size) } else { slope };
     if rate.is_finite() { rate } else { 0.0 }
-}
-
-/// ‖x‖∞; infinite where a coordinate is not a number.
-pub(super) fn norm<const N: usize>(x: &SVector<f64, N>) -> f64 {
-    x.iter().fold(0.0, |largest, entry| if entry.is_nan() { f64::INFINITY } else { largest.max(entry.abs()) })
 }
 
 impl Ladder {
@@ -222,43 +202,4 @@ impl Ladder {
     pub(super) fn finest(&self) -> u64 {
         self.first << (self.len - 1)
     }
-}
-
-/// The orbit of so many steps against that of twice as many.
-fn gap<M, const N: usize>(
-    map: &M,
-    x0: &SVector<f64, N>,
-    composition: Composition,
-    time: f64,
-    steps: u64,
-) -> Gap
-where
-    M: Lift<f64, N>,
-{
-    let eps = 0.5 * time / steps as f64;
-    let coarse = map.orbit(*x0, eps).composed(composition);
-    let mut fine = map.orbit(*x0, 0.5 * eps).composed(composition);
-    fine.next();
-    let (mut distance, mut half, mut scale, mut agreed) = (0.0_f64, 0.0, norm(x0), None);
-    let mut is_resolved = true;
-    for (n, x) in (1..=steps).zip(coarse.skip(1)) {
-        let (Some(between), Some(other)) = (fine.next(), fine.next()) else { break };
-        for x in [between, other] {
-            scale = scale.max(norm(&x));
-            is_resolved &= 0.5 * eps * norm(&map.field(&x)) < POLE * scale || scale == 0.0;
-        }
-        let apart = norm(&(x - other));
-        distance = distance.max(apart);
-        let is_near = apart <= 0.1 * norm(&other);
-        if !(is_resolved && is_near) {
-            agreed.get_or_insert((n - 1) as f64 / steps as f64);
-        }
-        if n <= steps.div_ceil(2) {
-            half = distance;
-        }
-    }
-    let relative = |distance: f64| if distance > 0.0 { distance / scale } else { 0.0 };
-    let error = relative(distance);
-    let error = if error.is_nan() { f64::INFINITY } else { error };
-    Gap { error, half: relative(half), agreed: agreed.unwrap_or(1.0), is_resolved }
 }

@@ -9,7 +9,8 @@ use nalgebra::SVector;
 use crate::{Dd, FloatScalar, KahanMap, Lift, ThroughF64, nearest_short_eps};
 
 use super::Precision;
-use super::pilot::{Ladder, norm};
+use super::gap::norm;
+use super::pilot::Ladder;
 
 /// The distances, relative to the largest coordinate.
 #[derive(Clone, Copy, Debug)]
