@@ -19,36 +19,13 @@
 //! that is below [`Working::ALLOWANCE`], which every error contains, none is overlooked: [`Bounded::largest_input`] is the L that
 //! this leaves, and whoever makes the values compares. Quotients count as if every divisor were 2⁻¹²⁰, which is checked.
 
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-
-use num_traits::{One, Zero};
-
-use crate::{Constant, Pivot, Scalar};
-
+use super::number::Number;
 use super::pair::Pair;
 
-/// A scalar to work in: its operations round once, relative to their result.
-pub(crate) trait Working: Pivot + Copy {
-    /// What magnitudes are computed in: a number of the same range, in which a few digits are enough.
-    type Magnitude: Pivot + Copy;
-    /// How a value and its magnitude are held.
+/// A [`Number`] to work in: how a value and its magnitude are held, and whether its operations are inlined.
+pub(crate) trait Working: Number {
+    /// A value and its magnitude.
     type Pair: Pair<Self>;
-    /// u: the relative error of an operation is at most this, but for underflow.
-    const UNIT: f64;
-    /// More than all errors of underflow; 0 where nothing underflows.
-    const ALLOWANCE: f64;
-
-    /// |self|, rounded by no more than a few parts in 2⁵⁰.
-    fn size(&self) -> Self::Magnitude;
-    /// A constant as a magnitude.
-    fn magnitude(value: f64) -> Self::Magnitude;
-    /// Whether the value is known to be the formula's own: nothing was rounded on its way.
-    #[inline(always)]
-    fn is_exact(&self) -> bool {
-        false
-    }
-    /// Whether one magnitude is larger than another; false if either is not a number.
-    fn exceeds(one: Self::Magnitude, other: Self::Magnitude) -> bool;
 
     /// a + b
     fn plus(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self>;
@@ -127,7 +104,7 @@ impl<V: Working> Bounded<V> {
 
     /// A literal, known while compiling.
     #[inline(always)]
-    fn literal(value: V, roundings: u32) -> Self {
+    pub(super) fn literal(value: V, roundings: u32) -> Self {
         // The exponent of the next power of two.
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
         Self { pair: Pair::new(value, value.size()), roundings, inputs: 0, bits }
@@ -139,6 +116,19 @@ impl<V: Working> Bounded<V> {
         LARGEST_PRODUCT.saturating_sub(self.bits) / self.inputs.max(1)
     }
 
+    /// A value of which nothing is known.
+    #[inline(always)]
+    pub(super) fn unknown(value: V) -> Self {
+        let pair = Pair::new(value, V::magnitude(f64::INFINITY));
+        Self { pair, roundings: 1, inputs: 0, bits: 0 }
+    }
+
+    /// −v̂
+    #[inline(always)]
+    pub(super) fn negated(self) -> Self {
+        Self { pair: self.pair.negated(), ..self }
+    }
+
     /// v̂
     #[inline(always)]
     pub(super) fn value(&self) -> V {
@@ -147,7 +137,7 @@ impl<V: Working> Bounded<V> {
 
     /// m
     #[inline(always)]
-    fn magnitude(&self) -> V::Magnitude {
+    pub(super) fn magnitude(&self) -> V::Magnitude {
         self.pair.magnitude()
     }
 
@@ -267,149 +257,5 @@ impl<V: Working> Bounded<V> {
     #[inline(always)]
     fn is_whole(&self) -> bool {
         self.inputs == 0 && self.roundings == 0
-    }
-}
-
-impl<V: Working> PartialEq for Bounded<V> {
-    fn eq(&self, other: &Self) -> bool {
-        self.value() == other.value()
-            && self.magnitude() == other.magnitude()
-            && self.roundings == other.roundings
-    }
-}
-
-impl<V: Working> Scalar for Bounded<V> {
-    /// Integers that a double holds are exact; every other literal is rounded once.
-    #[inline(always)]
-    fn constant(c: &Constant) -> Self {
-        Self::literal(V::constant(c), u32::from(!c.is_whole()))
-    }
-
-    #[inline(always)]
-    fn reciprocal(&self) -> Option<Self> {
-        V::over(Self::one(), *self)
-    }
-
-    #[inline(always)]
-    fn quotient(self, divisor: Self) -> Option<Self> {
-        V::over(self, divisor)
-    }
-
-    #[inline(always)]
-    fn is_better_pivot(&self, than: &Self) -> bool {
-        self.value().magnitude_exceeds(&than.value())
-    }
-
-    #[inline(always)]
-    fn multiply_add(self, factor: Self, addend: Self) -> Self {
-        <V as Working>::multiply_add(self, factor, addend)
-    }
-
-    #[inline(always)]
-    fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
-        <V as Working>::multiply_add(self, factor, -subtrahend)
-    }
-
-    #[inline(always)]
-    fn subtract_product(self, a: Self, b: Self) -> Self {
-        <V as Working>::multiply_add(-a, b, self)
-    }
-
-    fn approximate(&self) -> f64 {
-        self.value().approximate()
-    }
-}
-
-impl<V: Working> Add for Bounded<V> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        V::plus(self, other)
-    }
-}
-
-impl<V: Working> Sub for Bounded<V> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        V::minus(self, other)
-    }
-}
-
-impl<V: Working> Mul for Bounded<V> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        V::times(self, other)
-    }
-}
-
-impl<V: Working> Div for Bounded<V> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        V::over(self, other).unwrap_or_else(|| {
-            let value = self.value() / other.value();
-            Self { pair: Pair::new(value, V::magnitude(f64::INFINITY)), roundings: 1, ..self }
-        })
-    }
-}
-
-impl<V: Working> Neg for Bounded<V> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self { pair: self.pair.negated(), ..self }
-    }
-}
-
-impl<V: Working> AddAssign for Bounded<V> {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl<V: Working> SubAssign for Bounded<V> {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-
-impl<V: Working> MulAssign for Bounded<V> {
-    #[inline(always)]
-    fn mul_assign(&mut self, other: Self) {
-        *self = *self * other;
-    }
-}
-
-impl<V: Working> DivAssign for Bounded<V> {
-    #[inline(always)]
-    fn div_assign(&mut self, other: Self) {
-        *self = *self / other;
-    }
-}
-
-impl<V: Working> Zero for Bounded<V> {
-    #[inline(always)]
-    fn zero() -> Self {
-        Self::literal(V::zero(), 0)
-    }
-
-    fn is_zero(&self) -> bool {
-        self.value().is_zero()
-    }
-}
-
-impl<V: Working> One for Bounded<V> {
-    #[inline(always)]
-    fn one() -> Self {
-        Self::literal(V::one(), 0)
     }
 }

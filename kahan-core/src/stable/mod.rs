@@ -13,6 +13,8 @@
 
 mod attempt;
 mod bounded;
+mod number;
+mod operators;
 #[cfg(target_arch = "x86_64")]
 mod packed;
 mod pair;

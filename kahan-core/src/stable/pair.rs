@@ -2,10 +2,10 @@
 
 use core::fmt::Debug;
 
-use super::bounded::Working;
+use super::number::Number;
 
 /// A value v̂ beside a magnitude m: what each operation does to both.
-pub(crate) trait Pair<V: Working>: Copy + Debug {
+pub(crate) trait Pair<V: Number>: Copy + Debug {
     fn new(value: V, magnitude: V::Magnitude) -> Self;
     fn value(self) -> V;
     fn magnitude(self) -> V::Magnitude;
@@ -28,12 +28,12 @@ pub(crate) trait Pair<V: Working>: Copy + Debug {
 
 /// One after the other.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Both<V: Working> {
+pub(crate) struct Both<V: Number> {
     value: V,
     magnitude: V::Magnitude,
 }
 
-impl<V: Working> Pair<V> for Both<V> {
+impl<V: Number> Pair<V> for Both<V> {
     fn new(value: V, magnitude: V::Magnitude) -> Self {
         Self { value, magnitude }
     }

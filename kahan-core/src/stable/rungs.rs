@@ -13,6 +13,7 @@ use crate::{Dd, KahanMap, Lift, Pivot, SingularStep};
 
 use super::attempt::Attempt;
 use super::bounded::{ALLOWANCE, Bounded, Working, operations};
+use super::number::Number;
 use super::pair::Both;
 
 /// A scalar that steps can be promised in.
@@ -197,12 +198,8 @@ fn report(determinant: Wide) -> f64 {
     }
 }
 
-impl Working for f64 {
+impl Number for f64 {
     type Magnitude = f64;
-    #[cfg(target_arch = "x86_64")]
-    type Pair = super::packed::Packed;
-    #[cfg(not(target_arch = "x86_64"))]
-    type Pair = Both<f64>;
     const UNIT: f64 = f64::EPSILON / 2.0;
     const ALLOWANCE: f64 = ALLOWANCE;
 
@@ -220,13 +217,19 @@ impl Working for f64 {
     fn exceeds(one: f64, other: f64) -> bool {
         one > other
     }
+}
+
+impl Working for f64 {
+    #[cfg(target_arch = "x86_64")]
+    type Pair = super::packed::Packed;
+    #[cfg(not(target_arch = "x86_64"))]
+    type Pair = Both<f64>;
 
     operations!(inline(always));
 }
 
-impl Working for Dd {
+impl Number for Dd {
     type Magnitude = f64;
-    type Pair = Both<Dd>;
     /// 16 u² of `f64`, at least the bound of each of its operations.
     const UNIT: f64 = f64::EPSILON * f64::EPSILON * 4.0;
     const ALLOWANCE: f64 = ALLOWANCE;
@@ -245,13 +248,16 @@ impl Working for Dd {
     fn exceeds(one: f64, other: f64) -> bool {
         one > other
     }
+}
+
+impl Working for Dd {
+    type Pair = Both<Dd>;
 
     operations!(inline(never));
 }
 
-impl Working for Wide {
+impl Number for Wide {
     type Magnitude = Wide;
-    type Pair = Both<Wide>;
     /// Four times that of an operation, so that a constant, made by a division of cut off numbers, is one, too.
     const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT + 2) as u64) << 52);
     const ALLOWANCE: f64 = 0.0;
@@ -271,6 +277,10 @@ impl Working for Wide {
     fn exceeds(one: Wide, other: Wide) -> bool {
         one.magnitude_exceeds(&other)
     }
+}
+
+impl Working for Wide {
+    type Pair = Both<Wide>;
 
     operations!(inline(never));
 }
@@ -301,7 +311,7 @@ impl Promised for f64 {
 
 impl Promised for Dd {
     /// That of its operations' bounds.
-    const UNIT: f64 = <Self as Working>::UNIT;
+    const UNIT: f64 = <Self as Number>::UNIT;
 
     fn widen(&self) -> Wide {
         Wide::from_double_double(self.high(), self.low())

@@ -4,13 +4,9 @@
 //! straight-line code; what may overflow or lose bits on the way goes to `extremes`, on a branch that is never taken in
 //! ordinary computations and costs no latency.
 
-use super::error_free::{fast_two_sum, multiply_add, remainder, two_product, two_sum};
-use super::{Dd, extremes};
-
-/// 2^exponent, for a normal number.
-pub(super) const fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1023 + exponent) as u64) << 52)
-}
+use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
+use super::moderate::power_of_two;
+use super::{Dd, extremes, moderate};
 
 /// Below this size a leading sum or product leaves room for everything that is added to it.
 const ROOM: f64 = power_of_two(1022);
@@ -34,29 +30,14 @@ pub(super) fn is_moderate(x: f64) -> bool {
 #[inline(always)]
 pub(super) fn sum(x: Dd, y: Dd) -> Dd {
     let leading = two_sum(x.high, y.high);
-    if has_room(leading.0) { with_lower(leading, x.low, y.low) } else { extremes::sum(x, y) }
-}
-
-/// The exact sum `leading` and two smaller numbers.
-#[inline(always)]
-pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {
-    let (lower, rest) = two_sum(a, b);
-    let (sum, error) = fast_two_sum(sum, error + lower);
-    let (high, low) = fast_two_sum(sum, rest + error);
-    Dd { high, low }
+    if has_room(leading.0) { moderate::with_lower(leading, x.low, y.low) } else { extremes::sum(x, y) }
 }
 
 /// xy, off by at most 5u²·|xy| (DWTimesDW2; without fused multiply-adds DWTimesDW1).
 #[inline(always)]
 pub(super) fn product(x: Dd, y: Dd) -> Dd {
-    let (leading, error) = two_product(x.high, y.high);
-    if has_room(leading) {
-        let lower = multiply_add(x.low, y.high, x.high * y.low);
-        let (high, low) = fast_two_sum(leading, error + lower);
-        Dd { high, low }
-    } else {
-        extremes::product(x, y)
-    }
+    let leading = two_product(x.high, y.high);
+    if has_room(leading.0) { moderate::product(leading, x, y) } else { extremes::product(x, y) }
 }
 
 /// xy + z, off by at most 16u²·|xy| + 5u²·|xy + z|.
@@ -89,33 +70,15 @@ pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
 #[inline(always)]
 pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     if is_moderate(x.high) && is_moderate(y.high) {
-        moderate_quotient(x, y)
+        moderate::quotient(x, y)
     } else {
         extremes::quotient(x, y)
     }
-}
-
-#[inline(always)]
-pub(super) fn moderate_quotient(x: Dd, y: Dd) -> Dd {
-    let leading = x.high / y.high;
-    let reciprocal = 1.0 / y.high;
-    let remainder = remainder(x.high, leading, y.high) + multiply_add(-leading, y.low, x.low);
-    let (high, low) = fast_two_sum(leading, remainder * reciprocal);
-    Dd { high, low }
 }
 
 /// √x, off by at most 25/8 u²·√x (SQRTDWtoDW).
 #[cfg(feature = "std")]
 #[inline]
 pub(super) fn square_root(x: Dd) -> Dd {
-    if x.high > SMALL && x.high < LARGE { moderate_square_root(x) } else { extremes::square_root(x) }
-}
-
-#[cfg(feature = "std")]
-#[inline]
-pub(super) fn moderate_square_root(x: Dd) -> Dd {
-    let leading = x.high.sqrt();
-    let remainder = remainder(x.high, leading, leading) + x.low;
-    let (high, low) = fast_two_sum(leading, remainder / (leading + leading));
-    Dd { high, low }
+    if x.high > SMALL && x.high < LARGE { moderate::square_root(x) } else { extremes::square_root(x) }
 }

@@ -3,9 +3,9 @@
 //! In: any operands. Out: what the exact result rounds to, by the same bounds; infinite where that is beyond the range.
 //! Finite operands are scaled by powers of two, which is exact, so nothing here is a second formula.
 
-use super::arithmetic::{moderate_quotient, power_of_two, with_lower};
-use super::error_free::two_sum;
-use super::{Dd, arithmetic};
+use super::error_free::{two_product, two_sum};
+use super::moderate::{power_of_two, with_lower};
+use super::{Dd, moderate};
 
 #[cold]
 #[inline(never)]
@@ -23,7 +23,7 @@ pub(super) fn product(x: Dd, y: Dd) -> Dd {
     let Some((x, y, exponents)) = leading_in_one_to_two(x, y) else {
         return Dd::leading(x.high * y.high);
     };
-    scaled(arithmetic::product(x, y), exponents.0 + exponents.1)
+    scaled(moderate::product(two_product(x.high, y.high), x, y), exponents.0 + exponents.1)
 }
 
 #[cold]
@@ -32,7 +32,7 @@ pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     let Some((x, y, exponents)) = leading_in_one_to_two(x, y) else {
         return Dd::leading(x.high / y.high);
     };
-    scaled(moderate_quotient(x, y), exponents.0 - exponents.1)
+    scaled(moderate::quotient(x, y), exponents.0 - exponents.1)
 }
 
 #[cfg(feature = "std")]
@@ -41,7 +41,7 @@ pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
 pub(super) fn square_root(x: Dd) -> Dd {
     if x.high > 0.0 && x.is_finite() {
         let half = exponent(x.high).div_euclid(2);
-        scaled(arithmetic::moderate_square_root(scaled(x, -2 * half)), half)
+        scaled(moderate::square_root(scaled(x, -2 * half)), half)
     } else {
         // Zeros keep their sign.
         Dd::leading(x.high.sqrt())

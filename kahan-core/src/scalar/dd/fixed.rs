@@ -92,7 +92,7 @@ impl Fixed {
         // At most 2⁵³, and exact in both products.
         let significand = (kept + u64::from(up)) as f64;
         let first = last / 2;
-        significand * super::arithmetic::power_of_two(first) * super::arithmetic::power_of_two(last - first)
+        significand * super::moderate::power_of_two(first) * super::moderate::power_of_two(last - first)
     }
 }
 

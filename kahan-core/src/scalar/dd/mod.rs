@@ -11,6 +11,7 @@ mod display;
 mod error_free;
 mod extremes;
 mod fixed;
+mod moderate;
 mod operators;
 mod traits;
 

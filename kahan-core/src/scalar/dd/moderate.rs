@@ -1,0 +1,46 @@
+//! The formulas of the operations where nothing overflows or underflows; their bounds stand where they are called.
+
+use super::Dd;
+use super::error_free::{fast_two_sum, multiply_add, remainder, two_sum};
+
+/// 2^exponent, for a normal number.
+pub(super) const fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
+}
+
+/// The exact sum `leading` and two smaller numbers.
+#[inline(always)]
+pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {
+    let (lower, rest) = two_sum(a, b);
+    let (sum, error) = fast_two_sum(sum, error + lower);
+    let (high, low) = fast_two_sum(sum, rest + error);
+    Dd { high, low }
+}
+
+/// xy from the exact product of the leading parts.
+#[inline(always)]
+pub(super) fn product((leading, error): (f64, f64), x: Dd, y: Dd) -> Dd {
+    let lower = multiply_add(x.low, y.high, x.high * y.low);
+    let (high, low) = fast_two_sum(leading, error + lower);
+    Dd { high, low }
+}
+
+/// x/y
+#[inline(always)]
+pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
+    let leading = x.high / y.high;
+    let reciprocal = 1.0 / y.high;
+    let remainder = remainder(x.high, leading, y.high) + multiply_add(-leading, y.low, x.low);
+    let (high, low) = fast_two_sum(leading, remainder * reciprocal);
+    Dd { high, low }
+}
+
+/// √x
+#[cfg(feature = "std")]
+#[inline]
+pub(super) fn square_root(x: Dd) -> Dd {
+    let leading = x.high.sqrt();
+    let remainder = remainder(x.high, leading, leading) + x.low;
+    let (high, low) = fast_two_sum(leading, remainder / (leading + leading));
+    Dd { high, low }
+}

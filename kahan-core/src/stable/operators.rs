@@ -1,0 +1,150 @@
+//! Bounded values as a scalar: the generated step runs over them as over a float.
+
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use crate::{Constant, Scalar};
+
+use super::bounded::{Bounded, Working};
+
+impl<V: Working> PartialEq for Bounded<V> {
+    fn eq(&self, other: &Self) -> bool {
+        self.value() == other.value()
+            && self.magnitude() == other.magnitude()
+            && self.roundings() == other.roundings()
+    }
+}
+
+impl<V: Working> Scalar for Bounded<V> {
+    /// Integers that a double holds are exact; every other literal is rounded once.
+    #[inline(always)]
+    fn constant(c: &Constant) -> Self {
+        Self::literal(V::constant(c), u32::from(!c.is_whole()))
+    }
+
+    #[inline(always)]
+    fn reciprocal(&self) -> Option<Self> {
+        V::over(Self::one(), *self)
+    }
+
+    #[inline(always)]
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        V::over(self, divisor)
+    }
+
+    #[inline(always)]
+    fn is_better_pivot(&self, than: &Self) -> bool {
+        self.value().magnitude_exceeds(&than.value())
+    }
+
+    #[inline(always)]
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        <V as Working>::multiply_add(self, factor, addend)
+    }
+
+    #[inline(always)]
+    fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+        <V as Working>::multiply_add(self, factor, -subtrahend)
+    }
+
+    #[inline(always)]
+    fn subtract_product(self, a: Self, b: Self) -> Self {
+        <V as Working>::multiply_add(-a, b, self)
+    }
+
+    fn approximate(&self) -> f64 {
+        self.value().approximate()
+    }
+}
+
+impl<V: Working> Add for Bounded<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        V::plus(self, other)
+    }
+}
+
+impl<V: Working> Sub for Bounded<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        V::minus(self, other)
+    }
+}
+
+impl<V: Working> Mul for Bounded<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        V::times(self, other)
+    }
+}
+
+impl<V: Working> Div for Bounded<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        V::over(self, other).unwrap_or_else(|| Self::unknown(self.value() / other.value()))
+    }
+}
+
+impl<V: Working> Neg for Bounded<V> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.negated()
+    }
+}
+
+impl<V: Working> AddAssign for Bounded<V> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<V: Working> SubAssign for Bounded<V> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl<V: Working> MulAssign for Bounded<V> {
+    #[inline(always)]
+    fn mul_assign(&mut self, other: Self) {
+        *self = *self * other;
+    }
+}
+
+impl<V: Working> DivAssign for Bounded<V> {
+    #[inline(always)]
+    fn div_assign(&mut self, other: Self) {
+        *self = *self / other;
+    }
+}
+
+impl<V: Working> Zero for Bounded<V> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::literal(V::zero(), 0)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.value().is_zero()
+    }
+}
+
+impl<V: Working> One for Bounded<V> {
+    #[inline(always)]
+    fn one() -> Self {
+        Self::literal(V::one(), 0)
+    }
+}
