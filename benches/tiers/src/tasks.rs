@@ -52,6 +52,17 @@ where
     let single_start = start.map(|entry| entry as f32);
     vec![
         task("fast", Box::new(move |n| arrive!(map.orbit(black_box(start), EPS), n))),
+        task(
+            "fast, a step at a time",
+            Box::new(move |n| {
+                let at = map.at(EPS);
+                let mut x = black_box(start);
+                for _ in 0..n {
+                    x = at.step(&x);
+                }
+                black_box(x);
+            }),
+        ),
         task("compensated", Box::new(move |n| arrive!(map.orbit(black_box(start), EPS).compensated(), n))),
         task(
             "stable",
