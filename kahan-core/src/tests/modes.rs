@@ -4,9 +4,10 @@ use nalgebra::SVector;
 
 use super::systems::{Coupled, E3};
 use crate::{
-    Compensated, Composed, Composition, Dd, Ensemble, FloatScalar, KahanMap, Level, Orbit, Single,
-    nearest_short_eps, vector,
+    Compensated, Composed, Composition, Dd, FloatScalar, KahanMap, Orbit, Single, nearest_short_eps, vector,
 };
+#[cfg(feature = "std")]
+use crate::{Ensemble, Level};
 
 const START: [f64; 3] = [0.3, -0.7, 1.1];
 
@@ -140,6 +141,7 @@ fn a_short_double_double_is_the_nearest() {
 
 /// The baseline runs the arithmetic of a single step, so there the bits agree; larger levels fuse multiply-adds, which moves each of
 /// the 17 stages by a few units of 2⁻⁵³.
+#[cfg(feature = "std")]
 #[test]
 fn an_ensemble_takes_the_steps_of_a_composed_orbit() {
     let points: std::vec::Vec<SVector<f64, 3>> =
