@@ -19,5 +19,6 @@ mod operators;
 mod packed;
 mod pair;
 mod rungs;
+mod scalars;
 
 pub(crate) use rungs::{stable_double, stable_double_double, stable_single};

@@ -9,23 +9,11 @@ use num_traits::Zero;
 
 use crate::linear::vector;
 use crate::scalar::Wide;
-use crate::{Dd, KahanMap, Lift, Pivot, SingularStep};
+use crate::{Dd, KahanMap, Lift, SingularStep};
 
 use super::attempt::Attempt;
-use super::bounded::{ALLOWANCE, Bounded, Working, operations};
-use super::number::Number;
-use super::pair::Both;
-
-/// A scalar that steps can be promised in.
-pub(crate) trait Promised: Pivot + Copy {
-    /// u: half the distance of 1 from the next larger number, for the machine's floats.
-    const UNIT: f64;
-
-    /// The same number.
-    fn widen(&self) -> Wide;
-    /// The nearest one.
-    fn narrow(value: Wide) -> Self;
-}
+use super::bounded::{Bounded, Working};
+use super::scalars::Promised;
 
 /// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and ‖exact‖∞.
 const PROMISE: f64 = 63.0;
@@ -56,6 +44,27 @@ where
     V::exceeds(attempt.largest_input(), largest.get()).then_some(attempt)
 }
 
+/// A rung that is called: x̃ goes to the last argument.
+type Called<M, T, const N: usize> = fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>;
+
+/// The first rung of a scalar that works for itself, and what comes after it.
+#[inline(always)]
+fn in_own_precision<M, T, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+    beyond: Called<M, T, N>,
+) -> Result<SVector<T, N>, SingularStep>
+where
+    T: Promised + Working,
+    M: Lift<T, N>,
+{
+    match attempt(map, x, eps, |number| *number) {
+        Some(attempt) if attempt.is_within(PROMISE * <T as Promised>::UNIT) => Ok(vector(attempt.next)),
+        _ => called(beyond, map, x, eps),
+    }
+}
+
 /// The step of `f64`.
 #[inline]
 pub(crate) fn stable_double<M, const N: usize>(
@@ -66,10 +75,7 @@ pub(crate) fn stable_double<M, const N: usize>(
 where
     M: Lift<f64, N>,
 {
-    match attempt(map, x, eps, |number| *number) {
-        Some(attempt) if attempt.is_within(PROMISE * <f64 as Promised>::UNIT) => Ok(vector(attempt.next)),
-        _ => called(beyond_double, map, x, eps),
-    }
+    in_own_precision(map, x, eps, beyond_double)
 }
 
 /// The step of `f32`, computed in `f64` and rounded once.
@@ -98,10 +104,7 @@ pub(crate) fn stable_double_double<M, const N: usize>(
 where
     M: Lift<Dd, N>,
 {
-    match attempt(map, x, eps, |number| *number) {
-        Some(attempt) if attempt.is_within(PROMISE * <Dd as Promised>::UNIT) => Ok(vector(attempt.next)),
-        _ => called(in_wide, map, x, eps),
-    }
+    in_own_precision(map, x, eps, in_wide)
 }
 
 /// What a rung that is called says of a step, entry by entry.
@@ -110,7 +113,7 @@ where
 /// result of the first rung, which is inlined, stay in registers: else every step would wait for its way through memory.
 #[inline(always)]
 fn called<M, T: Copy, const N: usize>(
-    rung: impl Fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>,
+    rung: Called<M, T, N>,
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
@@ -195,130 +198,5 @@ fn report(determinant: Wide) -> f64 {
         near if near == 0.0 && !determinant.is_zero() => f64::MIN_POSITIVE,
         near if near.is_infinite() => f64::NAN,
         near => near,
-    }
-}
-
-impl Number for f64 {
-    type Magnitude = f64;
-    const UNIT: f64 = f64::EPSILON / 2.0;
-    const ALLOWANCE: f64 = ALLOWANCE;
-
-    #[inline(always)]
-    fn size(&self) -> f64 {
-        self.abs()
-    }
-
-    #[inline(always)]
-    fn magnitude(value: f64) -> f64 {
-        value
-    }
-
-    #[inline(always)]
-    fn exceeds(one: f64, other: f64) -> bool {
-        one > other
-    }
-}
-
-impl Working for f64 {
-    #[cfg(target_arch = "x86_64")]
-    type Pair = super::packed::Packed;
-    #[cfg(not(target_arch = "x86_64"))]
-    type Pair = Both<f64>;
-
-    operations!(inline(always));
-}
-
-impl Number for Dd {
-    type Magnitude = f64;
-    /// 16 u² of `f64`, at least the bound of each of its operations.
-    const UNIT: f64 = f64::EPSILON * f64::EPSILON * 4.0;
-    const ALLOWANCE: f64 = ALLOWANCE;
-
-    #[inline(always)]
-    fn size(&self) -> f64 {
-        self.high().abs()
-    }
-
-    #[inline(always)]
-    fn magnitude(value: f64) -> f64 {
-        value
-    }
-
-    #[inline(always)]
-    fn exceeds(one: f64, other: f64) -> bool {
-        one > other
-    }
-}
-
-impl Working for Dd {
-    type Pair = Both<Dd>;
-
-    operations!(inline(never));
-}
-
-impl Number for Wide {
-    type Magnitude = Wide;
-    /// Four times that of an operation, so that a constant, made by a division of cut off numbers, is one, too.
-    const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT + 2) as u64) << 52);
-    const ALLOWANCE: f64 = 0.0;
-
-    fn size(&self) -> Wide {
-        self.abs()
-    }
-
-    fn magnitude(value: f64) -> Wide {
-        Wide::from(value)
-    }
-
-    fn is_exact(&self) -> bool {
-        Wide::is_exact(self)
-    }
-
-    fn exceeds(one: Wide, other: Wide) -> bool {
-        one.magnitude_exceeds(&other)
-    }
-}
-
-impl Working for Wide {
-    type Pair = Both<Wide>;
-
-    operations!(inline(never));
-}
-
-impl Promised for f32 {
-    const UNIT: f64 = f32::EPSILON as f64 / 2.0;
-
-    fn widen(&self) -> Wide {
-        Wide::from(*self)
-    }
-
-    fn narrow(value: Wide) -> Self {
-        value.to_f32()
-    }
-}
-
-impl Promised for f64 {
-    const UNIT: f64 = f64::EPSILON / 2.0;
-
-    fn widen(&self) -> Wide {
-        Wide::from(*self)
-    }
-
-    fn narrow(value: Wide) -> Self {
-        value.to_f64()
-    }
-}
-
-impl Promised for Dd {
-    /// That of its operations' bounds.
-    const UNIT: f64 = <Self as Number>::UNIT;
-
-    fn widen(&self) -> Wide {
-        Wide::from_double_double(self.high(), self.low())
-    }
-
-    fn narrow(value: Wide) -> Self {
-        let (high, low) = value.to_double_double();
-        Dd::new(high, low)
     }
 }

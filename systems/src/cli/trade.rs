@@ -12,7 +12,7 @@ use kahan_systems::reference::Method;
 use kahan_systems::trade::{Need, Scene, Setting, Trade as Measured};
 use serde_json::{Value, json};
 
-use super::input::{Block, Source, coordinates, number};
+use super::input::{Block, Source, coordinates, number, seconds};
 use super::output::{Answer, Refusal};
 use super::progress::Progress;
 use super::sink::{Broken, Sink};
@@ -86,11 +86,6 @@ enum NeedName {
     Trajectory,
     /// To keep the integrals.
     Integrals,
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    let seconds = text.trim().parse().ok().filter(|seconds: &f64| seconds.is_finite() && *seconds > 0.0);
-    seconds.ok_or_else(|| "write a number of seconds above 0, such as 10 or 0.5".to_owned())
 }
 
 /// What was measured, and on what.
