@@ -15,6 +15,7 @@ mod fuse;
 mod minors;
 mod nesting;
 mod numerators;
+mod reciprocals;
 mod recurrence;
 mod scaling;
 mod signs;

@@ -4,6 +4,7 @@ use crate::field::Field;
 use crate::kahan::RationalMap;
 
 use super::candidate::Candidate;
+use super::reciprocals::with_signs_of_reciprocals;
 use super::signs::with_signs;
 use super::{Node, Plan, PlanBuilder, candidates};
 
@@ -13,7 +14,7 @@ pub struct StepPlan {
     /// From ε and the parameters to the prepared constants, in order. It has no states.
     pub constants: Plan,
     /// From the states and the prepared constants ([`Operation::Prepared`](super::Operation::Prepared)) to the numerators,
-    /// one a component, followed by the reciprocals, each a quotient 2/d, or 2/d/d′.
+    /// one a component, followed by the reciprocals, each a quotient ±2/d, or ±2/d/d′.
     pub kernel: Plan,
     /// For each component the index of its reciprocal among the kernel's reciprocals; `None` where there is no division.
     pub reciprocals: Vec<Option<usize>>,
@@ -61,6 +62,7 @@ impl StepPlan {
         let kernel = kernel.fused();
         let kernel = if doubled.cost().chain > kernel.cost().chain { kernel } else { doubled };
         let (constants, kernel) = with_signs(constants, kernel);
+        let kernel = with_signs_of_reciprocals(kernel, &places);
         StepPlan { constants, kernel, reciprocals: places, lanes: None }
     }
 }

@@ -122,7 +122,7 @@ fn scope() {
             }
             impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
                 const COST: __kahan::StepCost = __kahan::StepCost {
-                    operations: 19,
+                    operations: 17,
                     divisions: 1,
                     chain: 33,
                 };
@@ -140,7 +140,7 @@ fn scope() {
                         );
                     let __t_eps_mu_x = self.eps_mu.0.clone() * __s_x.clone();
                     let __t_eps_x = self.eps.0.clone() * __s_x;
-                    let __reciprocal_1 = __kahan::integer::<T>(2)
+                    let __reciprocal_1 = __kahan::integer::<T>(-2)
                         .quotient(
                             __t_y_eps_mu_minus_one
                                 .clone()
@@ -151,8 +151,8 @@ fn scope() {
                         )?;
                     __kahan::Option::Some(__kahan::Quotients {
                         numerators: [
-                            -(__t_eps_mu_x * (__s_y.clone() + __t_eps_x.clone())),
-                            -__t_y_eps_mu_minus_one
+                            __t_eps_mu_x * (__s_y.clone() + __t_eps_x.clone()),
+                            __t_y_eps_mu_minus_one
                                 .multiply_add(__s_y * self.eps.0.clone(), __t_eps_x),
                         ],
                         reciprocals: [__reciprocal_1.clone(), __reciprocal_1],

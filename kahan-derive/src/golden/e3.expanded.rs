@@ -126,7 +126,7 @@ const _: () = {
     }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for __Step<T> {
         const COST: __kahan::StepCost = __kahan::StepCost {
-            operations: 29,
+            operations: 26,
             divisions: 1,
             chain: 35,
         };
@@ -140,7 +140,7 @@ const _: () = {
             let __t_eps_x = self.eps.0.clone() * __s_x.clone();
             let __t_eps_y = self.eps.0.clone() * __s_y.clone();
             let __c_1 = __kahan::integer::<T>(1);
-            let __reciprocal_1 = __kahan::integer::<T>(2)
+            let __reciprocal_1 = __kahan::integer::<T>(-2)
                 .quotient(
                     (__t_eps_y.clone() + __t_eps_y.clone()) * __t_eps_y.clone()
                         + (self.two_eps.0.clone() * __s_x.clone())
@@ -154,9 +154,9 @@ const _: () = {
             let __sum_1 = __t_y_eps_y.clone() + (__s_z + __t_x_eps_x.clone());
             __kahan::Option::Some(__kahan::Quotients {
                 numerators: [
-                    -(__t_eps_x * __sum_1.clone()),
-                    -(__t_eps_y * __sum_1),
-                    -((__t_eps_z - __c_1) * (__t_x_eps_x + __t_y_eps_y)),
+                    __t_eps_x * __sum_1.clone(),
+                    __t_eps_y * __sum_1,
+                    (__t_eps_z - __c_1) * (__t_x_eps_x + __t_y_eps_y),
                 ],
                 reciprocals: [
                     __reciprocal_1.clone(),

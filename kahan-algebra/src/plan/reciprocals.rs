@@ -1,0 +1,86 @@
+//! The sign of each reciprocal: 2/d or −2/d.
+//!
+//! In: the kernel of a step. Out: the same, a reciprocal carried with the other sign where more of its numerators are negated
+//! than are not. Rounding is symmetric, so no bit of x̃ changes; floats fold a negation into the last subtraction, but a step over
+//! anything else (error bounds, lanes, double-doubles) would carry it out.
+
+use crate::rational::Rational;
+
+use super::{Node, Operation, Plan, PlanBuilder};
+
+/// The kernel, its first outputs being the numerators, with the signs of its reciprocals chosen; `reciprocals` says for each
+/// numerator which of the other outputs it is multiplied by. Cost: operations · components.
+#[must_use]
+pub(super) fn with_signs_of_reciprocals(kernel: Plan, reciprocals: &[Option<usize>]) -> Plan {
+    let (numerators, quotients) = kernel.outputs.split_at(reciprocals.len());
+    // For each component the division that its reciprocal begins with.
+    let bases: Vec<Option<Node>> =
+        reciprocals.iter().map(|place| place.and_then(|index| base(&kernel, quotients[index]))).collect();
+    let votes = |of: Node| {
+        let mut balance = 0;
+        for (numerator, _) in numerators.iter().zip(&bases).filter(|(_, base)| **base == Some(of)) {
+            balance += match &kernel.operations[numerator.0] {
+                Operation::Negate(_) => 1,
+                Operation::Constant(value) if value.is_zero() => 0,
+                _ => -1,
+            };
+        }
+        balance
+    };
+    let is_turned =
+        |base: &Option<Node>| base.is_some_and(|base| votes(base) > 0 && is_only_divided(&kernel, base));
+    let turned: Vec<bool> = bases.iter().map(is_turned).collect();
+    if !turned.contains(&true) {
+        return kernel;
+    }
+    let is_turned_base =
+        |node: Node| bases.iter().zip(&turned).any(|(base, turned)| *turned && *base == Some(node));
+    let mut builder = PlanBuilder::default();
+    let mut renamed: Vec<Node> = Vec::with_capacity(kernel.operations.len());
+    for (index, operation) in kernel.operations.iter().enumerate() {
+        let mut turned = operation.with_operands(|node| renamed[node.0]);
+        if let Operation::Divide(dividend, _) = &mut turned
+            && is_turned_base(Node(index))
+            && let Some(literal) = dividend_of(&kernel, Node(index))
+        {
+            *dividend = builder.intern(Operation::Constant(-literal));
+        }
+        renamed.push(builder.intern(turned));
+    }
+    let mut outputs: Vec<Node> = kernel.outputs.iter().map(|output| renamed[output.0]).collect();
+    for (output, _) in outputs.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
+        *output = builder.changed_sign(*output);
+    }
+    builder.finish(&outputs)
+}
+
+/// The division of a literal that a reciprocal 2/d/d′ begins with.
+fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
+    if dividend_of(kernel, reciprocal).is_some() {
+        return Some(reciprocal);
+    }
+    match kernel.operations[reciprocal.0] {
+        Operation::Divide(dividend, _) => base(kernel, dividend),
+        _ => None,
+    }
+}
+
+/// The literal that a step divides.
+fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
+    let Operation::Divide(dividend, _) = kernel.operations[quotient.0] else { return None };
+    match &kernel.operations[dividend.0] {
+        Operation::Constant(literal) => Some(literal),
+        _ => None,
+    }
+}
+
+/// Whether no other step computes with a quotient than those that divide it further, down to results: where one component is
+/// eliminated before others, increments are made of reciprocals, too.
+fn is_only_divided(kernel: &Plan, quotient: Node) -> bool {
+    kernel.operations.iter().enumerate().filter(|(_, user)| user.operands().any(|operand| operand == quotient)).all(
+        |(index, user)| {
+            matches!(user, Operation::Divide(dividend, divisor) if *dividend == quotient && *divisor != quotient)
+                && is_only_divided(kernel, Node(index))
+        },
+    )
+}
