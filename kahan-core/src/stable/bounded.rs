@@ -93,13 +93,15 @@ pub(crate) struct Bounded<V: Working> {
     /// How many inputs are multiplied in a term, and how many bits all else adds to its size.
     inputs: u32,
     bits: u32,
+    /// About 1/|v̂| of a quotient of such values, the first of which is a whole constant; compilers know whether it is there.
+    inverse: Option<V::Magnitude>,
 }
 
 impl<V: Working> Bounded<V> {
     /// An input: a number that is what it says.
     #[inline(always)]
     pub(super) fn given(value: V) -> Self {
-        Self { pair: Pair::new(value, value.size()), roundings: 0, inputs: 1, bits: 0 }
+        Self { pair: Pair::new(value, value.size()), roundings: 0, inputs: 1, bits: 0, inverse: None }
     }
 
     /// A literal, known while compiling.
@@ -107,7 +109,7 @@ impl<V: Working> Bounded<V> {
     pub(super) fn literal(value: V, roundings: u32) -> Self {
         // The exponent of the next power of two.
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
-        Self { pair: Pair::new(value, value.size()), roundings, inputs: 0, bits }
+        Self { pair: Pair::new(value, value.size()), roundings, inputs: 0, bits, inverse: None }
     }
 
     /// The binary exponent that no input may exceed, so that underflow is allowed for.
@@ -120,7 +122,7 @@ impl<V: Working> Bounded<V> {
     #[inline(always)]
     pub(super) fn unknown(value: V) -> Self {
         let pair = Pair::new(value, V::magnitude(f64::INFINITY));
-        Self { pair, roundings: 1, inputs: 0, bits: 0 }
+        Self { pair, roundings: 1, inputs: 0, bits: 0, inverse: None }
     }
 
     /// −v̂
@@ -182,6 +184,7 @@ impl<V: Working> Bounded<V> {
             roundings: self.roundings.max(other.roundings).saturating_add(1),
             inputs: self.inputs.max(other.inputs),
             bits: self.bits.max(other.bits).saturating_add(1),
+            inverse: None,
         }
         .if_exact()
     }
@@ -194,6 +197,7 @@ impl<V: Working> Bounded<V> {
             roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
             inputs: self.inputs.saturating_add(other.inputs),
             bits: self.bits.saturating_add(other.bits),
+            inverse: None,
         }
         .if_exact()
     }
@@ -220,31 +224,31 @@ impl<V: Working> Bounded<V> {
             return None;
         }
         let numerator = self.magnitude() + value.size() * divisor.magnitude();
-        let magnitude = if self.is_whole() {
-            // 1/|b̂| = |v̂|/a without a second division.
-            numerator * value.size() * (V::magnitude(SLACK) / self.magnitude())
-        } else {
-            numerator * V::magnitude(SLACK) / size
+        // 1/|b̂| = |v̂|·(1/a) without a second division, where 1/a is at hand.
+        let (magnitude, inverse) = match self.inverse() {
+            Some(inverse) => {
+                (numerator * value.size() * (V::magnitude(SLACK) * inverse), Some(size * inverse))
+            }
+            None => (numerator * V::magnitude(SLACK) / size, None),
         };
         Some(Self {
             pair: Pair::new(value, magnitude),
             roundings: self.roundings.max(divisor.roundings).saturating_add(1),
             inputs: self.inputs.saturating_add(divisor.inputs),
             bits: self.bits.saturating_add(divisor.bits).saturating_add(BITS_OF_DIVISION),
+            inverse,
         })
     }
 
-    /// What the error of the product with a reciprocal is at most before it is added to something, one rounding included.
+    /// w, with which the error of a product n̂·r̂ with this reciprocal r̂ is at most w times the magnitude of n̂, which took
+    /// `roundings`; the one of the product included.
     ///
-    /// |n̂r̂ − nr| ≤ |n̂ − n|·(|r̂| + |r̂ − r|) + |n̂|·|r̂ − r| is sharper than the product of the magnitudes where n̂ or r̂ came out
-    /// of a cancellation. All numerators take the roundings of the worst, so that those of one reciprocal have the same weights.
+    /// n̂r̂ − nr = (n̂ − n)·r̂ + n·(r̂ − r). Where one reciprocal serves all numerators, there is one weight, if all are given the
+    /// roundings of the worst.
     #[inline(always)]
-    pub(super) fn error_of_product(self, reciprocal: Self, roundings: u32) -> V::Magnitude {
-        let slack = V::magnitude(SLACK);
-        let error = slack * reciprocal.error();
-        let size = slack * reciprocal.value().size() + error;
-        let gamma = Self { roundings: roundings.saturating_add(1), ..self }.gamma();
-        self.pair.weighed(error, gamma * size) + V::magnitude(V::ALLOWANCE) * size
+    pub(super) fn weight(&self, roundings: u32) -> V::Magnitude {
+        let gamma = Self { roundings: roundings.saturating_add(1), ..*self }.gamma();
+        self.value().size() * gamma + self.error()
     }
 
     /// k
@@ -253,9 +257,10 @@ impl<V: Working> Bounded<V> {
         self.roundings
     }
 
-    /// Whether this is a constant that is exact; compilers know.
+    /// About 1/|v̂|, where that costs no division.
     #[inline(always)]
-    fn is_whole(&self) -> bool {
-        self.inputs == 0 && self.roundings == 0
+    fn inverse(&self) -> Option<V::Magnitude> {
+        let is_whole_constant = self.inputs == 0 && self.roundings == 0;
+        if is_whole_constant { Some(V::magnitude(1.0) / self.magnitude()) } else { self.inverse }
     }
 }

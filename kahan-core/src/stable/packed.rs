@@ -69,10 +69,4 @@ impl Pair<f64> for Packed {
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self.times(factor).plus(addend)
     }
-
-    #[inline(always)]
-    fn weighed(self, a: f64, b: f64) -> f64 {
-        let weighed = self.times(Self::new(a, b));
-        weighed.value().abs() + weighed.magnitude()
-    }
 }

@@ -21,9 +21,6 @@ pub(crate) trait Pair<V: Number>: Copy + Debug {
 
     /// self·factor + addend, the value rounded as [`Scalar::multiply_add`] does.
     fn multiply_add(self, factor: Self, addend: Self) -> Self;
-
-    /// |v̂|·a + m·b
-    fn weighed(self, a: V::Magnitude, b: V::Magnitude) -> V::Magnitude;
 }
 
 /// One after the other.
@@ -67,9 +64,5 @@ impl<V: Number> Pair<V> for Both<V> {
             value: self.value.multiply_add(factor.value, addend.value),
             magnitude: self.magnitude * factor.magnitude + addend.magnitude,
         }
-    }
-
-    fn weighed(self, a: V::Magnitude, b: V::Magnitude) -> V::Magnitude {
-        self.value.size() * a + self.magnitude * b
     }
 }

@@ -9,7 +9,7 @@ use num_traits::Zero;
 
 use crate::linear::vector;
 use crate::scalar::Wide;
-use crate::{Dd, KahanMap, Lift, SingularStep};
+use crate::{Dd, KahanMap, Lift, PreparedStep, SingularStep};
 
 use super::attempt::Attempt;
 use super::bounded::{Bounded, Working};
@@ -18,30 +18,30 @@ use super::scalars::Promised;
 /// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and ‖exact‖∞.
 const PROMISE: f64 = 63.0;
 
-/// The step with all numbers embedded into V.
+/// The step with all numbers embedded into V, each component handed to `finish`.
 #[inline(always)]
 fn attempt<T, V, M, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
     embed: impl Fn(&T) -> V,
+    finish: impl Fn(V) -> V,
 ) -> Option<Attempt<V, N>>
 where
     T: Promised,
     V: Working,
     M: Lift<T, N>,
 {
-    let largest = Cell::new(embed(eps).size());
+    // No input exceeds the sum of all sizes, which is not a number where an input is none.
+    let sum = Cell::new(embed(eps).size());
     let given = |number: &T| {
         let value = embed(number);
-        if V::exceeds(value.size(), largest.get()) {
-            largest.set(value.size());
-        }
+        sum.set(sum.get() + value.size());
         Bounded::given(value)
     };
     let state = SVector::from_fn(|i, _| given(&x[i]));
-    let attempt = Attempt::by_increments(&map.lift(given), &state, Bounded::given(embed(eps)))?;
-    V::exceeds(attempt.largest_input(), largest.get()).then_some(attempt)
+    let attempt = Attempt::by_increments(&map.lift(given), &state, Bounded::given(embed(eps)), finish)?;
+    V::exceeds(attempt.largest_input(), sum.get()).then_some(attempt)
 }
 
 /// A rung that is called: x̃ goes to the last argument.
@@ -59,7 +59,7 @@ where
     T: Promised + Working,
     M: Lift<T, N>,
 {
-    match attempt(map, x, eps, |number| *number) {
+    match attempt(map, x, eps, |number| *number, M::Prepared::component) {
         Some(attempt) if attempt.is_within(PROMISE * <T as Promised>::UNIT) => Ok(vector(attempt.next)),
         _ => called(beyond, map, x, eps),
     }
@@ -89,7 +89,7 @@ where
     M: Lift<f32, N>,
 {
     let embed = |number: &f32| f64::from(*number);
-    attempt(map, x, eps, embed)
+    attempt(map, x, eps, embed, |component| component)
         .and_then(|attempt| attempt.rounded(PROMISE * f32::UNIT, |value| value as f32, embed))
         .map_or_else(|| called(in_wide, map, x, eps), Ok)
 }
@@ -138,7 +138,7 @@ where
     M: Lift<f64, N>,
 {
     let embed = |number: &f64| Dd::from(*number);
-    let settled = attempt(map, &x, &eps, embed)
+    let settled = attempt(map, &x, &eps, embed, |component| component)
         .and_then(|attempt| attempt.rounded(PROMISE * <f64 as Promised>::UNIT, f64::from, embed));
     match settled {
         Some(settled) => {
@@ -162,9 +162,16 @@ where
     T: Promised,
     M: Lift<T, N>,
 {
-    let given = |number: &T| Bounded::given(number.widen());
+    let is_finite = Cell::new(eps.is_finite_number());
+    let given = |number: &T| {
+        is_finite.set(is_finite.get() && number.is_finite_number());
+        Bounded::given(number.widen())
+    };
     let lifted = map.lift(given);
     let state = SVector::from_fn(|i, _| given(&x[i]));
+    if !is_finite.get() {
+        return Some(SingularStep::unestablished(f64::NAN, f64::INFINITY, eps.approximate()));
+    }
     let increments = wide_increments(&lifted, &state, given(&eps));
     let quotients = once_with(|| Attempt::by_quotients(&lifted, &state, given(&eps)));
     let mut bound = f64::INFINITY;
@@ -189,7 +196,7 @@ fn wide_increments<M, const N: usize>(
 where
     M: KahanMap<Bounded<Wide>, N>,
 {
-    Attempt::by_increments(map, x, eps)
+    Attempt::by_increments(map, x, eps, |component| component)
 }
 
 /// A determinant as a float that is 0 only where the determinant is, and infinite nowhere.
