@@ -62,6 +62,12 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// What one step costs; here, elimination in N variables.
     const COST: StepCost = StepCost::of_elimination(N);
 
+    /// Whether compilers may pack the components of x̃ into vectors, as they like to.
+    ///
+    /// Where a step has two divisions, what closes the cycle of an orbit is a single component with a short chain: the shuffles
+    /// of packing it with its neighbour would take a sixth of the step.
+    const PACKS: bool = true;
+
     /// The increment at `x` before its last multiplication, or `None` at a pole of a scalar that has no reciprocal
     /// of zero. The kernel of everything: implementations are `#[inline(always)]`, because lanes must be compiled
     /// into the function that enables their instructions.
@@ -77,14 +83,21 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     #[inline(always)]
     fn increment_with_carry(&self, x: &SVector<T, N>, carry: &SVector<T, N>) -> Option<SVector<T, N>> {
         let quotients = self.quotients(x)?;
-        Some(quotients.added_to(carry))
+        Some(quotients.finished(carry, Self::component))
     }
 
     /// x̃, the last multiplication and addition fused where the scalar can.
     #[inline(always)]
     fn next(&self, x: &SVector<T, N>) -> Option<SVector<T, N>> {
         let quotients = self.quotients(x)?;
-        Some(quotients.added_to(x))
+        Some(quotients.finished(x, Self::component))
+    }
+
+    /// A component of x̃ as it is handed on: where nothing is to be packed, in a register of its own.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn component(value: T) -> T {
+        if Self::PACKS && T::PACKS { value } else { value.alone() }
     }
 }
 
@@ -110,7 +123,12 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     /// x̃ from x: one multiply-add a component.
     #[inline(always)]
     pub fn added_to(self, x: &SVector<T, N>) -> SVector<T, N> {
+        self.finished(x, |component| component)
+    }
+
+    #[inline(always)]
+    fn finished(self, x: &SVector<T, N>, finish: impl Fn(T) -> T) -> SVector<T, N> {
         let Quotients { numerators, reciprocals } = self;
-        vector(from_fn(|i| numerators[i].clone().multiply_add(reciprocals[i].clone(), x[i].clone())))
+        vector(from_fn(|i| finish(numerators[i].clone().multiply_add(reciprocals[i].clone(), x[i].clone()))))
     }
 }

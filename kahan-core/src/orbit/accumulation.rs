@@ -101,7 +101,7 @@ impl<T: Scalar, const N: usize> State<T, N> for CompensatedPoint<T, N> {
     fn advance<P: PreparedStep<T, N>>(&mut self, step: &P) -> Option<()> {
         let Self { point: x, carry } = self;
         let increment = step.increment_with_carry(x, carry)?;
-        let next: SVector<T, N> = vector(from_fn(|i| x[i].clone() + increment[i].clone()));
+        let next: SVector<T, N> = vector(from_fn(|i| P::component(x[i].clone() + increment[i].clone())));
         self.carry = vector(from_fn(|i| increment[i].clone() - (next[i].clone() - x[i].clone())));
         self.point = next;
         Some(())

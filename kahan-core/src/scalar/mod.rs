@@ -97,6 +97,17 @@ pub trait Scalar:
         self - a * b
     }
 
+    /// Whether compilers may pack scalars of this kind into vectors when they stand side by side.
+    #[doc(hidden)]
+    const PACKS: bool = true;
+
+    /// The same number; for the machine's floats, in a register of its own, whatever is done to its neighbours.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn alone(self) -> Self {
+        self
+    }
+
     /// A nearby `f64` for reports, not for computing; not a number where there is none, as here.
     fn approximate(&self) -> f64 {
         f64::NAN

@@ -5,7 +5,7 @@ use std::format;
 use nalgebra::SVector;
 
 use super::systems::{Coupled, E1, E3, E7};
-use crate::{KahanMap, eps_from_dt, vector};
+use crate::{KahanMap, Scalar, eps_from_dt, vector};
 
 const HARD: [f64; 9] = [0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
 
@@ -82,4 +82,23 @@ fn a_zero_field_or_a_zero_step_leaves_the_point() {
 fn eps_of_a_float_is_exactly_half() {
     assert_eq!(eps_from_dt(0.1), 0.05);
     assert_eq!(eps_from_dt(0.1_f32), 0.05_f32);
+}
+
+/// A number that stands alone is the very same number, bit for bit, whatever it is.
+#[test]
+fn a_number_alone_keeps_its_bits() {
+    let doubles = [
+        0.0,
+        -0.0,
+        1.5,
+        -f64::MAX,
+        f64::from_bits(1),
+        f64::NEG_INFINITY,
+        f64::from_bits(0x7ff8_dead_beef_0001),
+    ];
+    for number in doubles {
+        assert_eq!(number.alone().to_bits(), number.to_bits());
+        let single = number as f32;
+        assert_eq!(single.alone().to_bits(), single.to_bits());
+    }
 }

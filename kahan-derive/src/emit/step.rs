@@ -105,6 +105,11 @@ impl<'a> Kernel<'a> {
         let inputs = emit_owned_inputs(&kernel, symbols);
         let Emitted { bindings, results } = emit_kernel(&kernel, symbols, scalar, names);
         let cost = emit_cost(plan);
+        let packs = plan.lanes.is_some().then(|| {
+            quote!(
+                const PACKS: __kahan::core::primitive::bool = false;
+            )
+        });
         let mut results = results.into_iter();
         let numerators: Vec<TokenStream> = results.by_ref().take(n).collect();
         let reciprocals = of_components.iter().map(|reciprocal| match reciprocal {
@@ -114,6 +119,7 @@ impl<'a> Kernel<'a> {
         quote! {
             impl<#scalar: __kahan::Scalar> __kahan::PreparedStep<#scalar, #dimension> for #name<#scalar> {
                 #cost
+                #packs
                 #[inline(always)]
                 fn quotients(
                     &self,
