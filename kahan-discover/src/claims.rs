@@ -11,6 +11,9 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
 
+/// What densities are called.
+const DENSITY: &str = "rho";
+
 /// A proved claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Formula {
@@ -79,7 +82,16 @@ impl<'a> Claims<'a> {
         Claims { system, equations: lines.join(" "), condition, taken }
     }
 
-    /// A name that nothing else in the block has: the stem, or with a number or more letters.
+    /// The name of the density that the field brings along, if one found here would have to stand in its place: a block
+    /// takes one density without `when`.
+    #[must_use]
+    pub fn own_density(&self) -> Option<&str> {
+        let own = self.system.accessors(ClaimKind::Density).next()?;
+        self.condition.is_empty().then_some(own.name.text.as_str())
+    }
+
+    /// A name that nothing else in the block has, but for a density that is replaced: the stem, or with a number or more
+    /// letters.
     fn name(&self, stem: &str, index: Option<usize>) -> String {
         let mut name = match index {
             Some(index) => format!("{stem}{index}"),
@@ -89,6 +101,7 @@ impl<'a> Claims<'a> {
             self.taken.contains(name)
                 || self.system.constants.iter().any(|(known, _)| known == name)
                 || self.system.claims.iter().any(|claim| claim.name.text == *name)
+                    && !(stem == DENSITY && self.own_density() == Some(name.as_str()))
         };
         while is_taken(&name) {
             name.push('_');
@@ -125,7 +138,7 @@ impl<'a> Claims<'a> {
     ) -> Option<Formula> {
         let value =
             if factors.is_empty() { "1".to_owned() } else { quotient("1", &factored(symbols, factors)) };
-        let text = format!("density {} = {value}{};", self.name("rho", index), self.condition);
+        let text = format!("density {} = {value}{};", self.name(DENSITY, index), self.condition);
         let power = |(factor, exponent): &(Polynomial, u32)| {
             (0..*exponent).map(|_| factor.clone()).collect::<Vec<_>>()
         };

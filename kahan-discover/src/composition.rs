@@ -4,6 +4,7 @@
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::claims::Formula;
+use crate::deadline::Deadline;
 use crate::hilbert::{Hilbert, random_relations};
 use crate::map::ModularMap;
 use crate::modulus::Modulus;
@@ -42,12 +43,13 @@ impl Stepping for Composed {
 }
 
 /// Looks at one orbit of the composed map modulo one prime, at parameters, ε and γ drawn at random; `None` where it has no
-/// value. A formula that contains ε is meant at the ε of the whole, as it would be used.
+/// value, or the deadline passes. A formula that contains ε is meant at the ε of the whole, as it would be used.
 pub fn survivors(
     setting: &Setting,
     formulas: &[Formula],
     degree: u32,
     random: &mut SplitMix64,
+    deadline: &Deadline,
 ) -> Option<Survivors> {
     let modulus = Modulus::mersenne_61();
     let draw = setting.draw(modulus, random)?;
@@ -56,7 +58,7 @@ pub fn survivors(
     let (outer, inner) = (modulus.sample(random), modulus.sample(random));
     let composed = Composed { outer: scaled(outer), inner: scaled(inner) };
     let monomials = Monomials::new(setting.dimension(), degree);
-    let relations = random_relations(&composed, &monomials, random)?;
+    let relations = random_relations(&composed, &monomials, random, deadline)?;
     let hilbert = Hilbert::from_relations(&relations, &modulus, &monomials);
     let next = composed.next(&relations.start)?;
     let value = |formula: &Formula, point: &[u64]| {

@@ -6,8 +6,8 @@
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
+use crate::family::evaluate;
 use crate::leaf::LeafMap;
-use crate::map::evaluate;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::stepping::Stepping;

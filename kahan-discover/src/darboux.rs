@@ -3,11 +3,10 @@
 //! With C = det ∂x̃/∂x, dx/P is an invariant measure; with C = 1, P is an integral. Two P with the same C have an integral
 //! as their quotient, so with integrals the P of one degree form a space; its simplest element is the one to write.
 
-use std::time::Instant;
-
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
+use crate::deadline::Deadline;
 use crate::map::{ModularMap, Step};
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
@@ -39,12 +38,14 @@ fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(Vec<u64>, S
     })
 }
 
-/// The null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on some monomials; `None` if the map has no value.
+/// The null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on some monomials; `None` if the map has no value, or
+/// the deadline passes.
 fn null_vectors(
     map: &ModularMap,
     monomials: &Monomials,
     support: &[usize],
     random: &mut SplitMix64,
+    deadline: &Deadline,
 ) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
     let mut rows = Vec::with_capacity(support.len() + SPARE);
@@ -55,46 +56,69 @@ fn null_vectors(
             |&index: &usize| modulus.minus(there[index], modulus.times(step.jacobian, here[index]));
         rows.push(support.iter().map(difference).collect());
     }
-    let echelon = Echelon::of(modulus, rows, support.len());
+    let echelon = Echelon::within(modulus, rows, support.len(), deadline)?;
     Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
 }
 
-/// The space of the P of one degree with the cofactor det ∂x̃/∂x; `None` where there is none.
-pub fn measure_space(map: &ModularMap, degree: u32, random: &mut SplitMix64) -> Option<Space> {
+/// The space of the P of degree at most `degree` with the cofactor det ∂x̃/∂x, perhaps of dimension 0; `None` where the map
+/// has no value, or the deadline passes.
+pub fn measure_space(
+    map: &ModularMap,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline,
+) -> Option<Space> {
     let monomials = Monomials::new(map.dimension(), degree);
     let all: Vec<usize> = (0..monomials.len()).collect();
-    let vectors = null_vectors(map, &monomials, &all, random)?;
-    (!vectors.is_empty()).then(|| Space::spanned(map.modulus(), vectors))
+    let vectors = null_vectors(map, &monomials, &all, random, deadline)?;
+    Some(Space::spanned(map.modulus(), vectors))
 }
 
 /// Products of factors are tried to this degree, beyond what linear algebra reaches.
 const HIGHEST_PRODUCT: u32 = 12;
 
-/// The measure of least degree, over ℚ with all unknowns; products of `factors` are preferred to anything else. `None` if
-/// there is none up to `highest`, or it could not be lifted before the deadline.
+/// How a search for a measure ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MeasureSearch {
+    /// With a formula.
+    Found(Measure),
+    /// A polynomial of this degree was seen modulo a prime, and no formula of it was reached.
+    Seen(u32),
+    /// None of degree at most this; of none at all where the time ran out before anything was looked at.
+    NoneUpTo(Option<u32>),
+}
+
+/// The measure of least degree, over ℚ with all unknowns; products of `factors` are preferred to anything else. All P are
+/// looked at up to the degree `highest`, products up to 12.
 pub fn measure(
     setting: &Setting,
     factors: &[Polynomial],
     highest: u32,
     random: &mut SplitMix64,
-    deadline: Instant,
-) -> Option<Measure> {
-    let modulus = Modulus::mersenne_61();
-    let draw = setting.draw(modulus, random)?;
+    deadline: &Deadline,
+) -> MeasureSearch {
+    let mut looked_up_to = None;
+    let Some(draw) = setting.draw(Modulus::mersenne_61(), random) else {
+        return MeasureSearch::NoneUpTo(looked_up_to);
+    };
     for degree in 0..=highest.max(HIGHEST_PRODUCT) {
-        if Instant::now() >= deadline {
-            return None;
+        if deadline.passed() {
+            break;
         }
         if let Some(factors) = product(setting, factors, degree, random) {
-            return Some(Measure { factors, degree });
+            return MeasureSearch::Found(Measure { factors, degree });
         }
-        if degree <= highest
-            && let Some(space) = measure_space(&draw.map, degree, random)
-        {
-            return lifted(setting, &draw.map, &space, degree, random, deadline);
+        if degree > highest {
+            continue;
         }
+        let Some(space) = measure_space(&draw.map, degree, random, deadline) else { break };
+        if space.dimension() > 0 {
+            let measure = lifted(setting, &draw.map, &space, degree, random, deadline);
+            return measure.map_or(MeasureSearch::Seen(degree), MeasureSearch::Found);
+        }
+        looked_up_to = Some(degree);
     }
-    None
+    MeasureSearch::NoneUpTo(looked_up_to)
 }
 
 /// The simplest element of a space of P, over ℚ.
@@ -104,18 +128,18 @@ fn lifted(
     space: &Space,
     degree: u32,
     random: &mut SplitMix64,
-    deadline: Instant,
+    deadline: &Deadline,
 ) -> Option<Measure> {
     let monomials = Monomials::new(setting.dimension(), degree);
     let simplest = (0..space.dimension()).min_by_key(|&index| space.terms(index))?;
     let places = space.form.support.iter().zip(&space.rows[simplest]).filter(|(_, value)| **value != 0);
     let support: Vec<usize> = places.map(|(&index, _)| index).collect();
-    let alone = null_vectors(map, &monomials, &support, random)?.len() == 1;
+    let alone = null_vectors(map, &monomials, &support, random, deadline)?.len() == 1;
     let (form, row) =
         if alone { (Form { support, pivots: vec![0] }, 0) } else { (space.form.clone(), simplest) };
     let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let map = setting.at(modulus, unknowns)?;
-        let vectors = null_vectors(&map, &monomials, &form.support, random)?;
+        let vectors = null_vectors(&map, &monomials, &form.support, random, deadline)?;
         Space::of_form(&modulus, &form, vectors)
     };
     let symbols = setting.family().symbols();

@@ -5,34 +5,34 @@
 //! that of the iterate as a projective map: a factor common to all numerators and the denominator never appears in values.
 //! No polynomial is ever formed.
 
-use std::time::Instant;
-
 use kahan_algebra::prime_field::SplitMix64;
 
+use crate::deadline::Deadline;
+use crate::growth::{Growth, GrowthVerdict};
 use crate::map::ModularMap;
 use crate::stepping::Stepping;
 use crate::thiele::{SPARE, degree};
 
 /// Where to stop.
 #[derive(Clone, Copy, Debug)]
-pub struct DegreeLimits {
+pub struct DegreeLimits<'a> {
     /// The number of iterates.
     pub iterates: usize,
-    /// The degree beyond which no further iterate is taken; up to four times as much for the first five, without which
-    /// nothing can be said of growth.
+    /// The degree beyond which no further iterate is taken; up to four times as much for the first five while nothing can
+    /// be said of growth.
     pub degree: usize,
     /// When to stop in any case.
-    pub deadline: Instant,
+    pub deadline: &'a Deadline,
 }
 
-/// As many degrees are needed before growth can be called exponential.
+/// As many degrees are taken while growth is undecided, and four times as far.
 const FEWEST: usize = 6;
 
 /// d₀ = 1, d₁, d₂, … of one map at one ε: the degrees of its iterates on a random line. Empty if the map has no value
 /// anywhere on it.
 ///
 /// Cost: for degree d, 2d evaluations of each iterate and 8d² products.
-pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits) -> Vec<usize> {
+pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
     let mut line = Line::new(map, random);
     let mut degrees = vec![1];
     // One iterate more than the limit on degrees lets pass, and never more points than it may need.
@@ -44,23 +44,27 @@ pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits) 
         let expected = last * last / before.max(1) + 2;
         let mut points = (2 * expected + SPARE + 1).max(16);
         let found = loop {
-            if Instant::now() >= limits.deadline || points > most_points {
+            if limits.deadline.passed() || points > most_points {
                 break None;
             }
-            if !line.prepare(points, known, random) {
+            if !line.prepare(points, known, random, limits.deadline) {
+                if limits.deadline.has_stopped() {
+                    break None;
+                }
                 // Not one more iterate has a value on the line.
                 return if known == 1 { Vec::new() } else { degrees };
             }
             let values: Vec<u64> = line.samples[..points].iter().map(|sample| line.value(sample)).collect();
             let parameters: Vec<u64> = line.samples[..points].iter().map(|sample| sample.parameter).collect();
-            match degree(map.modulus(), &parameters, &values) {
+            match degree(map.modulus(), &parameters, &values, limits.deadline) {
                 Some(degree) => break Some(degree),
                 None => points += points / 2,
             }
         };
         let Some(found) = found else { break };
         degrees.push(found);
-        let limit = if degrees.len() < FEWEST { 4 * limits.degree } else { limits.degree };
+        let is_short = degrees.len() < FEWEST && GrowthVerdict::of(&degrees).growth == Growth::Undecided;
+        let limit = if is_short { 4 * limits.degree } else { limits.degree };
         if found > limit {
             break;
         }
@@ -98,12 +102,13 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Brings at least `count` samples to the iterate `steps`; `false` if points keep ending at poles.
-    fn prepare(&mut self, count: usize, steps: usize, random: &mut SplitMix64) -> bool {
+    /// Brings at least `count` samples to the iterate `steps`; `false` if points keep ending at poles, or the deadline
+    /// passes.
+    fn prepare(&mut self, count: usize, steps: usize, random: &mut SplitMix64, deadline: &Deadline) -> bool {
         let map = self.map;
         self.samples.retain_mut(|sample| sample.advance(map, steps));
         let mut failures = 0;
-        while self.samples.len() < count && failures < 16 {
+        while self.samples.len() < count && failures < 16 && !deadline.passed() {
             let modulus = map.modulus();
             let parameter = modulus.sample(random);
             let below = modulus.plus(modulus.one(), modulus.times(self.bend, parameter));

@@ -1,13 +1,12 @@
 //! Lifting with the help of weights: as many unknowns as the weights separate are set to 1, and every term gets its powers of
 //! them back from its weight.
 
-use std::time::Instant;
-
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 
+use crate::deadline::Deadline;
 use crate::lift::{Oracle, confirms, lift};
 use crate::modulus::Modulus;
 use crate::weights::reduce;
@@ -121,7 +120,7 @@ pub fn lift_graded(
     variables: &[Variable],
     grading: &Grading,
     random: &mut SplitMix64,
-    deadline: Instant,
+    deadline: &Deadline,
 ) -> Option<Vec<RationalFunction>> {
     let chosen = grading.separated();
     if !chosen.is_empty()
@@ -138,7 +137,7 @@ fn lift_scaled(
     grading: &Grading,
     chosen: &[usize],
     random: &mut SplitMix64,
-    deadline: Instant,
+    deadline: &Deadline,
 ) -> Option<Vec<RationalFunction>> {
     let kept: Vec<usize> = (0..variables.len()).filter(|unknown| !chosen.contains(unknown)).collect();
     let mut scaled = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {

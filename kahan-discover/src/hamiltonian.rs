@@ -1,7 +1,5 @@
 //! A constant Poisson structure of the field: f = K∇H, and what the map keeps of H.
 
-use std::time::Instant;
-
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::{Budget, Polynomial, gcd_within};
 use kahan_algebra::prime_field::SplitMix64;
@@ -9,6 +7,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::system::upper_index;
 
+use crate::deadline::Deadline;
 use crate::lift::lift;
 use crate::map::ModularMap;
 use crate::matrix::Echelon;
@@ -37,12 +36,18 @@ pub struct Hamiltonian {
 /// The most coefficients of H.
 const MOST_COEFFICIENTS: usize = 400;
 
+/// Whether H in n variables is looked for at all: it has at most 400 coefficients.
+#[must_use]
+pub fn is_within_reach(n: usize) -> bool {
+    Monomials::count(n, 3) <= MOST_COEFFICIENTS
+}
+
 /// K and H with f = K∇H, found by linear algebra: f′(x)K is symmetric for all x, which is linear in K; then H is cubic, which
 /// is linear in H. `None` where there is none among the K of a basis and their sum, where H has more than 400 coefficients,
 /// or where the field is zero.
-pub fn hamiltonian(setting: &Setting, random: &mut SplitMix64, deadline: Instant) -> Option<Hamiltonian> {
+pub fn hamiltonian(setting: &Setting, random: &mut SplitMix64, deadline: &Deadline) -> Option<Hamiltonian> {
     let n = setting.dimension();
-    if n < 2 || Monomials::count(n, 3) > MOST_COEFFICIENTS {
+    if n < 2 || !is_within_reach(n) {
         return None;
     }
     let monomials = Monomials::new(n, 3);
@@ -50,7 +55,7 @@ pub fn hamiltonian(setting: &Setting, random: &mut SplitMix64, deadline: Instant
     let tensors = tensors(&draw.map, random);
     let choice = (0..=tensors.len()).find(|&choice| {
         chosen(&draw.map, &tensors, choice)
-            .is_some_and(|k| potential(&draw.map, &monomials, &k, random).is_some())
+            .is_some_and(|k| potential(&draw.map, &monomials, &k, random, deadline).is_some())
     })?;
     let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let map = setting.at(modulus, unknowns)?;
@@ -59,7 +64,7 @@ pub fn hamiltonian(setting: &Setting, random: &mut SplitMix64, deadline: Instant
             return None;
         }
         let tensor = chosen(&map, &found, choice)?;
-        let potential = potential(&map, &monomials, &tensor, random)?;
+        let potential = potential(&map, &monomials, &tensor, random, deadline)?;
         Some([tensor, potential].concat())
     };
     let entries = lift(&mut oracle, &setting.unknown_variables(), random, deadline)?;
@@ -134,12 +139,14 @@ fn chosen(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u
     Some(others.iter().fold(first.clone(), add))
 }
 
-/// The coefficients, without that of 1, of a cubic H with K∇H = f; `None` where there is none.
+/// The coefficients, without that of 1, of a cubic H with K∇H = f; `None` where there is none, or the deadline
+/// passes.
 fn potential(
     map: &ModularMap,
     monomials: &Monomials,
     tensor: &[u64],
     random: &mut SplitMix64,
+    deadline: &Deadline,
 ) -> Option<Vec<u64>> {
     let modulus = map.modulus();
     let n = map.dimension();
@@ -163,7 +170,7 @@ fn potential(
             rows.push(row);
         }
     }
-    let echelon = Echelon::of(modulus, rows, width + 1);
+    let echelon = Echelon::within(modulus, rows, width + 1, deadline)?;
     if echelon.pivots.last() == Some(&width) {
         return None;
     }

@@ -1,9 +1,8 @@
 //! The Hilbert function of a generic orbit, and the number of integrals that it shows.
 
-use std::time::Instant;
-
 use kahan_algebra::prime_field::SplitMix64;
 
+use crate::deadline::Deadline;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
@@ -58,30 +57,39 @@ pub fn default_degree(variables: usize) -> u32 {
         .unwrap_or(1)
 }
 
-/// The relations on a random orbit; `None` if all of 8 orbits end at poles.
+/// The relations on a random orbit; `None` if all of 8 orbits end at poles, or the deadline passes.
 pub fn random_relations(
     map: &impl Stepping,
     monomials: &Monomials,
     random: &mut SplitMix64,
+    deadline: &Deadline,
 ) -> Option<Relations> {
-    (0..MOST_DRAWS).find_map(|_| Relations::on_orbit(map, map.point(random), monomials))
+    for _ in 0..MOST_DRAWS {
+        if deadline.passed() {
+            return None;
+        }
+        let found = Relations::on_orbit(map, map.point(random), monomials, deadline);
+        if found.is_some() {
+            return found;
+        }
+    }
+    None
 }
 
 impl Hilbert {
-    /// Looks at orbits modulo two primes from two points each, with random unknowns; after the first, none that would
-    /// begin behind the deadline. `None` if the map, or every orbit, has no value.
+    /// Looks at orbits modulo two primes from two points each, with random unknowns, as many as the deadline allows.
+    /// `None` if the map, or every orbit, has no value, or not even one is done in time.
     ///
     /// Cost: with N = C(n + degree, n) monomials and h = h(degree), 4 N² h products.
-    pub fn of(setting: &Setting, degree: u32, random: &mut SplitMix64, deadline: Instant) -> Option<Self> {
+    pub fn of(setting: &Setting, degree: u32, random: &mut SplitMix64, deadline: &Deadline) -> Option<Self> {
         let monomials = Monomials::new(setting.dimension(), degree);
         let mut found: Option<Hilbert> = None;
         for modulus in [Modulus::mersenne_61(), Modulus::random(random)] {
             for _ in 0..2 {
-                if found.is_some() && Instant::now() >= deadline {
-                    break;
-                }
                 let map = setting.draw(modulus, random)?.map;
-                let relations = random_relations(&map, &monomials, random)?;
+                let Some(relations) = random_relations(&map, &monomials, random, deadline) else {
+                    return found.filter(|_| deadline.has_stopped());
+                };
                 let next = Hilbert::from_relations(&relations, &modulus, &monomials);
                 found = Some(match found {
                     None => next,

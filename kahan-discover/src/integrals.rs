@@ -1,19 +1,17 @@
 //! Independent integrals with all unknowns, lifted and proved.
 
-use std::time::Instant;
-
-use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_algebra::rational::Rational;
-use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
 use crate::chart::Chart;
 use crate::claims::{Claims, Formula};
 use crate::constrained::Constraint;
+use crate::deadline::Deadline;
 use crate::hilbert::{Hilbert, random_relations};
 use crate::independent::Independent;
 use crate::leaf::{Coordinate, Leaf};
+use crate::limit::with_a_limit;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::Pencil;
@@ -22,28 +20,35 @@ use crate::setting::{Draw, Setting};
 use crate::space::{lift_space, tidy};
 use crate::stepping::Stepping;
 
-/// The work that one look at ε = 0 may take, in products of terms.
-const LIMIT_WORK: u64 = 2_000_000;
+/// The most coefficients of P and Q together in a degree that is searched before an integral of higher degree is taken
+/// that is known already.
+const MOST_AHEAD: usize = 150;
 
 /// Independent integrals over ℚ with all unknowns, each proved, of least degree first: as many as there are, or as were
-/// found before the deadline. `hilbert` says how many to look for.
+/// found before the deadline. `hilbert` says how many to look for; `known` is an integral P/Q that need not be looked for,
+/// kept unless others are found below its degree.
 pub fn integrals(
     setting: &Setting,
     claims: &Claims<'_>,
     hilbert: &Hilbert,
+    known: Option<&(Polynomial, Polynomial)>,
     random: &mut SplitMix64,
-    deadline: Instant,
+    deadline: &Deadline,
 ) -> Vec<Formula> {
     let mut collector = Collector {
         setting,
         claims,
         wanted: hilbert.integrals,
+        known,
+        step: a_step(setting, random),
         independent: Independent::new(setting, random),
         formulas: Vec::new(),
     };
     let modulus = Modulus::mersenne_61();
     let Some(draw) = setting.draw(modulus, random) else { return Vec::new() };
-    let Some(relation_degree) = defining_degree(setting, &draw, hilbert, random) else { return Vec::new() };
+    let Some(relation_degree) = defining_degree(setting, &draw, hilbert, random, deadline) else {
+        return Vec::new();
+    };
     let bounds = Bounds { relation_degree, highest: hilbert.degree(), deadline };
     let leaf = Leaf::of(&draw.map, random);
     if let Some(coordinates) = leaf.coordinates(setting, random, deadline) {
@@ -65,11 +70,12 @@ fn defining_degree(
     draw: &Draw,
     hilbert: &Hilbert,
     random: &mut SplitMix64,
+    deadline: &Deadline,
 ) -> Option<u32> {
     let lowest = hilbert.relation_degree?;
     (lowest..=hilbert.degree()).find(|&degree| {
         let monomials = Monomials::new(setting.dimension(), degree);
-        random_relations(&draw.map, &monomials, random).is_some_and(|relations| {
+        random_relations(&draw.map, &monomials, random, deadline).is_some_and(|relations| {
             relations.codimension(draw.map.modulus(), &monomials) == hilbert.integrals
         })
     })
@@ -79,6 +85,9 @@ struct Collector<'a> {
     setting: &'a Setting,
     claims: &'a Claims<'a>,
     wanted: usize,
+    known: Option<&'a (Polynomial, Polynomial)>,
+    /// A point and its image.
+    step: Option<(Draw, [Vec<u64>; 2])>,
     independent: Independent<'a>,
     formulas: Vec<Formula>,
 }
@@ -88,8 +97,39 @@ impl Collector<'_> {
         self.formulas.len() >= self.wanted
     }
 
-    /// Keeps P/Q if it is independent of what is known and is proved.
+    /// Whether the polynomial alone is an integral.
+    fn is_kept(&self, polynomial: &Polynomial) -> bool {
+        self.step.as_ref().is_some_and(|(draw, points)| {
+            let modulus = draw.map.modulus();
+            let [here, there] =
+                [0, 1].map(|index| self.setting.evaluate(modulus, polynomial, draw, &points[index]));
+            here.is_some() && here == there
+        })
+    }
+
+    /// Keeps P/Q, or P and Q where they are integrals each, if that is independent of what is known and is proved.
     fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
+        if denominator.as_constant().is_none() && self.is_kept(&denominator) {
+            self.offer_one(denominator, Polynomial::one());
+            self.offer_one(numerator, Polynomial::one());
+        } else {
+            self.offer_one(numerator, denominator);
+        }
+    }
+
+    /// Keeps the integral that need not be looked for, if the search has come to its degree, or to one that costs more than
+    /// is to be gained.
+    fn offer_known(&mut self, degree: u32) {
+        let symbols = self.setting.family().symbols();
+        let own = |side: &Polynomial| side.degree_where(|variable| symbols.is_state(variable));
+        let Some((above, below)) = self.known else { return };
+        let is_expensive = 2 * Monomials::count(self.setting.dimension(), degree) > MOST_AHEAD;
+        if is_expensive || own(above).max(own(below)) <= degree {
+            self.offer(above.clone(), below.clone());
+        }
+    }
+
+    fn offer_one(&mut self, numerator: Polynomial, denominator: Polynomial) {
         let symbols = self.setting.family().symbols();
         if self.is_done() || !self.independent.admits(&numerator, &denominator) {
             return;
@@ -105,20 +145,21 @@ impl Collector<'_> {
     }
 
     /// Looks for the integrals that are missing on a leaf.
-    fn search_leaf(&mut self, chart: &Chart, draw: &Draw, bounds: &Bounds, random: &mut SplitMix64) {
+    fn search_leaf(&mut self, chart: &Chart, draw: &Draw, bounds: &Bounds<'_>, random: &mut SplitMix64) {
         let modulus = draw.map.modulus();
         let chosen: Vec<u64> = (0..chart.leaf.unknowns()).map(|_| modulus.sample(random)).collect();
         let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
         if self.is_done() || map.dimension() == 0 {
             return;
         }
-        let spanned = spanned_pencils(&map, bounds.relation_degree, self.wanted, random);
+        let spanned = spanned_pencils(&map, bounds.relation_degree, self.wanted, random, bounds.deadline);
         self.take(&spanned, chart, bounds, random);
         for degree in 1..=bounds.highest {
+            self.offer_known(degree);
             // Which entries of the relations are simple depends on the order of the variables.
             for leaf in chart.leaf.orders() {
                 let chart = Chart { leaf, coordinates: chart.coordinates.clone() };
-                if self.is_done() || Instant::now() >= bounds.deadline {
+                if self.is_done() || bounds.deadline.passed() {
                     return;
                 }
                 let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
@@ -137,7 +178,7 @@ impl Collector<'_> {
         &mut self,
         pencils: &[Pencil],
         chart: &Chart,
-        bounds: &Bounds,
+        bounds: &Bounds<'_>,
         random: &mut SplitMix64,
     ) -> Vec<Vec<Polynomial>> {
         let mut bases = Vec::new();
@@ -150,7 +191,7 @@ impl Collector<'_> {
             let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
                 let (generic, entries) = unknowns.split_at(own);
                 let map = chart.leaf.map_at(setting.at(modulus, generic)?, entries, random)?;
-                pencil.at(&map, random)
+                pencil.at(&map, random, bounds.deadline)
             };
             let monomials = Monomials::new(chart.leaf.order().len(), pencil.degree);
             let names = chart.names(setting);
@@ -190,7 +231,7 @@ impl Collector<'_> {
         degree: u32,
         chart: &Chart,
         draw: &Draw,
-        bounds: &Bounds,
+        bounds: &Bounds<'_>,
         random: &mut SplitMix64,
     ) -> Option<()> {
         let [first, second, ..] = basis else { return None };
@@ -224,10 +265,10 @@ impl Collector<'_> {
         let extra = (0..names.unknowns.len() - own).map(|_| modulus.sample(random));
         let unknowns: Vec<u64> = draw.unknowns.iter().copied().chain(extra).collect();
         let map = constrained(modulus, &unknowns, random)?;
-        for pencil in spanned_pencils(&map, bounds.relation_degree, self.wanted, random) {
+        for pencil in spanned_pencils(&map, bounds.relation_degree, self.wanted, random, bounds.deadline) {
             let monomials = Monomials::new(states.len(), pencil.degree);
             let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
-                pencil.at(&constrained(modulus, unknowns, random)?, random)
+                pencil.at(&constrained(modulus, unknowns, random)?, random, bounds.deadline)
             };
             let basis = lift_space(&names, &monomials, &pencil.space.form, at, random, bounds.deadline)?;
             self.offer_quotients(&basis, &wider);
@@ -236,36 +277,22 @@ impl Collector<'_> {
     }
 }
 
+/// A random point of a map with random unknowns, and its image.
+fn a_step(setting: &Setting, random: &mut SplitMix64) -> Option<(Draw, [Vec<u64>; 2])> {
+    let draw = setting.draw(Modulus::mersenne_61(), random)?;
+    let here = draw.map.point(random);
+    let there = draw.map.next(&here)?;
+    Some((draw, [here, there]))
+}
+
 /// How far to look.
-struct Bounds {
+struct Bounds<'a> {
     relation_degree: u32,
     highest: u32,
-    deadline: Instant,
+    deadline: &'a Deadline,
 }
 
 /// Whether the polynomial is not 0 where all states are.
 fn has_constant(symbols: &Symbols, polynomial: &Polynomial) -> bool {
     polynomial.terms().any(|(monomial, _)| monomial.degree_where(|variable| symbols.is_state(variable)) == 0)
-}
-
-/// P such that P/Q depends on the states at ε = 0 too: where it is a constant c there, (P − cQ)/εᵏ instead. On a leaf what
-/// chooses it counts as constant.
-fn with_a_limit(symbols: &Symbols, mut numerator: Polynomial, denominator: &Polynomial) -> Polynomial {
-    let at_zero = |polynomial: &Polynomial| polynomial.substitute(symbols.epsilon(), &Rational::zero());
-    let below = at_zero(denominator);
-    for _ in 0..8 {
-        let mut budget = Budget::new(20_000, LIMIT_WORK);
-        let limit = RationalFunction::new_within(at_zero(&numerator), below.clone(), &mut budget);
-        let Ok(Some(limit)) = limit else { break };
-        let varies = |side: &Polynomial| side.variables().iter().any(|&variable| symbols.is_state(variable));
-        if varies(limit.numerator()) || varies(limit.denominator()) {
-            break;
-        }
-        let rest = &numerator * limit.denominator() - denominator * limit.numerator();
-        if rest.is_zero() {
-            break;
-        }
-        numerator = tidy(symbols, &rest);
-    }
-    numerator
 }

@@ -4,12 +4,11 @@
 //! integrals. On one such leaf, with the entries as further unknowns and fewer variables, other integrals are not mixed with
 //! multiples of the linear relations. Formulas found there hold everywhere once cⱼ is replaced by its own formula.
 
-use std::time::Instant;
-
 use kahan_algebra::poly::{Monomial, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 
+use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
 use crate::lift::lift;
 use crate::map::ModularMap;
@@ -76,8 +75,9 @@ impl Leaf {
     fn with_relations(map: &ModularMap, random: &mut SplitMix64) -> Option<Self> {
         let modulus = map.modulus();
         let linear = Monomials::new(map.dimension(), 1);
-        let first = random_relations(map, &linear, random)?;
-        let second = random_relations(map, &linear, random)?;
+        let far = Deadline::never();
+        let first = random_relations(map, &linear, random, &far)?;
+        let second = random_relations(map, &linear, random, &far)?;
         if first.vectors.is_empty() || first.vectors.len() != second.vectors.len() {
             return None;
         }
@@ -94,7 +94,7 @@ impl Leaf {
         let chosen: Vec<u64> = leaf.places.iter().map(|_| modulus.sample(random)).collect();
         let on_leaf = leaf.map_at(map.clone(), &chosen, random)?;
         let start = on_leaf.embed(&on_leaf.point(random));
-        let relations = crate::relations::Relations::on_orbit(map, start, &linear)?;
+        let relations = crate::relations::Relations::on_orbit(map, start, &linear, &far)?;
         let found: Option<Vec<u64>> = leaf
             .places
             .iter()
@@ -138,7 +138,7 @@ impl Leaf {
         let mut leading = Vec::new();
         if self.order.len() < n {
             let linear = Monomials::new(n, 1);
-            let mut relations = random_relations(&map, &linear, random)?;
+            let mut relations = random_relations(&map, &linear, random, &Deadline::never())?;
             for vector in &mut relations.vectors {
                 for (&(free, lower), &entry) in self.places.iter().zip(entries) {
                     if free == vector.free {
@@ -167,7 +167,7 @@ impl Leaf {
         &self,
         setting: &Setting,
         random: &mut SplitMix64,
-        deadline: Instant,
+        deadline: &Deadline,
     ) -> Option<Vec<Coordinate>> {
         let n = setting.dimension();
         let linear = Monomials::new(n, 1);
@@ -183,11 +183,11 @@ impl Leaf {
                 let map = setting.at(modulus, unknowns)?;
                 let mut orbits = Vec::new();
                 for _ in 0..2 * all.len() + SPARE {
-                    orbits.push(random_relations(&map, &linear, random)?);
+                    orbits.push(random_relations(&map, &linear, random, deadline)?);
                 }
                 let values: Vec<Vec<u64>> =
                     orbits.iter().map(|orbit| linear.values(&modulus, &orbit.start)).collect();
-                let (above, below) = entry.quotient(&modulus, &orbits, &values)?;
+                let (above, below) = entry.quotient(&modulus, &orbits, &values, deadline)?;
                 let scale = modulus.inverse(*below.iter().find(|&&value| value != 0)?)?;
                 Some([above, below].concat().iter().map(|&value| modulus.times(value, scale)).collect())
             };

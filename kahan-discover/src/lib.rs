@@ -5,8 +5,8 @@
 //! field, and which integrals survive composition. Everything is found modulo primes, from orbits, by linear algebra and
 //! interpolation; a formula is returned only once the prover of `kahan-algebra` has proved its text.
 //!
-//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`] (the tools); [`stepping`], [`map`], [`setting`] (the maps
-//! looked at); [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`], [`weights`], [`grading`], [`space`]
+//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`] (the tools); [`deadline`]; [`stepping`], [`family`],
+//! [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`], [`weights`], [`grading`], [`space`]
 //! (back to ℚ); [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`], [`independent`], [`integrals`]; [`darboux`];
 //! [`structure`], [`hamiltonian`]; [`composition`]; [`claims`], [`report`]; [`mod@scan`] looks for special values on a grid.
 //!
@@ -25,7 +25,9 @@ pub mod claims;
 pub mod composition;
 pub mod constrained;
 pub mod darboux;
+pub mod deadline;
 pub mod degrees;
+pub mod family;
 pub mod grading;
 pub mod growth;
 pub mod hamiltonian;
@@ -34,6 +36,7 @@ pub mod independent;
 pub mod integrals;
 pub mod leaf;
 pub mod lift;
+mod limit;
 pub mod map;
 pub mod matrix;
 pub mod modulus;
@@ -44,6 +47,7 @@ pub mod report;
 pub mod scan;
 pub mod search;
 pub mod setting;
+mod shape;
 pub mod space;
 mod stages;
 pub mod stepping;
@@ -52,6 +56,7 @@ pub mod thiele;
 pub mod weights;
 mod words;
 
+pub use deadline::Deadline;
 pub use report::{DiscoverError, Options, Report, Stage};
 pub use scan::{Axis, Scan, scan};
 pub use stages::discover;

@@ -5,18 +5,15 @@
 //! modulo one prime, or several by the Chinese remainder theorem, become rationals. What holds: the result agrees with the
 //! oracle at a random point modulo a prime that was not used. That is evidence; proofs are made elsewhere.
 
-use std::time::Instant;
-
-use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
+use kahan_algebra::poly::Variable;
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
-use num_bigint::BigInt;
-use num_integer::Integer;
 
-use crate::map::evaluate;
+use crate::deadline::Deadline;
+use crate::family::evaluate;
 use crate::matrix::Echelon;
-use crate::modulus::{Modulus, rational_from_residue};
+use crate::modulus::Modulus;
+use crate::shape::Shape;
 use crate::thiele::{SPARE, degree};
 
 /// Values that are rational functions of unknowns.
@@ -34,11 +31,8 @@ impl<F: FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>>> Oracle for 
 /// The most points on a line; degrees up to some twenty in one unknown.
 const MOST_ON_LINE: usize = 48;
 
-/// The most unknown coefficients of one function.
-const MOST_COEFFICIENTS: usize = 500;
-
-/// The most primes that are joined.
-const MOST_PRIMES: usize = 4;
+/// The most primes that are joined: enough for coefficients of some 200 digits above and below.
+const MOST_PRIMES: usize = 24;
 
 /// How often a point is drawn again where the oracle has no value.
 const MOST_DRAWS: usize = 8;
@@ -51,7 +45,7 @@ pub fn lift(
     oracle: &mut dyn Oracle,
     variables: &[Variable],
     random: &mut SplitMix64,
-    deadline: Instant,
+    deadline: &Deadline,
 ) -> Option<Vec<RationalFunction>> {
     let mut primes: Vec<(Modulus, Vec<Vec<u64>>)> = Vec::new();
     let mut lifter = Lifter { oracle, unknowns: variables.len(), random, deadline };
@@ -79,12 +73,7 @@ struct Lifter<'a> {
     oracle: &'a mut dyn Oracle,
     unknowns: usize,
     random: &'a mut SplitMix64,
-    deadline: Instant,
-}
-
-/// The monomials of numerator and denominator of one entry, as exponents of the unknowns.
-struct Shape {
-    monomials: Vec<Vec<u32>>,
+    deadline: &'a Deadline,
 }
 
 impl Lifter<'_> {
@@ -95,7 +84,7 @@ impl Lifter<'_> {
     /// The oracle's values somewhere.
     fn sample(&mut self, modulus: Modulus) -> Option<(Vec<u64>, Vec<u64>)> {
         (0..MOST_DRAWS).find_map(|_| {
-            if Instant::now() >= self.deadline {
+            if self.deadline.passed() {
                 return None;
             }
             let point = self.point(&modulus);
@@ -112,7 +101,7 @@ impl Lifter<'_> {
         let mut failures = 0;
         loop {
             while points.len() < wanted {
-                if Instant::now() >= self.deadline || failures > MOST_DRAWS {
+                if self.deadline.passed() || failures > MOST_DRAWS {
                     return None;
                 }
                 let t = modulus.sample(self.random);
@@ -130,12 +119,12 @@ impl Lifter<'_> {
             let degrees: Option<Vec<usize>> = (0..entries)
                 .map(|entry| {
                     let column: Vec<u64> = values.iter().map(|row| row[entry]).collect();
-                    degree(&modulus, &points, &column)
+                    degree(&modulus, &points, &column, self.deadline)
                 })
                 .collect();
             match degrees {
                 Some(degrees) => return Some(degrees),
-                None if wanted >= MOST_ON_LINE => return None,
+                None if self.deadline.has_stopped() || wanted >= MOST_ON_LINE => return None,
                 None => wanted = (2 * wanted).min(MOST_ON_LINE),
             }
         }
@@ -177,7 +166,7 @@ impl Lifter<'_> {
                 let scaled: Vec<u64> = own.iter().map(|&value| modulus.times(value, factor)).collect();
                 [own, scaled].concat()
             });
-            let null = Echelon::of(&modulus, rows.collect(), width).null_space(&modulus);
+            let null = Echelon::within(&modulus, rows.collect(), width, self.deadline)?.null_space(&modulus);
             match &null[..] {
                 [vector] => Some(vector.entries.clone()),
                 _ => None,
@@ -193,7 +182,7 @@ pub fn confirms(
     functions: &[RationalFunction],
     variables: &[Variable],
     random: &mut SplitMix64,
-    deadline: Instant,
+    deadline: &Deadline,
 ) -> bool {
     let modulus = Modulus::random(random);
     let mut lifter = Lifter { oracle, unknowns: variables.len(), random, deadline };
@@ -209,75 +198,11 @@ pub fn confirms(
     })
 }
 
-impl Shape {
-    /// All monomials within a degree for each unknown and one for all; `None` if they are too many.
-    fn within(bounds: &[usize], total: usize) -> Option<Self> {
-        let mut monomials: Vec<Vec<u32>> = vec![Vec::new()];
-        for &bound in bounds {
-            let extended = monomials.iter().flat_map(|monomial| {
-                let used = monomial.iter().sum::<u32>() as usize;
-                (0..=bound.min(total.saturating_sub(used))).map(move |exponent| {
-                    let mut longer = monomial.clone();
-                    longer.push(exponent as u32);
-                    longer
-                })
-            });
-            monomials = extended.take(MOST_COEFFICIENTS + 1).collect();
-        }
-        (2 * monomials.len() <= MOST_COEFFICIENTS).then_some(Shape { monomials })
-    }
-
-    fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
-        let value = |monomial: &Vec<u32>| {
-            let powers = monomial.iter().zip(point).map(|(&exponent, &x)| modulus.power(x, exponent));
-            powers.fold(modulus.one(), |product, power| modulus.times(product, power))
-        };
-        self.monomials.iter().map(value).collect()
-    }
-
-    /// The function whose coefficients modulo several primes are known; `None` if those are not of small rationals.
-    fn function(
-        &self,
-        primes: &[(Modulus, Vec<Vec<u64>>)],
-        entry: usize,
-        variables: &[Variable],
-    ) -> Option<RationalFunction> {
-        let count = self.monomials.len();
-        let side = |offset: usize| -> Option<Polynomial> {
-            let mut terms = Vec::new();
-            for (index, exponents) in self.monomials.iter().enumerate() {
-                let residues = primes
-                    .iter()
-                    .map(|(modulus, all)| (modulus.prime(), modulus.residue(all[entry][offset + index])));
-                let coefficient = rational_from_residues(residues)?;
-                let powers =
-                    variables.iter().zip(exponents).map(|(variable, exponent)| (*variable, *exponent));
-                terms.push((powers.collect::<Monomial>(), coefficient));
-            }
-            Some(Polynomial::from_terms(terms))
-        };
-        RationalFunction::new_within(side(0)?, side(count)?, &mut Budget::new(2000, 10_000_000)).ok()?
-    }
-}
-
-/// The small rational with these residues.
-fn rational_from_residues(residues: impl Iterator<Item = (u64, u64)>) -> Option<Rational> {
-    let (mut value, mut product) = (BigInt::from(0), BigInt::from(1));
-    for (prime, residue) in residues {
-        let prime = BigInt::from(prime);
-        // value + product·k ≡ residue modulo the new prime
-        let inverse = product.extended_gcd(&prime).x;
-        let step = ((BigInt::from(residue) - &value) * inverse).mod_floor(&prime);
-        value += &product * step;
-        product *= prime;
-    }
-    rational_from_residue(&value, &product)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::time::Duration;
+    use kahan_algebra::poly::Polynomial;
+    use kahan_algebra::rational::Rational;
 
     #[test]
     fn rational_functions_come_back_from_their_values() {
@@ -290,8 +215,7 @@ mod tests {
             let below = modulus.inverse(modulus.minus(at[0], at[1]))?;
             Some(vec![modulus.times(modulus.minus(above, seventh), below), modulus.rational(&large)?, 0])
         };
-        let deadline = Instant::now() + Duration::from_secs(3600);
-        let found = lift(&mut oracle, &[a, b], &mut SplitMix64::new(2), deadline).unwrap();
+        let found = lift(&mut oracle, &[a, b], &mut SplitMix64::new(2), &Deadline::never()).unwrap();
         let (pa, pb) = (Polynomial::variable(a), Polynomial::variable(b));
         let above =
             (&(&pa * &pa) * &pb).scale(&Rational::from(3)) - Polynomial::constant(Rational::new(1, 7));
@@ -304,7 +228,6 @@ mod tests {
     fn what_is_no_rational_function_is_not_lifted() {
         let mut oracle =
             |modulus: Modulus, at: &[u64], _: &mut SplitMix64| Some(vec![modulus.power(at[0], 1 << 30)]);
-        let deadline = Instant::now() + Duration::from_secs(3600);
-        assert!(lift(&mut oracle, &[Variable(0)], &mut SplitMix64::new(2), deadline).is_none());
+        assert!(lift(&mut oracle, &[Variable(0)], &mut SplitMix64::new(2), &Deadline::never()).is_none());
     }
 }

@@ -1,40 +1,18 @@
 //! Kahan's map modulo a prime, at parameters and ε that are residues.
 //!
-//! A [`Family`] is the field with its coefficients as polynomials in the parameters; [`Family::at`] puts values in, and the
-//! [`ModularMap`] that comes out steps by elimination on A(x,ε). Removable poles count as poles here: random points meet
+//! It comes from a [`Family`](crate::family::Family) at values of the parameters, and steps by elimination on A(x,ε). Removable poles count as poles here: random points meet
 //! neither.
-
-use kahan_algebra::field::Field;
-use kahan_algebra::poly::{Polynomial, Variable};
-use kahan_algebra::symbols::{Symbol, Symbols};
 
 use crate::modulus::Modulus;
 use crate::stepping::Stepping;
 
-/// A field, its coefficients sorted by the monomials of the states.
-#[derive(Clone, Debug)]
-pub struct Family {
-    dimension: usize,
-    symbols: Symbols,
-    /// qᵢ, by component.
-    divisors: Vec<Polynomial>,
-    terms: Vec<FamilyTerm>,
-}
-
-#[derive(Clone, Debug)]
-struct FamilyTerm {
-    component: usize,
-    states: Vec<usize>,
-    coefficient: Polynomial,
-}
-
 /// c·xⱼxₖ, c·xⱼ or c in one component of f.
 #[derive(Clone, Copy, Debug)]
-struct Term {
-    component: usize,
-    coefficient: u64,
-    first: Option<usize>,
-    second: Option<usize>,
+pub(crate) struct Term {
+    pub(crate) component: usize,
+    pub(crate) coefficient: u64,
+    pub(crate) first: Option<usize>,
+    pub(crate) second: Option<usize>,
 }
 
 /// A step that was taken.
@@ -44,85 +22,6 @@ pub struct Step {
     pub next: Vec<u64>,
     /// det ∂x̃/∂x = det A(x̃,−ε) / det A(x,ε)
     pub jacobian: u64,
-}
-
-impl Family {
-    /// Sorts the coefficients of a field.
-    #[must_use]
-    pub fn of(field: &Field) -> Self {
-        let mut terms = Vec::new();
-        for (component, quotient) in field.components.iter().enumerate() {
-            for (monomial, coefficient) in
-                quotient.numerator.group(|variable| field.symbols.is_state(variable))
-            {
-                terms.push(FamilyTerm { component, states: field.states_of(&monomial), coefficient });
-            }
-        }
-        Family {
-            dimension: field.dimension(),
-            symbols: field.symbols.clone(),
-            divisors: field.components.iter().map(|component| component.denominator.clone()).collect(),
-            terms,
-        }
-    }
-
-    /// The number of states n.
-    #[must_use]
-    pub fn dimension(&self) -> usize {
-        self.dimension
-    }
-
-    /// The names of the states and parameters.
-    #[must_use]
-    pub fn symbols(&self) -> &Symbols {
-        &self.symbols
-    }
-
-    /// The map at these parameters and ε (half the time step); `None` where the field then divides by zero.
-    ///
-    /// # Panics
-    /// If there are fewer values than parameters.
-    #[must_use]
-    pub fn at(&self, modulus: Modulus, parameters: &[u64], eps: u64) -> Option<ModularMap> {
-        let value = |variable: Variable| match self.symbols.symbol(variable) {
-            Symbol::Parameter(k) => parameters[k],
-            // Coefficients of a field contain parameters only.
-            _ => 0,
-        };
-        let mut inverses = Vec::with_capacity(self.dimension);
-        for divisor in &self.divisors {
-            inverses.push(modulus.inverse(evaluate(&modulus, divisor, value)?)?);
-        }
-        let mut terms = Vec::with_capacity(self.terms.len());
-        for term in &self.terms {
-            let coefficient = evaluate(&modulus, &term.coefficient, value)?;
-            terms.push(Term {
-                component: term.component,
-                coefficient: modulus.times(coefficient, inverses[term.component]),
-                first: term.states.first().copied(),
-                second: term.states.get(1).copied(),
-            });
-        }
-        terms.retain(|term| term.coefficient != 0);
-        Some(ModularMap { modulus, dimension: self.dimension, eps, terms })
-    }
-}
-
-/// The value of a polynomial; `None` where the prime divides a denominator of its coefficients.
-pub(crate) fn evaluate(
-    modulus: &Modulus,
-    polynomial: &Polynomial,
-    value: impl Fn(Variable) -> u64,
-) -> Option<u64> {
-    let mut sum = 0;
-    for (monomial, coefficient) in polynomial.terms() {
-        let mut product = modulus.rational(coefficient)?;
-        for &(variable, exponent) in monomial.powers() {
-            product = modulus.times(product, modulus.power(value(variable), exponent));
-        }
-        sum = modulus.plus(sum, product);
-    }
-    Some(sum)
 }
 
 /// The map of one field at one ε.
@@ -150,6 +49,10 @@ impl Stepping for ModularMap {
 }
 
 impl ModularMap {
+    pub(crate) fn new(modulus: Modulus, dimension: usize, eps: u64, terms: Vec<Term>) -> Self {
+        ModularMap { modulus, dimension, eps, terms }
+    }
+
     /// ε, half the time step.
     #[must_use]
     pub fn eps(&self) -> u64 {
@@ -283,6 +186,7 @@ impl ModularMap {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::family::Family;
     use kahan_algebra::interpret::{Interpreter, Point};
     use kahan_algebra::prime_field::SplitMix64;
     use kahan_algebra::{lexer, read};

@@ -3,6 +3,7 @@
 //! Rows are equations, columns unknowns in an order that matters: a column becomes a pivot if it is no combination of the
 //! columns before it, so with monomials in ascending order every null vector expresses one monomial by lower ones.
 
+use crate::deadline::Deadline;
 use crate::modulus::Modulus;
 
 /// The reduced row echelon form of a matrix.
@@ -18,9 +19,35 @@ pub struct Echelon {
 impl Echelon {
     /// The echelon form of `rows`, each with `columns` entries. Cost: rows · rank · columns products.
     #[must_use]
-    pub fn of(modulus: &Modulus, mut rows: Vec<Vec<u64>>, columns: usize) -> Self {
+    pub fn of(modulus: &Modulus, rows: Vec<Vec<u64>>, columns: usize) -> Self {
+        Self::reduced(modulus, rows, columns, &Deadline::never()).0
+    }
+
+    /// The same, if it is done before the deadline.
+    #[must_use]
+    pub fn within(
+        modulus: &Modulus,
+        rows: Vec<Vec<u64>>,
+        columns: usize,
+        deadline: &Deadline,
+    ) -> Option<Self> {
+        let (echelon, is_done) = Self::reduced(modulus, rows, columns, deadline);
+        is_done.then_some(echelon)
+    }
+
+    fn reduced(
+        modulus: &Modulus,
+        mut rows: Vec<Vec<u64>>,
+        columns: usize,
+        deadline: &Deadline,
+    ) -> (Self, bool) {
         let mut pivots = Vec::new();
+        let mut is_done = true;
         for column in 0..columns {
+            if deadline.passed() {
+                is_done = false;
+                break;
+            }
             let rank = pivots.len();
             let Some(found) = (rank..rows.len()).find(|&row| rows[row][column] != 0) else { continue };
             rows.swap(rank, found);
@@ -45,7 +72,7 @@ impl Echelon {
             }
         }
         rows.truncate(pivots.len());
-        Echelon { pivots, rows, columns }
+        (Echelon { pivots, rows, columns }, is_done)
     }
 
     /// The rank.

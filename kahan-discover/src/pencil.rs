@@ -2,6 +2,7 @@
 
 use kahan_algebra::prime_field::SplitMix64;
 
+use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
@@ -43,12 +44,14 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
-    /// P and Q, on all monomials of the given values, from P − cQ = 0 at the starts; `None` unless they are unique.
+    /// P and Q, on all monomials of the given values, from P − cQ = 0 at the starts; `None` unless they are unique,
+    /// and found before the deadline.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,
         orbits: &[Relations],
         values: &[Vec<u64>],
+        deadline: &Deadline,
     ) -> Option<(Vec<u64>, Vec<u64>)> {
         let width = self.numerator.len() + self.denominator.len();
         let mut rows = Vec::with_capacity(width + SPARE);
@@ -59,7 +62,7 @@ impl Entry {
             row.extend(self.denominator.iter().map(|&index| modulus.times(factor, values[index])));
             rows.push(row);
         }
-        let null = Echelon::of(modulus, rows, width).null_space(modulus);
+        let null = Echelon::within(modulus, rows, width, deadline)?.null_space(modulus);
         let [vector] = &null[..] else { return None };
         let (above, below) = vector.entries.split_at(self.numerator.len());
         let spread = |places: &[usize], entries: &[u64]| {
@@ -74,12 +77,13 @@ impl Entry {
 }
 
 impl Pencil {
-    /// The space of another map of the family; `None` where it has another form or the map has no value.
-    pub fn at(&self, map: &impl Stepping, random: &mut SplitMix64) -> Option<Space> {
+    /// The space of another map of the family; `None` where it has another form, the map has no value, or
+    /// the deadline passes.
+    pub fn at(&self, map: &impl Stepping, random: &mut SplitMix64, deadline: &Deadline) -> Option<Space> {
         let modulus = *map.modulus();
         let monomials = Monomials::new(map.dimension(), self.degree);
         let form = &self.space.form;
-        if let Some(space) = self.span_at(map, &monomials, random) {
+        if let Some(space) = self.span_at(map, &monomials, random, deadline) {
             return Some(space);
         }
         let Source::Entries { relation_degree, entries } = &self.source else { return None };
@@ -88,13 +92,13 @@ impl Pencil {
             entries.iter().map(|entry| entry.numerator.len() + entry.denominator.len()).max()? + SPARE;
         let mut orbits = Vec::with_capacity(wanted);
         for _ in 0..wanted {
-            orbits.push(random_relations(map, &relation_monomials, random)?);
+            orbits.push(random_relations(map, &relation_monomials, random, deadline)?);
         }
         let values: Vec<Vec<u64>> =
             orbits.iter().map(|orbit| monomials.values(&modulus, &orbit.start)).collect();
         let mut vectors = Vec::new();
         for entry in entries {
-            let (above, below) = entry.quotient(&modulus, &orbits, &values)?;
+            let (above, below) = entry.quotient(&modulus, &orbits, &values, deadline)?;
             for vector in [above, below] {
                 vectors.push(form.support.iter().map(|&index| vector[index]).collect());
             }
@@ -103,7 +107,13 @@ impl Pencil {
     }
 
     /// The span of the relations of two orbits on the space's own monomials, if that is all they have.
-    fn span_at(&self, map: &impl Stepping, monomials: &Monomials, random: &mut SplitMix64) -> Option<Space> {
+    fn span_at(
+        &self,
+        map: &impl Stepping,
+        monomials: &Monomials,
+        random: &mut SplitMix64,
+        deadline: &Deadline,
+    ) -> Option<Space> {
         let modulus = map.modulus();
         let Form { support, .. } = &self.space.form;
         let mut vectors: Vec<Vec<u64>> = Vec::new();
@@ -117,7 +127,8 @@ impl Pencil {
                 let values = monomials.values(modulus, point);
                 support.iter().map(|&index| values[index]).collect()
             });
-            let null = Echelon::of(modulus, rows.collect(), support.len()).null_space(modulus);
+            let null = Echelon::within(modulus, rows.collect(), support.len(), deadline)?;
+            let null = null.null_space(modulus);
             if null.len() + 1 != self.space.dimension() {
                 return None;
             }

@@ -5,6 +5,7 @@
 //! expresses it by is the same along the orbit: every entry, as a function of the orbit's start, is an integral
 //! (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations", 2011).
 
+use crate::deadline::Deadline;
 use crate::matrix::{Echelon, NullVector};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
@@ -30,11 +31,17 @@ pub struct Relations {
 }
 
 impl Relations {
-    /// The relations up to the degree of `monomials` on the orbit of `start`; `None` where that ends at a pole.
+    /// The relations up to the degree of `monomials` on the orbit of `start`; `None` where that ends at a pole, or the
+    /// deadline passes.
     ///
     /// Cost: with N monomials and rank r, N + 6 steps and N² r products.
     #[must_use]
-    pub fn on_orbit(map: &impl Stepping, start: Vec<u64>, monomials: &Monomials) -> Option<Self> {
+    pub fn on_orbit(
+        map: &impl Stepping,
+        start: Vec<u64>,
+        monomials: &Monomials,
+        deadline: &Deadline,
+    ) -> Option<Self> {
         let wanted = monomials.len() + SPARE;
         let orbit = map.orbit(start, wanted);
         let period = orbit.iter().skip(1).position(|point| *point == orbit[0]).map(|before| before + 1);
@@ -44,7 +51,7 @@ impl Relations {
         let distinct = period.unwrap_or(wanted).min(wanted);
         let modulus = map.modulus();
         let rows = orbit[..distinct].iter().map(|point| monomials.values(modulus, point)).collect();
-        let echelon = Echelon::of(modulus, rows, monomials.len());
+        let echelon = Echelon::within(modulus, rows, monomials.len(), deadline)?;
         let ranks = (0..=monomials.degree()).map(|d| echelon.rank_of_first(monomials.up_to(d))).collect();
         let vectors = echelon.null_space(modulus);
         Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })

@@ -80,8 +80,19 @@ pub struct StructureReport {
     pub linear_integrals: Vec<String>,
     /// Quadratic integrals of the flow, independent of these and of each other; the map need not keep them.
     pub quadratic_integrals: Vec<String>,
+    /// The degree up to which these are all: 2, or less where the time ran out or a formula was out of reach.
+    pub flow_degree: u32,
     /// K and H with f = K∇H, where they were found.
     pub hamiltonian: Option<HamiltonianReport>,
+}
+
+/// How a search for densities 1/P ended where it came to none that is proved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DensitySearch {
+    /// The degree of a P that was seen modulo a prime.
+    pub seen: Option<u32>,
+    /// The degree up to which there is no P, as shown at random points modulo a prime.
+    pub none_up_to: Option<u32>,
 }
 
 /// f = K∇H.
@@ -112,8 +123,10 @@ pub struct Report {
     pub integrals: Vec<Formula>,
     /// Invariant densities, proved; the first of least degree.
     pub densities: Vec<Formula>,
-    /// The degree up to which all P of densities 1/P were looked for.
-    pub density_degree: u32,
+    /// How the search for densities ended.
+    pub density_search: DensitySearch,
+    /// The name of an unconditional density that the field brings along; a block takes one.
+    pub own_density: Option<String>,
     /// The structure of the field.
     pub structure: StructureReport,
     /// What composition leaves; absent where there is nothing to leave.
@@ -146,6 +159,8 @@ pub enum DiscoverError {
     ZeroStep,
     /// det A vanishes identically at the values given, so there is no map.
     NoMap,
+    /// The time ran out before there was anything to compare with.
+    OutOfTime,
 }
 
 impl fmt::Display for DiscoverError {
@@ -163,6 +178,9 @@ impl fmt::Display for DiscoverError {
             DiscoverError::UnsoundField => f.write_str("the field has no sound equations: correct them first"),
             DiscoverError::NoMap => f.write_str(
                 "det A vanishes identically at these values, so there is no map to look at: choose another eps or other parameters",
+            ),
+            DiscoverError::OutOfTime => f.write_str(
+                "the time ran out before the generic map was looked at: give more --seconds or a lower --degree",
             ),
         }
     }

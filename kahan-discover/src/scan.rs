@@ -1,11 +1,12 @@
 //! Special values of parameters and of ε: where degrees or ranks on a rational grid are not the generic ones.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 
+use crate::deadline::Deadline;
 use crate::degrees::{DegreeLimits, degrees};
 use crate::hilbert::{Hilbert, default_degree};
 use crate::modulus::Modulus;
@@ -103,7 +104,7 @@ pub fn scan(
     options: &Options,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Scan, DiscoverError> {
-    let deadline = Instant::now() + Duration::from_secs_f64(options.seconds.clamp(0.0, 1e9));
+    let deadline = Deadline::after(Instant::now(), options.seconds);
     for axis in axes.iter().filter(|axis| axis.name != "eps") {
         if !system.field.symbols.parameters.contains(&axis.name) {
             return Err(DiscoverError::UnknownParameter(axis.name.clone()));
@@ -114,11 +115,15 @@ pub fn scan(
         let small = |degree: &u32| Monomials::count(n, *degree) <= MOST_MONOMIALS;
         (1..=default_degree(n)).rev().find(small).unwrap_or(1)
     });
-    let generic = look(system, &[], options, degree)?.ok_or(DiscoverError::NoMap)?;
+    let generic = look(system, &[], options, degree, &deadline)?;
+    if deadline.has_stopped() {
+        return Err(DiscoverError::OutOfTime);
+    }
+    let generic = generic.ok_or(DiscoverError::NoMap)?;
     let total: usize = axes.iter().map(|axis| axis.values.len()).product();
     let mut points = Vec::new();
     for index in 0..total {
-        if Instant::now() >= deadline {
+        if deadline.passed() {
             break;
         }
         let mut rest = index;
@@ -128,7 +133,11 @@ pub fn scan(
             rest /= axis.values.len();
         }
         values.reverse();
-        let sight = look(system, &values, options, degree).unwrap_or(None);
+        let sight = look(system, &values, options, degree, &deadline).unwrap_or(None);
+        // What was cut short says nothing.
+        if deadline.has_stopped() {
+            break;
+        }
         points.push(GridPoint { values: values.into_iter().map(|(_, value)| value).collect(), sight });
         progress(index + 1, total);
     }
@@ -142,6 +151,7 @@ fn look(
     values: &[(String, Rational)],
     options: &Options,
     degree: u32,
+    deadline: &Deadline,
 ) -> Result<Option<Sight>, DiscoverError> {
     let is_scanned = |name: &str| values.iter().any(|(scanned, _)| scanned == name);
     let mut parameters: Vec<(String, Rational)> =
@@ -152,11 +162,9 @@ fn look(
     let setting = Setting::new(&fixed.field, eps.or_else(|| options.eps.clone()));
     let mut random = SplitMix64::from_bytes(format!("{values:?}").as_bytes());
     let draw = setting.draw(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
-    // Every point is looked at alike: no deadline inside.
-    let far = Instant::now() + Duration::from_secs(1_000_000);
-    let limits = DegreeLimits { iterates: ITERATES, degree: ITERATE_DEGREE, deadline: far };
+    let limits = DegreeLimits { iterates: ITERATES, degree: ITERATE_DEGREE, deadline };
     let degrees = degrees(&draw.map, &mut random, limits);
-    Ok(Hilbert::of(&setting, degree, &mut random, far).map(|hilbert| Sight {
+    Ok(Hilbert::of(&setting, degree, &mut random, deadline).map(|hilbert| Sight {
         degrees,
         integrals: hilbert.integrals,
         hilbert: hilbert.values,

@@ -6,10 +6,9 @@
 //! Where relations of several integrals are mixed, an entry c of the reduced relations is an integral, and c = P/Q at many
 //! starts is a linear system for P and Q.
 
-use std::time::Instant;
-
 use kahan_algebra::prime_field::SplitMix64;
 
+use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
@@ -29,10 +28,11 @@ pub fn spanned_pencils<M: Stepping>(
     relation_degree: u32,
     wanted: usize,
     random: &mut SplitMix64,
+    deadline: &Deadline,
 ) -> Vec<Pencil> {
     let mut search = Search::new(map, random);
     for degree in 1..=relation_degree {
-        if let Some(space) = span_of_relations(map, degree, search.random) {
+        if let Some(space) = span_of_relations(map, degree, search.random, deadline) {
             search.offer(Pencil { degree, space, source: Source::Span });
         }
         if search.rank() >= wanted {
@@ -51,7 +51,7 @@ pub fn pencils_of_entries<M: Stepping>(
     relation_degree: u32,
     degree: u32,
     random: &mut SplitMix64,
-    deadline: Instant,
+    deadline: &Deadline,
 ) -> Vec<Pencil> {
     let mut search = Search::new(map, random);
     entries_of_degree(&mut search, relation_degree, degree, deadline);
@@ -121,12 +121,17 @@ pub fn quotient_gradients(
 }
 
 /// The span of the relations of all orbits up to a degree, if it has one dimension more than those of one orbit.
-fn span_of_relations(map: &impl Stepping, degree: u32, random: &mut SplitMix64) -> Option<Space> {
+fn span_of_relations(
+    map: &impl Stepping,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline,
+) -> Option<Space> {
     let monomials = Monomials::new(map.dimension(), degree);
     let mut vectors: Vec<Vec<u64>> = Vec::new();
     let mut own = 0;
     for _ in 0..3 {
-        let relations = random_relations(map, &monomials, random)?;
+        let relations = random_relations(map, &monomials, random, deadline)?;
         own = relations.vectors.len();
         if own == 0 {
             return None;
@@ -142,7 +147,7 @@ fn entries_of_degree<M: Stepping>(
     search: &mut Search<'_, M>,
     relation_degree: u32,
     degree: u32,
-    deadline: Instant,
+    deadline: &Deadline,
 ) {
     let map = search.map;
     let modulus = map.modulus();
@@ -155,21 +160,20 @@ fn entries_of_degree<M: Stepping>(
     }
     let mut orbits: Vec<Relations> = Vec::new();
     while orbits.len() < width + SPARE {
-        if Instant::now() >= deadline {
-            return;
-        }
-        let Some(relations) = random_relations(map, &monomials, search.random) else { return };
+        let Some(relations) = random_relations(map, &monomials, search.random, deadline) else { return };
         orbits.push(relations);
     }
     let values: Vec<Vec<u64>> = orbits.iter().map(|orbit| unknown.values(modulus, &orbit.start)).collect();
     let all: Vec<usize> = (0..unknown.len()).collect();
     let mut found: Vec<Pencil> = Vec::new();
     for (leading, lower) in entry_places(&orbits, &monomials) {
-        if Instant::now() >= deadline {
+        if deadline.passed() {
             return;
         }
         let entry = Entry { leading, lower, numerator: all.clone(), denominator: all.clone() };
-        let Some((numerator, denominator)) = entry.quotient(modulus, &orbits, &values) else { continue };
+        let Some((numerator, denominator)) = entry.quotient(modulus, &orbits, &values, deadline) else {
+            continue;
+        };
         let used = |vector: &[u64]| (0..vector.len()).filter(|&index| vector[index] != 0).collect();
         let entry = Entry { numerator: used(&numerator), denominator: used(&denominator), ..entry };
         let space = Space::spanned(modulus, vec![numerator, denominator]);

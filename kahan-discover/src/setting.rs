@@ -6,7 +6,8 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
 
-use crate::map::{Family, ModularMap, evaluate};
+use crate::family::{Family, evaluate};
+use crate::map::ModularMap;
 use crate::modulus::Modulus;
 use crate::stepping::Stepping;
 use crate::weights::Weights;

@@ -3,14 +3,13 @@
 //! A space that depends on parameters and ε has a basis in reduced form whose entries are rational functions of them; this
 //! is what is lifted.
 
-use std::time::Instant;
-
 use kahan_algebra::poly::{Monomial, Polynomial, Variable, gcd};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
+use crate::deadline::Deadline;
 use crate::grading::{Grading, lift_graded};
 use crate::lift::lift;
 use crate::matrix::Echelon;
@@ -143,7 +142,7 @@ pub fn lift_space(
     form: &Form,
     mut at: impl FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Space>,
     random: &mut SplitMix64,
-    deadline: Instant,
+    deadline: &Deadline,
 ) -> Option<Vec<Polynomial>> {
     let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let space = at(modulus, unknowns, random)?;

@@ -1,6 +1,6 @@
 //! The whole search, stage by stage.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::Polynomial;
@@ -13,7 +13,8 @@ use kahan_algebra::system::System;
 
 use crate::claims::{Claims, Formula};
 use crate::composition::survivors;
-use crate::darboux::measure;
+use crate::darboux::{MeasureSearch, measure};
+use crate::deadline::Deadline;
 use crate::degrees::{DegreeLimits, degrees};
 use crate::growth::GrowthVerdict;
 use crate::hamiltonian::hamiltonian;
@@ -22,7 +23,9 @@ use crate::independent::Independent;
 use crate::integrals::integrals;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
-use crate::report::{DiscoverError, HamiltonianReport, Options, Report, Stage, StructureReport};
+use crate::report::{
+    DensitySearch, DiscoverError, HamiltonianReport, Options, Report, Stage, StructureReport,
+};
 use crate::setting::Setting;
 use crate::space::tidy;
 use crate::structure::{determinant, divergence, flow_integrals, is_even};
@@ -47,7 +50,9 @@ pub fn discover(
     progress: &mut dyn FnMut(Stage),
 ) -> Result<Report, DiscoverError> {
     let start = Instant::now();
-    let by = |share: f64| start + Duration::from_secs_f64((options.seconds * share).clamp(0.0, 1e9));
+    // Until when each stage may go on.
+    let [for_degrees, for_orbits, for_structure, for_integrals, for_densities, for_composition] =
+        [0.2, 0.4, 0.5, 0.85, 0.95, 1.0].map(|share| Deadline::after(start, options.seconds * share));
     let fixed = specialised(system, &options.parameters)?;
     let symbols = &fixed.field.symbols;
     if options.eps.as_ref().is_some_and(Rational::is_zero) {
@@ -60,29 +65,35 @@ pub fn discover(
 
     progress(Stage::Degrees);
     let limits =
-        DegreeLimits { iterates: options.iterates, degree: options.iterate_degree, deadline: by(0.2) };
+        DegreeLimits { iterates: options.iterates, degree: options.iterate_degree, deadline: &for_degrees };
     let degrees = degrees(&draw.map, random, limits);
 
     progress(Stage::Orbits);
     let degree = options.degree.unwrap_or_else(|| default_degree(setting.dimension()));
-    let hilbert = Hilbert::of(&setting, degree, random, by(0.4));
+    let hilbert = Hilbert::of(&setting, degree, random, &for_orbits);
 
     progress(Stage::Structure);
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
     let map = RationalMap::of(&fixed.field);
-    let mut structure = structure(&setting, &fixed, random, by(0.5));
-    let hamiltonian = hamiltonian(&setting, random, by(0.5));
+    let mut structure = structure(&setting, &fixed, random, &for_structure);
+    let hamiltonian = hamiltonian(&setting, random, &for_structure);
 
     progress(Stage::Integrals);
+    let modified = hamiltonian.as_ref().zip(map.as_ref()).and_then(|(found, map)| {
+        let (above, below) = found.modified(&setting, map)?;
+        Some((tidy(symbols, &above), tidy(symbols, &below)))
+    });
     let mut integrals = match &hilbert {
-        Some(hilbert) => integrals(&setting, &claims, hilbert, random, by(0.85)),
+        Some(hilbert) => integrals(&setting, &claims, hilbert, modified.as_ref(), random, &for_integrals),
         None => Vec::new(),
     };
     if let Some(found) = &hamiltonian {
-        let modified = map.as_ref().and_then(|map| found.modified(&setting, map));
         let proved = modified.as_ref().is_some_and(|(above, below)| {
-            let (above, below) = (tidy(symbols, above), tidy(symbols, below));
-            let formula = claims.integral(symbols, integrals.len() + 1, &above, &below);
+            let is_listed = |known: &Formula| known.numerator == *above && known.denominator == *below;
+            if integrals.iter().any(is_listed) {
+                return true;
+            }
+            let formula = claims.integral(symbols, integrals.len() + 1, above, below);
             let is_proved = formula.is_some();
             add_if_independent(&setting, &mut integrals, formula, random);
             is_proved
@@ -95,14 +106,15 @@ pub fn discover(
     }
 
     progress(Stage::Densities);
-    let densities =
-        densities(&setting, &claims, &integrals, map.as_ref(), structure.is_even, random, by(0.95));
+    let (densities, density_search) =
+        densities(&setting, &claims, &integrals, map.as_ref(), structure.is_even, random, &for_densities);
 
     progress(Stage::Composition);
     let survivors = hilbert
         .as_ref()
-        .filter(|hilbert| hilbert.integrals > 0 && Instant::now() < by(1.0))
-        .and_then(|hilbert| survivors(&setting, &integrals, hilbert.degree(), random));
+        .filter(|hilbert| hilbert.integrals > 0)
+        .and_then(|hilbert| survivors(&setting, &integrals, hilbert.degree(), random, &for_composition));
+    let deadlines = [for_degrees, for_orbits, for_structure, for_integrals, for_densities, for_composition];
     let mut report = Report {
         variables: symbols.states.clone(),
         parameters: symbols.parameters.clone(),
@@ -111,10 +123,11 @@ pub fn discover(
         hilbert,
         integrals,
         densities,
-        density_degree: density_degree(setting.dimension()),
+        density_search,
+        own_density: claims.own_density().map(str::to_owned),
         structure,
         survivors,
-        out_of_time: Instant::now() >= by(1.0),
+        out_of_time: deadlines.iter().any(Deadline::has_stopped),
         sentences: Vec::new(),
     };
     report.sentences = sentences(&report);
@@ -142,13 +155,13 @@ fn structure(
     setting: &Setting,
     system: &System,
     random: &mut SplitMix64,
-    deadline: Instant,
+    deadline: &Deadline,
 ) -> StructureReport {
     let symbols = &system.field.symbols;
-    let of_flow = flow_integrals(setting, 2, random, deadline).unwrap_or_default();
+    let of_flow = flow_integrals(setting, 2, random, deadline);
     let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));
     let written = |wanted: u32| -> Vec<String> {
-        let chosen = of_flow.iter().filter(|polynomial| degree(polynomial) == wanted);
+        let chosen = of_flow.found.iter().filter(|polynomial| degree(polynomial) == wanted);
         chosen.map(|polynomial| Notation::Text.polynomial(symbols, polynomial)).collect()
     };
     StructureReport {
@@ -156,6 +169,7 @@ fn structure(
         is_even: is_even(setting, random),
         linear_integrals: written(1),
         quadratic_integrals: written(2),
+        flow_degree: of_flow.degree,
         hamiltonian: None,
     }
 }
@@ -190,7 +204,7 @@ fn density_degree(n: usize) -> u32 {
     (1..=8).take_while(|&degree| Monomials::count(n, degree) <= MOST_DENSITY_COEFFICIENTS).last().unwrap_or(1)
 }
 
-/// The density of least degree; and 1/det A where det(I − t f′) is even, if that is another or the only one.
+/// The density of least degree; or 1/det A where det(I − t f′) is even and that is the only one.
 fn densities(
     setting: &Setting,
     claims: &Claims<'_>,
@@ -198,8 +212,8 @@ fn densities(
     map: Option<&RationalMap>,
     is_even: bool,
     random: &mut SplitMix64,
-    deadline: Instant,
-) -> Vec<Formula> {
+    deadline: &Deadline,
+) -> (Vec<Formula>, DensitySearch) {
     let symbols = setting.family().symbols();
     let mut factors: Vec<Polynomial> = Vec::new();
     for polynomial in integrals.iter().flat_map(|formula| [&formula.numerator, &formula.denominator]) {
@@ -211,12 +225,18 @@ fn densities(
     }
     let highest = density_degree(setting.dimension());
     let mut densities = Vec::new();
-    if let Some(found) = measure(setting, &factors, highest, random, deadline) {
-        densities.extend(claims.density(symbols, None, &found.factors));
+    let mut search = DensitySearch::default();
+    match measure(setting, &factors, highest, random, deadline) {
+        MeasureSearch::Found(found) => {
+            search.seen = Some(found.degree);
+            densities.extend(claims.density(symbols, None, &found.factors));
+        }
+        MeasureSearch::Seen(degree) => search.seen = Some(degree),
+        MeasureSearch::NoneUpTo(degree) => search.none_up_to = degree,
     }
     let determinant = map.filter(|_| is_even && densities.is_empty()).map(|map| determinant(setting, map));
     if let Some(determinant) = determinant.filter(|determinant| determinant.len() <= MOST_DENSITY_TERMS) {
         densities.extend(claims.density(symbols, None, &[(determinant, 1)]));
     }
-    densities
+    (densities, search)
 }

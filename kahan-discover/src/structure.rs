@@ -1,13 +1,12 @@
 //! Structure of the field itself: its divergence, its linear and quadratic integrals, whether det(I − t f′) is even in t.
 
-use std::time::Instant;
-
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
 
+use crate::deadline::Deadline;
 use crate::independent::Independent;
 use crate::map::ModularMap;
 use crate::matrix::Echelon;
@@ -15,7 +14,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
 use crate::setting::Setting;
-use crate::space::{Form, Names, Space, lift_space, tidy};
+use crate::space::{Names, Space, lift_space, tidy};
 use crate::stepping::Stepping;
 
 /// Equations beyond the number of unknowns.
@@ -54,56 +53,79 @@ pub fn determinant(setting: &Setting, map: &RationalMap) -> Polynomial {
     tidy(symbols, &denominator)
 }
 
-/// Functionally independent polynomial integrals of the flow ẋ = f(x), of degree at most `degree`, lowest first, lifted over
-/// the parameters: exactly the P with ∇P·f = 0 modulo a prime at random parameters.
+/// Polynomial integrals of the flow ẋ = f(x).
+#[derive(Clone, Debug, Default)]
+pub struct FlowIntegrals {
+    /// Functionally independent ones, lowest degree first.
+    pub found: Vec<Polynomial>,
+    /// The degree up to which these are all: lower than asked for where the time ran out, or a formula was out of reach.
+    pub degree: u32,
+}
+
+/// Functionally independent polynomial integrals of the flow ẋ = f(x), of degree at most `degree`, lifted over the
+/// parameters: exactly the P with ∇P·f = 0 modulo a prime at random parameters.
 pub fn flow_integrals(
     setting: &Setting,
     degree: u32,
     random: &mut SplitMix64,
-    deadline: Instant,
-) -> Option<Vec<Polynomial>> {
+    deadline: &Deadline,
+) -> FlowIntegrals {
     let symbols = setting.family().symbols();
     let mut independent = Independent::new(setting, random);
-    let mut integrals: Vec<Polynomial> = Vec::new();
+    let mut integrals = FlowIntegrals::default();
     for degree in 1..=degree {
-        let monomials = Monomials::new(setting.dimension(), degree);
-        let draw = setting.draw(Modulus::mersenne_61(), random)?;
-        let all: Vec<usize> = (1..monomials.len()).collect();
-        let vectors = flow_null_vectors(&draw.map, &monomials, &all, random);
-        if vectors.is_empty() {
-            continue;
-        }
-        // The constant 1 is left out of the columns and stands in front again.
-        let spread = vectors.into_iter().map(|vector| [vec![0], vector].concat()).collect();
-        let form = Space::spanned(draw.map.modulus(), spread).form;
-        let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
-            let map = setting.at(modulus, unknowns)?;
-            on_form(&map, &monomials, &form, random)
-        };
-        for polynomial in lift_space(&Names::of(setting), &monomials, &form, at, random, deadline)? {
+        let Some(space) = flow_space(setting, degree, random, deadline) else { break };
+        for polynomial in space {
             let polynomial = tidy(symbols, &polynomial);
             if independent.admits(&polynomial, &Polynomial::one()) {
                 independent.keep(&polynomial, &Polynomial::one());
-                integrals.push(polynomial);
+                integrals.found.push(polynomial);
             }
         }
+        integrals.degree = degree;
     }
-    Some(integrals)
+    integrals
 }
 
-fn on_form(map: &ModularMap, monomials: &Monomials, form: &Form, random: &mut SplitMix64) -> Option<Space> {
-    Space::of_form(map.modulus(), form, flow_null_vectors(map, monomials, &form.support, random))
+/// A basis of the polynomial integrals of the flow up to a degree, but for constants.
+fn flow_space(
+    setting: &Setting,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline,
+) -> Option<Vec<Polynomial>> {
+    let monomials = Monomials::new(setting.dimension(), degree);
+    let draw = setting.draw(Modulus::mersenne_61(), random)?;
+    let all: Vec<usize> = (1..monomials.len()).collect();
+    let vectors = flow_null_vectors(&draw.map, &monomials, &all, random, deadline)?;
+    if vectors.is_empty() {
+        return Some(Vec::new());
+    }
+    // The constant 1 is left out of the columns and stands in front again.
+    let spread = vectors.into_iter().map(|vector| [vec![0], vector].concat()).collect();
+    let form = Space::spanned(draw.map.modulus(), spread).form;
+    let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+        let map = setting.at(modulus, unknowns)?;
+        let vectors = flow_null_vectors(&map, &monomials, &form.support, random, deadline)?;
+        Space::of_form(&modulus, &form, vectors)
+    };
+    lift_space(&Names::of(setting), &monomials, &form, at, random, deadline)
 }
 
-/// The null vectors of ∇P·f on some monomials.
+/// The null vectors of ∇P·f on some monomials; `None` if the deadline passes.
 fn flow_null_vectors(
     map: &ModularMap,
     monomials: &Monomials,
     support: &[usize],
     random: &mut SplitMix64,
-) -> Vec<Vec<u64>> {
+    deadline: &Deadline,
+) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
-    let rows = (0..support.len() + SPARE).map(|_| {
+    let mut rows = Vec::with_capacity(support.len() + SPARE);
+    for _ in 0..support.len() + SPARE {
+        if deadline.passed() {
+            return None;
+        }
         let point = map.point(random);
         let (value, _) = map.field(&point);
         let slopes = monomial_gradients(modulus, monomials, &point);
@@ -111,8 +133,8 @@ fn flow_null_vectors(
             let products = slopes[index].iter().zip(&value);
             products.fold(0, |sum, (a, b)| modulus.plus(sum, modulus.times(*a, *b)))
         };
-        support.iter().map(along).collect()
-    });
-    let echelon = Echelon::of(modulus, rows.collect(), support.len());
-    echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect()
+        rows.push(support.iter().map(along).collect());
+    }
+    let echelon = Echelon::within(modulus, rows, support.len(), deadline)?;
+    Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
 }

@@ -4,6 +4,7 @@
 //! with index L its inverted differences are the same at all further points, and the function has degree ⌈L/2⌉. The points
 //! that are left over then are the verification.
 
+use crate::deadline::Deadline;
 use crate::modulus::Modulus;
 
 /// The number of points beyond those needed on which a function must agree with its continued fraction: a wrong degree
@@ -11,13 +12,13 @@ use crate::modulus::Modulus;
 pub(crate) const SPARE: usize = 4;
 
 /// max(deg P, deg Q) of the function P/Q in lowest terms with `values` at the different `points`; `None` if it needs more
-/// points. Cost: 4 products for each pair of points, up to twice the degree of them.
+/// points, or the deadline passes. Cost: 4 products for each pair of points, up to twice the degree of them.
 #[must_use]
-pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64]) -> Option<usize> {
+pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Deadline) -> Option<usize> {
     let mut points = points.to_vec();
     let mut values = values.to_vec();
     for level in 0.. {
-        if points.len() <= SPARE {
+        if points.len() <= SPARE || deadline.passed() {
             return None;
         }
         let (start, first) = (points.remove(0), values.remove(0));
@@ -57,7 +58,7 @@ mod tests {
             modulus.times(above, modulus.inverse(below).unwrap())
         });
         let values: Vec<u64> = values.collect();
-        degree(&modulus, &points, &values)
+        degree(&modulus, &points, &values, &Deadline::never())
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Verdicts in words: each sentence says what was shown, and no more.
 
+use crate::hamiltonian::is_within_reach;
 use crate::report::Report;
 
 /// `one integral`, `3 integrals`.
@@ -19,6 +20,7 @@ pub(crate) fn sentences(report: &Report) -> Vec<String> {
     sentences.extend(orbits(report));
     sentences.extend(formulas(report));
     sentences.push(densities(report));
+    sentences.extend(own_density(report));
     sentences.extend(structure(report));
     sentences.extend(composition(report));
     if report.out_of_time {
@@ -42,11 +44,16 @@ fn degrees(report: &Report) -> String {
 
 fn orbits(report: &Report) -> Vec<String> {
     let Some(hilbert) = &report.hilbert else {
-        return vec!["Every orbit looked at ended at a pole, so nothing is known of relations.".to_owned()];
+        let why = if report.out_of_time {
+            "No orbit was followed to its end in the time"
+        } else {
+            "Every orbit looked at ended at a pole"
+        };
+        return vec![format!("{why}, so nothing is known of relations.")];
     };
     let from = match hilbert.orbits {
-        4 => format!("from 4 orbits of up to {} points modulo two primes", hilbert.points),
-        orbits => format!("from {} of up to {} points", counted(orbits, "orbit"), hilbert.points),
+        4 => format!("from 4 orbits of up to {} modulo two primes", counted(hilbert.points, "point")),
+        orbits => format!("from {} of up to {}", counted(orbits, "orbit"), counted(hilbert.points, "point")),
     };
     let mut sentences = Vec::new();
     if let Some(period) = hilbert.period {
@@ -97,8 +104,22 @@ fn densities(report: &Report) -> String {
     match report.densities.first() {
         Some(density) if density.degree == 0 => "The map preserves volume, proved.".to_owned(),
         Some(density) => format!("An invariant density 1/P with P of degree {}, proved.", density.degree),
-        None => format!("No invariant density 1/P shows up to degree {} of P.", report.density_degree),
+        None => match (report.density_search.seen, report.density_search.none_up_to) {
+            (Some(degree), _) => format!(
+                "An invariant density 1/P with P of degree {degree} shows modulo a prime; no formula of it was reached."
+            ),
+            (None, Some(degree)) => format!("No invariant density 1/P shows up to degree {degree} of P."),
+            (None, None) => "The time ran out before an invariant density was looked for.".to_owned(),
+        },
     }
+}
+
+/// A block takes one density without `when`.
+fn own_density(report: &Report) -> Option<String> {
+    let own = report.own_density.as_ref().filter(|_| !report.densities.is_empty())?;
+    Some(format!(
+        "The field brings the density `{own}` along, and a block takes one: the line printed would stand in its place. The quotient of two densities is an integral, if not a constant."
+    ))
 }
 
 fn structure(report: &Report) -> Vec<String> {
@@ -107,24 +128,52 @@ fn structure(report: &Report) -> Vec<String> {
     if structure.is_even {
         sentences.push("det(I - t f'(x)) is even in t, so 1/det A is an invariant density.".to_owned());
     }
-    sentences.push(format!(
-        "The flow has {} and {} independent of it.",
-        counted(structure.linear_integrals.len(), "independent linear integral"),
-        counted(structure.quadratic_integrals.len(), "quadratic integral")
-    ));
+    sentences.push(flow(report));
     sentences.push(match &structure.hamiltonian {
         Some(hamiltonian) => format!(
-            "The field is K grad H with a constant antisymmetric K and H = {}{}.",
+            "The field is K grad H with a constant antisymmetric K and H = {}; the modified Hamiltonian is an integral of the map, {}.",
             hamiltonian.hamiltonian,
             if hamiltonian.modified_is_proved {
-                "; the modified Hamiltonian is an integral of the map, proved"
+                "proved"
             } else {
-                ""
+                "by a theorem (Celledoni, McLachlan, Owren, Quispel 2013): its formula is too long to be written"
             }
         ),
-        None => "No constant antisymmetric K with f = K grad H was found.".to_owned(),
+        None if is_within_reach(report.variables.len()) => "No constant antisymmetric K with f = K grad H was found.".to_owned(),
+        None => {
+            "In so many variables no constant antisymmetric K with f = K grad H is looked for.".to_owned()
+        }
     });
     sentences
+}
+
+/// Linear and quadratic integrals of the flow, as far as they were looked for.
+fn flow(report: &Report) -> String {
+    let structure = &report.structure;
+    let linear = structure.linear_integrals.len();
+    let quadratic = structure.quadratic_integrals.len();
+    match (structure.flow_degree, linear) {
+        (0, _) => "Linear and quadratic integrals of the flow were not reached.".to_owned(),
+        (1, 0) => "The flow has no linear integral; quadratic ones were not reached.".to_owned(),
+        (1, _) => format!(
+            "The flow has {}; quadratic ones were not reached.",
+            counted(linear, "independent linear integral")
+        ),
+        (_, 0) => format!(
+            "The flow has no linear integral and {}.",
+            match quadratic {
+                0 => "no quadratic one".to_owned(),
+                1 => "one quadratic integral".to_owned(),
+                count => format!("{count} independent quadratic ones"),
+            }
+        ),
+        _ => format!(
+            "The flow has {} and {} independent of {}.",
+            counted(linear, "independent linear integral"),
+            counted(quadratic, "quadratic integral"),
+            if linear == 1 { "it" } else { "them" }
+        ),
+    }
 }
 
 fn composition(report: &Report) -> Option<String> {

@@ -1,9 +1,8 @@
 //! Hilbert functions and degrees of the systems whose answers are known.
 
-use std::time::{Duration, Instant};
-
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
+use kahan_discover::Deadline;
 use kahan_discover::degrees::{DegreeLimits, degrees};
 use kahan_discover::growth::{Growth, GrowthVerdict};
 use kahan_discover::hilbert::Hilbert;
@@ -13,13 +12,9 @@ use kahan_discover::setting::Setting;
 mod support;
 use support::*;
 
-fn far() -> Instant {
-    Instant::now() + Duration::from_secs(3600)
-}
-
 fn hilbert(text: &str, eps: Option<Rational>, degree: u32) -> Hilbert {
     let setting = Setting::new(&system(text).field, eps);
-    Hilbert::of(&setting, degree, &mut SplitMix64::new(5), far()).expect("the map has values")
+    Hilbert::of(&setting, degree, &mut SplitMix64::new(5), &Deadline::never()).expect("the map has values")
 }
 
 fn check_hilbert(text: &str, integrals: usize, expected: &[usize]) {
@@ -59,7 +54,7 @@ fn check_degrees(text: &str, growth: &str, expected: &[usize]) {
     let setting = Setting::new(&system(text).field, None);
     let mut random = SplitMix64::new(9);
     let map = setting.draw(Modulus::mersenne_61(), &mut random).unwrap().map;
-    let limits = DegreeLimits { iterates: 16, degree: 600, deadline: far() };
+    let limits = DegreeLimits { iterates: 16, degree: 600, deadline: &Deadline::never() };
     let found = degrees(&map, &mut random, limits);
     assert!(found.len() >= expected.len(), "{text}: {found:?}");
     assert_eq!(found[..expected.len()], *expected, "{text}");
@@ -94,7 +89,8 @@ fn the_entropy_is_the_logarithm_of_the_ratio() {
     let setting = Setting::new(&system(E9).field, None);
     let mut random = SplitMix64::new(1);
     let map = setting.draw(Modulus::mersenne_61(), &mut random).unwrap().map;
-    let found = degrees(&map, &mut random, DegreeLimits { iterates: 6, degree: 800, deadline: far() });
+    let found =
+        degrees(&map, &mut random, DegreeLimits { iterates: 6, degree: 800, deadline: &Deadline::never() });
     let Growth::Exponential { entropy } = GrowthVerdict::of(&found).growth else { panic!("{found:?}") };
     // The ratio is exactly 3: one rounding of the quotient and one of the logarithm.
     assert!((entropy - 3f64.ln()).abs() <= 4.0 * f64::EPSILON);
