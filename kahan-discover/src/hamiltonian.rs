@@ -1,6 +1,6 @@
 //! A constant Poisson structure of the field: f = K∇H, and what the map keeps of H.
 
-use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial, gcd_within};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -8,6 +8,7 @@ use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::system::upper_index;
 
 use crate::deadline::Deadline;
+use crate::determinant::{along, determinant};
 use crate::lift::lift;
 use crate::map::ModularMap;
 use crate::matrix::Echelon;
@@ -18,7 +19,7 @@ use crate::setting::Setting;
 use crate::stepping::Stepping;
 
 /// The most terms of the modified Hamiltonian, and the work it may take, in products of terms.
-const MOST_TERMS: usize = 4000;
+const MOST_TERMS: usize = 1500;
 const MODIFIED_WORK: u64 = 10_000_000;
 
 /// Equations beyond the number of unknowns, a component.
@@ -183,34 +184,32 @@ fn potential(
 
 impl Hamiltonian {
     /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε, an integral of the map (Celledoni, McLachlan, Owren, Quispel,
-    /// "Geometric properties of Kahan's method", 2013), as numerator and denominator up to a factor free of states; the solve is the
-    /// reduced map's increment n/d. `None` where ε makes d vanish, or beyond 4000 terms.
+    /// "Geometric properties of Kahan's method", 2013), as numerator and denominator up to a factor free of states. `None`
+    /// where ε makes det A vanish, or beyond 1500 terms.
     ///
-    /// Not reduced beyond that: a common factor of numerator and denominator may be left where it is expensive to find.
+    /// A common factor of numerator and denominator may be left where it is expensive to find.
     #[must_use]
-    pub fn modified(&self, setting: &Setting, map: &RationalMap) -> Option<(Polynomial, Polynomial)> {
-        let symbols = setting.family().symbols();
+    pub fn modified(&self, setting: &Setting, field: &Field) -> Option<(Polynomial, Polynomial)> {
+        let symbols = &field.symbols;
         let mut budget = Budget::new(MOST_TERMS, MODIFIED_WORK);
-        let below = &map.reduced.denominator;
-        // With H = P/q: H̃ = (3Pd + 2ε Σ ∂ᵢP nᵢ)/(3qd)
-        let three = Rational::from(3);
-        let mut above = self.hamiltonian.numerator().mul_within(below, &mut budget).ok()?.scale(&three);
+        // With H = P/q: H̃ = (3PD + 2ε ∇Pᵀ adj(A) f)/(3qD)
+        let potential = self.hamiltonian.numerator();
+        let slopes: Vec<Polynomial> =
+            (0..field.dimension()).map(|i| potential.derivative(symbols.state(i))).collect();
+        let below = determinant(field, &mut budget).ok()?;
+        let along = along(field, &slopes, &mut budget).ok()?;
         let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
-        for (i, increment) in map.reduced.increments.iter().enumerate() {
-            let slope = self.hamiltonian.numerator().derivative(symbols.state(i));
-            let term =
-                increment.mul_within(&slope, &mut budget).ok()?.mul_within(&two_eps, &mut budget).ok()?;
-            above = above + term;
-        }
+        let start = potential.mul_within(&below, &mut budget).ok()?.scale(&Rational::from(3));
+        let above = start + along.mul_within(&two_eps, &mut budget).ok()?;
         let fixed = |polynomial: &Polynomial| match setting.eps() {
             Some(eps) => polynomial.substitute(symbols.epsilon(), eps),
             None => polynomial.clone(),
         };
-        let (above, below) = (fixed(&above), fixed(below));
+        let (above, below) = (fixed(&above), fixed(&below));
         if below.is_zero() {
             return None;
         }
-        match gcd_within(&above, &below, &mut budget) {
+        match gcd_within(&above, &below, &mut Budget::new(MOST_TERMS, MODIFIED_WORK)) {
             Ok(common) => Some((above.checked_div(&common)?, below.checked_div(&common)?)),
             Err(_) => Some((above, below)),
         }

@@ -183,6 +183,7 @@ impl Collector<'_> {
     ) -> Vec<Vec<Polynomial>> {
         let mut bases = Vec::new();
         for pencil in pencils {
+            self.offer_known(pencil.degree);
             if self.is_done() {
                 break;
             }

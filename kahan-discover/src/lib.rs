@@ -5,10 +5,11 @@
 //! field, and which integrals survive composition. Everything is found modulo primes, from orbits, by linear algebra and
 //! interpolation; a formula is returned only once the prover of `kahan-algebra` has proved its text.
 //!
-//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`] (the tools); [`deadline`]; [`stepping`], [`family`],
-//! [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`], [`weights`], [`grading`], [`space`]
-//! (back to ℚ); [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`], [`independent`], [`integrals`]; [`darboux`];
-//! [`structure`], [`hamiltonian`]; [`composition`]; [`claims`], [`report`]; [`mod@scan`] looks for special values on a grid.
+//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`] (the tools); [`stepping`], [`family`],
+//! [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`],
+//! [`weights`], [`grading`], [`space`] (back to ℚ); [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`],
+//! [`independent`], [`integrals`]; [`darboux`]; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`]; [`claims`],
+//! [`report`]; [`mod@scan`] looks for special values on a grid.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};
@@ -27,6 +28,7 @@ pub mod constrained;
 pub mod darboux;
 pub mod deadline;
 pub mod degrees;
+pub mod determinant;
 pub mod family;
 pub mod grading;
 pub mod growth;

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::field::Field;
+use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -16,6 +16,7 @@ use crate::composition::survivors;
 use crate::darboux::{MeasureSearch, measure};
 use crate::deadline::Deadline;
 use crate::degrees::{DegreeLimits, degrees};
+use crate::determinant::determinant;
 use crate::growth::GrowthVerdict;
 use crate::hamiltonian::hamiltonian;
 use crate::hilbert::{Hilbert, default_degree};
@@ -28,7 +29,7 @@ use crate::report::{
 };
 use crate::setting::Setting;
 use crate::space::tidy;
-use crate::structure::{determinant, divergence, flow_integrals, is_even};
+use crate::structure::{divergence, flow_integrals, is_even};
 use crate::words::sentences;
 
 /// The most coefficients of the polynomial of a density.
@@ -36,6 +37,9 @@ const MOST_DENSITY_COEFFICIENTS: usize = 220;
 
 /// A density of more terms than this is not written.
 const MOST_DENSITY_TERMS: usize = 300;
+
+/// The work that writing det A out may take, in products of terms.
+const DETERMINANT_WORK: u64 = 1_000_000;
 
 /// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked at, so that nothing is
 /// found but from the equations; `progress` is told of every stage as it begins.
@@ -74,13 +78,12 @@ pub fn discover(
 
     progress(Stage::Structure);
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
-    let map = RationalMap::of(&fixed.field);
     let mut structure = structure(&setting, &fixed, random, &for_structure);
     let hamiltonian = hamiltonian(&setting, random, &for_structure);
 
     progress(Stage::Integrals);
-    let modified = hamiltonian.as_ref().zip(map.as_ref()).and_then(|(found, map)| {
-        let (above, below) = found.modified(&setting, map)?;
+    let modified = hamiltonian.as_ref().and_then(|found| {
+        let (above, below) = found.modified(&setting, &fixed.field)?;
         Some((tidy(symbols, &above), tidy(symbols, &below)))
     });
     let mut integrals = match &hilbert {
@@ -107,7 +110,7 @@ pub fn discover(
 
     progress(Stage::Densities);
     let (densities, density_search) =
-        densities(&setting, &claims, &integrals, map.as_ref(), structure.is_even, random, &for_densities);
+        densities(&setting, &claims, &integrals, &fixed.field, structure.is_even, random, &for_densities);
 
     progress(Stage::Composition);
     let survivors = hilbert
@@ -209,7 +212,7 @@ fn densities(
     setting: &Setting,
     claims: &Claims<'_>,
     integrals: &[Formula],
-    map: Option<&RationalMap>,
+    field: &Field,
     is_even: bool,
     random: &mut SplitMix64,
     deadline: &Deadline,
@@ -234,9 +237,22 @@ fn densities(
         MeasureSearch::Seen(degree) => search.seen = Some(degree),
         MeasureSearch::NoneUpTo(degree) => search.none_up_to = degree,
     }
-    let determinant = map.filter(|_| is_even && densities.is_empty()).map(|map| determinant(setting, map));
-    if let Some(determinant) = determinant.filter(|determinant| determinant.len() <= MOST_DENSITY_TERMS) {
-        densities.extend(claims.density(symbols, None, &[(determinant, 1)]));
+    if is_even
+        && densities.is_empty()
+        && let Some(written) = written_determinant(setting, field)
+    {
+        densities.extend(claims.density(symbols, None, &[(written, 1)]));
     }
     (densities, search)
+}
+
+/// det A(x,ε) up to factors free of states, ε put in where it is fixed, if that has few terms.
+fn written_determinant(setting: &Setting, field: &Field) -> Option<Polynomial> {
+    let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
+    let written = determinant(field, &mut budget).ok()?;
+    let fixed = match setting.eps() {
+        Some(eps) => written.substitute(field.symbols.epsilon(), eps),
+        None => written,
+    };
+    Some(tidy(&field.symbols, &fixed)).filter(|fixed| !fixed.is_zero())
 }

@@ -1,7 +1,6 @@
 //! Structure of the field itself: its divergence, its linear and quadratic integrals, whether det(I − t f′) is even in t.
 
 use kahan_algebra::field::Field;
-use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
@@ -40,17 +39,6 @@ pub fn is_even(setting: &Setting, random: &mut SplitMix64) -> bool {
             draw.map.determinant(&point, t) == draw.map.determinant(&point, modulus.opposite(t))
         })
     })
-}
-
-/// det A(x,ε) up to factors free of states, where it stays within the budget of terms; ε is put in where it is fixed.
-#[must_use]
-pub fn determinant(setting: &Setting, map: &RationalMap) -> Polynomial {
-    let symbols = setting.family().symbols();
-    let denominator = match setting.eps() {
-        Some(eps) => map.denominator.substitute(symbols.epsilon(), eps),
-        None => map.denominator.clone(),
-    };
-    tidy(symbols, &denominator)
 }
 
 /// Polynomial integrals of the flow ẋ = f(x).

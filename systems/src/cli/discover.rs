@@ -6,14 +6,14 @@ use std::time::Instant;
 use clap::Args;
 use kahan_algebra::rational::Rational;
 use kahan_discover::claims::Formula;
-use kahan_discover::monomials::Monomials;
 use kahan_discover::report::HamiltonianReport;
-use kahan_discover::{DiscoverError, Options, Report, discover};
+use kahan_discover::{Options, Report, discover};
 use serde_json::{Map, Value, json};
 
-use super::input::{Source, number, seconds};
+use super::input::number;
 use super::output::{Answer, Refusal, columns, widths};
 use super::progress::Progress;
+use super::search::{Search, refused};
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant densities, structure, growth.
 ///
@@ -26,27 +26,13 @@ use super::progress::Progress;
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Discover {
     #[command(flatten)]
-    source: Source,
-
-    /// Half the time step, where it is fixed; generic otherwise.
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    eps: Option<String>,
-
-    /// The degree up to which relations on orbits are looked for; as high as some 200 monomials allow otherwise.
-    #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = degree)]
-    degree: Option<u32>,
-
-    /// The time that the search may take; what is not finished then is left out, and the answer says so.
-    #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
-    seconds: f64,
-
-    /// Print one JSON object: hilbert, independent_integrals, degrees, growth, entropy, linear_integrals, integrals,
-    /// densities, hamiltonian and more.
-    #[arg(long)]
-    json: bool,
+    search: Search,
 }
 
 const EXAMPLES: &str = "\
+The JSON object holds hilbert, independent_integrals, degrees, growth, entropy, linear_integrals, integrals, densities,
+hamiltonian and more.
+
 Examples:
   kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
   kahan discover e6
@@ -54,38 +40,6 @@ Examples:
   kahan discover e9 --param xi=-1 --json
   kahan discover lagrange --seconds 120
   kahan discover lorenz --degree 12";
-
-/// A whole number that is a degree.
-pub(crate) fn degree(text: &str) -> Result<u32, String> {
-    let degree = text.trim().parse().ok().filter(|degree| *degree >= 1);
-    degree.ok_or_else(|| "write a whole number, 1 or more".to_owned())
-}
-
-/// More monomials take minutes and gigabytes.
-const MOST_MONOMIALS: usize = 2000;
-
-/// The degree that was asked for, if relations of that degree are within reach.
-pub(crate) fn checked_degree(degree: Option<u32>, variables: usize) -> Result<Option<u32>, Refusal> {
-    let is_within = |degree: u32| Monomials::count(variables, degree) <= MOST_MONOMIALS;
-    match degree {
-        Some(asked) if !is_within(asked) => {
-            let highest = (1..asked).take_while(|&lower| is_within(lower)).last();
-            let way_out = match highest {
-                Some(highest) => format!("ask for at most {highest}"),
-                None => "leave --degree out".to_owned(),
-            };
-            Err(Refusal::new(format!(
-                "--degree: {variables} variables have more than {MOST_MONOMIALS} monomials of degree {asked} or less; {way_out}"
-            )))
-        }
-        _ => Ok(degree),
-    }
-}
-
-/// Why there is nothing to report on a field of this name.
-pub(crate) fn refused(name: &str, error: &DiscoverError) -> Refusal {
-    Refusal::new(format!("{name}: {error}"))
-}
 
 /// What was found, and of what.
 struct Finding {
@@ -99,16 +53,17 @@ struct Finding {
 impl Discover {
     /// The report.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let block = self.source.required_block()?;
+        let search = &self.search;
+        let block = search.source.required_block()?;
         let system = block.unproved_system()?;
         let name = block.name(&system);
-        let fixed = self.source.fixed_parameters(&system, &name)?;
-        let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
+        let fixed = search.source.fixed_parameters(&system, &name)?;
+        let eps = search.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
         let options = Options {
             eps: eps.clone(),
             parameters: fixed.clone(),
-            degree: checked_degree(self.degree, system.field.dimension())?,
-            seconds: self.seconds,
+            degree: search.degree_for(&system)?,
+            seconds: search.seconds,
             ..Options::default()
         };
         let clock = Instant::now();
@@ -117,7 +72,7 @@ impl Discover {
         progress.finish();
         let report = report.map_err(|error| refused(&name, &error))?;
         let finding = Finding { name, fixed, eps, report, seconds: clock.elapsed().as_secs_f64() };
-        Ok(if self.json { Answer::json(&finding.object()) } else { Answer::text(finding.text()) })
+        Ok(if search.json { Answer::json(&finding.object()) } else { Answer::text(finding.text()) })
     }
 }
 

@@ -18,10 +18,12 @@ mod output;
 mod progress;
 mod scalar;
 mod scan;
+mod search;
 mod show;
 mod sink;
 mod table;
 mod trade;
+mod values;
 mod verify;
 
 use std::ffi::OsString;

@@ -9,10 +9,10 @@ use kahan_discover::scan::{GridPoint, Sight};
 use kahan_discover::{Axis, Options, Scan as Grid, scan};
 use serde_json::{Map, Value, json};
 
-use super::discover::{checked_degree, degree, refused};
-use super::input::{Source, number, seconds};
+use super::input::number;
 use super::output::{Answer, Refusal, columns, widths};
 use super::progress::Progress;
+use super::search::{Search, refused};
 
 /// Looks at a grid of rational values of parameters, and of eps, for those at which a field's map is special.
 ///
@@ -24,26 +24,12 @@ use super::progress::Progress;
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Scan {
     #[command(flatten)]
-    source: Source,
-
-    /// Half the time step: FROM:TO:STEP, or one value; generic otherwise.
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    eps: Option<String>,
-
-    /// The degree up to which relations on orbits are looked for; as high as some 80 monomials allow otherwise.
-    #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = degree)]
-    degree: Option<u32>,
-
-    /// The time that the scan may take; the rest of the grid is left out then, and the answer says so.
-    #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
-    seconds: f64,
-
-    /// Print one JSON object with every point: system, names, generic, points, special, out_of_time, seconds.
-    #[arg(long)]
-    json: bool,
+    search: Search,
 }
 
 const EXAMPLES: &str = "\
+The JSON object holds every point: system, names, generic, points, special, out_of_time, seconds.
+
 Examples:
   kahan scan e9 --param xi=-2:2:1/12
   kahan scan lv --eps -2:2:1/4
@@ -56,18 +42,19 @@ const MOST_POINTS: usize = 1_000_000;
 impl Scan {
     /// The special points, or all in JSON.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let (source, ranges) = self.source.without_ranges();
+        let search = &self.search;
+        let (source, ranges) = search.source.without_ranges();
         let block = source.required_block()?;
         let system = block.unproved_system()?;
         let name = block.name(&system);
         let mut options = Options {
             parameters: source.fixed_parameters(&system, &name)?,
-            degree: checked_degree(self.degree, system.field.dimension())?,
-            seconds: self.seconds,
+            degree: search.degree_for(&system)?,
+            seconds: search.seconds,
             ..Options::default()
         };
         let mut axes = parameter_axes(&ranges, &system, &name, &options.parameters)?;
-        match self.eps.as_deref() {
+        match search.eps.as_deref() {
             Some(range) if range.contains(':') => axes.push(axis("eps", range, "--eps")?),
             Some(value) => options.eps = Some(number(value, "--eps")?),
             None => {}
@@ -87,7 +74,7 @@ impl Scan {
         progress.finish();
         let found = found.map_err(|error| refused(&name, &error))?;
         let seconds = clock.elapsed().as_secs_f64();
-        Ok(if self.json {
+        Ok(if search.json {
             Answer::json(&object(&name, &found, seconds))
         } else {
             Answer::text(text(&name, &found, total, seconds))

@@ -1,0 +1,82 @@
+//! det A(x,ε) as a polynomial, and the numerators over it, where N and D written out are beyond the budget of the map.
+
+use std::collections::BTreeMap;
+
+use kahan_algebra::field::Field;
+use kahan_algebra::kahan::scaled_matrix;
+use kahan_algebra::poly::{Budget, OverBudget, Polynomial};
+
+/// The most variables: so many columns' sets are kept.
+const MOST_VARIABLES: usize = 12;
+
+/// ∏q · det A(x,ε), with qᵢ the denominators of the field's components.
+///
+/// # Errors
+/// Beyond the budget, or 12 variables.
+pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+    of_matrix(&scaled_matrix(field), budget)
+}
+
+/// ∏q · gᵀ adj(A) f, so that gᵀ A⁻¹ f is this over [`determinant`]: minus the determinant of A bordered by f and g.
+///
+/// # Errors
+/// As [`determinant`].
+pub fn along(field: &Field, covector: &[Polynomial], budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+    let mut rows = scaled_matrix(field);
+    for (row, component) in rows.iter_mut().zip(&field.components) {
+        row.push(component.numerator.clone());
+    }
+    rows.push(covector.iter().cloned().chain([Polynomial::zero()]).collect());
+    Ok(-&of_matrix(&rows, budget)?)
+}
+
+/// Laplace expansion: from the minors of the first k rows on all sets of k columns those of one row more.
+fn of_matrix(rows: &[Vec<Polynomial>], budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+    if rows.len() > MOST_VARIABLES + 1 {
+        return Err(OverBudget);
+    }
+    let mut minors = BTreeMap::from([(0u32, Polynomial::one())]);
+    for row in rows {
+        let mut longer: BTreeMap<u32, Polynomial> = BTreeMap::new();
+        for (columns, minor) in &minors {
+            for (column, entry) in row.iter().enumerate() {
+                if entry.is_zero() || columns & (1 << column) != 0 {
+                    continue;
+                }
+                let product = minor.mul_within(entry, budget)?;
+                let after = (columns >> column).count_ones();
+                let signed = if after.is_multiple_of(2) { product } else { -&product };
+                let sum = longer.entry(columns | (1 << column)).or_default();
+                *sum = sum.add_within(&signed, budget)?;
+            }
+        }
+        longer.retain(|_, minor| !minor.is_zero());
+        minors = longer;
+    }
+    Ok(minors.into_values().next().unwrap_or_default())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kahan_algebra::kahan::RationalMap;
+    use kahan_algebra::{lexer, read};
+
+    #[test]
+    fn both_are_those_of_the_rational_map() {
+        let text = "xdot = a*y*z + x/b; ydot = z*x - 2; zdot = x*y + b*x^2;";
+        let field = read(&lexer::lex(text).tokens).system.field;
+        let map = RationalMap::of(&field).unwrap();
+        let mut budget = Budget::new(1000, 1_000_000);
+        assert_eq!(determinant(&field, &mut budget).unwrap(), map.denominator);
+        // With g the i-th unit vector: n̂ᵢ, and N̂ᵢ = xᵢD̂ + 2ε n̂ᵢ.
+        let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&2.into());
+        for i in 0..3 {
+            let mut unit = vec![Polynomial::zero(); 3];
+            unit[i] = Polynomial::one();
+            let increment = along(&field, &unit, &mut budget).unwrap();
+            let moved = &map.denominator * &Polynomial::variable(field.symbols.state(i));
+            assert_eq!(moved + &two_eps * &increment, map.numerators[i]);
+        }
+    }
+}
