@@ -101,7 +101,10 @@ impl GrowthVerdict {
             ),
             None => verdict(
                 Growth::Undecided,
-                format!("{count} degrees show no constant differences and no steady ratio"),
+                match count {
+                    1 => "not one iterate was reached".to_owned(),
+                    _ => format!("{count} degrees show no constant differences and no steady ratio"),
+                },
             ),
         }
     }

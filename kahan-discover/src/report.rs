@@ -159,6 +159,8 @@ pub enum DiscoverError {
     ZeroStep,
     /// det A vanishes identically at the values given, so there is no map.
     NoMap,
+    /// det A(x,−ε) vanishes identically at the values given: the map collapses the space.
+    Collapse,
     /// The time ran out before there was anything to compare with.
     OutOfTime,
 }
@@ -178,6 +180,9 @@ impl fmt::Display for DiscoverError {
             DiscoverError::UnsoundField => f.write_str("the field has no sound equations: correct them first"),
             DiscoverError::NoMap => f.write_str(
                 "det A vanishes identically at these values, so there is no map to look at: choose another eps or other parameters",
+            ),
+            DiscoverError::Collapse => f.write_str(
+                "det A(x, -eps) vanishes identically at these values, so the map cannot be inverted and its orbits say nothing of integrals: choose another eps or other parameters",
             ),
             DiscoverError::OutOfTime => f.write_str(
                 "the time ran out before the generic map was looked at: give more --seconds or a lower --degree",

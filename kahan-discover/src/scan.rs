@@ -63,7 +63,8 @@ pub struct Sight {
 pub struct GridPoint {
     /// The values, in the order of the axes.
     pub values: Vec<Rational>,
-    /// What was seen there; absent where there is no map, or its orbits end at poles.
+    /// What was seen there; absent where there is no map, or none that can be inverted, or its orbits end
+    /// at poles.
     pub sight: Option<Sight>,
 }
 
@@ -162,6 +163,9 @@ fn look(
     let setting = Setting::new(&fixed.field, eps.or_else(|| options.eps.clone()));
     let mut random = SplitMix64::from_bytes(format!("{values:?}").as_bytes());
     let draw = setting.draw(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
+    if setting.eps().is_some() && !setting.is_invertible(&mut random) {
+        return Err(DiscoverError::Collapse);
+    }
     let limits = DegreeLimits { iterates: ITERATES, degree: ITERATE_DEGREE, deadline };
     let degrees = degrees(&draw.map, &mut random, limits);
     Ok(Hilbert::of(&setting, degree, &mut random, deadline).map(|hilbert| Sight {

@@ -101,6 +101,17 @@ impl Setting {
         })
     }
 
+    /// Whether the map can be inverted: whether det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε) is another than 0, as it is seen at one of
+    /// three random points modulo a prime. At a fixed ε a map may collapse the space.
+    pub fn is_invertible(&self, random: &mut SplitMix64) -> bool {
+        (0..3).any(|_| {
+            self.draw(Modulus::mersenne_61(), random).is_some_and(|draw| {
+                let step = draw.map.step(&draw.map.point(random));
+                step.is_some_and(|step| step.jacobian != 0)
+            })
+        })
+    }
+
     /// The value of a polynomial in states, parameters and ε at a point of a drawn map; `None` where the prime divides a
     /// denominator of its coefficients.
     #[must_use]

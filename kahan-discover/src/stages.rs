@@ -66,6 +66,9 @@ pub fn discover(
     let mut random = SplitMix64::from_bytes(format!("{:?}{:?}", fixed.field, options.eps).as_bytes());
     let random = &mut random;
     let draw = setting.draw(Modulus::mersenne_61(), random).ok_or(DiscoverError::NoMap)?;
+    if options.eps.is_some() && !setting.is_invertible(random) {
+        return Err(DiscoverError::Collapse);
+    }
 
     progress(Stage::Degrees);
     let limits =

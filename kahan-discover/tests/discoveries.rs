@@ -154,6 +154,27 @@ fn fields_with_little_in_them_end_in_true_sentences() {
 }
 
 #[test]
+fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
+    // The dressing chain of period five: N and D have more than 500 terms. H̃ has degree 7, beyond what orbits show.
+    let chain = "adot = a*(b - c + d - e); bdot = b*(c - d + e - a); cdot = c*(d - e + a - b);
+        ddot = d*(e - a + b - c); edot = e*(a - b + c - d);";
+    let report = report(chain, &options());
+    assert_eq!(report.hilbert.as_ref().unwrap().integrals, 1);
+    assert_eq!(report.integrals.iter().map(|formula| formula.degree).collect::<Vec<_>>(), [1, 7]);
+    check_lines(chain, &report);
+}
+
+#[test]
+fn a_density_that_the_field_brings_along_is_named() {
+    let text = format!("{E6} density rho = 1/((x*z + y^2)*(x^2 + y^2 + z^2));");
+    let report = report(&text, &options());
+    // A block takes one: the line stands in its place, under its name.
+    assert!(report.densities[0].text.starts_with("density rho = "));
+    assert!(report.sentences.iter().any(|sentence| sentence.contains("brings the density `rho` along")));
+    check_lines(E6, &report);
+}
+
+#[test]
 fn wrong_input_is_explained() {
     let with = |name: &str, value: i64| Options {
         parameters: vec![(name.to_owned(), Rational::from(value))],
@@ -165,6 +186,9 @@ fn wrong_input_is_explained() {
     assert_eq!(error("", &options()), DiscoverError::UnsoundField);
     let at_one = Options { eps: Some(Rational::one()), ..options() };
     assert_eq!(error("xdot = x;", &at_one), DiscoverError::NoMap);
+    // x goes to 0 in one step, and orbits say nothing.
+    let at_half = Options { eps: Some(Rational::new(1, 2)), ..options() };
+    assert_eq!(error("xdot = -2*x; ydot = -y;", &at_half), DiscoverError::Collapse);
     let at_zero = Options { eps: Some(Rational::zero()), ..options() };
     assert_eq!(error(E6, &at_zero), DiscoverError::ZeroStep);
 }
@@ -174,4 +198,9 @@ fn without_time_there_is_still_a_report() {
     let report = report(E6, &Options { seconds: 0.0, ..options() });
     assert!(report.out_of_time && report.integrals.is_empty());
     assert!(report.sentences.iter().any(|sentence| sentence.contains("time ran out")));
+    // What was not looked at is not denied.
+    let all = report.sentences.join(" ");
+    for denial in ["No invariant density", "The flow has no", "ended at a pole", "No algebraic integral"] {
+        assert!(!all.contains(denial), "{all}");
+    }
 }

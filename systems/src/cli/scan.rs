@@ -154,7 +154,7 @@ fn text(name: &str, found: &Grid, total: usize, seconds: f64) -> String {
     let numbers = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
     let seen = |sight: &Option<Sight>| match sight {
         Some(sight) => vec![sight.integrals.to_string(), numbers(&sight.hilbert), numbers(&sight.degrees)],
-        None => vec!["-".to_owned(), "no map, or every orbit ends at a pole".to_owned()],
+        None => vec!["-".to_owned(), "no map that can be inverted, or every orbit ends at a pole".to_owned()],
     };
     let headings = ["integrals", "Hilbert function", "degrees"].map(str::to_owned);
     let mut rows = vec![[found.names.clone(), headings.to_vec()].concat()];

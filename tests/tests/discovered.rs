@@ -1,0 +1,77 @@
+//! What `discover` prints compiles unchanged: each file in `discovered/` is a block of equations with the lines found for
+//! them, compiled and so proved by the macro; and what the library finds today from the equations alone is that very text.
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::{lexer, read};
+use kahan_core::Named;
+use kahan_discover::{Options, discover};
+use kahan_systems::entry::block_range;
+
+#[path = "discovered/dressing_chain.rs"]
+mod dressing_chain;
+#[path = "discovered/euler.rs"]
+mod euler;
+#[path = "discovered/lotka_volterra.rs"]
+mod lotka_volterra;
+#[path = "discovered/many_digits.rs"]
+mod many_digits;
+#[path = "discovered/octahedral.rs"]
+mod octahedral;
+#[path = "discovered/skew.rs"]
+mod skew;
+#[path = "discovered/suslov.rs"]
+mod suslov;
+#[path = "discovered/toda.rs"]
+mod toda;
+#[path = "discovered/triangular.rs"]
+mod triangular;
+#[path = "discovered/volterra.rs"]
+mod volterra;
+
+/// The lines of a file that are claims, and its block without them.
+fn parts(file: &str) -> (Vec<&str>, String) {
+    let block = &file[block_range(file).expect("a block begins a line")];
+    let is_claim = |line: &&str| line.starts_with("integral ") || line.starts_with("density ");
+    let lines = block.lines().map(str::trim);
+    (
+        lines.clone().filter(is_claim).collect(),
+        lines.filter(|line| !is_claim(line)).collect::<Vec<_>>().join("\n"),
+    )
+}
+
+/// `map` is what the file compiled to: it has the variables that were looked at.
+fn check(map: &impl Named, file: &str, eps: Option<Rational>) {
+    let (lines, equations) = parts(file);
+    let system = read(&lexer::lex(&equations).tokens).system;
+    assert_eq!(system.field.symbols.states, map.variables());
+    // No deadline: slow machines find the same.
+    let options = Options { eps, iterates: 6, iterate_degree: 50, seconds: 1e9, ..Options::default() };
+    let report = discover(&system, &options, &mut |_| {}).expect("there is a map");
+    assert_eq!(report.integrals.len(), report.independent_integrals(), "{equations}");
+    let found: Vec<&str> =
+        report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str()).collect();
+    assert_eq!(found, lines, "{equations}");
+}
+
+#[test]
+fn lines_found_today_are_those_that_compile() {
+    check(
+        &dressing_chain::DressingChain { a: 1.0, b: 1.0 },
+        include_str!("discovered/dressing_chain.rs"),
+        None,
+    );
+    check(&euler::Euler { a1: 1.0, a2: 1.0, a3: 1.0 }, include_str!("discovered/euler.rs"), None);
+    check(&many_digits::ManyDigits, include_str!("discovered/many_digits.rs"), None);
+    check(&octahedral::Octahedral, include_str!("discovered/octahedral.rs"), None);
+    check(&skew::Skew, include_str!("discovered/skew.rs"), None);
+    check(&suslov::Suslov { a: 1.0, b: 1.0 }, include_str!("discovered/suslov.rs"), None);
+    check(&toda::Toda, include_str!("discovered/toda.rs"), None);
+    check(&triangular::Triangular, include_str!("discovered/triangular.rs"), None);
+    check(&volterra::Volterra, include_str!("discovered/volterra.rs"), None);
+}
+
+#[test]
+fn lines_found_at_one_step_are_those_that_compile() {
+    let file = include_str!("discovered/lotka_volterra.rs");
+    check(&lotka_volterra::LotkaVolterra, file, Some(Rational::one()));
+}

@@ -1,0 +1,15 @@
+//! A Lotka–Volterra field of four variables with a skew matrix of ones: three integrals.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Skew;
+    xdot = x*(y + z + w);
+    ydot = y*(z + w - x);
+    zdot = z*(w - x - y);
+    wdot = -w*(x + y + z);
+    integral H1 = x + y + z + w;
+    integral H2 = w*(x + y)/z;
+    integral H3 = x*w/(y + z);
+    density rho = 1/(y*z*(y + z));
+}

@@ -1,0 +1,11 @@
+//! Suslov's problem: a linear growth of degrees, and the energy kept in a deformed form.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Suslov { a, b }
+    w1dot = -a*w1*w2 - b*w2^2;
+    w2dot = a*w1^2 + b*w1*w2;
+    integral H1 = (w1^2 + w2^2)/(1 + eps^2*a^2*w1^2 - eps^2*b^2*w1^2 + 2*eps^2*a*b*w1*w2);
+    density rho = 1/(a*w1^3 + b*w1^2*w2 + a*w1*w2^2 + b*w2^3);
+}

@@ -1,0 +1,13 @@
+//! A field that can be integrated step by step, whose integrals are polynomials in the step, too.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Triangular;
+    xdot = 1;
+    ydot = x^2;
+    zdot = x*y;
+    integral H1 = 3*y - x^3 + 4*eps^2*x;
+    integral H2 = 10*z - 5*x^2*y + 24*eps^2*y + x^5 - 8*eps^2*x^3 + 16*eps^4*x;
+    density rho = 1;
+}
