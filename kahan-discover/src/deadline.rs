@@ -15,10 +15,8 @@ impl Deadline {
     /// So many seconds after `start`; not a number and negative ones count as 0.
     #[must_use]
     pub fn after(start: Instant, seconds: f64) -> Self {
-        Deadline {
-            end: Some(start + Duration::from_secs_f64(seconds.max(0.0).min(1e9))),
-            has_stopped: Cell::new(false),
-        }
+        let seconds = if seconds.is_nan() { 0.0 } else { seconds.clamp(0.0, 1e9) };
+        Deadline { end: Some(start + Duration::from_secs_f64(seconds)), has_stopped: Cell::new(false) }
     }
 
     /// None at all.

@@ -132,6 +132,21 @@ impl Hilbert {
         self
     }
 
+    /// The least degree up to which the relations of a generic orbit of `map` define its closure; `None` if there are none, or the
+    /// deadline passes.
+    pub fn defining_degree(
+        &self,
+        map: &impl Stepping,
+        random: &mut SplitMix64,
+        deadline: &Deadline,
+    ) -> Option<u32> {
+        (self.relation_degree?..=self.degree()).find(|&degree| {
+            let monomials = Monomials::new(map.dimension(), degree);
+            random_relations(map, &monomials, random, deadline)
+                .is_some_and(|relations| relations.codimension(map.modulus(), &monomials) == self.integrals)
+        })
+    }
+
     /// The highest degree looked at.
     #[must_use]
     pub fn degree(&self) -> u32 {

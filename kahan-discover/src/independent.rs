@@ -8,6 +8,28 @@ use crate::modulus::Modulus;
 use crate::setting::{Draw, Setting};
 use crate::stepping::Stepping;
 
+/// ∇(P/Q) Q² at a point of a drawn map; `None` where the prime divides a denominator of the coefficients.
+#[must_use]
+pub fn quotient_gradient(
+    setting: &Setting,
+    draw: &Draw,
+    point: &[u64],
+    numerator: &Polynomial,
+    denominator: &Polynomial,
+) -> Option<Vec<u64>> {
+    let modulus = draw.map.modulus();
+    let value = |polynomial: &Polynomial| setting.evaluate(modulus, polynomial, draw, point);
+    let (above, below) = (value(numerator)?, value(denominator)?);
+    let symbols = setting.family().symbols();
+    (0..symbols.dimension())
+        .map(|i| {
+            let rising = value(&numerator.derivative(symbols.state(i)))?;
+            let falling = value(&denominator.derivative(symbols.state(i)))?;
+            Some(modulus.minus(modulus.times(rising, below), modulus.times(above, falling)))
+        })
+        .collect()
+}
+
 /// Functional independence: the rank of gradients at one random point modulo one prime. (A rank seen is a rank over ℚ.)
 #[derive(Debug)]
 pub struct Independent<'a> {
@@ -26,20 +48,9 @@ impl<'a> Independent<'a> {
         Independent { setting, draw, gradients: Vec::new() }
     }
 
-    /// ∇(P/Q) Q²
     fn gradient(&self, numerator: &Polynomial, denominator: &Polynomial) -> Option<Vec<u64>> {
         let (draw, point) = self.draw.as_ref()?;
-        let modulus = draw.map.modulus();
-        let value = |polynomial: &Polynomial| self.setting.evaluate(modulus, polynomial, draw, point);
-        let (above, below) = (value(numerator)?, value(denominator)?);
-        let symbols = self.setting.family().symbols();
-        (0..symbols.dimension())
-            .map(|i| {
-                let rising = value(&numerator.derivative(symbols.state(i)))?;
-                let falling = value(&denominator.derivative(symbols.state(i)))?;
-                Some(modulus.minus(modulus.times(rising, below), modulus.times(above, falling)))
-            })
-            .collect()
+        quotient_gradient(self.setting, draw, point, numerator, denominator)
     }
 
     /// Whether P/Q is independent of what was kept.

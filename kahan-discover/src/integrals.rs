@@ -8,8 +8,8 @@ use crate::chart::Chart;
 use crate::claims::{Claims, Formula};
 use crate::constrained::Constraint;
 use crate::deadline::Deadline;
-use crate::hilbert::{Hilbert, random_relations};
-use crate::independent::Independent;
+use crate::hilbert::Hilbert;
+use crate::independent::{Independent, quotient_gradient};
 use crate::leaf::{Coordinate, Leaf};
 use crate::limit::with_a_limit;
 use crate::modulus::Modulus;
@@ -19,6 +19,9 @@ use crate::search::{pencils_of_entries, spanned_pencils};
 use crate::setting::{Draw, Setting};
 use crate::space::{lift_space, tidy};
 use crate::stepping::Stepping;
+
+/// Integrals P/Q are looked for up to this degree at least, as far as the number of their coefficients allows.
+const HIGHEST: u32 = 8;
 
 /// The most coefficients of P and Q together in a degree that is searched before an integral of higher degree is taken
 /// that is known already.
@@ -40,13 +43,13 @@ pub fn integrals(
         claims,
         wanted: hilbert.integrals,
         known,
-        step: a_step(setting, random),
+        step: setting.step(random),
         independent: Independent::new(setting, random),
         formulas: Vec::new(),
     };
     let modulus = Modulus::mersenne_61();
     let Some(draw) = setting.draw(modulus, random) else { return Vec::new() };
-    let Some(relation_degree) = defining_degree(setting, &draw, hilbert, random, deadline) else {
+    let Some(relation_degree) = hilbert.defining_degree(&draw.map, random, deadline) else {
         return Vec::new();
     };
     let bounds = Bounds { relation_degree, highest: hilbert.degree(), deadline };
@@ -62,23 +65,6 @@ pub fn integrals(
         collector.search_leaf(&chart, &draw, &bounds, random);
     }
     collector.formulas
-}
-
-/// The least degree up to which relations define the orbit's closure.
-fn defining_degree(
-    setting: &Setting,
-    draw: &Draw,
-    hilbert: &Hilbert,
-    random: &mut SplitMix64,
-    deadline: &Deadline,
-) -> Option<u32> {
-    let lowest = hilbert.relation_degree?;
-    (lowest..=hilbert.degree()).find(|&degree| {
-        let monomials = Monomials::new(setting.dimension(), degree);
-        random_relations(&draw.map, &monomials, random, deadline).is_some_and(|relations| {
-            relations.codimension(draw.map.modulus(), &monomials) == hilbert.integrals
-        })
-    })
 }
 
 struct Collector<'a> {
@@ -154,7 +140,7 @@ impl Collector<'_> {
         }
         let spanned = spanned_pencils(&map, bounds.relation_degree, self.wanted, random, bounds.deadline);
         self.take(&spanned, chart, bounds, random);
-        for degree in 1..=bounds.highest {
+        for degree in 1..=bounds.highest.max(HIGHEST) {
             self.offer_known(degree);
             // Which entries of the relations are simple depends on the order of the variables.
             for leaf in chart.leaf.orders() {
@@ -163,7 +149,9 @@ impl Collector<'_> {
                     return;
                 }
                 let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
-                let found = pencils_of_entries(&map, bounds.relation_degree, degree, random, bounds.deadline);
+                let known = |point: &[u64]| self.known_gradients(&chart.leaf, draw, point);
+                let found =
+                    pencils_of_entries(&map, bounds.relation_degree, degree, known, random, bounds.deadline);
                 for basis in self.take(&found, &chart, bounds, random) {
                     if !self.is_done() {
                         self.search_constrained(&basis, degree, &chart, draw, bounds, random);
@@ -171,6 +159,24 @@ impl Collector<'_> {
                 }
             }
         }
+    }
+
+    /// The gradients of what was found, in the coordinates of the whole space in their order on a leaf; none on a proper leaf,
+    /// where all that chooses it is constant.
+    fn known_gradients(&self, leaf: &Leaf, draw: &Draw, point: &[u64]) -> Vec<Vec<u64>> {
+        let order = leaf.order();
+        if order.len() < self.setting.dimension() {
+            return Vec::new();
+        }
+        let mut place = vec![0; order.len()];
+        for (&state, &value) in order.iter().zip(point) {
+            place[state] = value;
+        }
+        let gradients = self.formulas.iter().filter_map(|known| {
+            let own = quotient_gradient(self.setting, draw, &place, &known.numerator, &known.denominator)?;
+            Some(order.iter().map(|&state| own[state]).collect())
+        });
+        gradients.collect()
     }
 
     /// Lifts pencils and keeps their integrals; returns the bases.
@@ -276,14 +282,6 @@ impl Collector<'_> {
         }
         Some(())
     }
-}
-
-/// A random point of a map with random unknowns, and its image.
-fn a_step(setting: &Setting, random: &mut SplitMix64) -> Option<(Draw, [Vec<u64>; 2])> {
-    let draw = setting.draw(Modulus::mersenne_61(), random)?;
-    let here = draw.map.point(random);
-    let there = draw.map.next(&here)?;
-    Some((draw, [here, there]))
 }
 
 /// How far to look.

@@ -237,6 +237,18 @@ impl Stepping for LeafMap {
         self.order.len()
     }
 
+    /// Those of the whole space; on a proper leaf none are known.
+    fn sign_changes(&self) -> Vec<u64> {
+        if self.order.len() < self.map.dimension() {
+            return Vec::new();
+        }
+        let reordered = |generator: u64| {
+            let own = self.order.iter().enumerate().filter(|(_, state)| generator >> **state & 1 == 1);
+            own.fold(0, |set, (place, _)| set | 1 << place)
+        };
+        self.map.sign_changes().into_iter().map(reordered).collect()
+    }
+
     fn next(&self, point: &[u64]) -> Option<Vec<u64>> {
         let next = self.map.next(&self.embed(point))?;
         Some(self.order.iter().map(|&state| next[state]).collect())

@@ -7,7 +7,7 @@
 //!
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`] (the tools); [`stepping`], [`family`],
 //! [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`]; [`lift`],
-//! [`weights`], [`grading`], [`space`] (back to ℚ); [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`],
+//! [`weights`], [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`],
 //! [`independent`], [`integrals`]; [`darboux`]; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`]; [`claims`],
 //! [`report`]; [`mod@scan`] looks for special values on a grid.
 //!
@@ -43,6 +43,7 @@ pub mod map;
 pub mod matrix;
 pub mod modulus;
 pub mod monomials;
+pub mod parity;
 pub mod pencil;
 pub mod relations;
 pub mod report;

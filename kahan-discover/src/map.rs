@@ -4,6 +4,7 @@
 //! neither.
 
 use crate::modulus::Modulus;
+use crate::parity::sign_changes;
 use crate::stepping::Stepping;
 
 /// c·xⱼxₖ, c·xⱼ or c in one component of f.
@@ -40,6 +41,12 @@ impl Stepping for ModularMap {
 
     fn dimension(&self) -> usize {
         self.dimension
+    }
+
+    fn sign_changes(&self) -> Vec<u64> {
+        let bit = |state: Option<usize>| state.map_or(0, |state| 1u64.checked_shl(state as u32).unwrap_or(0));
+        let signs = |term: &Term| bit(Some(term.component)) ^ bit(term.first) ^ bit(term.second);
+        sign_changes(self.dimension, &self.terms.iter().map(signs).collect::<Vec<_>>())
     }
 
     /// x̃; `None` where det A(x,ε) = 0.

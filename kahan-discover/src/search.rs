@@ -13,6 +13,7 @@ use crate::hilbert::random_relations;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
+use crate::parity::character;
 use crate::pencil::{Entry, Pencil, SPARE, Source};
 use crate::relations::{Relations, gradient, monomial_gradients};
 use crate::space::Space;
@@ -43,17 +44,20 @@ pub fn spanned_pencils<M: Stepping>(
 }
 
 /// The pencils of one degree in which entries of the relations up to `relation_degree` are quotients P/Q, and of no lower
-/// degree; none if the deadline passes first.
+/// degree, as far as they bring integrals that are independent of those whose gradients at a point `known` gives; none if the
+/// deadline passes first.
 ///
 /// Cost: for P and Q with N monomials each, 2N orbits and (2N)³ products for each entry of the relations.
 pub fn pencils_of_entries<M: Stepping>(
     map: &M,
     relation_degree: u32,
     degree: u32,
+    known: impl Fn(&[u64]) -> Vec<Vec<u64>>,
     random: &mut SplitMix64,
     deadline: &Deadline,
 ) -> Vec<Pencil> {
     let mut search = Search::new(map, random);
+    search.gradients = known(&search.point);
     entries_of_degree(&mut search, relation_degree, degree, deadline);
     search.pencils
 }
@@ -153,24 +157,47 @@ fn entries_of_degree<M: Stepping>(
     let modulus = map.modulus();
     let n = map.dimension();
     let monomials = Monomials::new(n, relation_degree);
-    let unknown = Monomials::new(n, degree);
-    let width = 2 * unknown.len();
-    if width > MOST_COEFFICIENTS {
+    // P and Q have the signs of their entry and none, so that few monomials of high degree are left.
+    let generators = map.sign_changes();
+    if Monomials::count(n, degree) > MOST_COEFFICIENTS << generators.len() {
         return;
     }
+    let unknown = Monomials::new(n, degree);
+    let signs: Vec<u64> =
+        (0..unknown.len()).map(|index| character(&generators, unknown.exponents(index))).collect();
+    let of_sign =
+        |sign: u64| -> Vec<usize> { (0..unknown.len()).filter(|&index| signs[index] == sign).collect() };
+    let sign_of = |(leading, lower): (usize, usize)| {
+        let own = |index: usize| character(&generators, monomials.exponents(index));
+        own(leading) ^ own(lower)
+    };
     let mut orbits: Vec<Relations> = Vec::new();
+    for _ in 0..2 {
+        let Some(relations) = random_relations(map, &monomials, search.random, deadline) else { return };
+        orbits.push(relations);
+    }
+    let places = entry_places(&orbits, &monomials);
+    let invariant = of_sign(0);
+    let widest = places.iter().map(|&place| of_sign(sign_of(place)).len()).max().unwrap_or(0);
+    let width = invariant.len() + widest;
+    // Where no monomial of this degree has the signs, the degree before has shown all.
+    let is_new = (unknown.up_to(degree - 1)..unknown.len())
+        .any(|index| signs[index] == 0 || places.iter().any(|&place| sign_of(place) == signs[index]));
+    if width > MOST_COEFFICIENTS || !is_new {
+        return;
+    }
     while orbits.len() < width + SPARE {
         let Some(relations) = random_relations(map, &monomials, search.random, deadline) else { return };
         orbits.push(relations);
     }
     let values: Vec<Vec<u64>> = orbits.iter().map(|orbit| unknown.values(modulus, &orbit.start)).collect();
-    let all: Vec<usize> = (0..unknown.len()).collect();
     let mut found: Vec<Pencil> = Vec::new();
-    for (leading, lower) in entry_places(&orbits, &monomials) {
+    for (leading, lower) in places {
         if deadline.passed() {
             return;
         }
-        let entry = Entry { leading, lower, numerator: all.clone(), denominator: all.clone() };
+        let numerator = of_sign(sign_of((leading, lower)));
+        let entry = Entry { leading, lower, numerator, denominator: invariant.clone() };
         let Some((numerator, denominator)) = entry.quotient(modulus, &orbits, &values, deadline) else {
             continue;
         };

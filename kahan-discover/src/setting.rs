@@ -101,6 +101,14 @@ impl Setting {
         })
     }
 
+    /// A random point of a map with random unknowns, and its image.
+    pub fn step(&self, random: &mut SplitMix64) -> Option<(Draw, [Vec<u64>; 2])> {
+        let draw = self.draw(Modulus::mersenne_61(), random)?;
+        let here = draw.map.point(random);
+        let there = draw.map.next(&here)?;
+        Some((draw, [here, there]))
+    }
+
     /// Whether the map can be inverted: whether det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε) is another than 0, as it is seen at one of
     /// three random points modulo a prime. At a fixed ε a map may collapse the space.
     pub fn is_invertible(&self, random: &mut SplitMix64) -> bool {

@@ -15,6 +15,12 @@ pub trait Stepping {
     /// The image of a point; `None` at a pole.
     fn next(&self, point: &[u64]) -> Option<Vec<u64>>;
 
+    /// Generators of the sign changes of states that carry orbits to orbits, as far as they are known: each as the set of
+    /// states whose sign it changes, one bit a state.
+    fn sign_changes(&self) -> Vec<u64> {
+        Vec::new()
+    }
+
     /// A uniformly drawn point.
     fn point(&self, random: &mut SplitMix64) -> Vec<u64> {
         (0..self.dimension()).map(|_| self.modulus().sample(random)).collect()
