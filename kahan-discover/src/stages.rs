@@ -77,7 +77,11 @@ pub fn discover(
 
     progress(Stage::Orbits);
     let degree = options.degree.unwrap_or_else(|| default_degree(setting.dimension()));
-    let hilbert = Hilbert::of(&setting, degree, random, &for_orbits);
+    let mut hilbert = Hilbert::of(&setting, degree, random, &for_orbits);
+    // Half the degree is a fraction of the work, and better than nothing.
+    if hilbert.is_none() && for_orbits.has_stopped() && degree > 1 {
+        hilbert = Hilbert::of(&setting, degree / 2, random, &for_structure);
+    }
 
     progress(Stage::Structure);
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
