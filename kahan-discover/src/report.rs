@@ -161,8 +161,6 @@ pub enum DiscoverError {
     NoMap,
     /// det A(x,−ε) vanishes identically at the values given: the map collapses the space.
     Collapse,
-    /// The time ran out before there was anything to compare with.
-    OutOfTime,
 }
 
 impl fmt::Display for DiscoverError {
@@ -183,9 +181,6 @@ impl fmt::Display for DiscoverError {
             ),
             DiscoverError::Collapse => f.write_str(
                 "det A(x, -eps) vanishes identically at these values, so the map cannot be inverted and its orbits say nothing of integrals: choose another eps or other parameters",
-            ),
-            DiscoverError::OutOfTime => f.write_str(
-                "the time ran out before the generic map was looked at: give more --seconds or a lower --degree",
             ),
         }
     }
