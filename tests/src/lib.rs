@@ -1,7 +1,6 @@
 //! What the tests share: exact numbers, both back ends behind one face, the oracle, random fields, rounding bounds.
 
 pub mod back_end;
-pub mod compile_cases;
 pub mod exact;
 pub mod expression;
 pub mod float_maps;

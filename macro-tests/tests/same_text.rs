@@ -5,7 +5,7 @@
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::render::report;
-use kahan_tests::compile_cases::{CompileCase, compile_cases};
+use kahan_macro_tests::{CompileCase, compile_cases};
 
 /// `<line>:<column>` as rustc prints it, with the lines of the message, for each mistake.
 fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
