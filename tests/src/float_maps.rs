@@ -6,6 +6,9 @@
 use kahan_core::prelude::*;
 use kahan_core::{Constant, Orbit, SingularStep};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
+use kahan_systems::{
+    HenonHeiles, LagrangeTop, Lorenz, VolterraFour, VolterraLattice, Weierstrass, ZhukovskyVolterra,
+};
 
 /// A map over a float scalar.
 pub trait FloatMap<T> {
@@ -98,6 +101,39 @@ pub fn catalog<T: Pivot + Copy>() -> Vec<Box<dyn FloatMap<T>>> {
 pub const EULER_PARAMETERS: [(i64, i64); 3] = [(3, 2), (-5, 8), (7, 4)];
 /// ξ of E7 and E9, dyadic.
 pub const XI: (i64, i64) = (-5, 4);
+
+/// The parameters of a further system by its type's name, in order: dyadic, and of the size that the literature gives them.
+#[must_use]
+pub fn parameters(type_name: &str) -> &'static [(i64, i64)] {
+    match type_name {
+        "Weierstrass" => &[(5, 4)],
+        "LagrangeTop" => &[(3, 2), (5, 8)],
+        "HenonHeiles" => &[(1, 1), (5, 4), (3, 4)],
+        "ZhukovskyVolterra" => &[(3, 2), (-5, 8), (7, 4), (1, 4), (-3, 8), (1, 2)],
+        "Lorenz" => &[(10, 1), (28, 1), (11, 4)],
+        _ => &[],
+    }
+}
+
+/// The catalog's further systems at their [`parameters`], in the order of the registry.
+#[must_use]
+pub fn further<T: Pivot + Copy>() -> Vec<Box<dyn FloatMap<T>>> {
+    let of = |name: &str, k: usize| {
+        let (p, d) = parameters(name)[k];
+        ratio::<T>(p, d)
+    };
+    let [a1, a2, a3, b1, b2, b3] = [0, 1, 2, 3, 4, 5].map(|k| of("ZhukovskyVolterra", k));
+    let [a, b, c] = [0, 1, 2].map(|k| of("HenonHeiles", k));
+    vec![
+        Box::new(OfDimension(Weierstrass { a: of("Weierstrass", 0) })),
+        Box::new(OfDimension(VolterraLattice)),
+        Box::new(OfDimension(VolterraFour)),
+        Box::new(OfDimension(LagrangeTop { al: of("LagrangeTop", 0), g: of("LagrangeTop", 1) })),
+        Box::new(OfDimension(HenonHeiles { a, b, c })),
+        Box::new(OfDimension(ZhukovskyVolterra { a1, a2, a3, b1, b2, b3 })),
+        Box::new(OfDimension(Lorenz { s: of("Lorenz", 0), r: of("Lorenz", 1), b: of("Lorenz", 2) })),
+    ]
+}
 
 macro_rules! random_float_maps {
     ($($name:ident: $n:literal { $($parameter:ident = $p:literal / $d:literal),* }),* $(,)?) => {

@@ -9,8 +9,11 @@ use kahan_algebra::lexer::lex;
 use kahan_algebra::system::System;
 use kahan_core::Constant;
 use kahan_core::prelude::*;
-use kahan_systems::registry::SYSTEMS;
+use kahan_systems::registry::{FURTHER, SYSTEMS};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
+use kahan_systems::{
+    HenonHeiles, LagrangeTop, Lorenz, VolterraFour, VolterraLattice, Weierstrass, ZhukovskyVolterra,
+};
 
 use crate::back_end::{BackEnd, Claims, Generated, Interpreted};
 use crate::exact::{Q, Rationals, Vector, q, shown};
@@ -82,16 +85,28 @@ claims! {
     impl E7<Q>: 3 {}
     impl E8: 3 {}
     impl E9<Q>: 3 {}
+    impl Weierstrass<Q>: 2 integrals {}
+    impl VolterraLattice: 3 integrals {}
+    impl VolterraFour: 4 integrals {}
+    impl LagrangeTop<Q>: 6 integrals {}
+    impl HenonHeiles<Q>: 4 integrals {}
 }
 
-static CATALOG: LazyLock<Vec<System>> = LazyLock::new(|| {
-    let read = |text: &str| {
-        let reading = kahan_algebra::read(&lex(text).tokens);
-        assert!(reading.diagnostics.is_empty(), "{text}\n{:?}", reading.diagnostics);
-        reading.system
-    };
-    SYSTEMS.iter().map(|entry| read(entry.text())).collect()
-});
+// What these two claim is claimed `when`, or nothing.
+impl Claims<3> for ZhukovskyVolterra<Q> {}
+impl Claims<3> for Lorenz<Q> {}
+
+fn read(text: &str) -> System {
+    let reading = kahan_algebra::read(&lex(text).tokens);
+    assert!(reading.diagnostics.is_empty(), "{text}\n{:?}", reading.diagnostics);
+    reading.system
+}
+
+static CATALOG: LazyLock<Vec<System>> =
+    LazyLock::new(|| SYSTEMS.iter().map(|entry| read(entry.text())).collect());
+
+static OTHERS: LazyLock<Vec<System>> =
+    LazyLock::new(|| FURTHER.iter().map(|entry| read(entry.text())).collect());
 
 static RANDOM: LazyLock<Vec<System>> = LazyLock::new(|| {
     random_fields::every_field()
@@ -135,6 +150,35 @@ pub fn whole_catalog() -> Vec<Subject> {
         _ => Vec::new(),
     };
     SYSTEMS.iter().map(|entry| catalog(entry.command, &parameters(entry.command))).collect()
+}
+
+/// The catalog's further systems, at the parameters of [`float_maps::further`].
+///
+/// # Panics
+/// If the registry has one that has no line here.
+#[must_use]
+pub fn further() -> Vec<Subject> {
+    let subject = |system: &'static System| {
+        let parameters = float_maps::parameters(system.name());
+        let p: Vector = parameters.iter().map(|&(p, d)| q(p, d)).collect();
+        let v = |k: usize| p[k].clone();
+        let name = system.name();
+        let generated: Box<dyn BackEnd> = match name {
+            "Weierstrass" => Box::new(Generated::new(name, Weierstrass { a: v(0) })),
+            "VolterraLattice" => Box::new(Generated::new(name, VolterraLattice)),
+            "VolterraFour" => Box::new(Generated::new(name, VolterraFour)),
+            "LagrangeTop" => Box::new(Generated::new(name, LagrangeTop { al: v(0), g: v(1) })),
+            "HenonHeiles" => Box::new(Generated::new(name, HenonHeiles { a: v(0), b: v(1), c: v(2) })),
+            "ZhukovskyVolterra" => {
+                let [a1, a2, a3, b1, b2, b3] = [0, 1, 2, 3, 4, 5].map(v);
+                Box::new(Generated::new(name, ZhukovskyVolterra { a1, a2, a3, b1, b2, b3 }))
+            }
+            "Lorenz" => Box::new(Generated::new(name, Lorenz { s: v(0), r: v(1), b: v(2) })),
+            other => panic!("the system {other} has no line here"),
+        };
+        Subject::new(system, p, generated)
+    };
+    OTHERS.iter().map(subject).collect()
 }
 
 macro_rules! generated_random_fields {

@@ -1,17 +1,24 @@
 //! One fast step against the exact one, over the catalog: two bounds that users may count on.
 //!
-//! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component is off by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials of fᵢ(x)|. The half ulp is the
-//!   one rounding of x + increment; the increment is a few roundings away from 2ε fᵢ, whose terms may cancel.
-//! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u ‖exact‖∞.
+//! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component is off by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials of fᵢ| with the larger of |xⱼ| and
+//!   |x̃ⱼ| for each variable. The half ulp is the one rounding of x + increment; the increment is a few roundings away from 2ε times the
+//!   polarised field between x and x̃, whose terms may cancel. With |xⱼ| alone it does not hold where one component is tiny beside
+//!   others: what moves it is then of second order, ε²f′f, far larger than its own fᵢ(x). E6 at ε ≈ 6.6e-5 from
+//!   (2.9, 3.0e-9, 4.0e-7) is 53 times beyond: there z̃ nearly cancels, and no sum of a rounded increment to z could do better.
+//! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u max(‖x‖∞, ‖exact‖∞). On the paper's systems ‖exact‖∞ alone does
+//!   nearly always (Lotka–Volterra is the first to exceed it, 22.6 u once in 10⁶ points), but a step that leads near the origin
+//!   cancels: Weierstrass' equation reached 207 u of ‖exact‖∞ = 0.009 from ‖x‖∞ = 0.15.
 //!
-//! Inputs are doubles with all their bits; the exact step is taken from the very numbers.
+//! Inputs are doubles with all their bits; the exact step is taken from the very numbers. In the large samples, which are not part of
+//! `cargo test`, the judge is double-double.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::symbols::Symbol;
+use kahan_core::Dd;
 use kahan_tests::exact::{Matrix, Q, Vector};
 use kahan_tests::float_maps::{self, FloatMap};
 use kahan_tests::rounding::UNIT_F64;
-use kahan_tests::subject::{Subject, whole_catalog};
+use kahan_tests::subject::{Subject, further, whole_catalog};
 use num_traits::{Signed, ToPrimitive};
 
 fn exact(value: f64) -> Q {
@@ -34,11 +41,11 @@ fn slope(subject: &Subject, x: &Vector) -> f64 {
     rows.iter().map(|row| row.iter().map(|entry| float(&entry.abs())).sum()).fold(0.0, f64::max)
 }
 
-/// Σ|monomials of fᵢ(x)|, each component.
-fn monomials(subject: &Subject, x: &Vector) -> Vec<f64> {
+/// Σ|monomials of fᵢ| at the point whose coordinates are the larger of |xⱼ| and |yⱼ|, each component.
+fn monomials(subject: &Subject, x: &Vector, y: &Vector) -> Vec<f64> {
     let symbols = &subject.system.field.symbols;
     let value = |variable| match symbols.symbol(variable) {
-        Symbol::State(i) => float(&x[i].abs()),
+        Symbol::State(i) => float(&x[i].abs()).max(float(&y[i].abs())),
         Symbol::Parameter(k) => float(&subject.parameters[k].abs()),
         other => panic!("{other:?} in a field"),
     };
@@ -61,66 +68,152 @@ fn ulp(value: f64) -> f64 {
     f64::from_bits(size.to_bits() + 1) - size
 }
 
-/// A step both ways: the float's, the exact one.
-fn both(subject: &Subject, map: &dyn FloatMap<f64>, x: &[f64], eps: f64) -> Option<(Vec<f64>, Vector)> {
-    let state: Vector = x.iter().map(|entry| exact(*entry)).collect();
-    let next = subject.generated.step(&state, &exact(eps))?;
-    Some((map.step(x, eps), next))
+/// A system with its map over doubles, and what judges that.
+struct Case {
+    subject: Subject,
+    map: Box<dyn FloatMap<f64>>,
+    judge: Option<Box<dyn FloatMap<Dd>>>,
 }
 
-fn catalog() -> impl Iterator<Item = (Subject, Box<dyn FloatMap<f64>>)> {
-    whole_catalog().into_iter().zip(float_maps::catalog())
+impl Case {
+    /// A step both ways: the float's, the judge's.
+    fn both(&self, x: &[f64], eps: f64) -> Option<(Vec<f64>, Vector)> {
+        let next = match &self.judge {
+            None => {
+                let state: Vector = x.iter().map(|entry| exact(*entry)).collect();
+                self.subject.generated.step(&state, &exact(eps))?
+            }
+            Some(wide) => {
+                let state: Vec<Dd> = x.iter().map(|entry| Dd::from(*entry)).collect();
+                let next = wide.step(&state, Dd::from(eps));
+                next.iter().map(|entry| exact(entry.high()) + exact(entry.low())).collect()
+            }
+        };
+        Some((self.map.step(x, eps), next))
+    }
+}
+
+/// Every system, judged by exact steps.
+fn every_system() -> impl Iterator<Item = Case> {
+    let further = further().into_iter().zip(float_maps::further());
+    let systems = whole_catalog().into_iter().zip(float_maps::catalog()).chain(further);
+    systems.map(|(subject, map)| Case { subject, map, judge: None })
+}
+
+/// Every system, judged by steps in double-double.
+fn judged_in_double_double() -> impl Iterator<Item = Case> {
+    let judges = float_maps::catalog().into_iter().chain(float_maps::further());
+    every_system().zip(judges).map(|(case, judge)| Case { judge: Some(judge), ..case })
+}
+
+/// The largest part of its bound that an error came to, and where.
+#[derive(Debug, Default)]
+struct Worst {
+    part: f64,
+    place: String,
+}
+
+impl Worst {
+    fn see(&mut self, part: f64, place: impl FnOnce() -> String) {
+        if part > self.part || part.is_nan() {
+            *self = Worst { part, place: place() };
+        }
+    }
+}
+
+/// So many small steps of one system: the largest error as a part of the bound on its component.
+fn small_steps(case: &Case, seed: u64, points: usize) -> Worst {
+    let subject = &case.subject;
+    let (mut worst, mut draws) = (Worst::default(), SplitMix64::new(seed));
+    for trial in 0..points {
+        // Every third point has components of very different sizes.
+        let spread = if trial % 3 == 0 { 30 } else { 1 };
+        let x: Vec<f64> = (0..subject.dimension())
+            .map(|_| 4.0 * signed_unit(&mut draws) * 2.0_f64.powi(-(draws.below(spread) as i32)))
+            .collect();
+        let state: Vector = x.iter().map(|entry| exact(*entry)).collect();
+        let eps = signed_unit(&mut draws) * 1e-3 / slope(subject, &state).max(1e-3);
+        let (computed, next) = case.both(&x, eps).expect("no pole is near");
+        for (i, sum) in monomials(subject, &state, &next).iter().enumerate() {
+            let error = float(&(exact(computed[i]) - &next[i]).abs());
+            let bound = 0.5 * ulp(float(&next[i])) + 16.0 * UNIT_F64 * 2.0 * eps.abs() * sum;
+            worst.see(error / bound, || format!("{}, component {i} at {x:?}, {eps:e}", subject.name));
+        }
+    }
+    worst
+}
+
+/// So many steps of one system from ordinary points: the largest error in units of u times the larger of ‖x‖∞ and ‖x̃‖∞.
+fn ordinary_steps(case: &Case, seed: u64, points: usize) -> Worst {
+    let subject = &case.subject;
+    let (mut worst, mut draws) = (Worst::default(), SplitMix64::new(seed));
+    let mut judged = 0;
+    while judged < points {
+        let x: Vec<f64> = (0..subject.dimension()).map(|_| 2.0 * signed_unit(&mut draws)).collect();
+        let state: Vector = x.iter().map(|entry| exact(*entry)).collect();
+        let eps = signed_unit(&mut draws) / slope(subject, &state).max(1e-3);
+        let determinant = float(&subject.generated.det_matrix(&state, &exact(eps)));
+        if determinant.abs() < 0.25 {
+            continue;
+        }
+        let Some((computed, next)) = case.both(&x, eps) else { continue };
+        judged += 1;
+        let size = next.iter().map(|entry| float(&entry.abs())).fold(0.0, f64::max);
+        let errors = computed.iter().zip(&next).map(|(value, exact_value)| exact(*value) - exact_value);
+        let error = errors.map(|error| float(&error.abs())).fold(0.0, f64::max);
+        let start = x.iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
+        worst.see(error / (UNIT_F64 * size.max(start)), || {
+            format!(
+                "{} at {x:?}, {eps:e}; |x| = {start:.3}, |x~| = {size:.3}, det A = {determinant:.3}",
+                subject.name
+            )
+        });
+    }
+    worst
 }
 
 #[test]
 fn a_small_step_rounds_once_a_component() {
-    for (index, (subject, map)) in catalog().enumerate() {
-        let mut draws = SplitMix64::new(7100 + index as u64);
-        for trial in 0..60 {
-            // Every third point has components of very different sizes.
-            let spread = if trial % 3 == 0 { 30 } else { 1 };
-            let x: Vec<f64> = (0..subject.dimension())
-                .map(|_| 4.0 * signed_unit(&mut draws) * 2.0_f64.powi(-(draws.below(spread) as i32)))
-                .collect();
-            let state: Vector = x.iter().map(|entry| exact(*entry)).collect();
-            let eps = signed_unit(&mut draws) * 1e-3 / slope(&subject, &state).max(1e-3);
-            let (computed, next) = both(&subject, map.as_ref(), &x, eps).expect("no pole is near");
-            for (i, sum) in monomials(&subject, &state).iter().enumerate() {
-                let error = float(&(exact(computed[i]) - &next[i]).abs());
-                let bound = 0.5 * ulp(float(&next[i])) + 16.0 * UNIT_F64 * 2.0 * eps.abs() * sum;
-                let name = subject.name;
-                assert!(error <= bound, "{name}, component {i} at {x:?}, {eps:e}: {error:e} > {bound:e}");
-            }
-        }
+    for (index, case) in every_system().enumerate() {
+        let Worst { part, place } = small_steps(&case, 7100 + index as u64, 60);
+        assert!(part <= 1.0, "{part} of the bound: {place}");
     }
 }
 
 #[test]
 fn a_step_from_an_ordinary_point_is_within_sixteen_units() {
-    let mut worst = (0.0, String::new());
-    for (index, (subject, map)) in catalog().enumerate() {
-        let mut draws = SplitMix64::new(7200 + index as u64);
-        let mut judged = 0;
-        while judged < 150 {
-            let x: Vec<f64> = (0..subject.dimension()).map(|_| 2.0 * signed_unit(&mut draws)).collect();
-            let state: Vector = x.iter().map(|entry| exact(*entry)).collect();
-            let eps = signed_unit(&mut draws) / slope(&subject, &state).max(1e-3);
-            let determinant = subject.generated.det_matrix(&state, &exact(eps));
-            if float(&determinant.abs()) < 0.25 {
-                continue;
-            }
-            let Some((computed, next)) = both(&subject, map.as_ref(), &x, eps) else { continue };
-            judged += 1;
-            let size = next.iter().map(|entry| float(&entry.abs())).fold(0.0, f64::max);
-            let errors = computed.iter().zip(&next).map(|(value, exact_value)| exact(*value) - exact_value);
-            let error = errors.map(|error| float(&error.abs())).fold(0.0, f64::max);
-            let units = error / (UNIT_F64 * size);
-            if units > worst.0 {
-                worst = (units, format!("{} at {x:?}, {eps:e}", subject.name));
-            }
-        }
+    let mut largest = 0.0_f64;
+    for (index, case) in every_system().enumerate() {
+        let Worst { part: units, place } = ordinary_steps(&case, 7200 + index as u64, 150);
+        assert!(units <= 16.0, "{units} u: {place}");
+        largest = largest.max(units);
     }
-    let (units, place) = worst;
-    assert!(units <= 16.0, "{units} u: {place}");
-    assert!(units > 1.0, "a bound that nothing comes near says little: {units} u");
+    assert!(largest > 1.0, "a bound that nothing comes near says little: {largest} u");
+}
+
+/// Points of each system in the large samples.
+const MANY: usize = 20_000;
+
+#[test]
+#[ignore = "a minute in a release build"]
+fn small_steps_of_a_large_sample_round_once_a_component() {
+    let mut largest = 0.0_f64;
+    for (index, case) in judged_in_double_double().enumerate() {
+        let Worst { part, place } = small_steps(&case, 8100 + index as u64, MANY);
+        println!("{part:.3} of the bound: {place}");
+        largest = largest.max(part);
+    }
+    assert!(largest <= 1.0, "{largest} of the bound");
+}
+
+#[test]
+#[ignore = "a minute in a release build"]
+fn steps_from_a_large_sample_of_ordinary_points_are_within_sixteen_units() {
+    let mut largest = 0.0_f64;
+    for (index, case) in judged_in_double_double().enumerate() {
+        let Worst { part: units, place } = ordinary_steps(&case, 8200 + index as u64, MANY);
+        println!("{units:.2} u: {place}");
+        largest = largest.max(units);
+    }
+    assert!(largest <= 16.0, "{largest} u");
 }
