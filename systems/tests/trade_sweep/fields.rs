@@ -1,0 +1,91 @@
+//! Fields that are nowhere else in this repository: each as compiled code, and as the text that the command is given.
+
+use kahan_core::prelude::*;
+
+/// A field as the command reads it.
+pub(crate) trait Text {
+    const TEXT: &str;
+}
+
+macro_rules! fields {
+    ($($(#[$($doc:tt)*])* $name:ident { $($block:tt)* })*) => { $(
+        kahan! {
+            $(#[$($doc)*])*
+            pub(crate) struct $name;
+            $($block)*
+        }
+
+        impl Text for $name {
+            const TEXT: &str = stringify!($($block)*);
+        }
+    )* };
+}
+
+fields! {
+    /// Two oscillators, coupled.
+    Oscillators {
+        qdot = p;
+        pdot = -q - 2*q*r;
+        rdot = s;
+        sdot = -r - q^2 + r^2;
+    }
+
+    /// A gyrostat: a top with a wheel inside.
+    Gyrostat {
+        xdot = y*z - z/3;
+        ydot = -2*z*x + z/5;
+        zdot = x*y + x/3 - y/5;
+    }
+
+    /// Predators that get tired.
+    Tired {
+        xdot = x*(1 - y) - x^2/10;
+        ydot = y*(x - 1/2);
+    }
+
+    /// A rigid body with moments of inertia 1, 2, 3 and a rotor along the middle axis.
+    Rotor {
+        xdot = -1/6*y*z + z/4;
+        ydot = 2/3*z*x;
+        zdot = -1/2*x*y - x/4;
+    }
+
+    /// Three resonant waves a = p + iq, b = r + is, c = u + iv: ȧ = b*c, ḃ = ca*, ċ = −ab.
+    ThreeWaves {
+        pdot = r*u + s*v;
+        qdot = r*v - s*u;
+        rdot = u*p + v*q;
+        sdot = v*p - u*q;
+        udot = -(p*r - q*s);
+        vdot = -(p*s + q*r);
+    }
+
+    /// Four species in a row, each eating the one before, with weights.
+    Chain {
+        xdot = x*(1 - 2*y);
+        ydot = y*(2*x - 1/2 - z);
+        zdot = z*(y - w);
+        wdot = w*(3/2*z - 1/4);
+    }
+
+    /// Hénon and Heiles' galaxy as they wrote it.
+    Galaxy {
+        xdot = u;
+        ydot = v;
+        udot = -x - 2*x*y;
+        vdot = -y - x^2 + y^2;
+    }
+
+    /// Nahm's equations with octahedral symmetry: along its solutions a pole is never far.
+    Nahm {
+        xdot = 2*x^2 - 12*y^2;
+        ydot = -6*x*y - 4*y^2;
+    }
+
+    /// An epidemic: susceptible, infectious, recovered.
+    Epidemic {
+        sdot = -5/2*s*i;
+        idot = 5/2*s*i - i;
+        rdot = i;
+    }
+}
