@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use crate::{Composition, Lift};
 
 use super::pilot::{Ladder, Span};
-use super::rounding::Roundings;
+use super::rounding::{Roundings, of_double};
 use super::{NoSetting, Precision, Scene, Setting};
 
 /// Roundings are taken times this: a random walk's end is within a factor of 2 of what is typical 19 times in 20.
@@ -23,8 +23,13 @@ const MEASURED: f64 = 1.5;
 /// How many more steps are tried where a trial contradicts a law, and how often.
 const STRETCH: f64 = 1.15;
 const TRIALS: usize = 40;
-/// How much finer roundings are measured where they decide.
-const FINER: u64 = 8;
+/// Roundings that were measured at the very ε are taken times this: the times between the pilots' points are not looked at.
+const WALKED: f64 = 1.25;
+/// Where roundings are expected to take this part of the tolerance, those of the choice are measured,
+const FELT: f64 = 0.25;
+/// if that takes no more steps of the map in double-double, and so often at most.
+const MOST_WIDE: u64 = 1 << 15;
+const WIDE_TRIALS: usize = 8;
 /// The most steps: as many as `f64` counts.
 pub(super) const MOST_STEPS: f64 = 9e15;
 
@@ -50,15 +55,16 @@ where
     if span.beyond > 1.0 && power > STEEPEST {
         return Err(NoSetting::Unpredictable { time: span.time, power });
     }
-    let roundings = |finer| Roundings::of(map, x0, shortest, span.time, finer);
-    let mut trial =
-        Trial { horizon: scene.horizon, span, coarse: roundings(1), fine: None, power: power.max(1.0) };
+    let roundings = Roundings::of(map, x0, shortest.composition, span.time, shortest.finest());
+    let corrections = [1.0; 2];
+    let mut trial = Trial { horizon: scene.horizon, span, roundings, corrections, power: power.max(1.0) };
     let is_cheap = |setting: Setting| setting.precision != Precision::DoubleDouble;
     let first = trial.cheapest(map, &ladders, scene.tolerance);
     if !first.is_some_and(is_cheap) && scene.tolerance > Precision::Double.unit() {
         // Before one pays ten times as much: finer steps round less where the state carries its error.
-        trial.fine = Some(roundings(FINER));
+        trial.correct(map, x0, &ladders, scene.tolerance);
     }
+    let mut wide_trials = 0;
     for _ in 0..TRIALS {
         let Some(choice) = trial.cheapest(map, &ladders, scene.tolerance) else { break };
         let mut chosen =
@@ -66,6 +72,12 @@ where
         match chosen.next() {
             Some(ladder) if !trial.bears_out(map, x0, ladder, &choice, scene.tolerance) => {
                 ladder.stretch *= STRETCH;
+            }
+            Some(ladder)
+                if wide_trials < WIDE_TRIALS
+                    && trial.rounds_more(map, x0, ladder, &choice, scene.tolerance) =>
+            {
+                wide_trials += 1;
             }
             _ => return Ok(choice),
         }
@@ -97,9 +109,10 @@ pub(super) fn kinds() -> impl Iterator<Item = (Precision, bool)> {
 struct Trial {
     horizon: f64,
     span: Span,
-    /// Roundings at the steps of the shortest ladder, and where they decide, at finer ones.
-    coarse: Roundings,
-    fine: Option<Roundings>,
+    /// Roundings at the steps of the shortest ladder.
+    roundings: Roundings,
+    /// What those of `f64`, plain and compensated, are times what is expected from there, where they decide.
+    corrections: [f64; 2],
     /// The power of time with which errors grow.
     power: f64,
 }
@@ -135,9 +148,59 @@ impl Trial {
     /// What roundings come to at the horizon, from the steps over the pilots' time.
     fn roundings(&self, ladder: &Ladder, precision: Precision, compensated: bool, steps: f64) -> f64 {
         let stages = steps * ladder.composition.stages() as f64;
+        let correction = match precision {
+            Precision::Double => self.corrections[usize::from(compensated)],
+            _ => 1.0,
+        };
         let further = self.span.beyond.powf(self.power.max(WALKING_PHASE));
-        let fine = self.fine.filter(|fine| fine.stages <= stages);
-        SAFETY * further * fine.unwrap_or(self.coarse).expected(precision, compensated, stages)
+        SAFETY * further * correction * self.roundings.expected(precision, compensated, stages)
+    }
+
+    /// Measures the roundings of `f64` at the steps that leave them half of the tolerance.
+    fn correct<M, const N: usize>(&mut self, map: &M, x0: &SVector<f64, N>, ladders: &Ladders, tolerance: f64)
+    where
+        M: Lift<f64, N>,
+    {
+        let further = LAW * self.span.beyond.powf(self.power);
+        let steps = |ladder: &Ladder| ladder.steps(0.5 * tolerance / further).ceil();
+        let stages = |ladder: &Ladder| steps(ladder) * ladder.composition.stages() as f64;
+        let shortest = settled(ladders).min_by(|a, b| stages(a).total_cmp(&stages(b)));
+        let Some(ladder) = shortest.filter(|ladder| stages(ladder) <= MOST_WIDE as f64) else { return };
+        let eps = Precision::Double.short_eps(0.5 * self.span.time / steps(ladder));
+        let measured = of_double(map, x0, ladder.composition, eps, steps(ladder) as u64);
+        for (compensated, measured) in [false, true].into_iter().zip(measured) {
+            let expected = self.roundings.expected(Precision::Double, compensated, stages(ladder));
+            self.corrections[usize::from(compensated)] = WALKED / SAFETY * measured / expected;
+        }
+    }
+
+    /// Whether an orbit in `f64` of this very ε is measured to round more than was expected, which is then corrected.
+    fn rounds_more<M, const N: usize>(
+        &mut self,
+        map: &M,
+        x0: &SVector<f64, N>,
+        ladder: &Ladder,
+        setting: &Setting,
+        tolerance: f64,
+    ) -> bool
+    where
+        M: Lift<f64, N>,
+    {
+        let steps = (setting.steps as f64 / self.span.beyond).ceil();
+        let stages = steps * ladder.composition.stages() as f64;
+        let expected = self.roundings(ladder, setting.precision, setting.compensated, steps);
+        if setting.precision != Precision::Double || expected < FELT * tolerance || stages > MOST_WIDE as f64
+        {
+            return false;
+        }
+        let measured = of_double(map, x0, ladder.composition, setting.eps, steps as u64);
+        let mode = usize::from(setting.compensated);
+        let further = self.span.beyond.powf(self.power.max(WALKING_PHASE));
+        if further * measured[mode] <= expected {
+            return false;
+        }
+        self.corrections[mode] *= WALKED * further * measured[mode] / expected;
+        true
     }
 
     /// The coarsest ε that does.

@@ -6,11 +6,10 @@
 
 use nalgebra::SVector;
 
-use crate::{Dd, FloatScalar, KahanMap, Lift, ThroughF64, nearest_short_eps};
+use crate::{Composition, Dd, FloatScalar, KahanMap, Lift, ThroughF64, nearest_short_eps};
 
 use super::Precision;
 use super::gap::norm;
-use super::pilot::Ladder;
 
 /// The distances, relative to the largest coordinate.
 #[derive(Clone, Copy, Debug)]
@@ -22,28 +21,27 @@ pub(super) struct Roundings {
 }
 
 impl Roundings {
-    /// Measured at `finer` times the steps of the ladder's finest rung.
+    /// Measured at so many steps.
     pub(super) fn of<M, const N: usize>(
         map: &M,
         x0: &SVector<f64, N>,
-        ladder: &Ladder,
+        composition: Composition,
         time: f64,
-        finer: u64,
+        steps: u64,
     ) -> Self
     where
         M: Lift<f64, N>,
     {
-        let steps = finer * ladder.finest();
         // The same in every precision.
         let eps = nearest_short_eps((0.5 * time / steps as f64) as f32);
         let single = map.lift::<f32>(|parameter| *parameter as f32);
         let start = x0.map(|entry| entry as f32);
         let measured = [
-            distances(&single, start, eps, f64::from, map, x0, ladder, steps),
-            distances(&ThroughF64(single.clone()), start, eps, f64::from, map, x0, ladder, steps),
-            distances(map, *x0, f64::from(eps), |x| x, map, x0, ladder, steps),
+            distances(&single, start, eps, f64::from, map, x0, composition, steps),
+            distances(&ThroughF64(single.clone()), start, eps, f64::from, map, x0, composition, steps),
+            of_double(map, x0, composition, f64::from(eps), steps),
         ];
-        Self { measured, stages: steps as f64 * ladder.composition.stages() as f64 }
+        Self { measured, stages: steps as f64 * composition.stages() as f64 }
     }
 
     /// What to expect after so many steps of the map over the pilots' time.
@@ -64,6 +62,20 @@ impl Roundings {
     }
 }
 
+/// What roundings come to in `f64` at this very ε: of the plain orbit and of the compensated one.
+pub(super) fn of_double<M, const N: usize>(
+    map: &M,
+    x0: &SVector<f64, N>,
+    composition: Composition,
+    eps: f64,
+    steps: u64,
+) -> [f64; 2]
+where
+    M: Lift<f64, N>,
+{
+    distances(map, *x0, eps, |x| x, map, x0, composition, steps)
+}
+
 /// The largest distances of the plain and of the compensated orbit from that in double-double.
 #[expect(clippy::too_many_arguments, reason = "the orbit's four, the same in double-double, and how far")]
 fn distances<P, T, M, const N: usize>(
@@ -73,7 +85,7 @@ fn distances<P, T, M, const N: usize>(
     widen: impl Fn(T) -> f64,
     exact: &M,
     x0: &SVector<f64, N>,
-    ladder: &Ladder,
+    composition: Composition,
     steps: u64,
 ) -> [f64; 2]
 where
@@ -82,7 +94,6 @@ where
     M: Lift<f64, N>,
 {
     let wide = exact.lift::<Dd>(|parameter| Dd::from(*parameter));
-    let composition = ladder.composition;
     let wide = wide.orbit(x0.map(Dd::from), Dd::from(eps.approximate())).composed(composition);
     let plain = map.orbit(start, eps).composed(composition);
     let mut carried = plain.clone().compensated();
