@@ -24,6 +24,8 @@ use super::progress::Progress;
 /// not finite, or at a pole. A flag has no right where the condition number of the step in (x, eps) is below 1e12 (f32: 1e4) and no
 /// component of the exact result is below the normal range or above the largest float; of dd no such thing is promised.
 ///
+/// A trial is one step, for which any eps is as good as another. In long runs it matters how many bits eps has: see `kahan trade --help`.
+///
 /// The exit status is 1 if the stable tier is silently wrong anywhere, or flags without right.
 #[derive(Args, Debug)]
 #[command(after_long_help = EXAMPLES)]
