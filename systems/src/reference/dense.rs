@@ -6,6 +6,8 @@ use kahan_core::Dd;
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     pub(super) start: Dd,
+    /// The coefficients are those of powers of rate·(t − start); a power of 2.
+    pub(super) rate: Dd,
     pub(super) dimension: usize,
     /// x₀, x₁, …, each a vector.
     pub(super) coefficients: Vec<Dd>,
@@ -14,7 +16,7 @@ pub(super) struct Piece {
 impl Piece {
     /// The value at time t, by Horner's rule.
     pub(super) fn value(&self, t: Dd) -> Vec<Dd> {
-        let s = t - self.start;
+        let s = (t - self.start) * self.rate;
         let mut sum = vec![Dd::from(0.0); self.dimension];
         for coefficient in self.coefficients.chunks(self.dimension).rev() {
             for (entry, term) in sum.iter_mut().zip(coefficient) {

@@ -10,6 +10,8 @@ mod closed;
 mod dense;
 mod taylor;
 
+use std::time::Instant;
+
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Composition, Dd, KahanMap, Scalar};
@@ -26,6 +28,7 @@ pub struct Reference {
     end: f64,
     scale: f64,
     slope: f64,
+    turning: f64,
     certificate: Certificate,
 }
 
@@ -65,6 +68,11 @@ pub enum NoReference {
         /// How far the last one came.
         reached: f64,
     },
+    /// There was no time for it.
+    NoTime {
+        /// How far the series came.
+        reached: f64,
+    },
     /// The two methods do not agree.
     Disagree {
         /// By how much they differ, relative to the scale.
@@ -81,24 +89,56 @@ impl core::fmt::Display for NoReference {
         match self {
             Self::Escapes { time } => write!(
                 f,
-                "the solution through this point escapes to infinity near t = {time:.6}; choose a shorter horizon"
+                "the solution through this point escapes to infinity near t = {}; choose a shorter horizon",
+                Time(*time, 6)
             ),
             Self::TooLong { reached } => write!(
                 f,
                 "the horizon is too long for a reference trajectory: {MOST_PIECES} steps of a Taylor series of order 30 reach \
-                 t = {reached:.4}; choose a shorter horizon, or ask for the need `integrals`, which takes no reference"
+                 t = {}; choose a shorter horizon, or ask for the need `integrals`, which takes no reference",
+                Time(*reached, 4)
+            ),
+            Self::NoTime { reached } => write!(
+                f,
+                "a reference trajectory takes longer than there is time: the series came to t = {}, and a second method has to \
+                 agree with it; give more time (--seconds), or choose a shorter horizon",
+                Time(*reached, 4)
+            ),
+            Self::Disagree { difference, allowed, .. } if *difference < LEAST_DIFFERENCE => write!(
+                f,
+                "no reference trajectory: in 32 digits, a Taylor series and a second method differ by {difference:.1e} of the \
+                 solution's size where {allowed:.1e} is needed; choose a tolerance above {:.0e}",
+                difference * (1.0 + 1e-3) * 1000.0
             ),
             Self::Disagree { difference, allowed, until } => write!(
                 f,
                 "no reference trajectory: in 32 digits, a Taylor series and a second method differ by {difference:.1e} of the \
-                 solution's size where {allowed:.1e} is needed (they agree until about t = {until:.4}); the solution is too \
-                 sensitive over this horizon for that tolerance: choose a shorter horizon or a larger tolerance"
+                 solution's size where {allowed:.1e} is needed (they agree until about t = {}); the solution is too \
+                 sensitive over this horizon for that tolerance: choose a shorter horizon or a larger tolerance",
+                Time(*until, 4)
             ),
         }
     }
 }
 
 impl core::error::Error for NoReference {}
+
+/// A time with so many decimals, or digits where it is very large or small.
+struct Time(f64, usize);
+
+impl core::fmt::Display for Time {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Time(time, decimals) = *self;
+        if time == 0.0 || (1e-3..1e7).contains(&time.abs()) {
+            write!(f, "{time:.decimals$}")
+        } else {
+            write!(f, "{time:.decimals$e}")
+        }
+    }
+}
+
+/// Where two methods come as near as this, it is the digits that end, and not the sensitivity that begins.
+const LEAST_DIFFERENCE: f64 = 1e-26;
 
 /// The most steps of a series.
 const MOST_PIECES: usize = 50_000;
@@ -124,6 +164,22 @@ pub struct Trajectory<'a> {
     pub allowed: f64,
 }
 
+/// How far beyond its end a trajectory is followed, and how long that may take.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Limits {
+    /// The part of [`Trajectory::end`] by which orbits that do not end there exactly may go further. Where the solution escapes to
+    /// infinity first, nothing is added.
+    pub margin: f64,
+    /// When to give up.
+    pub deadline: Option<Instant>,
+}
+
+impl Limits {
+    fn is_over(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Instant::now() > deadline)
+    }
+}
+
 impl Reference {
     /// The trajectory of a field (the catalog's system, at its parameters, over double-double numbers).
     ///
@@ -139,11 +195,29 @@ impl Reference {
     where
         M: KahanMap<Dd, N>,
     {
+        Self::within(map, asked, &Limits::default())
+    }
+
+    /// The same within limits.
+    ///
+    /// # Errors
+    /// [`NoReference`].
+    ///
+    /// # Panics
+    /// If the start has not N coordinates.
+    pub fn within<M, const N: usize>(
+        map: &M,
+        asked: &Trajectory<'_>,
+        limits: &Limits,
+    ) -> Result<Self, NoReference>
+    where
+        M: KahanMap<Dd, N>,
+    {
         let start = SVector::from_fn(|i, _| Dd::constant(&constant(&asked.start[i].clone().into())));
-        let mut reference = Self::by_series(map, start, asked.end)?;
+        let mut reference = Self::by_series(map, start, asked.end, limits)?;
         reference.certificate = match closed::closed_solution(asked.command, asked.parameters, asked.start) {
             Some(solution) => reference.against_solution(&solution, asked.allowed),
-            None => reference.against_composition(map, start, asked.allowed),
+            None => reference.against_composition(map, start, asked.allowed, limits)?,
         };
         let Certificate { difference, agreed_until: until, .. } = reference.certificate;
         if difference <= asked.allowed {
@@ -163,7 +237,7 @@ impl Reference {
         self.end
     }
 
-    /// The largest |xᵢ(t)|, over all components and times: what errors are relative to.
+    /// The largest |xᵢ(t)|, over all components and times up to [`Trajectory::end`]: what errors are relative to.
     pub fn scale(&self) -> f64 {
         self.scale
     }
@@ -173,47 +247,79 @@ impl Reference {
         self.slope
     }
 
+    /// The integral of ‖ẍ‖/‖ẋ‖ over the time, in the maximum norm: by what angle, so to say, the motion turns. Unlike the slope it says
+    /// nothing of directions in which nothing moves.
+    pub fn turning(&self) -> f64 {
+        self.turning
+    }
+
     /// What stands behind it.
     pub fn certificate(&self) -> Certificate {
         self.certificate
     }
 
-    fn by_series<M, const N: usize>(map: &M, start: SVector<Dd, N>, end: f64) -> Result<Self, NoReference>
+    fn by_series<M, const N: usize>(
+        map: &M,
+        start: SVector<Dd, N>,
+        end: f64,
+        limits: &Limits,
+    ) -> Result<Self, NoReference>
     where
         M: KahanMap<Dd, N>,
     {
         let expansion = Expansion::of(map);
-        let (mut pieces, mut scale, mut slope) = (Vec::new(), 0.0_f64, 0.0_f64);
+        let size =
+            |x: &SVector<Dd, N>, size| x.iter().map(|entry| f64::from(entry.abs())).fold(size, f64::max);
+        let certificate =
+            Certificate { method: Method::ClosedSolution, difference: f64::INFINITY, agreed_until: 0.0 };
+        let last = end * (1.0 + limits.margin);
+        let mut reference =
+            Reference { pieces: Vec::new(), end: last, scale: 0.0, slope: 0.0, turning: 0.0, certificate };
         let (mut t, mut x) = (Dd::from(0.0), start);
+        let (mut rate, mut first) = (norm(map, &start), None);
         loop {
-            scale = x.iter().map(|entry| f64::from(entry.abs())).fold(scale, f64::max);
-            slope = slope.max(norm(map, &x));
-            let series = expansion.at(x);
-            pieces.push(series.piece(t));
-            // Few bits, so that the sum of the steps is exact for long.
-            let step = f64::from(series.reach().min(2.0 * end) as f32);
-            let now = f64::from(t);
-            if !(x.iter().all(|entry| entry.is_finite()) && step > 1e-9 * end) {
+            let (now, slope) = (f64::from(t), norm(map, &x));
+            let series = expansion.at(x, rate);
+            rate = 1.0 / series.radius;
+            reference.pieces.push(series.piece(t));
+            // A double, so that the sum of the steps in double-double is exact for long.
+            let step = series.reach().min(2.0 * last);
+            // Before a pole each step is a part of the way that is left.
+            if !(x.iter().all(|entry| entry.is_finite()) && step > 1e-9 * (now + *first.get_or_insert(step)))
+            {
+                if now >= end {
+                    reference.end = end;
+                    break;
+                }
                 return Err(NoReference::Escapes {
                     time: now + if step > 0.0 { series.radius } else { 0.0 },
                 });
             }
-            if now + step >= end {
-                x = series.value(Dd::from(end) - t);
-                scale = x.iter().map(|entry| f64::from(entry.abs())).fold(scale, f64::max);
+            if now <= end {
+                reference.scale = size(&x, reference.scale);
+                reference.slope = reference.slope.max(slope);
+                reference.turning += series.turning * step.min(end - now);
+            }
+            if now <= end && now + step >= end {
+                reference.scale = size(&series.value(Dd::from(end) - t), reference.scale);
+            }
+            if now + step >= last {
                 break;
             }
-            if pieces.len() == MOST_PIECES {
+            if reference.pieces.len() == MOST_PIECES {
                 return Err(NoReference::TooLong { reached: now });
+            }
+            if limits.is_over() {
+                return Err(NoReference::NoTime { reached: now });
             }
             x = series.value(Dd::from(step));
             t += Dd::from(step);
         }
-        // A solution that rests in the origin has errors, and no size.
-        let scale = if scale > 0.0 { scale } else { 1.0 };
-        let certificate =
-            Certificate { method: Method::ClosedSolution, difference: f64::INFINITY, agreed_until: 0.0 };
-        Ok(Reference { pieces, end, scale, slope, certificate })
+        if reference.scale == 0.0 {
+            // A solution that rests in the origin has errors, and no size.
+            reference.scale = 1.0;
+        }
+        Ok(reference)
     }
 
     fn against_solution(&self, solution: &closed::Solution, allowed: f64) -> Certificate {
@@ -231,32 +337,37 @@ impl Reference {
         map: &M,
         start: SVector<Dd, N>,
         allowed: f64,
-    ) -> Certificate
+        limits: &Limits,
+    ) -> Result<Certificate, NoReference>
     where
         M: KahanMap<Dd, N>,
     {
         let mut steps = ((2.0 * self.end * self.slope).ceil() as u64).clamp(16, MOST_STEPS);
         let mut before = f64::INFINITY;
         loop {
-            let comparison = self.against_steps(map, start, steps, allowed);
+            let Some(comparison) = self.against_steps(map, start, steps, allowed, limits) else {
+                return Err(NoReference::NoTime { reached: self.end });
+            };
             let difference = comparison.difference;
             // Order 8 gains a factor of 256 with each doubling; without a gain it is roundings that differ.
             let has_stalled = difference.is_finite() && before.is_finite() && difference > 0.5 * before;
             if difference <= allowed || has_stalled || steps >= MOST_STEPS {
-                return comparison.certificate(Method::Composition { steps });
+                return Ok(comparison.certificate(Method::Composition { steps }));
             }
             before = difference;
             steps *= 2;
         }
     }
 
+    /// `None` where the time is over first.
     fn against_steps<M, const N: usize>(
         &self,
         map: &M,
         start: SVector<Dd, N>,
         steps: u64,
         allowed: f64,
-    ) -> Comparison
+        limits: &Limits,
+    ) -> Option<Comparison>
     where
         M: KahanMap<Dd, N>,
     {
@@ -267,12 +378,15 @@ impl Reference {
         let mut comparison = Comparison::new(allowed);
         let mut step = stride as u64;
         while step <= steps {
+            if limits.is_over() {
+                return None;
+            }
             let Some(x) = orbit.nth(stride - 1) else { break };
             let t = dt * Dd::from(step as f64);
             comparison.add(t.into(), self.distance(t, x.as_slice()));
             step += stride as u64;
         }
-        comparison
+        Some(comparison)
     }
 
     /// The distance of a point from x(t) in the maximum norm, relative to the scale; what is not a number is infinitely far.

@@ -4,8 +4,9 @@
 //!
 //! (k + 1) xₖ₊₁ = Σ_{i+j=k} Q(xᵢ,xⱼ) + Bxₖ + [k = 0] c:
 //!
-//! one Cauchy product a coefficient, and no derivative of f beyond f′. Nothing here knows of Kahan's map, so a reference made
-//! this way shares no mistake with it.
+//! one Cauchy product a coefficient, and no derivative of f beyond f′. Time is counted in units of the radius of convergence, or nearly, a
+//! power of 2, so that coefficients neither overflow nor vanish where the motion is very fast or slow. Nothing here knows of Kahan's map, so a
+//! reference made this way shares no mistake with it.
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 use kahan_core::{Dd, QuadraticField};
@@ -30,10 +31,13 @@ pub(super) struct Expansion<'a, F, const N: usize> {
 /// The series at one point, and how far it serves.
 #[derive(Clone, Debug)]
 pub(super) struct Series<const N: usize> {
-    /// x₀, x₁, …
+    /// x₀, x₁, …, the coefficients of powers of rate·(t − t₀)
     coefficients: Vec<SVector<Dd, N>>,
+    rate: Dd,
     /// The radius of convergence, estimated from the last coefficients; infinite where they are 0.
     pub(super) radius: f64,
+    /// How fast the velocity turns, ‖ẍ‖/‖ẋ‖ in the maximum norm; 0 at rest.
+    pub(super) turning: f64,
 }
 
 impl<'a, F: QuadraticField<Dd, N>, const N: usize> Expansion<'a, F, N> {
@@ -42,9 +46,38 @@ impl<'a, F: QuadraticField<Dd, N>, const N: usize> Expansion<'a, F, N> {
         Expansion { field, linear: field.field_jacobian(&origin), constant: field.field(&origin) }
     }
 
-    /// The series at x₀. Cost: about 250 evaluations of the bilinear form.
-    pub(super) fn at(&self, start: SVector<Dd, N>) -> Series<N> {
+    /// The series at x₀, whose radius of convergence is about 1/`rate`, or else is found in some more trials. Cost: about 250
+    /// evaluations of the bilinear form.
+    pub(super) fn at(&self, start: SVector<Dd, N>, rate: f64) -> Series<N> {
+        /// What the 30th power of keeps far from the ends of the range.
+        const NEAR: f64 = (1_u64 << 16) as f64;
+        const TRIALS: usize = 16;
+        let mut rate = power_of_two(rate);
+        let mut series = self.in_units(start, rate);
+        for _ in 0..TRIALS {
+            let size = series.radius * rate;
+            if (1.0 / NEAR..=NEAR).contains(&size) || norm(&series.coefficients[1]) == 0.0 {
+                break;
+            }
+            // Coefficients that are too large, or too small to be seen, say only in which direction.
+            rate = power_of_two(match size {
+                size if size == f64::INFINITY => rate / NEAR,
+                size if size > 0.0 => rate / size,
+                _ => rate * NEAR,
+            });
+            let other = self.in_units(start, rate);
+            if size == f64::INFINITY && other.radius == f64::INFINITY {
+                // A polynomial in t.
+                break;
+            }
+            series = other;
+        }
+        series
+    }
+
+    fn in_units(&self, start: SVector<Dd, N>, rate: f64) -> Series<N> {
         let two = Dd::from(2.0);
+        let unit = Dd::from(1.0 / rate);
         let mut series = Vec::with_capacity(TERMS + 1);
         series.push(start);
         for k in 0..TERMS {
@@ -59,11 +92,14 @@ impl<'a, F: QuadraticField<Dd, N>, const N: usize> Expansion<'a, F, N> {
             if k % 2 == 0 {
                 sum += self.field.bilinear(&series[k / 2], &series[k / 2]);
             }
+            // A power of 2 that comes last: what is scaled is neither too large nor too small.
             let divisor = Dd::from((k + 1) as f64);
-            series.push(sum.map(|entry| entry / divisor));
+            series.push(sum.map(|entry| entry * unit / divisor));
         }
-        let radius = radius(&series);
-        Series { coefficients: series, radius }
+        let (speed, bend) = (norm(&series[1]), norm(&series[2]));
+        let turning = if speed > 0.0 { 2.0 * bend / speed * rate } else { 0.0 };
+        let radius = radius(&series) / rate;
+        Series { coefficients: series, rate: Dd::from(rate), radius, turning }
     }
 }
 
@@ -75,26 +111,45 @@ impl<const N: usize> Series<N> {
 
     /// x(t₀ + s).
     pub(super) fn value(&self, s: Dd) -> SVector<Dd, N> {
-        let zero = SVector::repeat(Dd::from(0.0));
+        let (s, zero) = (s * self.rate, SVector::repeat(Dd::from(0.0)));
         self.coefficients.iter().rev().fold(zero, |sum, coefficient| sum.map(|entry| entry * s) + coefficient)
     }
 
     /// The same as a piece of a trajectory that begins at `start`.
     pub(super) fn piece(&self, start: Dd) -> Piece {
         let coefficients = self.coefficients.iter().flat_map(|x| x.iter().copied()).collect();
-        Piece { start, dimension: N, coefficients }
+        Piece { start, rate: self.rate, dimension: N, coefficients }
     }
 }
 
 /// ρ from |xₖ| ~ |x₀|ρ⁻ᵏ in the last two terms, as Jorba and Zou, Exp. Math. 14 (2005) 99, have it.
 fn radius<const N: usize>(series: &[SVector<Dd, N>]) -> f64 {
-    let norm = |x: &SVector<Dd, N>| x.iter().map(|entry| f64::from(entry.abs())).fold(0.0, f64::max);
     let first = norm(&series[0]).max(norm(&series[1]));
     let estimate = |k: usize| {
         let last = norm(&series[k]);
-        if last > 0.0 { (first / last).powf(1.0 / k as f64) } else { f64::INFINITY }
+        if !last.is_finite() {
+            // Beyond the range.
+            0.0
+        } else if last > 0.0 {
+            (first / last).powf(1.0 / k as f64)
+        } else {
+            f64::INFINITY
+        }
     };
     estimate(series.len() - 1).min(estimate(series.len() - 2))
+}
+
+/// ‖x‖∞
+fn norm<const N: usize>(x: &SVector<Dd, N>) -> f64 {
+    x.iter()
+        .map(|entry| f64::from(entry.abs()))
+        .fold(0.0, |size, entry| if entry.is_nan() { f64::INFINITY } else { entry.max(size) })
+}
+
+/// The power of 2 nearest to a rate, within a range whose products do not overflow; 1 where nothing moves, or it is no number.
+fn power_of_two(rate: f64) -> f64 {
+    let exponent = rate.log2().round();
+    if exponent.is_finite() { exponent.clamp(-400.0, 400.0).exp2() } else { 1.0 }
 }
 
 fn times<const N: usize>(matrix: &SMatrix<Dd, N, N>, x: &SVector<Dd, N>) -> SVector<Dd, N> {

@@ -6,6 +6,9 @@ use kahan_core::num_rational::BigRational;
 
 use crate::interpreted::{CannotInterpret, Interpreted, VisitDimension, visit_dimension};
 use crate::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
+use crate::{
+    HenonHeiles, LagrangeTop, Lorenz, VolterraFour, VolterraLattice, Weierstrass, ZhukovskyVolterra,
+};
 
 use super::CannotTrade;
 use super::runner::{Runner, Subject};
@@ -39,6 +42,22 @@ pub(super) fn find(
         ("e7", [xi]) => subject(E7 { xi: xi.clone() }, system, values, start),
         ("e8", _) => subject(E8, system, values, start),
         ("e9", [xi]) => subject(E9 { xi: xi.clone() }, system, values, start),
+        ("weierstrass", [a]) => subject(Weierstrass { a: a.clone() }, system, values, start),
+        ("volterra", _) => subject(VolterraLattice, system, values, start),
+        ("volterra4", _) => subject(VolterraFour, system, values, start),
+        ("lagrange", [al, g]) => subject(LagrangeTop { al: al.clone(), g: g.clone() }, system, values, start),
+        ("henon-heiles", [a, b, c]) => {
+            let [a, b, c] = [a.clone(), b.clone(), c.clone()];
+            subject(HenonHeiles { a, b, c }, system, values, start)
+        }
+        ("zhukovsky", [a1, a2, a3, b1, b2, b3]) => {
+            let [a1, a2, a3] = [a1.clone(), a2.clone(), a3.clone()];
+            let [b1, b2, b3] = [b1.clone(), b2.clone(), b3.clone()];
+            subject(ZhukovskyVolterra { a1, a2, a3, b1, b2, b3 }, system, values, start)
+        }
+        ("lorenz", [s, r, b]) => {
+            subject(Lorenz { s: s.clone(), r: r.clone(), b: b.clone() }, system, values, start)
+        }
         _ => {
             let reader = Reader { system, parameters: values, start };
             let runner =

@@ -22,7 +22,7 @@ use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
 
 use crate::interpreted::{CannotInterpret, UnsupportedDimension};
-use crate::reference::{Certificate, NoReference, Reference, Trajectory};
+use crate::reference::{Certificate, Limits, NoReference, Reference, Trajectory};
 
 use catalog::{Found, find, stand_in};
 use clock::Clock;
@@ -153,7 +153,9 @@ impl Trade {
     /// # Errors
     /// [`CannotTrade`].
     pub fn of(scene: &Scene<'_>, progress: &mut dyn FnMut(u64)) -> Result<Self, CannotTrade> {
-        let deadline = Instant::now() + Duration::try_from_secs_f64(scene.seconds).unwrap_or(Duration::MAX);
+        let begin = Instant::now();
+        let after =
+            |part: f64| begin + Duration::try_from_secs_f64(part * scene.seconds).unwrap_or(LONG).min(LONG);
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
         let (parameters, start) = (exact(scene.parameters), exact(scene.start));
         let Found { runner, is_compiled } = find(scene.system, scene.command, &parameters, &start)?;
@@ -164,15 +166,14 @@ impl Trade {
         let reference = match scene.need {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
             Need::Integrals => None,
-            Need::Trajectory => Some(reference(scene, subject, &parameters, &start)?),
+            Need::Trajectory => Some(reference(scene, subject, &parameters, &start, after(REFERENCE_SHARE))?),
         };
-        let slope = reference.as_ref().map_or_else(|| subject.slope(), Reference::slope);
-        // The largest ε‖f′‖: compositions, whose stages are shorter, follow trajectories up to 2 or so, with errors to match.
-        let largest = match scene.need {
-            Need::Trajectory => 4.0,
-            Need::Integrals => 1.0,
+        // ε times the rate, on an average: compositions, whose stages are shorter, follow trajectories up to 2 or so, with errors to match.
+        let coarsest = match &reference {
+            Some(reference) => 0.5 * reference.turning() / 4.0,
+            None => 0.5 * scene.horizon * subject.slope(),
         };
-        let coarsest = (0.5 * scene.horizon * slope / largest).ceil().clamp(1.0, 1e15) as u64;
+        let coarsest = coarsest.ceil().clamp(1.0, 1e15) as u64;
         let eps = scene.horizon / (2.0 * coarsest as f64);
         let clock = if is_compiled {
             Clock::of(subject, 0.1 * eps)
@@ -188,7 +189,7 @@ impl Trade {
             horizon: scene.horizon,
             reference,
             integrals,
-            deadline,
+            deadline: after(1.0),
             is_compiled,
             settings: Vec::new(),
             skipped: Vec::new(),
@@ -200,22 +201,23 @@ impl Trade {
     }
 }
 
+/// The part of the time that a reference may take: without settings it is of no use.
+const REFERENCE_SHARE: f64 = 0.75;
+/// As good as no limit; a clock cannot tell times that are much later.
+const LONG: Duration = Duration::from_secs(1 << 32);
+
 /// The trajectory, a little beyond the horizon: n steps of a short ε do not end there exactly.
 fn reference(
     scene: &Scene<'_>,
     subject: &dyn Runner,
     parameters: &[BigRational],
     start: &[BigRational],
+    deadline: Instant,
 ) -> Result<Reference, CannotTrade> {
-    let allowed = 1e-3 * scene.tolerance;
-    let asked = |end| Trajectory { command: scene.command, parameters, start, end, allowed };
-    match subject.reference(&asked(scene.horizon * (1.0 + 1.0 / 256.0))) {
-        Err(NoReference::Escapes { time }) if time > scene.horizon => {
-            subject.reference(&asked(scene.horizon))
-        }
-        other => other,
-    }
-    .map_err(CannotTrade::Reference)
+    let Scene { command, horizon: end, tolerance, .. } = *scene;
+    let asked = Trajectory { command, parameters, start, end, allowed: 1e-3 * tolerance };
+    let limits = Limits { margin: 1.0 / 256.0, deadline: Some(deadline) };
+    subject.reference(&asked, &limits).map_err(CannotTrade::Reference)
 }
 
 impl Study<'_> {

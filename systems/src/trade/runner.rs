@@ -10,7 +10,7 @@ use kahan_core::{
 };
 
 use crate::interpreted::{Interpreted, constant};
-use crate::reference::{NoReference, Reference, Trajectory};
+use crate::reference::{Limits, NoReference, Reference, Trajectory};
 
 use super::kind::{Kind, ScalarKind};
 
@@ -21,7 +21,7 @@ pub(super) trait Runner {
     fn follow(&self, kind: Kind, run: Run, from: Option<&[Dd]>, stride: u64, visit: Visit<'_>) -> f64;
 
     /// The trajectory to compare with.
-    fn reference(&self, asked: &Trajectory<'_>) -> Result<Reference, NoReference>;
+    fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference>;
 
     /// ‖f′(x₀)‖∞
     fn slope(&self) -> f64;
@@ -153,8 +153,8 @@ impl<M: Lift<BigRational, N>, const N: usize> Runner for Subject<M, N> {
         }))
     }
 
-    fn reference(&self, asked: &Trajectory<'_>) -> Result<Reference, NoReference> {
-        Reference::of(&self.exact.lift::<Dd>(round), asked)
+    fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference> {
+        Reference::within(&self.exact.lift::<Dd>(round), asked, limits)
     }
 
     fn slope(&self) -> f64 {

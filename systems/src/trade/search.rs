@@ -10,6 +10,9 @@ use super::study::Study;
 /// A ladder ends where two rungs in a row gained less than this factor, below errors of a tenth (above, trajectories have lost
 /// their phase, and the error says nothing).
 const STALL: f64 = 0.7;
+/// Where no rung has gained anything yet, it takes so many: a motion that grows from next to nothing is small to begin with,
+/// whatever coarse steps make of it.
+const PATIENCE: u32 = 6;
 /// The most rungs of a ladder.
 const RUNGS: u32 = 34;
 /// Steps that differ by less than this factor are not told apart.
@@ -36,24 +39,30 @@ impl Study<'_> {
     pub(super) fn search(&mut self, coarsest: u64) {
         let plain = |scalar, order| Kind { scalar, order, compensated: false };
         // First something that does, which ends the ladders of others early: high orders before low ones.
-        self.with_and_without(plain(ScalarKind::F64, 8), coarsest);
+        let first = self.with_and_without(plain(ScalarKind::F64, 8), coarsest);
         if self.best().is_none() {
             self.ladder(plain(ScalarKind::Dd, 8), coarsest);
         }
+        // Where the roundings of f64 are felt, ten times the price for none can be the better bargain.
+        let mut wide: Vec<u32> = if first == Roundings::Felt { vec![8] } else { Vec::new() };
         for scalar in [ScalarKind::F64, ScalarKind::F32, ScalarKind::F32ThroughF64] {
             for order in ORDERS.into_iter().rev() {
                 // No point is nearer to a trajectory than its own rounding: one order shows how near that is.
                 let is_hopeless = self.tolerance < scalar.unit() / 8.0;
                 let is_known = scalar == ScalarKind::F64 && order == 8;
                 if !(is_known || is_hopeless && order < 8) {
-                    self.with_and_without(plain(scalar, order), coarsest);
+                    let roundings = self.with_and_without(plain(scalar, order), coarsest);
+                    if scalar == ScalarKind::F64 && roundings == Roundings::Felt {
+                        wide.push(order);
+                    }
                 }
             }
         }
         let only_dd = self.best().is_none_or(|best| self.settings[best].kind.scalar == ScalarKind::Dd);
-        if only_dd {
-            for order in [6, 4, 2] {
-                self.ladder(plain(ScalarKind::Dd, order), coarsest);
+        for order in ORDERS.into_iter().rev() {
+            let kind = plain(ScalarKind::Dd, order);
+            if (only_dd || wide.contains(&order)) && self.settings.iter().all(|known| known.kind != kind) {
+                self.ladder(kind, coarsest);
             }
         }
         for kind in Kind::all() {
@@ -62,15 +71,17 @@ impl Study<'_> {
     }
 
     /// The plain kind, and the compensated one where the plain one's errors show its roundings.
-    fn with_and_without(&mut self, kind: Kind, coarsest: u64) {
-        if self.ladder(kind, coarsest) == Roundings::Felt && self.tolerance >= kind.scalar.unit() / 8.0 {
+    fn with_and_without(&mut self, kind: Kind, coarsest: u64) -> Roundings {
+        let roundings = self.ladder(kind, coarsest);
+        if roundings == Roundings::Felt && self.tolerance >= kind.scalar.unit() / 8.0 {
             self.ladder(Kind { compensated: true, ..kind }, coarsest);
         }
+        roundings
     }
 
     fn ladder(&mut self, kind: Kind, coarsest: u64) -> Roundings {
         let (mut before, mut stalls) = (f64::INFINITY, 0);
-        let mut roundings = Roundings::Unseen;
+        let (mut roundings, mut has_gained) = (Roundings::Unseen, false);
         for rung in 0..RUNGS {
             let steps = coarsest << rung;
             if self.cost(kind, steps) >= self.least_cost() {
@@ -85,7 +96,8 @@ impl Study<'_> {
                 return roundings;
             }
             stalls = if error < 0.1 && error > STALL * before { stalls + 1 } else { 0 };
-            if stalls == 2 {
+            has_gained |= before.is_finite() && error < 0.5 * before;
+            if stalls == if has_gained { 2 } else { PATIENCE } {
                 self.stalled.push(kind);
                 return roundings;
             }
@@ -120,7 +132,8 @@ impl Study<'_> {
             if guess >= high * 1.2 {
                 return;
             }
-            let steps = guess.max(low * 1.02).min(high * 0.98).round() as u64;
+            // Of few steps the next number may be the one.
+            let steps = (guess.max(low * 1.02).min(high * 0.98).round() as u64).max(low as u64 + 1);
             if steps as f64 <= low || steps as f64 >= high || self.error(kind, steps).is_none() {
                 return;
             }

@@ -10,6 +10,11 @@ use super::paste::rust_of;
 /// Steps beyond which a badly rounded ε shows as a linear drift.
 const LONG_RUN: u64 = 100_000;
 
+/// A size with four decimals, or digits where it is very large or small.
+fn size(value: f64) -> String {
+    if (1e-2..1e6).contains(&value) { format!("{value:.4}") } else { format!("{value:.3e}") }
+}
+
 impl Finding<'_> {
     pub(super) fn text(&self) -> String {
         let mut lines = vec![
@@ -20,7 +25,7 @@ impl Finding<'_> {
         lines.push(String::new());
         if let Some(choice) = self.choice() {
             lines.push(format!(
-                "choice     {}, eps = {}: {} ns per unit of time, {} {:.1e}",
+                "choice     {}, eps = {:?}: {} ns per unit of time, {} {:.1e}",
                 choice.kind,
                 choice.eps,
                 price(choice),
@@ -60,7 +65,7 @@ impl Finding<'_> {
                 setting.kind.scalar.name().to_owned(),
                 setting.kind.order.to_string(),
                 if setting.kind.compensated { "yes" } else { "no" }.to_owned(),
-                setting.eps.to_string(),
+                format!("{:?}", setting.eps),
                 price(setting),
                 error(setting.trajectory_error),
                 error(setting.integral_drift),
@@ -79,7 +84,7 @@ impl Finding<'_> {
             let best = settings.min_by(|a, b| a.error(self.need).total_cmp(&b.error(self.need)));
             let Some(best) = best.filter(|best| best.error(self.need) > self.tolerance) else { continue };
             let reached = match best.error(self.need) {
-                error if error.is_finite() => format!("{error:.1e} at eps = {}", best.eps),
+                error if error.is_finite() => format!("{error:.1e} at eps = {:?}", best.eps),
                 _ => "no finite numbers".to_owned(),
             };
             let heading = if lines.is_empty() { "too coarse" } else { "" };
@@ -97,9 +102,9 @@ impl Finding<'_> {
                 Method::Composition { steps } => format!("{steps} steps of order 8 in dd"),
             };
             note(format!(
-                "errors are against a Taylor series that differs from {second} by {:.1e}; relative to {:.4}",
+                "errors are against a Taylor series that differs from {second} by {:.1e}; relative to {}",
                 certificate.difference,
-                self.trade.scale.unwrap_or(1.0)
+                size(self.trade.scale.unwrap_or(1.0))
             ));
         }
         if !self.trade.is_compiled {
@@ -115,14 +120,14 @@ impl Finding<'_> {
             }
             if choice.steps >= LONG_RUN && choice.kind.order == 2 && choice.kind.scalar != ScalarKind::Dd {
                 note(format!(
-                    "keep eps = {} to the last digit: an eps with more bits has rounded powers, and over {} steps the integrals \
-                     would drift linearly, compensated or not",
+                    "keep eps = {:?} to the last digit: where the step has powers of eps, one with more bits would have them rounded, and \
+                     over {} steps what the map conserves would drift linearly, compensated or not",
                     choice.eps, choice.steps
                 ));
             }
         }
         for (kind, eps) in &self.trade.skipped {
-            note(format!("no time for {kind} from eps = {eps} on; --seconds gives more"));
+            note(format!("no time for {kind} from eps = {eps:?} on; --seconds gives more"));
         }
         lines
     }
@@ -130,6 +135,9 @@ impl Finding<'_> {
 
 fn price(setting: &Setting) -> String {
     let price = setting.nanoseconds_per_unit_time;
+    if price < 0.1 {
+        return format!("{price:.1e}");
+    }
     let decimals = if price < 10.0 {
         2
     } else if price < 100.0 {
