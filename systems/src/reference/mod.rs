@@ -8,6 +8,7 @@
 
 mod closed;
 mod dense;
+mod refusal;
 mod taylor;
 
 use std::time::Instant;
@@ -20,6 +21,8 @@ use crate::interpreted::constant;
 
 use dense::{Piece, piece_at};
 use taylor::Expansion;
+
+pub use refusal::NoReference;
 
 /// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Self::end).
 #[derive(Clone, Debug)]
@@ -54,91 +57,6 @@ pub enum Method {
         steps: u64,
     },
 }
-
-/// Why there is no reference.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum NoReference {
-    /// The solution escapes to infinity.
-    Escapes {
-        /// When, about.
-        time: f64,
-    },
-    /// The series would need more steps than are made.
-    TooLong {
-        /// How far the last one came.
-        reached: f64,
-    },
-    /// There was no time for it.
-    NoTime {
-        /// How far the series came.
-        reached: f64,
-    },
-    /// The two methods do not agree.
-    Disagree {
-        /// By how much they differ, relative to the scale.
-        difference: f64,
-        /// How much was allowed.
-        allowed: f64,
-        /// Until when they agree.
-        until: f64,
-    },
-}
-
-impl core::fmt::Display for NoReference {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Escapes { time } => write!(
-                f,
-                "the solution through this point escapes to infinity near t = {}; choose a shorter horizon",
-                Time(*time, 6)
-            ),
-            Self::TooLong { reached } => write!(
-                f,
-                "the horizon is too long for a reference trajectory: {MOST_PIECES} steps of a Taylor series of order 30 reach \
-                 t = {}; choose a shorter horizon, or ask for the need `integrals`, which takes no reference",
-                Time(*reached, 4)
-            ),
-            Self::NoTime { reached } => write!(
-                f,
-                "a reference trajectory takes longer than there is time: the series came to t = {}, and a second method has to \
-                 agree with it; give more time (--seconds), or choose a shorter horizon",
-                Time(*reached, 4)
-            ),
-            Self::Disagree { difference, allowed, .. } if *difference < LEAST_DIFFERENCE => write!(
-                f,
-                "no reference trajectory: in 32 digits, a Taylor series and a second method differ by {difference:.1e} of the \
-                 solution's size where {allowed:.1e} is needed; choose a tolerance above {:.0e}",
-                difference * (1.0 + 1e-3) * 1000.0
-            ),
-            Self::Disagree { difference, allowed, until } => write!(
-                f,
-                "no reference trajectory: in 32 digits, a Taylor series and a second method differ by {difference:.1e} of the \
-                 solution's size where {allowed:.1e} is needed (they agree until about t = {}); the solution is too \
-                 sensitive over this horizon for that tolerance: choose a shorter horizon or a larger tolerance",
-                Time(*until, 4)
-            ),
-        }
-    }
-}
-
-impl core::error::Error for NoReference {}
-
-/// A time with so many decimals, or digits where it is very large or small.
-struct Time(f64, usize);
-
-impl core::fmt::Display for Time {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let Time(time, decimals) = *self;
-        if time == 0.0 || (1e-3..1e7).contains(&time.abs()) {
-            write!(f, "{time:.decimals$}")
-        } else {
-            write!(f, "{time:.decimals$e}")
-        }
-    }
-}
-
-/// Where two methods come as near as this, it is the digits that end, and not the sensitivity that begins.
-const LEAST_DIFFERENCE: f64 = 1e-26;
 
 /// The most steps of a series.
 const MOST_PIECES: usize = 50_000;
