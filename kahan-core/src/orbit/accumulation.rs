@@ -102,7 +102,8 @@ impl<T: Scalar, const N: usize> State<T, N> for CompensatedPoint<T, N> {
         let Self { point: x, carry } = self;
         let increment = step.increment_with_carry(x, carry)?;
         let next: SVector<T, N> = vector(from_fn(|i| P::component(x[i].clone() + increment[i].clone())));
-        self.carry = vector(from_fn(|i| increment[i].clone() - (next[i].clone() - x[i].clone())));
+        self.carry =
+            vector(from_fn(|i| P::component(increment[i].clone() - (next[i].clone() - x[i].clone()))));
         self.point = next;
         Some(())
     }
