@@ -1,0 +1,105 @@
+//! Poles on the way, and what is said of them.
+
+use super::*;
+
+/// E6 at ε = 1: det A = 0 at (1/2, 0, 1/2).
+const AT_A_POLE: [&str; 7] = ["e6", "--eps", "1", "--at", "1/2,0,1/2", "--steps", "5"];
+
+#[test]
+fn the_rows_before_a_pole_are_kept_and_the_place_is_named() {
+    for scalar in ["exact", "f64", "f32"] {
+        let arguments: Vec<&str> = AT_A_POLE.into_iter().chain(["--scalar", scalar]).collect();
+        let output = kahan(&arguments);
+        assert_eq!(output.status.code(), Some(1));
+        assert_eq!(table(&text(&output.stdout)).1.len(), 1);
+        let complaint = text(&output.stderr);
+        assert!(complaint.starts_with("error: ") && complaint.lines().count() == 1, "{complaint}");
+        for part in ["det A = 0", "n = 0", "step 1", "eps = 1"] {
+            assert!(complaint.contains(part), "{part}: {complaint}");
+        }
+    }
+}
+
+#[test]
+fn a_pole_on_the_way_ends_an_orbit_where_the_map_says() {
+    // E1: x̃ = x/(1 + 2εx), so 1/x changes by 2ε: at ε = −1/4 it is 3/2, 1, 1/2, and 1 + 2εx = 0 at x = 2.
+    let output = kahan(&["e1", "--eps", "-1/4", "--at", "2/3,1,1", "--steps", "9", "--scalar", "exact"]);
+    assert_eq!(output.status.code(), Some(1));
+    let (_, rows) = table(&text(&output.stdout));
+    assert_eq!(rows.iter().map(|row| row[2].as_str()).collect::<Vec<_>>(), ["2/3", "1", "2"]);
+    assert!(text(&output.stderr).contains("at n = 2 det A = 0"), "{}", text(&output.stderr));
+}
+
+#[test]
+fn orbits_stop_exactly_where_eval_has_no_next_point() {
+    let mut seen = 0;
+    for system in ALL {
+        for case in vectors(system)["singular"].as_array().expect("a list") {
+            let (eps, at, more) = (exact(&case["eps"]), point(&case["x"]), parameters(&case["params"]));
+            let arguments = with(&[system, "--eps", &eps, "--at", &at, "--scalar", "exact"], &more);
+            let evaluated = Command::new(env!("CARGO_BIN_EXE_kahan"))
+                .arg("eval")
+                .args(&arguments)
+                .arg("--json")
+                .output()
+                .expect("the command runs");
+            let object: Value = serde_json::from_slice(&evaluated.stdout).expect("one object");
+            let output = kahan(&with(&arguments, &["--steps".to_owned(), "1".to_owned()]));
+            let rows = table(&text(&output.stdout)).1;
+            let stops = object["x_next"].is_null();
+            assert_eq!(output.status.code(), Some(i32::from(stops)), "{system} at {at}");
+            assert_eq!(rows.len(), if stops { 1 } else { 2 }, "{system} at {at}");
+            seen += 1;
+        }
+    }
+    assert!(seen >= 11, "{seen} points");
+}
+
+#[test]
+fn a_float_orbit_that_overflows_ends_with_finite_rows() {
+    // The map of the linear field is multiplication by (1 + ε)/(1 − ε) = 3.
+    let arguments =
+        ["--field", "xdot = x;", "--eps", "1/2", "--at", "1e30", "--steps", "100", "--scalar", "f32"];
+    let output = kahan(&arguments);
+    assert_eq!(output.status.code(), Some(1));
+    let (_, rows) = table(&text(&output.stdout));
+    assert!(rows.len() > 10 && rows.len() < 30, "{} rows", rows.len());
+    assert!(rows.iter().all(|row| row[2].parse::<f32>().is_ok_and(f32::is_finite)));
+    let complaint = text(&output.stderr);
+    let last = rows.len() - 1;
+    for part in ["range of f32", &format!("n = {last}"), &format!("step {}", last + 1), "--scalar exact"] {
+        assert!(complaint.contains(part), "{part}: {complaint}");
+    }
+    assert_eq!(
+        kahan(&with(&arguments[..8], &["--scalar".to_owned(), "exact".to_owned()])).status.code(),
+        Some(0)
+    );
+}
+
+#[test]
+fn beyond_the_budget_a_pole_is_said_to_be_one_by_convention() {
+    let equations: Vec<String> = ["a", "b", "c", "d", "e"]
+        .iter()
+        .map(|v| format!("{v}dot = (a + b + c + d + e)*({v}*2 + 1);"))
+        .collect();
+    let field = equations.join(" ");
+    let output =
+        kahan(&["--field", &field, "--eps", "1/2", "--at", "1,0,0,0,0", "--steps", "2", "--scalar", "exact"]);
+    assert_eq!(output.status.code(), Some(1));
+    let complaint = text(&output.stderr);
+    assert!(complaint.contains("det A = 0") && complaint.contains("budget"), "{complaint}");
+}
+
+#[test]
+fn a_file_and_an_object_keep_the_rows_before_a_pole() {
+    let folder = folder();
+    let file = folder.path().join("rows.csv");
+    let output = kahan(&AT_A_POLE.into_iter().chain(["--out", path_text(&file)]).collect::<Vec<_>>());
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(table(&fs::read_to_string(&file).expect("the file")).1.len(), 1);
+    let output = kahan(&AT_A_POLE.into_iter().chain(["--json"]).collect::<Vec<_>>());
+    let object: Value = serde_json::from_slice(&output.stdout).expect("one object");
+    let stopped = object["stopped"].as_str().expect("a reason");
+    assert!(text(&output.stderr).contains(stopped), "{stopped}");
+    assert_eq!(object["rows"].as_array().map(Vec::len), Some(1));
+}
