@@ -148,3 +148,21 @@ macro_rules! random_float_maps {
 }
 
 crate::with_random_systems!(random_float_maps);
+
+/// A float of the machine.
+pub trait MachineFloat: Pivot + Copy {
+    /// The catalog and the random fields. The code of all their steps is made here, once, and not in every test that names it.
+    fn maps() -> Vec<Box<dyn FloatMap<Self>>>;
+}
+
+impl MachineFloat for f32 {
+    fn maps() -> Vec<Box<dyn FloatMap<f32>>> {
+        catalog().into_iter().chain(random()).collect()
+    }
+}
+
+impl MachineFloat for f64 {
+    fn maps() -> Vec<Box<dyn FloatMap<f64>>> {
+        catalog().into_iter().chain(random()).collect()
+    }
+}

@@ -3,9 +3,8 @@
 //! Points and ε are dyadic with few bits, so both float types have them exactly and no product comes near underflow.
 
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_core::Pivot;
 use kahan_tests::exact::{Q, shown};
-use kahan_tests::float_maps::{self, FloatMap};
+use kahan_tests::float_maps::{FloatMap, MachineFloat};
 use kahan_tests::rounding::{Place, StepBound, UNIT_F32, UNIT_F64};
 use kahan_tests::subject::{Subject, random, whole_catalog};
 use num_traits::ToPrimitive;
@@ -21,7 +20,7 @@ fn exact(value: f64) -> Q {
 }
 
 /// A float type of the tests.
-trait Float: Pivot + Copy + ToPrimitive + Into<f64> {
+trait Float: MachineFloat + ToPrimitive + Into<f64> {
     const UNIT: f64;
     fn narrowed(value: f64) -> Self;
 }
@@ -42,10 +41,6 @@ impl Float for f32 {
 
 fn subjects() -> Vec<Subject> {
     whole_catalog().into_iter().chain(random()).collect()
-}
-
-fn maps<T: Float>() -> Vec<Box<dyn FloatMap<T>>> {
-    float_maps::catalog().into_iter().chain(float_maps::random()).collect()
 }
 
 /// Compares one float step with the exact one; how large the bound was against x̃, or `None` where it says nothing.
@@ -76,7 +71,7 @@ fn compare<T: Float>(
 }
 
 fn ordinary_points_stay_within_the_bound<T: Float>(seed: u64) {
-    for (index, (subject, map)) in subjects().iter().zip(maps::<T>()).enumerate() {
+    for (index, (subject, map)) in subjects().iter().zip(T::maps()).enumerate() {
         let mut draws = SplitMix64::new(seed * 1000 + index as u64);
         let bound = StepBound::new(subject, T::UNIT);
         let mut judged = Vec::new();
@@ -125,7 +120,7 @@ fn near_pole(subject: &Subject, draws: &mut SplitMix64) -> Option<(Vec<f64>, f64
 fn points_near_poles_stay_within_the_bound<T: Float>(seed: u64) {
     let mut judged = 0;
     let mut near = 0;
-    for (index, (subject, map)) in subjects().iter().zip(maps::<T>()).enumerate() {
+    for (index, (subject, map)) in subjects().iter().zip(T::maps()).enumerate() {
         let mut draws = SplitMix64::new(seed * 1000 + index as u64);
         let bound = StepBound::new(subject, T::UNIT);
         for _ in 0..3 {
@@ -169,7 +164,7 @@ const HARD: [f64; 14] = [
 ];
 
 fn no_input_panics<T: Float>(seed: u64) {
-    for (index, (subject, map)) in subjects().iter().zip(maps::<T>()).enumerate() {
+    for (index, (subject, map)) in subjects().iter().zip(T::maps()).enumerate() {
         let mut draws = SplitMix64::new(seed * 1000 + index as u64);
         let mut hard = || T::narrowed(HARD[draws.below(HARD.len() as u64) as usize]);
         for _ in 0..150 {

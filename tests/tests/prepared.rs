@@ -4,15 +4,10 @@ use kahan_algebra::arithmetic::{Arithmetic, Float32, Float64};
 use kahan_algebra::interpret::Stepper;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
-use kahan_core::Pivot;
-use kahan_tests::float_maps::{self, FloatMap};
+use kahan_tests::float_maps::MachineFloat;
 use kahan_tests::subject::{Subject, random, whole_catalog};
 
 const STEPS: usize = 50;
-
-fn maps<T: Pivot + Copy>() -> Vec<Box<dyn FloatMap<T>>> {
-    float_maps::catalog().into_iter().chain(float_maps::random()).collect()
-}
 
 fn subjects() -> Vec<Subject> {
     whole_catalog().into_iter().chain(random()).collect()
@@ -33,8 +28,8 @@ fn start(draws: &mut SplitMix64, dimension: usize) -> (Vec<f32>, f32) {
     ((0..dimension).map(|_| entry(2.0)).collect(), entry(0.1))
 }
 
-fn every_way_gives_the_same_bits<T: Pivot + Copy + From<f32> + Into<f64>>(seed: u64) {
-    for (index, (subject, map)) in subjects().iter().zip(maps::<T>()).enumerate() {
+fn every_way_gives_the_same_bits<T: MachineFloat + From<f32> + Into<f64>>(seed: u64) {
+    for (index, (subject, map)) in subjects().iter().zip(T::maps()).enumerate() {
         let mut draws = SplitMix64::new(seed * 1000 + index as u64);
         for _ in 0..4 {
             let (x, eps) = start(&mut draws, subject.dimension());
@@ -71,10 +66,10 @@ fn the_interpreter_steps_with_the_same_bits() {
 fn interpreter_agrees<A>(arithmetic: &A, seed: u64)
 where
     A: Arithmetic,
-    A::Value: Pivot + Copy + From<f32> + Into<f64>,
+    A::Value: MachineFloat + From<f32> + Into<f64>,
 {
     let mut compared = 0;
-    for (index, (subject, map)) in subjects().iter().zip(maps::<A::Value>()).enumerate() {
+    for (index, (subject, map)) in subjects().iter().zip(A::Value::maps()).enumerate() {
         let parameter = |value: &kahan_tests::exact::Q| arithmetic.constant(&Rational::from(value.clone()));
         let parameters: Vec<A::Value> = subject
             .parameters
