@@ -4,6 +4,7 @@ use kahan_algebra::arithmetic::{Arithmetic, Float32, Float64};
 use kahan_algebra::interpret::Stepper;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
+use kahan_core::Pivot;
 use kahan_tests::float_maps::MachineFloat;
 use kahan_tests::subject::{Subject, random, whole_catalog};
 
