@@ -52,7 +52,7 @@ where
         Journey::new("Kahan, orbit", start, move |x| {
             map.orbit(SVector::from(x), eps).nth(steps).expect("an orbit over floats goes on").into()
         }),
-        Journey::new("implicit midpoint, Newton", start, move |x| (0..steps).fold(x, |x, _| midpoint(x))),
+        Journey::new(midpoint::NAME, start, move |x| (0..steps).fold(x, |x, _| midpoint(x))),
         Journey::new("Runge-Kutta 4", start, move |x| (0..steps).fold(x, |x, _| runge_kutta(x))),
         Journey::new("ode_solvers DOP853", start, move |x| dop853(x, SPAN)),
         Journey::new("diffsol tsit45", start, move |x| diffsol(x, SPAN)),

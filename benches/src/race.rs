@@ -89,6 +89,44 @@ pub(crate) fn race(
         .collect()
 }
 
+/// Passes of [`least_times`].
+const PASSES: usize = 3;
+
+/// The least nanoseconds a unit, of several races of so many `runners`, all run one after the other and that several times: a
+/// neighbour on the machine can be busy for longer than one race lasts. For code that fills the processor's units, which such a
+/// neighbour delays more than it delays a chain of dependent operations, so that medians of the two do not meet.
+/// `seconds(race, i, units)` runs `units` units of work of runner i.
+///
+/// # Errors
+/// The first one of `seconds`.
+///
+/// # Panics
+/// If a race has no runner.
+pub(crate) fn least_times<E>(
+    runners: &[usize],
+    effort: Effort,
+    mut seconds: impl FnMut(usize, usize, usize) -> Result<f64, E>,
+) -> Result<Vec<Vec<f64>>, E> {
+    let mut least: Vec<Vec<f64>> = runners.iter().map(|&runners| vec![f64::INFINITY; runners]).collect();
+    for pass in 0..PASSES * runners.len() {
+        let number = pass % runners.len();
+        let mut failure = None;
+        let standings = race(runners[number], effort, |i, units| {
+            seconds(number, i, units).unwrap_or_else(|error| {
+                failure = Some(error);
+                1.0
+            })
+        });
+        if let Some(error) = failure {
+            return Err(error);
+        }
+        for (least, standing) in least[number].iter_mut().zip(standings) {
+            *least = least.min(standing.nanoseconds);
+        }
+    }
+    Ok(least)
+}
+
 /// The units that take about as long as one sample shall.
 fn calibrate(sample: Duration, mut seconds: impl FnMut(usize) -> f64) -> usize {
     let mut units = 1;
@@ -109,6 +147,27 @@ mod tests {
     fn quartiles_of_an_odd_number_of_values_are_values() {
         let Quartiles { low, median, high } = Quartiles::of(vec![5.0, 1.0, 4.0, 2.0, 3.0]);
         assert_eq!((low, median, high), (2.0, 3.0, 4.0));
+    }
+
+    #[test]
+    fn the_least_time_is_kept_for_each_runner_of_each_race() {
+        let effort = Effort { rounds: 3, sample: Duration::from_micros(20) };
+        // A busy neighbour doubles the times of the first calls, more than one pass has.
+        let mut calls = 0;
+        let times = least_times(&[1, 2], effort, |race, i, units| {
+            calls += 1;
+            let busy = if calls < 20 { 2.0 } else { 1.0 };
+            Ok::<_, ()>(busy * (1 + 2 * race + i) as f64 * units as f64 * 1e-6)
+        })
+        .unwrap();
+        let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
+        assert!(near(times[0][0], 1e3) && near(times[1][0], 3e3) && near(times[1][1], 4e3), "{times:?}");
+    }
+
+    #[test]
+    fn a_failure_ends_a_race_of_least_times() {
+        let effort = Effort { rounds: 3, sample: Duration::from_micros(20) };
+        assert_eq!(least_times(&[1], effort, |_, _, _| Err::<f64, _>("gone")), Err("gone"));
     }
 
     #[test]

@@ -1,6 +1,6 @@
-//! The measured parts of the README: the picture of a trade, the tables of tiers and of extremes.
+//! The measured parts of the README: the picture of a trade, the tables of speed, tiers and extremes.
 //!
-//! In: this checkout's command and the tiers' timings. Out: a new README, with what stands between the markers
+//! In: this checkout's command and the timings. Out: a new README, with what stands between the markers
 //! `<!-- begin: NAME -->` and `<!-- end: NAME -->` replaced; all else is left as it is.
 
 use std::path::Path;
@@ -12,7 +12,8 @@ use serde_json::Value;
 use crate::output::write_whole;
 use crate::race::Effort;
 use crate::report;
-use crate::table::Table;
+use crate::systems;
+use crate::table::{Table, short};
 
 /// Where the picture lies.
 const PICTURE: &str = "docs/work_precision.svg";
@@ -33,6 +34,18 @@ const PROMISES: [(&str, &str, &str); 6] = [
     ("f32", "`f32`", "the fast tier with u = 2⁻²⁴"),
 ];
 
+/// The systems of the table of speed and what they are called there.
+const NAMES: [(&str, &str); 8] = [
+    ("LotkaVolterra", "Lotka–Volterra"),
+    ("EulerTop", "Euler top"),
+    ("E1", "E1"),
+    ("E3", "E3"),
+    ("E5", "E5"),
+    ("E6", "E6"),
+    ("Lorenz", "Lorenz"),
+    ("Clebsch", "Clebsch, six variables"),
+];
+
 /// Measures and writes.
 pub(crate) fn write(root: &Path, effort: Effort) -> Result<()> {
     let path = root.join("README.md");
@@ -42,6 +55,7 @@ pub(crate) fn write(root: &Path, effort: Effort) -> Result<()> {
     let told = kahan(root, SCENE.iter().copied().chain(["--out", &picture.display().to_string()]))?;
     let text =
         replaced(&text, "trade", &format!("```text\n$ kahan {}\n{}```\n", SCENE.join(" "), choice(&told)))?;
+    let text = replaced(&text, "speed", &speed(effort)?.to_string())?;
     let text = replaced(&text, "tiers", &tiers(effort)?.to_string())?;
     let judged = kahan(root, ["extremes", "--json", "--trials", TRIALS].into_iter())?;
     let judged: Value = serde_json::from_str(&judged).context("`kahan extremes --json` is no JSON")?;
@@ -77,6 +91,30 @@ fn replaced(text: &str, name: &str, by: &str) -> Result<String> {
     let from = text.find(&begin).with_context(|| format!("README.md lacks {}", begin.trim()))? + begin.len();
     let to = text[from..].find(&end).with_context(|| format!("README.md lacks {end}"))? + from;
     Ok(format!("{}\n{by}\n{}", &text[..from].trim_end_matches('\n').to_owned(), &text[to..]))
+}
+
+/// Nanoseconds of one step, system by system.
+fn speed(effort: Effort) -> Result<Table> {
+    let steps = report::step_times(&systems::all(), effort);
+    let ensembles = report::ensemble_times(effort)?;
+    let mut table = Table::new(&[
+        "",
+        "generated",
+        "by hand",
+        "nalgebra `SMatrix` LU",
+        "implicit midpoint",
+        "ensemble, a trajectory",
+    ]);
+    for (system, name) in NAMES {
+        let times = steps.iter().find(|times| times.system == system);
+        let times = times.with_context(|| format!("the steps of {system} were not timed"))?;
+        let ensemble = ensembles.iter().find(|(of, _)| of == system).map(|(_, time)| *time);
+        let mut row = vec![name.to_owned()];
+        row.extend([times.generated, times.by_hand, times.lu, times.midpoint].map(|time| short(Some(time))));
+        row.push(short(ensemble));
+        table.push(row);
+    }
+    Ok(table)
 }
 
 /// Promise and price of each tier.

@@ -69,7 +69,7 @@ where
     steps.extend([
         Contender::new(STATIC_LU, Role::Rival, start, lu::of_static_size(map, EPS)),
         Contender::new("Kahan by DMatrix LU", Role::Rival, start, lu::of_dynamic_size(map, EPS)),
-        Contender::new("implicit midpoint, Newton", Role::Rival, start, midpoint::step(map, EPS)),
+        Contender::new(midpoint::NAME, Role::Rival, start, midpoint::step(map, EPS)),
         Contender::new("Runge-Kutta 4", Role::Rival, start, runge_kutta::step(map, EPS)),
     ]);
     System { name, dimension: N, steps, journeys: journeys(map, start) }

@@ -5,7 +5,7 @@ use anyhow::Result;
 use super::Section;
 use crate::limit::Limit;
 use crate::progress::Progress;
-use crate::race::{Effort, Standing, race};
+use crate::race::{Effort, least_times};
 use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
@@ -23,74 +23,83 @@ struct Line {
     system: String,
     what: String,
     operations: usize,
-    standing: Standing,
+    nanoseconds: f64,
 }
 
 /// Builds and times the ensembles.
 pub(crate) fn ensembles(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
-    let progress = Progress::new(7);
+    let progress = Progress::new(2);
     progress.begin("building for every processor and for this one");
     let mut workers = [
         Worker::start(&worker::build(worker::ENSEMBLES, false)?)?,
         Worker::start(&worker::build(worker::ENSEMBLES, true)?)?,
     ];
     progress.advance();
-    let mut systems: Vec<String> = workers[0].tasks().iter().map(|task| task.system.clone()).collect();
-    systems.retain(|system| system != BOUND);
-    systems.dedup();
-    let mut table = Table::new(&["a trajectory's step", "ns", "ratio", "quartiles", "of its bound"]);
+    progress.begin("ensembles");
+    let mut table = Table::new(&["a trajectory's step", "ns", "ratio", "of its bound"]);
     let mut limits = Vec::new();
-    for system in &systems {
-        progress.begin(format!("{system}: ensembles"));
-        let lines = measure(&mut workers, system, effort)?;
-        for line in lines.iter().filter(|line| line.system != BOUND) {
-            table.push(row(line, &lines));
+    let of_systems = measure(&mut workers, effort)?;
+    for lines in &of_systems {
+        let system = &lines[0].system;
+        for line in lines.iter().filter(|line| line.system == *system && (system != BOUND || !line.native)) {
+            table.push(row(line, lines));
         }
-        limits.extend(decide(system, &lines));
-        progress.advance();
+        if system != BOUND {
+            limits.extend(decide(system, lines));
+        }
     }
-    let lines = measure(&mut workers, BOUND, effort)?;
-    for line in lines.iter().filter(|line| !line.native) {
-        table.push(row(line, &[]));
-    }
+    progress.advance();
     let text = "512 trajectories of `f64` on one thread; ratios to the ensemble of the default build. The bound is what the divider\n\
                 allows, one division of four numbers after the other, measured in the same rounds; for the estimated reciprocal it\n\
-                is the ports that multiply and add, for as many operations as the step has, counted by running it. Both sides of that\n\
-                comparison are the least of all rounds."
+                is the ports that multiply and add, for as many operations as the step has, counted by running it. Ratios are those\n\
+                of the least times of all rounds."
         .to_owned();
     Ok((vec![Section { title: "Ensembles".to_owned(), text, table }], limits))
 }
 
-/// Times everything of one system in both builds, and the bounds, in turns.
-fn measure(workers: &mut [Worker; 2], system: &str, effort: Effort) -> Result<Vec<Line>> {
-    let mut runners = Vec::new();
-    for native in [false, true] {
-        for (i, task) in workers[usize::from(native)].tasks().iter().enumerate() {
-            if task.system == system || (task.system == BOUND && !native) {
-                runners.push((native, i));
-            }
-        }
-    }
-    // The ensemble of the default build is what all ratios refer to.
-    let base = runners.iter().position(|&(native, i)| !native && workers[0].tasks()[i].what == ENSEMBLE);
-    runners.swap(0, base.unwrap_or(0));
-    let mut failure = None;
-    let standings = race(runners.len(), effort, |i, units| {
-        let (native, task) = runners[i];
-        workers[usize::from(native)].seconds(task, units).unwrap_or_else(|error| {
-            failure = Some(error);
-            1.0
+/// Nanoseconds of one trajectory's step in an ensemble of the default build, of each system that is run as one.
+pub(crate) fn ensemble_times(effort: Effort) -> Result<Vec<(String, f64)>> {
+    let mut worker = Worker::start(&worker::build(worker::ENSEMBLES, false)?)?;
+    let tasks = worker.tasks().iter().enumerate().filter(|(_, task)| task.what == ENSEMBLE);
+    let (tasks, systems): (Vec<usize>, Vec<String>) = tasks.map(|(i, task)| (i, task.system.clone())).unzip();
+    let times =
+        least_times(&vec![1; tasks.len()], effort, |race, _, units| worker.seconds(tasks[race], units))?;
+    Ok(systems.into_iter().zip(times).map(|(system, times)| (system, times[0] / POINTS)).collect())
+}
+
+/// Times everything of one system in both builds, and the bounds, in turns; each system's lines, then those of the bounds. What
+/// all ratios of a system refer to, the ensemble of the default build, is its first line.
+fn measure(workers: &mut [Worker; 2], effort: Effort) -> Result<Vec<Vec<Line>>> {
+    let mut systems: Vec<&str> = workers[0].tasks().iter().map(|task| task.system.as_str()).collect();
+    systems.sort_by_key(|&system| system == BOUND);
+    systems.dedup();
+    let races: Vec<Vec<(bool, usize)>> = systems
+        .iter()
+        .map(|&system| {
+            let tasks = [false, true].into_iter().flat_map(|native| {
+                let tasks = workers[usize::from(native)].tasks().iter().enumerate();
+                tasks.map(move |(i, task)| (native, i, task))
+            });
+            let mut of: Vec<_> = tasks
+                .filter(|(native, _, task)| task.system == system || (task.system == BOUND && !native))
+                .collect();
+            of.sort_by_key(|(native, _, task)| *native || task.system != system || task.what != ENSEMBLE);
+            of.into_iter().map(|(native, i, _)| (native, i)).collect()
         })
-    });
-    if let Some(error) = failure {
-        return Err(error);
-    }
-    let lines = runners.iter().zip(standings).map(|(&(native, i), standing)| {
+        .collect();
+    let runners: Vec<usize> = races.iter().map(Vec::len).collect();
+    let times = least_times(&runners, effort, |race, i, units| {
+        let (native, task) = races[race][i];
+        workers[usize::from(native)].seconds(task, units)
+    })?;
+    let line = |(native, i): (bool, usize), nanoseconds| {
         let task = &workers[usize::from(native)].tasks()[i];
         let (system, what) = (task.system.clone(), task.what.clone());
-        Line { native, system, what, operations: task.operations, standing }
-    });
-    Ok(lines.collect())
+        Line { native, system, what, operations: task.operations, nanoseconds }
+    };
+    let lines =
+        |(of, times): (&Vec<_>, &Vec<f64>)| of.iter().zip(times).map(|(&of, &time)| line(of, time)).collect();
+    Ok(races.iter().zip(&times).map(lines).collect())
 }
 
 /// A unit of work is a step of this many trajectories.
@@ -98,12 +107,10 @@ const POINTS: f64 = 512.0;
 
 fn row(line: &Line, lines: &[Line]) -> Vec<String> {
     let build = if line.native { ", built for this processor" } else { "" };
-    let Standing { nanoseconds, ratio } = line.standing;
     vec![
         format!("{}: {}{build}", line.system, line.what),
-        short(Some(nanoseconds / POINTS)),
-        short(Some(ratio.median)),
-        format!("[{:.2}, {:.2}]", ratio.low, ratio.high),
+        short(Some(line.nanoseconds / POINTS)),
+        short(Some(line.nanoseconds / lines[0].nanoseconds)),
         short(of_bound(line, lines)),
     ]
 }
@@ -112,10 +119,9 @@ fn find<'l>(lines: &'l [Line], native: bool, what: &str) -> Option<&'l Line> {
     lines.iter().find(|line| line.native == native && line.what == what)
 }
 
-/// Its time over the least that the processor's busiest unit allows, both at their least: a bound is what the machine can do
-/// when nobody else has it, and on a busy one the medians of two loops, one of them long, do not meet.
+/// Its time over the least that the processor's busiest unit allows.
 fn of_bound(line: &Line, lines: &[Line]) -> Option<f64> {
-    let least = |what| find(lines, false, what).map(|line| line.standing.nanoseconds);
+    let least = |what| find(lines, false, what).map(|line| line.nanoseconds);
     let bound = match line.what.as_str() {
         "ensemble, AVX2" => least(DIVISIONS)?,
         "ensemble, AVX-512, estimated" if line.operations > 0 => {
@@ -123,13 +129,15 @@ fn of_bound(line: &Line, lines: &[Line]) -> Option<f64> {
         }
         _ => return None,
     };
-    Some(line.standing.nanoseconds / bound)
+    Some(line.nanoseconds / bound)
 }
 
 fn decide(system: &str, lines: &[Line]) -> Vec<Limit> {
-    let ratio = |native, what| find(lines, native, what).map(|line| line.standing.ratio.median);
+    let ratio = |native, what| {
+        Some(find(lines, false, ENSEMBLE)?.nanoseconds / find(lines, native, what)?.nanoseconds)
+    };
     let bound = |what| of_bound(find(lines, false, what)?, lines);
-    let native = ratio(true, ENSEMBLE).map(f64::recip);
+    let native = ratio(true, ENSEMBLE);
     let mut limits = vec![Limit::ratio(
         format!("{system}: ensemble, default build / built for this processor"),
         1.10,
@@ -142,7 +150,7 @@ fn decide(system: &str, lines: &[Line]) -> Vec<Limit> {
     let figure = format!("{system}: ensemble, estimated reciprocal / multiply-add bound");
     limits.push(Limit::ratio(figure, 1.33, bound("ensemble, AVX-512, estimated")));
     if system == "E3" {
-        let single = ratio(false, "single trajectory").map(f64::recip);
+        let single = ratio(false, "single trajectory");
         limits.push(Limit::ratio("E3: ensemble / a single trajectory's latency", 1.0 / 12.0, single));
     }
     limits

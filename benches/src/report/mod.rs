@@ -16,10 +16,10 @@ use crate::table::Table;
 
 pub(crate) use compile::compile;
 pub(crate) use drift::drift;
-pub(crate) use ensembles::ensembles;
+pub(crate) use ensembles::{ensemble_times, ensembles};
 pub(crate) use journeys::journeys;
 pub(crate) use orders::orders;
-pub(crate) use steps::steps;
+pub(crate) use steps::{step_times, steps};
 pub(crate) use tiers::{tier_prices, tiers};
 
 /// A heading, what the table below it means, the table.
@@ -43,8 +43,8 @@ const INTRODUCTION: &str = "\
 # Benchmarks
 
 Written by a command, from one run on one machine; every comparison is a ratio formed round by round between things
-timed in turns. Times in nanoseconds are the least of all rounds; ratios are medians, with the quartiles in brackets
-where they are of use. Below 1 is faster than what stands at 1.00.
+timed in turns. Times in nanoseconds are the least of all rounds; ratios are medians unless a section says otherwise, with
+the quartiles in brackets where they are of use. Below 1 is faster than what stands at 1.00.
 
 ```sh
 cargo run --release --manifest-path benches/Cargo.toml          # writes this file; `-- --help` for the parts

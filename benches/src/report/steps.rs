@@ -3,13 +3,13 @@
 use anyhow::Result;
 
 use super::Section;
-use crate::contender::Role;
+use crate::contender::{Contender, Role};
 use crate::instructions;
 use crate::limit::Limit;
 use crate::progress::Progress;
 use crate::race::{Effort, Standing, race, seconds};
 use crate::rivals::midpoint;
-use crate::systems::System;
+use crate::systems::{STATIC_LU, System};
 use crate::table::{Table, short};
 
 /// What is known of one contender.
@@ -49,7 +49,7 @@ pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<S
                 limits.push(Limit::ratio(figure, 1.05, Some(measured)));
             }
         }
-        let lu = rows.iter().find(|row| row.name == crate::systems::STATIC_LU).and_then(|row| row.standing);
+        let lu = rows.iter().find(|row| row.name == STATIC_LU).and_then(|row| row.standing);
         by_lu.extend(lu.map(|standing| (system.dimension, standing.ratio.median.recip())));
         sections.push(section(system, &rows));
         progress.advance();
@@ -62,6 +62,38 @@ pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<S
         }
     }
     Ok((sections, limits))
+}
+
+/// Nanoseconds of one step of one system.
+pub(crate) struct StepTimes {
+    pub(crate) system: &'static str,
+    pub(crate) generated: f64,
+    /// Of the fastest hand-written step.
+    pub(crate) by_hand: f64,
+    /// Of Kahan's map by nalgebra's LU of static size.
+    pub(crate) lu: f64,
+    /// Of the implicit midpoint rule by Newton's method.
+    pub(crate) midpoint: f64,
+}
+
+/// The times of one step in a chain of dependent steps, each contender's least.
+pub(crate) fn step_times(systems: &[System], effort: Effort) -> Vec<StepTimes> {
+    let of = |system: &System| {
+        let steps = &system.steps;
+        let standings = race(steps.len(), effort, |i, units| seconds(|| steps[i].run(units)));
+        let least = |belongs: &dyn Fn(&Contender) -> bool| {
+            let times = steps.iter().zip(&standings).filter(|(step, _)| belongs(step));
+            times.map(|(_, standing)| standing.nanoseconds).fold(f64::INFINITY, f64::min)
+        };
+        StepTimes {
+            system: system.name,
+            generated: standings[0].nanoseconds,
+            by_hand: least(&|step| step.role == Role::ByHand),
+            lu: least(&|step| step.name == STATIC_LU),
+            midpoint: least(&|step| step.name == midpoint::NAME),
+        }
+    };
+    systems.iter().map(of).collect()
 }
 
 /// The hand-written step with the least latency.

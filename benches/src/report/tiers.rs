@@ -5,7 +5,7 @@ use anyhow::Result;
 use super::Section;
 use crate::limit::Limit;
 use crate::progress::Progress;
-use crate::race::{Effort, race};
+use crate::race::{Effort, least_times};
 use crate::table::{Table, short};
 use crate::worker::{self, Worker};
 
@@ -82,32 +82,24 @@ impl Line {
 fn measure(worker: &mut Worker, effort: Effort) -> Result<Vec<Line>> {
     let tasks: Vec<(String, String)> =
         worker.tasks().iter().map(|task| (task.system.clone(), task.what.clone())).collect();
-    let mut systems: Vec<String> = tasks.iter().map(|(system, _)| system.clone()).collect();
+    let mut systems: Vec<&str> = tasks.iter().map(|(system, _)| system.as_str()).collect();
     systems.dedup();
-    let mut lines = Vec::new();
-    for system in systems {
-        let of_system: Vec<usize> = (0..tasks.len()).filter(|&task| tasks[task].0 == system).collect();
-        let base = of_system.iter().position(|&task| tasks[task].1 == FAST).unwrap_or(0);
-        let mut order = of_system.clone();
-        order.swap(0, base);
-        let mut failure = None;
-        let standings = race(order.len(), effort, |i, units| {
-            worker.seconds(order[i], units).unwrap_or_else(|error| {
-                failure = Some(error);
-                1.0
-            })
-        });
-        if let Some(error) = failure {
-            return Err(error);
-        }
-        // Of the least times: whatever else runs on the machine delays dense code more than a chain of dependent steps.
-        let fast = standings.first().map_or(f64::NAN, |standing| standing.nanoseconds);
-        lines.extend(order.iter().zip(standings).map(|(&task, standing)| Line {
-            system: tasks[task].0.clone(),
-            what: tasks[task].1.clone(),
-            nanoseconds: standing.nanoseconds,
-            ratio: standing.nanoseconds / fast,
-        }));
-    }
-    Ok(lines)
+    // The tasks of each system, the fast tier first.
+    let races: Vec<Vec<usize>> = systems
+        .iter()
+        .map(|&system| {
+            let mut of: Vec<usize> = (0..tasks.len()).filter(|&task| tasks[task].0 == system).collect();
+            of.sort_by_key(|&task| tasks[task].1 != FAST);
+            of
+        })
+        .collect();
+    let runners: Vec<usize> = races.iter().map(Vec::len).collect();
+    let times = least_times(&runners, effort, |race, i, units| worker.seconds(races[race][i], units))?;
+    let lines = races.iter().zip(&times).flat_map(|(of, times)| {
+        of.iter().zip(times).map(|(&task, &nanoseconds)| {
+            let (system, what) = tasks[task].clone();
+            Line { system, what, nanoseconds, ratio: nanoseconds / times[0] }
+        })
+    });
+    Ok(lines.collect())
 }

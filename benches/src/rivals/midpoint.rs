@@ -3,6 +3,8 @@
 use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};
 
+/// What it is called in all tables.
+pub(crate) const NAME: &str = "implicit midpoint, Newton";
 /// Newton's method ends with an update below this, relative to max(1, |x̃|), in the maximum norm.
 pub(crate) const TOLERANCE: f64 = 1e-14;
 
