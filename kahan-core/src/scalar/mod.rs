@@ -27,7 +27,7 @@ pub use constant::Constant;
 pub use dd::Dd;
 pub use dual::Dual;
 pub use float_scalar::FloatScalar;
-pub(crate) use wide::Wide;
+pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.
 ///

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use num_traits::{One, Zero};
 
 use crate::linear::vector;
-use crate::{KahanMap, Pivot, PreparedStep, Quotients, Scalar};
+use crate::{KahanMap, Pivot, PreparedStep, Quotients};
 
 use super::bounded::{Bounded, SLACK, Working};
 
@@ -42,7 +42,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         let multiplied = largest::<V, N>(reciprocals.map(|reciprocal| reciprocal.value().size()));
         Some(Self {
             next,
-            error: largest::<V, N>(errors) + V::magnitude(SLACK * V::ALLOWANCE) * multiplied,
+            error: largest::<V, N>(errors) + V::Magnitude::from(SLACK * V::ALLOWANCE) * multiplied,
             largest_input: numerators
                 .iter()
                 .chain(&reciprocals)
@@ -69,7 +69,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     /// The size that no input may have, so that errors of underflow are allowed for.
     #[inline(always)]
     pub(super) fn largest_input(&self) -> V::Magnitude {
-        V::magnitude(f64::from_bits((1023 + u64::from(self.largest_input)) << 52))
+        V::Magnitude::from(f64::from_bits((1023 + u64::from(self.largest_input)) << 52))
     }
 
     /// Whether the error, with a rounding to `unit` besides, is less than `limit` times the largest component.
@@ -77,7 +77,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
         // A state of zeros without an error is one, too. What is not a number is never less.
-        V::exceeds(V::magnitude(limit - V::UNIT) * largest, self.error)
+        V::Magnitude::from(limit - V::UNIT) * largest > self.error
             || (largest.is_zero() && self.error.is_zero())
     }
 
@@ -89,13 +89,13 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         exactly: impl Fn(&T) -> V,
     ) -> Option<SVector<T, N>> {
         let rounded = self.next.map(round);
-        self.error += largest::<V, N>(from_fn(|i| (exactly(&rounded[i]) - self.next[i]).size()));
+        self.error = self.error + largest::<V, N>(from_fn(|i| (exactly(&rounded[i]) - self.next[i]).size()));
         (rounded.iter().all(T::is_finite_number) && self.is_within(limit)).then(|| vector(rounded))
     }
 
     /// What the error is at most, as a multiple of the largest component; infinite where nothing is known.
     pub(super) fn bound(&self) -> f64 {
-        let bound = (self.error / self.largest()).approximate();
+        let bound: f64 = (self.error / self.largest()).into();
         if bound.is_nan() { f64::INFINITY } else { bound }
     }
 
@@ -108,6 +108,6 @@ impl<V: Working, const N: usize> Attempt<V, N> {
 /// The largest of some magnitudes.
 #[inline(always)]
 fn largest<V: Working, const N: usize>(sizes: [V::Magnitude; N]) -> V::Magnitude {
-    let larger = |one, other| if V::exceeds(other, one) { other } else { one };
-    sizes.into_iter().reduce(larger).unwrap_or_else(|| V::magnitude(0.0))
+    let larger = |one, other| if other > one { other } else { one };
+    sizes.into_iter().reduce(larger).unwrap_or_else(|| V::Magnitude::from(0.0))
 }

@@ -121,7 +121,7 @@ impl<V: Working> Bounded<V> {
     /// A value of which nothing is known.
     #[inline(always)]
     pub(super) fn unknown(value: V) -> Self {
-        let pair = Pair::new(value, V::magnitude(f64::INFINITY));
+        let pair = Pair::new(value, V::Magnitude::from(f64::INFINITY));
         Self { pair, roundings: 1, inputs: 0, bits: 0, inverse: None }
     }
 
@@ -146,13 +146,13 @@ impl<V: Working> Bounded<V> {
     /// γₖ
     #[inline(always)]
     fn gamma(&self) -> V::Magnitude {
-        V::magnitude(SLACK * V::UNIT * f64::from(self.roundings))
+        V::Magnitude::from(SLACK * V::UNIT * f64::from(self.roundings))
     }
 
     /// γₖ·m, and the allowance.
     #[inline(always)]
     pub(super) fn error(&self) -> V::Magnitude {
-        self.magnitude() * self.gamma() + V::magnitude(V::ALLOWANCE)
+        self.magnitude() * self.gamma() + V::Magnitude::from(V::ALLOWANCE)
     }
 
     #[inline(always)]
@@ -218,18 +218,19 @@ impl<V: Working> Bounded<V> {
     pub(super) fn quotient(self, divisor: Self) -> Option<Self> {
         let value = self.value().quotient(divisor.value())?;
         let size = divisor.value().size();
-        let doubt = V::magnitude(64.0) * divisor.gamma() * divisor.magnitude();
-        let least = V::magnitude(if V::ALLOWANCE > 0.0 { LEAST_DIVISOR } else { 0.0 });
-        if !V::exceeds(size, doubt + least) {
+        let doubt = V::Magnitude::from(64.0) * divisor.gamma() * divisor.magnitude();
+        let least = V::Magnitude::from(if V::ALLOWANCE > 0.0 { LEAST_DIVISOR } else { 0.0 });
+        let is_certain = size > doubt + least;
+        if !is_certain {
             return None;
         }
         let numerator = self.magnitude() + value.size() * divisor.magnitude();
         // 1/|b̂| = |v̂|·(1/a) without a second division, where 1/a is at hand.
         let (magnitude, inverse) = match self.inverse() {
             Some(inverse) => {
-                (numerator * value.size() * (V::magnitude(SLACK) * inverse), Some(size * inverse))
+                (numerator * value.size() * (V::Magnitude::from(SLACK) * inverse), Some(size * inverse))
             }
-            None => (numerator * V::magnitude(SLACK) / size, None),
+            None => (numerator * V::Magnitude::from(SLACK) / size, None),
         };
         Some(Self {
             pair: Pair::new(value, magnitude),
@@ -261,6 +262,6 @@ impl<V: Working> Bounded<V> {
     #[inline(always)]
     fn inverse(&self) -> Option<V::Magnitude> {
         let is_whole_constant = self.inputs == 0 && self.roundings == 0;
-        if is_whole_constant { Some(V::magnitude(1.0) / self.magnitude()) } else { self.inverse }
+        if is_whole_constant { Some(V::Magnitude::from(1.0) / self.magnitude()) } else { self.inverse }
     }
 }

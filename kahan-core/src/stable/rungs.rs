@@ -1,4 +1,7 @@
 //! From rung to rung: which values the step is computed in, and what is said where none suffices.
+//!
+//! A rung has left the stack when the next one is called: over wide numbers, and without optimisation over any, a step of many
+//! operations needs hundreds of kilobytes.
 
 use core::array::from_fn;
 use core::cell::Cell;
@@ -41,28 +44,44 @@ where
     };
     let state = SVector::from_fn(|i, _| given(&x[i]));
     let attempt = Attempt::by_increments(&map.lift(given), &state, Bounded::given(embed(eps)), finish)?;
-    V::exceeds(attempt.largest_input(), sum.get()).then_some(attempt)
+    (attempt.largest_input() > sum.get()).then_some(attempt)
 }
 
 /// A rung that is called: x̃ goes to the last argument.
 type Called<M, T, const N: usize> = fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>;
 
-/// The first rung of a scalar that works for itself, and what comes after it.
-#[inline(always)]
-fn in_own_precision<M, T, const N: usize>(
-    map: &M,
-    x: &SVector<T, N>,
-    eps: &T,
-    beyond: Called<M, T, N>,
-) -> Result<SVector<T, N>, SingularStep>
+/// The first rung of a scalar that works for itself.
+#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(debug_assertions, inline(never))]
+fn in_own_precision<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
 where
     T: Promised + Working,
     M: Lift<T, N>,
 {
+    // Not by `filter`, which moves the attempt through memory, and each step of a chain would wait for that.
     match attempt(map, x, eps, |number| *number, M::Prepared::component) {
-        Some(attempt) if attempt.is_within(PROMISE * <T as Promised>::UNIT) => Ok(vector(attempt.next)),
-        _ => called(beyond, map, x, eps),
+        Some(attempt) if attempt.is_within(PROMISE * <T as Promised>::UNIT) => Some(vector(attempt.next)),
+        _ => None,
     }
+}
+
+/// A rung that computes in V and rounds to T.
+#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(debug_assertions, inline(never))]
+fn rounded_from<V, M, T, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+    embed: impl Fn(&T) -> V,
+    round: impl Fn(V) -> T,
+) -> Option<SVector<T, N>>
+where
+    T: Promised,
+    V: Working,
+    M: Lift<T, N>,
+{
+    attempt(map, x, eps, &embed, |component| component)
+        .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, round, embed))
 }
 
 /// The step of `f64`.
@@ -75,7 +94,10 @@ pub(crate) fn stable_double<M, const N: usize>(
 where
     M: Lift<f64, N>,
 {
-    in_own_precision(map, x, eps, beyond_double)
+    match in_own_precision(map, x, eps) {
+        Some(next) => Ok(next),
+        None => called(beyond_double, map, x, eps),
+    }
 }
 
 /// The step of `f32`, computed in `f64` and rounded once.
@@ -88,9 +110,7 @@ pub(crate) fn stable_single<M, const N: usize>(
 where
     M: Lift<f32, N>,
 {
-    let embed = |number: &f32| f64::from(*number);
-    attempt(map, x, eps, embed, |component| component)
-        .and_then(|attempt| attempt.rounded(PROMISE * f32::UNIT, |value| value as f32, embed))
+    rounded_from(map, x, eps, |number| f64::from(*number), |value| value as f32)
         .map_or_else(|| called(in_wide, map, x, eps), Ok)
 }
 
@@ -104,7 +124,10 @@ pub(crate) fn stable_double_double<M, const N: usize>(
 where
     M: Lift<Dd, N>,
 {
-    in_own_precision(map, x, eps, in_wide)
+    match in_own_precision(map, x, eps) {
+        Some(next) => Ok(next),
+        None => called(in_wide, map, x, eps),
+    }
 }
 
 /// What a rung that is called says of a step, entry by entry.
@@ -137,16 +160,21 @@ fn beyond_double<M, const N: usize>(
 where
     M: Lift<f64, N>,
 {
-    let embed = |number: &f64| Dd::from(*number);
-    let settled = attempt(map, &x, &eps, embed, |component| component)
-        .and_then(|attempt| attempt.rounded(PROMISE * <f64 as Promised>::UNIT, f64::from, embed));
-    match settled {
+    match in_double_double(map, &x, &eps) {
         Some(settled) => {
             *next = settled;
             None
         }
         None => in_wide(map, x, eps, next),
     }
+}
+
+#[inline(never)]
+fn in_double_double<M, const N: usize>(map: &M, x: &SVector<f64, N>, eps: &f64) -> Option<SVector<f64, N>>
+where
+    M: Lift<f64, N>,
+{
+    rounded_from(map, x, eps, |number| Dd::from(*number), f64::from)
 }
 
 /// The last two rungs, and the report where both fail; x̃ goes to `next`.
@@ -173,7 +201,7 @@ where
         return Some(SingularStep::unestablished(f64::NAN, f64::INFINITY, eps.approximate()));
     }
     let increments = wide_increments(&lifted, &state, given(&eps));
-    let quotients = once_with(|| Attempt::by_quotients(&lifted, &state, given(&eps)));
+    let quotients = once_with(|| wide_quotients(&lifted, &state, given(&eps)));
     let mut bound = f64::INFINITY;
     for attempt in increments.into_iter().chain(quotients.flatten()) {
         bound = attempt.bound().min(bound);
@@ -182,11 +210,13 @@ where
             return None;
         }
     }
-    let determinant = lifted.det_matrix(&state, given(&eps)).value();
+    let determinant = wide_determinant(&lifted, &state, given(&eps));
     Some(SingularStep::unestablished(report(determinant), bound, eps.approximate()))
 }
 
-/// The increment form in [`Wide`]; apart, because it is the same for every scalar that comes here.
+// What the last rungs call is apart, because it is the same for every scalar that comes here, and for the stack's sake.
+
+/// The increment form in [`Wide`].
 #[inline(never)]
 fn wide_increments<M, const N: usize>(
     map: &M,
@@ -197,6 +227,28 @@ where
     M: KahanMap<Bounded<Wide>, N>,
 {
     Attempt::by_increments(map, x, eps, |component| component)
+}
+
+/// The form N/D in [`Wide`].
+#[inline(never)]
+fn wide_quotients<M, const N: usize>(
+    map: &M,
+    x: &SVector<Bounded<Wide>, N>,
+    eps: Bounded<Wide>,
+) -> Option<Attempt<Wide, N>>
+where
+    M: KahanMap<Bounded<Wide>, N>,
+{
+    Attempt::by_quotients(map, x, eps)
+}
+
+/// det A(x,ε) in [`Wide`].
+#[inline(never)]
+fn wide_determinant<M, const N: usize>(map: &M, x: &SVector<Bounded<Wide>, N>, eps: Bounded<Wide>) -> Wide
+where
+    M: KahanMap<Bounded<Wide>, N>,
+{
+    map.det_matrix(x, eps).value()
 }
 
 /// A determinant as a float that is 0 only where the determinant is, and infinite nowhere.

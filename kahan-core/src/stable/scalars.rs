@@ -1,6 +1,6 @@
 //! Which scalars rungs work in, and which steps are promised in.
 
-use crate::scalar::Wide;
+use crate::scalar::{Size, Wide};
 use crate::{Dd, Pivot};
 
 use super::bounded::{ALLOWANCE, Bounded, Working, operations};
@@ -18,21 +18,6 @@ pub(crate) trait Promised: Pivot + Copy {
     fn narrow(value: Wide) -> Self;
 }
 
-/// Magnitudes that are doubles.
-macro_rules! float_magnitudes {
-    () => {
-        #[inline(always)]
-        fn magnitude(value: f64) -> f64 {
-            value
-        }
-
-        #[inline(always)]
-        fn exceeds(one: f64, other: f64) -> bool {
-            one > other
-        }
-    };
-}
-
 impl Number for f64 {
     type Magnitude = f64;
     const UNIT: f64 = f64::EPSILON / 2.0;
@@ -42,8 +27,6 @@ impl Number for f64 {
     fn size(&self) -> f64 {
         self.abs()
     }
-
-    float_magnitudes!();
 }
 
 impl Working for f64 {
@@ -65,8 +48,6 @@ impl Number for Dd {
     fn size(&self) -> f64 {
         self.high().abs()
     }
-
-    float_magnitudes!();
 }
 
 impl Working for Dd {
@@ -76,25 +57,17 @@ impl Working for Dd {
 }
 
 impl Number for Wide {
-    type Magnitude = Wide;
+    type Magnitude = Size;
     /// Four times that of an operation, so that a constant, made by a division of cut off numbers, is one, too.
     const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT + 2) as u64) << 52);
     const ALLOWANCE: f64 = 0.0;
 
-    fn size(&self) -> Wide {
-        self.abs()
-    }
-
-    fn magnitude(value: f64) -> Wide {
-        Wide::from(value)
+    fn size(&self) -> Size {
+        Wide::size(self)
     }
 
     fn is_exact(&self) -> bool {
         Wide::is_exact(self)
-    }
-
-    fn exceeds(one: Wide, other: Wide) -> bool {
-        one.magnitude_exceeds(&other)
     }
 }
 

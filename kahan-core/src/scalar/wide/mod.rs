@@ -6,18 +6,21 @@
 //! (a float that is not finite, a division by zero) is one state, *undefined*, which every operation passes on. There
 //! are no signed zeros, no infinities and no rounding modes; conversions to hardware floats are correctly rounded.
 //!
-//! [`limbs`] is arithmetic on rows of limbs, [`arithmetic`] the operators, [`convert`] the ways in and out, and
-//! [`scalar`] what a Kahan map asks for.
+//! [`limbs`] is arithmetic on rows of limbs, [`arithmetic`] the operators, [`convert`] the ways in and out, [`size`] how large
+//! such a number is, and [`scalar`] what a Kahan map asks for.
 
 mod arithmetic;
 mod convert;
 mod limbs;
 mod scalar;
+mod size;
 
 #[cfg(all(test, feature = "exact"))]
 mod tests;
 
 use core::cmp::Ordering;
+
+pub(crate) use size::Size;
 
 /// The number of limbs of a mantissa.
 pub(crate) const LIMBS: usize = 16;
@@ -91,11 +94,6 @@ impl Wide {
     /// Whether this is a number (zero included) rather than undefined.
     pub(crate) fn is_defined(&self) -> bool {
         self.state != State::Undefined
-    }
-
-    /// |self|.
-    pub(crate) fn abs(self) -> Self {
-        Self { negative: false, ..self }
     }
 
     /// self·2^power, exactly.

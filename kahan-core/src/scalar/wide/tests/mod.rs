@@ -6,6 +6,7 @@
 mod constants;
 mod conversions;
 mod operations;
+mod sizes;
 
 use num_bigint::{BigInt, Sign};
 use num_traits::Zero;

@@ -93,7 +93,6 @@ fn magnitudes_are_ordered_as_the_numbers_are() {
         assert_eq!(a == b, x.equals(&y));
         assert_eq!(a.is_better_pivot(&b), a.magnitude_exceeds(&b));
         assert!(a.magnitude_exceeds(&Wide::zero()) && !Wide::zero().magnitude_exceeds(&a));
-        assert!(!a.abs().negative && a.abs().compare_magnitudes(&a) == Some(core::cmp::Ordering::Equal));
     }
 }
 
@@ -110,7 +109,7 @@ fn undefined_is_passed_on_by_every_operation() {
             }
             assert!(!bad.magnitude_exceeds(&other) && !other.magnitude_exceeds(&bad));
         }
-        assert!(bad.abs() != bad && bad.scaled(3) != bad);
+        assert!(bad.scaled(3) != bad);
     }
     assert!(zero.reciprocal().is_none() && one.quotient(zero).is_none() && zero.quotient(zero).is_none());
     assert_eq!(one.quotient(one + one), Some(Wide::from(0.5)));

@@ -1,0 +1,145 @@
+//! How large a [`Wide`] is: its exponent, and 53 bits of its mantissa.
+//!
+//! Bounds on errors are made of sizes. They need the range of the numbers that they belong to and hardly a digit of them, and a
+//! step over such numbers carries a size beside each.
+
+use core::cmp::Ordering;
+use core::ops::{Add, Div, Mul};
+
+use num_traits::Zero;
+
+use super::{LIMBS, State, Wide};
+
+/// mantissa·2^exponent with a mantissa in [1, 2); or a mantissa of 0, infinity or NaN with the exponent 0.
+///
+/// Each operation rounds by at most 2⁻⁵². What leaves the range of the exponent is NaN, which is neither more nor less than any.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Size {
+    pub(super) exponent: i64,
+    pub(super) mantissa: f64,
+}
+
+/// The bits of 1.0, and those of a mantissa behind its leading bit.
+const ONE: u64 = 1023 << 52;
+const FRACTION: u64 = (1 << 52) - 1;
+
+/// 2^power for powers of normal numbers.
+fn power_of_two(power: i64) -> f64 {
+    f64::from_bits(((1023 + power) as u64) << 52)
+}
+
+impl Size {
+    const UNKNOWN: Self = Self { exponent: 0, mantissa: f64::NAN };
+
+    /// mantissa·2^exponent for a mantissa that is not subnormal.
+    fn normalised(mantissa: f64, exponent: Option<i64>) -> Self {
+        if !mantissa.is_normal() {
+            return Self { exponent: 0, mantissa };
+        }
+        let bits = mantissa.to_bits();
+        let shift = (bits >> 52) as i64 - 1023;
+        exponent.and_then(|exponent| exponent.checked_add(shift)).map_or(Self::UNKNOWN, |exponent| Self {
+            exponent,
+            mantissa: f64::from_bits(ONE | bits & FRACTION),
+        })
+    }
+
+    /// Whether this is a number other than zero.
+    fn is_normal(self) -> bool {
+        self.mantissa.is_normal()
+    }
+}
+
+impl Wide {
+    /// |self|, cut off; NaN where self is undefined.
+    pub(crate) fn size(&self) -> Size {
+        match self.state {
+            State::Zero => Size::zero(),
+            State::Undefined => Size::UNKNOWN,
+            State::Number => Size {
+                exponent: self.exponent,
+                mantissa: f64::from_bits(ONE | self.mantissa[LIMBS - 1] >> 11 & FRACTION),
+            },
+        }
+    }
+}
+
+/// The size of a number that is not negative.
+impl From<f64> for Size {
+    fn from(value: f64) -> Self {
+        if value < f64::MIN_POSITIVE {
+            Self::normalised(value * power_of_two(100), Some(-100))
+        } else {
+            Self::normalised(value, Some(0))
+        }
+    }
+}
+
+/// Infinite and zero beyond the range.
+impl From<Size> for f64 {
+    fn from(size: Size) -> Self {
+        let exponent = size.exponent.clamp(-1200, 1200);
+        size.mantissa * power_of_two(exponent / 2) * power_of_two(exponent - exponent / 2)
+    }
+}
+
+impl Add for Size {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        if self.is_zero() {
+            return other;
+        }
+        if other.is_zero() {
+            return self;
+        }
+        if !(self.is_normal() && other.is_normal()) {
+            return Self { exponent: 0, mantissa: self.mantissa + other.mantissa };
+        }
+        let (large, small) = if self.exponent < other.exponent { (other, self) } else { (self, other) };
+        match large.exponent.checked_sub(small.exponent) {
+            Some(distance @ ..=1000) => {
+                let mantissa = large.mantissa + small.mantissa * power_of_two(-distance);
+                Self::normalised(mantissa, Some(large.exponent))
+            }
+            _ => large,
+        }
+    }
+}
+
+impl Mul for Size {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self::normalised(self.mantissa * other.mantissa, self.exponent.checked_add(other.exponent))
+    }
+}
+
+impl Div for Size {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        Self::normalised(self.mantissa / other.mantissa, self.exponent.checked_sub(other.exponent))
+    }
+}
+
+impl PartialOrd for Size {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        let mantissas = self.mantissa.partial_cmp(&other.mantissa);
+        if self.is_normal() && other.is_normal() {
+            mantissas.map(|mantissas| self.exponent.cmp(&other.exponent).then(mantissas))
+        } else {
+            mantissas
+        }
+    }
+}
+
+impl Zero for Size {
+    fn zero() -> Self {
+        Self { exponent: 0, mantissa: 0.0 }
+    }
+
+    fn is_zero(&self) -> bool {
+        self.mantissa == 0.0
+    }
+}
