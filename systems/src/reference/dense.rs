@@ -2,6 +2,9 @@
 
 use kahan_core::Dd;
 
+/// The most pieces of a trajectory.
+pub(super) const MOST_PIECES: usize = 50_000;
+
 /// One polynomial, valid from its start to the start of the next.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {

@@ -1,0 +1,136 @@
+//! The second method: what a path is compared with, and how far the two differ.
+//!
+//! In: the path of the series. Out: the largest difference from the closed solution, or from Kahan's map composed to order 8.
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::{Composition, Dd, KahanMap};
+
+use super::closed::Solution;
+use super::path::{Limits, Path};
+use super::refusal::NoReference;
+
+/// The most steps of the composition, 17 stages each.
+const MOST_STEPS: u64 = 1 << 20;
+/// The times at which a closed solution, which is slow, is compared.
+const CLOSED_SAMPLES: u32 = 64;
+/// The most times at which the composition is compared.
+const SAMPLES: u64 = 4096;
+
+/// What stands behind a reference.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Certificate {
+    /// The second method.
+    pub method: Method,
+    /// The largest difference from it that was seen, relative to the trajectory's [`scale`](super::Reference::scale).
+    pub difference: f64,
+    /// The last time before which every difference was as small as was asked for.
+    pub agreed_until: f64,
+}
+
+/// The method that a Taylor series is compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// The catalog's closed solution.
+    ClosedSolution,
+    /// The Kahan–Li composition of order 8, with so many steps.
+    Composition {
+        /// The steps.
+        steps: u64,
+    },
+}
+
+impl Certificate {
+    /// The differences from a closed solution.
+    pub(super) fn by_solution(path: &Path, solution: &Solution, allowed: f64) -> Self {
+        let times = (1..=CLOSED_SAMPLES).map(|k| path.end * f64::from(k) / f64::from(CLOSED_SAMPLES));
+        let mut comparison = Comparison::new(allowed);
+        for t in times {
+            comparison.add(t, path.distance(Dd::from(t), &solution(Dd::from(t))));
+        }
+        comparison.certificate(Method::ClosedSolution)
+    }
+
+    /// The differences from the composition: more and more steps, until the two are as near as was asked for, or come no nearer.
+    pub(super) fn by_composition<M, const N: usize>(
+        path: &Path,
+        map: &M,
+        start: SVector<Dd, N>,
+        allowed: f64,
+        limits: &Limits,
+    ) -> Result<Self, NoReference>
+    where
+        M: KahanMap<Dd, N>,
+    {
+        let mut steps = ((2.0 * path.end * path.slope).ceil() as u64).clamp(16, MOST_STEPS);
+        let mut before = f64::INFINITY;
+        loop {
+            let Some(comparison) = Comparison::with_steps(path, map, start, steps, allowed, limits) else {
+                return Err(NoReference::NoTime { reached: path.end });
+            };
+            let difference = comparison.difference;
+            // Order 8 gains a factor of 256 with each doubling; without a gain it is roundings that differ.
+            let has_stalled = difference.is_finite() && before.is_finite() && difference > 0.5 * before;
+            if difference <= allowed || has_stalled || steps >= MOST_STEPS {
+                return Ok(comparison.certificate(Method::Composition { steps }));
+            }
+            before = difference;
+            steps *= 2;
+        }
+    }
+}
+
+/// Two methods, compared at times that grow.
+#[derive(Clone, Copy, Debug)]
+struct Comparison {
+    allowed: f64,
+    difference: f64,
+    agreed_until: f64,
+}
+
+impl Comparison {
+    fn new(allowed: f64) -> Self {
+        Comparison { allowed, difference: 0.0, agreed_until: 0.0 }
+    }
+
+    fn add(&mut self, t: f64, difference: f64) {
+        self.difference = self.difference.max(difference);
+        if self.difference <= self.allowed {
+            self.agreed_until = t;
+        }
+    }
+
+    fn certificate(self, method: Method) -> Certificate {
+        let Comparison { difference, agreed_until, .. } = self;
+        Certificate { method, difference, agreed_until }
+    }
+
+    /// `None` where the time is over first.
+    fn with_steps<M, const N: usize>(
+        path: &Path,
+        map: &M,
+        start: SVector<Dd, N>,
+        steps: u64,
+        allowed: f64,
+        limits: &Limits,
+    ) -> Option<Self>
+    where
+        M: KahanMap<Dd, N>,
+    {
+        let dt = Dd::from(path.end) / Dd::from(steps as f64);
+        let stride = steps.div_ceil(SAMPLES) as usize;
+        let mut orbit = map.orbit(start, dt * Dd::from(0.5)).composed(Composition::KAHAN_LI_8);
+        orbit.next();
+        let mut comparison = Comparison::new(allowed);
+        let mut step = stride as u64;
+        while step <= steps {
+            if limits.is_over() {
+                return None;
+            }
+            let Some(x) = orbit.nth(stride - 1) else { break };
+            let t = dt * Dd::from(step as f64);
+            comparison.add(t.into(), path.distance(t, x.as_slice()));
+            step += stride as u64;
+        }
+        Some(comparison)
+    }
+}
