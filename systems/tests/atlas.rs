@@ -3,9 +3,7 @@
 //! The page is made here from short orbits and from outcomes that are given, so that it takes seconds without optimisation.
 
 use std::collections::BTreeSet;
-use std::process::{Command, Output};
 use std::time::Duration;
-use std::{fs, path::Path};
 
 use kahan_systems::atlas::{Checked, Found, Making, Orbits, page};
 use kahan_systems::paper::figures::{Figure, Measurement};
@@ -188,39 +186,4 @@ fn a_claim_that_failed_is_told_at_the_top_and_shown_open() {
     let group = before.rsplit("<details").next().unwrap_or_default();
     assert!(group.contains(" open>"), "its group is closed: {}", &group[..60.min(group.len())]);
     assert!(page_with(&paper, good).contains("no claim failed."));
-}
-
-fn kahan(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_kahan")).args(arguments).output().expect("the command starts")
-}
-
-fn refused(out: &Path) -> String {
-    let output = kahan(&["atlas", "--out", &out.display().to_string()]);
-    assert_eq!(output.status.code(), Some(2), "{output:?}");
-    assert!(output.stdout.is_empty());
-    String::from_utf8(output.stderr).expect("text")
-}
-
-#[test]
-fn a_folder_that_cannot_be_used_is_refused_at_once_and_nothing_is_left_behind() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("file");
-    fs::write(&file, "kept").expect("a file");
-    assert!(refused(&file).contains("it is a file"));
-    assert!(refused(&file.join("below")).contains("cannot use the folder"));
-    assert_eq!(fs::read_to_string(&file).expect("the file"), "kept");
-
-    // A folder where the page belongs: the page cannot replace it.
-    let taken = folder.path().join("taken");
-    fs::create_dir_all(taken.join("index.html")).expect("a folder");
-    assert!(refused(&taken).contains("it is a directory"));
-    assert_eq!(fs::read_dir(&taken).expect("a folder").count(), 1, "something else was left there");
-}
-
-#[test]
-fn the_command_explains_itself() {
-    let help = kahan(&["atlas", "--help"]);
-    let text = String::from_utf8(help.stdout).expect("text");
-    assert!(help.status.success() && text.contains("Examples:") && text.contains("--out"), "{text}");
-    assert_eq!(kahan(&["atlas"]).status.code(), Some(2));
 }

@@ -2,7 +2,7 @@
 //!
 //! Prices are times and never asserted beyond being positive; errors are computed again, from the library's own orbits.
 
-use std::process::{Command, Output};
+mod edges;
 
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
@@ -11,22 +11,12 @@ use kahan_systems::E6;
 use kahan_systems::reference::{Reference, Trajectory};
 use serde_json::Value;
 
-fn kahan(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
-    command.args(arguments).output().expect("the command runs")
-}
+use crate::running::{kahan, refusal};
 
 fn json(arguments: &[&str]) -> Value {
     let output = kahan(&[arguments, &["--json"]].concat());
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     serde_json::from_slice(&output.stdout).expect("one JSON object")
-}
-
-fn refusal(arguments: &[&str]) -> String {
-    let output = kahan(arguments);
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", String::from_utf8_lossy(&output.stdout));
-    assert!(output.stdout.is_empty());
-    String::from_utf8(output.stderr).expect("UTF-8")
 }
 
 fn number(object: &Value, key: &str) -> f64 {

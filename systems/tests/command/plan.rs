@@ -1,33 +1,12 @@
 //! `kahan show --plan` from outside: a row for every object, the step line by line, and what is said where it eliminates.
 
-use std::process::{Command, Output};
-
-use serde_json::Value;
+use crate::running::{answer, kahan, object, text};
 
 /// So dense that neither its map nor its elimination is written in straight lines.
 const DENSE: &str = "
     adot = (a+b+c+d+e+f+g+h)^2 + a*b; bdot = (a-b+2*c+d-e+f+g+h)^2 + b*c; cdot = (a+b-c+d+3*e+f-g+h)^2 + c*d;
     ddot = (a+2*b+c-d+e+f+g-h)^2 + d*e; edot = (3*a+b+c+d-e+f+g+h)^2 + e*f; fdot = (a+b+c-2*d+e-f+g+h)^2 + f*g;
     gdot = (a-b+c+d+e+5*f-g+h)^2 + g*h; hdot = (a+b+7*c+d-e+f+g-h)^2 + h*a;";
-
-fn kahan(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_kahan")).args(arguments).output().expect("the command runs")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).expect("UTF-8")
-}
-
-fn answer(arguments: &[&str]) -> String {
-    let output = kahan(arguments);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
-    assert!(output.stderr.is_empty(), "{arguments:?}");
-    text(&output.stdout)
-}
-
-fn object(arguments: &[&str]) -> Value {
-    serde_json::from_str(&answer(arguments)).expect("one JSON object")
-}
 
 /// The rows of the table: from the line of titles to the next empty line.
 fn rows(page: &str) -> Vec<&str> {

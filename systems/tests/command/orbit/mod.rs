@@ -4,6 +4,7 @@ mod files;
 mod manners;
 mod numbers;
 mod objects;
+mod order;
 mod poles;
 
 use std::fs;
@@ -17,6 +18,8 @@ use kahan_systems::{E6, E7, E9, EulerTop, LotkaVolterra};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
+use crate::running::text;
+
 fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
     command.arg("orbit").args(arguments);
@@ -25,10 +28,6 @@ fn command(arguments: &[&str]) -> Command {
 
 fn kahan(arguments: &[&str]) -> Output {
     command(arguments).output().expect("the command runs")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).expect("UTF-8")
 }
 
 /// Standard output of a run that must succeed and complain of nothing, nor draw a progress bar.

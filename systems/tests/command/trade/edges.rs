@@ -1,26 +1,24 @@
 //! `kahan trade` at the edges: near a pole, at numbers that are very large or small, with no time, and where `Dd` is the cheapest.
 
-use std::process::{Command, Output};
+use std::process::Output;
 
 use serde_json::Value;
 
-fn kahan(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
-    command.arg("trade").args(arguments).output().expect("the command runs")
+use super::number;
+use crate::running::kahan;
+
+fn trade(arguments: &[&str]) -> Output {
+    kahan(&[&["trade"], arguments].concat())
 }
 
 fn json(arguments: &[&str]) -> Value {
-    let output = kahan(&[arguments, &["--json", "--seconds", "60"]].concat());
+    let output = trade(&[arguments, &["--json", "--seconds", "60"]].concat());
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     serde_json::from_slice(&output.stdout).expect("one JSON object")
 }
 
-fn number(object: &Value, key: &str) -> f64 {
-    object[key].as_f64().unwrap_or_else(|| panic!("{key} in {object}"))
-}
-
 fn complaint(arguments: &[&str], status: i32) -> String {
-    let output = kahan(arguments);
+    let output = trade(arguments);
     assert_eq!(output.status.code(), Some(status), "{}", String::from_utf8_lossy(&output.stdout));
     String::from_utf8(output.stderr).expect("UTF-8")
 }

@@ -1,19 +1,13 @@
 //! `kahan heights` from outside.
 
-use std::process::{Command, Output};
+use std::process::Output;
 
 use serde_json::Value;
 
-fn kahan(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_kahan"))
-        .arg("heights")
-        .args(arguments)
-        .output()
-        .expect("the command runs")
-}
+use crate::running::{self, text};
 
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+fn kahan(arguments: &[&str]) -> Output {
+    running::kahan(&[&["heights"], arguments].concat())
 }
 
 /// Standard output and standard error of a run with this exit status.

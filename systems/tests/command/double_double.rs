@@ -1,6 +1,6 @@
 //! `--scalar dd` from outside: 32 digits, the steps of the compiled library, exact inputs, poles and overflow.
 
-use std::process::{Command, Output};
+use std::process::Output;
 
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
@@ -8,13 +8,10 @@ use kahan_core::{Composition, num_traits::Signed};
 use kahan_systems::{E6, E7, LotkaVolterra};
 use serde_json::{Number, Value};
 
-fn kahan(arguments: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
-    command.args(arguments.split(' ')).output().expect("the command runs")
-}
+use crate::running::{self, text};
 
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+fn kahan(arguments: &str) -> Output {
+    running::kahan(&arguments.split(' ').collect::<Vec<_>>())
 }
 
 fn answer(arguments: &str) -> String {

@@ -1,16 +1,11 @@
 //! `kahan orbit --order` from outside: the library's compositions, what their integrals do, and where they end.
 
-use std::process::{Command, Output};
-
 use kahan_core::Composition;
 use kahan_core::prelude::*;
 use kahan_systems::{E6, EulerTop};
 use serde_json::Value;
 
-fn kahan(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
-    command.arg("orbit").args(arguments).output().expect("the command runs")
-}
+use super::kahan;
 
 /// The object that `--json` prints.
 fn object(arguments: &[&str]) -> Value {

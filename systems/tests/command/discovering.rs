@@ -1,36 +1,14 @@
 //! `kahan discover` and `kahan scan`: what is printed parses and proves again, JSON has its keys, refusals say why; and the
 //! catalog's further systems claim what is found of them.
 
-use std::process::{Command, Output};
-
 use kahan_algebra::{Reading, lexer, read};
 use kahan_systems::registry::{FURTHER, find};
 use serde_json::{Value, json};
 
-fn kahan(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_kahan")).args(arguments).output().expect("the command runs")
-}
-
-/// Standard output of a run that must succeed and say nothing else.
-fn answer(arguments: &[&str]) -> String {
-    let output = kahan(arguments);
-    let complaints = String::from_utf8(output.stderr).expect("UTF-8");
-    assert!(output.status.success() && complaints.is_empty(), "{arguments:?}: {complaints}");
-    String::from_utf8(output.stdout).expect("UTF-8")
-}
+use crate::running::{answer, refusal};
 
 fn object(arguments: &[&str]) -> Value {
     serde_json::from_str(&answer(&[arguments, &["--json"]].concat())).expect("one JSON object")
-}
-
-/// The one paragraph of a refusal.
-fn refusal(arguments: &[&str]) -> String {
-    let output = kahan(arguments);
-    let paragraph = String::from_utf8(output.stderr).expect("UTF-8");
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {paragraph}");
-    assert!(output.stdout.is_empty() && paragraph.starts_with("error: "), "{paragraph}");
-    assert_eq!(paragraph.matches('\n').count(), 1, "{paragraph}");
-    paragraph
 }
 
 fn texts(value: &Value) -> Vec<String> {

@@ -1,0 +1,58 @@
+//! `kahan extremes`: a cell for everything that was judged.
+
+use serde_json::Value;
+
+use crate::running::kahan;
+
+#[test]
+fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
+    let output = kahan(&["extremes", "e3", "--trials", "64", "--seed", "3", "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
+    assert_eq!((&object["system"], &object["trials"]), (&"e3".into(), &64.into()));
+    let cells = object["cells"].as_array().expect("a list");
+    // Fast and stable f32 and f64, f32 through f64, accurate and stable dd.
+    assert_eq!(cells.len(), 6 * 7);
+    for cell in cells {
+        assert!(cell["regime"].is_string() && cell["tier"].is_string() && cell["scalar"].is_string());
+        assert!(cell["trials"].as_u64().is_some_and(|trials| trials >= 8));
+        for count in ["flagged", "unjustified_flags", "silently_wrong"] {
+            assert!(cell[count].as_u64() <= cell["trials"].as_u64(), "{cell}");
+        }
+        let is_special = cell["regime"] == "infinite or NaN input";
+        assert_eq!(cell["max_error_u"].is_null(), is_special, "{cell}");
+    }
+}
+
+/// The text of E3 is interpreted with the bits of the compiled E3, so every verdict is the same.
+#[test]
+fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
+    let cells = |arguments: &[&str]| {
+        let output = kahan(&[arguments, &["--trials", "256", "--seed", "9", "--json"]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
+        object["cells"].clone()
+    };
+    let field = ["extremes", "--field", "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;"];
+    let read = cells(&field);
+    assert_eq!(read, cells(&["extremes", "e3"]));
+    assert!(read.as_array().is_some_and(|cells| cells.iter().any(|cell| cell["silently_wrong"] != 0)));
+    // A parameter that is drawn, below a fraction bar, and a constant that no float holds.
+    cells(&["extremes", "--field", "xdot = x*y/mu + 1/3; ydot = mu - x^2;"]);
+}
+
+#[test]
+fn what_cannot_be_judged_is_refused() {
+    for (arguments, word) in [
+        (&["extremes", "--field", "xdot = x^2/mu;", "--param", "mu=0"][..], "divides by zero"),
+        (&["extremes", "e7", "--param", "mu=1"], "no parameter"),
+        (&["extremes", "--param", "xi=1"], "of which system"),
+        (&["extremes", "e1", "--trials", "0"], "1 or more"),
+        (&["extremes", "e12"], "no system"),
+    ] {
+        let output = kahan(arguments);
+        let paragraph = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {paragraph}");
+        assert!(output.stdout.is_empty() && paragraph.contains(word), "{paragraph}");
+    }
+}

@@ -1,0 +1,18 @@
+//! The `kahan` command from outside: what it prints, and with which exit status. A module for each subcommand, and for what is
+//! common to all.
+
+mod atlas;
+mod discovering;
+mod double_double;
+mod evaluating;
+mod extremes;
+mod heights;
+mod orbit;
+mod parameters;
+mod plan;
+mod refusing;
+mod regressions;
+mod running;
+mod showing;
+mod trade;
+mod verifying;

@@ -1,0 +1,37 @@
+//! Running the command as a user does.
+
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+/// A run of the command.
+pub(crate) fn kahan(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_kahan")).args(arguments).output().expect("the command runs")
+}
+
+pub(crate) fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+/// Standard output of a run that must succeed.
+pub(crate) fn answer(arguments: &[&str]) -> String {
+    let output = kahan(arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
+    assert!(output.stderr.is_empty(), "{arguments:?}");
+    text(&output.stdout)
+}
+
+pub(crate) fn object(arguments: &[&str]) -> Value {
+    serde_json::from_str(&answer(arguments)).expect("one JSON object")
+}
+
+/// The one paragraph of a refusal.
+pub(crate) fn refusal(arguments: &[&str]) -> String {
+    let output = kahan(arguments);
+    let paragraph = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {paragraph}");
+    assert!(output.stdout.is_empty(), "{arguments:?} printed something");
+    assert!(paragraph.starts_with("error: ") && paragraph.ends_with('\n'), "{paragraph}");
+    assert!(!paragraph.contains("\n\n"), "more than one paragraph: {paragraph}");
+    paragraph
+}

@@ -1,0 +1,94 @@
+//! `kahan show` and `kahan list`, in every form, and the help.
+
+use std::io::Read;
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+use crate::running::{answer, object};
+
+#[test]
+fn the_list_names_the_systems_of_the_paper_then_the_others() {
+    let list = object(&["list", "--json"]);
+    let names: Vec<&str> =
+        list["systems"].as_array().expect("a list").iter().filter_map(|one| one["name"].as_str()).collect();
+    let paper = ["euler", "lv", "e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9"];
+    let others = ["weierstrass", "volterra", "volterra4", "lagrange", "henon-heiles", "zhukovsky", "lorenz"];
+    assert_eq!(names, [&paper[..], &others[..]].concat());
+    assert!(names.iter().all(|name| answer(&["list"]).contains(name)));
+}
+
+#[test]
+fn the_factor_that_was_divided_out_is_named() {
+    assert_eq!(object(&["show", "e1", "--json"])["removed_factor"], "1 + eps*x");
+    assert_eq!(object(&["show", "e3", "--json"])["removed_factor"], "1 + eps*z");
+    assert_eq!(object(&["show", "e6", "--json"])["removed_factor"], Value::Null);
+    assert!(answer(&["show", "e1"]).contains("1 + eps*x"));
+}
+
+#[test]
+fn every_system_is_shown_in_every_form() {
+    let names = kahan_systems::registry::all().map(|entry| entry.command);
+    for name in names {
+        for form in ["--latex", "--macro", "--json"] {
+            assert!(!answer(&["show", name, form]).is_empty());
+        }
+        assert!(answer(&["show", name]).contains("A(x,eps) = I - eps f'(x)"));
+    }
+}
+
+#[test]
+fn the_macro_block_reads_back_as_the_same_system() {
+    for name in ["euler", "lv", "e5", "e8"] {
+        let block = answer(&["show", name, "--macro"]);
+        let file = std::env::temp_dir().join(format!("kahan-command-test-{}-{name}.rs", std::process::id()));
+        std::fs::write(&file, &block).expect("a temporary file");
+        let again = answer(&["show", "--file", file.to_str().expect("UTF-8"), "--macro"]);
+        std::fs::remove_file(&file).expect("the temporary file");
+        assert_eq!(again, block);
+    }
+}
+
+#[test]
+fn a_field_beyond_the_budget_keeps_its_determinant() {
+    let states = ["a", "b", "c", "d", "e", "f"];
+    let all: Vec<String> = states.iter().enumerate().map(|(i, x)| format!("{}*{x}^2", i + 1)).collect();
+    let equations = states
+        .iter()
+        .enumerate()
+        .map(|(i, x)| format!("{x}dot = {} + {x}*{} + {i};", all.join(" + "), states[(i + 1) % 6]));
+    let field: String = equations.collect();
+    let sheet = object(&["show", "--field", &field, "--json"]);
+    assert_eq!((&sheet["det_A"], &sheet["map"]), (&Value::Null, &Value::Null));
+    let page = answer(&["show", "--field", &field]);
+    assert!(page.contains("not expanded") && page.contains("elimination"), "{page}");
+    assert!(answer(&["show", "--field", &field, "--latex"]).contains("vmatrix"));
+    let point = ["eval", "--field", &field, "--eps", "1/7", "--at", "1,2,3,4,5,6", "--json"];
+    assert_eq!(object(&point)["x_next"].as_array().map(Vec::len), Some(6));
+}
+
+#[test]
+fn help_and_version_are_answers() {
+    for command in ["verify", "list", "show", "eval"] {
+        let (long, short) = (answer(&[command, "--help"]), answer(&[command, "-h"]));
+        assert!(long.contains("Examples:") && !short.contains("Examples:"), "{command}");
+        assert!(short.len() < long.len());
+    }
+    assert!(answer(&["--help"]).contains("Examples:"));
+    assert!(answer(&["--version"]).starts_with("kahan "));
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_error() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_kahan"))
+        .args(["show", "e9", "--json"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command runs");
+    drop(child.stdout.take());
+    let mut complaint = String::new();
+    child.stderr.take().expect("a pipe").read_to_string(&mut complaint).expect("UTF-8");
+    assert_eq!(complaint, "");
+    assert_eq!(child.wait().expect("the command ends").code(), Some(0));
+}

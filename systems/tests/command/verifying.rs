@@ -1,0 +1,82 @@
+//! `kahan verify`: outcomes, tables, mutations, false claims.
+
+use serde_json::Value;
+
+use crate::running::{answer, kahan, object, refusal, text};
+
+/// The whole registry is the matter of `tests/paper.rs`; here one system stands for all.
+#[test]
+fn every_claim_of_a_system_has_an_outcome_and_a_place() {
+    let report = object(&["verify", "--system", "E6", "--json"]);
+    let claims = report["claims"].as_array().expect("a list");
+    assert_eq!(report["failed"], 0);
+    let ids: Vec<&str> = claims.iter().filter_map(|claim| claim["id"].as_str()).collect();
+    for id in ["e6.H", "e6.Q", "table1.e6.P", "table3.e6.P12", "table4.e6.Q31", "change.e6.euler.map"] {
+        assert!(ids.contains(&id), "{id} is missing");
+    }
+    for claim in claims {
+        let outcome = claim["outcome"].as_str().expect("a word");
+        assert!(["proved", "proved-mod-p", "exact", "numerical", "misprint"].contains(&outcome), "{claim}");
+        assert_eq!(claim["system"], "e6");
+        for key in ["id", "source", "statement", "detail"] {
+            assert!(claim[key].as_str().is_some_and(|value| !value.is_empty()), "{key} of {claim}");
+        }
+    }
+}
+
+#[test]
+fn the_table_has_a_line_for_every_claim() {
+    let claims = object(&["verify", "e2", "--json"])["claims"].as_array().expect("a list").len();
+    let table = answer(&["verify", "e2"]);
+    assert!(table.starts_with("e2: "), "{table}");
+    assert!(table.lines().filter(|line| line.starts_with("  ") && line.ends_with(" ms")).count() == claims);
+    assert!(
+        table.trim_end().lines().last().is_some_and(|line| line.starts_with(&format!("{claims} claims: ")))
+    );
+}
+
+#[test]
+fn what_is_printed_wrong_is_shown_with_its_counterexample() {
+    let table = answer(&["verify", "e3"]);
+    assert!(table.contains("misprint: corrected form established"), "{table}");
+    assert!(table.contains("-1/200 on the left, 1/40 on the right"), "{table}");
+}
+
+#[test]
+fn no_claim_of_a_system_survives_every_mutation() {
+    let report = object(&["verify", "lv", "--mutate", "--json"]);
+    assert_eq!(report["survived"], 0);
+    let mutations = report["mutations"].as_array().expect("a list");
+    assert!(mutations.len() > 10);
+    assert!(mutations.iter().all(|one| one["failed"].is_string() && one["tried"].as_u64() >= Some(1)));
+    let text = answer(&["verify", "lv", "--mutate"]);
+    assert!(text.contains("0 survived"), "{text}");
+}
+
+#[test]
+fn one_system_at_a_time() {
+    assert!(refusal(&["verify", "e1", "--system", "e2"]).contains("--system"));
+    assert!(refusal(&["verify", "--system", "e10"]).contains("`e10`"));
+    assert!(refusal(&["verify", "--mutate", "--field", "xdot = x;"]).contains("--mutate"));
+    assert!(answer(&["verify", "--system", "general"]).starts_with("general: "));
+}
+
+#[test]
+fn a_false_claim_fails_with_a_counterexample_and_status_1() {
+    let field = "xdot = y; ydot = -x; integral F = x^2 + 2*y^2; integral H = x^2 + y^2;";
+    let output = kahan(&["verify", "--field", field, "--json"]);
+    assert_eq!(output.status.code(), Some(1));
+    let report: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
+    assert_eq!(report["failed"], 1);
+    assert_eq!(report["claims"][0]["outcome"], "failed");
+    assert!(report["claims"][0]["detail"].as_str().is_some_and(|detail| detail.contains("x = ")));
+    assert_eq!(report["claims"][1]["outcome"], "proved");
+    assert!(text(&output.stderr).contains("field.F"));
+}
+
+#[test]
+fn a_vacuous_claim_fails() {
+    let output = kahan(&["verify", "--field", "xdot = y; ydot = -x; integral C = eps;"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stdout).contains("says nothing"));
+}
