@@ -48,12 +48,24 @@ impl StepCost {
 ///
 /// Scalars side by side in memory are loaded in pairs by compilers that pack scalar code into vectors; in the dependent chain
 /// of one step every such pair costs the cycles that shuffle it apart again, up to a quarter of the step.
+///
+/// Compilers load a single-precision constant with the twelve bytes after it, too, and compute on with all four numbers. Zeros
+/// stand there: what else might lie there can be subnormal, and made a step in six variables take eight times as long.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(align(32))]
+#[repr(C, align(32))]
 pub struct Apart<T>(
     /// The constant.
     pub T,
+    [u32; 3],
 );
+
+impl<T> Apart<T> {
+    /// The constant, away from others.
+    #[inline(always)]
+    pub const fn new(constant: T) -> Self {
+        Self(constant, [0; 3])
+    }
+}
 
 /// A step that knows its ε and its parameters.
 ///
@@ -130,5 +142,19 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     fn finished(self, x: &SVector<T, N>, finish: impl Fn(T) -> T) -> SVector<T, N> {
         let Quotients { numerators, reciprocals } = self;
         vector(from_fn(|i| finish(numerators[i].clone().multiply_add(reciprocals[i].clone(), x[i].clone()))))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::mem::{align_of, offset_of, size_of};
+
+    use super::Apart;
+
+    #[test]
+    fn zeros_fill_the_register_behind_a_single_precision_constant() {
+        assert_eq!((offset_of!(Apart<f32>, 0), offset_of!(Apart<f32>, 1)), (0, 4));
+        assert_eq!((size_of::<Apart<f32>>(), align_of::<Apart<f32>>()), (32, 32));
+        assert_eq!(Apart::new(1.5_f32).1, [0; 3]);
     }
 }

@@ -85,7 +85,7 @@ impl<'a> Kernel<'a> {
             quote!(__lanes: { #prepare })
         });
         let marker = self.marker().map(|marker| quote!(__scalar: #marker));
-        quote! { #inputs #bindings #name { #(#names: __kahan::Apart(#results),)* #lanes #marker } }
+        quote! { #inputs #bindings #name { #(#names: __kahan::Apart::new(#results),)* #lanes #marker } }
     }
 
     /// Expands to `impl<T: Scalar> PreparedStep<T, 3> for __Step<T>`.
@@ -152,7 +152,7 @@ impl<'a> Kernel<'a> {
                     &self,
                     __spread: impl __kahan::core::ops::Fn(&#scalar) -> __L,
                 ) -> #wide_name<__L> {
-                    #wide_name { #(#names: __kahan::Apart(__spread(&#holder.#names.0)),)* #marker }
+                    #wide_name { #(#names: __kahan::Apart::new(__spread(&#holder.#names.0)),)* #marker }
                 }
             }
         }

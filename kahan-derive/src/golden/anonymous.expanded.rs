@@ -168,9 +168,9 @@ fn scope() {
                     __spread: impl __kahan::core::ops::Fn(&T) -> __L,
                 ) -> __Step<__L> {
                     __Step {
-                        eps_mu: __kahan::Apart(__spread(&self.eps_mu.0)),
-                        eps: __kahan::Apart(__spread(&self.eps.0)),
-                        eps_plus_one: __kahan::Apart(__spread(&self.eps_plus_one.0)),
+                        eps_mu: __kahan::Apart::new(__spread(&self.eps_mu.0)),
+                        eps: __kahan::Apart::new(__spread(&self.eps.0)),
+                        eps_plus_one: __kahan::Apart::new(__spread(&self.eps_plus_one.0)),
                     }
                 }
             }
@@ -180,9 +180,11 @@ fn scope() {
                 fn prepare(&self, __half_step: &T) -> __Step<T> {
                     let __p_mu = &self.mu;
                     __Step {
-                        eps_mu: __kahan::Apart(__half_step.clone() * __p_mu.clone()),
-                        eps: __kahan::Apart(__half_step.clone()),
-                        eps_plus_one: __kahan::Apart(
+                        eps_mu: __kahan::Apart::new(
+                            __half_step.clone() * __p_mu.clone(),
+                        ),
+                        eps: __kahan::Apart::new(__half_step.clone()),
+                        eps_plus_one: __kahan::Apart::new(
                             __half_step.clone() + __kahan::integer::<T>(1),
                         ),
                     }

@@ -175,8 +175,8 @@ const _: () = {
             __spread: impl __kahan::core::ops::Fn(&T) -> __L,
         ) -> __Step<__L> {
             __Step {
-                eps: __kahan::Apart(__spread(&self.eps.0)),
-                two_eps: __kahan::Apart(__spread(&self.two_eps.0)),
+                eps: __kahan::Apart::new(__spread(&self.eps.0)),
+                two_eps: __kahan::Apart::new(__spread(&self.two_eps.0)),
             }
         }
     }
@@ -185,8 +185,10 @@ const _: () = {
         #[inline(always)]
         fn prepare(&self, __half_step: &T) -> __Step<T> {
             __Step {
-                eps: __kahan::Apart(__half_step.clone()),
-                two_eps: __kahan::Apart(__half_step.clone() * __kahan::integer::<T>(2)),
+                eps: __kahan::Apart::new(__half_step.clone()),
+                two_eps: __kahan::Apart::new(
+                    __half_step.clone() * __kahan::integer::<T>(2),
+                ),
             }
         }
         fn jacobian(

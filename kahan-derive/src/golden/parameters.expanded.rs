@@ -245,15 +245,15 @@ const _: () = {
             __spread: impl __kahan::core::ops::Fn(&T) -> __L,
         ) -> __Step<__L> {
             __Step {
-                eps: __kahan::Apart(__spread(&self.eps.0)),
-                nu_plus_one: __kahan::Apart(__spread(&self.nu_plus_one.0)),
-                eps_plus_eps_nu: __kahan::Apart(__spread(&self.eps_plus_eps_nu.0)),
-                constant_1: __kahan::Apart(__spread(&self.constant_1.0)),
-                eps_nu_minus_eps_mu: __kahan::Apart(
+                eps: __kahan::Apart::new(__spread(&self.eps.0)),
+                nu_plus_one: __kahan::Apart::new(__spread(&self.nu_plus_one.0)),
+                eps_plus_eps_nu: __kahan::Apart::new(__spread(&self.eps_plus_eps_nu.0)),
+                constant_1: __kahan::Apart::new(__spread(&self.constant_1.0)),
+                eps_nu_minus_eps_mu: __kahan::Apart::new(
                     __spread(&self.eps_nu_minus_eps_mu.0),
                 ),
-                constant_2: __kahan::Apart(__spread(&self.constant_2.0)),
-                n981_times_mu_minus_nu: __kahan::Apart(
+                constant_2: __kahan::Apart::new(__spread(&self.constant_2.0)),
+                n981_times_mu_minus_nu: __kahan::Apart::new(
                     __spread(&self.n981_times_mu_minus_nu.0),
                 ),
             }
@@ -275,12 +275,14 @@ const _: () = {
             let __c_981 = __kahan::integer::<T>(981);
             let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
             __Step {
-                eps: __kahan::Apart(__half_step.clone()),
-                nu_plus_one: __kahan::Apart(__p_nu.clone() + __kahan::integer::<T>(1)),
-                eps_plus_eps_nu: __kahan::Apart(
+                eps: __kahan::Apart::new(__half_step.clone()),
+                nu_plus_one: __kahan::Apart::new(
+                    __p_nu.clone() + __kahan::integer::<T>(1),
+                ),
+                eps_plus_eps_nu: __kahan::Apart::new(
                     __half_step.clone() + __t_eps_nu.clone(),
                 ),
-                constant_1: __kahan::Apart(
+                constant_1: __kahan::Apart::new(
                     __c_981.clone() * (__half_step.clone() * __t_eps_mu.clone())
                         - __c_981.clone() * (__half_step.clone() * __t_eps_nu.clone())
                         - (__p_nu.clone() * __t_n100_nu.clone()
@@ -291,13 +293,13 @@ const _: () = {
                                 + (__p_mu.clone() * __t_n100_nu
                                     + __t_eps_mu.clone() * (__p_mu.clone() * __c_10)))),
                 ),
-                eps_nu_minus_eps_mu: __kahan::Apart(__t_eps_nu - __t_eps_mu),
-                constant_2: __kahan::Apart(
+                eps_nu_minus_eps_mu: __kahan::Apart::new(__t_eps_nu - __t_eps_mu),
+                constant_2: __kahan::Apart::new(
                     __p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
                         + (__p_mu.clone() * __t_nu_mu.clone()
                             - __p_nu.clone() * __t_nu_mu),
                 ),
-                n981_times_mu_minus_nu: __kahan::Apart(
+                n981_times_mu_minus_nu: __kahan::Apart::new(
                     __c_981 * (__p_mu.clone() - __p_nu.clone()),
                 ),
             }
