@@ -103,9 +103,9 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///   ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞
     ///
     /// for x, ε and the parameters as given, u = 2⁻⁵³ for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for [`Dd`](crate::Dd). It is established
-    /// for this very call: the step runs with an error bound beside each of its values, first in the scalar's own precision
-    /// (an `f32` in `f64`, rounded once), and where that proves too little in [`Dd`](crate::Dd), then in 1024 bits with unlimited
-    /// exponents, where nothing overflows. An ordinary point gets the bits of [`step`](Self::step) at about one and a half
+    /// for this very call: the step runs with an error bound beside each of its values, first in the scalar's own precision,
+    /// and where that proves too little in the next (`f64` for an `f32`, [`Dd`](crate::Dd) for an `f64`), then in 1024 bits with
+    /// unlimited exponents, where nothing overflows. An ordinary point gets the bits of [`step`](Self::step) at about one and a half
     /// times its price; near poles and far out a step takes ten times as long, or at worst some microseconds. Nothing is
     /// allocated: without optimisation the last rungs need up to a megabyte of stack, for a dense field of five variables.
     ///

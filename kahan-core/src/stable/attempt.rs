@@ -10,6 +10,7 @@ use crate::linear::vector;
 use crate::{KahanMap, Pivot, PreparedStep, Quotients};
 
 use super::bounded::{Bounded, SLACK, Working};
+use super::number::{Magnitude, power_of_two};
 
 /// A next state, and what the error of any of its components is at most, their own last roundings apart.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +43,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         let multiplied = largest::<V, N>(reciprocals.map(|reciprocal| reciprocal.value().size()));
         Some(Self {
             next,
-            error: largest::<V, N>(errors) + V::Magnitude::from(SLACK * V::ALLOWANCE) * multiplied,
+            error: largest::<V, N>(errors) + V::Magnitude::of(SLACK * V::RANGE.allowance) * multiplied,
             largest_input: numerators
                 .iter()
                 .chain(&reciprocals)
@@ -69,7 +70,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     /// The size that no input may have, so that errors of underflow are allowed for.
     #[inline(always)]
     pub(super) fn largest_input(&self) -> V::Magnitude {
-        V::Magnitude::from(f64::from_bits((1023 + u64::from(self.largest_input)) << 52))
+        V::Magnitude::of(power_of_two(self.largest_input as i32))
     }
 
     /// Whether the error, with a rounding to `unit` besides, is less than `limit` times the largest component.
@@ -77,7 +78,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
         // A state of zeros without an error is one, too. What is not a number is never less.
-        V::Magnitude::from(limit - V::UNIT) * largest > self.error
+        V::Magnitude::of(limit - V::UNIT) * largest > self.error
             || (largest.is_zero() && self.error.is_zero())
     }
 
@@ -109,5 +110,5 @@ impl<V: Working, const N: usize> Attempt<V, N> {
 #[inline(always)]
 fn largest<V: Working, const N: usize>(sizes: [V::Magnitude; N]) -> V::Magnitude {
     let larger = |one, other| if other > one { other } else { one };
-    sizes.into_iter().reduce(larger).unwrap_or_else(|| V::Magnitude::from(0.0))
+    sizes.into_iter().reduce(larger).unwrap_or_else(|| V::Magnitude::of(0.0))
 }

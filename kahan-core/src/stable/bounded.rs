@@ -15,11 +15,12 @@
 //!
 //! # Underflow
 //! An operation that underflows is off by η at most, and m with it. With all inputs at most 2ᴸ in size and all products of them
-//! at most 2ᴮ, such errors grow to no more than 2⁴⁰·2ᴮ·η, 2⁴⁰ being generous for the number of ways they take. As long as
-//! that is below [`Working::ALLOWANCE`], which every error contains, none is overlooked: [`Bounded::largest_input`] is the L that
-//! this leaves, and whoever makes the values compares. Quotients count as if every divisor were 2⁻¹²⁰, which is checked.
+//! at most 2ᴮ, such errors grow to no more than w·2ᴮ·η: a sum takes the larger w of its terms, its bit of B pays for the other,
+//! and a product adds 1 to those of its factors, so that 2¹⁰ is generous. As long as that is below [`Range::allowance`], which
+//! every error contains, none is overlooked: [`Bounded::largest_input`] is the L that this leaves, and whoever makes the values
+//! compares. Quotients count as if every divisor were the least, which is checked, and errors are divided by it twice.
 
-use super::number::Number;
+use super::number::{Magnitude, Number};
 use super::pair::Pair;
 
 /// A [`Number`] to work in: how a value and its magnitude are held, and whether its operations are inlined.
@@ -72,14 +73,6 @@ macro_rules! operations {
 
 pub(super) use operations;
 
-/// 2⁻¹⁵⁰
-pub(super) const ALLOWANCE: f64 = 1.0 / (1_u128 << 75) as f64 / (1_u128 << 75) as f64;
-/// B: 2⁴⁰·2⁸⁶⁰·η is below the allowance for η = 2⁻¹⁰⁷⁰ and less.
-const LARGEST_PRODUCT: u32 = 860;
-/// The least divisor, 2⁻¹²⁰, and what a division by it adds to B: errors are divided by it twice.
-const LEAST_DIVISOR: f64 = 1.0 / (1_u128 << 120) as f64;
-const BITS_OF_DIVISION: u32 = 240;
-
 /// What magnitudes are multiplied by before they are believed: they are rounded, and quotients are made of rounded values.
 pub(super) const SLACK: f64 = 1.0625;
 
@@ -115,13 +108,13 @@ impl<V: Working> Bounded<V> {
     /// The binary exponent that no input may exceed, so that underflow is allowed for.
     #[inline(always)]
     pub(super) fn largest_input(&self) -> u32 {
-        LARGEST_PRODUCT.saturating_sub(self.bits) / self.inputs.max(1)
+        V::RANGE.bits_of_products.saturating_sub(self.bits) / self.inputs.max(1)
     }
 
     /// A value of which nothing is known.
     #[inline(always)]
     pub(super) fn unknown(value: V) -> Self {
-        let pair = Pair::new(value, V::Magnitude::from(f64::INFINITY));
+        let pair = Pair::new(value, V::Magnitude::of(f64::INFINITY));
         Self { pair, roundings: 1, inputs: 0, bits: 0, inverse: None }
     }
 
@@ -146,13 +139,13 @@ impl<V: Working> Bounded<V> {
     /// γₖ
     #[inline(always)]
     fn gamma(&self) -> V::Magnitude {
-        V::Magnitude::from(SLACK * V::UNIT * f64::from(self.roundings))
+        V::Magnitude::of(SLACK * V::UNIT * f64::from(self.roundings))
     }
 
     /// γₖ·m, and the allowance.
     #[inline(always)]
     pub(super) fn error(&self) -> V::Magnitude {
-        self.magnitude() * self.gamma() + V::Magnitude::from(V::ALLOWANCE)
+        self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)
     }
 
     #[inline(always)]
@@ -218,8 +211,8 @@ impl<V: Working> Bounded<V> {
     pub(super) fn quotient(self, divisor: Self) -> Option<Self> {
         let value = self.value().quotient(divisor.value())?;
         let size = divisor.value().size();
-        let doubt = V::Magnitude::from(64.0) * divisor.gamma() * divisor.magnitude();
-        let least = V::Magnitude::from(if V::ALLOWANCE > 0.0 { LEAST_DIVISOR } else { 0.0 });
+        let doubt = V::Magnitude::of(64.0) * divisor.gamma() * divisor.magnitude();
+        let least = V::Magnitude::of(V::RANGE.least_divisor());
         let is_certain = size > doubt + least;
         if !is_certain {
             return None;
@@ -228,15 +221,15 @@ impl<V: Working> Bounded<V> {
         // 1/|b̂| = |v̂|·(1/a) without a second division, where 1/a is at hand.
         let (magnitude, inverse) = match self.inverse() {
             Some(inverse) => {
-                (numerator * value.size() * (V::Magnitude::from(SLACK) * inverse), Some(size * inverse))
+                (numerator * value.size() * (V::Magnitude::of(SLACK) * inverse), Some(size * inverse))
             }
-            None => (numerator * V::Magnitude::from(SLACK) / size, None),
+            None => (numerator * V::Magnitude::of(SLACK) / size, None),
         };
         Some(Self {
             pair: Pair::new(value, magnitude),
             roundings: self.roundings.max(divisor.roundings).saturating_add(1),
             inputs: self.inputs.saturating_add(divisor.inputs),
-            bits: self.bits.saturating_add(divisor.bits).saturating_add(BITS_OF_DIVISION),
+            bits: self.bits.saturating_add(divisor.bits).saturating_add(2 * V::RANGE.bits_of_divisors),
             inverse,
         })
     }
@@ -262,6 +255,6 @@ impl<V: Working> Bounded<V> {
     #[inline(always)]
     fn inverse(&self) -> Option<V::Magnitude> {
         let is_whole_constant = self.inputs == 0 && self.roundings == 0;
-        if is_whole_constant { Some(V::Magnitude::from(1.0) / self.magnitude()) } else { self.inverse }
+        if is_whole_constant { Some(V::Magnitude::of(1.0) / self.magnitude()) } else { self.inverse }
     }
 }

@@ -6,8 +6,8 @@
 //!
 //! | rung | values | what it settles |
 //! |---|---|---|
-//! | 1 | `f64` (an `f32` begins here, too) | ordinary points, at less than twice the operations of a step |
-//! | 2 | [`Dd`](crate::Dd) | cancellation: near poles, large ε |
+//! | 1 | the scalar itself | ordinary points, at less than twice the operations of a step |
+//! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64` | cancellation: near poles, large ε |
 //! | 3 | 1024 bits without a bound on exponents | overflow, underflow, extreme cancellation, by the increment form |
 //! | 4 | the same | the form N/D, where increments cancel against the state |
 

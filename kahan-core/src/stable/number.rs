@@ -6,17 +6,58 @@ use core::ops::{Div, Mul};
 use num_traits::Zero;
 
 use crate::Pivot;
+use crate::scalar::Size;
 
 /// What bounds on errors are made of: numbers that are not negative, in which a few digits are enough. What is not a number is
 /// neither more nor less than any.
 pub(crate) trait Magnitude:
-    Copy + Debug + PartialOrd + Zero + Mul<Output = Self> + Div<Output = Self> + From<f64> + Into<f64>
+    Copy + Debug + PartialOrd + Zero + Mul<Output = Self> + Div<Output = Self> + Into<f64>
 {
+    /// The nearest magnitude.
+    fn of(value: f64) -> Self;
 }
 
-impl<M> Magnitude for M where
-    M: Copy + Debug + PartialOrd + Zero + Mul<Output = M> + Div<Output = M> + From<f64> + Into<f64>
-{
+impl Magnitude for f32 {
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        value as f32
+    }
+}
+
+impl Magnitude for f64 {
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        value
+    }
+}
+
+impl Magnitude for Size {
+    fn of(value: f64) -> Self {
+        Self::from(value)
+    }
+}
+
+/// What the range of a format leaves to products and quotients, see [`bounded`](super::bounded).
+pub(crate) struct Range {
+    /// More than all errors of underflow; 0 where nothing underflows.
+    pub(crate) allowance: f64,
+    /// B: no product of inputs exceeds 2ᴮ.
+    pub(crate) bits_of_products: u32,
+    /// No divisor is below 2 to minus this power.
+    pub(crate) bits_of_divisors: u32,
+}
+
+impl Range {
+    /// The least divisor; 0 where nothing underflows.
+    #[inline(always)]
+    pub(super) const fn least_divisor(&self) -> f64 {
+        if self.allowance > 0.0 { power_of_two(-(self.bits_of_divisors as i32)) } else { 0.0 }
+    }
+}
+
+/// 2^power for powers of normal doubles.
+pub(super) const fn power_of_two(power: i32) -> f64 {
+    f64::from_bits(((1023 + power) as u64) << 52)
 }
 
 /// A scalar to work in: its operations round once, relative to their result.
@@ -25,10 +66,10 @@ pub(crate) trait Number: Pivot + Copy {
     type Magnitude: Magnitude;
     /// u: the relative error of an operation is at most this, but for underflow.
     const UNIT: f64;
-    /// More than all errors of underflow; 0 where nothing underflows.
-    const ALLOWANCE: f64;
+    /// Where underflow is allowed for.
+    const RANGE: Range;
 
-    /// |self|, rounded by no more than a few parts in 2⁵⁰.
+    /// |self|, rounded as magnitudes are.
     fn size(&self) -> Self::Magnitude;
     /// Whether the value is known to be the formula's own: nothing was rounded on its way.
     #[inline(always)]

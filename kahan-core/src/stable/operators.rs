@@ -17,10 +17,12 @@ impl<V: Working> PartialEq for Bounded<V> {
 }
 
 impl<V: Working> Scalar for Bounded<V> {
-    /// Integers that a double holds are exact; every other literal is rounded once.
+    /// Integers that the number and a double hold are exact; every other literal is rounded once.
     #[inline(always)]
     fn constant(c: &Constant) -> Self {
-        Self::literal(V::constant(c), u32::from(!c.is_whole()))
+        let value = V::constant(c);
+        let is_exact = c.is_whole() && value.approximate() == c.to_f64();
+        Self::literal(value, u32::from(!is_exact))
     }
 
     #[inline(always)]
@@ -146,5 +148,19 @@ impl<V: Working> One for Bounded<V> {
     #[inline(always)]
     fn one() -> Self {
         Self::literal(V::one(), 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bounded, Constant, Scalar};
+
+    #[test]
+    fn an_integer_that_the_number_does_not_hold_is_rounded() {
+        let beyond = Constant::integer((1 << 24) + 1);
+        assert_eq!(Bounded::<f32>::constant(&beyond).roundings(), 1);
+        assert_eq!(Bounded::<f32>::constant(&Constant::integer(1 << 30)).roundings(), 0);
+        assert_eq!(Bounded::<f64>::constant(&beyond).roundings(), 0);
+        assert_eq!(Bounded::<f64>::constant(&Constant::integer((1 << 53) + 1)).roundings(), 1);
     }
 }

@@ -100,7 +100,11 @@ where
     }
 }
 
-/// The step of `f32`, computed in `f64` and rounded once.
+/// The variables up to which `f32` works for itself. Steps in more variables multiply so many factors that products of ordinary
+/// numbers leave its range, and nearly every step would be computed in `f64` after all.
+const MOST_OF_SINGLE: usize = 4;
+
+/// The step of `f32`.
 #[inline]
 pub(crate) fn stable_single<M, const N: usize>(
     map: &M,
@@ -110,8 +114,14 @@ pub(crate) fn stable_single<M, const N: usize>(
 where
     M: Lift<f32, N>,
 {
-    rounded_from(map, x, eps, |number| f64::from(*number), |value| value as f32)
-        .map_or_else(|| called(in_wide, map, x, eps), Ok)
+    if N > MOST_OF_SINGLE {
+        return rounded_from(map, x, eps, |number| f64::from(*number), |value| value as f32)
+            .map_or_else(|| called(in_wide, map, x, eps), Ok);
+    }
+    match in_own_precision(map, x, eps) {
+        Some(next) => Ok(next),
+        None => called(beyond_single, map, x, eps),
+    }
 }
 
 /// The step of [`Dd`].
@@ -148,7 +158,28 @@ fn called<M, T: Copy, const N: usize>(
     }
 }
 
-/// The second rung, and those after it; x̃ goes to `next`.
+/// What comes after the first rung of `f32`; x̃ goes to `next`.
+#[cold]
+#[inline(never)]
+fn beyond_single<M, const N: usize>(
+    map: &M,
+    x: SVector<f32, N>,
+    eps: f32,
+    next: &mut SVector<f32, N>,
+) -> Option<SingularStep>
+where
+    M: Lift<f32, N>,
+{
+    match in_double(map, &x, &eps) {
+        Some(settled) => {
+            *next = settled;
+            None
+        }
+        None => in_wide(map, x, eps, next),
+    }
+}
+
+/// What comes after the first rung of `f64`; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
 fn beyond_double<M, const N: usize>(
@@ -167,6 +198,14 @@ where
         }
         None => in_wide(map, x, eps, next),
     }
+}
+
+#[inline(never)]
+fn in_double<M, const N: usize>(map: &M, x: &SVector<f32, N>, eps: &f32) -> Option<SVector<f32, N>>
+where
+    M: Lift<f32, N>,
+{
+    rounded_from(map, x, eps, |number| f64::from(*number), |value| value as f32)
 }
 
 #[inline(never)]

@@ -3,8 +3,8 @@
 use crate::scalar::{Size, Wide};
 use crate::{Dd, Pivot};
 
-use super::bounded::{ALLOWANCE, Bounded, Working, operations};
-use super::number::Number;
+use super::bounded::{Bounded, Working, operations};
+use super::number::{Number, Range, power_of_two};
 use super::pair::Both;
 
 /// A scalar that steps can be promised in.
@@ -18,10 +18,36 @@ pub(crate) trait Promised: Pivot + Copy {
     fn narrow(value: Wide) -> Self;
 }
 
+/// That of `f32`: 2¹⁰·2⁹⁹·η is the allowance for η = 2⁻¹⁴⁹. Narrow, but what it leaves out has only to be computed in `f64`.
+const SINGLE: Range = Range { allowance: power_of_two(-40), bits_of_products: 99, bits_of_divisors: 4 };
+
+/// That of `f64`: 2⁴⁰·2⁸⁶⁰·η is below the allowance for η = 2⁻¹⁰⁷⁰ and less.
+const DOUBLE: Range = Range { allowance: power_of_two(-150), bits_of_products: 860, bits_of_divisors: 120 };
+
+impl Number for f32 {
+    type Magnitude = f32;
+    const UNIT: f64 = f32::EPSILON as f64 / 2.0;
+    const RANGE: Range = SINGLE;
+
+    #[inline(always)]
+    fn size(&self) -> f32 {
+        self.abs()
+    }
+}
+
+impl Working for f32 {
+    #[cfg(target_arch = "x86_64")]
+    type Pair = super::packed::PackedSingle;
+    #[cfg(not(target_arch = "x86_64"))]
+    type Pair = Both<f32>;
+
+    operations!(inline(always));
+}
+
 impl Number for f64 {
     type Magnitude = f64;
     const UNIT: f64 = f64::EPSILON / 2.0;
-    const ALLOWANCE: f64 = ALLOWANCE;
+    const RANGE: Range = DOUBLE;
 
     #[inline(always)]
     fn size(&self) -> f64 {
@@ -42,7 +68,7 @@ impl Number for Dd {
     type Magnitude = f64;
     /// 16 u² of `f64`, at least the bound of each of its operations.
     const UNIT: f64 = f64::EPSILON * f64::EPSILON * 4.0;
-    const ALLOWANCE: f64 = ALLOWANCE;
+    const RANGE: Range = DOUBLE;
 
     #[inline(always)]
     fn size(&self) -> f64 {
@@ -60,7 +86,7 @@ impl Number for Wide {
     type Magnitude = Size;
     /// Four times that of an operation, so that a constant, made by a division of cut off numbers, is one, too.
     const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT + 2) as u64) << 52);
-    const ALLOWANCE: f64 = 0.0;
+    const RANGE: Range = Range { allowance: 0.0, bits_of_products: 860, bits_of_divisors: 0 };
 
     fn size(&self) -> Size {
         Wide::size(self)
