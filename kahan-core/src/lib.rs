@@ -4,6 +4,25 @@
 //! (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, which is linear in x̃ and is inverted by ε ↦ −ε.
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
+//! ```
+//! use kahan_core::prelude::*;
+//!
+//! kahan! {
+//!     pub struct LotkaVolterra;
+//!     xdot = x*(1 - y);
+//!     ydot = y*(x - 1);
+//! }
+//!
+//! let (start, eps) = (vector![0.5, 1.7], 0.05);
+//! let next = LotkaVolterra.step(&start, eps);
+//! assert!((LotkaVolterra.step_back(&next, eps) - start).norm() < 1e-15);
+//! let after_a_hundred = LotkaVolterra.orbit(start, eps).compensated().nth(1000);
+//! ```
+//!
+//! Begin with [`kahan!`], the language of fields and of what is claimed about them; then [`KahanMap`], all that a system can do;
+//! [`Orbit`] and [`Composition`], long runs and higher orders; [`Ensemble`], many trajectories at once; [`Scene`], the cheapest
+//! setting that is accurate enough.
+//!
 //! In: a system written with [`kahan!`], or the two traits [`QuadraticField`] and [`KahanMap`] written by hand.
 //! Out: steps, matrices, Jacobians and orbits over any [`Scalar`]: `f32`, `f64`, exact rationals, or the user's.
 //! Nothing here knows the syntax of fields or algebra with symbols; that lies behind the macro.

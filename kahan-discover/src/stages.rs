@@ -76,11 +76,13 @@ pub fn discover(
     let degrees = degrees(&draw.map, random, limits);
 
     progress(Stage::Orbits);
-    let degree = options.degree.unwrap_or_else(|| default_degree(setting.dimension()));
+    let usual = default_degree(setting.dimension());
+    let degree = options.degree.unwrap_or(usual);
     let mut hilbert = Hilbert::of(&setting, degree, random, &for_orbits);
-    // Half the degree is a fraction of the work, and better than nothing.
+    // A lower degree is a fraction of the work, and better than nothing: the usual one, or half of that.
     if hilbert.is_none() && for_orbits.has_stopped() && degree > 1 {
-        hilbert = Hilbert::of(&setting, degree / 2, random, &for_structure);
+        let lower = if degree > usual { usual } else { degree / 2 };
+        hilbert = Hilbert::of(&setting, lower, random, &for_structure);
     }
 
     progress(Stage::Structure);

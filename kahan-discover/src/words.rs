@@ -139,6 +139,9 @@ fn structure(report: &Report) -> Vec<String> {
                 "by a theorem (Celledoni, McLachlan, Owren, Quispel 2013): its formula is too long to be written"
             }
         ),
+        None if structure.linear_integrals.len() == report.variables.len() => {
+            "The field is zero: every K grad H with H = 0.".to_owned()
+        }
         None if is_within_reach(report.variables.len()) => "No constant antisymmetric K with f = K grad H was found.".to_owned(),
         None => {
             "In so many variables no constant antisymmetric K with f = K grad H is looked for.".to_owned()

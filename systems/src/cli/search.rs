@@ -23,7 +23,8 @@ pub(crate) struct Search {
     #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = degree)]
     degree: Option<u32>,
 
-    /// The time that the search may take; what is not finished then is left out, and the answer says so.
+    /// The time that the search may take, of which each stage has its share, orbits and their relations up to two fifths; what is
+    /// not finished then is left out, and the answer says so.
     #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
     pub(crate) seconds: f64,
 

@@ -33,6 +33,10 @@ use paste::rust_of;
 /// value at the beginning, evaluated in 32 digits at the eps of the orbit: of the map's own integrals at order 2, of the
 /// flow's (the claims at eps = 0) for compositions, which have none of their own. The trajectory may be far off then.
 ///
+/// An orbit ends at the step that is nearest to the horizon, as its eps has few bits: not at the horizon itself, but at the time
+/// 2*eps times its steps, and there its error is measured. In the table, `return` is how far from the first point an orbit comes
+/// home that goes all its steps forward and back.
+///
 /// Settings are measured until the answer is clear: nothing finer than what does, nothing dearer. The table shows the front, which
 /// no other setting beats in price and error together; --json has all. Every eps has few bits (17, and 8 in f32), so that its
 /// powers are exact: keep it as it is printed. It matters in long runs at order 2, from some 1e5 steps on, where the step multiplies

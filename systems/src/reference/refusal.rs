@@ -36,7 +36,8 @@ impl core::fmt::Display for NoReference {
         match self {
             Self::Escapes { time } => write!(
                 f,
-                "the solution through this point escapes to infinity near t = {}; choose a shorter horizon",
+                "the solution through this point escapes to infinity, or beyond the largest double, near t = {}; choose a shorter \
+                 horizon",
                 Time(*time, 6)
             ),
             Self::TooLong { reached } => write!(

@@ -240,7 +240,7 @@ fn the_picture_is_well_formed_and_complete() {
 #[test]
 fn what_cannot_be_measured_is_refused_with_a_reason() {
     let escape = refusal(&["trade", "e1", "--at", "-1/2,1/3,1", "--horizon", "5"]);
-    assert!(escape.contains("escapes to infinity near t = 2.0"), "{escape}");
+    assert!(escape.contains("escapes to infinity, or beyond the largest double, near t = 2.0"), "{escape}");
     let none = refusal(&["trade", "lv", "--at", "1/2,5/3", "--horizon", "5", "--need", "integrals"]);
     assert!(none.contains("no integral is claimed"), "{none}");
     let horizon = refusal(&["trade", "e6", "--at", "1,2,3", "--horizon", "-1"]);
