@@ -79,8 +79,7 @@ pub(crate) struct StepTimes {
 /// The times of one step in a chain of dependent steps, each contender's least.
 pub(crate) fn step_times(systems: &[System], effort: Effort) -> Vec<StepTimes> {
     let of = |system: &System| {
-        let steps = &system.steps;
-        let standings = race(steps.len(), effort, |i, units| seconds(|| steps[i].run(units)));
+        let (steps, standings) = (&system.steps, standings(system, effort));
         let least = |belongs: &dyn Fn(&Contender) -> bool| {
             let times = steps.iter().zip(&standings).filter(|(step, _)| belongs(step));
             times.map(|(_, standing)| standing.nanoseconds).fold(f64::INFINITY, f64::min)
@@ -103,13 +102,16 @@ fn fastest_by_hand(rows: &[Row]) -> Option<&Row> {
     by_hand.min_by(|a, b| ratio(a).total_cmp(&ratio(b)))
 }
 
+/// The steps of a system, timed in turns.
+fn standings(system: &System, effort: Effort) -> Vec<Standing> {
+    let steps = &system.steps;
+    race(steps.len(), effort, |i, units| seconds(|| steps[i].run(units)))
+}
+
 fn rows(system: &System, effort: Option<Effort>) -> Result<Vec<Row>> {
     let steps = &system.steps;
     let standings: Vec<Option<Standing>> = match effort {
-        Some(effort) => {
-            let standings = race(steps.len(), effort, |i, units| seconds(|| steps[i].run(units)));
-            standings.into_iter().map(Some).collect()
-        }
+        Some(effort) => standings(system, effort).into_iter().map(Some).collect(),
         None => vec![None; steps.len()],
     };
     let counted = instructions::can_be_counted();

@@ -16,9 +16,10 @@
 //! # Underflow
 //! An operation that underflows is off by η at most, and m with it. With all inputs at most 2ᴸ in size and all products of them
 //! at most 2ᴮ, such errors grow to no more than w·2ᴮ·η: a sum takes the larger w of its terms, its bit of B pays for the other,
-//! and a product adds 1 to those of its factors, so that 2¹⁰ is generous. As long as that is below [`Range::allowance`], which
-//! every error contains, none is overlooked: [`Bounded::largest_input`] is the L that this leaves, and whoever makes the values
-//! compares. Quotients count as if every divisor were the least, which is checked, and errors are divided by it twice.
+//! and a product adds 1 to those of its factors, so that 2¹⁰ is generous. As long as that is below the
+//! [allowance](super::number::Range), which every error contains, none is overlooked: [`Bounded::largest_input`] is the L that
+//! this leaves, and whoever makes the values compares. Quotients count as if every divisor were the least, which is checked, and
+//! errors are divided by it twice.
 
 use super::number::{Magnitude, Number};
 use super::pair::Pair;

@@ -16,7 +16,7 @@ use crate::{Dd, KahanMap, Lift, PreparedStep, SingularStep};
 
 use super::attempt::Attempt;
 use super::bounded::{Bounded, Working};
-use super::scalars::Promised;
+use super::scalars::{Promised, Widened};
 
 /// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and ‖exact‖∞.
 const PROMISE: f64 = 63.0;
@@ -55,33 +55,26 @@ type Called<M, T, const N: usize> = fn(&M, SVector<T, N>, T, &mut SVector<T, N>)
 #[cfg_attr(debug_assertions, inline(never))]
 fn in_own_precision<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
 where
-    T: Promised + Working,
+    T: Promised,
     M: Lift<T, N>,
 {
     // Not by `filter`, which moves the attempt through memory, and each step of a chain would wait for that.
     match attempt(map, x, eps, |number| *number, M::Prepared::component) {
-        Some(attempt) if attempt.is_within(PROMISE * <T as Promised>::UNIT) => Some(vector(attempt.next)),
+        Some(attempt) if attempt.is_within(PROMISE * T::UNIT) => Some(vector(attempt.next)),
         _ => None,
     }
 }
 
-/// A rung that computes in V and rounds to T.
+/// The rung that computes in the next wider scalar and rounds once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-fn rounded_from<V, M, T, const N: usize>(
-    map: &M,
-    x: &SVector<T, N>,
-    eps: &T,
-    embed: impl Fn(&T) -> V,
-    round: impl Fn(V) -> T,
-) -> Option<SVector<T, N>>
+fn in_next_wider<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
 where
-    T: Promised,
-    V: Working,
+    T: Widened,
     M: Lift<T, N>,
 {
-    attempt(map, x, eps, &embed, |component| component)
-        .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, round, embed))
+    attempt(map, x, eps, T::embed, |component| component)
+        .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
 }
 
 /// The step of `f64`.
@@ -96,7 +89,7 @@ where
 {
     match in_own_precision(map, x, eps) {
         Some(next) => Ok(next),
-        None => called(beyond_double, map, x, eps),
+        None => called(beyond, map, x, eps),
     }
 }
 
@@ -115,12 +108,11 @@ where
     M: Lift<f32, N>,
 {
     if N > MOST_OF_SINGLE {
-        return rounded_from(map, x, eps, |number| f64::from(*number), |value| value as f32)
-            .map_or_else(|| called(in_wide, map, x, eps), Ok);
+        return in_next_wider(map, x, eps).map_or_else(|| called(in_wide, map, x, eps), Ok);
     }
     match in_own_precision(map, x, eps) {
         Some(next) => Ok(next),
-        None => called(beyond_single, map, x, eps),
+        None => called(beyond, map, x, eps),
     }
 }
 
@@ -158,19 +150,20 @@ fn called<M, T: Copy, const N: usize>(
     }
 }
 
-/// What comes after the first rung of `f32`; x̃ goes to `next`.
+/// What comes after the first rung, for all but the widest scalar; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
-fn beyond_single<M, const N: usize>(
+fn beyond<M, T, const N: usize>(
     map: &M,
-    x: SVector<f32, N>,
-    eps: f32,
-    next: &mut SVector<f32, N>,
+    x: SVector<T, N>,
+    eps: T,
+    next: &mut SVector<T, N>,
 ) -> Option<SingularStep>
 where
-    M: Lift<f32, N>,
+    T: Widened,
+    M: Lift<T, N>,
 {
-    match in_double(map, &x, &eps) {
+    match second(map, &x, &eps) {
         Some(settled) => {
             *next = settled;
             None
@@ -179,41 +172,14 @@ where
     }
 }
 
-/// What comes after the first rung of `f64`; x̃ goes to `next`.
-#[cold]
+/// The second rung, off the stack when it returns.
 #[inline(never)]
-fn beyond_double<M, const N: usize>(
-    map: &M,
-    x: SVector<f64, N>,
-    eps: f64,
-    next: &mut SVector<f64, N>,
-) -> Option<SingularStep>
+fn second<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
 where
-    M: Lift<f64, N>,
+    T: Widened,
+    M: Lift<T, N>,
 {
-    match in_double_double(map, &x, &eps) {
-        Some(settled) => {
-            *next = settled;
-            None
-        }
-        None => in_wide(map, x, eps, next),
-    }
-}
-
-#[inline(never)]
-fn in_double<M, const N: usize>(map: &M, x: &SVector<f32, N>, eps: &f32) -> Option<SVector<f32, N>>
-where
-    M: Lift<f32, N>,
-{
-    rounded_from(map, x, eps, |number| f64::from(*number), |value| value as f32)
-}
-
-#[inline(never)]
-fn in_double_double<M, const N: usize>(map: &M, x: &SVector<f64, N>, eps: &f64) -> Option<SVector<f64, N>>
-where
-    M: Lift<f64, N>,
-{
-    rounded_from(map, x, eps, |number| Dd::from(*number), f64::from)
+    in_next_wider(map, x, eps)
 }
 
 /// The last two rungs, and the report where both fail; x̃ goes to `next`.

@@ -1,27 +1,63 @@
 //! Which scalars rungs work in, and which steps are promised in.
 
+use crate::Dd;
 use crate::scalar::{Size, Wide};
-use crate::{Dd, Pivot};
 
 use super::bounded::{Bounded, Working, operations};
 use super::number::{Number, Range, power_of_two};
 use super::pair::Both;
 
-/// A scalar that steps can be promised in.
-pub(crate) trait Promised: Pivot + Copy {
-    /// u: half the distance of 1 from the next larger number, for the machine's floats.
-    const UNIT: f64;
-
+/// A scalar that steps can be promised in, and begin in.
+pub(crate) trait Promised: Working {
     /// The same number.
     fn widen(&self) -> Wide;
     /// The nearest one.
     fn narrow(value: Wide) -> Self;
 }
 
+/// One whose second rung is the next wider scalar.
+pub(crate) trait Widened: Promised {
+    /// That scalar.
+    type Wider: Working;
+
+    /// The same number.
+    fn embed(&self) -> Self::Wider;
+    /// The nearest one.
+    fn round(value: Self::Wider) -> Self;
+}
+
+impl Widened for f32 {
+    type Wider = f64;
+
+    #[inline(always)]
+    fn embed(&self) -> f64 {
+        (*self).into()
+    }
+
+    #[inline(always)]
+    fn round(value: f64) -> Self {
+        value as f32
+    }
+}
+
+impl Widened for f64 {
+    type Wider = Dd;
+
+    #[inline(always)]
+    fn embed(&self) -> Dd {
+        (*self).into()
+    }
+
+    #[inline(always)]
+    fn round(value: Dd) -> Self {
+        value.into()
+    }
+}
+
 /// That of `f32`: 2¹⁰·2⁹⁹·η is the allowance for η = 2⁻¹⁴⁹. Narrow, but what it leaves out has only to be computed in `f64`.
 const SINGLE: Range = Range { allowance: power_of_two(-40), bits_of_products: 99, bits_of_divisors: 4 };
 
-/// That of `f64`: 2⁴⁰·2⁸⁶⁰·η is below the allowance for η = 2⁻¹⁰⁷⁰ and less.
+/// That of `f64`, and of pairs of them: 2¹⁰·2⁸⁶⁰·η is far below the allowance for η = 2⁻¹⁰⁷⁰ and less.
 const DOUBLE: Range = Range { allowance: power_of_two(-150), bits_of_products: 860, bits_of_divisors: 120 };
 
 impl Number for f32 {
@@ -104,8 +140,6 @@ impl Working for Wide {
 }
 
 impl Promised for f32 {
-    const UNIT: f64 = f32::EPSILON as f64 / 2.0;
-
     fn widen(&self) -> Wide {
         Wide::from(*self)
     }
@@ -116,8 +150,6 @@ impl Promised for f32 {
 }
 
 impl Promised for f64 {
-    const UNIT: f64 = f64::EPSILON / 2.0;
-
     fn widen(&self) -> Wide {
         Wide::from(*self)
     }
@@ -128,9 +160,6 @@ impl Promised for f64 {
 }
 
 impl Promised for Dd {
-    /// That of its operations' bounds.
-    const UNIT: f64 = <Self as Number>::UNIT;
-
     fn widen(&self) -> Wide {
         Wide::from_double_double(self.high(), self.low())
     }
