@@ -102,20 +102,28 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
 
     /// Nanoseconds a unit of time, once.
     pub(crate) fn price(&self, setting: &Setting) -> f64 {
+        /// As many steps, at least, as are timed, and as are timed in one piece: a start takes time, too.
         const STEPS: usize = 400;
+        const PIECE: usize = 64;
+        // Far beyond the horizon a state may come where arithmetic takes longer: an epidemic's end is subnormal in `f32`.
+        let steps = ((self.horizon / (2.0 * setting.eps)).round() as usize).clamp(PIECE, STEPS);
+        let repeats = STEPS.div_ceil(steps);
         /// A function of its own for each kind of orbit: one that holds them all is too large to be compiled well.
         #[inline(never)]
-        fn seconds<X>(mut orbit: impl Iterator<Item = X>) -> f64 {
-            orbit.next();
+        fn seconds<X>(orbit: impl Iterator<Item = X> + Clone, steps: usize, repeats: usize) -> f64 {
             let clock = Instant::now();
-            black_box(orbit.nth(black_box(STEPS - 1)));
+            for _ in 0..repeats {
+                let mut orbit = black_box(orbit.clone());
+                orbit.next();
+                black_box(orbit.nth(black_box(steps - 1)));
+            }
             clock.elapsed().as_secs_f64()
         }
         let seconds = with_scalar!(self, setting, |map, start, eps| {
             let (start, eps) = (black_box(start), black_box(eps));
-            with_orbit!(map, start, eps, setting, |orbit| seconds(orbit))
+            with_orbit!(map, start, eps, setting, |orbit| seconds(orbit, steps, repeats))
         });
-        1e9 * seconds / (STEPS as f64 * 2.0 * setting.eps)
+        1e9 * seconds / ((steps * repeats) as f64 * 2.0 * setting.eps)
     }
 
     /// The coarsest eps of each kind that does, on a grid of a tenth, as far as it may cost less than `dearest`: what costs more
