@@ -9,8 +9,9 @@ use num_traits::{One, Zero};
 use crate::linear::vector;
 use crate::{KahanMap, Pivot, PreparedStep, Quotients};
 
-use super::bounded::{Bounded, SLACK, Working};
+use super::bounded::{Bounded, Working, underflow};
 use super::number::{Magnitude, power_of_two};
+use super::pair::Pair;
 
 /// A next state, and what the error of any of its components is at most, their own last roundings apart.
 #[derive(Clone, Copy, Debug)]
@@ -25,25 +26,26 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     /// By the increment form, with the operations and the bits of the fast step, each component handed to `finish`; `None` where a
     /// denominator may be zero.
     #[inline(always)]
-    pub(super) fn by_increments<M>(
+    pub(super) fn by_increments<P, M>(
         map: &M,
-        x: &SVector<Bounded<V>, N>,
-        eps: Bounded<V>,
+        x: &SVector<Bounded<V, P>, N>,
+        eps: Bounded<V, P>,
         finish: impl Fn(V) -> V,
     ) -> Option<Self>
     where
-        M: KahanMap<Bounded<V>, N>,
+        P: Pair<V>,
+        M: KahanMap<Bounded<V, P>, N>,
     {
         let Quotients { numerators, reciprocals } = map.prepare(&eps).quotients(x)?;
         let roundings = numerators.iter().map(Bounded::roundings).fold(0, u32::max);
         let next =
             from_fn(|i| finish(numerators[i].value().multiply_add(reciprocals[i].value(), x[i].value())));
-        let errors = from_fn(|i| numerators[i].magnitude() * reciprocals[i].weight(roundings));
-        // What underflows in a numerator is multiplied, too.
-        let multiplied = largest::<V, N>(reciprocals.map(|reciprocal| reciprocal.value().size()));
+        // The largest of each, and one product of both: hardly more than the largest product, as most steps have one reciprocal.
+        let magnitude = largest::<V, N>(numerators.map(|numerator| numerator.magnitude()));
+        let weight = largest::<V, N>(reciprocals.map(|reciprocal| reciprocal.weight(roundings)));
         Some(Self {
             next,
-            error: largest::<V, N>(errors) + V::Magnitude::of(SLACK * V::RANGE.allowance) * multiplied,
+            error: (magnitude + V::Magnitude::of(underflow::<V>(roundings))) * weight,
             largest_input: numerators
                 .iter()
                 .chain(&reciprocals)

@@ -22,23 +22,24 @@
 //! errors are divided by it twice.
 
 use super::number::{Magnitude, Number};
-use super::pair::Pair;
+use super::pair::{Both, Pair};
 
-/// A [`Number`] to work in: how a value and its magnitude are held, and whether its operations are inlined.
+/// A [`Number`] to work in: whether its operations are inlined.
 pub(crate) trait Working: Number {
-    /// A value and its magnitude.
-    type Pair: Pair<Self>;
-
     /// a + b
-    fn plus(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self>;
+    fn plus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P>;
     /// a − b
-    fn minus(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self>;
+    fn minus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P>;
     /// a·b
-    fn times(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self>;
+    fn times<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P>;
     /// a·b + c
-    fn multiply_add(a: Bounded<Self>, b: Bounded<Self>, c: Bounded<Self>) -> Bounded<Self>;
+    fn product_plus<P: Pair<Self>>(
+        a: Bounded<Self, P>,
+        b: Bounded<Self, P>,
+        c: Bounded<Self, P>,
+    ) -> Bounded<Self, P>;
     /// a/b, if b is certainly not zero.
-    fn over(a: Bounded<Self>, b: Bounded<Self>) -> Option<Bounded<Self>>;
+    fn over<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Option<Bounded<Self, P>>;
 }
 
 /// The operations of a [`Working`] scalar: for hardware floats inlined, so that a step is one piece of code; for wide numbers,
@@ -46,27 +47,31 @@ pub(crate) trait Working: Number {
 macro_rules! operations {
     ($inline:meta) => {
         #[$inline]
-        fn plus(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self> {
+        fn plus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P> {
             a.sum(b)
         }
 
         #[$inline]
-        fn minus(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self> {
+        fn minus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P> {
             a.difference(b)
         }
 
         #[$inline]
-        fn times(a: Bounded<Self>, b: Bounded<Self>) -> Bounded<Self> {
+        fn times<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P> {
             a.product(b)
         }
 
         #[$inline]
-        fn multiply_add(a: Bounded<Self>, b: Bounded<Self>, c: Bounded<Self>) -> Bounded<Self> {
+        fn product_plus<P: Pair<Self>>(
+            a: Bounded<Self, P>,
+            b: Bounded<Self, P>,
+            c: Bounded<Self, P>,
+        ) -> Bounded<Self, P> {
             a.product_plus(b, c)
         }
 
         #[$inline]
-        fn over(a: Bounded<Self>, b: Bounded<Self>) -> Option<Bounded<Self>> {
+        fn over<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Option<Bounded<Self, P>> {
             a.quotient(b)
         }
     };
@@ -77,11 +82,11 @@ pub(super) use operations;
 /// What magnitudes are multiplied by before they are believed: they are rounded, and quotients are made of rounded values.
 pub(super) const SLACK: f64 = 1.0625;
 
-/// A value v̂ with |v̂ − v| ≤ γₖ·m.
+/// A value v̂ with |v̂ − v| ≤ γₖ·m, and how both are held.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounded<V: Working> {
+pub(crate) struct Bounded<V: Working, P: Pair<V> = Both<V>> {
     /// v̂ and m
-    pair: V::Pair,
+    pair: P,
     /// k
     roundings: u32,
     /// How many inputs are multiplied in a term, and how many bits all else adds to its size.
@@ -91,7 +96,7 @@ pub(crate) struct Bounded<V: Working> {
     inverse: Option<V::Magnitude>,
 }
 
-impl<V: Working> Bounded<V> {
+impl<V: Working, P: Pair<V>> Bounded<V, P> {
     /// An input: a number that is what it says.
     #[inline(always)]
     pub(super) fn given(value: V) -> Self {
@@ -172,7 +177,7 @@ impl<V: Working> Bounded<V> {
 
     /// The pair of a sum or difference.
     #[inline(always)]
-    fn added(self, other: Self, pair: V::Pair) -> Self {
+    fn added(self, other: Self, pair: P) -> Self {
         Self {
             pair,
             roundings: self.roundings.max(other.roundings).saturating_add(1),
@@ -185,7 +190,7 @@ impl<V: Working> Bounded<V> {
 
     /// The pair of a product.
     #[inline(always)]
-    fn multiplied(self, other: Self, pair: V::Pair) -> Self {
+    fn multiplied(self, other: Self, pair: P) -> Self {
         Self {
             pair,
             roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
@@ -258,4 +263,11 @@ impl<V: Working> Bounded<V> {
         let is_whole_constant = self.inputs == 0 && self.roundings == 0;
         if is_whole_constant { Some(V::Magnitude::of(1.0) / self.magnitude()) } else { self.inverse }
     }
+}
+
+/// What underflowed in a numerator that took `roundings`, as a magnitude: times a [weight](Bounded::weight), which is at least
+/// the slack times γ times |r̂|, it is the allowance times |r̂|, at least.
+#[inline(always)]
+pub(super) fn underflow<V: Working>(roundings: u32) -> f64 {
+    V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))
 }

@@ -7,8 +7,9 @@ use num_traits::{One, Zero};
 use crate::{Constant, Scalar};
 
 use super::bounded::{Bounded, Working};
+use super::pair::Pair;
 
-impl<V: Working> PartialEq for Bounded<V> {
+impl<V: Working, P: Pair<V>> PartialEq for Bounded<V, P> {
     fn eq(&self, other: &Self) -> bool {
         self.value() == other.value()
             && self.magnitude() == other.magnitude()
@@ -16,7 +17,7 @@ impl<V: Working> PartialEq for Bounded<V> {
     }
 }
 
-impl<V: Working> Scalar for Bounded<V> {
+impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
     /// Integers that the number and a double hold are exact; every other literal is rounded once.
     #[inline(always)]
     fn constant(c: &Constant) -> Self {
@@ -42,17 +43,17 @@ impl<V: Working> Scalar for Bounded<V> {
 
     #[inline(always)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
-        <V as Working>::multiply_add(self, factor, addend)
+        V::product_plus(self, factor, addend)
     }
 
     #[inline(always)]
     fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
-        <V as Working>::multiply_add(self, factor, -subtrahend)
+        V::product_plus(self, factor, -subtrahend)
     }
 
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
-        <V as Working>::multiply_add(-a, b, self)
+        V::product_plus(-a, b, self)
     }
 
     fn approximate(&self) -> f64 {
@@ -60,7 +61,7 @@ impl<V: Working> Scalar for Bounded<V> {
     }
 }
 
-impl<V: Working> Add for Bounded<V> {
+impl<V: Working, P: Pair<V>> Add for Bounded<V, P> {
     type Output = Self;
 
     #[inline(always)]
@@ -69,7 +70,7 @@ impl<V: Working> Add for Bounded<V> {
     }
 }
 
-impl<V: Working> Sub for Bounded<V> {
+impl<V: Working, P: Pair<V>> Sub for Bounded<V, P> {
     type Output = Self;
 
     #[inline(always)]
@@ -78,7 +79,7 @@ impl<V: Working> Sub for Bounded<V> {
     }
 }
 
-impl<V: Working> Mul for Bounded<V> {
+impl<V: Working, P: Pair<V>> Mul for Bounded<V, P> {
     type Output = Self;
 
     #[inline(always)]
@@ -87,7 +88,7 @@ impl<V: Working> Mul for Bounded<V> {
     }
 }
 
-impl<V: Working> Div for Bounded<V> {
+impl<V: Working, P: Pair<V>> Div for Bounded<V, P> {
     type Output = Self;
 
     #[inline(always)]
@@ -96,7 +97,7 @@ impl<V: Working> Div for Bounded<V> {
     }
 }
 
-impl<V: Working> Neg for Bounded<V> {
+impl<V: Working, P: Pair<V>> Neg for Bounded<V, P> {
     type Output = Self;
 
     #[inline(always)]
@@ -105,35 +106,35 @@ impl<V: Working> Neg for Bounded<V> {
     }
 }
 
-impl<V: Working> AddAssign for Bounded<V> {
+impl<V: Working, P: Pair<V>> AddAssign for Bounded<V, P> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl<V: Working> SubAssign for Bounded<V> {
+impl<V: Working, P: Pair<V>> SubAssign for Bounded<V, P> {
     #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl<V: Working> MulAssign for Bounded<V> {
+impl<V: Working, P: Pair<V>> MulAssign for Bounded<V, P> {
     #[inline(always)]
     fn mul_assign(&mut self, other: Self) {
         *self = *self * other;
     }
 }
 
-impl<V: Working> DivAssign for Bounded<V> {
+impl<V: Working, P: Pair<V>> DivAssign for Bounded<V, P> {
     #[inline(always)]
     fn div_assign(&mut self, other: Self) {
         *self = *self / other;
     }
 }
 
-impl<V: Working> Zero for Bounded<V> {
+impl<V: Working, P: Pair<V>> Zero for Bounded<V, P> {
     #[inline(always)]
     fn zero() -> Self {
         Self::literal(V::zero(), 0)
@@ -144,7 +145,7 @@ impl<V: Working> Zero for Bounded<V> {
     }
 }
 
-impl<V: Working> One for Bounded<V> {
+impl<V: Working, P: Pair<V>> One for Bounded<V, P> {
     #[inline(always)]
     fn one() -> Self {
         Self::literal(V::one(), 0)

@@ -5,7 +5,7 @@ use core::fmt::Debug;
 use super::number::Number;
 
 /// A value v̂ beside a magnitude m: what each operation does to both.
-pub(crate) trait Pair<V: Number>: Copy + Debug {
+pub(crate) trait Pair<V: Number>: Copy + Debug + 'static {
     fn new(value: V, magnitude: V::Magnitude) -> Self;
     fn value(self) -> V;
     fn magnitude(self) -> V::Magnitude;
@@ -31,34 +31,42 @@ pub(crate) struct Both<V: Number> {
 }
 
 impl<V: Number> Pair<V> for Both<V> {
+    #[inline(always)]
     fn new(value: V, magnitude: V::Magnitude) -> Self {
         Self { value, magnitude }
     }
 
+    #[inline(always)]
     fn value(self) -> V {
         self.value
     }
 
+    #[inline(always)]
     fn magnitude(self) -> V::Magnitude {
         self.magnitude
     }
 
+    #[inline(always)]
     fn plus(self, other: Self) -> Self {
         Self { value: self.value + other.value, magnitude: self.magnitude + other.magnitude }
     }
 
+    #[inline(always)]
     fn minus(self, other: Self) -> Self {
         Self { value: self.value - other.value, magnitude: self.magnitude + other.magnitude }
     }
 
+    #[inline(always)]
     fn times(self, other: Self) -> Self {
         Self { value: self.value * other.value, magnitude: self.magnitude * other.magnitude }
     }
 
+    #[inline(always)]
     fn negated(self) -> Self {
         Self { value: -self.value, ..self }
     }
 
+    #[inline(always)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         Self {
             value: self.value.multiply_add(factor.value, addend.value),

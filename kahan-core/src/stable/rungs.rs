@@ -16,6 +16,7 @@ use crate::{Dd, KahanMap, Lift, PreparedStep, SingularStep};
 
 use super::attempt::Attempt;
 use super::bounded::{Bounded, Working};
+use super::pair::{Both, Pair};
 use super::scalars::{Promised, Widened};
 
 /// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and ‖exact‖∞.
@@ -23,7 +24,7 @@ const PROMISE: f64 = 63.0;
 
 /// The step with all numbers embedded into V, each component handed to `finish`.
 #[inline(always)]
-fn attempt<T, V, M, const N: usize>(
+fn attempt<T, V, P, M, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
@@ -33,6 +34,7 @@ fn attempt<T, V, M, const N: usize>(
 where
     T: Promised,
     V: Working,
+    P: Pair<V>,
     M: Lift<T, N>,
 {
     // No input exceeds the sum of all sizes, which is not a number where an input is none.
@@ -40,7 +42,7 @@ where
     let given = |number: &T| {
         let value = embed(number);
         sum.set(sum.get() + value.size());
-        Bounded::given(value)
+        Bounded::<V, P>::given(value)
     };
     let state = SVector::from_fn(|i, _| given(&x[i]));
     let attempt = Attempt::by_increments(&map.lift(given), &state, Bounded::given(embed(eps)), finish)?;
@@ -50,6 +52,15 @@ where
 /// A rung that is called: x̃ goes to the last argument.
 type Called<M, T, const N: usize> = fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>;
 
+/// The operations up to which values and their magnitudes are computed apart: where a step leaves most of a processor's units
+/// idle, magnitudes cost no time there, and no value waits for being packed with its own.
+const SHORT: u32 = 36;
+
+/// Whether a step is of that kind.
+const fn is_short<T: Promised, M: KahanMap<T, N>, const N: usize>() -> bool {
+    <M::Prepared as PreparedStep<T, N>>::COST.operations <= SHORT
+}
+
 /// The first rung of a scalar that works for itself.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
@@ -58,8 +69,13 @@ where
     T: Promised,
     M: Lift<T, N>,
 {
+    let attempt = if const { is_short::<T, M, N>() } {
+        attempt::<T, T, Both<T>, M, N>(map, x, eps, T::clone, M::Prepared::component)
+    } else {
+        attempt::<T, T, T::Packed, M, N>(map, x, eps, T::clone, M::Prepared::component)
+    };
     // Not by `filter`, which moves the attempt through memory, and each step of a chain would wait for that.
-    match attempt(map, x, eps, |number| *number, M::Prepared::component) {
+    match attempt {
         Some(attempt) if attempt.is_within(PROMISE * T::UNIT) => Some(vector(attempt.next)),
         _ => None,
     }
@@ -73,7 +89,7 @@ where
     T: Widened,
     M: Lift<T, N>,
 {
-    attempt(map, x, eps, T::embed, |component| component)
+    attempt::<T, T::Wider, <T::Wider as Promised>::Packed, M, N>(map, x, eps, T::embed, |component| component)
         .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
 }
 

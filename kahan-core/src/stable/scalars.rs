@@ -5,10 +5,13 @@ use crate::scalar::{Size, Wide};
 
 use super::bounded::{Bounded, Working, operations};
 use super::number::{Number, Range, power_of_two};
-use super::pair::Both;
+use super::pair::{Both, Pair};
 
 /// A scalar that steps can be promised in, and begin in.
 pub(crate) trait Promised: Working {
+    /// A value and its magnitude, side by side in a register if there is such a one.
+    type Packed: Pair<Self>;
+
     /// The same number.
     fn widen(&self) -> Wide;
     /// The nearest one.
@@ -18,7 +21,7 @@ pub(crate) trait Promised: Working {
 /// One whose second rung is the next wider scalar.
 pub(crate) trait Widened: Promised {
     /// That scalar.
-    type Wider: Working;
+    type Wider: Promised;
 
     /// The same number.
     fn embed(&self) -> Self::Wider;
@@ -72,11 +75,6 @@ impl Number for f32 {
 }
 
 impl Working for f32 {
-    #[cfg(target_arch = "x86_64")]
-    type Pair = super::packed::PackedSingle;
-    #[cfg(not(target_arch = "x86_64"))]
-    type Pair = Both<f32>;
-
     operations!(inline(always));
 }
 
@@ -92,11 +90,6 @@ impl Number for f64 {
 }
 
 impl Working for f64 {
-    #[cfg(target_arch = "x86_64")]
-    type Pair = super::packed::Packed;
-    #[cfg(not(target_arch = "x86_64"))]
-    type Pair = Both<f64>;
-
     operations!(inline(always));
 }
 
@@ -113,8 +106,6 @@ impl Number for Dd {
 }
 
 impl Working for Dd {
-    type Pair = Both<Dd>;
-
     operations!(inline(never));
 }
 
@@ -134,12 +125,15 @@ impl Number for Wide {
 }
 
 impl Working for Wide {
-    type Pair = Both<Wide>;
-
     operations!(inline(never));
 }
 
 impl Promised for f32 {
+    #[cfg(target_arch = "x86_64")]
+    type Packed = super::packed::PackedSingle;
+    #[cfg(not(target_arch = "x86_64"))]
+    type Packed = Both<f32>;
+
     fn widen(&self) -> Wide {
         Wide::from(*self)
     }
@@ -150,6 +144,11 @@ impl Promised for f32 {
 }
 
 impl Promised for f64 {
+    #[cfg(target_arch = "x86_64")]
+    type Packed = super::packed::Packed;
+    #[cfg(not(target_arch = "x86_64"))]
+    type Packed = Both<f64>;
+
     fn widen(&self) -> Wide {
         Wide::from(*self)
     }
@@ -160,6 +159,8 @@ impl Promised for f64 {
 }
 
 impl Promised for Dd {
+    type Packed = Both<Dd>;
+
     fn widen(&self) -> Wide {
         Wide::from_double_double(self.high(), self.low())
     }
