@@ -74,7 +74,7 @@ where
         let Self { map, eps } = self;
         let increment = increment_by_elimination(map.matrix(x, eps.clone()), map.field(x), eps)?;
         let [numerators] = increment.data.0;
-        Some(Quotients { numerators, reciprocals: from_fn(|_| T::one()) })
+        Some(Quotients { numerators, reciprocals: from_fn(|_| None) })
     }
 }
 

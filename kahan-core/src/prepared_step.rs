@@ -11,14 +11,14 @@ use nalgebra::SVector;
 use crate::Scalar;
 use crate::linear::vector;
 
-/// x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+/// x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ, or numeratorᵢ where there is no reciprocal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quotients<T, const N: usize> {
     /// The numerators.
     pub numerators: [T; N],
-    /// The reciprocals of the denominators, or 1 where there is none; the factor 2ε is in the products, wherever it costs
-    /// least.
-    pub reciprocals: [T; N],
+    /// The reciprocals of the denominators, where the last thing to do is a multiplication; the factor 2ε is in the products,
+    /// wherever it costs least.
+    pub reciprocals: [Option<T>; N],
 }
 
 /// What a step costs, counted in the plan that it runs: the deterministic measure by which settings are compared.
@@ -126,13 +126,16 @@ pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Quotients<T, N> {
-    /// x̃ − x: one multiplication a component.
+    /// x̃ − x: at most one multiplication a component.
     #[inline(always)]
     pub fn increment(&self) -> SVector<T, N> {
-        vector(from_fn(|i| self.numerators[i].clone() * self.reciprocals[i].clone()))
+        vector(from_fn(|i| match &self.reciprocals[i] {
+            Some(reciprocal) => self.numerators[i].clone() * reciprocal.clone(),
+            None => self.numerators[i].clone(),
+        }))
     }
 
-    /// x̃ from x: one multiply-add a component.
+    /// x̃ from x: one multiply-add or addition a component.
     #[inline(always)]
     pub fn added_to(self, x: &SVector<T, N>) -> SVector<T, N> {
         self.finished(x, |component| component)
@@ -141,7 +144,13 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     #[inline(always)]
     fn finished(self, x: &SVector<T, N>, finish: impl Fn(T) -> T) -> SVector<T, N> {
         let Quotients { numerators, reciprocals } = self;
-        vector(from_fn(|i| finish(numerators[i].clone().multiply_add(reciprocals[i].clone(), x[i].clone()))))
+        vector(from_fn(|i| {
+            let (numerator, x) = (numerators[i].clone(), x[i].clone());
+            finish(match &reciprocals[i] {
+                Some(reciprocal) => numerator.multiply_add(reciprocal.clone(), x),
+                None => x + numerator,
+            })
+        }))
     }
 }
 

@@ -67,11 +67,11 @@ where
     /// The step's in `f64`.
     const COST: StepCost = P::COST;
 
-    /// The increment, rounded once, over 1.
+    /// The increment, rounded once.
     #[inline(always)]
     fn quotients(&self, x: &SVector<f32, N>) -> Option<Quotients<f32, N>> {
         let increment = self.increment(x)?;
-        Some(Quotients { numerators: from_fn(|i| increment[i]), reciprocals: [1.0; N] })
+        Some(Quotients { numerators: from_fn(|i| increment[i]), reciprocals: [None; N] })
     }
 
     #[inline(always)]

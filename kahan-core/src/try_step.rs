@@ -54,7 +54,7 @@ where
     T: Pivot,
 {
     let zeros = quotients.increment().iter().filter(|entry| entry.is_zero()).count();
-    let denominator_overflows = || quotients.reciprocals.iter().any(T::is_zero);
+    let denominator_overflows = || quotients.reciprocals.iter().flatten().any(T::is_zero);
     let pivot_overflows = || !can_eliminate(&map.matrix(x, eps.clone()));
     zeros > 0
         && (zeros == N || denominator_overflows() || pivot_overflows())

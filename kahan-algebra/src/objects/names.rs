@@ -4,7 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::plan::{Node, Operation, Plan, descriptions};
+use crate::plan::{Node, Operation, Plan, descriptions, kind};
 use crate::symbols::Symbols;
 
 /// A name for each step of a plan of prepared constants; literals are their values.
@@ -51,13 +51,8 @@ fn names(
                     .filter(|_| !matches!(operation, Operation::Divide(..)))
                     .filter(|text| taken.insert(text.clone()));
                 text.unwrap_or_else(|| {
-                    let what = match operation {
-                        _ if prepares && plan.outputs.contains(&Node(index)) => "constant",
-                        Operation::Multiply(..) => "product",
-                        Operation::Divide(..) => "reciprocal",
-                        Operation::Negate(_) => "negative",
-                        _ => "sum",
-                    };
+                    let is_result = prepares && plan.outputs.contains(&Node(index));
+                    let what = if is_result { "constant" } else { kind(plan, Node(index)) };
                     numbered_name(what, &mut numbered, &mut taken)
                 })
             }

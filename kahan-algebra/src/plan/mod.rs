@@ -3,6 +3,7 @@
 //! A plan is data. The emitter turns it into Rust, [`Plan::evaluate`] runs it in any [`Arithmetic`]: rationals, a prime
 //! field, dual numbers, degree bounds, rational functions, floats. Both see the same operations in the same order.
 
+mod apart;
 mod blocks;
 mod builder;
 mod candidate;
@@ -28,7 +29,7 @@ mod writer;
 pub use builder::PlanBuilder;
 pub use cost::Cost;
 pub use step::StepPlan;
-pub use words::descriptions;
+pub use words::{descriptions, kind};
 
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Polynomial, Variable};

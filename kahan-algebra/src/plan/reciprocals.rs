@@ -54,6 +54,13 @@ pub(super) fn with_signs_of_reciprocals(kernel: Plan, reciprocals: &[Option<usiz
     builder.finish(&outputs)
 }
 
+impl Plan {
+    /// Whether a step is a literal divided by something, once or several times.
+    pub(super) fn is_reciprocal(&self, node: Node) -> bool {
+        base(self, node).is_some()
+    }
+}
+
 /// The division of a literal that a reciprocal 2/d/d′ begins with.
 fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
     if dividend_of(kernel, reciprocal).is_some() {

@@ -49,10 +49,13 @@ impl StepPlan {
         let (numerators, reciprocals) = self.kernel.outputs.split_at(n);
         (0..n)
             .map(|i| {
-                let reciprocal = self.reciprocals[i].and_then(|place| arrival[reciprocals[place].0]);
-                let product = arrival[numerators[i].0].max(reciprocal).map(|ready| ready + MULTIPLY);
+                let numerator = arrival[numerators[i].0];
+                let increment = match self.reciprocals[i] {
+                    Some(place) => numerator.max(arrival[reciprocals[place].0]).map(|ready| ready + MULTIPLY),
+                    None => numerator,
+                };
                 let itself = (i == j).then_some(0);
-                product.max(itself).map(|ready| ready + ADD)
+                increment.max(itself).map(|ready| ready + ADD)
             })
             .collect()
     }

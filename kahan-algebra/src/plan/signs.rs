@@ -75,18 +75,20 @@ impl<'a> Search<'a> {
         Search { kernel, prepared, is_free }
     }
 
-    /// The choice after [`Self::descended`], then with each constant turned round in addition, if what follows from that costs
-    /// less: a constant that appears in several sums pays only together with them.
+    /// The choice after [`Self::descended`], then with each constant turned round, alone and in addition, if what follows from
+    /// that costs less: a constant that appears in several sums pays only together with them.
     fn best(&self) -> Vec<bool> {
-        let mut best = self.descended(vec![false; self.kernel.operations.len()]);
+        let none = vec![false; self.kernel.operations.len()];
+        let mut best = self.descended(none.clone());
         let mut cost = self.signs(&best).cost;
         for Node(index) in self.prepared.iter().copied().flatten() {
-            let mut turned = best.clone();
-            turned[index] = !turned[index];
-            let other = self.descended(turned);
-            let other_cost = self.signs(&other).cost;
-            if other_cost < cost {
-                (best, cost) = (other, other_cost);
+            for mut turned in [best.clone(), none.clone()] {
+                turned[index] = !turned[index];
+                let other = self.descended(turned);
+                let other_cost = self.signs(&other).cost;
+                if other_cost < cost {
+                    (best, cost) = (other, other_cost);
+                }
             }
         }
         best

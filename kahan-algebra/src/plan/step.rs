@@ -18,7 +18,7 @@ pub struct StepPlan {
     pub kernel: Plan,
     /// For each component the index of its reciprocal among the kernel's reciprocals; `None` where there is no division.
     pub reciprocals: Vec<Option<usize>>,
-    /// The plan for lanes, where it is another one: a second division shortens the chain of one orbit, but many orbits at once
+    /// The plan for lanes, where it is another one: a second division can shorten the chain of one orbit, but many orbits at once
     /// are bound by the divider.
     pub lanes: Option<Box<StepPlan>>,
 }
@@ -36,12 +36,22 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, map)?;
         let best = plan(&forms.best);
-        Some(match forms.two_divisions.as_ref().map(plan) {
+        let others = [forms.two_divisions.as_ref().map(plan), best.divided_apart()];
+        let shortest = others.into_iter().flatten().min_by_key(Self::recurrence);
+        Some(match shortest {
             Some(other) if other.recurrence() < best.recurrence() => {
                 StepPlan { lanes: Some(Box::new(best)), ..other }
             }
             _ => best,
         })
+    }
+
+    /// Operations from a state to the next: the kernel's, the last multiplication where there is one, and an addition a
+    /// component.
+    #[must_use]
+    pub fn operations(&self) -> usize {
+        let products = self.reciprocals.iter().flatten().count();
+        self.kernel.cost().operations() + products + self.reciprocals.len()
     }
 
     /// Separates the constants from the kernel.

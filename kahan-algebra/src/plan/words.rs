@@ -36,6 +36,19 @@ pub fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<
     known.into_iter().map(|description| Some(description?.text)).collect()
 }
 
+/// What kind of step this is, for those whose description would be long: a number makes it a name.
+#[must_use]
+pub fn kind(plan: &Plan, node: Node) -> &'static str {
+    match plan.operations[node.0] {
+        Operation::Multiply(..) => "product",
+        Operation::Divide(..) if plan.is_reciprocal(node) => "reciprocal",
+        Operation::Divide(..) => "quotient",
+        Operation::Negate(_) => "negative",
+        Operation::Constant(_) => "constant",
+        _ => "sum",
+    }
+}
+
 /// A step in words, from the words for its operands.
 fn describe<'a>(
     operation: &Operation,

@@ -11,7 +11,9 @@
 #[non_exhaustive]
 pub enum Level {
     /// What the program was compiled for: two `f64` or four `f32` at a time on x86-64, one at a time elsewhere.
-    /// The arithmetic, fused or not, is that of [`KahanAt::step`](crate::KahanAt::step), bit for bit.
+    /// The arithmetic, fused or not, is that of [`KahanAt::step`](crate::KahanAt::step), bit for bit, unless that divides more
+    /// than once, as in one or two variables: many trajectories wait for the divider, and share one division among a step's
+    /// components, so that a last digit may differ.
     Baseline,
     /// AVX2 with fused multiply-adds: four `f64` or eight `f32` at a time.
     Avx2,

@@ -38,17 +38,25 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     {
         let Quotients { numerators, reciprocals } = map.prepare(&eps).quotients(x)?;
         let roundings = numerators.iter().map(Bounded::roundings).fold(0, u32::max);
-        let next =
-            from_fn(|i| finish(numerators[i].value().multiply_add(reciprocals[i].value(), x[i].value())));
+        let next = from_fn(|i| {
+            let (numerator, x) = (numerators[i].value(), x[i].value());
+            finish(match &reciprocals[i] {
+                Some(reciprocal) => numerator.multiply_add(reciprocal.value(), x),
+                None => x + numerator,
+            })
+        });
         // The largest of each, and one product of both: hardly more than the largest product, as most steps have one reciprocal.
         let magnitude = largest::<V, N>(numerators.map(|numerator| numerator.magnitude()));
-        let weight = largest::<V, N>(reciprocals.map(|reciprocal| reciprocal.weight(roundings)));
+        let weight = largest::<V, N>(reciprocals.map(|reciprocal| {
+            // An increment that is a quotient itself is a product with 1.
+            reciprocal.unwrap_or_else(Bounded::one).weight(roundings)
+        }));
         Some(Self {
             next,
             error: (magnitude + V::Magnitude::of(underflow::<V>(roundings))) * weight,
             largest_input: numerators
                 .iter()
-                .chain(&reciprocals)
+                .chain(reciprocals.iter().flatten())
                 .map(Bounded::largest_input)
                 .fold(1000, u32::min),
         })

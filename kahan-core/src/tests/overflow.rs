@@ -70,7 +70,7 @@ impl PreparedStep<f64, 2> for ClockStep {
     fn quotients(&self, x: &SVector<f64, 2>) -> Option<Quotients<f64, 2>> {
         let ex = self.0 * x[0];
         let numerators = [-2.0 * ex * x[0] * ex, 2.0 * self.0];
-        Some(Quotients { numerators, reciprocals: [1.0 / ((1.0 + 2.0 * ex) * ex), 1.0] })
+        Some(Quotients { numerators, reciprocals: [Some(1.0 / ((1.0 + 2.0 * ex) * ex)), None] })
     }
 }
 

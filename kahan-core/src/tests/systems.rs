@@ -31,7 +31,7 @@ fn half<T: Scalar>() -> T {
 
 /// The increments 2ε·vᵢ/det.
 fn over<T: Scalar>(velocity: [T; 3], two_eps: &T, det: &T) -> Option<Quotients<T, 3>> {
-    let reciprocal = det.reciprocal()?;
+    let reciprocal = Some(det.reciprocal()?);
     let numerators = velocity.map(|entry| two_eps.clone() * entry);
     Some(Quotients { numerators, reciprocals: [reciprocal.clone(), reciprocal.clone(), reciprocal] })
 }

@@ -1,10 +1,10 @@
 //! Every level against plain steps of its arithmetic.
 
 use kahan_core::prelude::*;
-use kahan_core::{Constant, Ensemble, EnsembleScalar, KahanAt, Level, Reciprocal, WideStep};
+use kahan_core::{Constant, Ensemble, EnsembleScalar, KahanAt, Level, PreparedStep, Reciprocal, WideStep};
 
 use crate::fused::Fused;
-use crate::systems::{ByElimination, Clebsch, E3, EulerTop, Logistic, LotkaVolterra};
+use crate::systems::{ByElimination, Clebsch, E3, E5, EulerTop, Logistic, LotkaVolterra};
 use crate::{assert_same, fuses, levels, points};
 
 /// Around the widths of all registers, and around tiles.
@@ -31,6 +31,27 @@ fn step_each<T: Scalar, M: KahanMap<T, N>, const N: usize>(
     points
 }
 
+/// The same with the plan that lanes follow, where there are lanes.
+fn step_each_as_lanes<T, M, const N: usize>(
+    map: &KahanAt<M, T, N>,
+    mut points: Vec<SVector<T, N>>,
+) -> Vec<SVector<T, N>>
+where
+    T: Scalar,
+    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+{
+    if !cfg!(target_arch = "x86_64") {
+        return step_each(map, points);
+    }
+    let step = map.prepared().widen(T::clone);
+    for point in &mut points {
+        for _ in 0..STEPS {
+            *point = step.next(point).expect("no pole");
+        }
+    }
+    points
+}
+
 /// A map over floats on every level, against single steps over the same or over fused floats.
 fn compare<F, M, W, const N: usize>(
     map: &KahanAt<M, F, N>,
@@ -40,12 +61,12 @@ fn compare<F, M, W, const N: usize>(
     F: EnsembleScalar,
     Fused<F>: Scalar,
     M: KahanMap<F, N, Prepared: WideStep<F, N> + Sync>,
-    W: KahanMap<Fused<F>, N>,
+    W: KahanMap<Fused<F>, N, Prepared: WideStep<Fused<F>, N>>,
 {
     for len in LENGTHS {
         let start: Vec<_> = points(len).into_iter().map(|x: SVector<f64, N>| x.map(round)).collect();
-        let each = step_each(map, start.clone());
-        let each_fused = step_each(fused, start.iter().map(|x| x.map(Fused)).collect());
+        let each = step_each_as_lanes(map, start.clone());
+        let each_fused = step_each_as_lanes(fused, start.iter().map(|x| x.map(Fused)).collect());
         let each_fused: Vec<_> = each_fused.into_iter().map(|x| x.map(|Fused(entry)| entry)).collect();
         for level in levels() {
             let mut ensemble = Ensemble::new(start.clone()).at_level(level).expect("it is available");
@@ -69,6 +90,7 @@ every_level_computes_as_single_steps! {
     one_variable: Logistic { rate: ratio(3, 2) },
     two_variables: LotkaVolterra,
     three_variables: E3,
+    a_plan_of_its_own_for_lanes: E5,
     with_parameters: EulerTop { a1: ratio(1, 1), a2: ratio(-3, 10), a3: ratio(7, 10) },
     six_variables: Clebsch { w1: ratio(1, 1), w2: ratio(2, 1), w3: ratio(4, 1) },
 }

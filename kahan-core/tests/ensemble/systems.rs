@@ -22,6 +22,14 @@ kahan! {
 }
 
 kahan! {
+    /// Two divisions, one after the other; lanes have one.
+    pub(crate) struct E5;
+    xdot = x*y;
+    ydot = -x^2;
+    zdot = y*(2*x - z);
+}
+
+kahan! {
     pub(crate) struct EulerTop { a1, a2, a3 }
     xdot = a1*y*z;
     ydot = a2*z*x;

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use kahan_algebra::plan::{Node, Operation, Plan, descriptions};
+use kahan_algebra::plan::{Node, Operation, Plan, descriptions, kind};
 use kahan_algebra::symbols::Symbols;
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
@@ -12,6 +12,8 @@ use super::items::identifier;
 /// The names given so far in one function, and what each step could be called.
 pub(super) struct Names {
     descriptions: Vec<Option<String>>,
+    /// The kind of each step.
+    kinds: Vec<&'static str>,
     taken: BTreeSet<String>,
     /// How many steps of each kind have been numbered.
     numbered: BTreeMap<&'static str, usize>,
@@ -22,7 +24,8 @@ impl Names {
     pub(super) fn of(plan: &Plan, symbols: &Symbols, constants: &[Ident]) -> Self {
         let constants: Vec<String> = constants.iter().map(ToString::to_string).collect();
         let descriptions = descriptions(plan, symbols, &constants);
-        Names { descriptions, taken: BTreeSet::new(), numbered: BTreeMap::new() }
+        let kinds = (0..plan.operations.len()).map(|index| kind(plan, Node(index))).collect();
+        Names { descriptions, kinds, taken: BTreeSet::new(), numbered: BTreeMap::new() }
     }
 
     /// `__t_eps_x` for ε·x, `__c_3` for a constant, `__reciprocal_1`, `__sum_1` for what has no short description.
@@ -45,13 +48,7 @@ impl Names {
         {
             Some(name) => format_ident!("{name}"),
             None => {
-                let what = match operation {
-                    Operation::Multiply(..) => "product",
-                    Operation::Divide(..) => "reciprocal",
-                    Operation::Negate(_) => "negative",
-                    Operation::Constant(_) => "constant",
-                    _ => "sum",
-                };
+                let what = self.kinds[node.0];
                 let number = self.numbered.entry(what).or_default();
                 *number += 1;
                 format_ident!("__{what}_{number}")

@@ -105,7 +105,8 @@ impl<'a> Kernel<'a> {
         let inputs = emit_owned_inputs(&kernel, symbols);
         let Emitted { bindings, results } = emit_kernel(&kernel, symbols, scalar, names);
         let cost = emit_cost(plan);
-        let packs = plan.lanes.is_some().then(|| {
+        // Two reciprocals are one after the other: a component that waits for the first alone closes the cycle.
+        let packs = (reciprocals.len() > 1).then(|| {
             quote!(
                 const PACKS: __kahan::core::primitive::bool = false;
             )
@@ -113,8 +114,11 @@ impl<'a> Kernel<'a> {
         let mut results = results.into_iter();
         let numerators: Vec<TokenStream> = results.by_ref().take(n).collect();
         let reciprocals = of_components.iter().map(|reciprocal| match reciprocal {
-            Some(_) => results.next().unwrap_or_default(),
-            None => quote!(__kahan::integer::<#scalar>(1)),
+            Some(_) => {
+                let reciprocal = results.next().unwrap_or_default();
+                quote!(__kahan::Option::Some(#reciprocal))
+            }
+            None => quote!(__kahan::Option::None),
         });
         quote! {
             impl<#scalar: __kahan::Scalar> __kahan::PreparedStep<#scalar, #dimension> for #name<#scalar> {
@@ -159,12 +163,10 @@ impl<'a> Kernel<'a> {
     }
 }
 
-/// Expands to `const COST: StepCost = StepCost { … };`: the kernel, and a multiply-add a component.
+/// Expands to `const COST: StepCost = StepCost { … };`.
 fn emit_cost(plan: &StepPlan) -> TokenStream {
-    let n = plan.reciprocals.len();
-    let kernel = plan.kernel.cost();
-    let operations = Literal::usize_unsuffixed(kernel.operations() + 2 * n);
-    let divisions = Literal::usize_unsuffixed(kernel.divisions);
+    let operations = Literal::usize_unsuffixed(plan.operations());
+    let divisions = Literal::usize_unsuffixed(plan.kernel.cost().divisions);
     let chain = Literal::u64_unsuffixed(plan.cycles());
     quote! {
         const COST: __kahan::StepCost =

@@ -119,8 +119,56 @@ fn scope() {
                 eps_mu: __kahan::Apart<T>,
                 eps: __kahan::Apart<T>,
                 eps_plus_one: __kahan::Apart<T>,
+                __lanes: __Lanes<T>,
             }
             impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
+                const COST: __kahan::StepCost = __kahan::StepCost {
+                    operations: 20,
+                    divisions: 2,
+                    chain: 30,
+                };
+                #[inline(always)]
+                fn quotients(
+                    &self,
+                    __state: &__kahan::SVector<T, 2>,
+                ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
+                    let [__s_x, __s_y] = __kahan::components(__state).clone();
+                    let __t_y_eps_mu_minus_one = __s_y
+                        .clone()
+                        .multiply_subtract(
+                            self.eps_mu.0.clone(),
+                            __kahan::integer::<T>(1),
+                        );
+                    let __t_eps_mu_x = self.eps_mu.0.clone() * __s_x.clone();
+                    let __t_eps_x = self.eps.0.clone() * __s_x;
+                    let __sum_1 = __t_y_eps_mu_minus_one
+                        .clone()
+                        .multiply_add(
+                            self.eps_plus_one.0.clone(),
+                            self.eps.0.clone() * __t_eps_mu_x.clone(),
+                        );
+                    let __sum_2 = __t_y_eps_mu_minus_one
+                        .multiply_add(
+                            __s_y.clone() * self.eps.0.clone(),
+                            __t_eps_x.clone(),
+                        );
+                    let __quotient_1 = ((__s_y + __t_eps_x)
+                        * (__t_eps_mu_x.clone() + __t_eps_mu_x))
+                        .quotient(__sum_1.clone())?;
+                    let __quotient_2 = (__sum_2.clone() + __sum_2).quotient(__sum_1)?;
+                    __kahan::Option::Some(__kahan::Quotients {
+                        numerators: [-__quotient_1, -__quotient_2],
+                        reciprocals: [__kahan::Option::None, __kahan::Option::None],
+                    })
+                }
+            }
+            #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
+            pub struct __Lanes<T> {
+                eps_mu: __kahan::Apart<T>,
+                eps: __kahan::Apart<T>,
+                eps_plus_one: __kahan::Apart<T>,
+            }
+            impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Lanes<T> {
                 const COST: __kahan::StepCost = __kahan::StepCost {
                     operations: 17,
                     divisions: 1,
@@ -155,22 +203,27 @@ fn scope() {
                             __t_y_eps_mu_minus_one
                                 .multiply_add(__s_y * self.eps.0.clone(), __t_eps_x),
                         ],
-                        reciprocals: [__reciprocal_1.clone(), __reciprocal_1],
+                        reciprocals: [
+                            __kahan::Option::Some(__reciprocal_1.clone()),
+                            __kahan::Option::Some(__reciprocal_1),
+                        ],
                     })
                 }
             }
             impl<T: __kahan::Scalar> __kahan::WideStep<T, 2> for __Step<T> {
                 const HAS_LANES: __kahan::core::primitive::bool = true;
-                type Wide<__L: __kahan::Scalar> = __Step<__L>;
+                type Wide<__L: __kahan::Scalar> = __Lanes<__L>;
                 #[inline(always)]
                 fn widen<__L: __kahan::Scalar>(
                     &self,
                     __spread: impl __kahan::core::ops::Fn(&T) -> __L,
-                ) -> __Step<__L> {
-                    __Step {
-                        eps_mu: __kahan::Apart::new(__spread(&self.eps_mu.0)),
-                        eps: __kahan::Apart::new(__spread(&self.eps.0)),
-                        eps_plus_one: __kahan::Apart::new(__spread(&self.eps_plus_one.0)),
+                ) -> __Lanes<__L> {
+                    __Lanes {
+                        eps_mu: __kahan::Apart::new(__spread(&self.__lanes.eps_mu.0)),
+                        eps: __kahan::Apart::new(__spread(&self.__lanes.eps.0)),
+                        eps_plus_one: __kahan::Apart::new(
+                            __spread(&self.__lanes.eps_plus_one.0),
+                        ),
                     }
                 }
             }
@@ -187,6 +240,18 @@ fn scope() {
                         eps_plus_one: __kahan::Apart::new(
                             __half_step.clone() + __kahan::integer::<T>(1),
                         ),
+                        __lanes: {
+                            let __p_mu = &self.mu;
+                            __Lanes {
+                                eps_mu: __kahan::Apart::new(
+                                    __half_step.clone() * __p_mu.clone(),
+                                ),
+                                eps: __kahan::Apart::new(__half_step.clone()),
+                                eps_plus_one: __kahan::Apart::new(
+                                    __half_step.clone() + __kahan::integer::<T>(1),
+                                ),
+                            }
+                        },
                     }
                 }
                 fn jacobian(

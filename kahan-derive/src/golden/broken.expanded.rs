@@ -107,7 +107,10 @@ const _: () = {
             let __c_0 = __kahan::integer::<T>(0);
             __kahan::Option::Some(__kahan::Quotients {
                 numerators: [__c_0.clone(), __c_0],
-                reciprocals: [__c_2.clone(), __c_2],
+                reciprocals: [
+                    __kahan::Option::Some(__c_2.clone()),
+                    __kahan::Option::Some(__c_2),
+                ],
             })
         }
     }

@@ -159,9 +159,9 @@ const _: () = {
                     (__t_eps_z - __c_1) * (__t_x_eps_x + __t_y_eps_y),
                 ],
                 reciprocals: [
-                    __reciprocal_1.clone(),
-                    __reciprocal_1.clone(),
-                    __reciprocal_1,
+                    __kahan::Option::Some(__reciprocal_1.clone()),
+                    __kahan::Option::Some(__reciprocal_1.clone()),
+                    __kahan::Option::Some(__reciprocal_1),
                 ],
             })
         }

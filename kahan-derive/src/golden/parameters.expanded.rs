@@ -213,26 +213,29 @@ const _: () = {
                             .eps_nu_minus_eps_mu
                             .0
                             .clone()
-                            .multiply_subtract(
+                            .multiply_add(
                                 __t_eps_y * __c_981,
                                 __t_ten_eps_y
                                     .clone()
                                     .multiply_add(
                                         self
-                                            .constant_2
+                                            .nu_plus_one
                                             .0
                                             .clone()
-                                            .subtract_product(
-                                                self.nu_plus_one.0.clone(),
+                                            .multiply_subtract(
                                                 __t_ten_eps_y,
+                                                self.constant_2.0.clone(),
                                             ),
                                         __t_eps_x
-                                            * (self.n981_times_mu_minus_nu.0.clone()
-                                                - __t_nu_plus_one_n100_y),
+                                            * (__t_nu_plus_one_n100_y
+                                                - self.n981_times_mu_minus_nu.0.clone()),
                                     ),
                             ),
                 ],
-                reciprocals: [__reciprocal_1.clone(), __reciprocal_1],
+                reciprocals: [
+                    __kahan::Option::Some(__reciprocal_1.clone()),
+                    __kahan::Option::Some(__reciprocal_1),
+                ],
             })
         }
     }

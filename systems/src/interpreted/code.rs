@@ -88,13 +88,12 @@ impl StepCode {
     }
 }
 
-/// What generated code says that a step of this plan costs: the kernel, and a multiply-add a component.
+/// What generated code says that a step of this plan costs.
 fn cost(plan: &StepPlan) -> StepCost {
-    let kernel = plan.kernel.cost();
     let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
     StepCost {
-        operations: count(kernel.operations() + 2 * plan.reciprocals.len()),
-        divisions: count(kernel.divisions),
+        operations: count(plan.operations()),
+        divisions: count(plan.kernel.cost().divisions),
         chain: u32::try_from(plan.cycles()).unwrap_or(u32::MAX),
     }
 }

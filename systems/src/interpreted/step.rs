@@ -47,7 +47,7 @@ impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
         let (numerators, divisions) = results.split_at(N);
         Some(Quotients {
             numerators: from_fn(|i| numerators[i].clone()),
-            reciprocals: from_fn(|i| reciprocals[i].map_or_else(T::one, |place| divisions[place].clone())),
+            reciprocals: from_fn(|i| reciprocals[i].map(|place| divisions[place].clone())),
         })
     }
 }

@@ -1,0 +1,59 @@
+//! Each component divided for itself: x̃ᵢ = xᵢ ± 2εnᵢ/d, without the multiplication that follows a shared reciprocal.
+//!
+//! In an orbit that multiplication is on the way from each state to the next. Two quotients by one divisor are a single
+//! instruction over two lanes, as fast as one division; a third would have to wait.
+
+use super::signs::with_signs;
+use super::{Node, Operation, PlanBuilder, StepPlan};
+
+/// The quotients that one instruction gives.
+const TOGETHER: usize = 2;
+
+impl StepPlan {
+    /// The step with a division a component; `None` where there is no reciprocal that serves all of them, and nothing else, or
+    /// where there are too many components.
+    pub(super) fn divided_apart(&self) -> Option<Self> {
+        let (numerators, reciprocals) = self.kernel.outputs.split_at(self.reciprocals.len());
+        let [reciprocal] = reciprocals else { return None };
+        let is_used =
+            self.kernel.operations.iter().any(|step| step.operands().any(|node| node == *reciprocal));
+        let Operation::Divide(two, divisor) = self.kernel.operations[reciprocal.0] else { return None };
+        let Operation::Constant(two) = &self.kernel.operations[two.0] else { return None };
+        if numerators.len() > TOGETHER || is_used || two.abs().as_i64() != Some(2) {
+            return None;
+        }
+        let mut builder = PlanBuilder::default();
+        let steps = builder.include_all(&self.kernel);
+        let ready = self.kernel.ready();
+        let mut outputs = Vec::with_capacity(numerators.len());
+        for (numerator, place) in numerators.iter().zip(&self.reciprocals) {
+            if place.is_none() {
+                outputs.push(steps[numerator.0]);
+                continue;
+            }
+            let (size, is_negated) = match self.kernel.operations[numerator.0] {
+                Operation::Negate(size) => (size, true),
+                _ => (*numerator, false),
+            };
+            let doubled = match self.kernel.operations[size.0] {
+                // The factor that is there first is doubled while the other one is computed.
+                Operation::Multiply(a, b) => {
+                    let (first, last) = if ready[a.0] <= ready[b.0] { (a, b) } else { (b, a) };
+                    let first = twice(&mut builder, steps[first.0]);
+                    builder.multiply(first, steps[last.0])
+                }
+                _ => twice(&mut builder, steps[size.0]),
+            };
+            let quotient = builder.divide(doubled, steps[divisor.0]);
+            outputs.push(if is_negated != two.is_negative() { builder.negate(quotient) } else { quotient });
+        }
+        // No reciprocal takes a sign any more.
+        let (constants, kernel) = with_signs(self.constants.clone(), builder.finish(&outputs));
+        Some(StepPlan { constants, kernel, reciprocals: vec![None; self.reciprocals.len()], lanes: None })
+    }
+}
+
+/// 2a, by an addition.
+fn twice(builder: &mut PlanBuilder, a: Node) -> Node {
+    builder.intern(Operation::Add(a, a))
+}
