@@ -91,18 +91,32 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
         Some(self.quotients(x)?.increment())
     }
 
-    /// x̃ − x + carry, the last multiplication and addition fused where the scalar can: what a compensated orbit adds to x.
-    #[inline(always)]
-    fn increment_with_carry(&self, x: &SVector<T, N>, carry: &SVector<T, N>) -> Option<SVector<T, N>> {
-        let quotients = self.quotients(x)?;
-        Some(quotients.finished(carry, Self::component))
-    }
-
     /// x̃, the last multiplication and addition fused where the scalar can.
     #[inline(always)]
     fn next(&self, x: &SVector<T, N>) -> Option<SVector<T, N>> {
         let quotients = self.quotients(x)?;
         Some(quotients.finished(x, Self::component))
+    }
+
+    /// x̃ and what it lacks, from x and what x lacks: the step of a compensated orbit.
+    ///
+    /// What x lacks is added while the step waits for its division: with b = x + c and what is left of c, t = b + n·r is the next
+    /// point, and what that lacks is n·r − (t − b) and the rest of c. The chain from state to state is that of a plain step.
+    ///
+    /// Where |n·r| ≤ |b| (Dekker 1971), nothing is lost but the rounding of n·r itself. Where a component is smaller than its
+    /// increment, t − b is rounded, and what t lacks is wrong by at most u·|t − b|: no more than that rounding. So there is no
+    /// branch.
+    #[inline(always)]
+    fn next_with_carry(&self, x: &SVector<T, N>, carry: &SVector<T, N>) -> Option<[SVector<T, N>; 2]> {
+        let quotients = self.quotients(x)?;
+        let base: SVector<T, N> = vector(from_fn(|i| x[i].clone() + carry[i].clone()));
+        let rest: [T; N] = from_fn(|i| carry[i].clone() - (base[i].clone() - x[i].clone()));
+        let next = quotients.clone().finished(&base, Self::component);
+        let carry = vector(from_fn(|i| {
+            let lacks = quotients.less(i, next[i].clone() - base[i].clone());
+            Self::component(rest[i].clone() + lacks)
+        }));
+        Some([next, carry])
     }
 
     /// A component of x̃ as it is handed on: where nothing is to be packed, in a register of its own.
@@ -139,6 +153,16 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     #[inline(always)]
     pub fn added_to(self, x: &SVector<T, N>) -> SVector<T, N> {
         self.finished(x, |component| component)
+    }
+
+    /// x̃ᵢ − xᵢ − d: one multiply-subtract or subtraction.
+    #[inline(always)]
+    fn less(&self, i: usize, d: T) -> T {
+        let numerator = self.numerators[i].clone();
+        match &self.reciprocals[i] {
+            Some(reciprocal) => numerator.multiply_subtract(reciprocal.clone(), d),
+            None => numerator - d,
+        }
     }
 
     #[inline(always)]

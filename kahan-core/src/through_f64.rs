@@ -79,9 +79,15 @@ where
         Some(rounded(&self.0.increment(&widened(x))?))
     }
 
+    /// A point and what it lacks are one number of `f64`.
     #[inline(always)]
-    fn increment_with_carry(&self, x: &SVector<f32, N>, carry: &SVector<f32, N>) -> Option<SVector<f32, N>> {
-        Some(rounded(&self.0.increment_with_carry(&widened(x), &widened(carry))?))
+    fn next_with_carry(&self, x: &SVector<f32, N>, carry: &SVector<f32, N>) -> Option<[SVector<f32, N>; 2]> {
+        let (x, carry) = (widened(x), widened(carry));
+        let base = vector(from_fn(|i| x[i] + carry[i]));
+        let next = self.0.quotients(&x)?.added_to(&base);
+        let point = rounded(&next);
+        let carry = vector(from_fn(|i| (next[i] - f64::from(point[i])) as f32));
+        Some([point, carry])
     }
 
     #[inline(always)]

@@ -72,7 +72,7 @@ impl<T: Scalar, const N: usize> State<T, N> for SVector<T, N> {
     }
 }
 
-/// A point and what it lacks: the orbit is at point + carry, and the carry is below half an ulp of the point or of the last
+/// A point and what it lacks: the orbit is at point + carry, and the carry is at most about an ulp of the point or of the last
 /// increment, whichever is larger.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
@@ -92,19 +92,10 @@ impl<T: Scalar, const N: usize> State<T, N> for CompensatedPoint<T, N> {
         &self.point
     }
 
-    /// With y = n·r + c: t = x + y, c = y − (t − x), and t is the next point.
-    ///
-    /// Where |y| ≤ |x| (Dekker 1971), c is exactly what t lacks. Where a component is smaller than its increment, t − x is
-    /// rounded, and c is wrong by at most u·|t − x| ≤ u·(1 + u)·|y|: no more than the rounding that y itself carries. So there is
-    /// no branch.
     #[inline(always)]
     fn advance<P: PreparedStep<T, N>>(&mut self, step: &P) -> Option<()> {
-        let Self { point: x, carry } = self;
-        let increment = step.increment_with_carry(x, carry)?;
-        let next: SVector<T, N> = vector(from_fn(|i| P::component(x[i].clone() + increment[i].clone())));
-        self.carry =
-            vector(from_fn(|i| P::component(increment[i].clone() - (next[i].clone() - x[i].clone()))));
-        self.point = next;
+        let [point, carry] = step.next_with_carry(&self.point, &self.carry)?;
+        *self = Self { point, carry };
         Some(())
     }
 }

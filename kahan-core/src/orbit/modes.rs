@@ -21,7 +21,9 @@ where
     /// `f32` they are seen beyond about 10⁶ steps, and for an ε whose powers are rounded badly in `f64` too; there
     /// [`nearest_short_eps`](crate::nearest_short_eps) helps. Nor does it help near a pole, where the increment is inaccurate.
     ///
-    /// Cost: three additions a component, one of which the next step waits for: up to a fifth more time.
+    /// Each point that it yields is rounded, to about an ulp of where the orbit is.
+    ///
+    /// Cost: seven operations a component, none of which the next step waits for: up to a fifth more time.
     ///
     /// ```
     /// use kahan_core::prelude::*;
