@@ -51,7 +51,8 @@ cargo run --release --manifest-path benches/Cargo.toml          # writes this fi
 ```
 
 The machine should have nothing else to do. Instructions are counted by valgrind's callgrind, where it is to be had; they
-do not depend on the load.
+do not depend on the load. The best step by hand is the one of least latency; where another one is shorter, it waits longer,
+and its instructions are given for comparison.
 ";
 
 /// The whole document.

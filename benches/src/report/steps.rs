@@ -41,13 +41,13 @@ pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<S
                 latency,
             ));
         }
-        for (which, count) in [("fastest", of_fastest), ("shortest", fewest)] {
-            if let Some(measured) =
-                rows[0].instructions.zip(count).map(|(generated, count)| generated / count)
-            {
-                let figure = format!("{}: instructions, generated / {which} by hand", system.name);
-                limits.push(Limit::ratio(figure, 1.05, Some(measured)));
-            }
+        let over = |count: Option<f64>| Some(rows[0].instructions? / count?);
+        let figure = |which| format!("{}: instructions, generated / {which} by hand", system.name);
+        if let Some(measured) = over(of_fastest) {
+            limits.push(Limit::ratio(figure("fastest"), 1.05, Some(measured)));
+        }
+        if let Some(measured) = over(fewest) {
+            limits.push(Limit::comparison(figure("shortest"), Some(measured)));
         }
         let lu = rows.iter().find(|row| row.name == STATIC_LU).and_then(|row| row.standing);
         by_lu.extend(lu.map(|standing| (system.dimension, standing.ratio.median.recip())));

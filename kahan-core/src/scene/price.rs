@@ -12,7 +12,7 @@ use super::Precision;
 const SINGLE: f64 = 1.0;
 /// Conversions to and fro.
 const SINGLE_THROUGH_DOUBLE: f64 = 1.25;
-/// Three additions a component, one of which is waited for.
+/// Seven operations a component, beside the chain from state to state.
 const COMPENSATED: f64 = 1.1;
 /// With fused multiply-adds an exact product takes two operations,
 #[cfg(any(target_feature = "fma", target_arch = "aarch64"))]
