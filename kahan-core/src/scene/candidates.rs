@@ -166,7 +166,7 @@ impl Trial {
         let stages = |ladder: &Ladder| steps(ladder) * ladder.composition.stages() as f64;
         let shortest = settled(ladders).min_by(|a, b| stages(a).total_cmp(&stages(b)));
         let Some(ladder) = shortest.filter(|ladder| stages(ladder) <= MOST_WIDE as f64) else { return };
-        let eps = Precision::Double.short_eps(0.5 * self.span.time / steps(ladder));
+        let eps = Precision::Double.eps_near(0.5 * self.span.time / steps(ladder), ladder.composition);
         let measured = of_double(map, x0, ladder.composition, eps, steps(ladder) as u64);
         for (compensated, measured) in [false, true].into_iter().zip(measured) {
             let expected = self.roundings.expected(Precision::Double, compensated, stages(ladder));
@@ -232,7 +232,7 @@ impl Trial {
         let mut setting = Setting::over(map, horizon, precision, ladder.composition, compensated, all);
         let steps = setting.steps as f64 / self.span.beyond;
         let error = further * ladder.error(steps) + self.roundings(ladder, precision, compensated, steps);
-        // A short ε may be the larger one by a last digit.
+        // The ε that is taken may be the larger one by a last digit.
         setting.error = error.min(tolerance);
         (setting.eps > 0.0 && setting.eps.is_finite()).then_some(setting)
     }

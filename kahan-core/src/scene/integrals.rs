@@ -66,7 +66,7 @@ fn is_borne<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, ste
 where
     M: Lift<f64, N>,
 {
-    let eps = Precision::Double.short_eps(0.5 * scene.horizon / steps);
+    let eps = Precision::Double.eps_near(0.5 * scene.horizon / steps, Composition::KAHAN);
     let count = steps.min(PILOT) as usize;
     let coarse = size(map.orbit(*x0, eps).take(count + 1));
     let fine = size(map.orbit(*x0, 0.25 * eps).take(4 * count + 1));

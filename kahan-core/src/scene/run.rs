@@ -43,7 +43,8 @@ impl<F: FnMut(u64, &SVector<f64, N>), const N: usize> Task<N> for Each<F> {
 }
 
 impl Setting {
-    /// The last point of the orbit that begins with `x0`, at the time 2ε·steps; not finite where the orbit met a pole.
+    /// The last point of the orbit that begins with `x0`, at the time 2ε·[`steps`](Self::steps); not finite where the orbit met a
+    /// pole.
     ///
     /// Parameters and `x0` are rounded to the setting's precision, the result is rounded or widened to `f64`. It runs as the line
     /// that the setting prints would.

@@ -33,11 +33,15 @@ impl Precision {
         }
     }
 
-    /// The [short](nearest_short_eps) ε nearest to this one; in `Dd` one that is short for `f64`.
-    pub(super) fn short_eps(self, eps: f64) -> f64 {
+    /// The ε to take for this one: of Kahan's map itself the nearest [short](nearest_short_eps) one, in `Dd` one that is short
+    /// for `f64`; of a composition, whose stages round theirs anyway, the nearest number.
+    pub(super) fn eps_near(self, eps: f64, composition: Composition) -> f64 {
+        let is_short = composition == Composition::KAHAN;
         match self {
-            Self::Single | Self::SingleThroughDouble => f64::from(nearest_short_eps(eps as f32)),
-            Self::Double | Self::DoubleDouble => nearest_short_eps(eps),
+            Self::Single | Self::SingleThroughDouble if is_short => f64::from(nearest_short_eps(eps as f32)),
+            Self::Single | Self::SingleThroughDouble => f64::from(eps as f32),
+            Self::Double | Self::DoubleDouble if is_short => nearest_short_eps(eps),
+            Self::Double | Self::DoubleDouble => eps,
         }
     }
 }
@@ -70,7 +74,7 @@ impl Setting {
     where
         M: Lift<f64, N>,
     {
-        let eps = precision.short_eps(0.5 * horizon / steps);
+        let eps = precision.eps_near(0.5 * horizon / steps, composition);
         let steps = (0.5 * horizon / eps).round().max(1.0);
         let stage = <M::Prepared as PreparedStep<f64, N>>::COST;
         let cost = steps * price::of_step(stage, precision, composition, compensated);
@@ -92,12 +96,13 @@ impl Setting {
         self.compensated
     }
 
-    /// ε, half the time step; of so few bits that its powers are exact ([`nearest_short_eps`]).
+    /// ε, half the time step; of Kahan's map itself one of so few bits that its powers are exact ([`nearest_short_eps`]).
     pub fn eps(&self) -> f64 {
         self.eps
     }
 
-    /// The number of steps: 2ε times this is the horizon, but for less than half a step.
+    /// The number of steps: 2ε times this is the horizon, but for a rounding, or for less than half a step of the map itself, whose ε
+    /// has few bits.
     pub fn steps(&self) -> u64 {
         self.steps
     }

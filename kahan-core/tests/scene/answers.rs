@@ -36,11 +36,17 @@ fn the_same_question_has_the_same_answer() {
 }
 
 #[test]
-fn epsilon_is_short_and_the_steps_reach_the_horizon() {
-    for tolerance in [1e-2, 1e-6, 1e-10, 1e-20] {
+fn the_steps_reach_the_horizon_where_epsilon_is_not_short() {
+    for tolerance in [0.3, 1e-2, 1e-6, 1e-10, 1e-20] {
         let setting = Scene::trajectory(10.0, tolerance).choose(&E6, &START.into()).unwrap();
-        assert_eq!(kahan_core::nearest_short_eps(setting.eps()), setting.eps());
-        assert!((2.0 * setting.eps() * setting.steps() as f64 - 10.0).abs() <= setting.eps());
+        let missed = (2.0 * setting.eps() * setting.steps() as f64 - 10.0).abs();
+        if setting.composition() == Composition::KAHAN {
+            assert_eq!(kahan_core::nearest_short_eps(setting.eps()), setting.eps());
+            assert!(missed <= setting.eps());
+        } else {
+            // ε and the product are rounded.
+            assert!(missed <= 10.0 * f64::EPSILON, "{missed:e}");
+        }
         assert!(setting.error() <= tolerance);
     }
 }

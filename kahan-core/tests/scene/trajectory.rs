@@ -17,7 +17,7 @@ pub(crate) struct Trajectory<M: Lift<f64, N>, const N: usize> {
 const HIGHEST: Composition = Composition::KAHAN_LI_8;
 
 impl<M: Lift<f64, N>, const N: usize> Trajectory<M, N> {
-    /// A little beyond the horizon: so many steps of a short ε do not end there exactly.
+    /// A little beyond the horizon: so many steps of an ε that was rounded do not end there exactly.
     pub(crate) fn new(map: &M, x0: &SVector<f64, N>, horizon: f64, steps: usize) -> Self {
         let map = map.lift::<Dd>(|parameter| Dd::from(*parameter));
         let dt = horizon / steps as f64;

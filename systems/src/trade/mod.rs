@@ -69,7 +69,7 @@ pub struct Scene<'a> {
 pub struct Setting {
     /// The scalar, the order, the accumulation.
     pub kind: Kind,
-    /// Half the time step; of so few bits that its powers are exact.
+    /// Half the time step; at order 2 of so few bits that its powers are exact.
     pub eps: f64,
     /// The steps over the horizon.
     pub steps: u64,
@@ -206,7 +206,7 @@ const REFERENCE_SHARE: f64 = 0.75;
 /// As good as no limit; a clock cannot tell times that are much later.
 const LONG: Duration = Duration::from_secs(1 << 32);
 
-/// The trajectory, a little beyond the horizon: n steps of a short ε do not end there exactly.
+/// The trajectory, a little beyond the horizon: n steps of an ε that was rounded do not end there exactly.
 fn reference(
     scene: &Scene<'_>,
     subject: &dyn Runner,

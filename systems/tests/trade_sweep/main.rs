@@ -10,12 +10,12 @@ use std::process::Command;
 
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
-use kahan_core::{Dd, Lift, Precision, nearest_short_eps};
+use kahan_core::{Dd, Lift, Precision};
 use kahan_systems::reference::{Limits, Reference, Trajectory};
 use serde_json::Value;
 
 use fields::{Chain, Epidemic, Galaxy, Gyrostat, Nahm, Oscillators, Rotor, Text, ThreeWaves, Tired};
-use scene::{SCALARS, Scene, Setting, to};
+use scene::{SCALARS, Scene, Setting, eps_near, to};
 
 /// What a choice costs over what the best setting does.
 struct Ratios {
@@ -36,11 +36,13 @@ fn command<M: Text>(start: &[&str], horizon: f64, tolerance: f64) -> (Setting, f
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     let choice = &object["choice"];
     let scalar = SCALARS.into_iter().find(|name| choice["scalar"] == **name);
+    let (scalar, order) = (scalar.expect("a scalar"), choice["order"].as_u64().expect("an order") as u32);
     let setting = Setting {
-        scalar: scalar.expect("a scalar"),
-        order: choice["order"].as_u64().expect("an order") as u32,
+        scalar,
+        order,
         compensated: choice["compensated"] == true,
-        eps: nearest_short_eps(choice["eps"].as_f64().expect("a float")),
+        // Reading JSON may miss the last bit.
+        eps: eps_near(scalar, order, choice["eps"].as_f64().expect("a float")),
     };
     (setting, choice["nanoseconds_per_unit_time"].as_f64().expect("a price"))
 }
@@ -78,7 +80,7 @@ where
     for tolerance in [1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-14] {
         let allowed = 1e-3 * tolerance;
         let asked = Trajectory { command: "", parameters: &[], start: &point, end: horizon, allowed };
-        // So many steps of a short ε end near the horizon, not at it.
+        // So many steps of an ε that was rounded end near the horizon, not at it.
         let limits = Limits { margin: 1.0 / 256.0, deadline: None };
         let reference = Reference::within(&map.lift::<Dd>(to), &asked, &limits).expect("a reference");
         let scene = Scene { map: map.clone(), start: SVector::from(point.clone()), horizon, reference };

@@ -77,6 +77,16 @@ macro_rules! with_scalar {
     };
 }
 
+/// The ε to take for this one: one of few bits at order 2, the nearest of the scalar at others.
+pub(crate) fn eps_near(scalar: &str, order: u32, eps: f64) -> f64 {
+    match (scalar.starts_with("f32"), order) {
+        (true, 2) => f64::from(nearest_short_eps(eps as f32)),
+        (true, _) => f64::from(eps as f32),
+        (false, 2) => nearest_short_eps(eps),
+        (false, _) => eps,
+    }
+}
+
 impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
     fn parts<T: FloatScalar>(&self, eps: f64) -> (M::Lifted<T>, SVector<T, N>, T) {
         let eps = BigRational::from_float(eps).expect("finite");
@@ -134,12 +144,7 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
             for (order, compensated) in [2, 4, 6, 8].into_iter().flat_map(|p| [(p, false), (p, true)]) {
                 let at = |steps: f64| {
                     let eps = self.horizon / (2.0 * steps);
-                    let eps = if scalar.starts_with("f32") {
-                        f64::from(nearest_short_eps(eps as f32))
-                    } else {
-                        nearest_short_eps(eps)
-                    };
-                    Setting { scalar, order, compensated, eps }
+                    Setting { scalar, order, compensated, eps: eps_near(scalar, order, eps) }
                 };
                 let unit = at(1e4 * self.horizon);
                 let price = (0..10).map(|_| self.price(&unit)).fold(f64::INFINITY, f64::min);
