@@ -47,9 +47,12 @@ impl StepListing {
                 }
                 _ => ('+', numerator),
             };
+            let is_still =
+                matches!(&step.kernel.operations[numerator.0], Operation::Constant(value) if value.is_zero());
             let numerator = name(numerator);
             next.push(match reciprocal {
                 Some(reciprocal) => format!("{state}~ = {state} {sign} {numerator}*{reciprocal}"),
+                None if is_still => format!("{state}~ = {state}"),
                 None => format!("{state}~ = {state} {sign} {numerator}"),
             });
         }

@@ -107,11 +107,6 @@ impl PlanBuilder {
         }
     }
 
-    /// Whether a step changes a sign.
-    pub(super) fn is_negation(&self, node: Node) -> bool {
-        matches!(self.operations[node.0], Operation::Negate(_))
-    }
-
     /// Whether the product of two steps is a step already.
     pub(super) fn has_product(&self, a: Node, b: Node) -> bool {
         self.known.contains_key(&Operation::Multiply(a.min(b), a.max(b)))

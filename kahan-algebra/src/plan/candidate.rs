@@ -1,11 +1,14 @@
 //! One form of a step, with its price.
 
+use std::collections::BTreeSet;
+
 use super::nesting::Goal;
 use super::writer::Writer;
-use super::{Node, PlanBuilder};
+use super::{Node, Operation, PlanBuilder};
 
 /// What a prepared constant that was rounded more than once costs, in operations.
 const DERIVED: usize = 3;
+
 /// A finished form: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 pub(super) struct Candidate {
     pub(super) builder: PlanBuilder,
@@ -37,10 +40,12 @@ fn price_of(writer: &mut Writer, numerators: &[Node], reciprocals: &[Node]) -> u
     let states = writer.scaling.states();
     let (constants, kernel) = plan.split(|variable| variable.0 < states);
     let derived = constants.derived_constants(writer.scaling.epsilon());
-    let negations = numerators.iter().filter(|node| writer.draft.builder.is_negation(**node)).count();
+    let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
+    let negated: BTreeSet<Node> =
+        kernel.outputs[..numerators.len()].iter().copied().filter(is_negation).collect();
     let cost = kernel.cost();
     // A negated numerator becomes a subtraction at the end.
     let fine = if writer.scaling.folds { 0 } else { DERIVED * derived };
-    let operations = cost.operations() - negations + fine;
+    let operations = cost.operations() - negated.len() + fine;
     Goal::Early.price(operations, cost.chain)
 }

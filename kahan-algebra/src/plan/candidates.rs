@@ -6,7 +6,6 @@ use crate::kahan::{RationalMap, scaled_matrix};
 use crate::poly::{Monomial, Polynomial};
 use crate::rational::Rational;
 
-use super::Node;
 use super::blocks::Blocks;
 use super::candidate::Candidate;
 use super::draft::Signed;
@@ -232,11 +231,12 @@ impl<'a> Parts<'a> {
                 products.finish(&mut writer)
             }
         };
-        let nodes: Vec<Node> = numerators
-            .iter()
-            .map(|numerator| writer.draft.node(numerator.flipped(denominator.negative)))
-            .collect();
-        let reciprocals = vec![Some(reciprocal); nodes.len()];
+        let (mut nodes, mut reciprocals) = (Vec::new(), Vec::new());
+        for numerator in &numerators {
+            let is_still = writer.draft.is_zero(*numerator);
+            nodes.push(writer.draft.node(numerator.flipped(denominator.negative)));
+            reciprocals.push((!is_still).then_some(reciprocal));
+        }
         Candidate::new(writer, nodes, reciprocals)
     }
 
@@ -268,11 +268,12 @@ impl<'a> Parts<'a> {
         let constant_flips = self.denominator.coefficient.is_negative();
         let (mut nodes, mut reciprocals) = (Vec::new(), Vec::new());
         for (numerator, product) in self.numerators.iter().zip(products.finish(&mut writer)) {
-            let is_short = numerator.exponent(other) > 0 || numerator.coefficient.is_zero();
+            let is_short = numerator.exponent(other) > 0;
             // A short quotient divides by one of the written factors, a long one by both, each with the sign it was written with.
             let flips = constant_flips ^ needed.negative ^ (partner.negative && !is_short);
             nodes.push(writer.draft.node(product.flipped(flips)));
-            reciprocals.push(Some(if is_short { reciprocal } else { both }));
+            let is_still = numerator.coefficient.is_zero();
+            reciprocals.push((!is_still).then_some(if is_short { reciprocal } else { both }));
         }
         Some(Candidate::new(writer, nodes, reciprocals))
     }

@@ -94,7 +94,7 @@ const _: () = {
     }
     impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
         const COST: __kahan::StepCost = __kahan::StepCost {
-            operations: 4,
+            operations: 2,
             divisions: 0,
             chain: 3,
         };
@@ -103,14 +103,10 @@ const _: () = {
             &self,
             __state: &__kahan::SVector<T, 2>,
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-            let __c_2 = __kahan::integer::<T>(2);
             let __c_0 = __kahan::integer::<T>(0);
             __kahan::Option::Some(__kahan::Quotients {
                 numerators: [__c_0.clone(), __c_0],
-                reciprocals: [
-                    __kahan::Option::Some(__c_2.clone()),
-                    __kahan::Option::Some(__c_2),
-                ],
+                reciprocals: [__kahan::Option::None, __kahan::Option::None],
             })
         }
     }
