@@ -57,7 +57,7 @@ where
     }
     let roundings = Roundings::of(map, x0, shortest.composition, span.time, shortest.finest());
     let corrections = [1.0; 2];
-    let mut trial = Trial { horizon: scene.horizon, span, roundings, corrections, power: power.max(1.0) };
+    let mut trial = Trial { scene: *scene, span, roundings, corrections, power: power.max(1.0) };
     let is_cheap = |setting: Setting| setting.precision != Precision::DoubleDouble;
     let first = trial.cheapest(map, &ladders, scene.tolerance);
     if !first.is_some_and(is_cheap) && scene.tolerance > Precision::Double.unit() {
@@ -107,7 +107,7 @@ pub(super) fn kinds() -> impl Iterator<Item = (Precision, bool)> {
 /// What is known of a scene.
 #[derive(Debug)]
 struct Trial {
-    horizon: f64,
+    scene: Scene,
     span: Span,
     /// Roundings at the steps of the shortest ladder.
     roundings: Roundings,
@@ -166,7 +166,7 @@ impl Trial {
         let stages = |ladder: &Ladder| steps(ladder) * ladder.composition.stages() as f64;
         let shortest = settled(ladders).min_by(|a, b| stages(a).total_cmp(&stages(b)));
         let Some(ladder) = shortest.filter(|ladder| stages(ladder) <= MOST_WIDE as f64) else { return };
-        let eps = Precision::Double.eps_near(0.5 * self.span.time / steps(ladder), ladder.composition);
+        let eps = 0.5 * self.span.time / steps(ladder);
         let measured = of_double(map, x0, ladder.composition, eps, steps(ladder) as u64);
         for (compensated, measured) in [false, true].into_iter().zip(measured) {
             let expected = self.roundings.expected(Precision::Double, compensated, stages(ladder));
@@ -228,8 +228,8 @@ impl Trial {
         if all.is_nan() || all >= MOST_STEPS {
             return None;
         }
-        let horizon = self.horizon;
-        let mut setting = Setting::over(map, horizon, precision, ladder.composition, compensated, all);
+        let scene = &self.scene;
+        let mut setting = Setting::over(map, scene, precision, ladder.composition, compensated, all);
         let steps = setting.steps as f64 / self.span.beyond;
         let error = further * ladder.error(steps) + self.roundings(ladder, precision, compensated, steps);
         // The ε that is taken may be the larger one by a last digit.

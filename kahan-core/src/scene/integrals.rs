@@ -38,7 +38,7 @@ where
         for k in 0..HALVINGS {
             let steps = coarsest * f64::from(k).exp2();
             let composition = Composition::KAHAN;
-            let mut setting = Setting::over(map, scene.horizon, precision, composition, compensated, steps);
+            let mut setting = Setting::over(map, scene, precision, composition, compensated, steps);
             let (eps, steps) = (setting.eps, setting.steps as f64);
             if !(eps > 0.0 && steps < MOST_STEPS) {
                 break;
@@ -66,7 +66,7 @@ fn is_borne<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, ste
 where
     M: Lift<f64, N>,
 {
-    let eps = Precision::Double.eps_near(0.5 * scene.horizon / steps, Composition::KAHAN);
+    let eps = Precision::Double.eps_near(0.5 * scene.horizon / steps, scene.need);
     let count = steps.min(PILOT) as usize;
     let coarse = size(map.orbit(*x0, eps).take(count + 1));
     let fine = size(map.orbit(*x0, 0.25 * eps).take(4 * count + 1));

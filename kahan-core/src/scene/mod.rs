@@ -160,7 +160,7 @@ impl Scene {
             "the horizon must be a finite number above 0"
         );
         assert!(steps > 0, "an orbit over a horizon has at least one step");
-        Setting::over(map, self.horizon, precision, composition, compensated, steps as f64)
+        Setting::over(map, self, precision, composition, compensated, steps as f64)
     }
 
     fn check<const N: usize>(&self, x0: &SVector<f64, N>) -> Result<(), NoSetting> {

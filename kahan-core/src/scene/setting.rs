@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::{Composition, Lift, PreparedStep, nearest_short_eps};
 
-use super::price;
+use super::{Need, Scene, price};
 
 /// The numbers that an orbit is computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -33,10 +33,10 @@ impl Precision {
         }
     }
 
-    /// The ε to take for this one: of Kahan's map itself the nearest [short](nearest_short_eps) one, in `Dd` one that is short
-    /// for `f64`; of a composition, whose stages round theirs anyway, the nearest number.
-    pub(super) fn eps_near(self, eps: f64, composition: Composition) -> f64 {
-        let is_short = composition == Composition::KAHAN;
+    /// The ε to take for this one: to keep integrals the nearest [short](nearest_short_eps) one, in `Dd` one that is short for
+    /// `f64`; to follow a trajectory, which must end at its horizon, the nearest number.
+    pub(super) fn eps_near(self, eps: f64, need: Need) -> f64 {
+        let is_short = need == Need::Integrals;
         match self {
             Self::Single | Self::SingleThroughDouble if is_short => f64::from(nearest_short_eps(eps as f32)),
             Self::Single | Self::SingleThroughDouble => f64::from(eps as f32),
@@ -62,10 +62,10 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// About so many steps over a horizon, priced; nothing is known of its error.
+    /// About so many steps over a scene's horizon, priced; nothing is known of its error.
     pub(super) fn over<M, const N: usize>(
         _map: &M,
-        horizon: f64,
+        scene: &Scene,
         precision: Precision,
         composition: Composition,
         compensated: bool,
@@ -74,8 +74,8 @@ impl Setting {
     where
         M: Lift<f64, N>,
     {
-        let eps = precision.eps_near(0.5 * horizon / steps, composition);
-        let steps = (0.5 * horizon / eps).round().max(1.0);
+        let eps = precision.eps_near(0.5 * scene.horizon / steps, scene.need);
+        let steps = (0.5 * scene.horizon / eps).round().max(1.0);
         let stage = <M::Prepared as PreparedStep<f64, N>>::COST;
         let cost = steps * price::of_step(stage, precision, composition, compensated);
         Self { precision, composition, compensated, eps, steps: steps as u64, error: f64::INFINITY, cost }
@@ -96,13 +96,13 @@ impl Setting {
         self.compensated
     }
 
-    /// ε, half the time step; of Kahan's map itself one of so few bits that its powers are exact ([`nearest_short_eps`]).
+    /// ε, half the time step; for [`Need::Integrals`] one of so few bits that its powers are exact ([`nearest_short_eps`]).
     pub fn eps(&self) -> f64 {
         self.eps
     }
 
-    /// The number of steps: 2ε times this is the horizon, but for a rounding, or for less than half a step of the map itself, whose ε
-    /// has few bits.
+    /// The number of steps: 2ε times this is the horizon, but for the rounding of ε; for [`Need::Integrals`], whose ε has few bits,
+    /// but for less than half a step.
     pub fn steps(&self) -> u64 {
         self.steps
     }

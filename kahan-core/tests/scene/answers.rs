@@ -36,19 +36,17 @@ fn the_same_question_has_the_same_answer() {
 }
 
 #[test]
-fn the_steps_reach_the_horizon_where_epsilon_is_not_short() {
-    for tolerance in [0.3, 1e-2, 1e-6, 1e-10, 1e-20] {
-        let setting = Scene::trajectory(10.0, tolerance).choose(&E6, &START.into()).unwrap();
-        let missed = (2.0 * setting.eps() * setting.steps() as f64 - 10.0).abs();
-        if setting.composition() == Composition::KAHAN {
-            assert_eq!(kahan_core::nearest_short_eps(setting.eps()), setting.eps());
-            assert!(missed <= setting.eps());
-        } else {
-            // ε and the product are rounded.
-            assert!(missed <= 10.0 * f64::EPSILON, "{missed:e}");
-        }
+fn a_trajectory_ends_at_the_horizon_and_for_integrals_epsilon_is_short() {
+    for (horizon, tolerance) in [(10.0, 0.3), (10.0, 1e-2), (10.0, 1e-6), (10.0, 1e-20), (2e-4, 1e-12)] {
+        let setting = Scene::trajectory(horizon, tolerance).choose(&E6, &START.into()).unwrap();
+        let missed = (2.0 * setting.eps() * setting.steps() as f64 - horizon).abs();
+        // ε and the product are rounded.
+        assert!(missed <= horizon * f64::EPSILON, "{missed:e}");
         assert!(setting.error() <= tolerance);
     }
+    let setting = Scene::integrals(10.0, 1e-10).choose(&E6, &START.into()).unwrap();
+    assert_eq!(kahan_core::nearest_short_eps(setting.eps()), setting.eps());
+    assert!((2.0 * setting.eps() * setting.steps() as f64 - 10.0).abs() <= setting.eps());
 }
 
 #[test]

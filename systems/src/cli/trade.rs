@@ -33,15 +33,15 @@ use paste::rust_of;
 /// value at the beginning, evaluated in 32 digits at the eps of the orbit: of the map's own integrals at order 2, of the
 /// flow's (the claims at eps = 0) for compositions, which have none of their own. The trajectory may be far off then.
 ///
-/// An orbit of order 2 ends at the step that is nearest to the horizon, as its eps has few bits: not at the horizon itself, but at
-/// the time 2*eps times its steps, and there its error is measured. In the table, `return` is how far from the first point an
-/// orbit comes home that goes all its steps forward and back.
+/// An orbit that follows a trajectory ends at the horizon, but for the rounding of its eps; one that keeps integrals at the step that
+/// is nearest to it. In the table, `return` is how far from the first point an orbit comes home that goes all its steps forward
+/// and back.
 ///
 /// Settings are measured until the answer is clear: nothing finer than what does, nothing dearer. The table shows the front, which
-/// no other setting beats in price and error together; --json has all. At order 2 every eps has few bits (17, and 8 in f32), so that
-/// its powers are exact: keep it as it is printed. It matters in long runs, from some 1e5 steps on, where the step multiplies eps
-/// with itself or with parameters (the Euler top's does): with an eps that makes these products rounded, what the map conserves
-/// drifts linearly, compensated or not. At higher orders the stages round theirs anyway. A system of the catalog is timed as
+/// no other setting beats in price and error together; --json has all. To keep integrals every eps has few bits (17, and 8 in f32), so
+/// that its powers are exact: keep it as it is printed. It matters in long runs at order 2, from some 1e5 steps on, where the step
+/// multiplies eps with itself or with parameters (the Euler top's does): with an eps that makes these products rounded, what the map
+/// conserves drifts linearly, compensated or not. At higher orders the stages round theirs anyway. A system of the catalog is timed as
 /// compiled; a field given as text is run by an interpreter, and its prices are those of the compiled E6 on this machine,
 /// scaled by what the two steps are counted to cost; how the compiler packs a step is not foreseen, and has made single kinds up to 1.7
 /// times dearer than that. Where no setting meets the tolerance the exit status is 1.

@@ -9,6 +9,7 @@ use std::collections::HashMap;
 
 use kahan_core::StepCost;
 
+use super::Need;
 use super::kind::{Kind, ScalarKind};
 use super::runner::{Run, Runner};
 
@@ -29,7 +30,7 @@ impl Clock {
             for kind in Kind::all() {
                 let stages = kind.composition().stages() as u64;
                 let steps = STAGES / if kind.scalar == ScalarKind::Dd { 5 * stages } else { stages };
-                let run = Run { eps: kind.eps_near(eps), steps };
+                let run = Run { eps: kind.scalar.eps_near(eps, Need::Trajectory), steps };
                 let time = 1e9 * subject.follow(kind, run, None, steps, &mut |_, _| ()) / steps as f64;
                 let least = nanoseconds.entry(kind).or_insert(time);
                 *least = least.min(time);

@@ -2,6 +2,8 @@
 
 use kahan_core::{Composition, nearest_short_eps};
 
+use super::Need;
+
 /// The numbers that a trajectory is computed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ScalarKind {
@@ -53,6 +55,19 @@ impl ScalarKind {
             Self::Dd => f64::EPSILON * f64::EPSILON,
         }
     }
+
+    /// The ε to take for this one: to keep integrals one near it of so few bits that its powers are exact, for `Dd` too; to follow
+    /// a trajectory, which must end at its horizon, the nearest number.
+    #[must_use]
+    pub fn eps_near(self, eps: f64, need: Need) -> f64 {
+        let is_short = need == Need::Integrals;
+        match self {
+            Self::F32 | Self::F32ThroughF64 if is_short => f64::from(nearest_short_eps(eps as f32)),
+            Self::F32 | Self::F32ThroughF64 => f64::from(eps as f32),
+            Self::F64 | Self::Dd if is_short => nearest_short_eps(eps),
+            Self::F64 | Self::Dd => eps,
+        }
+    }
 }
 
 impl Kind {
@@ -64,21 +79,6 @@ impl Kind {
                 compensated.iter().map(move |&compensated| Kind { scalar, order, compensated })
             })
         })
-    }
-
-    /// The ε to take for this one: at order 2 one near it of so few bits that its powers are exact, for `Dd` too; at higher orders,
-    /// whose stages round theirs anyway, the nearest that the scalar has.
-    #[must_use]
-    pub fn eps_near(self, eps: f64) -> f64 {
-        let is_short = self.order == 2;
-        match self.scalar {
-            ScalarKind::F32 | ScalarKind::F32ThroughF64 if is_short => {
-                f64::from(nearest_short_eps(eps as f32))
-            }
-            ScalarKind::F32 | ScalarKind::F32ThroughF64 => f64::from(eps as f32),
-            ScalarKind::F64 | ScalarKind::Dd if is_short => nearest_short_eps(eps),
-            ScalarKind::F64 | ScalarKind::Dd => eps,
-        }
     }
 
     /// The composition of this order; for order 2 it is the map itself.

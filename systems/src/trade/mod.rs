@@ -69,7 +69,7 @@ pub struct Scene<'a> {
 pub struct Setting {
     /// The scalar, the order, the accumulation.
     pub kind: Kind,
-    /// Half the time step; at order 2 of so few bits that its powers are exact.
+    /// Half the time step; for [`Need::Integrals`] of so few bits that its powers are exact.
     pub eps: f64,
     /// The steps over the horizon.
     pub steps: u64,

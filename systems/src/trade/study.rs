@@ -40,7 +40,7 @@ pub(super) struct Study<'a> {
 impl Study<'_> {
     /// The error that the need is about, at about so many steps over the horizon; `None` where there is no time for it.
     pub(super) fn error(&mut self, kind: Kind, steps: u64) -> Option<f64> {
-        let eps = kind.eps_near(self.horizon / (2.0 * steps as f64));
+        let eps = kind.scalar.eps_near(self.horizon / (2.0 * steps as f64), self.need);
         let steps = ((self.horizon / (2.0 * eps)).round() as u64).max(1);
         let known = self.settings.iter().find(|known| known.kind == kind && known.eps == eps);
         if let Some(known) = known {
@@ -61,7 +61,7 @@ impl Study<'_> {
     /// Remembers from which number of steps on there was no time for a kind.
     pub(super) fn skip(&mut self, kind: Kind, steps: u64) {
         if self.skipped.iter().all(|(skipped, _)| *skipped != kind) {
-            self.skipped.push((kind, kind.eps_near(self.horizon / (2.0 * steps as f64))));
+            self.skipped.push((kind, kind.scalar.eps_near(self.horizon / (2.0 * steps as f64), self.need)));
         }
     }
 

@@ -42,7 +42,7 @@ fn command<M: Text>(start: &[&str], horizon: f64, tolerance: f64) -> (Setting, f
         order,
         compensated: choice["compensated"] == true,
         // Reading JSON may miss the last bit.
-        eps: eps_near(scalar, order, choice["eps"].as_f64().expect("a float")),
+        eps: eps_near(scalar, choice["eps"].as_f64().expect("a float")),
     };
     (setting, choice["nanoseconds_per_unit_time"].as_f64().expect("a price"))
 }

@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Dd, FloatScalar, Lift, ThroughF64, nearest_short_eps};
+use kahan_core::{Composition, Dd, FloatScalar, Lift, ThroughF64};
 use kahan_systems::interpreted::constant;
 use kahan_systems::reference::Reference;
 
@@ -77,14 +77,9 @@ macro_rules! with_scalar {
     };
 }
 
-/// The ε to take for this one: one of few bits at order 2, the nearest of the scalar at others.
-pub(crate) fn eps_near(scalar: &str, order: u32, eps: f64) -> f64 {
-    match (scalar.starts_with("f32"), order) {
-        (true, 2) => f64::from(nearest_short_eps(eps as f32)),
-        (true, _) => f64::from(eps as f32),
-        (false, 2) => nearest_short_eps(eps),
-        (false, _) => eps,
-    }
+/// The nearest ε of a scalar.
+pub(crate) fn eps_near(scalar: &str, eps: f64) -> f64 {
+    if scalar.starts_with("f32") { f64::from(eps as f32) } else { eps }
 }
 
 impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
@@ -144,7 +139,7 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
             for (order, compensated) in [2, 4, 6, 8].into_iter().flat_map(|p| [(p, false), (p, true)]) {
                 let at = |steps: f64| {
                     let eps = self.horizon / (2.0 * steps);
-                    Setting { scalar, order, compensated, eps: eps_near(scalar, order, eps) }
+                    Setting { scalar, order, compensated, eps: eps_near(scalar, eps) }
                 };
                 let unit = at(1e4 * self.horizon);
                 let price = (0..10).map(|_| self.price(&unit)).fold(f64::INFINITY, f64::min);

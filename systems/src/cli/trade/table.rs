@@ -114,7 +114,7 @@ impl Finding<'_> {
             let end = 2.0 * choice.eps * choice.steps as f64;
             if self.need == Need::Trajectory && (end - self.horizon).abs() > self.tolerance * self.horizon {
                 note(format!(
-                    "the last step ends at t = {end:?}, not at the horizon: eps has few bits; the error is that at the times of the steps"
+                    "the last step ends at t = {end:?}, not at the horizon: eps is rounded; the error is that at the times of the steps"
                 ));
             }
             if self.need == Need::Integrals && choice.kind.order == 2 {
@@ -124,7 +124,8 @@ impl Finding<'_> {
                      follow the flow"
                 ));
             }
-            if choice.steps >= LONG_RUN && choice.kind.order == 2 && choice.kind.scalar != ScalarKind::Dd {
+            let is_long = choice.steps >= LONG_RUN && choice.kind.scalar != ScalarKind::Dd;
+            if self.need == Need::Integrals && choice.kind.order == 2 && is_long {
                 note(format!(
                     "keep eps = {:?} to the last digit: where the step has powers of eps, one with more bits would have them rounded, and \
                      over {} steps what the map conserves would drift linearly, compensated or not",
