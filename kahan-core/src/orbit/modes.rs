@@ -19,8 +19,8 @@ where
     ///
     /// What it does not: the increments are still rounded, always in the same way. Errors that have a mean add up linearly: in
     /// `f32` they are seen beyond about 10⁶ steps, and for an ε whose powers are rounded badly in `f64` too; there
-    /// [`nearest_short_eps`](crate::nearest_short_eps) helps. A linear field, whose increments are one constant matrix times the state, has such a mean at any ε: there it gains
-    /// little. Nor does it help near a pole, where the increment is inaccurate.
+    /// [`nearest_short_eps`](crate::nearest_short_eps) helps. A linear field, whose increments are one constant matrix times the
+    /// state, has such a mean at any ε: there it gains little. Nor does it help near a pole, where the increment is inaccurate.
     ///
     /// Each point that it yields is rounded, to about an ulp of where the orbit is.
     ///
