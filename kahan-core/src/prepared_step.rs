@@ -166,7 +166,7 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     }
 
     #[inline(always)]
-    fn finished(self, x: &SVector<T, N>, finish: impl Fn(T) -> T) -> SVector<T, N> {
+    pub(crate) fn finished(self, x: &SVector<T, N>, finish: impl Fn(T) -> T) -> SVector<T, N> {
         let Quotients { numerators, reciprocals } = self;
         vector(from_fn(|i| {
             let (numerator, x) = (numerators[i].clone(), x[i].clone());

@@ -38,13 +38,11 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     {
         let Quotients { numerators, reciprocals } = map.prepare(&eps).quotients(x)?;
         let roundings = numerators.iter().map(Bounded::roundings).fold(0, u32::max);
-        let next = from_fn(|i| {
-            let (numerator, x) = (numerators[i].value(), x[i].value());
-            finish(match &reciprocals[i] {
-                Some(reciprocal) => numerator.multiply_add(reciprocal.value(), x),
-                None => x + numerator,
-            })
-        });
+        let values = Quotients {
+            numerators: numerators.map(|numerator| numerator.value()),
+            reciprocals: reciprocals.map(|reciprocal| reciprocal.map(|reciprocal| reciprocal.value())),
+        };
+        let [next] = values.finished(&vector(from_fn(|i| x[i].value())), finish).data.0;
         // The largest of each, and one product of both: hardly more than the largest product, as most steps have one reciprocal.
         let magnitude = largest::<V, N>(numerators.map(|numerator| numerator.magnitude()));
         let weight = largest::<V, N>(reciprocals.map(|reciprocal| {
