@@ -155,7 +155,7 @@ fn compute(line: &str, values: &mut BTreeMap<String, Rational>) {
     };
     let product = |text: &str| -> Rational {
         // The slash of a literal stands in parentheses.
-        if let Some((a, b)) = text.split_once('/').filter(|_| !text.contains('(')) {
+        if let Some((a, b)) = text.rsplit_once('/').filter(|(_, below)| !below.contains(')')) {
             return lookup(a).checked_div(&lookup(b)).expect("no pole");
         }
         text.split('*').map(lookup).reduce(|a, b| &a * &b).expect("a factor")

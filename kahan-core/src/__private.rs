@@ -40,6 +40,13 @@ pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
+/// Whether a step with this ε may divide by it, and what it divides by: ε, or 1 where nobody takes the quotients.
+#[inline(always)]
+pub fn divisor<T: Scalar>(eps: &T) -> (bool, T) {
+    let is_inverse = eps.has_inverse_step();
+    (is_inverse, if is_inverse { eps.clone() } else { T::one() })
+}
+
 /// A matrix from its rows.
 #[inline]
 pub fn matrix<T: Scalar, const N: usize>(rows: [[T; N]; N]) -> SMatrix<T, N, N> {

@@ -5,7 +5,7 @@ use crate::rational::Rational;
 use super::Arithmetic;
 
 macro_rules! float {
-    ($(#[$doc:meta])* $name:ident, $float:ty, $round:ident) => {
+    ($(#[$doc:meta])* $name:ident, $float:ty, $round:ident, $most:literal) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
         pub struct $name;
@@ -37,6 +37,11 @@ macro_rules! float {
                 Some(a / b)
             }
 
+            /// As generated code has it.
+            fn has_inverse_step(&self, eps: &$float) -> bool {
+                (1.0 / $most..=$most).contains(&eps.abs())
+            }
+
             fn is_zero(&self, a: &$float) -> bool {
                 *a == 0.0
             }
@@ -50,9 +55,9 @@ macro_rules! float {
 
 float!(
     /// `f64`.
-    Float64, f64, to_f64
+    Float64, f64, to_f64, 18_446_744_073_709_551_616.0
 );
 float!(
     /// `f32`.
-    Float32, f32, to_f32
+    Float32, f32, to_f32, 65_536.0
 );

@@ -50,6 +50,11 @@ pub trait Arithmetic {
     fn subtract_product(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
         self.subtract(a, &self.multiply(b, c))
     }
+    /// Whether a step with this ε may be computed from 1/(2ε), see [`StepPlan`](crate::plan::StepPlan::has_inverse_step); never but
+    /// for floats.
+    fn has_inverse_step(&self, _eps: &Self::Value) -> bool {
+        false
+    }
     /// Whether a is zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
     /// Whether elimination should rather divide by a: for floats the larger, elsewhere what is not zero.

@@ -10,7 +10,7 @@ impl Interpreter<'_> {
     /// x̃ of the reduced map; `None` at a pole.
     pub fn next<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
         match &self.step {
-            Some(step) => self.stepped(arithmetic, step, point),
+            Some(step) => self.stepped(arithmetic, step.at(arithmetic, &point.eps), point),
             None => self.eliminated(arithmetic, point),
         }
     }

@@ -119,7 +119,7 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
                 return Err(UndefinedField);
             }
             let increment = match &step {
-                Some(step) => Increment::planned(step, arithmetic, &input),
+                Some(step) => Increment::planned(step.at(arithmetic, eps), arithmetic, &input),
                 None => Increment::Elimination {
                     matrix: program(scaled_matrix(&system.field).iter().flatten().collect()),
                     right: program(components.iter().map(|component| &component.numerator).collect()),

@@ -27,6 +27,7 @@ struct Lifting {
 
 /// ∂x̃/∂x row by row: prepared constants and the step over dual numbers with a direction a state.
 pub(super) fn jacobian_plan(field: &Field, step: &StepPlan) -> Plan {
+    let step = step.for_any_step();
     let n = field.dimension();
     let mut lifting = Lifting::new(n);
     let constants = lifting.lift(&step.constants, &[], field, false);

@@ -4,7 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::plan::{Node, Operation, Plan, descriptions, kind};
+use crate::plan::{Node, Operation, Plan, descriptions, is_over_eps, kind};
 use crate::symbols::Symbols;
 
 /// A name for each step of a plan of prepared constants; literals are their values.
@@ -48,7 +48,7 @@ fn names(
             }
             _ => {
                 let text = description
-                    .filter(|_| !matches!(operation, Operation::Divide(..)))
+                    .filter(|text| !matches!(operation, Operation::Divide(..)) || is_over_eps(text))
                     .filter(|text| taken.insert(text.clone()));
                 text.unwrap_or_else(|| {
                     let is_result = prepares && plan.outputs.contains(&Node(index));

@@ -3,7 +3,7 @@
 //! In an orbit that multiplication is on the way from each state to the next. Two quotients by one divisor are a single
 //! instruction over two lanes, as fast as one division; a third would have to wait.
 
-use super::signs::with_signs;
+use super::signs::{Wanted, with_signs};
 use super::{Node, Operation, PlanBuilder, StepPlan};
 
 /// The quotients that one instruction gives.
@@ -17,11 +17,17 @@ impl StepPlan {
         let [reciprocal] = reciprocals else { return None };
         let is_used =
             self.kernel.operations.iter().any(|step| step.operands().any(|node| node == *reciprocal));
-        let Operation::Divide(two, divisor) = self.kernel.operations[reciprocal.0] else { return None };
-        let Operation::Constant(two) = &self.kernel.operations[two.0] else { return None };
-        if numerators.len() > TOGETHER || is_used || two.abs().as_i64() != Some(2) {
+        let Operation::Divide(dividend, divisor) = self.kernel.operations[reciprocal.0] else { return None };
+        let Operation::Constant(dividend) = &self.kernel.operations[dividend.0] else { return None };
+        if numerators.len() > TOGETHER || is_used {
             return None;
         }
+        let is_negative = dividend.is_negative();
+        let doubles = match dividend.abs().as_i64() {
+            Some(1) => false,
+            Some(2) => true,
+            _ => return None,
+        };
         let mut builder = PlanBuilder::default();
         let steps = builder.include_all(&self.kernel);
         let ready = self.kernel.ready();
@@ -35,7 +41,8 @@ impl StepPlan {
                 Operation::Negate(size) => (size, true),
                 _ => (*numerator, false),
             };
-            let doubled = match self.kernel.operations[size.0] {
+            let dividend = match self.kernel.operations[size.0] {
+                _ if !doubles => steps[size.0],
                 // The factor that is there first is doubled while the other one is computed.
                 Operation::Multiply(a, b) => {
                     let (first, last) = if ready[a.0] <= ready[b.0] { (a, b) } else { (b, a) };
@@ -44,12 +51,13 @@ impl StepPlan {
                 }
                 _ => twice(&mut builder, steps[size.0]),
             };
-            let quotient = builder.divide(doubled, steps[divisor.0]);
-            outputs.push(if is_negated != two.is_negative() { builder.negate(quotient) } else { quotient });
+            let quotient = builder.divide(dividend, steps[divisor.0]);
+            outputs.push(if is_negated != is_negative { builder.negate(quotient) } else { quotient });
         }
         // No reciprocal takes a sign any more.
-        let (constants, kernel) = with_signs(self.constants.clone(), builder.finish(&outputs));
-        Some(StepPlan { constants, kernel, reciprocals: vec![None; self.reciprocals.len()], lanes: None })
+        let (constants, kernel) =
+            with_signs(self.constants.clone(), builder.finish(&outputs), Wanted::Additions);
+        Some(StepPlan { constants, kernel, reciprocals: vec![None; self.reciprocals.len()], general: None })
     }
 }
 

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 
 use super::nesting::Goal;
 use super::writer::Writer;
-use super::{Node, Operation, PlanBuilder};
+use super::{Node, Operation, Plan, PlanBuilder};
 
 /// What a prepared constant that was rounded more than once costs, in operations.
-const DERIVED: usize = 3;
+pub(super) const DERIVED: usize = 3;
 
 /// A finished form: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 pub(super) struct Candidate {
@@ -15,37 +15,42 @@ pub(super) struct Candidate {
     pub(super) numerators: Vec<Node>,
     pub(super) reciprocals: Vec<Option<Node>>,
     price: u64,
+    derived: usize,
 }
 
 impl Candidate {
-    pub(super) fn new(mut writer: Writer, numerators: Vec<Node>, reciprocals: Vec<Option<Node>>) -> Self {
+    pub(super) fn new(writer: Writer, numerators: Vec<Node>, reciprocals: Vec<Option<Node>>) -> Self {
         let mut distinct: Vec<Node> = reciprocals.iter().copied().flatten().collect();
         distinct.sort_unstable();
         distinct.dedup();
-        let price = price_of(&mut writer, &numerators, &distinct);
-        Candidate { builder: writer.draft.builder, numerators, reciprocals, price }
+        let mut outputs = numerators.clone();
+        outputs.extend(distinct);
+        let plan = writer.draft.builder.finish(&outputs);
+        let states = writer.scaling.states();
+        let epsilon = writer.scaling.epsilon();
+        let (constants, kernel) = plan.split(epsilon, |variable| variable.0 < states);
+        let derived = if writer.scaling.folds { 0 } else { constants.derived_constants(epsilon) };
+        let price = price_of(&kernel, numerators.len(), derived);
+        Candidate { builder: writer.draft.builder, numerators, reciprocals, price, derived }
     }
 
     /// What is compared.
     pub(super) fn price(&self) -> u64 {
         self.price
     }
+
+    /// Whether no prepared constant was rounded more than once where that matters.
+    pub(super) fn is_rounded_once(&self) -> bool {
+        self.derived == 0
+    }
 }
 
 /// Operations and cycles to the next state, and a fine for prepared constants that were rounded more than once.
-fn price_of(writer: &mut Writer, numerators: &[Node], reciprocals: &[Node]) -> u64 {
-    let mut outputs = numerators.to_vec();
-    outputs.extend(reciprocals);
-    let plan = writer.draft.builder.finish(&outputs);
-    let states = writer.scaling.states();
-    let (constants, kernel) = plan.split(|variable| variable.0 < states);
-    let derived = constants.derived_constants(writer.scaling.epsilon());
+fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
-    let negated: BTreeSet<Node> =
-        kernel.outputs[..numerators.len()].iter().copied().filter(is_negation).collect();
+    let negated: BTreeSet<Node> = kernel.outputs[..components].iter().copied().filter(is_negation).collect();
     let cost = kernel.cost();
     // A negated numerator becomes a subtraction at the end.
-    let fine = if writer.scaling.folds { 0 } else { DERIVED * derived };
-    let operations = cost.operations() - negated.len() + fine;
+    let operations = cost.operations() - negated.len() + DERIVED * derived;
     Goal::Early.price(operations, cost.chain)
 }

@@ -6,13 +6,14 @@ use crate::kahan::{RationalMap, scaled_matrix};
 use crate::poly::{Monomial, Polynomial};
 use crate::rational::Rational;
 
+use super::Node;
 use super::blocks::Blocks;
 use super::candidate::Candidate;
 use super::draft::Signed;
 use super::factors::{Factored, factored};
 use super::minors::{Determinants, determinants};
 use super::nesting::Goal;
-use super::numerators::Products;
+use super::numerators::{Power, Products};
 use super::scaling::{First, Scaling};
 use super::writer::{Entry, Writer};
 
@@ -41,6 +42,8 @@ pub(super) struct Forms {
     pub(super) best: Candidate,
     /// One with two divisions, where there is one.
     pub(super) two_divisions: Option<Candidate>,
+    /// Those divided by the time step.
+    pub(super) over_time_step: Vec<Candidate>,
 }
 
 /// The forms of a field's step: of the reduced map, if that is within the budget, or of A; `None` where the field is too large
@@ -55,14 +58,15 @@ pub(super) fn forms(field: &Field, map: Option<&RationalMap>) -> Option<Forms> {
             candidates.extend((0..turns).filter_map(|turn| blocks.candidate(writer.clone(), turn)));
         }
     }
-    let mut two_divisions = None;
+    let (mut two_divisions, mut over_time_step) = (None, Vec::new());
     if let Some(map) = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS) {
         let parts = Parts::of(field, map);
         candidates.extend(parts.best());
         two_divisions = parts.with_two_divisions();
+        over_time_step = parts.over_time_step();
     }
     let best = candidates.into_iter().min_by_key(Candidate::price)?;
-    Some(Forms { best, two_divisions })
+    Some(Forms { best, two_divisions, over_time_step })
 }
 
 /// The terms of all equations.
@@ -79,7 +83,7 @@ impl WithDenominator {
 }
 
 /// Without parameters there is one way to distribute ε first.
-fn scalings(field: &Field) -> Vec<Scaling> {
+pub(super) fn scalings(field: &Field) -> Vec<Scaling> {
     let scaling = |first| Scaling::new(field, first);
     if field.symbols.parameters.is_empty() {
         vec![scaling(First::States)]
@@ -89,9 +93,9 @@ fn scalings(field: &Field) -> Vec<Scaling> {
 }
 
 /// What all forms of one step are made from.
-struct Parts<'a> {
-    field: &'a Field,
-    map: &'a RationalMap,
+pub(super) struct Parts<'a> {
+    pub(super) field: &'a Field,
+    pub(super) map: &'a RationalMap,
     numerators: Vec<Factored>,
     denominator: Factored,
 }
@@ -221,28 +225,46 @@ impl<'a> Parts<'a> {
     fn finish(&self, start: WithDenominator) -> Candidate {
         let WithDenominator { mut writer, denominator, numerators } = start;
         let reciprocal = writer.twice_reciprocal(denominator.node);
-        let numerators = match numerators {
-            Some(numerators) => numerators,
-            None => {
-                let mut products = Products::new();
-                for numerator in &self.numerators {
-                    products.push_with_eps(&mut writer, numerator);
-                }
-                products.finish(&mut writer)
-            }
-        };
+        let numerators =
+            numerators.unwrap_or_else(|| self.written_numerators(&mut writer, |_| Power::Eps, None));
+        self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative))
+    }
+
+    /// All numerators, each times its power of ε, `without` a factor.
+    pub(super) fn written_numerators(
+        &self,
+        writer: &mut Writer,
+        power: impl Fn(&Factored) -> Power,
+        without: Option<&Polynomial>,
+    ) -> Vec<Signed> {
+        let mut products = Products::new();
+        for numerator in &self.numerators {
+            let product = without.map_or_else(|| numerator.clone(), |factor| numerator.without(factor));
+            products.push_with(writer, &product, power(numerator));
+        }
+        products.finish(writer)
+    }
+
+    /// The numerators with their reciprocals, and whether these are carried with the other sign.
+    pub(super) fn with_reciprocals(
+        &self,
+        mut writer: Writer,
+        numerators: &[Signed],
+        reciprocal: impl Fn(&Factored) -> (Node, bool),
+    ) -> Candidate {
         let (mut nodes, mut reciprocals) = (Vec::new(), Vec::new());
-        for numerator in &numerators {
+        for (numerator, product) in numerators.iter().zip(&self.numerators) {
+            let (reciprocal, flips) = reciprocal(product);
             let is_still = writer.draft.is_zero(*numerator);
-            nodes.push(writer.draft.node(numerator.flipped(denominator.negative)));
+            nodes.push(writer.draft.node(numerator.flipped(flips)));
             reciprocals.push((!is_still).then_some(reciprocal));
         }
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// A form with two divisions, where the denominator is a product of two factors of which all components need one and some do
-    /// not need the other: E1 and E5. What closes the cycle of an orbit then waits for a shorter denominator.
-    fn with_two_divisions(&self) -> Option<Candidate> {
+    /// Where the denominator is a product of two factors of which all components need one and some do not need the other: E1
+    /// and E5. The first is the one that all need.
+    pub(super) fn two_factors(&self) -> Option<(&Polynomial, &Polynomial)> {
         let [(one, 1), (two, 1)] = &self.denominator.factors[..] else { return None };
         if !self.denominator.monomial.is_one()
             || !(&self.denominator.coefficient * &self.denominator.coefficient).is_one()
@@ -250,32 +272,44 @@ impl<'a> Parts<'a> {
             return None;
         }
         let is_needed = |factor: &Polynomial| self.moving().all(|numerator| numerator.exponent(factor) == 0);
-        let (needed, other) = match (is_needed(one), is_needed(two)) {
-            (true, false) => (one, two),
-            (false, true) => (two, one),
-            _ => return None,
-        };
+        match (is_needed(one), is_needed(two)) {
+            (true, false) => Some((one, two)),
+            (false, true) => Some((two, one)),
+            _ => None,
+        }
+    }
+
+    /// A form with two divisions, for [two factors](Self::two_factors). What closes the cycle of an orbit then waits for a shorter
+    /// denominator.
+    fn with_two_divisions(&self) -> Option<Candidate> {
+        let (needed, other) = self.two_factors()?;
+        self.divided_twice([needed, other], other, &Rational::from(2), [Power::Eps, Power::Eps])
+    }
+
+    /// Numerators over one written factor, the short ones, or over both. `other` is the factor that short ones contain; the powers
+    /// are those of short numerators and of long ones, c/d the first reciprocal.
+    pub(super) fn divided_twice(
+        &self,
+        factors: [&Polynomial; 2],
+        other: &Polynomial,
+        c: &Rational,
+        [short, long]: [Power; 2],
+    ) -> Option<Candidate> {
         let mut writer = Writer::new(scalings(self.field).pop()?);
-        let (needed, partner) =
-            (writer.write_scaled(needed, Goal::Early), writer.write_scaled(other, Goal::Early));
-        let reciprocal = writer.twice_reciprocal(needed.node);
+        let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, Goal::Early));
+        let reciprocal = writer.reciprocal(c, needed.node);
         // One after the other: side by side, compilers pack two divisions into a slower one.
         let both = writer.draft.builder.divide(reciprocal, partner.node);
-        let mut products = Products::new();
-        for numerator in &self.numerators {
-            products.push_with_eps(&mut writer, &numerator.without(other));
-        }
+        let is_short = |numerator: &Factored| numerator.exponent(other) > 0;
+        let power = |numerator: &Factored| if is_short(numerator) { short } else { long };
+        let numerators = self.written_numerators(&mut writer, power, Some(other));
         let constant_flips = self.denominator.coefficient.is_negative();
-        let (mut nodes, mut reciprocals) = (Vec::new(), Vec::new());
-        for (numerator, product) in self.numerators.iter().zip(products.finish(&mut writer)) {
-            let is_short = numerator.exponent(other) > 0;
-            // A short quotient divides by one of the written factors, a long one by both, each with the sign it was written with.
-            let flips = constant_flips ^ needed.negative ^ (partner.negative && !is_short);
-            nodes.push(writer.draft.node(product.flipped(flips)));
-            let is_still = numerator.coefficient.is_zero();
-            reciprocals.push((!is_still).then_some(if is_short { reciprocal } else { both }));
-        }
-        Some(Candidate::new(writer, nodes, reciprocals))
+        // A short quotient divides by one of the written factors, a long one by both, each with the sign it was written with.
+        let candidate = self.with_reciprocals(writer, &numerators, |numerator| {
+            let flips = constant_flips ^ needed.negative;
+            if is_short(numerator) { (reciprocal, flips) } else { (both, flips ^ partner.negative) }
+        });
+        Some(candidate)
     }
 }
 

@@ -4,6 +4,7 @@
 use crate::poly::Variable;
 use crate::rational::Rational;
 
+use super::scaling::Scaling;
 use super::{Node, Operation, PlanBuilder};
 
 /// A builder with the cycle in which each step's result can be used.
@@ -15,13 +16,21 @@ pub(super) struct Draft {
     fixed: Vec<bool>,
     /// Variables below this index are states.
     states: u16,
+    epsilon: Variable,
     /// Whether constants may be multiplied with each other, see [`Self::product`].
     folds: bool,
 }
 
 impl Draft {
-    pub(super) fn new(states: u16, folds: bool) -> Self {
-        Draft { builder: PlanBuilder::default(), ready: Vec::new(), fixed: Vec::new(), states, folds }
+    pub(super) fn new(scaling: &Scaling) -> Self {
+        Draft {
+            builder: PlanBuilder::default(),
+            ready: Vec::new(),
+            fixed: Vec::new(),
+            states: scaling.states(),
+            epsilon: scaling.epsilon(),
+            folds: scaling.folds,
+        }
     }
 
     /// Brings the tables up to date.
@@ -29,7 +38,9 @@ impl Draft {
         for operation in &self.builder.operations()[self.ready.len()..] {
             let fixed = match operation {
                 Operation::Input(variable) => variable.0 >= self.states,
-                Operation::Divide(..) => false,
+                Operation::Divide(_, divisor) => {
+                    self.builder.operations()[divisor.0] == Operation::Input(self.epsilon)
+                }
                 _ => operation.operands().all(|operand| self.fixed[operand.0]),
             };
             let operands = operation.operands().map(|operand| self.ready[operand.0]).max().unwrap_or(0);

@@ -13,6 +13,7 @@ mod doubling;
 mod draft;
 mod factors;
 mod fuse;
+mod inverse;
 mod minors;
 mod nesting;
 mod numerators;
@@ -29,7 +30,7 @@ mod writer;
 pub use builder::PlanBuilder;
 pub use cost::Cost;
 pub use step::StepPlan;
-pub use words::{descriptions, kind};
+pub use words::{descriptions, is_over_eps, kind};
 
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Polynomial, Variable};

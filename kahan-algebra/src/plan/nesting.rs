@@ -10,8 +10,9 @@ use std::rc::Rc;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 
+use super::candidate::DERIVED;
 use super::cost::{ADD, MULTIPLY};
-use super::scaling::{Scaling, is_power_of_two};
+use super::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
 /// The most terms for which all forms are compared; longer polynomials are nested by their most frequent variable.
 const COMPARED: usize = 12;
@@ -110,7 +111,9 @@ impl Nesting {
         let count = |variable: Variable| polynomial.terms().filter(|(m, _)| m.exponent(variable) > 0).count();
         let mut counts: Vec<(usize, Variable)> =
             polynomial.variables().into_iter().map(|variable| (count(variable), variable)).collect();
-        counts.retain(|&(count, variable)| count > 1 && self.scaling.ready(variable).is_some());
+        counts.retain(|&(count, variable)| {
+            count > 1 && (variable == INVERSE_STEP || self.scaling.ready(variable).is_some())
+        });
         counts.sort_by_key(|&(count, variable)| (std::cmp::Reverse(count), variable));
         if polynomial.len() > COMPARED {
             counts.truncate(1);
@@ -152,7 +155,8 @@ impl Nesting {
         let free =
             coefficient.is_one() || (-coefficient).is_one() || (is_scaled && is_power_of_two(coefficient));
         if factors.is_empty() {
-            return (0, 0);
+            let is_derived = !self.scaling.folds && monomial.exponent(INVERSE_STEP) > 1;
+            return (if is_derived { DERIVED } else { 0 }, 0);
         }
         if has_fixed || !free {
             factors.push(0);

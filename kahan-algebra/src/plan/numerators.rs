@@ -1,13 +1,44 @@
-//! The numerators εn as products of factors, with what several of them share multiplied once.
+//! The numerators εn, or n divided by a power of ε, as products of factors, with what several of them share multiplied once.
 
-use crate::poly::{Monomial, Polynomial};
+use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 
 use super::Node;
 use super::draft::Signed;
 use super::factors::Factored;
+use super::inverse::over_eps;
 use super::nesting::Goal;
 use super::writer::Writer;
+
+/// What each numerator n is multiplied by.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Power {
+    /// ε
+    Eps,
+    /// 1/εᵏ
+    OverEps(u32),
+}
+
+impl Power {
+    fn times(self, polynomial: &Polynomial, epsilon: Variable) -> Polynomial {
+        match self {
+            Power::Eps => &Polynomial::variable(epsilon) * polynomial,
+            Power::OverEps(power) => over_eps(polynomial, power, epsilon),
+        }
+    }
+
+    /// The product with each factor divided by the ε's that cancel in it, as far as there are any, and what is left to multiply.
+    fn cancelled(self, product: &Factored, epsilon: Variable) -> (Factored, Self) {
+        let Power::OverEps(mut rest) = self else { return (product.clone(), self) };
+        let mut product = product.clone();
+        for (factor, exponent) in &mut product.factors {
+            let cancels = factor.degree_in(epsilon).min(rest / *exponent);
+            rest -= cancels * *exponent;
+            *factor = over_eps(factor, cancels, epsilon);
+        }
+        (product, Power::OverEps(rest))
+    }
+}
 
 /// Products under construction, one a numerator.
 pub(super) struct Products {
@@ -37,18 +68,20 @@ impl Products {
         self.lists.push(list);
     }
 
-    /// Adds ε times the product; ε goes where it costs the fewest steps: to the monomial or to one of the factors.
-    pub(super) fn push_with_eps(&mut self, writer: &mut Writer, product: &Factored) {
+    /// Adds the product times a power of ε, which goes where it costs the fewest steps: to the monomial or to one of the factors.
+    pub(super) fn push_with(&mut self, writer: &mut Writer, product: &Factored, power: Power) {
         if product.coefficient.is_zero() {
             let zero = writer.draft.zero();
             self.lists.push(Factors { nodes: vec![zero], negative: false });
             return;
         }
+        let epsilon = writer.scaling.epsilon();
+        let (product, power) = power.cancelled(product, epsilon);
         let has_monomial = !product.monomial.is_one() || product.factors.is_empty();
         let places: Vec<usize> = (usize::from(!has_monomial)..=product.factors.len()).collect();
         let list = writer.cheapest(
             &places,
-            |writer, place| with_eps_at(writer, product, *place),
+            |writer, place| with_power_at(writer, &product, power, *place),
             |list| list.nodes.len(),
         );
         self.lists.extend(list);
@@ -114,9 +147,9 @@ impl Factors {
     }
 }
 
-/// ε at place 0 goes to the monomial, at place k to the k-th factor.
-fn with_eps_at(writer: &mut Writer, product: &Factored, place: usize) -> Factors {
-    let eps = Polynomial::variable(writer.scaling.epsilon());
+/// The power of ε at place 0 goes to the monomial, at place k to the k-th factor.
+fn with_power_at(writer: &mut Writer, product: &Factored, power: Power, place: usize) -> Factors {
+    let epsilon = writer.scaling.epsilon();
     let mut list = Factors::default();
     for (index, (factor, exponent)) in product.factors.iter().enumerate() {
         let plain_exponent = if index + 1 == place { exponent - 1 } else { *exponent };
@@ -125,12 +158,12 @@ fn with_eps_at(writer: &mut Writer, product: &Factored, place: usize) -> Factors
             list.add(written, plain_exponent);
         }
         if index + 1 == place {
-            let written = writer.write_cheapest(&(&eps * factor));
+            let written = writer.write_cheapest(&power.times(factor, epsilon));
             list.add(written, 1);
         }
     }
     let term = Polynomial::term(product.monomial.clone(), product.coefficient.clone());
-    let term = if place == 0 { &eps * &term } else { term };
+    let term = if place == 0 { power.times(&term, epsilon) } else { term };
     let best = writer.cheapest_term(&term);
     list.nodes.extend(best.0);
     list.negative ^= best.1;

@@ -2,6 +2,8 @@
 //!
 //! With X = εx computed first, a term needs no multiplication by ε of its own, and only ε itself enters as a rounded
 //! constant. A scaled symbol is a variable of its own, numbered after all others.
+//!
+//! A form divided by the time step has the [inverse time step](super::inverse) besides, the last of these variables.
 
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
@@ -11,6 +13,8 @@ use super::cost::{DIVIDE, MULTIPLY};
 
 /// Coefficients are variables from here on; there are fewer symbols than that.
 const COEFFICIENTS: u16 = 1 << 15;
+/// 1/(2ε), for all forms the same variable.
+pub(super) const INVERSE_STEP: Variable = Variable(COEFFICIENTS - 1);
 /// When a state of the next point is ready, about: after a division.
 const LATE: u32 = 2 * DIVIDE;
 
@@ -61,13 +65,13 @@ impl Scaling {
 
     /// v, if the variable is εv.
     pub(super) fn unscaled(&self, variable: Variable) -> Option<Variable> {
-        variable.0.checked_sub(self.offset()).map(Variable).filter(|_| variable.0 < COEFFICIENTS)
+        variable.0.checked_sub(self.offset()).map(Variable).filter(|_| variable < INVERSE_STEP)
     }
 
     /// When a variable is ready; `None` for what depends on no state.
     pub(super) fn ready(&self, variable: Variable) -> Option<u32> {
         match self.unscaled(variable) {
-            None if variable.0 >= COEFFICIENTS => None,
+            None if variable >= INVERSE_STEP => None,
             Some(symbol) => self.ready(symbol).map(|ready| ready + MULTIPLY),
             None if variable.0 < self.states() => Some(0),
             None if variable.0 > self.epsilon.0 => Some(LATE),
@@ -107,14 +111,14 @@ impl Scaling {
 
     fn scale_term(&self, monomial: &Monomial, plain: &[usize]) -> Monomial {
         let mut powers_of_eps = monomial.exponent(self.epsilon);
-        let mut result = Monomial::one();
+        let mut result = Monomial::power(INVERSE_STEP, monomial.exponent(INVERSE_STEP));
         let is_state = |variable: Variable| usize::from(variable.0) < self.states;
         let states = plain.iter().rev().map(|&i| Variable(u16::try_from(i).unwrap_or(u16::MAX)));
         let parameters = monomial
             .powers()
             .iter()
             .map(|(variable, _)| *variable)
-            .filter(|v| !is_state(*v) && *v != self.epsilon);
+            .filter(|v| !is_state(*v) && *v != self.epsilon && *v != INVERSE_STEP);
         let order: Vec<Variable> = match self.first {
             First::States => states.chain(parameters).collect(),
             First::Parameters => parameters.chain(states).collect(),

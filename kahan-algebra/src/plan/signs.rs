@@ -15,10 +15,19 @@ const NEGATION: usize = 4;
 /// Rounds of changing one sign after the other; it settles earlier in all but contrived plans.
 const ROUNDS: usize = 4;
 
+/// For what a kernel is written anew.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// A constant with the other sign.
+    TurnedConstants,
+    /// Results that are added to the state rather than subtracted: where each is a quotient, there is no reciprocal to take a sign.
+    Additions,
+}
+
 /// The constants and the kernel with their signs chosen; neither operations nor chain are more than before. Cost:
 /// operations² for each difference among the constants and each sum that subtracts, a few times over.
 #[must_use]
-pub(super) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan) {
+pub(super) fn with_signs(constants: Plan, kernel: Plan, wanted: Wanted) -> (Plan, Plan) {
     let search = Search::new(&constants, &kernel);
     if search.prepared.iter().all(Option::is_none) {
         return (constants, kernel);
@@ -29,7 +38,11 @@ pub(super) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan) {
     let rebuilt = search.rebuilt(&signs);
     let (before, after) = (kernel.cost(), rebuilt.cost());
     let is_no_worse = after.operations() <= before.operations() && after.chain <= before.chain;
-    if !turned.contains(&true) || !is_no_worse {
+    let is_wanted = match wanted {
+        Wanted::TurnedConstants => turned.contains(&true),
+        Wanted::Additions => true,
+    };
+    if !is_wanted || !is_no_worse {
         return (constants, kernel);
     }
     (turn_constants(&constants, &turned), rebuilt)
@@ -75,23 +88,48 @@ impl<'a> Search<'a> {
         Search { kernel, prepared, is_free }
     }
 
-    /// The choice after [`Self::descended`], then with each constant turned round, alone and in addition, if what follows from
-    /// that costs less: a constant that appears in several sums pays only together with them.
+    /// The choice after [`Self::descended`], then with each constant turned round, alone and in addition, and with all that a
+    /// negated result depends on, if what follows from that costs less: a constant that appears in several sums pays only
+    /// together with them, and so does a sum of several terms.
     fn best(&self) -> Vec<bool> {
         let none = vec![false; self.kernel.operations.len()];
         let mut best = self.descended(none.clone());
         let mut cost = self.signs(&best).cost;
+        let mut compare = |turned: Vec<bool>, best: &mut Vec<bool>| {
+            let other = self.descended(turned);
+            let other_cost = self.signs(&other).cost;
+            if other_cost < cost {
+                (*best, cost) = (other, other_cost);
+            }
+        };
         for Node(index) in self.prepared.iter().copied().flatten() {
             for mut turned in [best.clone(), none.clone()] {
                 turned[index] = !turned[index];
-                let other = self.descended(turned);
-                let other_cost = self.signs(&other).cost;
-                if other_cost < cost {
-                    (best, cost) = (other, other_cost);
-                }
+                compare(turned, &mut best);
+            }
+        }
+        for output in 0..self.kernel.outputs.len() {
+            if self.signs(&best).negative[self.kernel.outputs[output].0] {
+                let mut turned = best.clone();
+                self.turn_all_before(self.kernel.outputs[output], &mut turned);
+                compare(turned, &mut best);
             }
         }
         best
+    }
+
+    /// Reverses every choice that a value depends on.
+    fn turn_all_before(&self, node: Node, reversed: &mut [bool]) {
+        let mut is_before = vec![false; self.kernel.operations.len()];
+        is_before[node.0] = true;
+        for index in (0..=node.0).rev().filter(|&index| !self.is_free[index]) {
+            if is_before[index] {
+                reversed[index] = !reversed[index];
+                for operand in self.kernel.operations[index].operands() {
+                    is_before[operand.0] = true;
+                }
+            }
+        }
     }
 
     /// Changes one choice after the other for as long as that costs less.

@@ -23,13 +23,14 @@ impl Plan {
     /// Separates what depends on no variable that `varies` from the rest: the results of the first plan are the prepared
     /// constants of the second. Exact literals are not prepared; they cost nothing.
     #[must_use]
-    pub fn split(&self, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
+    pub(super) fn split(&self, epsilon: Variable, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
         let mut fixed = vec![true; self.operations.len()];
         for (index, operation) in self.operations.iter().enumerate() {
             fixed[index] = match operation {
                 Operation::Input(variable) => !varies(*variable),
-                // A divisor may be zero, which is a pole of the step and no mistake in preparing it.
-                Operation::Divide(..) => false,
+                // A divisor may be zero, which is a pole of the step and no mistake in preparing it; but where a form contains 1/ε,
+                // whoever prepares it has looked at ε.
+                Operation::Divide(_, divisor) => self.operations[divisor.0] == Operation::Input(epsilon),
                 _ => operation.operands().all(|operand| fixed[operand.0]),
             };
         }

@@ -1,11 +1,13 @@
 //! The plan of a step: what is computed once, when ε and the parameters are known, and what is computed for each state.
 
+use std::iter::once;
+
 use crate::field::Field;
 use crate::kahan::RationalMap;
 
 use super::candidate::Candidate;
 use super::reciprocals::with_signs_of_reciprocals;
-use super::signs::with_signs;
+use super::signs::{Wanted, with_signs};
 use super::{Node, Plan, PlanBuilder, candidates};
 
 /// A step in straight lines: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
@@ -19,8 +21,9 @@ pub struct StepPlan {
     /// For each component the index of its reciprocal among the kernel's reciprocals; `None` where there is no division.
     pub reciprocals: Vec<Option<usize>>,
     /// The plan for lanes, where it is another one: a second division can shorten the chain of one orbit, but many orbits at once
-    /// are bound by the divider.
-    pub lanes: Option<Box<StepPlan>>,
+    /// are bound by the divider. Where this plan [divides by ε](Self::has_inverse_step), also the one for all scalars but
+    /// floats, and for an ε near zero.
+    pub general: Option<Box<StepPlan>>,
 }
 
 impl StepPlan {
@@ -36,11 +39,14 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, map)?;
         let best = plan(&forms.best);
-        let others = [forms.two_divisions.as_ref().map(plan), best.divided_apart()];
-        let shortest = others.into_iter().flatten().min_by_key(Self::recurrence);
+        let one_orbit = forms.two_divisions.iter().chain(&forms.over_time_step).map(plan);
+        let one_orbit: Vec<StepPlan> = once(best.clone()).chain(one_orbit).collect();
+        let apart: Vec<StepPlan> = one_orbit.iter().filter_map(Self::divided_apart).collect();
+        let others = one_orbit.into_iter().skip(1).chain(apart);
+        let shortest = others.min_by_key(|plan| (plan.recurrence(), plan.operations()));
         Some(match shortest {
             Some(other) if other.recurrence() < best.recurrence() => {
-                StepPlan { lanes: Some(Box::new(best)), ..other }
+                StepPlan { general: Some(Box::new(best)), ..other }
             }
             _ => best,
         })
@@ -66,13 +72,15 @@ impl StepPlan {
         });
         let places: Vec<Option<usize>> = places.collect();
         let outputs: Vec<Node> = numerators.iter().chain(&distinct).copied().collect();
-        let (constants, kernel) = builder.finish(&outputs).split(|variable| field.symbols.is_state(variable));
+        let (constants, kernel) = builder
+            .finish(&outputs)
+            .split(field.symbols.epsilon(), |variable| field.symbols.is_state(variable));
         // Neither with multiply-adds nor without may the chain become longer.
         let doubled = kernel.doubled(&constants).fused();
         let kernel = kernel.fused();
         let kernel = if doubled.cost().chain > kernel.cost().chain { kernel } else { doubled };
-        let (constants, kernel) = with_signs(constants, kernel);
+        let (constants, kernel) = with_signs(constants, kernel, Wanted::TurnedConstants);
         let kernel = with_signs_of_reciprocals(kernel, &places);
-        StepPlan { constants, kernel, reciprocals: places, lanes: None }
+        StepPlan { constants, kernel, reciprocals: places, general: None }
     }
 }

@@ -36,6 +36,12 @@ pub fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<
     known.into_iter().map(|description| Some(description?.text)).collect()
 }
 
+/// Whether a description is that of a constant over ε: the one quotient that is called by what it is.
+#[must_use]
+pub fn is_over_eps(description: &str) -> bool {
+    description.ends_with("_over_eps")
+}
+
 /// What kind of step this is, for those whose description would be long: a number makes it a name.
 #[must_use]
 pub fn kind(plan: &Plan, node: Node) -> &'static str {

@@ -14,7 +14,7 @@ use crate::rational::Rational;
 use super::Node;
 use super::draft::{Draft, Signed};
 use super::nesting::{Goal, Nesting, Part};
-use super::scaling::Scaling;
+use super::scaling::{INVERSE_STEP, Scaling};
 
 /// The most terms of a polynomial for which multiples of others are looked for: their number grows with its square.
 const REUSED: usize = 24;
@@ -53,7 +53,7 @@ impl Writer {
     pub(super) fn new(scaling: Scaling) -> Self {
         let nestings = [Goal::Early, Goal::Few].map(|goal| Nesting::new(goal, scaling.clone()));
         Writer {
-            draft: Draft::new(scaling.states(), scaling.folds),
+            draft: Draft::new(&scaling),
             scaling,
             known: FxHashMap::default(),
             made: Vec::new(),
@@ -66,6 +66,9 @@ impl Writer {
 
     /// A plain or scaled symbol.
     pub(super) fn variable(&mut self, variable: Variable) -> Node {
+        if variable == INVERSE_STEP {
+            return self.inverse_step(&Rational::one());
+        }
         match self.scaling.unscaled(variable) {
             None => self.symbol(variable),
             Some(symbol) => {
@@ -73,6 +76,13 @@ impl Writer {
                 self.draft.multiply(eps, symbol)
             }
         }
+    }
+
+    /// c/(2ε), which is prepared.
+    pub(super) fn inverse_step(&mut self, c: &Rational) -> Node {
+        let half = self.draft.constant(&(c * &Rational::new(1, 2)));
+        let eps = self.draft.input(self.scaling.epsilon());
+        self.draft.builder.divide(half, eps)
     }
 
     /// A plain symbol; a state of the next point is a step.
@@ -83,8 +93,13 @@ impl Writer {
 
     /// 2/d: that the increment is 2εn/d costs no multiplication by 2.
     pub(super) fn twice_reciprocal(&mut self, denominator: Node) -> Node {
-        let two = self.draft.constant(&Rational::from(2));
-        self.draft.builder.divide(two, denominator)
+        self.reciprocal(&Rational::from(2), denominator)
+    }
+
+    /// c/d
+    pub(super) fn reciprocal(&mut self, c: &Rational, denominator: Node) -> Node {
+        let c = self.draft.constant(c);
+        self.draft.builder.divide(c, denominator)
     }
 
     /// From now on a step stands for this symbol.

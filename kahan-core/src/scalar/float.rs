@@ -10,6 +10,11 @@ use super::{Constant, Pivot, Scalar};
 use crate::stable::{stable_double, stable_single};
 use crate::{Lift, SingularStep};
 
+/// A step may divide by ε from 2⁻ᵏ to 2ᵏ, k being this for `f32`,
+pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
+/// and this for `f64`.
+pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
+
 /// a·b + c. Without the standard library `mul_add` does not exist.
 #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
 macro_rules! fused_or_not {
@@ -27,7 +32,7 @@ macro_rules! fused_or_not {
 }
 
 macro_rules! implement_for_float {
-    ($float:ty, $packs:literal, $from_constant:ident, $stable:ident) => {
+    ($float:ty, $packs:literal, $bits:expr, $from_constant:ident, $stable:ident) => {
         impl Scalar for $float {
             const PACKS: bool = $packs;
 
@@ -50,6 +55,12 @@ macro_rules! implement_for_float {
             #[inline(always)]
             fn multiply_add(self, factor: Self, addend: Self) -> Self {
                 fused_or_not!(self, factor, addend)
+            }
+
+            #[inline(always)]
+            fn has_inverse_step(&self) -> bool {
+                const MOST: $float = (1_u128 << $bits) as $float;
+                (1.0 / MOST..=MOST).contains(&self.abs())
             }
 
             #[cfg(all(target_arch = "x86_64", not(miri)))]
@@ -110,5 +121,5 @@ macro_rules! implement_for_float {
     };
 }
 
-implement_for_float!(f32, false, to_f32, stable_single);
-implement_for_float!(f64, true, to_f64, stable_double);
+implement_for_float!(f32, false, BITS_OF_SINGLE_STEPS, to_f32, stable_single);
+implement_for_float!(f64, true, BITS_OF_DOUBLE_STEPS, to_f64, stable_double);

@@ -26,6 +26,7 @@ use crate::{Lift, SingularStep};
 pub use constant::Constant;
 pub use dd::Dd;
 pub use dual::Dual;
+pub(crate) use float::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
 pub use float_scalar::FloatScalar;
 pub(crate) use wide::{Size, Wide};
 
@@ -95,6 +96,21 @@ pub trait Scalar:
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
         self - a * b
+    }
+
+    /// Whether a step with this ε may be computed from 1/(2ε); here, no. Floats allow it where ε is so far from zero and from the
+    /// ends of their range that no power of it that a step has comes near them.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn has_inverse_step(&self) -> bool {
+        false
+    }
+
+    /// self/ε, for an ε that [allows it](Self::has_inverse_step).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn over_eps(self, eps: &Self) -> Self {
+        self / eps.clone()
     }
 
     /// Whether compilers may pack scalars of this kind into vectors when they stand side by side.

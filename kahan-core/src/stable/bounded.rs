@@ -19,7 +19,8 @@
 //! and a product adds 1 to those of its factors, so that 2¹⁰ is generous. As long as that is below the
 //! [allowance](super::number::Range), which every error contains, none is overlooked: [`Bounded::largest_input`] is the L that
 //! this leaves, and whoever makes the values compares. Quotients count as if every divisor were the least, which is checked, and
-//! errors are divided by it twice.
+//! errors are divided by it twice. What a step divides by ε is a constant that is at most 2 to the power
+//! [`bits_of_steps`](super::number::Range) times as large.
 
 use super::number::{Magnitude, Number};
 use super::pair::{Both, Pair};
@@ -238,6 +239,19 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
             bits: self.bits.saturating_add(divisor.bits).saturating_add(2 * V::RANGE.bits_of_divisors),
             inverse,
         })
+    }
+
+    /// self/ε for an exact self and an ε that a step divides by: rounded once, and no larger than that ε allows.
+    #[inline(always)]
+    pub(super) fn over_eps(self, eps: Self) -> Self {
+        let value = self.value() / eps.value();
+        Self {
+            pair: Pair::new(value, value.size()),
+            roundings: 1,
+            inputs: self.inputs,
+            bits: self.bits.saturating_add(V::RANGE.bits_of_steps),
+            inverse: None,
+        }
     }
 
     /// w, with which the error of a product n̂·r̂ with this reciprocal r̂ is at most w times the magnitude of n̂, which took

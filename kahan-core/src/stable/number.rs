@@ -45,6 +45,8 @@ pub(crate) struct Range {
     pub(crate) bits_of_products: u32,
     /// No divisor is below 2 to minus this power.
     pub(crate) bits_of_divisors: u32,
+    /// No ε that a step divides by is below 2 to minus this power.
+    pub(crate) bits_of_steps: u32,
 }
 
 impl Range {

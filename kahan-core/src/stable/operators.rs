@@ -56,6 +56,17 @@ impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
         V::product_plus(-a, b, self)
     }
 
+    #[inline(always)]
+    fn has_inverse_step(&self) -> bool {
+        self.value().has_inverse_step()
+    }
+
+    #[inline(always)]
+    fn over_eps(self, eps: &Self) -> Self {
+        // Whether both are exact is known while compiling: a literal, and the ε that was given.
+        if self.roundings() + eps.roundings() == 0 { Bounded::over_eps(self, *eps) } else { self / *eps }
+    }
+
     fn approximate(&self) -> f64 {
         self.value().approximate()
     }

@@ -1,7 +1,7 @@
 //! Which scalars rungs work in, and which steps are promised in.
 
 use crate::Dd;
-use crate::scalar::{Size, Wide};
+use crate::scalar::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS, Size, Wide};
 
 use super::bounded::{Bounded, Working, operations};
 use super::number::{Number, Range, power_of_two};
@@ -58,10 +58,20 @@ impl Widened for f64 {
 }
 
 /// That of `f32`: 2¹⁰·2⁹⁹·η is the allowance for η = 2⁻¹⁴⁹. Narrow, but what it leaves out has only to be computed in `f64`.
-const SINGLE: Range = Range { allowance: power_of_two(-40), bits_of_products: 99, bits_of_divisors: 4 };
+const SINGLE: Range = Range {
+    allowance: power_of_two(-40),
+    bits_of_products: 99,
+    bits_of_divisors: 4,
+    bits_of_steps: BITS_OF_SINGLE_STEPS,
+};
 
 /// That of `f64`, and of pairs of them: 2¹⁰·2⁸⁶⁰·η is far below the allowance for η = 2⁻¹⁰⁷⁰ and less.
-const DOUBLE: Range = Range { allowance: power_of_two(-150), bits_of_products: 860, bits_of_divisors: 120 };
+const DOUBLE: Range = Range {
+    allowance: power_of_two(-150),
+    bits_of_products: 860,
+    bits_of_divisors: 120,
+    bits_of_steps: BITS_OF_DOUBLE_STEPS,
+};
 
 impl Number for f32 {
     type Magnitude = f32;
@@ -113,7 +123,9 @@ impl Number for Wide {
     type Magnitude = Size;
     /// Four times that of an operation, so that a constant, made by a division of cut off numbers, is one, too.
     const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT + 2) as u64) << 52);
-    const RANGE: Range = Range { allowance: 0.0, bits_of_products: 860, bits_of_divisors: 0 };
+    /// No step over these divides by ε.
+    const RANGE: Range =
+        Range { allowance: 0.0, bits_of_products: 860, bits_of_divisors: 0, bits_of_steps: 0 };
 
     fn size(&self) -> Size {
         Wide::size(self)

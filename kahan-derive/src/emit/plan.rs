@@ -215,6 +215,10 @@ impl<'a> Emitter<'a> {
     /// `a / b`, or in a kernel, where a pole must be told, `b.reciprocal()?` or `a.quotient(b)?`.
     fn quotient(&mut self, operation: &Operation, a: Node, b: Node) -> Expression {
         if self.constants.is_none() {
+            if self.plan.operations[b.0] == Operation::Input(self.symbols.epsilon()) {
+                let a = self.operand(a).grouped(Level::Atom);
+                return Expression::atom(quote!(#a.over_eps(__half_step)));
+            }
             return self.binary(a, b, Level::Product, |a, b| quote!(#a / #b));
         }
         if let Some(divisor) = self.reciprocal_of(operation) {

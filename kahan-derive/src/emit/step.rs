@@ -6,7 +6,8 @@
 //! impl<T: Scalar> WideStep<T, 3> for __Step<T> { fn widen … }                          // the same over lanes
 //! ```
 //!
-//! Where lanes have a plan of their own, it is a `__Lanes<T>`, which `__Step<T>` holds as `__lanes`.
+//! Where lanes have a plan of their own, it is a `__General<T>`, which `__Step<T>` holds as `__general`. A step divided by ε takes
+//! that one, too, unless ε is an ordinary float, which `__is_inverse` remembers.
 
 use kahan_algebra::plan::{Node, Plan, StepPlan};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -25,15 +26,15 @@ pub(super) struct EmittedStep {
     pub(super) prepare: TokenStream,
 }
 
-/// The name of the step, and of the one for lanes.
+/// The name of the step, and of the one that it holds.
 const STEP: &str = "__Step";
-const LANES: &str = "__Lanes";
+const GENERAL: &str = "__General";
 
 /// Emits the step of a plan.
 pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
-    let lanes = plan.lanes.as_deref().map(|lanes| Kernel::of(context, lanes, LANES, None));
-    let step = Kernel::of(context, plan, STEP, lanes.as_ref());
-    let items = [Some(&step), lanes.as_ref()].into_iter().flatten().map(|kernel| {
+    let general = plan.general.as_deref().map(|general| Kernel::of(context, general, GENERAL, None));
+    let step = Kernel::of(context, plan, STEP, general.as_ref());
+    let items = [Some(&step), general.as_ref()].into_iter().flatten().map(|kernel| {
         let (definition, implementation) = (kernel.emit_struct(), kernel.emit_prepared_step());
         quote! { #definition #implementation }
     });
@@ -48,29 +49,35 @@ struct Kernel<'a> {
     name: Ident,
     /// The names of the constants.
     names: Vec<Ident>,
-    /// The one for lanes that this one holds.
-    lanes: Option<&'a Kernel<'a>>,
+    /// The one for lanes, and for what this one does not serve, that this one holds.
+    general: Option<&'a Kernel<'a>>,
 }
 
 impl<'a> Kernel<'a> {
-    fn of(context: &'a Context<'a>, plan: &'a StepPlan, name: &str, lanes: Option<&'a Kernel<'a>>) -> Self {
+    fn of(context: &'a Context<'a>, plan: &'a StepPlan, name: &str, general: Option<&'a Kernel<'a>>) -> Self {
         let names = constant_names(&plan.constants, &context.system.field.symbols);
-        Kernel { context, plan, name: format_ident!("{name}"), names, lanes }
+        Kernel { context, plan, name: format_ident!("{name}"), names, general }
     }
 
     /// Expands to `pub struct __Step<T> { eps: Apart<T> }`; a step without constants still knows its scalar.
     fn emit_struct(&self) -> TokenStream {
         let (name, names, scalar) = (&self.name, &self.names, &self.context.scalar);
-        let lanes = self.lanes.map(|Kernel { name, .. }| quote!(__lanes: #name<#scalar>));
+        let general = self.general.map(|Kernel { name, .. }| quote!(__general: #name<#scalar>,));
+        let is_inverse = self.is_inverse().then(|| quote!(__is_inverse: __kahan::core::primitive::bool,));
         let marker = self.marker().map(|marker| quote!(__scalar: #marker<#scalar>));
         quote! {
             #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-            pub struct #name<#scalar> { #(#names: __kahan::Apart<#scalar>,)* #lanes #marker }
+            pub struct #name<#scalar> { #(#names: __kahan::Apart<#scalar>,)* #general #is_inverse #marker }
         }
     }
 
+    /// Whether the constants divide by ε.
+    fn is_inverse(&self) -> bool {
+        self.plan.has_inverse_step()
+    }
+
     fn marker(&self) -> Option<TokenStream> {
-        let is_empty = self.names.is_empty() && self.lanes.is_none();
+        let is_empty = self.names.is_empty() && self.general.is_none();
         is_empty.then(|| quote!(__kahan::core::marker::PhantomData))
     }
 
@@ -80,12 +87,23 @@ impl<'a> Kernel<'a> {
         let symbols = &self.context.system.field.symbols;
         let inputs = emit_inputs(&self.plan.constants, symbols);
         let Emitted { bindings, results } = emit_plan(&self.plan.constants, symbols, scalar);
-        let lanes = self.lanes.map(|lanes| {
-            let prepare = lanes.emit_prepare();
-            quote!(__lanes: { #prepare })
+        let general = self.general.map(|general| {
+            let prepare = general.emit_prepare();
+            quote!(let __general = { #prepare };)
         });
+        let divisor = self.is_inverse().then(|| {
+            quote! {
+                let (__is_inverse, __divisor) = __kahan::divisor(__half_step);
+                let __half_step = &__divisor;
+            }
+        });
+        let held = self.general.map(|_| quote!(__general,));
+        let is_inverse = self.is_inverse().then(|| quote!(__is_inverse,));
         let marker = self.marker().map(|marker| quote!(__scalar: #marker));
-        quote! { #inputs #bindings #name { #(#names: __kahan::Apart::new(#results),)* #lanes #marker } }
+        quote! {
+            #general #divisor #inputs #bindings
+            #name { #(#names: __kahan::Apart::new(#results),)* #held #is_inverse #marker }
+        }
     }
 
     /// Expands to `impl<T: Scalar> PreparedStep<T, 3> for __Step<T>`.
@@ -111,6 +129,13 @@ impl<'a> Kernel<'a> {
                 const PACKS: __kahan::core::primitive::bool = false;
             )
         });
+        let otherwise = self.is_inverse().then(|| {
+            quote! {
+                if !self.__is_inverse {
+                    return self.__general.quotients(__state);
+                }
+            }
+        });
         let mut results = results.into_iter();
         let numerators: Vec<TokenStream> = results.by_ref().take(n).collect();
         let reciprocals = of_components.iter().map(|reciprocal| match reciprocal {
@@ -129,6 +154,7 @@ impl<'a> Kernel<'a> {
                     &self,
                     __state: &#vector,
                 ) -> __kahan::Option<__kahan::Quotients<#scalar, #dimension>> {
+                    #otherwise
                     #inputs
                     #bindings
                     __kahan::Option::Some(__kahan::Quotients {
@@ -143,9 +169,9 @@ impl<'a> Kernel<'a> {
     /// Expands to `impl<T: Scalar> WideStep<T, 3> for __Step<T>`.
     fn emit_wide_step(&self) -> TokenStream {
         let (name, scalar, dimension) = (&self.name, &self.context.scalar, &self.context.dimension);
-        let wide = self.lanes.unwrap_or(self);
+        let wide = self.general.unwrap_or(self);
         let (wide_name, names) = (&wide.name, &wide.names);
-        let holder = if self.lanes.is_some() { quote!(self.__lanes) } else { quote!(self) };
+        let holder = if self.general.is_some() { quote!(self.__general) } else { quote!(self) };
         let marker = wide.marker().map(|marker| quote!(__scalar: #marker));
         quote! {
             impl<#scalar: __kahan::Scalar> __kahan::WideStep<#scalar, #dimension> for #name<#scalar> {

@@ -116,59 +116,66 @@ fn scope() {
             }
             #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
             pub struct __Step<T> {
-                eps_mu: __kahan::Apart<T>,
+                mu_half_eps: __kahan::Apart<T>,
+                mu_half_eps_plus_half_mu: __kahan::Apart<T>,
+                half_plus_half_over_eps: __kahan::Apart<T>,
                 eps: __kahan::Apart<T>,
-                eps_plus_one: __kahan::Apart<T>,
-                __lanes: __Lanes<T>,
+                eps_mu: __kahan::Apart<T>,
+                mu: __kahan::Apart<T>,
+                __general: __General<T>,
+                __is_inverse: __kahan::core::primitive::bool,
             }
             impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
                 const COST: __kahan::StepCost = __kahan::StepCost {
-                    operations: 20,
+                    operations: 16,
                     divisions: 2,
-                    chain: 30,
+                    chain: 25,
                 };
                 #[inline(always)]
                 fn quotients(
                     &self,
                     __state: &__kahan::SVector<T, 2>,
                 ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
+                    if !self.__is_inverse {
+                        return self.__general.quotients(__state);
+                    }
                     let [__s_x, __s_y] = __kahan::components(__state).clone();
-                    let __t_y_eps_mu_minus_one = __s_y
+                    let __sum_1 = self
+                        .half_plus_half_over_eps
+                        .0
                         .clone()
-                        .multiply_subtract(
-                            self.eps_mu.0.clone(),
-                            __kahan::integer::<T>(1),
+                        .subtract_product(self.mu_half_eps.0.clone(), __s_x.clone())
+                        .subtract_product(
+                            self.mu_half_eps_plus_half_mu.0.clone(),
+                            __s_y.clone(),
                         );
-                    let __t_eps_mu_x = self.eps_mu.0.clone() * __s_x.clone();
-                    let __t_eps_x = self.eps.0.clone() * __s_x;
-                    let __sum_1 = __t_y_eps_mu_minus_one
+                    let __quotient_1 = (self
+                        .eps
+                        .0
                         .clone()
-                        .multiply_add(
-                            self.eps_plus_one.0.clone(),
-                            self.eps.0.clone() * __t_eps_mu_x.clone(),
-                        );
-                    let __sum_2 = __t_y_eps_mu_minus_one
-                        .multiply_add(
-                            __s_y.clone() * self.eps.0.clone(),
-                            __t_eps_x.clone(),
-                        );
-                    let __quotient_1 = ((__s_y + __t_eps_x)
-                        * (__t_eps_mu_x.clone() + __t_eps_mu_x))
+                        .multiply_add(__s_x.clone(), __s_y.clone())
+                        * (self.mu.0.clone() * __s_x.clone()))
                         .quotient(__sum_1.clone())?;
-                    let __quotient_2 = (__sum_2.clone() + __sum_2).quotient(__sum_1)?;
+                    let __quotient_2 = __s_y
+                        .clone()
+                        .multiply_add(
+                            __s_y.clone() * self.eps_mu.0.clone(),
+                            __s_x - __s_y,
+                        )
+                        .quotient(__sum_1)?;
                     __kahan::Option::Some(__kahan::Quotients {
-                        numerators: [-__quotient_1, -__quotient_2],
+                        numerators: [__quotient_1, __quotient_2],
                         reciprocals: [__kahan::Option::None, __kahan::Option::None],
                     })
                 }
             }
             #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-            pub struct __Lanes<T> {
+            pub struct __General<T> {
                 eps_mu: __kahan::Apart<T>,
                 eps: __kahan::Apart<T>,
                 eps_plus_one: __kahan::Apart<T>,
             }
-            impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Lanes<T> {
+            impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __General<T> {
                 const COST: __kahan::StepCost = __kahan::StepCost {
                     operations: 17,
                     divisions: 1,
@@ -212,17 +219,17 @@ fn scope() {
             }
             impl<T: __kahan::Scalar> __kahan::WideStep<T, 2> for __Step<T> {
                 const HAS_LANES: __kahan::core::primitive::bool = true;
-                type Wide<__L: __kahan::Scalar> = __Lanes<__L>;
+                type Wide<__L: __kahan::Scalar> = __General<__L>;
                 #[inline(always)]
                 fn widen<__L: __kahan::Scalar>(
                     &self,
                     __spread: impl __kahan::core::ops::Fn(&T) -> __L,
-                ) -> __Lanes<__L> {
-                    __Lanes {
-                        eps_mu: __kahan::Apart::new(__spread(&self.__lanes.eps_mu.0)),
-                        eps: __kahan::Apart::new(__spread(&self.__lanes.eps.0)),
+                ) -> __General<__L> {
+                    __General {
+                        eps_mu: __kahan::Apart::new(__spread(&self.__general.eps_mu.0)),
+                        eps: __kahan::Apart::new(__spread(&self.__general.eps.0)),
                         eps_plus_one: __kahan::Apart::new(
-                            __spread(&self.__lanes.eps_plus_one.0),
+                            __spread(&self.__general.eps_plus_one.0),
                         ),
                     }
                 }
@@ -231,27 +238,39 @@ fn scope() {
                 type Prepared = __Step<T>;
                 #[inline(always)]
                 fn prepare(&self, __half_step: &T) -> __Step<T> {
+                    let __general = {
+                        let __p_mu = &self.mu;
+                        __General {
+                            eps_mu: __kahan::Apart::new(
+                                __half_step.clone() * __p_mu.clone(),
+                            ),
+                            eps: __kahan::Apart::new(__half_step.clone()),
+                            eps_plus_one: __kahan::Apart::new(
+                                __half_step.clone() + __kahan::integer::<T>(1),
+                            ),
+                        }
+                    };
+                    let (__is_inverse, __divisor) = __kahan::divisor(__half_step);
+                    let __half_step = &__divisor;
                     let __p_mu = &self.mu;
+                    let __c_1_2 = __kahan::ratio::<T>(1, 2);
+                    let __t_mu_half_eps = __p_mu.clone()
+                        * (__c_1_2.clone() * __half_step.clone());
                     __Step {
+                        mu_half_eps: __kahan::Apart::new(__t_mu_half_eps.clone()),
+                        mu_half_eps_plus_half_mu: __kahan::Apart::new(
+                            __t_mu_half_eps + __c_1_2.clone() * __p_mu.clone(),
+                        ),
+                        half_plus_half_over_eps: __kahan::Apart::new(
+                            __c_1_2.clone() + __c_1_2.over_eps(__half_step),
+                        ),
+                        eps: __kahan::Apart::new(__half_step.clone()),
                         eps_mu: __kahan::Apart::new(
                             __half_step.clone() * __p_mu.clone(),
                         ),
-                        eps: __kahan::Apart::new(__half_step.clone()),
-                        eps_plus_one: __kahan::Apart::new(
-                            __half_step.clone() + __kahan::integer::<T>(1),
-                        ),
-                        __lanes: {
-                            let __p_mu = &self.mu;
-                            __Lanes {
-                                eps_mu: __kahan::Apart::new(
-                                    __half_step.clone() * __p_mu.clone(),
-                                ),
-                                eps: __kahan::Apart::new(__half_step.clone()),
-                                eps_plus_one: __kahan::Apart::new(
-                                    __half_step.clone() + __kahan::integer::<T>(1),
-                                ),
-                            }
-                        },
+                        mu: __kahan::Apart::new(__p_mu.clone()),
+                        __general,
+                        __is_inverse,
                     }
                 }
                 fn jacobian(

@@ -121,10 +121,60 @@ const _: () = {
     }
     #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
     pub struct __Step<T> {
+        one_over_eps: __kahan::Apart<T>,
+        half_over_eps: __kahan::Apart<T>,
+        __general: __General<T>,
+        __is_inverse: __kahan::core::primitive::bool,
+    }
+    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for __Step<T> {
+        const COST: __kahan::StepCost = __kahan::StepCost {
+            operations: 19,
+            divisions: 1,
+            chain: 31,
+        };
+        #[inline(always)]
+        fn quotients(
+            &self,
+            __state: &__kahan::SVector<T, 3>,
+        ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
+            if !self.__is_inverse {
+                return self.__general.quotients(__state);
+            }
+            let [__s_x, __s_y, __s_z] = __kahan::components(__state).clone();
+            let __t_x_squared_plus_y_squared = __s_x.clone() * __s_x.clone()
+                + __s_y.clone() * __s_y.clone();
+            let __reciprocal_1 = __kahan::integer::<T>(-1)
+                .quotient(
+                    (self.one_over_eps.0.clone() + __s_z.clone())
+                        * self.half_over_eps.0.clone()
+                        + __t_x_squared_plus_y_squared.clone(),
+                )?;
+            let __sum_1 = __s_z
+                .clone()
+                .multiply_add(
+                    self.one_over_eps.0.clone(),
+                    __t_x_squared_plus_y_squared.clone(),
+                );
+            __kahan::Option::Some(__kahan::Quotients {
+                numerators: [
+                    __s_x * __sum_1.clone(),
+                    __s_y * __sum_1,
+                    __t_x_squared_plus_y_squared * (__s_z - self.one_over_eps.0.clone()),
+                ],
+                reciprocals: [
+                    __kahan::Option::Some(__reciprocal_1.clone()),
+                    __kahan::Option::Some(__reciprocal_1.clone()),
+                    __kahan::Option::Some(__reciprocal_1),
+                ],
+            })
+        }
+    }
+    #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
+    pub struct __General<T> {
         eps: __kahan::Apart<T>,
         two_eps: __kahan::Apart<T>,
     }
-    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for __Step<T> {
+    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for __General<T> {
         const COST: __kahan::StepCost = __kahan::StepCost {
             operations: 26,
             divisions: 1,
@@ -168,15 +218,15 @@ const _: () = {
     }
     impl<T: __kahan::Scalar> __kahan::WideStep<T, 3> for __Step<T> {
         const HAS_LANES: __kahan::core::primitive::bool = true;
-        type Wide<__L: __kahan::Scalar> = __Step<__L>;
+        type Wide<__L: __kahan::Scalar> = __General<__L>;
         #[inline(always)]
         fn widen<__L: __kahan::Scalar>(
             &self,
             __spread: impl __kahan::core::ops::Fn(&T) -> __L,
-        ) -> __Step<__L> {
-            __Step {
-                eps: __kahan::Apart::new(__spread(&self.eps.0)),
-                two_eps: __kahan::Apart::new(__spread(&self.two_eps.0)),
+        ) -> __General<__L> {
+            __General {
+                eps: __kahan::Apart::new(__spread(&self.__general.eps.0)),
+                two_eps: __kahan::Apart::new(__spread(&self.__general.two_eps.0)),
             }
         }
     }
@@ -184,11 +234,25 @@ const _: () = {
         type Prepared = __Step<T>;
         #[inline(always)]
         fn prepare(&self, __half_step: &T) -> __Step<T> {
+            let __general = {
+                __General {
+                    eps: __kahan::Apart::new(__half_step.clone()),
+                    two_eps: __kahan::Apart::new(
+                        __half_step.clone() * __kahan::integer::<T>(2),
+                    ),
+                }
+            };
+            let (__is_inverse, __divisor) = __kahan::divisor(__half_step);
+            let __half_step = &__divisor;
             __Step {
-                eps: __kahan::Apart::new(__half_step.clone()),
-                two_eps: __kahan::Apart::new(
-                    __half_step.clone() * __kahan::integer::<T>(2),
+                one_over_eps: __kahan::Apart::new(
+                    __kahan::integer::<T>(1).over_eps(__half_step),
                 ),
+                half_over_eps: __kahan::Apart::new(
+                    __kahan::ratio::<T>(1, 2).over_eps(__half_step),
+                ),
+                __general,
+                __is_inverse,
             }
         }
         fn jacobian(

@@ -156,6 +156,69 @@ const _: () = {
     }
     #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
     pub struct __Step<T> {
+        half_plus_half_nu: __kahan::Apart<T>,
+        constant_1: __kahan::Apart<T>,
+        constant_2: __kahan::Apart<T>,
+        eps: __kahan::Apart<T>,
+        nu_plus_one: __kahan::Apart<T>,
+        mu: __kahan::Apart<T>,
+        nu_minus_mu: __kahan::Apart<T>,
+        n981_times_mu_minus_nu: __kahan::Apart<T>,
+        __general: __General<T>,
+        __is_inverse: __kahan::core::primitive::bool,
+    }
+    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
+        const COST: __kahan::StepCost = __kahan::StepCost {
+            operations: 27,
+            divisions: 1,
+            chain: 32,
+        };
+        #[inline(always)]
+        fn quotients(
+            &self,
+            __state: &__kahan::SVector<T, 2>,
+        ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
+            if !self.__is_inverse {
+                return self.__general.quotients(__state);
+            }
+            let [__s_x, __s_y] = __kahan::components(__state).clone();
+            let __reciprocal_1 = self
+                .constant_2
+                .0
+                .clone()
+                .subtract_product(self.half_plus_half_nu.0.clone(), __s_x.clone())
+                .subtract_product(self.constant_1.0.clone(), __s_y.clone())
+                .reciprocal()?;
+            let __t_nu_plus_one_n100_y = self.nu_plus_one.0.clone()
+                * (__s_y.clone() * __kahan::integer::<T>(100));
+            let __sum_1 = __t_nu_plus_one_n100_y.clone()
+                - self.n981_times_mu_minus_nu.0.clone();
+            let __c_1_100 = __kahan::ratio::<T>(1, 100);
+            __kahan::Option::Some(__kahan::Quotients {
+                numerators: [
+                    self.nu_minus_mu.0.clone()
+                        * (__kahan::integer::<T>(981)
+                            .multiply_subtract(
+                                self.eps.0.clone() * __s_x.clone(),
+                                __t_nu_plus_one_n100_y,
+                            ) * __c_1_100.clone()),
+                    __c_1_100
+                        * (self.nu_minus_mu.0.clone()
+                            * (self.mu.0.clone()
+                                * (self.nu_plus_one.0.clone()
+                                    * (__s_y.clone() * __kahan::integer::<T>(10))))
+                            + (__s_x * __sum_1.clone()
+                                + __sum_1 * (self.eps.0.clone() * __s_y))),
+                ],
+                reciprocals: [
+                    __kahan::Option::Some(__reciprocal_1.clone()),
+                    __kahan::Option::Some(__reciprocal_1),
+                ],
+            })
+        }
+    }
+    #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
+    pub struct __General<T> {
         eps: __kahan::Apart<T>,
         nu_plus_one: __kahan::Apart<T>,
         eps_plus_eps_nu: __kahan::Apart<T>,
@@ -164,7 +227,7 @@ const _: () = {
         constant_2: __kahan::Apart<T>,
         n981_times_mu_minus_nu: __kahan::Apart<T>,
     }
-    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
+    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __General<T> {
         const COST: __kahan::StepCost = __kahan::StepCost {
             operations: 31,
             divisions: 1,
@@ -241,23 +304,27 @@ const _: () = {
     }
     impl<T: __kahan::Scalar> __kahan::WideStep<T, 2> for __Step<T> {
         const HAS_LANES: __kahan::core::primitive::bool = true;
-        type Wide<__L: __kahan::Scalar> = __Step<__L>;
+        type Wide<__L: __kahan::Scalar> = __General<__L>;
         #[inline(always)]
         fn widen<__L: __kahan::Scalar>(
             &self,
             __spread: impl __kahan::core::ops::Fn(&T) -> __L,
-        ) -> __Step<__L> {
-            __Step {
-                eps: __kahan::Apart::new(__spread(&self.eps.0)),
-                nu_plus_one: __kahan::Apart::new(__spread(&self.nu_plus_one.0)),
-                eps_plus_eps_nu: __kahan::Apart::new(__spread(&self.eps_plus_eps_nu.0)),
-                constant_1: __kahan::Apart::new(__spread(&self.constant_1.0)),
-                eps_nu_minus_eps_mu: __kahan::Apart::new(
-                    __spread(&self.eps_nu_minus_eps_mu.0),
+        ) -> __General<__L> {
+            __General {
+                eps: __kahan::Apart::new(__spread(&self.__general.eps.0)),
+                nu_plus_one: __kahan::Apart::new(
+                    __spread(&self.__general.nu_plus_one.0),
                 ),
-                constant_2: __kahan::Apart::new(__spread(&self.constant_2.0)),
+                eps_plus_eps_nu: __kahan::Apart::new(
+                    __spread(&self.__general.eps_plus_eps_nu.0),
+                ),
+                constant_1: __kahan::Apart::new(__spread(&self.__general.constant_1.0)),
+                eps_nu_minus_eps_mu: __kahan::Apart::new(
+                    __spread(&self.__general.eps_nu_minus_eps_mu.0),
+                ),
+                constant_2: __kahan::Apart::new(__spread(&self.__general.constant_2.0)),
                 n981_times_mu_minus_nu: __kahan::Apart::new(
-                    __spread(&self.n981_times_mu_minus_nu.0),
+                    __spread(&self.__general.n981_times_mu_minus_nu.0),
                 ),
             }
         }
@@ -266,45 +333,90 @@ const _: () = {
         type Prepared = __Step<T>;
         #[inline(always)]
         fn prepare(&self, __half_step: &T) -> __Step<T> {
+            let __general = {
+                let __p_mu = &self.mu;
+                let __p_nu = &self.nu;
+                let __t_eps_nu = __half_step.clone() * __p_nu.clone();
+                let __c_100 = __kahan::integer::<T>(100);
+                let __t_n100_nu = __p_nu.clone() * __c_100.clone();
+                let __c_10 = __kahan::integer::<T>(10);
+                let __t_eps_mu = __half_step.clone() * __p_mu.clone();
+                let __t_eps_mu_ten_nu = __t_eps_mu.clone()
+                    * (__p_nu.clone() * __c_10.clone());
+                let __c_981 = __kahan::integer::<T>(981);
+                let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
+                __General {
+                    eps: __kahan::Apart::new(__half_step.clone()),
+                    nu_plus_one: __kahan::Apart::new(
+                        __p_nu.clone() + __kahan::integer::<T>(1),
+                    ),
+                    eps_plus_eps_nu: __kahan::Apart::new(
+                        __half_step.clone() + __t_eps_nu.clone(),
+                    ),
+                    constant_1: __kahan::Apart::new(
+                        __c_981.clone() * (__half_step.clone() * __t_eps_mu.clone())
+                            - __c_981.clone()
+                                * (__half_step.clone() * __t_eps_nu.clone())
+                            - (__p_nu.clone() * __t_n100_nu.clone()
+                                + __t_eps_mu_ten_nu.clone())
+                            + (__p_mu.clone() * __t_eps_mu_ten_nu.clone()
+                                - __p_nu.clone() * __t_eps_mu_ten_nu
+                                + (__c_100 * __p_mu.clone() - __t_n100_nu.clone()
+                                    + (__p_mu.clone() * __t_n100_nu
+                                        + __t_eps_mu.clone() * (__p_mu.clone() * __c_10)))),
+                    ),
+                    eps_nu_minus_eps_mu: __kahan::Apart::new(__t_eps_nu - __t_eps_mu),
+                    constant_2: __kahan::Apart::new(
+                        __p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
+                            + (__p_mu.clone() * __t_nu_mu.clone()
+                                - __p_nu.clone() * __t_nu_mu),
+                    ),
+                    n981_times_mu_minus_nu: __kahan::Apart::new(
+                        __c_981 * (__p_mu.clone() - __p_nu.clone()),
+                    ),
+                }
+            };
+            let (__is_inverse, __divisor) = __kahan::divisor(__half_step);
+            let __half_step = &__divisor;
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __t_eps_nu = __half_step.clone() * __p_nu.clone();
-            let __c_100 = __kahan::integer::<T>(100);
-            let __t_n100_nu = __p_nu.clone() * __c_100.clone();
-            let __c_10 = __kahan::integer::<T>(10);
-            let __t_eps_mu = __half_step.clone() * __p_mu.clone();
-            let __t_eps_mu_ten_nu = __t_eps_mu.clone()
-                * (__p_nu.clone() * __c_10.clone());
-            let __c_981 = __kahan::integer::<T>(981);
-            let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
+            let __t_n1_20_mu = __kahan::ratio::<T>(1, 20) * __p_mu.clone();
+            let __t_mu_nu = __p_mu.clone() * __p_nu.clone();
+            let __t_nu_squared = __p_nu.clone() * __p_nu.clone();
+            let __c_1_2 = __kahan::ratio::<T>(1, 2);
+            let __t_half_over_eps = __c_1_2.clone().over_eps(__half_step);
+            let __c_981_200 = __kahan::ratio::<T>(981, 200);
+            let __t_nu_eps = __p_nu.clone() * __half_step.clone();
             __Step {
+                half_plus_half_nu: __kahan::Apart::new(
+                    __c_1_2.clone() + __p_nu.clone() * __c_1_2.clone(),
+                ),
+                constant_1: __kahan::Apart::new(
+                    __c_1_2.clone() * __t_nu_eps.clone() + __c_1_2 * __half_step.clone(),
+                ),
+                constant_2: __kahan::Apart::new(
+                    __p_mu.clone() * __t_n1_20_mu.clone()
+                        - __p_nu.clone() * __t_n1_20_mu.clone()
+                        + (__c_981_200.clone() * (__p_mu.clone() * __half_step.clone())
+                            + __p_mu.clone() * __t_half_over_eps.clone())
+                        + (__t_n1_20_mu.clone() * __t_mu_nu.clone()
+                            - __t_n1_20_mu * __t_nu_squared.clone()
+                            + (__t_mu_nu * __t_half_over_eps.clone()
+                                - __t_nu_squared * __t_half_over_eps.clone())
+                            - (__c_981_200 * __t_nu_eps
+                                + __p_nu.clone() * __t_half_over_eps)),
+                ),
                 eps: __kahan::Apart::new(__half_step.clone()),
                 nu_plus_one: __kahan::Apart::new(
                     __p_nu.clone() + __kahan::integer::<T>(1),
                 ),
-                eps_plus_eps_nu: __kahan::Apart::new(
-                    __half_step.clone() + __t_eps_nu.clone(),
-                ),
-                constant_1: __kahan::Apart::new(
-                    __c_981.clone() * (__half_step.clone() * __t_eps_mu.clone())
-                        - __c_981.clone() * (__half_step.clone() * __t_eps_nu.clone())
-                        - (__p_nu.clone() * __t_n100_nu.clone()
-                            + __t_eps_mu_ten_nu.clone())
-                        + (__p_mu.clone() * __t_eps_mu_ten_nu.clone()
-                            - __p_nu.clone() * __t_eps_mu_ten_nu
-                            + (__c_100 * __p_mu.clone() - __t_n100_nu.clone()
-                                + (__p_mu.clone() * __t_n100_nu
-                                    + __t_eps_mu.clone() * (__p_mu.clone() * __c_10)))),
-                ),
-                eps_nu_minus_eps_mu: __kahan::Apart::new(__t_eps_nu - __t_eps_mu),
-                constant_2: __kahan::Apart::new(
-                    __p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
-                        + (__p_mu.clone() * __t_nu_mu.clone()
-                            - __p_nu.clone() * __t_nu_mu),
-                ),
+                mu: __kahan::Apart::new(__p_mu.clone()),
+                nu_minus_mu: __kahan::Apart::new(__p_nu.clone() - __p_mu.clone()),
                 n981_times_mu_minus_nu: __kahan::Apart::new(
-                    __c_981 * (__p_mu.clone() - __p_nu.clone()),
+                    (__p_mu.clone() - __p_nu.clone()) * __kahan::integer::<T>(981),
                 ),
+                __general,
+                __is_inverse,
             }
         }
         fn jacobian(

@@ -8,7 +8,7 @@ use kahan_algebra::plan::{Plan, StepPlan};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
-use kahan_core::StepCost;
+use kahan_core::{Scalar, StepCost};
 
 use super::program::Program;
 
@@ -35,6 +35,8 @@ pub(super) struct StepCode {
     pub(super) kernel: Program,
     /// For each component the index of its reciprocal.
     pub(super) reciprocals: Vec<Option<usize>>,
+    /// For scalars and ε that a step divided by ε does not serve.
+    general: Option<Box<StepCode>>,
 }
 
 #[derive(Debug)]
@@ -84,7 +86,13 @@ impl StepCode {
             constants: Program::of(&plan.constants, symbols),
             kernel: Program::of_kernel(&plan.kernel, symbols),
             reciprocals: plan.reciprocals.clone(),
+            general: plan.has_inverse_step().then(|| Box::new(Self::of(plan.for_any_step(), symbols))),
         }
+    }
+
+    /// The programs that serve this ε.
+    pub(super) fn at<T: Scalar>(&self, eps: &T) -> &Self {
+        self.general.as_deref().filter(|_| !eps.has_inverse_step()).unwrap_or(self)
     }
 }
 

@@ -27,7 +27,8 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
     /// Where the parameters make the field divide by zero.
     pub(super) fn new(map: Interpreted<T, N>, eps: T) -> Self {
         let constants = match &map.code.step {
-            Some(StepCode { constants, .. }) => {
+            Some(step) => {
+                let StepCode { constants, .. } = step.at(&eps);
                 let inputs = Inputs { parameters: &map.parameters, eps: Some(&eps), ..Inputs::default() };
                 constants.run(&inputs).unwrap_or_else(|| super::undefined())
             }
@@ -39,9 +40,10 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
 
 impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
-        let Some(StepCode { kernel, reciprocals, .. }) = &self.map.code.step else {
+        let Some(step) = &self.map.code.step else {
             return Elimination::new(self.map.clone(), self.eps.clone()).quotients(x);
         };
+        let StepCode { kernel, reciprocals, .. } = step.at(&self.eps);
         let inputs = Inputs { state: x.as_slice(), prepared: &self.constants, ..Inputs::default() };
         let results = kernel.run(&inputs)?;
         let (numerators, divisions) = results.split_at(N);

@@ -80,7 +80,7 @@ fn the_object_says_what_the_table_says() {
     assert_eq!(reciprocals.len(), 3);
     for reciprocal in &reciprocals {
         let is_quotient = |line: &String| {
-            ["2/", "-2/"].iter().any(|two| line.starts_with(&format!("{reciprocal} = {two}")))
+            ["1/", "-1/", "2/", "-2/"].iter().any(|two| line.starts_with(&format!("{reciprocal} = {two}")))
         };
         assert!(lines("kernel").iter().any(is_quotient));
     }

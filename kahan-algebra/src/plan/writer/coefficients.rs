@@ -34,7 +34,7 @@ impl Writer {
     }
 
     /// The variable that stands for a sum of constants.
-    pub(super) fn coefficient(&mut self, sum: &Polynomial) -> Variable {
+    pub(in crate::plan) fn coefficient(&mut self, sum: &Polynomial) -> Variable {
         if let Some(k) = self.coefficients.iter().position(|known| known == sum) {
             return self.scaling.coefficient(k);
         }

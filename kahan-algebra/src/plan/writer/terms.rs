@@ -5,7 +5,7 @@ use crate::rational::Rational;
 
 use super::super::Node;
 use super::super::draft::Signed;
-use super::super::scaling::is_power_of_two;
+use super::super::scaling::{INVERSE_STEP, is_power_of_two};
 use super::Writer;
 
 impl Writer {
@@ -38,7 +38,12 @@ impl Writer {
         if self.scaling.folds {
             return (self.folded_factors(&size, &symbols), negative);
         }
-        if !size.is_one() {
+        if let Some(place) = symbols.iter().position(|&variable| variable == INVERSE_STEP)
+            && is_power_of_two(&size)
+        {
+            symbols.remove(place);
+            factors.push(self.inverse_step(&size));
+        } else if !size.is_one() {
             let scaled = symbols.iter().position(|&variable| self.scaling.unscaled(variable).is_some());
             match scaled.filter(|_| is_power_of_two(&size)) {
                 Some(place) => {

@@ -22,6 +22,8 @@ pub(super) struct PlanSheet {
     name: String,
     objects: Objects,
     step: Option<StepListing>,
+    /// The step that serves every scalar, where the step is divided by the time step.
+    general: Option<StepListing>,
     derived: Duration,
     planned: Duration,
 }
@@ -36,8 +38,11 @@ impl PlanSheet {
         let step = StepPlan::of_map(&system.field, map.as_ref());
         let objects = Objects::from_parts(system, map, step);
         let planned = start.elapsed();
-        let step = objects.step.as_ref().map(|step| StepListing::of(step, &system.field.symbols));
-        PlanSheet { name, objects, step, derived, planned }
+        let listing = |step: &StepPlan| StepListing::of(step, &system.field.symbols);
+        let step = objects.step.as_ref().map(listing);
+        let inverse = objects.step.as_ref().filter(|step| step.has_inverse_step());
+        let general = inverse.map(|step| listing(step.for_any_step()));
+        PlanSheet { name, objects, step, general, derived, planned }
     }
 
     pub(super) fn json(&self) -> Value {
@@ -55,18 +60,19 @@ impl PlanSheet {
                 "compile_ms_estimate": estimate.map(|estimate| tenths(estimate.compile_ms)),
             })
         });
-        let step = self.step.as_ref().map(|step| {
+        let listing = |step: &StepListing| {
             json!({
                 "constants": step.constants,
                 "kernel": step.kernel,
                 "reciprocals": step.reciprocals,
                 "next": step.next,
             })
-        });
+        };
         json!({
             "system": self.name,
             "objects": objects.collect::<Vec<_>>(),
-            "step": step,
+            "step": self.step.as_ref().map(listing),
+            "general_step": self.general.as_ref().map(listing),
             "derive_ms": milliseconds(self.derived),
             "plan_ms": milliseconds(self.planned),
         })
@@ -105,13 +111,14 @@ impl PlanSheet {
     }
 
     fn step_sections(&self, page: &mut Page, step: &StepListing) {
-        if step.constants.is_empty() {
-            page.section("constants of the step", vec!["none".to_owned()]);
-        } else {
-            page.section("constants of the step, computed once", step.constants.clone());
+        step_section(page, "step", step);
+        if let Some(general) = &self.general {
+            page.line("");
+            for line in GENERAL {
+                page.line(line);
+            }
+            step_section(page, "general step", general);
         }
-        page.section("kernel of the step, for each state", step.kernel.clone());
-        page.section("next state", step.next.clone());
     }
 
     fn label(&self, object: &Object) -> String {
@@ -122,6 +129,28 @@ impl PlanSheet {
             _ => object.name.clone(),
         }
     }
+}
+
+/// Which step is taken when.
+const GENERAL: [&str; 4] = [
+    "This step is divided by the time step, which shortens the way from a state to the next. Floats",
+    "take it where eps is from 2^-64 to 2^64 in size (f32: 2^-16 to 2^16). All else takes the general",
+    "step, which divides by no eps: exact and wider numbers, the lanes of ensembles, Jacobians, and",
+    "floats at any other eps.",
+];
+
+/// A step in three parts.
+fn step_section(page: &mut Page, name: &str, step: &StepListing) {
+    if step.constants.is_empty() {
+        page.section(&format!("constants of the {name}"), vec!["none".to_owned()]);
+    } else {
+        page.section(&format!("constants of the {name}, computed once"), step.constants.clone());
+    }
+    page.section(&format!("kernel of the {name}, for each state"), step.kernel.clone());
+    page.section(
+        if name == "step" { "next state" } else { "next state of the general step" },
+        step.next.clone(),
+    );
 }
 
 /// Why there are no lines to show.

@@ -1,0 +1,153 @@
+//! Forms divided by the time step: with h = 1/(2ε), the inverse time step, 1 + 2εx becomes h + x.
+//!
+//! A denominator d is 1 + O(ε) up to a constant, and what multiplies ε in it is on the way from each state to the next. Divided by
+//! a power of ε it has that factor on a constant instead, which a prepared step knows: E1's 1/(h + x) waits for one addition. Where
+//! h alone is left, as for homogeneous fields of degree two in ε, it is the only rounded constant: the step is that of Kahan's map
+//! at the half step 1/(2h), which differs from ε by half an ulp.
+//!
+//! Such a step has no value at ε = 0 and leaves the range of the scalar earlier, so whoever takes it has another one besides.
+
+use crate::arithmetic::Arithmetic;
+use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational::Rational;
+
+use super::candidate::Candidate;
+use super::candidates::{Parts, scalings};
+use super::draft::Signed;
+use super::nesting::Goal;
+use super::numerators::Power;
+use super::scaling::{INVERSE_STEP, is_power_of_two};
+use super::writer::Writer;
+use super::{Operation, StepPlan};
+
+/// The most powers of ε that are divided by: more of them leave the range of a scalar too early.
+const MOST_POWERS: u32 = 2;
+
+/// p/εᵏ, a polynomial in the other symbols, ε and h: ε cancels as far as p has it.
+pub(super) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Variable) -> Polynomial {
+    let divided = polynomial.terms().map(|(monomial, coefficient)| {
+        let cancelled = monomial.exponent(epsilon).min(power);
+        let rest = monomial.div(&Monomial::power(epsilon, cancelled)).unwrap_or_else(Monomial::one);
+        // 1/ε is 2h.
+        let scale = Rational::from(1 << (power - cancelled));
+        (rest.mul(&Monomial::power(INVERSE_STEP, power - cancelled)), coefficient * &scale)
+    });
+    Polynomial::from_terms(divided)
+}
+
+impl Parts<'_> {
+    /// The forms over ε and over ε², and the one with two divisions, as far as no constant in them is rounded twice.
+    pub(super) fn over_time_step(&self) -> Vec<Candidate> {
+        let scalings = scalings(self.field);
+        if scalings.iter().any(|scaling| scaling.folds) {
+            // Constants are one product there, whatever is divided.
+            return Vec::new();
+        }
+        let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());
+        let mut forms = self.two_divisions_over_time_step();
+        for power in 1..=degree.min(MOST_POWERS) {
+            let (denominator, c) = self.divided(&self.map.reduced.denominator, power);
+            for scaling in &scalings {
+                let mut writer = Writer::new(scaling.clone());
+                let written = writer.write_scaled(&denominator, Goal::Early);
+                forms.push(self.over_power(power, writer, written, &c));
+                if self.has_sums_of_constants(&denominator) {
+                    let mut writer = Writer::new(scaling.clone());
+                    let written =
+                        self.with_coefficients(&mut writer, &denominator.scale(&Rational::new(1, 2)));
+                    forms.push(self.over_power(power, writer, written, &(&c * &Rational::new(1, 2))));
+                }
+            }
+        }
+        forms.retain(Candidate::is_rounded_once);
+        forms
+    }
+
+    /// Whether a product of states has a coefficient that is a sum, which is prepared as one where ε is left in it.
+    fn has_sums_of_constants(&self, polynomial: &Polynomial) -> bool {
+        let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
+        groups.iter().any(|(states, coefficient)| !states.is_one() && coefficient.len() > 1)
+    }
+
+    /// A polynomial with all its coefficients prepared, so that a factor of all costs nothing.
+    fn with_coefficients(&self, writer: &mut Writer, polynomial: &Polynomial) -> Signed {
+        let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
+        let terms = groups.into_iter().map(|(states, coefficient)| {
+            let prepared = Monomial::variable(writer.coefficient(&coefficient));
+            (states.mul(&prepared), Rational::one())
+        });
+        let gathered = Polynomial::from_terms(terms.collect::<Vec<_>>());
+        writer.write(&gathered, Goal::Early)
+    }
+
+    /// x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ), the denominator being written, and c/(that) its reciprocal.
+    fn over_power(&self, power: u32, mut writer: Writer, denominator: Signed, c: &Rational) -> Candidate {
+        let reciprocal = writer.reciprocal(c, denominator.node);
+        let numerators = self.written_numerators(&mut writer, |_| Power::OverEps(power - 1), None);
+        self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative))
+    }
+
+    /// 2(n/εᵏ⁻¹)/(p/εᵏ) for numerators that one factor p divides, 2(n/εᵏ)/(p/εᵏ)/(q/ε) for those that both do.
+    fn two_divisions_over_time_step(&self) -> Vec<Candidate> {
+        let Some((needed, other)) = self.two_factors() else { return Vec::new() };
+        let epsilon = self.field.symbols.epsilon();
+        let second = over_eps(other, 1, epsilon);
+        let powers = 1..=needed.degree_in(epsilon).min(MOST_POWERS);
+        let form = |power: u32| {
+            let (first, c) = self.divided(needed, power);
+            let powers = [Power::OverEps(power - 1), Power::OverEps(power)];
+            self.divided_twice([&first, &second], other, &c, powers)
+        };
+        powers.filter_map(form).collect()
+    }
+
+    /// p/εᵏ without a power of two, and what to divide by it for 2/(p/εᵏ).
+    fn divided(&self, polynomial: &Polynomial, power: u32) -> (Polynomial, Rational) {
+        let divided = over_eps(polynomial, power, self.field.symbols.epsilon());
+        let two = Rational::from(2);
+        let content = divided.content().abs();
+        let parts = content.recip().filter(|_| is_power_of_two(&content));
+        parts.map_or((divided.clone(), two.clone()), |inverse| (divided.scale(&inverse), &two * &inverse))
+    }
+}
+
+impl StepPlan {
+    /// Whether the step divides by ε when it is prepared: then it serves floats only, and an ε that is away from zero.
+    #[must_use]
+    pub fn has_inverse_step(&self) -> bool {
+        self.constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)))
+    }
+
+    /// The plan that serves this arithmetic at this ε.
+    #[must_use]
+    pub fn at<A: Arithmetic>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
+        if arithmetic.has_inverse_step(eps) { self } else { self.for_any_step() }
+    }
+
+    /// The plan that serves every scalar and every ε.
+    #[must_use]
+    pub fn for_any_step(&self) -> &Self {
+        self.general.as_deref().filter(|_| self.has_inverse_step()).unwrap_or(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy; over ε, what has ε² keeps one.
+    #[test]
+    fn eps_cancels_as_far_as_a_term_has_it() {
+        let [x, y, epsilon] = [0, 1, 2].map(|index| Polynomial::variable(Variable(index)));
+        let h = Polynomial::variable(INVERSE_STEP);
+        let times = |factor: i64, polynomial: &Polynomial| polynomial.scale(&Rational::from(factor));
+        let xy = &x * &y;
+        let d =
+            &(&Polynomial::one() + &times(2, &(&epsilon * &x))) + &times(3, &(&(&epsilon * &epsilon) * &xy));
+        let over_square = &(&times(4, &(&h * &h)) + &times(4, &(&h * &x))) + &times(3, &xy);
+        assert_eq!(over_eps(&d, 2, Variable(2)), over_square);
+        let over_one = &(&times(2, &h) + &times(2, &x)) + &times(3, &(&epsilon * &xy));
+        assert_eq!(over_eps(&d, 1, Variable(2)), over_one);
+        assert_eq!(over_eps(&d, 0, Variable(2)), d);
+    }
+}
