@@ -80,6 +80,10 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// of packing it with its neighbour would take a sixth of the step.
     const PACKS: bool = true;
 
+    /// Whether the step has a form divided by ε besides a general one, for an ε that floats allow to divide by.
+    #[doc(hidden)]
+    const HAS_INVERSE_STEP: bool = false;
+
     /// The increment at `x` before its last multiplication, or `None` at a pole of a scalar that has no reciprocal
     /// of zero. The kernel of everything: implementations are `#[inline(always)]`, because lanes must be compiled
     /// into the function that enables their instructions.

@@ -43,15 +43,26 @@ impl<V: Working, const N: usize> Attempt<V, N> {
             reciprocals: reciprocals.map(|reciprocal| reciprocal.map(|reciprocal| reciprocal.value())),
         };
         let [next] = values.finished(&vector(from_fn(|i| x[i].value())), finish).data.0;
-        // The largest of each, and one product of both: hardly more than the largest product, as most steps have one reciprocal.
-        let magnitude = largest::<V, N>(numerators.map(|numerator| numerator.magnitude()));
-        let weight = largest::<V, N>(reciprocals.map(|reciprocal| {
-            // An increment that is a quotient itself is a product with 1.
-            reciprocal.unwrap_or_else(Bounded::one).weight(roundings)
-        }));
+        let underflow = V::Magnitude::of(underflow::<V>(roundings));
+        let magnitudes = numerators.map(|numerator| numerator.magnitude());
+        // An increment that is a quotient itself is a product with 1.
+        // Not by `map`: its closure would be too large for compilers to inline.
+        let mut weights = [V::Magnitude::zero(); N];
+        for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
+            *weight = match reciprocal {
+                Some(reciprocal) => reciprocal.weight(roundings),
+                None => Bounded::<V, P>::one().weight(roundings),
+            };
+        }
         Some(Self {
             next,
-            error: (magnitude + V::Magnitude::of(underflow::<V>(roundings))) * weight,
+            error: if const { M::Prepared::PACKS } {
+                // One reciprocal: one product is the largest.
+                (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
+            } else {
+                largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
+                    + underflow * largest::<V, N>(weights)
+            },
             largest_input: numerators
                 .iter()
                 .chain(reciprocals.iter().flatten())

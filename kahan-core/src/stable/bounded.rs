@@ -9,7 +9,8 @@
 //! - v = a ± b: m = mₐ + m_b, k = max(kₐ, k_b) + 1, since |a ± b| ≤ mₐ + m_b and one rounding is added.
 //! - v = a·b: m = mₐ·m_b, k = kₐ + k_b + 1, since (1+γ_kₐ)(1+γ_k_b)(1+u) − 1 = γ_k.
 //! - v = a/b: m = (mₐ + |v̂|·m_b)/|b̂|, k = max(kₐ, k_b) + 1, because v̂ − v = [(â − a) − v(b̂ − b)]/b̂ plus a rounding. Where
-//!   γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and there is no quotient.
+//!   γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and there is no quotient. Where 1/|â| is at hand, as for a reciprocal 2/d or
+//!   2/d/d′, the same m is |v̂|·(mₐ/|â| + m_b/|b̂|), and what is in parentheses is kept as a sum.
 //!
 //! Magnitudes are rounded themselves, and v̂ stands for v where they are made; [`SLACK`] pays for both.
 //!
@@ -95,13 +96,22 @@ pub(crate) struct Bounded<V: Working, P: Pair<V> = Both<V>> {
     bits: u32,
     /// About 1/|v̂| of a quotient of such values, the first of which is a whole constant; compilers know whether it is there.
     inverse: Option<V::Magnitude>,
+    /// And about m/|v̂|, without the slack. Both apart, so that compilers do not fetch them from memory as one vector.
+    ratio: Option<V::Magnitude>,
 }
 
 impl<V: Working, P: Pair<V>> Bounded<V, P> {
     /// An input: a number that is what it says.
     #[inline(always)]
     pub(super) fn given(value: V) -> Self {
-        Self { pair: Pair::new(value, value.size()), roundings: 0, inputs: 1, bits: 0, inverse: None }
+        Self {
+            pair: Pair::new(value, value.size()),
+            roundings: 0,
+            inputs: 1,
+            bits: 0,
+            inverse: None,
+            ratio: None,
+        }
     }
 
     /// A literal, known while compiling.
@@ -109,7 +119,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     pub(super) fn literal(value: V, roundings: u32) -> Self {
         // The exponent of the next power of two.
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
-        Self { pair: Pair::new(value, value.size()), roundings, inputs: 0, bits, inverse: None }
+        Self { pair: Pair::new(value, value.size()), roundings, inputs: 0, bits, inverse: None, ratio: None }
     }
 
     /// The binary exponent that no input may exceed, so that underflow is allowed for.
@@ -122,13 +132,19 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]
     pub(super) fn unknown(value: V) -> Self {
         let pair = Pair::new(value, V::Magnitude::of(f64::INFINITY));
-        Self { pair, roundings: 1, inputs: 0, bits: 0, inverse: None }
+        Self { pair, roundings: 1, inputs: 0, bits: 0, inverse: None, ratio: None }
     }
 
     /// −v̂
     #[inline(always)]
     pub(super) fn negated(self) -> Self {
         Self { pair: self.pair.negated(), ..self }
+    }
+
+    /// The same, m in a register of its own.
+    #[inline(always)]
+    pub(super) fn apart(self) -> Self {
+        Self { pair: self.pair.alone(), ..self }
     }
 
     /// v̂
@@ -185,6 +201,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
             inputs: self.inputs.max(other.inputs),
             bits: self.bits.max(other.bits).saturating_add(1),
             inverse: None,
+            ratio: None,
         }
         .if_exact()
     }
@@ -198,6 +215,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
             inputs: self.inputs.saturating_add(other.inputs),
             bits: self.bits.saturating_add(other.bits),
             inverse: None,
+            ratio: None,
         }
         .if_exact()
     }
@@ -224,13 +242,18 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         if !is_certain {
             return None;
         }
-        let numerator = self.magnitude() + value.size() * divisor.magnitude();
         // 1/|b̂| = |v̂|·(1/a) without a second division, where 1/a is at hand.
-        let (magnitude, inverse) = match self.inverse() {
+        let (magnitude, inverse, ratio) = match self.inverse() {
             Some(inverse) => {
-                (numerator * value.size() * (V::Magnitude::of(SLACK) * inverse), Some(size * inverse))
+                let ratio = self.ratio.unwrap_or_else(|| V::Magnitude::of(1.0));
+                let ratio = ratio + divisor.magnitude() * (value.size() * inverse);
+                let magnitude = value.size() * ratio * V::Magnitude::of(SLACK);
+                (magnitude, Some(size * inverse), Some(ratio))
             }
-            None => (numerator * V::Magnitude::of(SLACK) / size, None),
+            None => {
+                let numerator = self.magnitude() + value.size() * divisor.magnitude();
+                (numerator * V::Magnitude::of(SLACK) / size, None, None)
+            }
         };
         Some(Self {
             pair: Pair::new(value, magnitude),
@@ -238,19 +261,22 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
             inputs: self.inputs.saturating_add(divisor.inputs),
             bits: self.bits.saturating_add(divisor.bits).saturating_add(2 * V::RANGE.bits_of_divisors),
             inverse,
+            ratio,
         })
     }
 
-    /// self/ε for an exact self and an ε that a step divides by: rounded once, and no larger than that ε allows.
+    /// c/ε for a literal c and an ε, given as it is, that a step divides by: rounded once more than c, and no larger than that
+    /// ε allows.
     #[inline(always)]
     pub(super) fn over_eps(self, eps: Self) -> Self {
         let value = self.value() / eps.value();
         Self {
             pair: Pair::new(value, value.size()),
-            roundings: 1,
+            roundings: self.roundings.saturating_add(eps.roundings).saturating_add(1),
             inputs: self.inputs,
             bits: self.bits.saturating_add(V::RANGE.bits_of_steps),
             inverse: None,
+            ratio: None,
         }
     }
 
@@ -262,7 +288,13 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]
     pub(super) fn weight(&self, roundings: u32) -> V::Magnitude {
         let gamma = Self { roundings: roundings.saturating_add(1), ..*self }.gamma();
-        self.value().size() * gamma + self.error()
+        match self.ratio {
+            Some(ratio) => {
+                let slack = V::Magnitude::of(SLACK) * self.gamma();
+                self.value().size() * (gamma + ratio * slack) + V::Magnitude::of(V::RANGE.allowance)
+            }
+            None => self.value().size() * gamma + self.error(),
+        }
     }
 
     /// k

@@ -15,9 +15,19 @@ pub(crate) trait Magnitude:
 {
     /// The nearest magnitude.
     fn of(value: f64) -> Self;
+    /// The same, in a register of its own.
+    #[inline(always)]
+    fn apart(self) -> Self {
+        self
+    }
 }
 
 impl Magnitude for f32 {
+    #[inline(always)]
+    fn apart(self) -> Self {
+        crate::Scalar::alone(self)
+    }
+
     #[inline(always)]
     fn of(value: f64) -> Self {
         value as f32
@@ -25,6 +35,11 @@ impl Magnitude for f32 {
 }
 
 impl Magnitude for f64 {
+    #[inline(always)]
+    fn apart(self) -> Self {
+        crate::Scalar::alone(self)
+    }
+
     #[inline(always)]
     fn of(value: f64) -> Self {
         value

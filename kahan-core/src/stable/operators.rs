@@ -63,8 +63,12 @@ impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
 
     #[inline(always)]
     fn over_eps(self, eps: &Self) -> Self {
-        // Whether both are exact is known while compiling: a literal, and the ε that was given.
-        if self.roundings() + eps.roundings() == 0 { Bounded::over_eps(self, *eps) } else { self / *eps }
+        Bounded::over_eps(self, *eps)
+    }
+
+    #[inline(always)]
+    fn alone(self) -> Self {
+        self.apart()
     }
 
     fn approximate(&self) -> f64 {

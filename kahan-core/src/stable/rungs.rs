@@ -12,7 +12,7 @@ use num_traits::Zero;
 
 use crate::linear::vector;
 use crate::scalar::Wide;
-use crate::{Dd, KahanMap, Lift, PreparedStep, SingularStep};
+use crate::{Dd, KahanMap, Lift, PreparedStep, Scalar, SingularStep};
 
 use super::attempt::Attempt;
 use super::bounded::{Bounded, Working};
@@ -44,7 +44,11 @@ where
         sum.set(sum.get() + value.size());
         Bounded::<V, P>::given(value)
     };
-    let state = SVector::from_fn(|i, _| given(&x[i]));
+    let packs = const { <M::Prepared as PreparedStep<T, N>>::PACKS };
+    let state = SVector::from_fn(|i, _| {
+        let value = given(&x[i]);
+        if packs { value } else { value.alone() }
+    });
     let attempt = Attempt::by_increments(&map.lift(given), &state, Bounded::given(embed(eps)), finish)?;
     (attempt.largest_input() > sum.get()).then_some(attempt)
 }
@@ -62,9 +66,36 @@ const fn is_short<T: Promised, M: KahanMap<T, N>, const N: usize>() -> bool {
 }
 
 /// The first rung of a scalar that works for itself.
+///
+/// A step that is divided by ε has another form for an ε that does not allow it. How often each form rounds is known while
+/// compiling, as long as no code serves both.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
 fn in_own_precision<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
+where
+    T: Promised,
+    M: Lift<T, N>,
+{
+    if const { M::Prepared::HAS_INVERSE_STEP } && !eps.has_inverse_step() {
+        return in_general_form(map, vector(from_fn(|i| x[i])), *eps);
+    }
+    in_one_form(map, x, eps)
+}
+
+/// The same where ε is too small or too large.
+#[cold]
+#[inline(never)]
+fn in_general_form<M, T, const N: usize>(map: &M, x: SVector<T, N>, eps: T) -> Option<SVector<T, N>>
+where
+    T: Promised,
+    M: Lift<T, N>,
+{
+    in_one_form(map, &x, &eps)
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(debug_assertions, inline(never))]
+fn in_one_form<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
 where
     T: Promised,
     M: Lift<T, N>,

@@ -59,6 +59,8 @@ struct Emitter<'a> {
     /// The fields of `self` that hold the prepared constants; `None` outside a kernel, where a division by zero is the
     /// scalar's business rather than a pole.
     constants: Option<&'a [Ident]>,
+    /// Whether what has a `let` is kept from being packed into vectors with its neighbours.
+    stands_alone: bool,
     /// How many uses of each step have not been written yet.
     uses: Vec<usize>,
     /// How deeply each step is nested from its nearest `let`s.
@@ -75,8 +77,14 @@ pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitt
 
 /// Emits the kernel of a step, which stands in a method of the prepared step: `self` has these constants, and a pole
 /// returns `None`.
-pub(super) fn emit_kernel(kernel: &Plan, symbols: &Symbols, scalar: &Ident, constants: &[Ident]) -> Emitted {
-    Emitter::new(kernel, symbols, scalar, Some(constants)).run()
+pub(super) fn emit_kernel(
+    kernel: &Plan,
+    symbols: &Symbols,
+    scalar: &Ident,
+    constants: &[Ident],
+    stands_alone: bool,
+) -> Emitted {
+    Emitter { stands_alone, ..Emitter::new(kernel, symbols, scalar, Some(constants)) }.run()
 }
 
 impl<'a> Emitter<'a> {
@@ -86,6 +94,7 @@ impl<'a> Emitter<'a> {
             symbols,
             scalar,
             constants,
+            stands_alone: false,
             uses: vec![0; plan.operations.len()],
             depths: Vec::with_capacity(plan.operations.len()),
             lets: vec![None; plan.operations.len()],
@@ -146,6 +155,7 @@ impl<'a> Emitter<'a> {
         if self.uses[index] > 1 || depth > DEEPEST || is_quotient {
             let value = self.operation(index).tokens;
             let name = self.names.binding(Node(index), operation);
+            let value = if self.stands_alone { quote!((#value).alone()) } else { value };
             self.bindings.extend(quote! { let #name = #value; });
             self.lets[index] = Some(name);
         }

@@ -121,7 +121,8 @@ impl<'a> Kernel<'a> {
         };
         let symbols = &context.system.field.symbols;
         let inputs = emit_owned_inputs(&kernel, symbols);
-        let Emitted { bindings, results } = emit_kernel(&kernel, symbols, scalar, names);
+        let Emitted { bindings, results } =
+            emit_kernel(&kernel, symbols, scalar, names, reciprocals.len() > 1);
         let cost = emit_cost(plan);
         // Two reciprocals are one after the other: a component that waits for the first alone closes the cycle.
         let packs = (reciprocals.len() > 1).then(|| {
@@ -136,6 +137,11 @@ impl<'a> Kernel<'a> {
                 }
             }
         });
+        let has_inverse_step = self.is_inverse().then(|| {
+            quote!(
+                const HAS_INVERSE_STEP: __kahan::core::primitive::bool = true;
+            )
+        });
         let mut results = results.into_iter();
         let numerators: Vec<TokenStream> = results.by_ref().take(n).collect();
         let reciprocals = of_components.iter().map(|reciprocal| match reciprocal {
@@ -149,6 +155,7 @@ impl<'a> Kernel<'a> {
             impl<#scalar: __kahan::Scalar> __kahan::PreparedStep<#scalar, #dimension> for #name<#scalar> {
                 #cost
                 #packs
+                #has_inverse_step
                 #[inline(always)]
                 fn quotients(
                     &self,

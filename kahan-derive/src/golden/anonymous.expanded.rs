@@ -131,6 +131,7 @@ fn scope() {
                     divisions: 2,
                     chain: 25,
                 };
+                const HAS_INVERSE_STEP: __kahan::core::primitive::bool = true;
                 #[inline(always)]
                 fn quotients(
                     &self,

@@ -132,6 +132,7 @@ const _: () = {
             divisions: 1,
             chain: 31,
         };
+        const HAS_INVERSE_STEP: __kahan::core::primitive::bool = true;
         #[inline(always)]
         fn quotients(
             &self,
