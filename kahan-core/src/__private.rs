@@ -19,6 +19,8 @@ pub use crate::{
     Scalar, SingularStep, StepCost, WideStep,
 };
 
+use core::array::from_fn;
+
 use crate::error::pole;
 
 /// The entries of a state, to be bound to names by a pattern.
@@ -38,6 +40,22 @@ pub fn integer<T: Scalar>(n: i64) -> T {
 #[inline(always)]
 pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
+}
+
+/// x̃ − x of a step at an ε that does not allow the faster one; no numbers where there is none.
+///
+/// It is called, so that the faster one stays small enough to be inlined, and sees a copy of the state, so that a loop can keep the
+/// state in registers.
+#[cold]
+#[inline(never)]
+pub fn general_increment<S, T, const N: usize>(step: &S, state: SVector<T, N>) -> [T; N]
+where
+    S: PreparedStep<T, N>,
+    T: Scalar,
+{
+    let increment = step.increment(&state).unwrap_or_else(|| vector(from_fn(|_| T::zero() / T::zero())));
+    let [entries] = increment.data.0;
+    entries
 }
 
 /// Whether a step with this ε may divide by it, and what it divides by: ε, or 1 where nobody takes the quotients.
@@ -77,7 +95,7 @@ where
 ///
 /// # Errors
 /// As [`KahanMap::try_step`].
-#[inline]
+#[inline(always)]
 pub fn stable_step<M, T, const N: usize>(
     map: &M,
     prepared: &M::Prepared,

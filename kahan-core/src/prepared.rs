@@ -90,7 +90,7 @@ where
     ///
     /// # Errors
     /// [`SingularStep`] at a pole, at a point that is not finite, and beyond the scalar's range.
-    #[inline]
+    #[inline(always)]
     pub fn try_step(&self, x: &SVector<T, N>) -> Result<SVector<T, N>, SingularStep>
     where
         T: Pivot,

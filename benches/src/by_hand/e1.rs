@@ -8,6 +8,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
         Contender::new("by hand, one reciprocal", Role::ByHand, start, one_reciprocal(eps)),
         Contender::new("by hand, two reciprocals", Role::ByHand, start, two_reciprocals(eps)),
         Contender::new("by hand, three divisions", Role::ByHand, start, three_divisions(eps)),
+        Contender::new("by hand, over the time step", Role::ByHand, start, over_time_step(eps)),
     ]
 }
 
@@ -43,5 +44,16 @@ pub(crate) fn three_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
         let k = 1.0 + dx;
         let n = two_eps * y * (y + y) + z * (dx * (1.0 + ex));
         [x - (x * dx) / k, y - (y * dx) / k, z + n / (k * (1.0 - ex))]
+    }
+}
+
+/// k/(2ε) = h + x with h = 1/(2ε), t/ε = 2h − x: one addition leads to the division that closes the chain.
+pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
+    let (h, two_h, four_h) = (0.5 / eps, 1.0 / eps, 2.0 / eps);
+    move |[x, y, z]| {
+        let (k, t) = (h + x, two_h - x);
+        let (i, j) = (1.0 / k, 1.0 / (k * t));
+        let n = four_h * y * y + x * (two_h + x) * z;
+        [x - (x * x) * i, y - (x * y) * i, z + n * j]
     }
 }

@@ -9,6 +9,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
         Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(eps)),
         Contender::new("by hand, short chain", Role::ByHand, start, short_chain(eps)),
         Contender::new("by hand, one sum of squares", Role::ByHand, start, one_sum_of_squares(eps)),
+        Contender::new("by hand, over the time step", Role::ByHand, start, over_time_step(eps)),
     ]
 }
 
@@ -49,5 +50,16 @@ pub(crate) fn one_sum_of_squares(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
         let i = 1.0 / ((1.0 + ez) + s);
         let h = (ez + ez) + s;
         [x - (x * h) * i, y - (y * h) * i, z + (r - r * ez) * i]
+    }
+}
+
+/// D/(2ε²) = h(2h + z) + r with h = 1/(2ε): no product with ε of its own.
+pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
+    let (h, two_h) = (0.5 / eps, 1.0 / eps);
+    move |[x, y, z]| {
+        let r = x * x + y * y;
+        let i = 1.0 / (h * (two_h + z) + r);
+        let s = two_h * z + r;
+        [x - (x * s) * i, y - (y * s) * i, z + (r * (two_h - z)) * i]
     }
 }

@@ -9,6 +9,7 @@ pub(crate) fn contenders(start: [f64; 3], eps: f64) -> Vec<Contender> {
         Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(eps)),
         Contender::new("by hand, two reciprocals", Role::ByHand, start, two_reciprocals(eps)),
         Contender::new("by hand, mixed divisions", Role::ByHand, start, mixed_divisions(eps)),
+        Contender::new("by hand, over the time step", Role::ByHand, start, over_time_step(eps)),
     ]
 }
 
@@ -47,5 +48,17 @@ pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
         let i = 1.0 / (v + ex * dx);
         let p = two_eps * (y - ex * x);
         [x + (x * p) * i, y - (dx * (x * u)) * i, z + ((p * ((x + x) - z * v)) * i) / u]
+    }
+}
+
+/// D/(2ε²) = h(2h − y) + x² with h = 1/(2ε), u/ε = 2h + y, and z from the new x and y: (2h + y)Δz = (2x − z)(y + ỹ) + 2yΔx.
+pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
+    let (h, two_h) = (0.5 / eps, 1.0 / eps);
+    move |[x, y, z]| {
+        let (xx, u) = (x * x, two_h + y);
+        let (i, j) = (1.0 / (h * (two_h - y) + xx), 1.0 / u);
+        let (dx, dy) = ((x * (two_h * y - xx)) * i, (xx * u) * i);
+        let next = y - dy;
+        [x + dx, next, z + (((x + x) - z) * (y + next) + (y + y) * dx) * j]
     }
 }

@@ -9,6 +9,7 @@ pub(crate) fn contenders(start: [f64; 2], eps: f64) -> Vec<Contender> {
         Contender::new("by hand, fewest operations", Role::ByHand, start, fewest_operations(eps)),
         Contender::new("by hand, short chain", Role::ByHand, start, short_chain(eps)),
         Contender::new("by hand, two divisions", Role::ByHand, start, two_divisions(eps)),
+        Contender::new("by hand, over the time step", Role::ByHand, start, over_time_step(eps)),
     ]
 }
 
@@ -44,5 +45,15 @@ pub(crate) fn two_divisions(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
         let n = two_eps * x * ((1.0 - y) - (ex - eps));
         let m = two_eps * y * ((x - 1.0) + (eps - ey));
         [x + n / d, y + m / d]
+    }
+}
+
+/// Numerators and D/(2ε), its coefficients prepared: two multiplications side by side and two sums lead to the division.
+pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
+    let (h, more, less) = (0.5 / eps, 1.0 + eps, 1.0 - eps);
+    let (half_more, half_less, half_eps) = (0.5 * more, 0.5 * less, 0.5 * eps);
+    move |[x, y]| {
+        let d = (h - half_less * x) + (half_more * y - half_eps);
+        [x + x * ((more - y) - eps * x) / d, y + y * ((x - less) - eps * y) / d]
     }
 }

@@ -12,8 +12,8 @@
 pub enum Level {
     /// What the program was compiled for: two `f64` or four `f32` at a time on x86-64, one at a time elsewhere.
     /// The arithmetic, fused or not, is that of [`KahanAt::step`](crate::KahanAt::step), bit for bit, unless that divides more
-    /// than once, as in one or two variables: many trajectories wait for the divider, and share one division among a step's
-    /// components, so that a last digit may differ.
+    /// than once, as in one or two variables, or divides by the time step: many trajectories wait for the divider rather than
+    /// for each other, and take the form with one division and no other, so that a last digit may differ.
     Baseline,
     /// AVX2 with fused multiply-adds: four `f64` or eight `f32` at a time.
     Avx2,

@@ -35,6 +35,8 @@ macro_rules! implement_for_float {
     ($float:ty, $packs:literal, $bits:expr, $from_constant:ident, $stable:ident) => {
         impl Scalar for $float {
             const PACKS: bool = $packs;
+            const HAS_INVERSE_STEPS: bool = true;
+            const CALLS_GENERAL_STEP: bool = true;
 
             #[inline]
             fn constant(c: &Constant) -> Self {
@@ -105,7 +107,7 @@ macro_rules! implement_for_float {
                 self.is_finite()
             }
 
-            #[inline]
+            #[inline(always)]
             fn stable_step<M, const N: usize>(
                 map: &M,
                 _prepared: &M::Prepared,

@@ -98,6 +98,14 @@ pub trait Scalar:
         self - a * b
     }
 
+    /// Whether there is any ε with which a step may be computed from 1/(2ε).
+    #[doc(hidden)]
+    const HAS_INVERSE_STEPS: bool = false;
+
+    /// Whether, where there are both, the step for all other ε is called, so that the one from 1/(2ε) stays small.
+    #[doc(hidden)]
+    const CALLS_GENERAL_STEP: bool = false;
+
     /// Whether a step with this ε may be computed from 1/(2ε); here, no. Floats allow it where ε is so far from zero and from the
     /// ends of their range that no power of it that a step has comes near them.
     #[doc(hidden)]

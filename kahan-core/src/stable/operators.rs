@@ -18,6 +18,8 @@ impl<V: Working, P: Pair<V>> PartialEq for Bounded<V, P> {
 }
 
 impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
+    const HAS_INVERSE_STEPS: bool = V::HAS_INVERSE_STEPS;
+
     /// Integers that the number and a double hold are exact; every other literal is rounded once.
     #[inline(always)]
     fn constant(c: &Constant) -> Self {

@@ -125,7 +125,7 @@ where
 }
 
 /// The step of `f64`.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn stable_double<M, const N: usize>(
     map: &M,
     x: &SVector<f64, N>,
@@ -145,7 +145,7 @@ where
 const MOST_OF_SINGLE: usize = 4;
 
 /// The step of `f32`.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn stable_single<M, const N: usize>(
     map: &M,
     x: &SVector<f32, N>,

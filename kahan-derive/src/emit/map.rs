@@ -55,7 +55,7 @@ fn emit_prepared(context: &Context<'_>, prepare: &TokenStream) -> TokenStream {
 fn emit_stable_step(context: &Context<'_>) -> TokenStream {
     let (scalar, vector) = (&context.scalar, context.vector());
     quote! {
-        #[inline]
+        #[inline(always)]
         fn try_prepared(
             &self,
             __prepared: &Self::Prepared,

@@ -30,6 +30,12 @@ pub(super) struct EmittedStep {
 const STEP: &str = "__Step";
 const GENERAL: &str = "__General";
 
+/// The number of components for which intermediate values are kept from being packed into vectors.
+///
+/// Of three components one is left over from every pair, and the shuffles cost up to an eighth of a step. Two make one vector; for
+/// more, what says it would make steps so large that compilers no longer inline them into loops.
+const ALONE: usize = 3;
+
 /// Emits the step of a plan.
 pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
     let general = plan.general.as_deref().map(|general| Kernel::of(context, general, GENERAL, None));
@@ -121,8 +127,7 @@ impl<'a> Kernel<'a> {
         };
         let symbols = &context.system.field.symbols;
         let inputs = emit_owned_inputs(&kernel, symbols);
-        let Emitted { bindings, results } =
-            emit_kernel(&kernel, symbols, scalar, names, reciprocals.len() > 1);
+        let Emitted { bindings, results } = emit_kernel(&kernel, symbols, scalar, names, n == ALONE);
         let cost = emit_cost(plan);
         // Two reciprocals are one after the other: a component that waits for the first alone closes the cycle.
         let packs = (reciprocals.len() > 1).then(|| {
@@ -130,13 +135,7 @@ impl<'a> Kernel<'a> {
                 const PACKS: __kahan::core::primitive::bool = false;
             )
         });
-        let otherwise = self.is_inverse().then(|| {
-            quote! {
-                if !self.__is_inverse {
-                    return self.__general.quotients(__state);
-                }
-            }
-        });
+        let otherwise = self.is_inverse().then(|| self.emit_otherwise());
         let has_inverse_step = self.is_inverse().then(|| {
             quote!(
                 const HAS_INVERSE_STEP: __kahan::core::primitive::bool = true;
@@ -169,6 +168,31 @@ impl<'a> Kernel<'a> {
                         reciprocals: [#(#reciprocals),*],
                     })
                 }
+            }
+        }
+    }
+
+    /// Expands to the way out of a kernel that is divided by ε: the general step's quotients, and for floats, which call it, its
+    /// increments as quotients of this kernel's kind.
+    fn emit_otherwise(&self) -> TokenStream {
+        let scalar = &self.context.scalar;
+        let increments: Vec<Ident> =
+            (1..=self.plan.reciprocals.len()).map(|i| format_ident!("__increment_{i}")).collect();
+        let reciprocals = self.plan.reciprocals.iter().map(|place| match place {
+            Some(_) => quote!(__kahan::Option::Some(__kahan::integer::<#scalar>(1))),
+            None => quote!(__kahan::Option::None),
+        });
+        quote! {
+            if !#scalar::HAS_INVERSE_STEPS || !(#scalar::CALLS_GENERAL_STEP || self.__is_inverse) {
+                return self.__general.quotients(__state);
+            }
+            if !self.__is_inverse {
+                let __state = __kahan::vector(__kahan::components(__state).clone());
+                let [#(#increments),*] = __kahan::general_increment(&self.__general, __state);
+                return __kahan::Option::Some(__kahan::Quotients {
+                    numerators: [#(#increments),*],
+                    reciprocals: [#(#reciprocals),*],
+                });
             }
         }
     }

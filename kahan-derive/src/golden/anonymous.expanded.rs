@@ -137,8 +137,23 @@ fn scope() {
                     &self,
                     __state: &__kahan::SVector<T, 2>,
                 ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-                    if !self.__is_inverse {
+                    if !T::HAS_INVERSE_STEPS
+                        || !(T::CALLS_GENERAL_STEP || self.__is_inverse)
+                    {
                         return self.__general.quotients(__state);
+                    }
+                    if !self.__is_inverse {
+                        let __state = __kahan::vector(
+                            __kahan::components(__state).clone(),
+                        );
+                        let [__increment_1, __increment_2] = __kahan::general_increment(
+                            &self.__general,
+                            __state,
+                        );
+                        return __kahan::Option::Some(__kahan::Quotients {
+                            numerators: [__increment_1, __increment_2],
+                            reciprocals: [__kahan::Option::None, __kahan::Option::None],
+                        });
                     }
                     let [__s_x, __s_y] = __kahan::components(__state).clone();
                     let __sum_1 = self
@@ -281,7 +296,7 @@ fn scope() {
                 ) -> __kahan::SMatrix<T, 2, 2> {
                     __kahan::jacobian_by_duals(self, __state, &__half_step)
                 }
-                #[inline]
+                #[inline(always)]
                 fn try_prepared(
                     &self,
                     __prepared: &Self::Prepared,

@@ -138,7 +138,7 @@ const _: () = {
         ) -> __kahan::SMatrix<T, 2, 2> {
             __kahan::jacobian_by_duals(self, __state, &__half_step)
         }
-        #[inline]
+        #[inline(always)]
         fn try_prepared(
             &self,
             __prepared: &Self::Prepared,

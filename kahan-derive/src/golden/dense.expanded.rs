@@ -1558,7 +1558,7 @@ const _: () = {
         fn prepare(&self, __half_step: &T) -> Self::Prepared {
             __kahan::Elimination::new(self.clone(), __half_step.clone())
         }
-        #[inline]
+        #[inline(always)]
         fn try_prepared(
             &self,
             __prepared: &Self::Prepared,

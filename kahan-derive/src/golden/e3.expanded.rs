@@ -138,24 +138,42 @@ const _: () = {
             &self,
             __state: &__kahan::SVector<T, 3>,
         ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
-            if !self.__is_inverse {
+            if !T::HAS_INVERSE_STEPS || !(T::CALLS_GENERAL_STEP || self.__is_inverse) {
                 return self.__general.quotients(__state);
             }
+            if !self.__is_inverse {
+                let __state = __kahan::vector(__kahan::components(__state).clone());
+                let [__increment_1, __increment_2, __increment_3] = __kahan::general_increment(
+                    &self.__general,
+                    __state,
+                );
+                return __kahan::Option::Some(__kahan::Quotients {
+                    numerators: [__increment_1, __increment_2, __increment_3],
+                    reciprocals: [
+                        __kahan::Option::Some(__kahan::integer::<T>(1)),
+                        __kahan::Option::Some(__kahan::integer::<T>(1)),
+                        __kahan::Option::Some(__kahan::integer::<T>(1)),
+                    ],
+                });
+            }
             let [__s_x, __s_y, __s_z] = __kahan::components(__state).clone();
-            let __t_x_squared_plus_y_squared = __s_x.clone() * __s_x.clone()
-                + __s_y.clone() * __s_y.clone();
-            let __reciprocal_1 = __kahan::integer::<T>(-1)
+            let __t_x_squared_plus_y_squared = (__s_x.clone() * __s_x.clone()
+                + __s_y.clone() * __s_y.clone())
+                .alone();
+            let __reciprocal_1 = (__kahan::integer::<T>(-1)
                 .quotient(
                     (self.one_over_eps.0.clone() + __s_z.clone())
                         * self.half_over_eps.0.clone()
                         + __t_x_squared_plus_y_squared.clone(),
-                )?;
-            let __sum_1 = __s_z
+                )?)
+                .alone();
+            let __sum_1 = (__s_z
                 .clone()
                 .multiply_add(
                     self.one_over_eps.0.clone(),
                     __t_x_squared_plus_y_squared.clone(),
-                );
+                ))
+                .alone();
             __kahan::Option::Some(__kahan::Quotients {
                 numerators: [
                     __s_x * __sum_1.clone(),
@@ -187,11 +205,11 @@ const _: () = {
             __state: &__kahan::SVector<T, 3>,
         ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
             let [__s_x, __s_y, __s_z] = __kahan::components(__state).clone();
-            let __t_eps_z = self.eps.0.clone() * __s_z.clone();
-            let __t_eps_x = self.eps.0.clone() * __s_x.clone();
-            let __t_eps_y = self.eps.0.clone() * __s_y.clone();
-            let __c_1 = __kahan::integer::<T>(1);
-            let __reciprocal_1 = __kahan::integer::<T>(-2)
+            let __t_eps_z = (self.eps.0.clone() * __s_z.clone()).alone();
+            let __t_eps_x = (self.eps.0.clone() * __s_x.clone()).alone();
+            let __t_eps_y = (self.eps.0.clone() * __s_y.clone()).alone();
+            let __c_1 = (__kahan::integer::<T>(1)).alone();
+            let __reciprocal_1 = (__kahan::integer::<T>(-2)
                 .quotient(
                     (__t_eps_y.clone() + __t_eps_y.clone()) * __t_eps_y.clone()
                         + (self.two_eps.0.clone() * __s_x.clone())
@@ -199,10 +217,11 @@ const _: () = {
                                 __t_eps_x.clone(),
                                 __c_1.clone() + __t_eps_z.clone(),
                             ),
-                )?;
-            let __t_x_eps_x = __s_x * __t_eps_x.clone();
-            let __t_y_eps_y = __s_y * __t_eps_y.clone();
-            let __sum_1 = __t_y_eps_y.clone() + (__s_z + __t_x_eps_x.clone());
+                )?)
+                .alone();
+            let __t_x_eps_x = (__s_x * __t_eps_x.clone()).alone();
+            let __t_y_eps_y = (__s_y * __t_eps_y.clone()).alone();
+            let __sum_1 = (__t_y_eps_y.clone() + (__s_z + __t_x_eps_x.clone())).alone();
             __kahan::Option::Some(__kahan::Quotients {
                 numerators: [
                     __t_eps_x * __sum_1.clone(),
@@ -263,7 +282,7 @@ const _: () = {
         ) -> __kahan::SMatrix<T, 3, 3> {
             __kahan::jacobian_by_duals(self, __state, &__half_step)
         }
-        #[inline]
+        #[inline(always)]
         fn try_prepared(
             &self,
             __prepared: &Self::Prepared,

@@ -39,6 +39,9 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
 }
 
 impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
+    /// A step read at run time can have several reciprocals.
+    const PACKS: bool = false;
+
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let Some(step) = &self.map.code.step else {
             return Elimination::new(self.map.clone(), self.eps.clone()).quotients(x);
