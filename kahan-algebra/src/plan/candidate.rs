@@ -2,12 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use super::cost::DERIVED;
 use super::nesting::Goal;
 use super::writer::Writer;
 use super::{Node, Operation, Plan, PlanBuilder};
-
-/// What a prepared constant that was rounded more than once costs, in operations.
-pub(super) const DERIVED: usize = 3;
 
 /// A finished form: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 pub(super) struct Candidate {

@@ -3,18 +3,17 @@
 
 use crate::field::Field;
 use crate::kahan::{RationalMap, scaled_matrix};
-use crate::poly::{Monomial, Polynomial};
+use crate::poly::Polynomial;
 use crate::rational::Rational;
 
-use super::Node;
 use super::blocks::Blocks;
 use super::candidate::Candidate;
 use super::draft::Signed;
-use super::factors::{Factored, factored};
 use super::minors::{Determinants, determinants};
 use super::nesting::Goal;
 use super::numerators::{Power, Products};
-use super::scaling::{First, Scaling};
+use super::parts::Parts;
+use super::scaling::scalings;
 use super::writer::{Entry, Writer};
 
 /// A draft in which the denominator is written.
@@ -82,43 +81,7 @@ impl WithDenominator {
     }
 }
 
-/// Without parameters there is one way to distribute ε first.
-pub(super) fn scalings(field: &Field) -> Vec<Scaling> {
-    let scaling = |first| Scaling::new(field, first);
-    if field.symbols.parameters.is_empty() {
-        vec![scaling(First::States)]
-    } else {
-        vec![scaling(First::Parameters), scaling(First::States)]
-    }
-}
-
-/// What all forms of one step are made from.
-pub(super) struct Parts<'a> {
-    pub(super) field: &'a Field,
-    pub(super) map: &'a RationalMap,
-    numerators: Vec<Factored>,
-    denominator: Factored,
-}
-
-impl<'a> Parts<'a> {
-    fn of(field: &'a Field, map: &'a RationalMap) -> Self {
-        let reduced = &map.reduced;
-        let all: Vec<&Polynomial> = [&reduced.denominator]
-            .into_iter()
-            .chain(reduced.increments.iter().filter(|increment| !increment.is_zero()))
-            .collect();
-        let mut over_base = factored(&all).into_iter();
-        let zero =
-            || Factored { coefficient: Rational::zero(), monomial: Monomial::one(), factors: Vec::new() };
-        let denominator = over_base.next().unwrap_or_else(zero);
-        let numerators = reduced
-            .increments
-            .iter()
-            .map(|increment| if increment.is_zero() { zero() } else { over_base.next().unwrap_or_else(zero) })
-            .collect();
-        Parts { field, map, numerators, denominator }
-    }
-
+impl Parts<'_> {
     /// The cheapest form of a reduced map.
     fn best(&self) -> Option<Candidate> {
         let starts: Vec<WithDenominator> = scalings(self.field)
@@ -144,11 +107,6 @@ impl<'a> Parts<'a> {
             }
         }
         best
-    }
-
-    /// The numerators that are not zero.
-    fn moving(&self) -> impl Iterator<Item = &Factored> {
-        self.numerators.iter().filter(|numerator| !numerator.coefficient.is_zero())
     }
 
     /// The terms of all numerators' factors.
@@ -230,86 +188,11 @@ impl<'a> Parts<'a> {
         self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative))
     }
 
-    /// All numerators, each times its power of ε, `without` a factor.
-    pub(super) fn written_numerators(
-        &self,
-        writer: &mut Writer,
-        power: impl Fn(&Factored) -> Power,
-        without: Option<&Polynomial>,
-    ) -> Vec<Signed> {
-        let mut products = Products::new();
-        for numerator in &self.numerators {
-            let product = without.map_or_else(|| numerator.clone(), |factor| numerator.without(factor));
-            products.push_with(writer, &product, power(numerator));
-        }
-        products.finish(writer)
-    }
-
-    /// The numerators with their reciprocals, and whether these are carried with the other sign.
-    pub(super) fn with_reciprocals(
-        &self,
-        mut writer: Writer,
-        numerators: &[Signed],
-        reciprocal: impl Fn(&Factored) -> (Node, bool),
-    ) -> Candidate {
-        let (mut nodes, mut reciprocals) = (Vec::new(), Vec::new());
-        for (numerator, product) in numerators.iter().zip(&self.numerators) {
-            let (reciprocal, flips) = reciprocal(product);
-            let is_still = writer.draft.is_zero(*numerator);
-            nodes.push(writer.draft.node(numerator.flipped(flips)));
-            reciprocals.push((!is_still).then_some(reciprocal));
-        }
-        Candidate::new(writer, nodes, reciprocals)
-    }
-
-    /// Where the denominator is a product of two factors of which all components need one and some do not need the other: E1
-    /// and E5. The first is the one that all need.
-    pub(super) fn two_factors(&self) -> Option<(&Polynomial, &Polynomial)> {
-        let [(one, 1), (two, 1)] = &self.denominator.factors[..] else { return None };
-        if !self.denominator.monomial.is_one()
-            || !(&self.denominator.coefficient * &self.denominator.coefficient).is_one()
-        {
-            return None;
-        }
-        let is_needed = |factor: &Polynomial| self.moving().all(|numerator| numerator.exponent(factor) == 0);
-        match (is_needed(one), is_needed(two)) {
-            (true, false) => Some((one, two)),
-            (false, true) => Some((two, one)),
-            _ => None,
-        }
-    }
-
     /// A form with two divisions, for [two factors](Self::two_factors). What closes the cycle of an orbit then waits for a shorter
     /// denominator.
     fn with_two_divisions(&self) -> Option<Candidate> {
         let (needed, other) = self.two_factors()?;
         self.divided_twice([needed, other], other, &Rational::from(2), [Power::Eps, Power::Eps])
-    }
-
-    /// Numerators over one written factor, the short ones, or over both. `other` is the factor that short ones contain; the powers
-    /// are those of short numerators and of long ones, c/d the first reciprocal.
-    pub(super) fn divided_twice(
-        &self,
-        factors: [&Polynomial; 2],
-        other: &Polynomial,
-        c: &Rational,
-        [short, long]: [Power; 2],
-    ) -> Option<Candidate> {
-        let mut writer = Writer::new(scalings(self.field).pop()?);
-        let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, Goal::Early));
-        let reciprocal = writer.reciprocal(c, needed.node);
-        // One after the other: side by side, compilers pack two divisions into a slower one.
-        let both = writer.draft.builder.divide(reciprocal, partner.node);
-        let is_short = |numerator: &Factored| numerator.exponent(other) > 0;
-        let power = |numerator: &Factored| if is_short(numerator) { short } else { long };
-        let numerators = self.written_numerators(&mut writer, power, Some(other));
-        let constant_flips = self.denominator.coefficient.is_negative();
-        // A short quotient divides by one of the written factors, a long one by both, each with the sign it was written with.
-        let candidate = self.with_reciprocals(writer, &numerators, |numerator| {
-            let flips = constant_flips ^ needed.negative;
-            if is_short(numerator) { (reciprocal, flips) } else { (both, flips ^ partner.negative) }
-        });
-        Some(candidate)
     }
 }
 

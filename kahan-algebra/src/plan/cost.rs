@@ -14,6 +14,9 @@ pub(super) const FUSED: u32 = 4;
 /// and a division.
 pub(super) const DIVIDE: u32 = 14;
 
+/// What a prepared constant that was rounded more than once costs, in operations.
+pub(super) const DERIVED: usize = 3;
+
 /// Operations of a plan, and its chain.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {

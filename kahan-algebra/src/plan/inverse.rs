@@ -8,32 +8,20 @@
 //! Such a step has no value at ε = 0 and leaves the range of the scalar earlier, so whoever takes it has another one besides.
 
 use crate::arithmetic::Arithmetic;
-use crate::poly::{Monomial, Polynomial, Variable};
+use crate::poly::{Monomial, Polynomial};
 use crate::rational::Rational;
 
 use super::candidate::Candidate;
-use super::candidates::{Parts, scalings};
 use super::draft::Signed;
 use super::nesting::Goal;
 use super::numerators::Power;
-use super::scaling::{INVERSE_STEP, is_power_of_two};
+use super::parts::Parts;
+use super::scaling::{is_power_of_two, over_eps, scalings};
 use super::writer::Writer;
 use super::{Operation, StepPlan};
 
 /// The most powers of ε that are divided by: more of them leave the range of a scalar too early.
 const MOST_POWERS: u32 = 2;
-
-/// p/εᵏ, a polynomial in the other symbols, ε and h: ε cancels as far as p has it.
-pub(super) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Variable) -> Polynomial {
-    let divided = polynomial.terms().map(|(monomial, coefficient)| {
-        let cancelled = monomial.exponent(epsilon).min(power);
-        let rest = monomial.div(&Monomial::power(epsilon, cancelled)).unwrap_or_else(Monomial::one);
-        // 1/ε is 2h.
-        let scale = Rational::from(1 << (power - cancelled));
-        (rest.mul(&Monomial::power(INVERSE_STEP, power - cancelled)), coefficient * &scale)
-    });
-    Polynomial::from_terms(divided)
-}
 
 impl Parts<'_> {
     /// The forms over ε and over ε², and the one with two divisions, as far as no constant in them is rounded twice.
@@ -128,26 +116,5 @@ impl StepPlan {
     #[must_use]
     pub fn for_any_step(&self) -> &Self {
         self.general.as_deref().filter(|_| self.has_inverse_step()).unwrap_or(self)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy; over ε, what has ε² keeps one.
-    #[test]
-    fn eps_cancels_as_far_as_a_term_has_it() {
-        let [x, y, epsilon] = [0, 1, 2].map(|index| Polynomial::variable(Variable(index)));
-        let h = Polynomial::variable(INVERSE_STEP);
-        let times = |factor: i64, polynomial: &Polynomial| polynomial.scale(&Rational::from(factor));
-        let xy = &x * &y;
-        let d =
-            &(&Polynomial::one() + &times(2, &(&epsilon * &x))) + &times(3, &(&(&epsilon * &epsilon) * &xy));
-        let over_square = &(&times(4, &(&h * &h)) + &times(4, &(&h * &x))) + &times(3, &xy);
-        assert_eq!(over_eps(&d, 2, Variable(2)), over_square);
-        let over_one = &(&times(2, &h) + &times(2, &x)) + &times(3, &(&epsilon * &xy));
-        assert_eq!(over_eps(&d, 1, Variable(2)), over_one);
-        assert_eq!(over_eps(&d, 0, Variable(2)), d);
     }
 }

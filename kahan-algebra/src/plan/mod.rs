@@ -17,6 +17,7 @@ mod inverse;
 mod minors;
 mod nesting;
 mod numerators;
+mod parts;
 mod reciprocals;
 mod recurrence;
 mod scaling;

@@ -10,8 +10,7 @@ use std::rc::Rc;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 
-use super::candidate::DERIVED;
-use super::cost::{ADD, MULTIPLY};
+use super::cost::{ADD, DERIVED, MULTIPLY};
 use super::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
 /// The most terms for which all forms are compared; longer polynomials are nested by their most frequent variable.

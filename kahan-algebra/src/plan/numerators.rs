@@ -6,8 +6,8 @@ use crate::rational::Rational;
 use super::Node;
 use super::draft::Signed;
 use super::factors::Factored;
-use super::inverse::over_eps;
 use super::nesting::Goal;
+use super::scaling::over_eps;
 use super::writer::Writer;
 
 /// What each numerator n is multiplied by.

@@ -157,3 +157,46 @@ pub(super) fn is_power_of_two(coefficient: &Rational) -> bool {
         .as_small_ratio()
         .is_some_and(|(p, q)| p.unsigned_abs().is_power_of_two() && q.unsigned_abs().is_power_of_two())
 }
+
+/// The ways to distribute ε first; without parameters there is one.
+pub(super) fn scalings(field: &Field) -> Vec<Scaling> {
+    let scaling = |first| Scaling::new(field, first);
+    if field.symbols.parameters.is_empty() {
+        vec![scaling(First::States)]
+    } else {
+        vec![scaling(First::Parameters), scaling(First::States)]
+    }
+}
+
+/// p/εᵏ, a polynomial in the other symbols, ε and h: ε cancels as far as p has it.
+pub(super) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Variable) -> Polynomial {
+    let divided = polynomial.terms().map(|(monomial, coefficient)| {
+        let cancelled = monomial.exponent(epsilon).min(power);
+        let rest = monomial.div(&Monomial::power(epsilon, cancelled)).unwrap_or_else(Monomial::one);
+        // 1/ε is 2h.
+        let scale = Rational::from(1 << (power - cancelled));
+        (rest.mul(&Monomial::power(INVERSE_STEP, power - cancelled)), coefficient * &scale)
+    });
+    Polynomial::from_terms(divided)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy; over ε, what has ε² keeps one.
+    #[test]
+    fn eps_cancels_as_far_as_a_term_has_it() {
+        let [x, y, epsilon] = [0, 1, 2].map(|index| Polynomial::variable(Variable(index)));
+        let h = Polynomial::variable(INVERSE_STEP);
+        let times = |factor: i64, polynomial: &Polynomial| polynomial.scale(&Rational::from(factor));
+        let xy = &x * &y;
+        let d =
+            &(&Polynomial::one() + &times(2, &(&epsilon * &x))) + &times(3, &(&(&epsilon * &epsilon) * &xy));
+        let over_square = &(&times(4, &(&h * &h)) + &times(4, &(&h * &x))) + &times(3, &xy);
+        assert_eq!(over_eps(&d, 2, Variable(2)), over_square);
+        let over_one = &(&times(2, &h) + &times(2, &x)) + &times(3, &(&epsilon * &xy));
+        assert_eq!(over_eps(&d, 1, Variable(2)), over_one);
+        assert_eq!(over_eps(&d, 0, Variable(2)), d);
+    }
+}
