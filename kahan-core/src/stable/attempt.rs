@@ -45,8 +45,8 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         let [next] = values.finished(&vector(from_fn(|i| x[i].value())), finish).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment that is a quotient itself is a product with 1.
-        // Not by `map`: its closure would be too large for compilers to inline.
+        // An increment that is a quotient itself is a product with 1. Not by `map`: its closure would be too large for compilers to
+        // inline.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {
