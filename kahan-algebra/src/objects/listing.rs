@@ -7,7 +7,7 @@ use super::names::{constant_names, kernel_names};
 
 /// A step's plan in lines `name = left + right`; a line with a product and a sum is one multiply-add.
 ///
-/// ε stands as `eps`, half the time step; ±2 by a denominator of the map is called `reciprocal_1`, ….
+/// ε stands as `eps`, half the time step; a power of two by a denominator of the map is called `reciprocal_1`, ….
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepListing {
     /// What ε and the parameters fix, computed once; a name alone is kept as it is.

@@ -4,7 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::plan::{Node, Operation, Plan, descriptions, is_over_eps, kind};
+use crate::plan::{Node, Operation, Plan, descriptions, kind};
 use crate::symbols::Symbols;
 
 /// A name for each step of a plan of prepared constants; literals are their values.
@@ -47,9 +47,7 @@ fn names(
                 format!("(-{})", names[a.0])
             }
             _ => {
-                let text = description
-                    .filter(|text| !matches!(operation, Operation::Divide(..)) || is_over_eps(text))
-                    .filter(|text| taken.insert(text.clone()));
+                let text = description.filter(|text| taken.insert(text.clone()));
                 text.unwrap_or_else(|| {
                     let is_result = prepares && plan.outputs.contains(&Node(index));
                     let what = if is_result { "constant" } else { kind(plan, Node(index)) };

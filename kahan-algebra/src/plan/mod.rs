@@ -31,7 +31,7 @@ mod writer;
 pub use builder::PlanBuilder;
 pub use cost::Cost;
 pub use step::StepPlan;
-pub use words::{descriptions, is_over_eps, kind};
+pub use words::{descriptions, kind};
 
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Polynomial, Variable};

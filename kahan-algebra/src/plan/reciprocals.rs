@@ -1,4 +1,4 @@
-//! The sign of each reciprocal: 2/d or −2/d.
+//! The sign of each reciprocal: c/d or −c/d.
 //!
 //! In: the kernel of a step. Out: the same, a reciprocal carried with the other sign where more of its numerators are negated
 //! than are not. Rounding is symmetric, so no bit of x̃ changes; floats fold a negation into the last subtraction, but a step over
@@ -61,7 +61,7 @@ impl Plan {
     }
 }
 
-/// The division of a literal that a reciprocal 2/d/d′ begins with.
+/// The division of a literal that a reciprocal c/d/d′ begins with.
 fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
     if dividend_of(kernel, reciprocal).is_some() {
         return Some(reciprocal);

@@ -16,7 +16,8 @@ pub struct StepPlan {
     /// From ε and the parameters to the prepared constants, in order. It has no states.
     pub constants: Plan,
     /// From the states and the prepared constants ([`Operation::Prepared`](super::Operation::Prepared)) to the numerators,
-    /// one a component, followed by the reciprocals, each a quotient ±2/d, or ±2/d/d′.
+    /// one a component, followed by the reciprocals, each a quotient ±c/d, or ±c/d/d′, c being a
+    /// power of two.
     pub kernel: Plan,
     /// For each component the index of its reciprocal among the kernel's reciprocals; `None` where there is no division.
     pub reciprocals: Vec<Option<usize>>,

@@ -24,8 +24,8 @@ struct Description {
     kind: Kind,
 }
 
-/// What each step of a plan computes, in words that make a name; `None` where that would be long. `prepared` are the names
-/// of the prepared constants.
+/// What each step of a plan computes, in words that make a name; `None` where that would be long, and for every quotient but that
+/// of a constant by ε. `prepared` are the names of the prepared constants.
 #[must_use]
 pub fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
@@ -33,13 +33,13 @@ pub fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<
         let description = describe(operation, symbols, prepared, |node: Node| known[node.0].as_ref());
         known.push(description.filter(|description| description.text.len() <= LONGEST));
     }
-    known.into_iter().map(|description| Some(description?.text)).collect()
-}
-
-/// Whether a description is that of a constant over ε: the one quotient that is called by what it is.
-#[must_use]
-pub fn is_over_eps(description: &str) -> bool {
-    description.ends_with("_over_eps")
+    let eps = Operation::Input(symbols.epsilon());
+    let has_name = |operation: &Operation| match *operation {
+        Operation::Divide(_, divisor) => plan.operations[divisor.0] == eps,
+        _ => true,
+    };
+    let named = plan.operations.iter().zip(known);
+    named.map(|(operation, known)| Some(known.filter(|_| has_name(operation))?.text)).collect()
 }
 
 /// What kind of step this is, for those whose description would be long: a number makes it a name.

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use kahan_algebra::plan::{Node, Operation, Plan, descriptions, is_over_eps, kind};
+use kahan_algebra::plan::{Node, Operation, Plan, descriptions, kind};
 use kahan_algebra::symbols::Symbols;
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
@@ -35,7 +35,6 @@ impl Names {
             _ => "t",
         };
         let described = match operation {
-            Operation::Divide(..) => self.descriptions[node.0].clone().filter(|text| is_over_eps(text)),
             Operation::Constant(value) => value.as_small_ratio().map(|(numerator, denominator)| {
                 if denominator == 1 { numerator.to_string() } else { format!("{numerator}_{denominator}") }
             }),
