@@ -41,6 +41,8 @@ mod epsilon;
 mod error;
 mod error_estimate;
 mod field;
+#[cfg(feature = "std")]
+mod flow;
 mod kahan_macro;
 mod lift;
 mod linear;
@@ -73,6 +75,8 @@ pub use epsilon::nearest_short_eps;
 pub use error::SingularStep;
 pub use error_estimate::{ErrorEstimates, Estimated};
 pub use field::QuadraticField;
+#[cfg(feature = "std")]
+pub use flow::{Flow, FlowScalar, NoFlow};
 pub use lift::Lift;
 pub use map::{KahanMap, eps_from_dt};
 pub use named::{Integrals, Named};

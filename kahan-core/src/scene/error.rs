@@ -18,18 +18,16 @@ pub enum NoSetting {
         /// Its index.
         index: usize,
     },
-    /// No order's orbits agree with each other to the horizon, however fine: the solution leaves the finite range, or is chaotic for
-    /// longer than `f64` can follow it.
+    /// The solution leaves the finite range before the horizon, or is so sensitive that not even in 32 digits two methods agree on
+    /// it.
     Lost {
-        /// The time until which the best of them agreed to a tenth of the trajectory's size.
+        /// The time at which it leaves, or until which an orbit came near to it, to a tenth of the trajectory's size.
         time: f64,
     },
-    /// The horizon is too long to be run in pilot orbits, and the errors grow too fast to be continued.
-    Unpredictable {
-        /// The time that the pilots covered.
+    /// The horizon takes more than the 10⁶ steps that a choice may cost to be looked at as a whole.
+    TooLong {
+        /// How far it was followed.
         time: f64,
-        /// The power of time with which the errors grew at its end.
-        power: f64,
     },
     /// No setting is as accurate as that.
     OutOfReach {
@@ -52,10 +50,10 @@ impl fmt::Display for NoSetting {
                 "the trajectory cannot be followed beyond the time {time:.3}: there it leaves the finite range, or its errors \
                  grow as large as itself; ask for a shorter horizon"
             ),
-            Self::Unpredictable { time, power } => write!(
+            Self::TooLong { time } => write!(
                 f,
-                "errors grow like t^{power:.1} by the time {time:.3}, too fast to say what they are at the horizon; ask for a \
-                 shorter one"
+                "a choice looks at the whole horizon, in 10^6 steps at most, and these came to the time {time:.3}; ask for a shorter \
+                 horizon, or try a setting of your own (`Scene::setting`)"
             ),
             Self::OutOfReach { best } => {
                 write!(

@@ -6,12 +6,16 @@
 
 use nalgebra::SVector;
 
+use crate::flow::{norm, slope};
 use crate::{Composition, Lift};
 
-use super::candidates::{MOST_STEPS, SAFETY, kinds};
-use super::gap::norm;
-use super::pilot::rate;
+use super::setting::{Kind, Mode};
 use super::{NoSetting, Precision, Scene, Setting};
+
+/// Roundings are taken times this: a random walk's end is within a factor of 2 of what is typical 19 times in 20.
+const SAFETY: f64 = 2.0;
+/// The most steps: as many as `f64` counts.
+const MOST_STEPS: f64 = 9e15;
 
 /// The most steps of a pilot orbit.
 const PILOT: f64 = 4096.0;
@@ -34,11 +38,11 @@ where
         (0..HALVINGS).map(|k| first * f64::from(k).exp2()).find(|steps| is_borne(scene, map, x0, *steps));
     let Some(coarsest) = coarsest else { return Err(NoSetting::Lost { time: 0.0 }) };
     let (mut best, mut least_error): (Option<Setting>, f64) = (None, f64::INFINITY);
-    for (precision, compensated) in kinds() {
+    for mode in Mode::ALL {
+        let kind @ Kind { precision, compensated, .. } = mode.kind(Composition::KAHAN);
         for k in 0..HALVINGS {
             let steps = coarsest * f64::from(k).exp2();
-            let composition = Composition::KAHAN;
-            let mut setting = Setting::over(map, scene, precision, composition, compensated, steps);
+            let mut setting = Setting::over(map, scene, kind, steps);
             let (eps, steps) = (setting.eps, setting.steps as f64);
             if !(eps > 0.0 && steps < MOST_STEPS) {
                 break;
@@ -76,4 +80,15 @@ where
 /// The largest coordinate of so many points.
 fn size<const N: usize>(orbit: impl Iterator<Item = SVector<f64, N>>) -> f64 {
     orbit.fold(0.0, |size, x| norm(&x).max(size))
+}
+
+/// How fast the motion turns at a point: the larger of ‖f′‖∞ and ‖f‖∞/‖x‖∞.
+fn rate<M, const N: usize>(map: &M, x: &SVector<f64, N>) -> f64
+where
+    M: Lift<f64, N>,
+{
+    let slope = slope(map, x);
+    let (speed, size) = (norm(&map.field(x)), norm(x));
+    let rate = if size > 0.0 { slope.max(speed / size) } else { slope };
+    if rate.is_finite() { rate } else { 0.0 }
 }

@@ -1,26 +1,25 @@
 //! The stepper for a scene: which numbers, which order, compensated or not, and which ε.
 //!
 //! In: a map, a first point, a time to be simulated, what the orbit is for and how accurate it must be. Out: the [`Setting`]
-//! that serves at the least modelled cost. Nothing is timed, so the answer is the same on every machine of one kind, and every time:
-//! short pilot orbits give the law of each order's error ([`pilot`]) and the roundings of each kind of number ([`rounding`]),
-//! and the plan's own count of operations the price ([`price`]). The command `kahan trade` measures instead.
-//! Deliberately absent: bounds. Everything here is an estimate with a stated safety factor.
+//! that serves at the least modelled cost. Nothing is timed, so the answer is the same on every machine of one kind, and every
+//! time: a trajectory is compared with the flow itself ([`trajectory`]), setting by setting ([`search`]), and the plan's own count
+//! of operations gives the price ([`price`]). The command `kahan trade` measures that, too.
+//! Deliberately absent: extrapolation. What is chosen has been run, over the whole horizon.
 
-mod candidates;
 mod error;
-mod gap;
 mod integrals;
-mod pilot;
 mod price;
-mod rounding;
 mod run;
+mod search;
 mod setting;
+mod trajectory;
 
 use nalgebra::SVector;
 
 use crate::{Composition, Lift};
 
 pub use error::NoSetting;
+use setting::Kind;
 pub use setting::{Precision, Setting};
 
 /// What an orbit is for.
@@ -100,30 +99,21 @@ impl Scene {
         self
     }
 
-    /// The cheapest setting, by the model of cost, that is expected to meet the tolerance with a factor 4 to spare on the
-    /// discretisation and 2 on the roundings. Of several at one cost it is the most accurate, and so never one in `f32`, which a
-    /// single orbit waits for as long as for `f64`: its gain is in memory and in the lanes of an [`Ensemble`](crate::Ensemble).
+    /// The cheapest setting, by the model of cost, that meets the tolerance. It is never one in `f32`, which a single orbit waits for
+    /// as long as for `f64`: its gain is in memory and in the lanes of an [`Ensemble`](crate::Ensemble).
     ///
     /// # How
-    /// For [`Need::Trajectory`], each of the orders 2, 4, 6, 8 runs orbits in `f64` with twice, four times, … as many steps, until
-    /// the difference of two (Richardson) falls with the order, twice running; from there on the law error ∝ εᵖ is trusted. One more set of
-    /// pilots, of few steps, tells what the roundings of each kind of number grow to, against the same orbit in
-    /// [`Dd`](crate::Dd); further steps add to them like a random walk. A horizon of more than some 40 turns of the motion is not run to
-    /// its end: the errors of its beginning are continued by a power of time.
-    /// Where roundings would take a quarter of the tolerance, those of the very choice are measured against `Dd` and it is made again. Near
-    /// the roundings of `f64` (some dozens of u) the answer may still be `Dd` where compensated `f64` would have done at a tenth of its cost.
+    /// For [`Need::Trajectory`] the [`Flow`](crate::Flow) itself is computed over the whole horizon, and settings are run and compared with it
+    /// at every one of their steps: the one that is chosen was seen to err by at most 0.85 of the tolerance, roundings among it. An orbit
+    /// in [`Dd`](crate::Dd) that came to within a tenth of the tolerance vouches for the flow. All of this is deterministic, so the choice run again
+    /// from the same point errs by the same. What is known of it ends with the horizon, and with the point.
     ///
     /// For [`Need::Integrals`], ε‖f′‖∞ is at most 1 at the start, and less if the beginning of the orbit then is not as large as it
     /// should be; the roundings of n steps are taken to be those of a random walk.
     ///
-    /// # How good
-    /// Of 7047 scenes of ten fields, at seeded points and nine tolerances from 1e-2 to 1e-14, two missed their tolerance (2e-14, by at most
-    /// 14 %). Timed beside every other setting on ten fields at six tolerances from 1e-2 to 1e-14, the choice took
-    /// 1.3 times the time of the cheapest one in the median, 2.6 times at worst.
-    ///
     /// # Cost
-    /// At most some 10⁶ steps of the map in all, most often some 10⁴ (under a millisecond), however long the horizon is; where roundings
-    /// decide, some 10⁵ of them in `Dd`. It pays where a setting is run for long or used for many orbits.
+    /// As much as 10⁶ steps of the map at most, most often some 10⁴; a part of them in `Dd`, whose steps take ten times as long. It
+    /// pays where a setting is run for long or used for many orbits.
     ///
     /// # Errors
     /// [`NoSetting`]: numbers that make no sense, a trajectory that cannot be followed to the horizon, a tolerance that no setting
@@ -134,7 +124,7 @@ impl Scene {
     {
         self.check(x0)?;
         match self.need {
-            Need::Trajectory => candidates::choose(self, map, x0),
+            Need::Trajectory => trajectory::choose(self, map, x0),
             Need::Integrals => integrals::choose(self, map, x0),
         }
     }
@@ -160,7 +150,7 @@ impl Scene {
             "the horizon must be a finite number above 0"
         );
         assert!(steps > 0, "an orbit over a horizon has at least one step");
-        Setting::over(map, self, precision, composition, compensated, steps as f64)
+        Setting::over(map, self, Kind { precision, composition, compensated }, steps as f64)
     }
 
     fn check<const N: usize>(&self, x0: &SVector<f64, N>) -> Result<(), NoSetting> {

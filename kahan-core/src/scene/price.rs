@@ -4,9 +4,10 @@
 //! and the Euler top on x86-64 (the tiers of `BENCHMARKS.md`); they decide between kinds of numbers, whereas between orders and ε
 //! the count of stages does.
 
-use crate::{Composition, StepCost};
+use crate::StepCost;
 
 use super::Precision;
+use super::setting::Kind;
 
 /// An orbit in `f32` waits as long for its operations as one in `f64`.
 const SINGLE: f64 = 1.0;
@@ -22,20 +23,15 @@ const DOUBLE_DOUBLE: f64 = 6.0;
 const DOUBLE_DOUBLE: f64 = 10.0;
 
 /// The cycles of one step.
-pub(super) fn of_step(
-    stage: StepCost,
-    precision: Precision,
-    composition: Composition,
-    compensated: bool,
-) -> f64 {
-    let numbers = match precision {
+pub(super) fn of_step(stage: StepCost, kind: Kind) -> f64 {
+    let numbers = match kind.precision {
         Precision::Single => SINGLE,
         Precision::SingleThroughDouble => SINGLE_THROUGH_DOUBLE,
         Precision::Double => 1.0,
         Precision::DoubleDouble => DOUBLE_DOUBLE,
     };
-    let accumulation = if compensated { COMPENSATED } else { 1.0 };
-    composition.stages() as f64 * cycles(stage) * numbers * accumulation
+    let accumulation = if kind.compensated { COMPENSATED } else { 1.0 };
+    kind.composition.stages() as f64 * cycles(stage) * numbers * accumulation
 }
 
 /// The longer of what a step waits for and what it has to do, at two operations a cycle and four cycles a division.

@@ -2,44 +2,48 @@
 
 use nalgebra::SVector;
 
+use crate::__private::components;
+use crate::linear::vector;
 use crate::{Composition, Dd, FloatScalar, KahanMap, Lift, ThroughF64};
 
 use super::{Precision, Setting};
 
-/// What to do with an orbit of whatever type, whose points `round` turns back into `f64`.
+/// What to do with an orbit of whatever type, whose points `widen` holds without a rounding.
 trait Task<const N: usize> {
     type Output;
 
-    fn run<X>(self, orbit: impl Iterator<Item = X>, round: impl Fn(X) -> SVector<f64, N>) -> Self::Output;
+    fn run<X>(self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output;
 }
 
 /// The point after so many steps.
 struct Last(usize);
 
-/// Every point up to so many steps.
-struct Each<F>(u64, F);
+/// Every point up to so many steps, until a visitor has seen enough.
+struct While<F>(u64, F);
 
 impl<const N: usize> Task<N> for Last {
     type Output = Option<SVector<f64, N>>;
 
-    fn run<X>(
-        self,
-        mut orbit: impl Iterator<Item = X>,
-        round: impl Fn(X) -> SVector<f64, N>,
-    ) -> Self::Output {
+    fn run<X>(self, mut orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) -> Self::Output {
         // Not through `Iterator::map`, which would ask for every point.
-        orbit.nth(self.0).map(round)
+        orbit.nth(self.0).map(|x| rounded(&widen(x)))
     }
 }
 
-impl<F: FnMut(u64, &SVector<f64, N>), const N: usize> Task<N> for Each<F> {
+impl<F: FnMut(u64, &[Dd; N]) -> bool, const N: usize> Task<N> for While<F> {
     type Output = ();
 
-    fn run<X>(mut self, orbit: impl Iterator<Item = X>, round: impl Fn(X) -> SVector<f64, N>) {
+    fn run<X>(mut self, orbit: impl Iterator<Item = X>, widen: impl Fn(X) -> [Dd; N]) {
         for (step, x) in (0..=self.0).zip(orbit) {
-            self.1(step, &round(x));
+            if !self.1(step, &widen(x)) {
+                break;
+            }
         }
     }
+}
+
+fn rounded<const N: usize>(x: &[Dd; N]) -> SVector<f64, N> {
+    vector(x.map(f64::from))
 }
 
 impl Setting {
@@ -68,11 +72,26 @@ impl Setting {
         &self,
         map: &M,
         x0: SVector<f64, N>,
-        visit: impl FnMut(u64, &SVector<f64, N>),
+        mut visit: impl FnMut(u64, &SVector<f64, N>),
     ) where
         M: Lift<f64, N>,
     {
-        self.with_orbit(map, x0, Each(self.steps, visit));
+        self.follow(map, x0, |step, x| {
+            visit(step, &rounded(x));
+            true
+        });
+    }
+
+    /// The same with all digits, as long as `go_on` says so.
+    pub(super) fn follow<M, const N: usize>(
+        &self,
+        map: &M,
+        x0: SVector<f64, N>,
+        go_on: impl FnMut(u64, &[Dd; N]) -> bool,
+    ) where
+        M: Lift<f64, N>,
+    {
+        self.with_orbit(map, x0, While(self.steps, go_on));
     }
 
     fn with_orbit<M, K, const N: usize>(&self, map: &M, x0: SVector<f64, N>, task: K) -> K::Output
@@ -84,16 +103,16 @@ impl Setting {
         match self.precision {
             Precision::Single => {
                 let map = map.lift::<f32>(|parameter| single(*parameter));
-                self.with_mode(&map, x0.map(single), single(self.eps), f64::from, task)
+                self.with_mode(&map, x0.map(single), single(self.eps), Dd::from, task)
             }
             Precision::SingleThroughDouble => {
                 let map = ThroughF64(map.lift::<f32>(|parameter| single(*parameter)));
-                self.with_mode(&map, x0.map(single), single(self.eps), f64::from, task)
+                self.with_mode(&map, x0.map(single), single(self.eps), Dd::from, task)
             }
-            Precision::Double => self.with_mode(map, x0, self.eps, |x| x, task),
+            Precision::Double => self.with_mode(map, x0, self.eps, Dd::from, task),
             Precision::DoubleDouble => {
                 let map = map.lift::<Dd>(|parameter| Dd::from(*parameter));
-                self.with_mode(&map, x0.map(Dd::from), Dd::from(self.eps), f64::from, task)
+                self.with_mode(&map, x0.map(Dd::from), Dd::from(self.eps), |x| x, task)
             }
         }
     }
@@ -103,7 +122,7 @@ impl Setting {
         map: &M,
         x0: SVector<T, N>,
         eps: T,
-        round: impl Fn(T) -> f64,
+        widen: impl Fn(T) -> Dd,
         task: K,
     ) -> K::Output
     where
@@ -112,12 +131,12 @@ impl Setting {
         K: Task<N>,
     {
         let orbit = map.orbit(x0, eps);
-        let round = |x: SVector<T, N>| x.map(&round);
+        let widen = |x: SVector<T, N>| components(&x).map(&widen);
         match (self.composition == Composition::KAHAN, self.compensated) {
-            (true, false) => task.run(orbit, round),
-            (true, true) => task.run(orbit.compensated(), round),
-            (false, false) => task.run(orbit.composed(self.composition), round),
-            (false, true) => task.run(orbit.composed(self.composition).compensated(), round),
+            (true, false) => task.run(orbit, widen),
+            (true, true) => task.run(orbit.compensated(), widen),
+            (false, false) => task.run(orbit.composed(self.composition), widen),
+            (false, true) => task.run(orbit.composed(self.composition).compensated(), widen),
         }
     }
 }

@@ -46,6 +46,40 @@ impl Precision {
     }
 }
 
+/// Numbers, and whether the state carries its rounding error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Mode {
+    pub(super) precision: Precision,
+    pub(super) compensated: bool,
+}
+
+impl Mode {
+    const fn new(precision: Precision, compensated: bool) -> Self {
+        Self { precision, compensated }
+    }
+
+    /// What a single orbit may be chosen to run in, the cheapest first. Not `f32`, for which it waits as long as for `f64`; and
+    /// compensation makes no sense where no rounding is ever seen.
+    pub(super) const ALL: [Self; 3] =
+        [Self::new(Precision::Double, false), Self::new(Precision::Double, true), Self::WIDE];
+
+    /// `Dd`, whose roundings are never seen.
+    pub(super) const WIDE: Self = Self::new(Precision::DoubleDouble, false);
+
+    /// This mode of a composition.
+    pub(super) const fn kind(self, composition: Composition) -> Kind {
+        Kind { precision: self.precision, composition, compensated: self.compensated }
+    }
+}
+
+/// A way to step, at any ε.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Kind {
+    pub(super) precision: Precision,
+    pub(super) composition: Composition,
+    pub(super) compensated: bool,
+}
+
 /// The cheapest way to step an orbit that serves a [`Scene`](crate::Scene); made by [`Scene::choose`](crate::Scene::choose).
 ///
 /// It is printed as a line of Rust, with `map` for the map and `x` for the first point, both of its precision.
@@ -63,21 +97,15 @@ pub struct Setting {
 
 impl Setting {
     /// About so many steps over a scene's horizon, priced; nothing is known of its error.
-    pub(super) fn over<M, const N: usize>(
-        _map: &M,
-        scene: &Scene,
-        precision: Precision,
-        composition: Composition,
-        compensated: bool,
-        steps: f64,
-    ) -> Self
+    pub(super) fn over<M, const N: usize>(_map: &M, scene: &Scene, kind: Kind, steps: f64) -> Self
     where
         M: Lift<f64, N>,
     {
+        let Kind { precision, composition, compensated } = kind;
         let eps = precision.eps_near(0.5 * scene.horizon / steps, scene.need);
         let steps = (0.5 * scene.horizon / eps).round().max(1.0);
         let stage = <M::Prepared as PreparedStep<f64, N>>::COST;
-        let cost = steps * price::of_step(stage, precision, composition, compensated);
+        let cost = steps * price::of_step(stage, kind);
         Self { precision, composition, compensated, eps, steps: steps as u64, error: f64::INFINITY, cost }
     }
 

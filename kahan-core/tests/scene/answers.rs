@@ -70,13 +70,13 @@ fn what_makes_no_sense_is_refused() {
 
 #[test]
 fn a_tolerance_below_the_roundings_of_every_scalar_is_out_of_reach() {
-    let scene = |tolerance| Scene::trajectory(10.0, tolerance);
+    let scene = |tolerance| Scene::trajectory(0.5, tolerance);
     let Err(NoSetting::OutOfReach { best }) = scene(1e-33).choose(&E6, &START.into()) else {
         panic!("u of Dd is 5e-32");
     };
     assert!(best > 1e-31 && best < 1e-27, "{best:e}");
     assert!(scene(best).choose(&E6, &START.into()).is_ok());
-    assert!(scene(0.4 * best).choose(&E6, &START.into()).is_err());
+    assert!(scene(1e-3 * best).choose(&E6, &START.into()).is_err());
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn a_solution_that_ends_before_the_horizon_is_lost_there() {
         let Err(NoSetting::Lost { time }) = choose(horizon) else {
             panic!("1/(1 - t) has no value at t = 1")
         };
-        assert!((0.9..=1.0).contains(&time), "{time}");
+        assert!((time - 1.0).abs() < 1e-6, "{time}");
     }
 }
 
@@ -96,7 +96,7 @@ fn a_solution_that_ends_before_the_horizon_is_lost_there() {
 fn chaos_for_longer_than_f64_can_follow_is_refused() {
     // Errors grow like exp(0.9 t): by exp(90) over this horizon.
     let long = Scene::trajectory(100.0, 1e-6).choose(&Lorenz, &vector![1.0, 1.0, 20.0]);
-    assert!(matches!(long, Err(NoSetting::Lost { .. } | NoSetting::Unpredictable { .. })), "{long:?}");
+    assert!(matches!(long, Err(NoSetting::Lost { .. } | NoSetting::TooLong { .. })), "{long:?}");
 }
 
 #[test]
