@@ -3,10 +3,10 @@
 //! In: the path of the series. Out: the largest difference from the closed solution, or from Kahan's map composed to order 8.
 
 use kahan_core::nalgebra::SVector;
-use kahan_core::{Composition, Dd, KahanMap};
+use kahan_core::{Composition, Dd, Flow, KahanMap};
 
 use super::closed::Solution;
-use super::path::{Limits, Path};
+use super::path::Limits;
 use super::refusal::NoReference;
 
 /// The most steps of the composition, 17 stages each.
@@ -41,8 +41,8 @@ pub enum Method {
 
 impl Certificate {
     /// The differences from a closed solution.
-    pub(super) fn by_solution(path: &Path, solution: &Solution, allowed: f64) -> Self {
-        let times = (1..=CLOSED_SAMPLES).map(|k| path.end * f64::from(k) / f64::from(CLOSED_SAMPLES));
+    pub(super) fn by_solution(path: &Flow<Dd>, solution: &Solution, allowed: f64) -> Self {
+        let times = (1..=CLOSED_SAMPLES).map(|k| path.end() * f64::from(k) / f64::from(CLOSED_SAMPLES));
         let mut comparison = Comparison::new(allowed);
         for t in times {
             comparison.add(t, path.distance(Dd::from(t), &solution(Dd::from(t))));
@@ -52,7 +52,7 @@ impl Certificate {
 
     /// The differences from the composition: more and more steps, until the two are as near as was asked for, or come no nearer.
     pub(super) fn by_composition<M, const N: usize>(
-        path: &Path,
+        path: &Flow<Dd>,
         map: &M,
         start: SVector<Dd, N>,
         allowed: f64,
@@ -61,11 +61,11 @@ impl Certificate {
     where
         M: KahanMap<Dd, N>,
     {
-        let mut steps = ((2.0 * path.end * path.slope).ceil() as u64).clamp(16, MOST_STEPS);
+        let mut steps = ((2.0 * path.end() * path.slope()).ceil() as u64).clamp(16, MOST_STEPS);
         let mut before = f64::INFINITY;
         loop {
             let Some(comparison) = Comparison::with_steps(path, map, start, steps, allowed, limits) else {
-                return Err(NoReference::NoTime { reached: path.end });
+                return Err(NoReference::NoTime { reached: path.end() });
             };
             let difference = comparison.difference;
             // Order 8 gains a factor of 256 with each doubling; without a gain it is roundings that differ.
@@ -106,7 +106,7 @@ impl Comparison {
 
     /// `None` where the time is over first.
     fn with_steps<M, const N: usize>(
-        path: &Path,
+        path: &Flow<Dd>,
         map: &M,
         start: SVector<Dd, N>,
         steps: u64,
@@ -116,7 +116,7 @@ impl Comparison {
     where
         M: KahanMap<Dd, N>,
     {
-        let dt = Dd::from(path.end) / Dd::from(steps as f64);
+        let dt = Dd::from(path.end()) / Dd::from(steps as f64);
         let stride = steps.div_ceil(SAMPLES) as usize;
         let mut orbit = map.orbit(start, dt * Dd::from(0.5)).composed(Composition::KAHAN_LI_8);
         orbit.next();

@@ -8,18 +8,16 @@
 
 mod certificate;
 mod closed;
-mod dense;
 mod path;
 mod refusal;
-mod taylor;
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, KahanMap, Scalar};
+use kahan_core::{Dd, Flow, KahanMap, Scalar};
 
 use crate::interpreted::constant;
 
-use path::Path;
+use path::path;
 
 pub use certificate::{Certificate, Method};
 pub use path::Limits;
@@ -28,7 +26,7 @@ pub use refusal::NoReference;
 /// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Self::end).
 #[derive(Clone, Debug)]
 pub struct Reference {
-    path: Path,
+    flow: Flow<Dd>,
     certificate: Certificate,
 }
 
@@ -81,14 +79,14 @@ impl Reference {
         M: KahanMap<Dd, N>,
     {
         let start = SVector::from_fn(|i, _| Dd::constant(&constant(&asked.start[i].clone().into())));
-        let path = Path::of(map, start, asked.end, limits)?;
+        let flow = path(map, start, asked.end, limits)?;
         let certificate = match closed::closed_solution(asked.command, asked.parameters, asked.start) {
-            Some(solution) => Certificate::by_solution(&path, &solution, asked.allowed),
-            None => Certificate::by_composition(&path, map, start, asked.allowed, limits)?,
+            Some(solution) => Certificate::by_solution(&flow, &solution, asked.allowed),
+            None => Certificate::by_composition(&flow, map, start, asked.allowed, limits)?,
         };
         let Certificate { difference, agreed_until: until, .. } = certificate;
         if difference <= asked.allowed {
-            Ok(Reference { path, certificate })
+            Ok(Reference { flow, certificate })
         } else {
             Err(NoReference::Disagree { difference, allowed: asked.allowed, until })
         }
@@ -96,28 +94,33 @@ impl Reference {
 
     /// x(t), the nearest end's polynomial beyond the ends. Cost: about 60 operations a component.
     pub fn at(&self, t: Dd) -> Vec<Dd> {
-        self.path.at(t)
+        self.flow.at(t)
     }
 
     /// The last time.
     pub fn end(&self) -> f64 {
-        self.path.end
+        self.flow.end()
     }
 
     /// The largest |xᵢ(t)|, over all components and times up to [`Trajectory::end`]: what errors are relative to.
     pub fn scale(&self) -> f64 {
-        self.path.scale
+        self.flow.scale()
     }
 
     /// The largest ‖f′(x(t))‖ in the maximum norm: ε times this tells how coarse a step is.
     pub fn slope(&self) -> f64 {
-        self.path.slope
+        self.flow.slope()
     }
 
     /// The integral of ‖ẍ‖/‖ẋ‖ over the time, in the maximum norm: by what angle, so to say, the motion turns. Unlike the slope it says
     /// nothing of directions in which nothing moves.
     pub fn turning(&self) -> f64 {
-        self.path.turning
+        self.flow.turning()
+    }
+
+    /// The times at which the polynomials begin, the first of them 0: they lie close where the solution moves fast.
+    pub fn breaks(&self) -> impl ExactSizeIterator<Item = f64> {
+        self.flow.breaks()
     }
 
     /// What stands behind it.
@@ -127,6 +130,6 @@ impl Reference {
 
     /// The distance of a point from x(t) in the maximum norm, relative to the scale; what is not a number is infinitely far.
     pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
-        self.path.distance(t, x)
+        self.flow.distance(t, x)
     }
 }

@@ -1,6 +1,6 @@
 //! Why there is no reference, in words.
 
-use super::dense::MOST_PIECES;
+use super::path::MOST_PIECES;
 
 /// Why there is no reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
