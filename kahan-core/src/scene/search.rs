@@ -34,8 +34,10 @@ const SURELY: f64 = 1.5;
 const LEAP: u64 = 1 << 12;
 /// Steps that differ by less than this factor are not told apart.
 const CLOSE: f64 = 1.06;
-/// Trials between two rungs, and trials that vouch.
+/// Trials between two rungs.
 const TRIALS: usize = 5;
+/// Trials that may vouch for the flow.
+const VOUCHERS: usize = 16;
 
 /// The orders' compositions; the others need more stages for the same error.
 const ORDERS: [Composition; 4] =
@@ -68,6 +70,8 @@ pub(super) enum Verdict {
     None {
         /// Of all trials.
         least_error: f64,
+        /// Whether the errors of some ladder fell, and then no further.
+        is_rough: bool,
     },
 }
 
@@ -106,7 +110,7 @@ pub(super) struct Search<L> {
     /// The numbers that may be chosen.
     modes: &'static [Mode],
     tried: Vec<Trial>,
-    /// Whether the errors of some ladder showed roundings.
+    /// Whether the errors of some ladder fell, and then no further.
     is_rough: bool,
 }
 
@@ -139,7 +143,7 @@ impl<L: Trials> Search<L> {
             Some(Trial { kind, steps, error, .. }) if self.is_vouched_for() => {
                 Verdict::Choice { kind, steps, error: (error + least_error).min(self.tolerance) }
             }
-            _ => Verdict::None { least_error },
+            _ => Verdict::None { least_error, is_rough: self.is_rough },
         }
     }
 
@@ -195,7 +199,6 @@ impl<L: Trials> Search<L> {
         let mut from = coarsest;
         for mode in self.modes {
             let roundings = self.ladder(mode.kind(composition), from);
-            self.is_rough |= roundings == Roundings::Felt;
             if roundings == Roundings::Unseen {
                 break;
             }
@@ -233,6 +236,7 @@ impl<L: Trials> Search<L> {
             };
             has_gained |= gain.is_some_and(|gain| gain.factor > 2.0);
             if stalls == if has_gained { 2 } else { PATIENCE } {
+                self.is_rough |= has_gained;
                 break;
             }
             steps *= 2;
@@ -254,22 +258,47 @@ impl<L: Trials> Search<L> {
     /// Looks for an orbit in double-double that is so near to the flow that both must be right.
     fn vouch(&mut self) {
         let wanted = self.tolerance / VOUCHING;
-        // Of the order that gets there with the fewest stages.
-        let steps = |trial: &Trial| Self::by_law(trial, 0.7 * wanted);
-        let stages = |trial: &Trial| steps(trial) * trial.kind.composition.stages() as f64;
-        let useful = self.tried.iter().filter(|trial| trial.error < SMALL);
-        let Some(nearest) = useful.min_by(|a, b| stages(a).total_cmp(&stages(b))).copied() else { return };
-        let kind = Mode::WIDE.kind(nearest.kind.composition);
-        let (mut steps, mut before) = (steps(&nearest).ceil().max(1.0) as u64, f64::INFINITY);
-        for _ in 0..TRIALS {
-            let Some(error) = self.error(kind, steps) else { return };
-            if error <= wanted || error > STALL * before {
+        for _ in 0..VOUCHERS {
+            // Of the order that gets there with the fewest stages, by what its last trials showed.
+            let next = ORDERS
+                .iter()
+                .filter_map(|order| Some((Mode::WIDE.kind(*order), self.steps_to(*order, wanted)?)));
+            let stages = |(kind, steps): &(Kind, u64)| *steps as f64 * kind.composition.stages() as f64;
+            let Some((kind, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
+                // It is the flow that has roundings.
+                self.is_rough = true;
+                return;
+            };
+            if self.error(kind, steps).is_none_or(|error| error <= wanted) {
                 return;
             }
-            before = error;
-            let enough = Self::by_law(&Trial { kind, steps, error, cost: 0.0 }, 0.7 * wanted);
-            steps = (enough.min(4.0 * steps as f64).max(1.2 * steps as f64)).ceil() as u64;
         }
+    }
+
+    /// The steps at which an order may come so near: by the law, from its finest trial in double-double, or its best in `f64`.
+    /// `None` where trials come no nearer.
+    fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
+        let of_order = || self.tried.iter().filter(|trial| trial.kind.composition == composition);
+        let by_law = |trial: &Trial| Self::by_law(trial, 0.7 * wanted);
+        let mut wide: Vec<&Trial> =
+            of_order().filter(|trial| trial.kind == Mode::WIDE.kind(composition)).collect();
+        wide.sort_by_key(|trial| core::cmp::Reverse(trial.steps));
+        let Some(finest) = wide.first() else {
+            let useful = of_order().filter(|trial| trial.error < SMALL.max(self.tolerance));
+            return useful
+                .min_by(|a, b| a.error.total_cmp(&b.error))
+                .map(|best| by_law(best).ceil().max(1.0) as u64);
+        };
+        let stalls =
+            wide.windows(2).take_while(|pair| pair[0].error < SMALL && pair[0].error > STALL * pair[1].error);
+        if stalls.count() > 1 {
+            return None;
+        }
+        let steps = finest.steps as f64;
+        // The law tells the least; where it does not hold yet, more are needed.
+        let next =
+            if finest.error < SMALL { by_law(finest).clamp(1.3 * steps, 4.0 * steps) } else { 2.0 * steps };
+        Some(next.ceil() as u64)
     }
 
     /// Looks for fewer steps that still serve.

@@ -5,9 +5,11 @@
 //! one that is ten times as accurate as asked vouches for the solution. First all of it in `f64`; where roundings cover what
 //! matters, in [`Dd`].
 
+use std::vec::Vec;
+
 use nalgebra::SVector;
 
-use crate::flow::{Flow, FlowScalar, NoFlow};
+use crate::flow::{Flow, FlowScalar, NoFlow, norm};
 use crate::{Dd, Lift, PreparedStep, QuadraticField};
 
 use super::search::{Search, Trials, VOUCHING, Verdict};
@@ -18,6 +20,11 @@ use super::{NoSetting, Scene, Setting, price};
 pub(super) const MOST_WORK: f64 = 1e6;
 /// Below this tolerance the roundings of `f64` are felt so soon that it is not begun with.
 const FINE: f64 = 1e-12;
+/// What the roundings of a flow in `f64` are times what one of them grows to: there is one in each of its pieces, and in each of
+/// an orbit's steps; and by how much they must be below the tolerance.
+const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
+/// The relative distance of two beginnings that tells growth.
+const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
 /// The part of the work that the solution may take, and the part of what is left that one trial may.
 const SHARE: f64 = 0.4;
 /// Trials end where they are so far off, relative to the trajectory's size, or a few tolerances: there they say nothing more.
@@ -31,73 +38,128 @@ pub(super) fn choose<M, const N: usize>(
 where
     M: Lift<f64, N>,
 {
-    let mut work = MOST_WORK;
-    if scene.tolerance >= FINE {
-        match attempt::<f64, _, _, N>(scene, map, map, x0, &Mode::ALL[..2], &mut work) {
-            Err(NoSetting::OutOfReach { .. } | NoSetting::Lost { .. }) => {}
-            answer => return answer,
+    let mut budget = Budget { left: MOST_WORK };
+    let start = *x0;
+    if scene.tolerance >= FINE
+        && let Some(flow) = budget.sure_flow(scene, map, start)
+    {
+        let attempt = Attempt { scene, map, x0, flow: &flow, modes: &Mode::ALL[..2] };
+        match attempt.choose(&mut budget) {
+            Err(Refusal { is_rough: true, .. }) => {}
+            answer => return answer.map_err(|refusal| refusal.why),
         }
     }
     let wide = map.lift::<Dd>(|parameter| Dd::from(*parameter));
-    attempt::<Dd, _, _, N>(scene, map, &wide, x0, &Mode::ALL, &mut work)
+    let flow = budget.flow(scene, &wide, start.map(Dd::from))?;
+    let attempt = Attempt { scene, map, x0, flow: &flow, modes: &Mode::ALL };
+    attempt.choose(&mut budget).map_err(|refusal| refusal.why)
 }
 
-/// The choice by the solution in T, whose field is the map's over T.
-fn attempt<T, M, F, const N: usize>(
-    scene: &Scene,
-    map: &M,
-    field: &F,
-    x0: &SVector<f64, N>,
-    modes: &'static [Mode],
-    work: &mut f64,
-) -> Result<Setting, NoSetting>
-where
-    T: FlowScalar,
-    M: Lift<f64, N>,
-    F: QuadraticField<T, N>,
-{
-    let piece = work_of_piece::<T>();
-    let most = (SHARE * *work / piece) as usize;
-    let flow = Flow::<T>::through(field, x0.map(T::from), scene.horizon, 0.0, &mut |pieces| {
-        *work -= piece;
-        pieces < most
-    });
-    let flow = flow.map_err(|why| match why {
-        NoFlow::Escapes { time } => NoSetting::Lost { time },
-        NoFlow::Stopped { reached } => NoSetting::TooLong { time: reached },
-    })?;
-    // ε times the rate, on an average, is 4 to begin with: as coarse as compositions, whose stages are shorter, may be.
-    let coarsest = (flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
-    let runs = Runs { scene, map, x0, flow: &flow, work, agreed_until: 0.0, is_short_of_work: false };
-    let mut search = Search::new(runs, scene.tolerance, modes);
-    let verdict = search.run(coarsest);
-    let runs = search.trials();
-    match verdict {
-        Verdict::Choice { kind, steps, error } => {
-            Ok(Setting { error, ..Setting::over(map, scene, kind, steps as f64) })
-        }
-        Verdict::None { least_error } if least_error < LOST => {
-            // As much again, as roundings differ from one ε to the next.
-            Err(NoSetting::OutOfReach { best: (2.0 * VOUCHING * least_error).log2().ceil().exp2() })
-        }
-        Verdict::None { .. } if runs.is_short_of_work => Err(NoSetting::TooLong { time: runs.agreed_until }),
-        Verdict::None { .. } => Err(NoSetting::Lost { time: runs.agreed_until }),
+/// The steps of the map that may still be taken.
+struct Budget {
+    left: f64,
+}
+
+impl Budget {
+    /// The solution from `start` over the scene's horizon, in T, over which the field is.
+    fn flow<T, F, const N: usize>(
+        &mut self,
+        scene: &Scene,
+        field: &F,
+        start: SVector<T, N>,
+    ) -> Result<Flow<T>, NoSetting>
+    where
+        T: FlowScalar,
+        F: QuadraticField<T, N>,
+    {
+        // A bilinear form takes about a third of a step.
+        let piece = (T::TERMS * T::TERMS) as f64 / 12.0;
+        let most = (SHARE * self.left / piece) as usize;
+        let flow = Flow::through(field, start, scene.horizon, 0.0, &mut |pieces| {
+            self.left -= piece;
+            pieces < most
+        });
+        flow.map_err(|why| match why {
+            NoFlow::Escapes { time } => NoSetting::Lost { time },
+            NoFlow::Stopped { reached } => NoSetting::TooLong { time: reached },
+        })
+    }
+
+    /// The solution in `f64`, where its roundings stay far below the tolerance: so far as a point beside the first one stays beside
+    /// it.
+    fn sure_flow<F, const N: usize>(
+        &mut self,
+        scene: &Scene,
+        field: &F,
+        start: SVector<f64, N>,
+    ) -> Option<Flow<f64>>
+    where
+        F: QuadraticField<f64, N>,
+    {
+        let flow = self.flow(scene, field, start).ok()?;
+        let nearby = NEARBY * norm(&start).max(flow.scale() * f64::EPSILON);
+        let beside = self.flow(scene, field, start.map(|entry| entry + nearby)).ok()?;
+        let distance = |t: f64| {
+            let x: Vec<Dd> = beside.at(t.into()).into_iter().map(Dd::from).collect();
+            flow.distance(t.into(), &x)
+        };
+        let growth = flow.breaks().map(distance).fold(0.0, f64::max) / NEARBY;
+        (ROUNDINGS * growth <= scene.tolerance).then_some(flow)
     }
 }
 
-/// What a piece of a flow costs, in steps of the map: a bilinear form takes about a third of one.
-fn work_of_piece<T: FlowScalar>() -> f64 {
-    (T::TERMS * T::TERMS) as f64 / 12.0
-}
-
-/// Orbits of one scene, compared with the flow while there is work left.
-struct Runs<'a, T, M, const N: usize> {
+/// A scene with a solution to compare with.
+struct Attempt<'a, T, M, const N: usize> {
     scene: &'a Scene,
     map: &'a M,
     x0: &'a SVector<f64, N>,
     flow: &'a Flow<T>,
-    /// The steps of the map that may still be taken.
-    work: &'a mut f64,
+    /// The numbers that may be chosen.
+    modes: &'static [Mode],
+}
+
+/// Why an attempt found nothing.
+struct Refusal {
+    why: NoSetting,
+    /// Whether for roundings, so that a wider precision may find more.
+    is_rough: bool,
+}
+
+impl<T, M, const N: usize> Attempt<'_, T, M, N>
+where
+    T: FlowScalar,
+    M: Lift<f64, N>,
+{
+    fn choose(&self, budget: &mut Budget) -> Result<Setting, Refusal> {
+        // ε times the rate, on an average, is 4 to begin with: as coarse as compositions, whose stages are shorter, may be.
+        let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
+        let runs = Runs { attempt: self, budget, agreed_until: 0.0, is_short_of_work: false };
+        let mut search = Search::new(runs, self.scene.tolerance, self.modes);
+        let verdict = search.run(coarsest);
+        let Runs { agreed_until, is_short_of_work, .. } = *search.trials();
+        match verdict {
+            Verdict::Choice { kind, steps, error } => {
+                Ok(Setting { error, ..Setting::over(self.map, self.scene, kind, steps as f64) })
+            }
+            Verdict::None { least_error, is_rough } => {
+                let why = if least_error < LOST {
+                    // As much again, as roundings differ from one ε to the next.
+                    NoSetting::OutOfReach { best: (2.0 * VOUCHING * least_error).log2().ceil().exp2() }
+                } else if is_short_of_work {
+                    NoSetting::TooLong { time: agreed_until }
+                } else {
+                    NoSetting::Lost { time: agreed_until }
+                };
+                Err(Refusal { why, is_rough: is_rough || !is_short_of_work })
+            }
+        }
+    }
+}
+
+/// Orbits of one scene, compared with the flow while there is work left.
+struct Runs<'a, T, M, const N: usize> {
+    attempt: &'a Attempt<'a, T, M, N>,
+    budget: &'a mut Budget,
     /// The time until which some orbit stayed near the flow.
     agreed_until: f64,
     is_short_of_work: bool,
@@ -111,21 +173,22 @@ where
     fn error(&mut self, kind: Kind, steps: u64) -> Option<f64> {
         // A comparison counts as a step.
         let work_of_step = kind.composition.stages() as f64 + 1.0;
-        if steps as f64 * work_of_step > SHARE * *self.work {
+        if steps as f64 * work_of_step > SHARE * self.budget.left {
             self.is_short_of_work = true;
             return None;
         }
-        let setting = Setting::over(self.map, self.scene, kind, steps as f64);
-        let lost = LOST.max(4.0 * self.scene.tolerance);
+        let Attempt { scene, map, x0, flow, .. } = *self.attempt;
+        let setting = Setting::over(map, scene, kind, steps as f64);
+        let lost = LOST.max(4.0 * scene.tolerance);
         let dt = Dd::from(2.0 * setting.eps);
-        let mut along = self.flow.along::<N>();
+        let mut along = flow.along::<N>();
         let (mut worst, mut last) = (0.0_f64, 0);
-        setting.follow(self.map, *self.x0, |n, x| {
+        setting.follow(map, *x0, |n, x| {
             last = n;
             worst = worst.max(along.distance(dt * Dd::from(n as f64), x));
             worst <= lost
         });
-        *self.work -= last as f64 * work_of_step;
+        self.budget.left -= last as f64 * work_of_step;
         self.agreed_until = self.agreed_until.max(f64::from(dt) * last as f64);
         Some(if worst <= lost { worst } else { f64::INFINITY })
     }

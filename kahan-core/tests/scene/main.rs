@@ -4,10 +4,13 @@
 //!    no setting whose model cost is a third of its own does; the map's own integrals are kept as well as was asked for.
 //! 2. `answers`: what it says where there is no choice, what it prints, and that it runs what it prints.
 //!
+//! 3. `counted`: what it costs.
+//!
 //! No clock: costs are the model's, and every run gives the same numbers.
 #![cfg(feature = "std")]
 
 mod answers;
 mod choices;
+mod counted;
 mod systems;
 mod trajectory;

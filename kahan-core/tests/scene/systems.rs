@@ -53,3 +53,11 @@ kahan! {
     rdot = s;
     sdot = -r - q^2 + r^2;
 }
+
+kahan! {
+    /// Field and Noyes' oregonator, softened: a relaxation oscillation.
+    pub(crate) struct Relaxation;
+    xdot = 20*(y - x*y + x - x^2/500);
+    ydot = (z - y - x*y)/20;
+    zdot = (x - z)/6;
+}

@@ -43,8 +43,8 @@ use paste::rust_of;
 /// multiplies eps with itself or with parameters (the Euler top's does): with an eps that makes these products rounded, what the map
 /// conserves drifts linearly, compensated or not. At higher orders the stages round theirs anyway. A system of the catalog is timed as
 /// compiled; a field given as text is run by an interpreter, and its prices are those of the compiled E6 on this machine,
-/// scaled by what the two steps are counted to cost; how the compiler packs a step is not foreseen, and has made single kinds up to 1.7
-/// times dearer than that. Where no setting meets the tolerance the exit status is 1.
+/// scaled by what the two steps are counted to cost; f32 is taken to be no cheaper than f64 there, as how compilers pack its steps is
+/// not foreseen. Where no setting meets the tolerance the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Trade {

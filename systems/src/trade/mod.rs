@@ -12,6 +12,7 @@ mod kind;
 mod picture;
 mod runner;
 mod search;
+mod stops;
 mod study;
 
 use std::time::{Duration, Instant};

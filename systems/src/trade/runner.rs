@@ -16,9 +16,9 @@ use super::kind::{Kind, ScalarKind};
 
 /// A system at a starting point.
 pub(super) trait Runner {
-    /// Shows every `stride`-th point of the orbit of so many steps, the first point included, and the last one; the seconds
-    /// that it took, without the preparations. The orbit begins at `from`, or at the scene's own point.
-    fn follow(&self, kind: Kind, run: Run, from: Option<&[Dd]>, stride: u64, visit: Visit<'_>) -> f64;
+    /// Shows the first point of an orbit with ε = `eps` and those after the numbers of steps in `stops`, which grow; the seconds that
+    /// it took, without the preparations. The orbit begins at `from`, or at the scene's own point.
+    fn follow(&self, kind: Kind, eps: f64, from: Option<&[Dd]>, stops: Stops<'_>, visit: Visit<'_>) -> f64;
 
     /// The trajectory to compare with.
     fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference>;
@@ -39,13 +39,8 @@ pub(super) trait Runner {
 /// What looks at points: the number of steps so far, and the point.
 pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]);
 
-/// How far.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Run {
-    /// Half the time step, exact in every scalar.
-    pub(super) eps: f64,
-    pub(super) steps: u64,
-}
+/// Numbers of steps, each larger than the one before.
+pub(super) type Stops<'a> = &'a mut dyn Iterator<Item = u64>;
 
 /// A map over ℚ, from which every scalar rounds its own, and its first point.
 #[derive(Clone, Debug)]
@@ -59,23 +54,23 @@ pub(super) struct Subject<M, const N: usize> {
 
 /// Binds the map, the first point and ε of a kind's scalar.
 macro_rules! with_scalar {
-    ($subject:expr, $kind:expr, $run:expr, $from:expr, |$map:ident, $start:ident, $eps:ident| $body:expr) => {
+    ($subject:expr, $kind:expr, $to:expr, $from:expr, |$map:ident, $start:ident, $eps:ident| $body:expr) => {
         match $kind.scalar {
             ScalarKind::F32 => {
-                let ($map, $start, $eps) = $subject.rounded::<f32>($run.eps, $from);
+                let ($map, $start, $eps) = $subject.rounded::<f32>($to, $from);
                 $body
             }
             ScalarKind::F32ThroughF64 => {
-                let (map, $start, $eps) = $subject.rounded::<f32>($run.eps, $from);
+                let (map, $start, $eps) = $subject.rounded::<f32>($to, $from);
                 let $map = ThroughF64(map);
                 $body
             }
             ScalarKind::F64 => {
-                let ($map, $start, $eps) = $subject.rounded::<f64>($run.eps, $from);
+                let ($map, $start, $eps) = $subject.rounded::<f64>($to, $from);
                 $body
             }
             ScalarKind::Dd => {
-                let ($map, $start, $eps) = $subject.rounded::<Dd>($run.eps, $from);
+                let ($map, $start, $eps) = $subject.rounded::<Dd>($to, $from);
                 $body
             }
         }
@@ -136,18 +131,15 @@ impl<const N: usize> Subject<Interpreted<BigRational, N>, N> {
 }
 
 impl<M: Lift<BigRational, N>, const N: usize> Runner for Subject<M, N> {
-    fn follow(&self, kind: Kind, run: Run, from: Option<&[Dd]>, stride: u64, visit: Visit<'_>) -> f64 {
-        with_scalar!(self, kind, run, from, |map, start, eps| with_orbit!(map, start, eps, kind, |orbit| {
+    fn follow(&self, kind: Kind, eps: f64, from: Option<&[Dd]>, stops: Stops<'_>, visit: Visit<'_>) -> f64 {
+        with_scalar!(self, kind, eps, from, |map, start, eps| with_orbit!(map, start, eps, kind, |orbit| {
             let (mut step, mut next) = (0, orbit.next());
             let clock = Instant::now();
             while let Some(point) = next {
                 visit(step, point.map(Dd::from).as_slice());
-                let stride = stride.min(run.steps - step);
-                if stride == 0 {
-                    break;
-                }
-                step += stride;
-                next = orbit.nth(index(stride - 1));
+                let Some(stop) = stops.next() else { break };
+                next = orbit.nth(index(stop - step - 1));
+                step = stop;
             }
             clock.elapsed().as_secs_f64()
         }))

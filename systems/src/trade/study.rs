@@ -1,5 +1,6 @@
 //! One setting measured: an orbit is run, and at points along it compared with what it should be.
 
+use std::iter::once;
 use std::time::{Duration, Instant};
 
 use kahan_core::Dd;
@@ -9,13 +10,12 @@ use crate::reference::Reference;
 use super::clock::Clock;
 use super::drift::{Drift, Integrals};
 use super::kind::Kind;
-use super::runner::{Run, Runner};
+use super::runner::Runner;
+use super::stops::Stops;
 use super::{Need, Setting};
 
-/// Points along an orbit that are looked at.
-const SAMPLES: u64 = 512;
 /// Points at which integrals are evaluated beside, where the need is the trajectory.
-const INTEGRAL_SAMPLES: u64 = 32;
+const INTEGRAL_SAMPLES: usize = 32;
 
 /// What measures settings of one scene, and remembers them.
 pub(super) struct Study<'a> {
@@ -46,12 +46,11 @@ impl Study<'_> {
         if let Some(known) = known {
             return Some(known.error(self.need));
         }
-        let run = Run { eps, steps };
-        if self.expected(kind, run) > self.deadline.saturating_duration_since(Instant::now()) {
+        if self.expected(kind, eps, steps as f64) > self.deadline.saturating_duration_since(Instant::now()) {
             self.skip(kind, steps);
             return None;
         }
-        let setting = self.measure(kind, run);
+        let setting = self.measure(kind, eps, steps);
         let error = setting.error(self.need);
         self.settings.push(setting);
         (self.progress)(self.settings.len() as u64);
@@ -67,32 +66,31 @@ impl Study<'_> {
 
     /// Whether so many steps take more than this part of the time that is left.
     pub(super) fn takes_more_than(&self, part: f64, kind: Kind, steps: f64) -> bool {
-        let run = Run { eps: self.horizon / (2.0 * steps), steps: steps as u64 };
-        self.expected(kind, run) > self.deadline.saturating_duration_since(Instant::now()).mul_f64(part)
+        self.expected(kind, self.horizon / (2.0 * steps), steps)
+            > self.deadline.saturating_duration_since(Instant::now()).mul_f64(part)
     }
 
-    fn expected(&self, kind: Kind, run: Run) -> Duration {
+    fn expected(&self, kind: Kind, eps: f64, steps: f64) -> Duration {
         let seconds = if self.is_compiled {
-            1e-9 * self.clock.nanoseconds(kind) * run.steps as f64
+            1e-9 * self.clock.nanoseconds(kind) * steps
         } else {
             const PROBE: u64 = 8;
-            let probe = Run { steps: PROBE, ..run };
-            self.subject.follow(kind, probe, None, PROBE, &mut |_, _| ()) * run.steps as f64 / PROBE as f64
+            self.subject.follow(kind, eps, None, &mut once(PROBE), &mut |_, _| ()) * steps / PROBE as f64
         };
         Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX)
     }
 
-    fn measure(&self, kind: Kind, run: Run) -> Setting {
-        let Run { eps, steps } = run;
-        let (mut trajectory, mut samples) = (0.0_f64, 0_u64);
+    fn measure(&self, kind: Kind, eps: f64, steps: u64) -> Setting {
+        let stops = Stops::of(self.reference.as_ref(), eps, steps);
+        let (mut trajectory, mut samples) = (0.0_f64, 0_usize);
         let mut drift = Drift::new(self.subject, &self.integrals, eps);
         let has_integrals = !self.integrals.is_empty();
         let sparse = match self.need {
-            Need::Trajectory => SAMPLES / INTEGRAL_SAMPLES,
+            Need::Trajectory => stops.len().div_ceil(INTEGRAL_SAMPLES),
             Need::Integrals => 1,
         };
         let dt = Dd::from(eps) * Dd::from(2.0);
-        self.subject.follow(kind, run, None, steps.div_ceil(SAMPLES), &mut |step, x| {
+        self.subject.follow(kind, eps, None, &mut stops.iter(), &mut |step, x| {
             if let Some(reference) = &self.reference {
                 let t = dt * Dd::from(step as f64);
                 if f64::from(t) <= reference.end() {
@@ -121,21 +119,23 @@ impl Study<'_> {
 
     /// How far a setting comes from home, there and back, relative to the first point's size.
     pub(super) fn return_error(&self, setting: &Setting) -> Option<f64> {
-        let run = Run { eps: setting.eps, steps: setting.steps };
-        if 2 * self.expected(setting.kind, run) > self.deadline.saturating_duration_since(Instant::now()) {
+        let Setting { kind, eps, steps, .. } = *setting;
+        if 2 * self.expected(kind, eps, steps as f64)
+            > self.deadline.saturating_duration_since(Instant::now())
+        {
             return None;
         }
-        let ends = |run: Run, from: Option<&[Dd]>| {
+        let ends = |eps: f64, from: Option<&[Dd]>| {
             let mut ends = Vec::with_capacity(2);
-            self.subject.follow(setting.kind, run, from, run.steps, &mut |_, x| ends.push(x.to_vec()));
+            self.subject.follow(kind, eps, from, &mut once(steps), &mut |_, x| ends.push(x.to_vec()));
             ends
         };
-        let there = ends(run, None);
+        let there = ends(eps, None);
         let (start, arrived) = (there.first()?, there.last()?);
         if !arrived.iter().all(|entry| entry.is_finite()) {
             return None;
         }
-        let back = ends(Run { eps: -run.eps, ..run }, Some(arrived)).pop()?;
+        let back = ends(-eps, Some(arrived)).pop()?;
         let norm =
             |x: &mut dyn Iterator<Item = Dd>| x.map(|entry| f64::from(entry.abs())).fold(0.0, f64::max);
         let size = norm(&mut start.iter().copied());
@@ -152,8 +152,12 @@ impl Study<'_> {
     pub(super) fn best(&self) -> Option<usize> {
         let meets = self.settings.iter().enumerate();
         let meets = meets.filter(|(_, setting)| setting.error(self.need) <= self.tolerance);
-        let cost = |setting: &Setting| setting.nanoseconds_per_unit_time;
-        meets.min_by(|(_, a), (_, b)| cost(a).total_cmp(&cost(b))).map(|(index, _)| index)
+        // Of two at one price the more accurate.
+        let better = |a: &Setting, b: &Setting| {
+            let (price, error) = (a.nanoseconds_per_unit_time, a.error(self.need));
+            price.total_cmp(&b.nanoseconds_per_unit_time).then(error.total_cmp(&b.error(self.need)))
+        };
+        meets.min_by(|(_, a), (_, b)| better(a, b)).map(|(index, _)| index)
     }
 
     /// What the cheapest setting that meets the need costs; infinite where there is none.

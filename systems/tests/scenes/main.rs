@@ -89,9 +89,9 @@ where
     M: Lift<f64, N>,
 {
     let modes = [(Precision::Double, false), (Precision::Double, true), (Precision::DoubleDouble, false)];
-    for order in [8, 6, 4, 2] {
-        let composition = Composition::of_order(order)?;
-        for part in [1.0, 0.5, 0.25, 0.125] {
+    for part in [0.125, 0.25, 0.5, 0.75, 1.0] {
+        for order in [8, 6, 4, 2] {
+            let composition = Composition::of_order(order)?;
             let steps = (part * BUDGET / composition.stages() as f64) as u64;
             for (precision, compensated) in modes {
                 let setting = scene.setting(map, precision, composition, compensated, steps);
@@ -165,7 +165,8 @@ fn check(seed: u64, count: u64) {
                 refused += 1;
                 if let Some(setting) = exists {
                     lost += 1;
-                    println!("refused: {scene}\n    {why}\n    {setting}");
+                    let runs = BUDGET / (setting.steps() as f64 * setting.composition().stages() as f64);
+                    println!("refused: {scene}\n    {why}\n    1/{runs:.1}: {setting}");
                 }
             }
         }

@@ -88,4 +88,24 @@ fields! {
         idot = 5/2*s*i - i;
         rdot = i;
     }
+
+    /// Robertson's kinetics: stiff.
+    Kinetics {
+        xdot = -x/25 + 10000*y*z;
+        ydot = x/25 - 10000*y*z - 30000000*y^2;
+        zdot = 30000000*y^2;
+    }
+
+    /// A fast variable that is the slave of a slow one: stiff.
+    Slave {
+        xdot = x - x*y;
+        ydot = 500*(x^2 - y);
+    }
+
+    /// Field and Noyes' oregonator, softened: a relaxation oscillation.
+    Relaxation {
+        xdot = 20*(y - x*y + x - x^2/500);
+        ydot = (z - y - x*y)/20;
+        zdot = (x - z)/6;
+    }
 }

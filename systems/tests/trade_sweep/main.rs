@@ -14,7 +14,10 @@ use kahan_core::{Dd, Lift, Precision};
 use kahan_systems::reference::{Limits, Reference, Trajectory};
 use serde_json::Value;
 
-use fields::{Chain, Epidemic, Galaxy, Gyrostat, Nahm, Oscillators, Rotor, Text, ThreeWaves, Tired};
+use fields::{
+    Chain, Epidemic, Galaxy, Gyrostat, Kinetics, Nahm, Oscillators, Relaxation, Rotor, Slave, Text,
+    ThreeWaves, Tired,
+};
 use scene::{SCALARS, Scene, Setting, eps_near, to};
 
 /// What a choice costs over what the best setting does.
@@ -134,6 +137,9 @@ fn the_choices_cost_at_most_1_3_and_3_times_the_best_of_all_settings() {
     check(Galaxy, ["0", "1/8", "3/8", "1/8"], 25.0, &mut ratios);
     check(Nahm, ["-1/2", "1/4"], 0.625, &mut ratios);
     check(Epidemic, ["127/128", "1/128", "0"], 15.0, &mut ratios);
+    check(Kinetics, ["1", "0", "0"], 1.0, &mut ratios);
+    check(Slave, ["1", "1/2"], 2.0, &mut ratios);
+    check(Relaxation, ["1", "2", "1"], 12.0, &mut ratios);
     let beyond = |limit: f64, ratio: fn(&Ratios) -> Option<f64>| -> Vec<&str> {
         let beyond = ratios.iter().filter(|ratios| ratio(ratios).is_some_and(|ratio| ratio > limit));
         beyond.map(|ratios| ratios.scene.as_str()).collect()

@@ -1,0 +1,41 @@
+//! The points of an orbit that are looked at.
+
+use crate::reference::Reference;
+
+/// Steps at equal distances along an orbit, or all where they are fewer,
+const EVENLY: u64 = 512;
+/// and on each stretch of the trajectory that one polynomial describes: there are many where it moves fast, however short that is.
+const ON_A_PIECE: u32 = 3;
+
+/// Numbers of steps after which an orbit is looked at, each larger than the one before.
+#[derive(Clone, Debug)]
+pub(super) struct Stops(Vec<u64>);
+
+impl Stops {
+    /// For an orbit of so many steps, at least one, with ε = `eps`; the last step is among them.
+    pub(super) fn of(reference: Option<&Reference>, eps: f64, steps: u64) -> Self {
+        let stride = steps.div_ceil(EVENLY);
+        let mut stops: Vec<u64> = (1..=steps / stride).map(|k| k * stride).collect();
+        if let Some(reference) = reference.filter(|_| stride > 1) {
+            let begins: Vec<f64> = reference.breaks().collect();
+            let ends = begins.iter().skip(1).copied().chain([reference.end()]);
+            for (begin, end) in begins.iter().zip(ends) {
+                let times =
+                    (1..=ON_A_PIECE).map(|k| begin + (end - begin) * f64::from(k) / f64::from(ON_A_PIECE));
+                stops.extend(times.map(|t| ((t / (2.0 * eps)).round() as u64).clamp(1, steps)));
+            }
+        }
+        stops.push(steps);
+        stops.sort_unstable();
+        stops.dedup();
+        Self(stops)
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = u64> {
+        self.0.iter().copied()
+    }
+}
