@@ -29,9 +29,9 @@ pub enum NoSetting {
         /// How far it was followed.
         time: f64,
     },
-    /// No setting is as accurate as that.
+    /// No setting is as accurate as that, or none that could be found and vouched for in the 10⁶ steps that a choice may cost.
     OutOfReach {
-        /// The least tolerance that some setting is expected to meet.
+        /// A tolerance that is expected to be met.
         best: f64,
     },
 }
@@ -58,7 +58,8 @@ impl fmt::Display for NoSetting {
             Self::OutOfReach { best } => {
                 write!(
                     f,
-                    "no setting is that accurate here; the least tolerance within reach is about {best:.1e}"
+                    "no setting that is that accurate here was found in the 10^6 steps that a choice may cost; the least tolerance \
+                     within reach is about {best:.1e}"
                 )
             }
         }

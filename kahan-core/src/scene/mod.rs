@@ -25,8 +25,8 @@ pub use setting::{Precision, Setting};
 /// What an orbit is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Need {
-    /// To follow the flow's trajectory: the error is the largest distance from it over the horizon, in the maximum norm, relative
-    /// to the largest coordinate of the trajectory.
+    /// To follow the flow's trajectory: the error is the largest distance from it over the horizon, at the times of the steps and with
+    /// the last point standing for the horizon, in the maximum norm, relative to the largest coordinate of the trajectory.
     Trajectory,
     /// To keep the map's own integrals, those at its ε: the error is the largest change over the horizon, relative to the
     /// value at the beginning. Only Kahan's map itself keeps them, so no composition is considered; the discretisation does

@@ -45,6 +45,9 @@ const ORDERS: [Composition; 4] =
 
 /// What tells errors and prices.
 pub(super) trait Trials {
+    /// The number of steps to take where about so many are wanted, at least as many.
+    fn steps_near(&self, kind: Kind, steps: u64) -> u64;
+
     /// The error of so many steps over the horizon; infinite where it is beyond use, `None` where it takes too long to find out.
     fn error(&mut self, kind: Kind, steps: u64) -> Option<f64>;
 
@@ -147,15 +150,17 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// The error of so many steps, remembered.
-    fn error(&mut self, kind: Kind, steps: u64) -> Option<f64> {
+    /// A trial of about so many steps, remembered.
+    fn trial(&mut self, kind: Kind, steps: u64) -> Option<Trial> {
+        let steps = self.trials.steps_near(kind, steps);
         let known = self.tried.iter().find(|trial| trial.kind == kind && trial.steps == steps);
         if let Some(known) = known {
-            return Some(known.error);
+            return Some(*known);
         }
         let error = self.trials.error(kind, steps)?;
-        self.tried.push(Trial { kind, steps, error, cost: self.cost(kind, steps as f64) });
-        Some(error)
+        let trial = Trial { kind, steps, error, cost: self.cost(kind, steps as f64) };
+        self.tried.push(trial);
+        Some(trial)
     }
 
     fn cost(&self, kind: Kind, steps: f64) -> f64 {
@@ -218,10 +223,10 @@ impl<L: Trials> Search<L> {
             }
             // Where a leap takes too long, the next rung may not.
             let next = before.map_or(steps, |before| 2 * before.steps);
-            let tried = [steps, next].into_iter().find_map(|steps| Some((steps, self.error(kind, steps)?)));
-            let Some((tried, error)) = tried else { break };
-            steps = tried;
-            let trial = Trial { kind, steps, error, cost: 0.0 };
+            let Some(trial) = [steps, next].into_iter().find_map(|steps| self.trial(kind, steps)) else {
+                break;
+            };
+            let error = trial.error;
             let gain =
                 before.filter(|before| before.error.is_finite()).map(|before| Gain::of(&before, &trial));
             if gain.is_some_and(|gain| gain.before < 0.1 * SMALL && gain.part < 1.0 - LAWFUL) {
@@ -239,7 +244,7 @@ impl<L: Trials> Search<L> {
                 self.is_rough |= has_gained;
                 break;
             }
-            steps *= 2;
+            steps = 2 * trial.steps;
             if let Some(gain) = gain.filter(|gain| error < SMALL && gain.factor > 2.0) {
                 let enough = Self::by_law(&trial, 0.9 * ENOUGH * self.tolerance);
                 if self.cost(kind, enough) > SURELY * self.least_cost() {
@@ -269,7 +274,7 @@ impl<L: Trials> Search<L> {
                 self.is_rough = true;
                 return;
             };
-            if self.error(kind, steps).is_none_or(|error| error <= wanted) {
+            if self.trial(kind, steps).is_none_or(|trial| trial.error <= wanted) {
                 return;
             }
         }
@@ -319,7 +324,7 @@ impl<L: Trials> Search<L> {
             }
             // Of few steps the next number may be the one.
             let steps = (guess.clamp(1.02 * low, 0.98 * dearest).round() as u64).max(last.steps + 1);
-            if steps as f64 >= dearest || self.error(kind, steps).is_none() {
+            if steps as f64 >= dearest || self.trial(kind, steps).is_none() {
                 return;
             }
         }

@@ -14,7 +14,7 @@ use crate::{Dd, Lift, PreparedStep, QuadraticField};
 
 use super::search::{Search, Trials, VOUCHING, Verdict};
 use super::setting::{Kind, Mode};
-use super::{NoSetting, Scene, Setting, price};
+use super::{NoSetting, Precision, Scene, Setting, price};
 
 /// The most steps of the map that a choice may cost, all of its trials together.
 pub(super) const MOST_WORK: f64 = 1e6;
@@ -25,6 +25,8 @@ const FINE: f64 = 1e-12;
 const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
 /// The relative distance of two beginnings that tells growth.
 const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
+/// Below this tolerance the rounding of ε, which moves the end by as much of the horizon, is felt.
+const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// The part of the work that the solution may take, and the part of what is left that one trial may.
 const SHARE: f64 = 0.4;
 /// Trials end where they are so far off, relative to the trajectory's size, or a few tolerances: there they say nothing more.
@@ -170,6 +172,13 @@ where
     T: FlowScalar,
     M: Lift<f64, N>,
 {
+    /// A power of 2 where the end is to be met more accurately than an ε that is rounded, an `f64` in every kind, has it.
+    fn steps_near(&self, kind: Kind, steps: u64) -> u64 {
+        let is_finer =
+            kind.precision == Precision::DoubleDouble && self.attempt.scene.tolerance < EPS_ROUNDING;
+        if is_finer { steps.next_power_of_two() } else { steps }
+    }
+
     fn error(&mut self, kind: Kind, steps: u64) -> Option<f64> {
         // A comparison counts as a step.
         let work_of_step = kind.composition.stages() as f64 + 1.0;
@@ -186,6 +195,10 @@ where
         setting.follow(map, *x0, |n, x| {
             last = n;
             worst = worst.max(along.distance(dt * Dd::from(n as f64), x));
+            if n == setting.steps {
+                // The last point stands for the horizon.
+                worst = worst.max(flow.distance(scene.horizon.into(), x));
+            }
             worst <= lost
         });
         self.budget.left -= last as f64 * work_of_step;

@@ -24,8 +24,8 @@ use paste::rust_of;
 /// 8 its compositions), whether the state carries its rounding error (compensated), and eps. Its price is nanoseconds per unit of
 /// simulated time. Two needs:
 ///
-/// trajectory: to follow the flow. The error is the largest distance from the flow's trajectory over the whole horizon, in the
-/// maximum norm, relative to the trajectory's largest coordinate. The trajectory is a Taylor series in 32 digits that agrees with a
+/// trajectory: to follow the flow. The error is the largest distance from the flow's trajectory over the whole horizon, at the times of
+/// the steps and with the last point standing for the horizon, in the maximum norm, relative to the trajectory's largest coordinate. The trajectory is a Taylor series in 32 digits that agrees with a
 /// second method (the closed solution, where the catalog has one, else a composition of order 8) to a thousandth of the
 /// tolerance; where they do not agree, or the solution escapes to infinity within the horizon, the command refuses.
 ///

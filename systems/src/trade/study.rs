@@ -9,7 +9,7 @@ use crate::reference::Reference;
 
 use super::clock::Clock;
 use super::drift::{Drift, Integrals};
-use super::kind::Kind;
+use super::kind::{Kind, ScalarKind};
 use super::runner::Runner;
 use super::stops::Stops;
 use super::{Need, Setting};
@@ -40,6 +40,10 @@ pub(super) struct Study<'a> {
 impl Study<'_> {
     /// The error that the need is about, at about so many steps over the horizon; `None` where there is no time for it.
     pub(super) fn error(&mut self, kind: Kind, steps: u64) -> Option<f64> {
+        // A power of 2 where the end is to be met more accurately than an ε that is rounded, to `f64` for `dd` too, has it.
+        let is_finer = (self.need, kind.scalar) == (Need::Trajectory, ScalarKind::Dd)
+            && self.tolerance < 16.0 * f64::EPSILON;
+        let steps = if is_finer { steps.next_power_of_two() } else { steps };
         let eps = kind.scalar.eps_near(self.horizon / (2.0 * steps as f64), self.need);
         let steps = ((self.horizon / (2.0 * eps)).round() as u64).max(1);
         let known = self.settings.iter().find(|known| known.kind == kind && known.eps == eps);
@@ -95,6 +99,10 @@ impl Study<'_> {
                 let t = dt * Dd::from(step as f64);
                 if f64::from(t) <= reference.end() {
                     trajectory = trajectory.max(reference.distance(t, x));
+                }
+                if step == steps {
+                    // The last point stands for the horizon.
+                    trajectory = trajectory.max(reference.distance(Dd::from(self.horizon), x));
                 }
             }
             if has_integrals && (samples.is_multiple_of(sparse) || step == steps) {

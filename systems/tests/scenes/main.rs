@@ -63,7 +63,7 @@ where
     Judged { scene: name, outcome }
 }
 
-/// The largest distance from the truth over every step.
+/// The largest distance from the truth over every step, the last of them standing for the horizon.
 fn error<M, const N: usize>(setting: &Setting, map: &M, x0: SVector<f64, N>, truth: &Reference) -> f64
 where
     M: Lift<f64, N>,
@@ -73,6 +73,9 @@ where
     setting.visit(map, x0, |n, x| {
         let x: Vec<Dd> = x.iter().map(|entry| Dd::from(*entry)).collect();
         worst = worst.max(truth.distance(dt * Dd::from(n as f64), &x));
+        if n == setting.steps() {
+            worst = worst.max(truth.distance(Dd::from(truth.end()), &x));
+        }
     });
     worst
 }

@@ -88,7 +88,7 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
         (self.map.lift(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
-    /// The largest distance from the reference over every step up to the horizon; as soon as it is beyond `enough`, that.
+    /// The largest distance from the reference over every step, the last standing for the horizon; as soon as it is beyond `enough`, that.
     pub(crate) fn error(&self, setting: &Setting, enough: f64) -> f64 {
         let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
         let dt = Dd::from(2.0 * setting.eps);
@@ -97,6 +97,9 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
             for (n, x) in orbit.take(steps + 1).enumerate() {
                 let x = x.map(Dd::from);
                 worst = worst.max(self.reference.distance(dt * Dd::from(n as f64), x.as_slice()));
+                if n == steps {
+                    worst = worst.max(self.reference.distance(Dd::from(self.horizon), x.as_slice()));
+                }
                 if worst > enough {
                     break;
                 }

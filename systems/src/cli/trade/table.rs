@@ -111,12 +111,6 @@ impl Finding<'_> {
             note("prices are predicted: the field is interpreted here; compiled E6 was timed, and scaled by the plans' costs".into());
         }
         if let Some(choice) = self.choice() {
-            let end = 2.0 * choice.eps * choice.steps as f64;
-            if self.need == Need::Trajectory && (end - self.horizon).abs() > self.tolerance * self.horizon {
-                note(format!(
-                    "the last step ends at t = {end:?}, not at the horizon: eps is rounded; the error is that at the times of the steps"
-                ));
-            }
             if self.need == Need::Integrals && choice.kind.order == 2 {
                 let flow = choice.flow_integral_drift.unwrap_or(0.0);
                 note(format!(
