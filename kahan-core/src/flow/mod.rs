@@ -19,7 +19,7 @@ use series::{Expansion, Series};
 
 /// The solution x(t), 0 ≤ t ≤ [`end`](Self::end), of a quadratic field through a point, computed in T: `f64` or [`Dd`].
 ///
-/// Each piece errs by less than T's unit roundoff relative to ‖x‖∞; what the flow then makes of these errors is in x(t).
+/// Each piece errs by about T's unit roundoff relative to each component; what the flow then makes of these errors is in x(t).
 ///
 /// ```
 /// use kahan_core::prelude::*;

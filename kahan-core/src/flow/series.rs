@@ -133,21 +133,25 @@ impl<T: FlowScalar, const N: usize> Series<T, N> {
     }
 }
 
-/// ρ from |xₖ| ~ |x₀|ρ⁻ᵏ in the last two terms, as Jorba and Zou, Exp. Math. 14 (2005) 99, have it.
+/// ρ from |xₖ| ~ |x₀|ρ⁻ᵏ in the last two terms, as Jorba and Zou, Exp. Math. 14 (2005) 99, have it, but component by component: one
+/// that is small now may decide later, so it is small errors of itself that count. Its size is the largest of the first half of its
+/// terms, as it may begin with 0.
 fn radius<T: FlowScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
-    let first = norm(&series[0]).max(norm(&series[1]));
-    let estimate = |k: usize| {
-        let last = norm(&series[k]);
-        if !last.is_finite() {
+    let size = |k: usize, i: usize| series[k][i].approximate().abs();
+    let last = series.len() - 1;
+    let estimate = |i: usize, k: usize| {
+        let largest = (0..=last / 2).map(|k| size(k, i)).fold(0.0, f64::max);
+        let term = size(k, i);
+        if !(term.is_finite() && largest.is_finite()) {
             // Beyond the range.
             0.0
-        } else if last > 0.0 {
-            (first / last).powf(1.0 / k as f64)
+        } else if term > 0.0 {
+            (largest / term).powf(1.0 / k as f64)
         } else {
             f64::INFINITY
         }
     };
-    estimate(series.len() - 1).min(estimate(series.len() - 2))
+    (0..N).map(|i| estimate(i, last).min(estimate(i, last - 1))).fold(f64::INFINITY, f64::min)
 }
 
 /// The power of 2 nearest to a rate, within a range whose products do not overflow; 1 where nothing moves, or it is no number.

@@ -9,7 +9,7 @@ use std::vec::Vec;
 
 use nalgebra::SVector;
 
-use crate::flow::{Flow, FlowScalar, NoFlow, norm};
+use crate::flow::{Flow, FlowScalar, NoFlow};
 use crate::{Dd, Lift, PreparedStep, QuadraticField};
 
 use super::search::{Search, Trials, VOUCHING, Verdict};
@@ -27,7 +27,7 @@ const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
 const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
 /// Below this tolerance the rounding of ε, which moves the end by as much of the horizon, is felt.
 const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// The part of the work that the solution may take, and the part of what is left that one trial may.
+/// The part of what is left that the solution may take.
 const SHARE: f64 = 0.4;
 /// Trials end where they are so far off, relative to the trajectory's size, or a few tolerances: there they say nothing more.
 const LOST: f64 = 0.1;
@@ -45,7 +45,7 @@ where
     if scene.tolerance >= FINE
         && let Some(flow) = budget.sure_flow(scene, map, start)
     {
-        let attempt = Attempt { scene, map, x0, flow: &flow, modes: &Mode::ALL[..2] };
+        let attempt = Attempt { scene, map, x0, flow: &flow, modes: &Mode::OF_DOUBLE };
         match attempt.choose(&mut budget) {
             Err(Refusal { is_rough: true, .. }) => {}
             answer => return answer.map_err(|refusal| refusal.why),
@@ -99,8 +99,9 @@ impl Budget {
         F: QuadraticField<f64, N>,
     {
         let flow = self.flow(scene, field, start).ok()?;
-        let nearby = NEARBY * norm(&start).max(flow.scale() * f64::EPSILON);
-        let beside = self.flow(scene, field, start.map(|entry| entry + nearby)).ok()?;
+        // Each component by another part of itself: roundings are relative, and differ.
+        let factor = |i: usize| if i % 2 == 0 { 1.0 + NEARBY } else { 1.0 - 0.75 * NEARBY };
+        let beside = self.flow(scene, field, SVector::from_fn(|i, _| factor(i) * start[i])).ok()?;
         let distance = |t: f64| {
             let x: Vec<Dd> = beside.at(t.into()).into_iter().map(Dd::from).collect();
             flow.distance(t.into(), &x)
@@ -179,10 +180,10 @@ where
         if is_finer { steps.next_power_of_two() } else { steps }
     }
 
-    fn error(&mut self, kind: Kind, steps: u64) -> Option<f64> {
+    fn error(&mut self, kind: Kind, steps: u64, share: f64) -> Option<f64> {
         // A comparison counts as a step.
         let work_of_step = kind.composition.stages() as f64 + 1.0;
-        if steps as f64 * work_of_step > SHARE * self.budget.left {
+        if steps as f64 * work_of_step > share * self.budget.left {
             self.is_short_of_work = true;
             return None;
         }

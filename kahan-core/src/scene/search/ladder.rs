@@ -1,0 +1,140 @@
+//! Ladders: an order at more and more steps.
+//!
+//! In: a kind and where to begin. Out: trials, until one serves, or costs more than a setting that does, or is sure to by the law error
+//! ∝ ε^order, or two rungs in a row gain nothing; and whether roundings were felt.
+
+use std::vec::Vec;
+
+use crate::Composition;
+
+use super::super::setting::{Kind, Mode};
+use super::{ENOUGH, SHARE, SMALL, STALL, Search, Trial, Trials};
+
+/// By how much less than the law has it a rung may gain, in its logarithm, and is still taken to follow it.
+const LAWFUL: f64 = 0.3;
+/// The law is trusted below this error.
+const USEFUL: f64 = 0.01;
+/// Where no rung has gained anything yet, it takes so many: a motion that grows from next to nothing is small to begin with,
+/// whatever coarse steps make of it.
+const PATIENCE: u32 = 6;
+/// A rung that gained less than this part of what the law has it, in logarithms, shows roundings, once the law was seen to hold.
+const LITTLE: f64 = 0.3;
+/// The most rungs of a ladder,
+const RUNGS: usize = 34;
+/// and of one that begins where another felt roundings.
+const MORE_RUNGS: usize = 5;
+/// A ladder is given up where the law says that its end will cost this factor more than what is known to serve.
+const SURELY: f64 = 1.5;
+/// A ladder's longest step where the law is seen to hold.
+const LEAP: u64 = 1 << 12;
+
+/// What a rung gained on the one before.
+#[derive(Clone, Copy, Debug)]
+struct Gain {
+    /// The error before,
+    before: f64,
+    /// over the error now.
+    factor: f64,
+    /// The same as a part of what the law has it, in logarithms.
+    part: f64,
+}
+
+impl Gain {
+    fn of(before: &Trial, now: &Trial) -> Self {
+        let factor = before.error / now.error;
+        let by_law = (now.steps as f64 / before.steps as f64).powi(now.kind.composition.order() as i32);
+        Self { before: before.error, factor, part: factor.ln() / by_law.ln() }
+    }
+}
+
+/// What a ladder has shown so far.
+#[derive(Clone, Copy, Debug, Default)]
+struct Climb {
+    /// Whether some rung gained at all,
+    has_gained: bool,
+    /// and by the law.
+    was_lawful: bool,
+    /// Whether some rung gained less: there were roundings in it, which other numbers make fewer.
+    felt_roundings: bool,
+    /// How many rungs in a row gained nothing.
+    stalls: u32,
+}
+
+impl Climb {
+    /// Counts what a rung of this error gained; whether it followed the law.
+    fn add(&mut self, gain: &Gain, error: f64) -> bool {
+        let is_lawful = (gain.part - 1.0).abs() < LAWFUL && error < USEFUL;
+        let gained_nothing =
+            (self.was_lawful && gain.part < LITTLE) || (error < SMALL && STALL * gain.factor < 1.0);
+        self.stalls = if gained_nothing { self.stalls + 1 } else { 0 };
+        self.has_gained |= gain.factor > 2.0;
+        self.was_lawful |= is_lawful;
+        self.felt_roundings |= gain.before < USEFUL && gain.part < 1.0 - LAWFUL;
+        is_lawful
+    }
+
+    fn has_stalled(&self) -> bool {
+        self.stalls == if self.has_gained { 2 } else { PATIENCE }
+    }
+}
+
+impl<L: Trials> Search<L> {
+    /// The ladders of an order: that of plain `f64`, and where its roundings are felt the others', too. What then serves is vouched
+    /// for.
+    pub(super) fn climb(&mut self, composition: Composition, coarsest: u64) {
+        let (mut from, mut rungs) = (coarsest, RUNGS);
+        for mode in self.modes {
+            let climb = self.ladder(mode.kind(composition), from, rungs);
+            self.is_rough |= climb.has_gained && climb.has_stalled();
+            if !climb.felt_roundings {
+                break;
+            }
+            (from, rungs) = (self.smooth(composition, coarsest), MORE_RUNGS);
+        }
+        if self.best().is_some() && !self.is_vouched_for() {
+            self.vouch();
+        }
+    }
+
+    fn ladder(&mut self, kind: Kind, coarsest: u64, rungs: usize) -> Climb {
+        let (mut steps, mut before): (u64, Option<Trial>) = (coarsest, None);
+        let mut climb = Climb::default();
+        for _ in 0..rungs {
+            if self.cost(kind, steps as f64) >= self.least_cost() {
+                break;
+            }
+            // Where a leap takes too long, the next rung may not.
+            let next = before.map_or(steps, |before| 2 * before.steps);
+            let mut rungs = [steps, next].into_iter();
+            let Some(trial) = rungs.find_map(|steps| self.trial(kind, steps, SHARE)) else { break };
+            let seen = before.filter(|before| before.error.is_finite());
+            let gain = seen.map(|before| Gain::of(&before, &trial));
+            let is_lawful = gain.is_some_and(|gain| climb.add(&gain, trial.error));
+            if trial.error <= ENOUGH * self.tolerance || climb.has_stalled() {
+                break;
+            }
+            steps = 2 * trial.steps;
+            if trial.error < SMALL && gain.is_some_and(|gain| gain.factor > 2.0) {
+                let enough = Self::by_law(&trial, 0.9 * ENOUGH * self.tolerance);
+                if self.cost(kind, enough) > SURELY * self.least_cost() {
+                    break;
+                }
+                // Where the law is seen to hold, there is no need of the rungs between.
+                if is_lawful {
+                    steps = (enough.ceil() as u64).clamp(trial.steps + 1, trial.steps.saturating_mul(LEAP));
+                }
+            }
+            before = Some(trial);
+        }
+        climb
+    }
+
+    /// The finest steps of an order at which the errors of plain `f64` still fell by the law.
+    fn smooth(&self, composition: Composition, coarsest: u64) -> u64 {
+        let kind = Mode::PLAIN.kind(composition);
+        let mut plain: Vec<&Trial> = self.tried.iter().filter(|trial| trial.kind == kind).collect();
+        plain.sort_by_key(|trial| trial.steps);
+        let is_lawful = |pair: &&[&Trial]| Gain::of(pair[0], pair[1]).part > 1.0 - LAWFUL;
+        plain.windows(2).filter(is_lawful).map(|pair| pair[1].steps).max().unwrap_or(coarsest)
+    }
+}

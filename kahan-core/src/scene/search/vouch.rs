@@ -1,0 +1,63 @@
+//! A second method for the flow.
+//!
+//! In: the trials so far. Out: an orbit in double-double, of the order that gets there with the fewest stages, which comes within a
+//! part of the tolerance of the flow; or the verdict that it is the flow that has roundings.
+
+use core::cmp::Reverse;
+use std::vec::Vec;
+
+use crate::Composition;
+
+use super::super::setting::{Kind, Mode};
+use super::{ORDERS, SMALL, STALL, Search, Trial, Trials, VOUCHING};
+
+/// Trials that may vouch for the flow.
+const VOUCHERS: usize = 16;
+
+impl<L: Trials> Search<L> {
+    /// Looks for an orbit in double-double that is so near to the flow that both must be right.
+    pub(super) fn vouch(&mut self) {
+        let wanted = self.tolerance / VOUCHING;
+        for _ in 0..VOUCHERS {
+            // Of the order that gets there with the fewest stages, by what its last trials showed.
+            let next = ORDERS
+                .iter()
+                .filter_map(|order| Some((Mode::WIDE.kind(*order), self.steps_to(*order, wanted)?)));
+            let stages = |(kind, steps): &(Kind, u64)| *steps as f64 * kind.composition.stages() as f64;
+            let Some((kind, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
+                // It is the flow that has roundings.
+                self.is_rough = true;
+                return;
+            };
+            if self.trial(kind, steps, 1.0).is_none_or(|trial| trial.error <= wanted) {
+                return;
+            }
+        }
+    }
+
+    /// The steps at which an order may come so near: by the law, from its finest trial in double-double, or its best in `f64`.
+    /// `None` where trials come no nearer.
+    fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
+        let of_order = || self.tried.iter().filter(|trial| trial.kind.composition == composition);
+        let by_law = |trial: &Trial| Self::by_law(trial, 0.7 * wanted);
+        let mut wide: Vec<&Trial> =
+            of_order().filter(|trial| trial.kind == Mode::WIDE.kind(composition)).collect();
+        wide.sort_by_key(|trial| Reverse(trial.steps));
+        let Some(finest) = wide.first() else {
+            let useful = of_order().filter(|trial| trial.error < SMALL.max(self.tolerance));
+            return useful
+                .min_by(|a, b| a.error.total_cmp(&b.error))
+                .map(|best| by_law(best).ceil().max(1.0) as u64);
+        };
+        let stalls =
+            wide.windows(2).take_while(|pair| pair[0].error < SMALL && pair[0].error > STALL * pair[1].error);
+        if stalls.count() > 1 {
+            return None;
+        }
+        let steps = finest.steps as f64;
+        // The law tells the least; where it does not hold yet, more are needed.
+        let next =
+            if finest.error < SMALL { by_law(finest).clamp(1.3 * steps, 4.0 * steps) } else { 2.0 * steps };
+        Some(next.ceil() as u64)
+    }
+}
