@@ -38,7 +38,7 @@ where
         (0..HALVINGS).map(|k| first * f64::from(k).exp2()).find(|steps| is_borne(scene, map, x0, *steps));
     let Some(coarsest) = coarsest else { return Err(NoSetting::Lost { time: 0.0 }) };
     let (mut best, mut least_error): (Option<Setting>, f64) = (None, f64::INFINITY);
-    for mode in Mode::ALL {
+    for mode in [Mode::PLAIN, Mode::COMPENSATED, Mode::WIDE] {
         let kind @ Kind { precision, compensated, .. } = mode.kind(Composition::KAHAN);
         for k in 0..HALVINGS {
             let steps = coarsest * f64::from(k).exp2();

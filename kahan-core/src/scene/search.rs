@@ -74,7 +74,7 @@ pub(super) enum Verdict {
 pub(super) struct Search<L> {
     trials: L,
     tolerance: f64,
-    /// The numbers that may be chosen.
+    /// The numbers that may be chosen besides plain `f64`.
     modes: &'static [Mode],
     tried: Vec<Trial>,
     /// Whether the errors of some ladder fell, and then no further.
@@ -101,7 +101,8 @@ impl<L: Trials> Search<L> {
             }
         }
         if self.is_vouched_for() {
-            for (mode, composition) in self.modes.iter().flat_map(|mode| ORDERS.map(|order| (mode, order))) {
+            let modes = [Mode::PLAIN].into_iter().chain(self.modes.iter().copied());
+            for (mode, composition) in modes.flat_map(|mode| ORDERS.map(|order| (mode, order))) {
                 self.refine(mode.kind(composition));
             }
         }

@@ -59,17 +59,17 @@ impl Mode {
     }
 
     pub(super) const PLAIN: Self = Self::new(Precision::Double, false);
-    const COMPENSATED: Self = Self::new(Precision::Double, true);
+    pub(super) const COMPENSATED: Self = Self::new(Precision::Double, true);
 
     /// `Dd`, whose roundings are never seen.
     pub(super) const WIDE: Self = Self::new(Precision::DoubleDouble, false);
 
-    /// What a single orbit may be chosen to run in. Not `f32`, for which it waits as long as for `f64`; and compensation makes no
-    /// sense where no rounding is ever seen.
-    pub(super) const ALL: [Self; 3] = [Self::PLAIN, Self::WIDE, Self::COMPENSATED];
+    /// What a single orbit may be chosen to run in besides plain `f64`. Not `f32`, for which it waits as long; and compensation
+    /// makes no sense where no rounding is ever seen.
+    pub(super) const OTHERS: [Self; 2] = [Self::WIDE, Self::COMPENSATED];
 
-    /// Those in `f64`.
-    pub(super) const OF_DOUBLE: [Self; 2] = [Self::PLAIN, Self::COMPENSATED];
+    /// Those of them in `f64`.
+    pub(super) const OF_DOUBLE: [Self; 1] = [Self::COMPENSATED];
 
     /// This mode of a composition.
     pub(super) const fn kind(self, composition: Composition) -> Kind {

@@ -53,7 +53,7 @@ where
     }
     let wide = map.lift::<Dd>(|parameter| Dd::from(*parameter));
     let flow = budget.flow(scene, &wide, start.map(Dd::from))?;
-    let attempt = Attempt { scene, map, x0, flow: &flow, modes: &Mode::ALL };
+    let attempt = Attempt { scene, map, x0, flow: &flow, modes: &Mode::OTHERS };
     attempt.choose(&mut budget).map_err(|refusal| refusal.why)
 }
 
@@ -117,7 +117,7 @@ struct Attempt<'a, T, M, const N: usize> {
     map: &'a M,
     x0: &'a SVector<f64, N>,
     flow: &'a Flow<T>,
-    /// The numbers that may be chosen.
+    /// The numbers that may be chosen besides plain `f64`.
     modes: &'static [Mode],
 }
 

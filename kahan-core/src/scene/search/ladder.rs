@@ -25,6 +25,8 @@ const RUNGS: usize = 34;
 const MORE_RUNGS: usize = 5;
 /// A ladder is given up where the law says that its end will cost this factor more than what is known to serve.
 const SURELY: f64 = 1.5;
+/// Roundings differ from one ε to the next by about this factor.
+const NEAR: f64 = 30.0;
 /// A ladder's longest step where the law is seen to hold.
 const LEAP: u64 = 1 << 12;
 
@@ -74,7 +76,7 @@ impl Climb {
     }
 
     fn has_stalled(&self) -> bool {
-        self.stalls == if self.has_gained { 2 } else { PATIENCE }
+        self.stalls >= if self.has_gained { 2 } else { PATIENCE }
     }
 }
 
@@ -82,14 +84,13 @@ impl<L: Trials> Search<L> {
     /// The ladders of an order: that of plain `f64`, and where its roundings are felt the others', too. What then serves is vouched
     /// for.
     pub(super) fn climb(&mut self, composition: Composition, coarsest: u64) {
-        let (mut from, mut rungs) = (coarsest, RUNGS);
-        for mode in self.modes {
-            let climb = self.ladder(mode.kind(composition), from, rungs);
-            self.is_rough |= climb.has_gained && climb.has_stalled();
-            if !climb.felt_roundings {
-                break;
+        let climb = self.ladder(Mode::PLAIN.kind(composition), coarsest, RUNGS);
+        self.is_rough |= climb.has_gained && climb.has_stalled();
+        if climb.felt_roundings {
+            let from = self.smooth(composition, coarsest);
+            for mode in self.modes {
+                self.ladder(mode.kind(composition), from, MORE_RUNGS);
             }
-            (from, rungs) = (self.smooth(composition, coarsest), MORE_RUNGS);
         }
         if self.best().is_some() && !self.is_vouched_for() {
             self.vouch();
@@ -110,7 +111,9 @@ impl<L: Trials> Search<L> {
             let seen = before.filter(|before| before.error.is_finite());
             let gain = seen.map(|before| Gain::of(&before, &trial));
             let is_lawful = gain.is_some_and(|gain| climb.add(&gain, trial.error));
-            if trial.error <= ENOUGH * self.tolerance || climb.has_stalled() {
+            // So near, where another rung may do by luck, the price of what serves is the only end.
+            let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
+            if trial.error <= ENOUGH * self.tolerance || (climb.has_stalled() && !is_near) {
                 break;
             }
             steps = 2 * trial.steps;
