@@ -100,7 +100,7 @@ impl Budget {
     {
         let flow = self.flow(scene, field, start).ok()?;
         // Each component by another part of itself: roundings are relative, and differ.
-        let factor = |i: usize| if i % 2 == 0 { 1.0 + NEARBY } else { 1.0 - 0.75 * NEARBY };
+        let factor = |i: usize| if i.is_multiple_of(2) { 1.0 + NEARBY } else { 1.0 - 0.75 * NEARBY };
         let beside = self.flow(scene, field, SVector::from_fn(|i, _| factor(i) * start[i])).ok()?;
         let distance = |t: f64| {
             let x: Vec<Dd> = beside.at(t.into()).into_iter().map(Dd::from).collect();
