@@ -7,8 +7,6 @@
 
 mod fields;
 
-use std::time::{Duration, Instant};
-
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
@@ -52,7 +50,7 @@ where
     let exact = start.map(|entry| BigRational::from_float(entry).expect("finite"));
     let asked =
         Trajectory { command: "", parameters: &[], start: &exact, end: horizon, allowed: 0.1 * tolerance };
-    let limits = Limits { margin: 0.0, deadline: Some(Instant::now() + Duration::from_secs(60)) };
+    let limits = Limits::default();
     let Ok(truth) = Reference::within(map, &asked, &limits) else {
         return Judged { scene: name, outcome: Outcome::Unjudged { is_accepted: chosen.is_ok() } };
     };

@@ -14,10 +14,9 @@ use super::{ENOUGH, SHARE, SMALL, STALL, Search, Trial, Trials};
 const LAWFUL: f64 = 0.3;
 /// The law is trusted below this error.
 const USEFUL: f64 = 0.01;
-/// Where no rung has gained anything yet, it takes so many: a motion that grows from next to nothing is small to begin with,
-/// whatever coarse steps make of it.
-const PATIENCE: u32 = 6;
-/// A rung that gained less than this part of what the law has it, in logarithms, shows roundings, once the law was seen to hold.
+/// So many rungs in a row that gain nothing want an explanation.
+const STALLS: u32 = 2;
+/// A rung that gained less than this part of what the law has it, in logarithms, gained nothing, once the law was seen to hold.
 const LITTLE: f64 = 0.3;
 /// The most rungs of a ladder,
 const RUNGS: usize = 34;
@@ -42,6 +41,11 @@ struct Gain {
 }
 
 impl Gain {
+    /// Whether the rung gained what the law has it, at errors at which it can be trusted.
+    fn is_lawful(&self) -> bool {
+        (self.part - 1.0).abs() < LAWFUL && self.before < self.factor * USEFUL
+    }
+
     fn of(before: &Trial, now: &Trial) -> Self {
         let factor = before.error / now.error;
         let by_law = (now.steps as f64 / before.steps as f64).powi(now.kind.composition.order() as i32);
@@ -52,31 +56,27 @@ impl Gain {
 /// What a ladder has shown so far.
 #[derive(Clone, Copy, Debug, Default)]
 struct Climb {
-    /// Whether some rung gained at all,
-    has_gained: bool,
-    /// and by the law.
+    /// Whether some rung gained as the law has it.
     was_lawful: bool,
-    /// Whether some rung gained less: there were roundings in it, which other numbers make fewer.
-    felt_roundings: bool,
+    /// Whether some rung gained less.
+    gained_little: bool,
     /// How many rungs in a row gained nothing.
     stalls: u32,
+    /// The finest rung.
+    finest: Option<Trial>,
 }
 
 impl Climb {
-    /// Counts what a rung of this error gained; whether it followed the law.
-    fn add(&mut self, gain: &Gain, error: f64) -> bool {
-        let is_lawful = (gain.part - 1.0).abs() < LAWFUL && error < USEFUL;
+    /// Counts what a rung gained on the one before; whether it followed the law.
+    fn add(&mut self, trial: Trial) -> Option<Gain> {
+        let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
+        let gain = Gain::of(&before, &trial);
         let gained_nothing =
-            (self.was_lawful && gain.part < LITTLE) || (error < SMALL && STALL * gain.factor < 1.0);
+            (self.was_lawful && gain.part < LITTLE) || (trial.error < SMALL && STALL * gain.factor < 1.0);
         self.stalls = if gained_nothing { self.stalls + 1 } else { 0 };
-        self.has_gained |= gain.factor > 2.0;
-        self.was_lawful |= is_lawful;
-        self.felt_roundings |= gain.before < USEFUL && gain.part < 1.0 - LAWFUL;
-        is_lawful
-    }
-
-    fn has_stalled(&self) -> bool {
-        self.stalls >= if self.has_gained { 2 } else { PATIENCE }
+        self.was_lawful |= gain.is_lawful();
+        self.gained_little |= gain.before < USEFUL && gain.part < 1.0 - LAWFUL;
+        Some(gain)
     }
 }
 
@@ -85,8 +85,8 @@ impl<L: Trials> Search<L> {
     /// for.
     pub(super) fn climb(&mut self, composition: Composition, coarsest: u64) {
         let climb = self.ladder(Mode::PLAIN.kind(composition), coarsest, RUNGS);
-        self.is_rough |= climb.has_gained && climb.has_stalled();
-        if climb.felt_roundings {
+        if climb.gained_little && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {
+            self.is_rough = true;
             let from = self.smooth(composition, coarsest);
             for mode in self.modes {
                 self.ladder(mode.kind(composition), from, MORE_RUNGS);
@@ -98,38 +98,48 @@ impl<L: Trials> Search<L> {
     }
 
     fn ladder(&mut self, kind: Kind, coarsest: u64, rungs: usize) -> Climb {
-        let (mut steps, mut before): (u64, Option<Trial>) = (coarsest, None);
-        let mut climb = Climb::default();
+        let (mut steps, mut climb) = (coarsest, Climb::default());
         for _ in 0..rungs {
             if self.cost(kind, steps as f64) >= self.least_cost() {
                 break;
             }
             // Where a leap takes too long, the next rung may not.
-            let next = before.map_or(steps, |before| 2 * before.steps);
+            let next = climb.finest.map_or(steps, |before| 2 * before.steps);
             let mut rungs = [steps, next].into_iter();
             let Some(trial) = rungs.find_map(|steps| self.trial(kind, steps, SHARE)) else { break };
-            let seen = before.filter(|before| before.error.is_finite());
-            let gain = seen.map(|before| Gain::of(&before, &trial));
-            let is_lawful = gain.is_some_and(|gain| climb.add(&gain, trial.error));
-            // So near, where another rung may do by luck, the price of what serves is the only end.
-            let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
-            if trial.error <= ENOUGH * self.tolerance || (climb.has_stalled() && !is_near) {
+            let gain = climb.add(trial);
+            if trial.error <= ENOUGH * self.tolerance {
                 break;
             }
+            if climb.stalls >= STALLS {
+                // So near, where another rung may do by luck, the price of what serves is the only end.
+                let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
+                if !is_near && self.has_roundings(&trial) {
+                    break;
+                }
+                // A stiff motion: steps of either size meet poles of the map, which finer ones will not.
+                climb.stalls = 0;
+            }
             steps = 2 * trial.steps;
-            if trial.error < SMALL && gain.is_some_and(|gain| gain.factor > 2.0) {
+            if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
                 let enough = Self::by_law(&trial, 0.9 * ENOUGH * self.tolerance);
                 if self.cost(kind, enough) > SURELY * self.least_cost() {
                     break;
                 }
                 // Where the law is seen to hold, there is no need of the rungs between.
-                if is_lawful {
+                if gain.is_lawful() {
                     steps = (enough.ceil() as u64).clamp(trial.steps + 1, trial.steps.saturating_mul(LEAP));
                 }
             }
-            before = Some(trial);
         }
         climb
+    }
+
+    /// Whether a trial errs by its roundings rather than by its order: double-double, which has none, errs less.
+    fn has_roundings(&mut self, trial: &Trial) -> bool {
+        let wide = Mode::WIDE.kind(trial.kind.composition);
+        let other = if trial.kind == wide { None } else { self.trial(wide, trial.steps, SHARE) };
+        other.is_none_or(|other| other.error < STALL * trial.error)
     }
 
     /// The finest steps of an order at which the errors of plain `f64` still fell by the law.
