@@ -7,7 +7,8 @@
 //! Elimination in 53 bits is the truth for both, as it errs 2⁻²³ times as much as in 30. To first order the rounding errors of a
 //! computation are proportional to u, so an error of k u in 30 bits is one of about k u in 53.
 //!
-//! Medians of a few points are uncertain by a factor of two, so the limits below leave room between them.
+//! A form whose errors are beyond limits is refused where there is one well within them, and holds up to the size where they are
+//! within for certain. A form in doubt is kept, and says how far it holds.
 
 mod program;
 mod trial;
@@ -29,21 +30,24 @@ const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
 const FEW: usize = 25;
 /// and where these leave a doubt.
 const MANY: usize = 100;
-/// How much more than the median the tail may lose.
-const TAIL_FACTOR: f64 = 3.0;
-/// A median error of elimination below this counts as this, in units u,
+/// By what factor a median error may be larger than that of elimination, which counts as [`SMALL`] where it is below,
+const MEDIAN_FACTOR: f64 = 30.0;
+/// in units u;
 const SMALL: f64 = 10.0;
-/// and a tail below this is good whatever elimination does.
+/// by what factor the tail may be,
+const TAIL_FACTOR: f64 = 60.0;
+/// unless it is below this.
 const SMALL_TAIL: f64 = 1000.0;
-
-/// A form that errs more than elimination by a larger factor than this is refused, if there is one
-const REFUSED: f64 = 45.0;
-/// that does so by at most this.
-const CLOSE: f64 = 5.0;
-/// Up to this factor a form is said to hold. Between this and what is refused it is kept, and says how far it holds.
-const HOLDS: f64 = 8.0;
-/// From what holds to here a few points leave a doubt.
+/// A step is refused where it exceeds the limits by this factor, if there is one
+const REFUSED: f64 = 1.5;
+/// that is this far within them. Between 1 and what is refused it is kept, and says how far it holds.
+const KEPT: f64 = 1.0 / 6.0;
+/// Up to here a few points leave a doubt.
 const DOUBTFUL: f64 = 3.0 * REFUSED;
+/// A median of n errors lies within the quantiles ½ ± this/√n, nine times in ten.
+const BAND: f64 = 0.8;
+/// What stands for the tail, read off as uncertainly.
+const TAIL: f64 = 0.9;
 
 /// Points of every size, and what elimination makes of them.
 pub(super) struct Accuracy<'a> {
@@ -52,16 +56,25 @@ pub(super) struct Accuracy<'a> {
     many: OnceCell<Vec<Vec<Trial>>>,
 }
 
-/// By what factor a step errs more than elimination, size by size.
+/// What a step loses that elimination keeps, size by size.
 #[derive(Debug)]
-pub(super) struct Loss(Vec<f64>);
+pub(super) struct Loss(Vec<Ratio>);
+
+/// Errors over what they may be, 1 at the limit.
+#[derive(Clone, Copy, Debug)]
+struct Ratio {
+    /// As measured,
+    measured: f64,
+    /// and the largest that the points leave room for.
+    largest: f64,
+}
 
 impl<'a> Accuracy<'a> {
     pub(super) fn of(field: &'a Field) -> Self {
         Accuracy { field, few: points(field, FEW), many: OnceCell::new() }
     }
 
-    /// How much more a step errs than elimination.
+    /// What a step loses; where the points leave a doubt, there are more.
     pub(super) fn loss(&self, step: &StepPlan) -> Loss {
         let runner = Runner::of(step);
         let loss = |points: &[Vec<Trial>]| Loss(points.iter().map(|trials| runner.loss(trials)).collect());
@@ -69,10 +82,10 @@ impl<'a> Accuracy<'a> {
         if first.is_doubtful() { loss(self.many.get_or_init(|| points(self.field, MANY))) } else { first }
     }
 
-    /// Whether a step errs hardly more at any size; the largest one, which decides nearly always, comes first.
-    pub(super) fn is_close(&self, step: &StepPlan) -> bool {
+    /// Whether a step stays well within the limits at every size; the largest one, which decides nearly always, comes first.
+    pub(super) fn is_kept(&self, step: &StepPlan) -> bool {
         let runner = Runner::of(step);
-        self.few.iter().rev().all(|trials| runner.loss(trials) <= CLOSE)
+        self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
     }
 }
 
@@ -90,18 +103,21 @@ fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
 impl Loss {
     /// Whether a step is refused where there is a better one.
     pub(super) fn is_refused(&self) -> bool {
-        self.0.iter().any(|loss| *loss > REFUSED)
+        self.worst() > REFUSED
     }
 
     /// Whether more points may say something else.
     fn is_doubtful(&self) -> bool {
-        let largest = self.0.iter().copied().fold(0.0, f64::max);
-        (HOLDS..DOUBTFUL).contains(&largest)
+        self.holds_to() < LARGEST_SIZE && self.worst() < DOUBTFUL
     }
 
-    /// The largest size up to which the step holds; 0 if there is none.
+    fn worst(&self) -> f64 {
+        self.0.iter().map(|ratio| ratio.measured).fold(0.0, f64::max)
+    }
+
+    /// The largest size up to which the step holds for certain; 0 if there is none.
     pub(super) fn holds_to(&self) -> u32 {
-        let held = SIZES.iter().zip(&self.0).take_while(|(_, loss)| **loss <= HOLDS);
+        let held = SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= 1.0);
         held.last().map_or(0, |(size, _)| *size)
     }
 }
@@ -118,15 +134,23 @@ impl<'a> Runner<'a> {
         Runner { step, constants: Program::of(&step.constants), kernel: Program::of(&step.kernel) }
     }
 
-    /// The ratio of the medians or, where that is larger, a part of the ratio of the tails.
-    fn loss(&self, trials: &[Trial]) -> f64 {
+    /// The ratios of medians and of tails to what they may be.
+    fn loss(&self, trials: &[Trial]) -> Ratio {
         if trials.len() < FEW {
-            return 0.0;
+            return Ratio { measured: 0.0, largest: 0.0 };
         }
-        let [median, tail] = quantiles(trials.iter().map(|trial| self.error(trial)).collect());
-        let [its_median, its_tail] = quantiles(trials.iter().map(|trial| trial.elimination).collect());
-        let of_tails = if tail <= SMALL_TAIL { 0.0 } else { tail / (TAIL_FACTOR * its_tail.max(SMALL)) };
-        of_tails.max(median / its_median.max(SMALL))
+        let own = sorted(trials.iter().map(|trial| self.error(trial)).collect());
+        let others = sorted(trials.iter().map(|trial| trial.elimination).collect());
+        let band = BAND / (trials.len() as f64).sqrt();
+        // The step read off at `shift` from a quantile, elimination as far on the other side.
+        let ratio = |shift: f64| {
+            let of_medians =
+                quantile(&own, 0.5 + shift) / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(SMALL));
+            let tail = quantile(&own, TAIL + shift / 2.0);
+            let of_tails = tail / (TAIL_FACTOR * quantile(&others, TAIL - shift / 2.0));
+            if tail <= SMALL_TAIL { of_medians } else { of_medians.max(of_tails) }
+        };
+        Ratio { measured: ratio(0.0), largest: ratio(band) }
     }
 
     /// The error of one step.
@@ -143,8 +167,13 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// The median, and what stands for the tail: what eight of a hundred exceed.
-fn quantiles(mut errors: Vec<f64>) -> [f64; 2] {
+fn sorted(mut errors: Vec<f64>) -> Vec<f64> {
     errors.sort_by(f64::total_cmp);
-    [errors[errors.len() / 2], errors[errors.len() - 1 - errors.len() * 2 / FEW]]
+    errors
+}
+
+/// The value that this share of sorted values is below.
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let last = (sorted.len() - 1) as f64;
+    sorted[(last * share).round() as usize]
 }

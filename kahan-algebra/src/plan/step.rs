@@ -56,7 +56,7 @@ impl StepPlan {
         let mut general = cheapest;
         if loss.is_refused() {
             let steady = candidates::steady_forms(field, map, &forms.best);
-            if let Some(steady) = steady.iter().map(plan).find(|form| accuracy.is_close(form)) {
+            if let Some(steady) = steady.iter().map(plan).find(|form| accuracy.is_kept(form)) {
                 loss = accuracy.loss(&steady);
                 general = steady;
             }
