@@ -42,7 +42,9 @@ const SMALL_TAIL: f64 = 1000.0;
 const REFUSED: f64 = 1.5;
 /// that is this far within them. Between 1 and what is refused it is kept, and says how far it holds.
 const KEPT: f64 = 1.0 / 6.0;
-/// Up to here a few points leave a doubt.
+/// From here
+const CLEAR: f64 = 0.2;
+/// to here a few points leave a doubt.
 const DOUBTFUL: f64 = 3.0 * REFUSED;
 /// A median of n errors lies within the quantiles ½ ± this/√n, nine times in ten.
 const BAND: f64 = 0.8;
@@ -108,7 +110,8 @@ impl Loss {
 
     /// Whether more points may say something else.
     fn is_doubtful(&self) -> bool {
-        self.holds_to() < LARGEST_SIZE && self.worst() < DOUBTFUL
+        let largest = self.0.iter().map(|ratio| ratio.largest).fold(0.0, f64::max);
+        largest > CLEAR && self.worst() < DOUBTFUL
     }
 
     fn worst(&self) -> f64 {
