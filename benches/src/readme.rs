@@ -26,7 +26,7 @@ const TRIALS: &str = "1000000";
 
 /// The tiers with their promises, in the order of the table: name in the timings, how it is called, what it promises.
 const PROMISES: [(&str, &str, &str); 6] = [
-    ("fast", "`step`, `orbit`", "a few u away from poles; nothing is looked at"),
+    ("fast", "`step`, `orbit`", "a few u in short steps away from poles; nothing is looked at"),
     ("compensated", "`orbit(..).compensated()`", "the same, and the rounding of a step falls to O(ε)·u"),
     ("stable", "`try_step`", "within 64 u of the exact step, established for this very call, or an error"),
     ("accurate", "any of them with `Dd`", "half an ulp of `f64`, down to 1e-9 from a pole"),

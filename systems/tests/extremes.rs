@@ -79,7 +79,7 @@ fn each_regime_has_its_quarter() {
             // Where no pole is found in twelve attempts, the point is one of mixed magnitudes.
             assert!(4 * trials >= TRIALS - TRIALS / 50, "{scalar}, {regime:?}: {trials}");
         }
-        for regime in [Regime::Subnormal, Regime::NotFinite] {
+        for regime in [Regime::Subnormal, Regime::NotFinite, Regime::LargeSteps] {
             assert_eq!(tally.cells[&(regime, "stable", scalar)].trials, TRIALS / 32);
         }
     }

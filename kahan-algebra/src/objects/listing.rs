@@ -18,6 +18,8 @@ pub struct StepListing {
     pub reciprocals: Vec<Option<String>>,
     /// x̃ from x, a line a component.
     pub next: Vec<String>,
+    /// [`StepPlan::holds_to`].
+    pub holds_to: u32,
 }
 
 impl StepListing {
@@ -61,7 +63,7 @@ impl StepListing {
         let kept = step.constants.outputs.iter().filter(is_kept).map(|output| fixed[output.0].clone());
         let constants = kept.chain(lines(&step.constants, &fixed, |_| false)).collect();
         let kernel = lines(&step.kernel, &named, |index| hidden[index]);
-        StepListing { constants, kernel, reciprocals, next }
+        StepListing { constants, kernel, reciprocals, next, holds_to: step.holds_to }
     }
 }
 

@@ -57,7 +57,7 @@ impl StepPlan {
         // No reciprocal takes a sign any more.
         let (constants, kernel) =
             with_signs(self.constants.clone(), builder.finish(&outputs), Wanted::Additions);
-        Some(StepPlan { constants, kernel, reciprocals: vec![None; self.reciprocals.len()], general: None })
+        Some(StepPlan { constants, kernel, reciprocals: vec![None; self.reciprocals.len()], ..self.clone() })
     }
 }
 

@@ -7,6 +7,9 @@
 //! ```text
 //! (A_RR − A_RS·A_SR)·(x̃ − x)_R = 2ε (P_R − A_RS·P_S),      (x̃ − x)_S = 2ε P_S(x, x̃) with x̃_R put in.
 //! ```
+//!
+//! A pivot of 1 beside entries of the size ‖εf′‖ costs that many digits in long steps. Where that is [too much](super::accuracy), a
+//! block is solved whole: S is empty.
 
 use crate::field::Field;
 use crate::kahan::{polarization, scaled_matrix};
@@ -37,6 +40,15 @@ pub(super) struct Blocks<'a> {
     structure: Structure,
 }
 
+/// How blocks are solved.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Manner {
+    /// The states of an independent set by their pivots, the others by minors, along the row that is last after so many rotations.
+    Eliminating(usize),
+    /// All states by minors of at most so many operations, the rows in the order that so many others are cheaper than.
+    Whole { rank: usize, operations: usize },
+}
+
 /// x̃ᵢ − xᵢ: a numerator with its sign, and its reciprocal.
 type Increment = (Signed, Option<Node>);
 
@@ -50,12 +62,12 @@ impl<'a> Blocks<'a> {
         }
     }
 
-    /// The candidate that expands along the row that is last after `turn` rotations; `None` where a block is too large.
-    pub(super) fn candidate(&self, mut writer: Writer, turn: usize) -> Option<Candidate> {
+    /// The candidate in one manner; `None` where a block is too large.
+    pub(super) fn candidate(&self, mut writer: Writer, manner: Manner) -> Option<Candidate> {
         let still = (Signed::plus(writer.draft.zero()), None);
         let mut increments: Vec<Increment> = vec![still; self.field.dimension()];
         for block in &self.structure.blocks() {
-            self.solve(block, turn, &mut writer, &mut increments)?;
+            self.solve(block, manner, &mut writer, &mut increments)?;
         }
         let numerator = |(signed, _): &Increment| match signed.negative {
             // Its value is a part of x̃ in this plan, so a difference is not turned round.
@@ -70,17 +82,26 @@ impl<'a> Blocks<'a> {
     fn solve(
         &self,
         block: &[usize],
-        turn: usize,
+        manner: Manner,
         writer: &mut Writer,
         increments: &mut [Increment],
     ) -> Option<()> {
-        let independent = self.structure.independent(block);
+        let independent = match manner {
+            Manner::Eliminating(_) => self.structure.independent(block),
+            Manner::Whole { .. } => Vec::new(),
+        };
         let rest: Vec<usize> = block.iter().copied().filter(|i| !independent.contains(i)).collect();
         if !rest.is_empty() {
-            let rows = self.reduced_rows(block, &independent, &rest)?;
-            let pattern: Vec<Vec<bool>> =
-                rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect();
-            if minors::operations(&pattern) > MOST_OPERATIONS {
+            let mut rows = self.reduced_rows(block, &independent, &rest)?;
+            let (turn, most) = match manner {
+                Manner::Eliminating(turn) => (turn % rows.len(), MOST_OPERATIONS),
+                Manner::Whole { rank, operations } => {
+                    let order = minors::cheap_order(&pattern(&rows), rank);
+                    rows = order.into_iter().map(|i| std::mem::take(&mut rows[i])).collect();
+                    (0, operations.min(MOST_OPERATIONS))
+                }
+            };
+            if minors::operations(&pattern(&rows)) > most {
                 return None;
             }
             let mut written: Vec<Vec<Entry>> = rows
@@ -96,7 +117,6 @@ impl<'a> Blocks<'a> {
                 })
                 .collect();
             // An odd order of the rows changes all signs, which cancel in the quotients.
-            let turn = turn % written.len();
             written.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &written);
             let reciprocal = writer.twice_reciprocal(denominator.node);
@@ -164,4 +184,9 @@ impl<'a> Blocks<'a> {
             writer.draft.sum(&[Signed::plus(state), Signed { node: step, negative: increment.negative }]);
         writer.put(second, next);
     }
+}
+
+/// Where entries are not zero.
+fn pattern(rows: &[Vec<Polynomial>]) -> Vec<Vec<bool>> {
+    rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect()
 }

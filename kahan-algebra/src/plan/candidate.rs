@@ -13,6 +13,7 @@ pub(super) struct Candidate {
     pub(super) numerators: Vec<Node>,
     pub(super) reciprocals: Vec<Option<Node>>,
     price: u64,
+    operations: usize,
     derived: usize,
 }
 
@@ -29,12 +30,19 @@ impl Candidate {
         let (constants, kernel) = plan.split(epsilon, |variable| variable.0 < states);
         let derived = if writer.scaling.folds { 0 } else { constants.derived_constants(epsilon) };
         let price = price_of(&kernel, numerators.len(), derived);
-        Candidate { builder: writer.draft.builder, numerators, reciprocals, price, derived }
+        let products = reciprocals.iter().flatten().count();
+        let operations = kernel.cost().operations() + products + numerators.len();
+        Candidate { builder: writer.draft.builder, numerators, reciprocals, price, operations, derived }
     }
 
     /// What is compared.
     pub(super) fn price(&self) -> u64 {
         self.price
+    }
+
+    /// Operations from a state to the next, which bound the time of many orbits at once.
+    pub(super) fn operations(&self) -> usize {
+        self.operations
     }
 
     /// Whether no prepared constant was rounded more than once where that matters.

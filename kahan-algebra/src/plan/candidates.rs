@@ -6,7 +6,7 @@ use crate::kahan::{RationalMap, scaled_matrix};
 use crate::poly::Polynomial;
 use crate::rational::Rational;
 
-use super::blocks::Blocks;
+use super::blocks::{Blocks, Manner};
 use super::candidate::Candidate;
 use super::draft::Signed;
 use super::minors::{Determinants, determinants};
@@ -35,6 +35,9 @@ const COMPARED_TERMS: usize = 60;
 /// The most terms of N and D for which they are written out where there is another form.
 const WRITTEN_TERMS: usize = 120;
 
+/// How many orders of the rows of a whole block are compared.
+const ORDERS: usize = 3;
+
 /// The forms worth a plan.
 pub(super) struct Forms {
     /// The cheapest one.
@@ -49,12 +52,14 @@ pub(super) struct Forms {
 /// for straight lines.
 pub(super) fn forms(field: &Field, map: Option<&RationalMap>) -> Option<Forms> {
     let mut candidates: Vec<Candidate> = Vec::new();
-    if map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some()) {
+    if has_blocks(field, map) {
         let blocks = Blocks::of(field);
         let turns = if terms(field) > COMPARED_TERMS { 1 } else { ROTATIONS };
         for scaling in scalings(field) {
             let writer = Writer::new(scaling);
-            candidates.extend((0..turns).filter_map(|turn| blocks.candidate(writer.clone(), turn)));
+            candidates.extend(
+                (0..turns).filter_map(|turn| blocks.candidate(writer.clone(), Manner::Eliminating(turn))),
+            );
         }
     }
     let (mut two_divisions, mut over_time_step) = (None, Vec::new());
@@ -66,6 +71,34 @@ pub(super) fn forms(field: &Field, map: Option<&RationalMap>) -> Option<Forms> {
     }
     let best = candidates.into_iter().min_by_key(Candidate::price)?;
     Some(Forms { best, two_divisions, over_time_step })
+}
+
+/// Whether the step may be made from A itself: nothing was divided out of its determinant, and three variables have better forms.
+fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
+    map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
+}
+
+/// The forms that may keep more digits in long steps than the `best` one does, the cheapest first: blocks solved whole. Each is at most
+/// half as expensive again.
+pub(super) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Candidate) -> Vec<Candidate> {
+    if !has_blocks(field, map) {
+        return Vec::new();
+    }
+    let blocks = Blocks::of(field);
+    let scalings = scalings(field);
+    let whole = scalings.iter().flat_map(|scaling| {
+        let writer = Writer::new(scaling.clone());
+        let blocks = &blocks;
+        (0..ORDERS).filter_map(move |rank| {
+            blocks.candidate(writer.clone(), Manner::Whole { rank, operations: 2 * best.operations() })
+        })
+    });
+    let is_affordable = |form: &Candidate| {
+        2 * form.price() <= 3 * best.price() && 2 * form.operations() <= 3 * best.operations()
+    };
+    let mut forms: Vec<Candidate> = whole.filter(is_affordable).collect();
+    forms.sort_by_key(Candidate::price);
+    forms
 }
 
 /// The terms of all equations.

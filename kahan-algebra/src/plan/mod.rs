@@ -3,6 +3,7 @@
 //! A plan is data. The emitter turns it into Rust, [`Plan::evaluate`] runs it in any [`Arithmetic`]: rationals, a prime
 //! field, dual numbers, degree bounds, rational functions, floats. Both see the same operations in the same order.
 
+mod accuracy;
 mod apart;
 mod blocks;
 mod builder;
@@ -28,6 +29,7 @@ mod structure;
 mod words;
 mod writer;
 
+pub use accuracy::LARGEST_SIZE;
 pub use builder::PlanBuilder;
 pub use cost::Cost;
 pub use step::StepPlan;

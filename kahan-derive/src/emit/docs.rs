@@ -1,5 +1,6 @@
 //! Documentation of the generated items: the formulas themselves.
 
+use kahan_algebra::plan::LARGEST_SIZE;
 use kahan_algebra::render::{Formulas, Notation, claim_statement, claim_text};
 use kahan_algebra::system::Claim;
 use proc_macro2::TokenStream;
@@ -41,11 +42,31 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
             " The map solves A(x,ε)·x̃ = b(x,ε): its closed form exceeds the budget of terms. Where det A = 0 it counts as a pole.".to_owned(),
         ),
     }
+    if let Some(step) = &context.step {
+        lines.extend(domain("`step` and orbits keep", step.holds_to));
+        let general = step.general.as_ref().filter(|general| general.holds_to < step.holds_to);
+        let of_lanes = "Ensembles, and scalars other than `f32` and `f64`, keep";
+        lines.extend(general.into_iter().flat_map(|general| domain(of_lanes, general.holds_to)));
+    }
     let claims: Vec<String> = system.claims.iter().map(|claim| claim_text(system, claim)).collect();
     if !claims.is_empty() {
         push_block(&mut lines, "Proved while compiling:", &claims);
     }
     emit_lines(&lines)
+}
+
+/// A paragraph on how far a step holds, if that is not as far as the planner looks.
+fn domain(who: &str, holds_to: u32) -> Vec<String> {
+    if holds_to == LARGEST_SIZE {
+        return Vec::new();
+    }
+    vec![
+        String::new(),
+        format!(
+            " {who} the digits that elimination with pivoting keeps (a median error of at most 30 times its, or 300 u) while \
+             ‖ε f′(x)‖∞ ≤ {holds_to}, as measured by the planner. Longer steps lose more; `try_step` promises what it returns."
+        ),
+    ]
 }
 
 fn rows(formulas: &Formulas<'_>) -> Vec<String> {

@@ -15,7 +15,8 @@ use super::progress::Progress;
 /// Tries steps at the extremes and judges each by exact arithmetic from the very floats that it was given.
 ///
 /// The points are seeded and stratified: a quarter each near poles, near removable poles, of mixed magnitudes, and ordinary;
-/// besides a few with subnormal, infinite and NaN inputs. In f64 eps runs over 1e-300 to 1e300 and x over 1e-150 to 1e150, in
+/// besides a few with subnormal, infinite and NaN inputs, and a few large steps, with |eps f'| from 1 to 1000, for which elimination
+/// with partial pivoting (lu) is judged besides the tiers. In f64 eps runs over 1e-300 to 1e300 and x over 1e-150 to 1e150, in
 /// f32 over the like part of its range. Poles are found by bisection in exact arithmetic and left by relative distances of 2^-k, down
 /// to the nearest float. A parameter that is not given is drawn for each trial.
 ///
@@ -33,7 +34,7 @@ pub(crate) struct Extremes {
     #[command(flatten)]
     source: Source,
 
-    /// The number of trials of each scalar, besides a sixteenth part with special inputs.
+    /// The number of trials of each scalar, besides three thirty-second parts with special inputs.
     #[arg(long, value_name = "N", default_value = "40000", allow_hyphen_values = true, value_parser = trials)]
     trials: u64,
 

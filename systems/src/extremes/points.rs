@@ -58,6 +58,11 @@ impl<T: Float> Points<'_, T> {
                 let binade = points.between(T::LEAST_BINADE - T::BITS + 1, T::LEAST_BINADE - 1);
                 points.float(binade)
             }),
+            Regime::LargeSteps => {
+                // ‖εf′‖∞ in place of ε, which is found from it.
+                let binade = self.between(0, 9);
+                Inputs { regime, eps: self.float(binade), ..self.ordinary() }
+            }
             Regime::NotFinite => self.altered(regime, |points| T::not_finite(points.random.next_u64())),
         }
     }

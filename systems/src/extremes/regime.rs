@@ -15,17 +15,20 @@ pub enum Regime {
     Subnormal,
     /// An ordinary point with a component or a step that is infinite or not a number.
     NotFinite,
+    /// An ordinary point with a step for which ‖εf′‖∞ is from 1 to 1000.
+    LargeSteps,
 }
 
 impl Regime {
     /// All, in the order of tables.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::NearPole,
         Self::NearRemovablePole,
         Self::MixedMagnitudes,
         Self::Ordinary,
         Self::Subnormal,
         Self::NotFinite,
+        Self::LargeSteps,
     ];
 
     /// Its name in tables and in JSON.
@@ -38,6 +41,7 @@ impl Regime {
             Self::Ordinary => "ordinary",
             Self::Subnormal => "subnormal input",
             Self::NotFinite => "infinite or NaN input",
+            Self::LargeSteps => "large steps",
         }
     }
 }

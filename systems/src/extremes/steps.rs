@@ -3,9 +3,9 @@
 use std::marker::PhantomData;
 
 use kahan_algebra::system::System;
-use kahan_core::Lift;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
+use kahan_core::{Elimination, Lift, PreparedStep};
 
 use super::float::Float;
 
@@ -21,6 +21,12 @@ pub(crate) trait Steps<T>: Send + Sync {
 
     /// x̃ by the step through a wider format; `None` where the scalar has none.
     fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
+
+    /// x̃ by elimination with partial pivoting; `None` where det A is zero and the scalar has no reciprocal of that.
+    fn eliminated(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
+
+    /// The entries of f′(x), row by row.
+    fn slopes(&self, parameters: &[T], x: &[T]) -> Vec<T>;
 
     /// x̃ by `try_step`; `None` where it is flagged.
     fn try_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
@@ -42,6 +48,16 @@ where
     fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>> {
         let next = T::wider_step(self.0(parameters), &SVector::from_fn(|i, _| x[i]), eps)?;
         Some(next.iter().copied().collect())
+    }
+
+    fn eliminated(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>> {
+        let next = Elimination::new(self.0(parameters), eps).next(&SVector::from_fn(|i, _| x[i]))?;
+        Some(next.iter().copied().collect())
+    }
+
+    fn slopes(&self, parameters: &[T], x: &[T]) -> Vec<T> {
+        let jacobian = self.0(parameters).field_jacobian(&SVector::from_fn(|i, _| x[i]));
+        jacobian.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<T>>()).collect()
     }
 
     fn try_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>> {

@@ -30,10 +30,10 @@ struct Runner<'a, T> {
 
 /// The trials of one scalar, those with special inputs included.
 pub(super) fn with_special_inputs(trials: u64) -> u64 {
-    trials + 2 * special(trials)
+    trials + 3 * special(trials)
 }
 
-/// The trials with subnormal inputs, and as many with inputs that are not finite.
+/// The trials with subnormal inputs, and as many with inputs that are not finite, and as many large steps.
 fn special(trials: u64) -> u64 {
     (trials / 32).max(8)
 }
@@ -69,7 +69,10 @@ impl<'a, T: Float> Ready<'a, T> {
         let seed = SplitMix64::new(self.seed ^ index.wrapping_mul(0xd134_2543_de82_ef95)).next_u64();
         let judge = &runner.subject.judge;
         let mut points = Points { judge, fixed: &runner.fixed, random: SplitMix64::new(seed) };
-        let inputs = points.draw(regime);
+        let mut inputs = points.draw(regime);
+        if inputs.regime == Regime::LargeSteps {
+            inputs.eps = runner.eps_of_size(&inputs);
+        }
         let exact = inputs.exact().map(|point| judge.step(judge.powers(&point)));
         let Inputs { parameters, x, eps, regime } = &inputs;
         let next = runner.steps.step(parameters, x, *eps);
@@ -79,14 +82,21 @@ impl<'a, T: Float> Ready<'a, T> {
         {
             count_plain(tally.cell((*regime, tier, T::NAME)), &next, exact.as_ref());
         }
+        if *regime == Regime::LargeSteps
+            && let Some(next) = runner.steps.eliminated(parameters, x, *eps)
+        {
+            count_plain(tally.cell((*regime, "lu", T::NAME)), &next, exact.as_ref());
+        }
         runner.stable(index, &inputs, exact.as_ref(), tally);
     }
 
     /// The regime and the subject of a trial: regimes in turn, and within each the subjects that it has, in turn.
     fn stratum(&self, index: u64) -> (Regime, &Runner<'a, T>) {
         let (regime, turn) = match index.checked_sub(self.strata) {
-            Some(special) if special % 2 == 0 => (Regime::Subnormal, special / 2),
-            Some(special) => (Regime::NotFinite, special / 2),
+            Some(special) => {
+                let special_regimes = [Regime::Subnormal, Regime::NotFinite, Regime::LargeSteps];
+                (special_regimes[(special % 3) as usize], special / 3)
+            }
             None => (Regime::ALL[(index % 4) as usize], index / 4),
         };
         let in_turn = |of: &[usize]| &self.subjects[of[(turn % of.len() as u64) as usize]];
@@ -125,6 +135,16 @@ fn count_plain<T: Float>(cell: &mut Cell, next: &[T], known: Known<'_>) {
 }
 
 impl<T: Float> Runner<'_, T> {
+    /// The ε for which ‖εf′‖∞ is what stands in its place, as nearly as that matters.
+    fn eps_of_size(&self, inputs: &Inputs<T>) -> T {
+        let Inputs { parameters, x, eps: size, .. } = inputs;
+        let float = |value: &T| value.exact().map_or(0.0, |value| value.near_f64());
+        let slopes = self.steps.slopes(parameters, x);
+        let rows = slopes.chunks(x.len()).map(|row| row.iter().map(|slope| float(slope).abs()).sum());
+        let eps = float(size) / rows.fold(0.0, f64::max);
+        Dyadic::of(eps).map_or(*size, |eps| T::near(&eps))
+    }
+
     /// `try_step`: wrong is an `Ok` outside the promise, or where there is no value.
     fn stable(&self, index: u64, inputs: &Inputs<T>, known: Known<'_>, tally: &mut Tally) {
         let place = (inputs.regime, "stable", T::NAME);

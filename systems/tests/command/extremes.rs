@@ -11,8 +11,11 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     assert_eq!((&object["system"], &object["trials"]), (&"e3".into(), &64.into()));
     let cells = object["cells"].as_array().expect("a list");
-    // Fast and stable f32 and f64, f32 through f64, accurate and stable dd.
-    assert_eq!(cells.len(), 6 * 7);
+    // Fast and stable f32 and f64, f32 through f64, accurate and stable dd; lu in each of them for large steps.
+    assert_eq!(cells.len(), 7 * 7 + 3);
+    let of_lu = |cell: &&Value| cell["tier"] == "lu";
+    assert!(cells.iter().filter(of_lu).all(|cell| cell["regime"] == "large steps"));
+    assert_eq!(cells.iter().filter(of_lu).count(), 3);
     for cell in cells {
         assert!(cell["regime"].is_string() && cell["tier"].is_string() && cell["scalar"].is_string());
         assert!(cell["trials"].as_u64().is_some_and(|trials| trials >= 8));

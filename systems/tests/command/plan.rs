@@ -89,6 +89,19 @@ fn the_object_says_what_the_table_says() {
 }
 
 #[test]
+fn a_plan_says_how_far_it_holds() {
+    let clebsch =
+        "adot = 3*y*z; bdot = -5*z*x; cdot = 2*x*y; xdot = y*c - z*b; ydot = z*a - x*c; zdot = x*b - y*a;";
+    for (field, holds_to) in [("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;", 1000), (clebsch, 10)] {
+        let plan = object(&["show", "--field", field, "--plan", "--json"]);
+        assert_eq!(plan["step"]["holds_to"], holds_to);
+        let page = answer(&["show", "--field", field, "--plan"]);
+        assert!(page.contains(&format!("Up to |eps f'| = {holds_to} ")), "{page}");
+        assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
+    }
+}
+
+#[test]
 fn a_parameter_that_is_put_in_makes_a_smaller_plan() {
     let operations = |arguments: &[&str]| {
         let plan = object(&[&["show", "--plan", "--json"], arguments].concat());

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 use kahan_algebra::objects::{Object, Objects, StepListing};
-use kahan_algebra::plan::{Cost, Node, Operation, Plan, StepPlan};
+use kahan_algebra::plan::{Cost, LARGEST_SIZE, Node, Operation, Plan, StepPlan};
 use kahan_algebra::poly::Variable;
 use kahan_algebra::system::System;
 use serde_json::{Value, json};
@@ -66,6 +66,7 @@ impl PlanSheet {
                 "kernel": step.kernel,
                 "reciprocals": step.reciprocals,
                 "next": step.next,
+                "holds_to": step.holds_to,
             })
         };
         json!({
@@ -151,6 +152,24 @@ fn step_section(page: &mut Page, name: &str, step: &StepListing) {
         if name == "step" { "next state" } else { "next state of the general step" },
         step.next.clone(),
     );
+    page.section(&format!("how far the {name} holds"), domain(step.holds_to));
+}
+
+/// Up to which size of a step its error is near that of elimination.
+fn domain(holds_to: u32) -> Vec<String> {
+    let end = if holds_to == LARGEST_SIZE {
+        "as far as was looked."
+    } else {
+        "longer steps lose more; try_step says how much is left."
+    };
+    vec![
+        format!(
+            "Up to |eps f'| = {holds_to} (the largest row sum of eps f'(x)) the median error is at most 30 times"
+        ),
+        "that of elimination with pivoting, or 300 u, by measurement at random points in short floats;"
+            .to_owned(),
+        end.to_owned(),
+    ]
 }
 
 /// Why there are no lines to show.

@@ -1,0 +1,182 @@
+//! What a step keeps of its digits when the time step is long, beside elimination with pivoting.
+//!
+//! Minors are made of values whose leading terms cancel, which the polynomial that they are does not have; and where a pivot of 1
+//! stands beside entries of the size ‖εf′‖, errors grow by that factor. Neither shows while ‖εf′‖ ≤ 1, either can take every digit far
+//! beyond, and no rule about degrees tells good forms from bad ones. So it is measured: a form is run, as it would be, at seeded points
+//! with ‖εf′‖∞ near 1, 10, 100 and 1000, in floats of 30 bits, and so is elimination with partial pivoting of A d = f, x̃ = x + 2εd.
+//! Elimination in 53 bits is the truth for both, as it errs 2⁻²³ times as much as in 30. To first order the rounding errors of a
+//! computation are proportional to u, so an error of k u in 30 bits is one of about k u in 53.
+//!
+//! A form whose errors are beyond limits is refused where there is one well within them, and holds up to the size where they are
+//! within for certain. A form in doubt is kept, and says how far it holds.
+
+mod program;
+mod trial;
+
+use std::cell::OnceCell;
+
+use crate::field::Field;
+use crate::prime_field::SplitMix64;
+
+use super::StepPlan;
+use program::{Program, short};
+use trial::{Elimination, Trial};
+
+/// The largest ‖εf′‖∞ that is looked at,
+pub const LARGEST_SIZE: u32 = 1000;
+/// and all of them.
+const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
+/// The points of each size at first,
+const FEW: usize = 25;
+/// and where these leave a doubt.
+const MANY: usize = 100;
+/// By what factor a median error may be larger than that of elimination, which counts as [`SMALL`] where it is below,
+const MEDIAN_FACTOR: f64 = 30.0;
+/// in units u;
+const SMALL: f64 = 10.0;
+/// by what factor the tail may be,
+const TAIL_FACTOR: f64 = 60.0;
+/// unless it is below this.
+const SMALL_TAIL: f64 = 1000.0;
+/// A step is refused where it exceeds the limits by this factor, if there is one
+const REFUSED: f64 = 1.5;
+/// that is this far within them. Between 1 and what is refused it is kept, and says how far it holds.
+const KEPT: f64 = 1.0 / 6.0;
+/// From here
+const CLEAR: f64 = 0.2;
+/// to here a few points leave a doubt.
+const DOUBTFUL: f64 = 3.0 * REFUSED;
+/// A median of n errors lies within the quantiles ½ ± this/√n, nine times in ten.
+const BAND: f64 = 0.8;
+/// What stands for the tail, read off as uncertainly.
+const TAIL: f64 = 0.9;
+
+/// Points of every size, and what elimination makes of them.
+pub(super) struct Accuracy<'a> {
+    field: &'a Field,
+    few: Vec<Vec<Trial>>,
+    many: OnceCell<Vec<Vec<Trial>>>,
+}
+
+/// What a step loses that elimination keeps, size by size.
+#[derive(Debug)]
+pub(super) struct Loss(Vec<Ratio>);
+
+/// Errors over what they may be, 1 at the limit.
+#[derive(Clone, Copy, Debug)]
+struct Ratio {
+    /// As measured,
+    measured: f64,
+    /// and the largest that the points leave room for.
+    largest: f64,
+}
+
+impl<'a> Accuracy<'a> {
+    pub(super) fn of(field: &'a Field) -> Self {
+        Accuracy { field, few: points(field, FEW), many: OnceCell::new() }
+    }
+
+    /// What a step loses; where the points leave a doubt, there are more.
+    pub(super) fn loss(&self, step: &StepPlan) -> Loss {
+        let runner = Runner::of(step);
+        let loss = |points: &[Vec<Trial>]| Loss(points.iter().map(|trials| runner.loss(trials)).collect());
+        let first = loss(&self.few);
+        if first.is_doubtful() { loss(self.many.get_or_init(|| points(self.field, MANY))) } else { first }
+    }
+
+    /// Whether a step stays well within the limits at every size; the largest one, which decides nearly always, comes first.
+    pub(super) fn is_kept(&self, step: &StepPlan) -> bool {
+        let runner = Runner::of(step);
+        self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
+    }
+}
+
+/// So many points of each size. Where f′ vanishes there are none; a field of which that is mostly so has nothing to lose.
+fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
+    let elimination = Elimination::of(field);
+    let mut random = SplitMix64::from_bytes(b"long steps");
+    let mut of_size = |size: u32| {
+        let drawn = (0..2 * count).filter_map(|_| Trial::draw(&elimination, f64::from(size), &mut random));
+        drawn.take(count).collect()
+    };
+    SIZES.into_iter().map(&mut of_size).collect()
+}
+
+impl Loss {
+    /// Whether a step is refused where there is a better one.
+    pub(super) fn is_refused(&self) -> bool {
+        self.worst() > REFUSED
+    }
+
+    /// Whether more points may say something else.
+    fn is_doubtful(&self) -> bool {
+        let largest = self.0.iter().map(|ratio| ratio.largest).fold(0.0, f64::max);
+        largest > CLEAR && self.worst() < DOUBTFUL
+    }
+
+    fn worst(&self) -> f64 {
+        self.0.iter().map(|ratio| ratio.measured).fold(0.0, f64::max)
+    }
+
+    /// The largest size up to which the step holds for certain; 0 if there is none.
+    pub(super) fn holds_to(&self) -> u32 {
+        let held = SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= 1.0);
+        held.last().map_or(0, |(size, _)| *size)
+    }
+}
+
+/// A step made ready to be run in short floats.
+struct Runner<'a> {
+    step: &'a StepPlan,
+    constants: Program<'a>,
+    kernel: Program<'a>,
+}
+
+impl<'a> Runner<'a> {
+    fn of(step: &'a StepPlan) -> Self {
+        Runner { step, constants: Program::of(&step.constants), kernel: Program::of(&step.kernel) }
+    }
+
+    /// The ratios of medians and of tails to what they may be.
+    fn loss(&self, trials: &[Trial]) -> Ratio {
+        if trials.len() < FEW {
+            return Ratio { measured: 0.0, largest: 0.0 };
+        }
+        let own = sorted(trials.iter().map(|trial| self.error(trial)).collect());
+        let others = sorted(trials.iter().map(|trial| trial.elimination).collect());
+        let band = BAND / (trials.len() as f64).sqrt();
+        // The step read off at `shift` from a quantile, elimination as far on the other side.
+        let ratio = |shift: f64| {
+            let of_medians =
+                quantile(&own, 0.5 + shift) / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(SMALL));
+            let tail = quantile(&own, TAIL + shift / 2.0);
+            let of_tails = tail / (TAIL_FACTOR * quantile(&others, TAIL - shift / 2.0));
+            if tail <= SMALL_TAIL { of_medians } else { of_medians.max(of_tails) }
+        };
+        Ratio { measured: ratio(0.0), largest: ratio(band) }
+    }
+
+    /// The error of one step.
+    fn error(&self, trial: &Trial) -> f64 {
+        let n = self.step.reciprocals.len();
+        let constants = self.constants.run(short, &trial.inputs, &[]);
+        let results = self.kernel.run(short, &trial.inputs, &constants);
+        let mut next = Vec::with_capacity(n);
+        for (i, place) in self.step.reciprocals.iter().enumerate() {
+            let increment = place.map_or(results[i], |place| short(results[i] * results[n + place]));
+            next.push(short(trial.inputs[i] + increment));
+        }
+        trial.error(&next)
+    }
+}
+
+fn sorted(mut errors: Vec<f64>) -> Vec<f64> {
+    errors.sort_by(f64::total_cmp);
+    errors
+}
+
+/// The value that this share of sorted values is below.
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let last = (sorted.len() - 1) as f64;
+    sorted[(last * share).round() as usize]
+}

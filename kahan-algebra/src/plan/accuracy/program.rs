@@ -1,0 +1,54 @@
+//! Plans in floats that are rounded as one likes. This runs in every expansion of the macro, which is compiled without optimisation:
+//! hence plain loops over plain floats.
+
+use super::super::{Node, Operation, Plan};
+
+/// u of floats of 30 bits.
+pub(super) const SHORT_UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
+
+/// The nearest float of 30 bits, by Veltkamp's splitting: 2²³ + 1 takes 23 bits away.
+pub(super) fn short(value: f64) -> f64 {
+    let large = 8_388_609.0 * value;
+    large - (large - value)
+}
+
+/// A plan with its constants as floats.
+pub(super) struct Program<'a> {
+    plan: &'a Plan,
+    /// A value an operation, those of constants being known.
+    start: Vec<f64>,
+}
+
+impl<'a> Program<'a> {
+    pub(super) fn of(plan: &'a Plan) -> Self {
+        let value = |operation: &Operation| match operation {
+            Operation::Constant(value) => value.to_f64(),
+            _ => 0.0,
+        };
+        Program { plan, start: plan.operations.iter().map(value).collect() }
+    }
+
+    /// The results, everything being rounded by `round`; `inputs` by the index of their variable, a multiply-add rounds twice.
+    pub(super) fn run(&self, round: impl Fn(f64) -> f64, inputs: &[f64], prepared: &[f64]) -> Vec<f64> {
+        let mut values = self.start.clone();
+        let mut index = 0;
+        while index < values.len() {
+            let at = |node: Node| values[node.0];
+            values[index] = match self.plan.operations[index] {
+                Operation::Input(variable) => inputs[usize::from(variable.0)],
+                Operation::Constant(_) => round(values[index]),
+                Operation::Prepared(place) => prepared[place],
+                Operation::Negate(a) => -at(a),
+                Operation::Add(a, b) => round(at(a) + at(b)),
+                Operation::Subtract(a, b) => round(at(a) - at(b)),
+                Operation::Multiply(a, b) => round(at(a) * at(b)),
+                Operation::Divide(a, b) => round(at(a) / at(b)),
+                Operation::MultiplyAdd(a, b, c) => round(round(at(a) * at(b)) + at(c)),
+                Operation::MultiplySubtract(a, b, c) => round(round(at(a) * at(b)) - at(c)),
+                Operation::SubtractProduct(a, b, c) => round(at(a) - round(at(b) * at(c))),
+            };
+            index += 1;
+        }
+        self.plan.outputs.iter().map(|output| values[output.0]).collect()
+    }
+}

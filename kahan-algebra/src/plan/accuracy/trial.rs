@@ -1,0 +1,144 @@
+//! Points, and what elimination with partial pivoting makes of them.
+
+use crate::field::Field;
+use crate::kahan::field_jacobian;
+use crate::prime_field::SplitMix64;
+
+use super::super::Plan;
+use super::program::{Program, SHORT_UNIT, short};
+
+/// A point with its next one.
+#[derive(Debug)]
+pub(super) struct Trial {
+    /// States, parameters and ε, as variables count them.
+    pub(super) inputs: Vec<f64>,
+    /// x̃
+    next: Vec<f64>,
+    /// The error of elimination in floats of 30 bits.
+    pub(super) elimination: f64,
+}
+
+/// What elimination needs of a field.
+pub(super) struct Elimination {
+    states: usize,
+    parameters: usize,
+    /// f′ row by row, then f, both over the denominators that come last.
+    plan: Plan,
+}
+
+impl Trial {
+    /// A random point with ‖εf′‖∞ near `size`: states from cubes of half widths 2⁻³ to 2¹⁰, parameters from 1/2 to 2 in size. `None`
+    /// where f′ vanishes, or det A.
+    pub(super) fn draw(elimination: &Elimination, size: f64, random: &mut SplitMix64) -> Option<Self> {
+        let Elimination { states, parameters, .. } = *elimination;
+        let width = 2_f64.powi(random.below(14) as i32 - 3);
+        let mut inputs = Vec::with_capacity(states + parameters + 1);
+        for index in 0..states + parameters {
+            let share = share(random);
+            let drawn = if index < states { width * share } else { 0.5 + 1.5 * share };
+            inputs.push(if random.below(2) == 0 { -drawn } else { drawn });
+        }
+        inputs.push(0.0);
+        let exact = |value: f64| value;
+        let rows = elimination.rows(exact, &inputs);
+        let mut norm = 0.0_f64;
+        for row in &rows {
+            norm = norm.max(row[..states].iter().map(|entry| entry.abs()).sum());
+        }
+        // Not the size itself: where f′ has one entry, that is a pole.
+        let eps = short(size * (0.75 + 0.5 * share(random)) / norm);
+        if !eps.is_normal() {
+            return None;
+        }
+        inputs[states + parameters] = eps;
+        let exactly = next(exact, rows, &inputs, eps);
+        let in_short = next(short, elimination.rows(short, &inputs), &inputs, eps);
+        let mut trial = Trial { inputs, next: exactly, elimination: 0.0 };
+        trial.elimination = trial.error(&in_short);
+        trial.elimination.is_finite().then_some(trial)
+    }
+
+    /// The largest error of a component, in units u of the largest component; infinite where one is not finite.
+    pub(super) fn error(&self, next: &[f64]) -> f64 {
+        let (mut size, mut off) = (0.0_f64, 0.0_f64);
+        for (exact, computed) in self.next.iter().zip(next) {
+            let difference = (computed - exact).abs();
+            size = size.max(exact.abs());
+            off = if difference.is_finite() { off.max(difference) } else { f64::INFINITY };
+        }
+        off / (size * SHORT_UNIT)
+    }
+}
+
+/// A number from 0 to 1 of 20 bits.
+fn share(random: &mut SplitMix64) -> f64 {
+    random.below(1 << 20) as f64 / f64::from(1 << 20)
+}
+
+impl Elimination {
+    pub(super) fn of(field: &Field) -> Self {
+        let jacobian = field_jacobian(field);
+        let numerators = field.components.iter().map(|component| &component.numerator);
+        let denominators = field.components.iter().map(|component| &component.denominator);
+        let plan = Plan::of(jacobian.iter().flatten().chain(numerators).chain(denominators));
+        Elimination { states: field.dimension(), parameters: field.symbols.parameters.len(), plan }
+    }
+
+    /// The rows of f′, with f as their last column.
+    fn rows(&self, round: impl Fn(f64) -> f64, inputs: &[f64]) -> Vec<Vec<f64>> {
+        let n = self.states;
+        let results = Program::of(&self.plan).run(&round, inputs, &[]);
+        let row = |i: usize| {
+            let divisor = results[n * n + n + i];
+            let mut row = results[i * n..(i + 1) * n].to_vec();
+            row.push(results[n * n + i]);
+            for entry in &mut row {
+                *entry = round(*entry / divisor);
+            }
+            row
+        };
+        (0..n).map(row).collect()
+    }
+}
+
+/// x + 2ε A⁻¹f from the rows of f′ and f.
+fn next(round: impl Fn(f64) -> f64, mut rows: Vec<Vec<f64>>, x: &[f64], eps: f64) -> Vec<f64> {
+    let n = rows.len();
+    for (i, row) in rows.iter_mut().enumerate() {
+        for entry in &mut row[..n] {
+            *entry = -round(eps * *entry);
+        }
+        row[i] = round(1.0 + row[i]);
+    }
+    let solution = solved(&round, rows);
+    solution.iter().zip(x).map(|(slope, x)| round(x + round(2.0 * eps * slope))).collect()
+}
+
+/// d for the rows of A with f as their last column.
+fn solved(round: impl Fn(f64) -> f64, mut rows: Vec<Vec<f64>>) -> Vec<f64> {
+    let n = rows.len();
+    for k in 0..n {
+        let pivot =
+            (k + 1..n).fold(k, |best, i| if rows[i][k].abs() > rows[best][k].abs() { i } else { best });
+        rows.swap(k, pivot);
+        let (above, below) = rows.split_at_mut(k + 1);
+        let above = &above[k];
+        for row in below {
+            if row[k] != 0.0 {
+                let factor = round(row[k] / above[k]);
+                for j in k + 1..=n {
+                    row[j] = round(row[j] - round(factor * above[j]));
+                }
+            }
+        }
+    }
+    let mut solution = vec![0.0; n];
+    for k in (0..n).rev() {
+        let mut rest = rows[k][n];
+        for j in k + 1..n {
+            rest = round(rest - round(rows[k][j] * solution[j]));
+        }
+        solution[k] = round(rest / rows[k][k]);
+    }
+    solution
+}
