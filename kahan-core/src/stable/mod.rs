@@ -20,5 +20,7 @@ mod packed;
 mod pair;
 mod rungs;
 mod scalars;
+#[cfg(all(test, feature = "exact"))]
+mod tests;
 
 pub(crate) use rungs::{stable_double, stable_double_double, stable_single};

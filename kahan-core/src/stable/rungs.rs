@@ -10,6 +10,7 @@ use core::iter::once_with;
 use nalgebra::SVector;
 use num_traits::Zero;
 
+use crate::error::Reason;
 use crate::linear::vector;
 use crate::scalar::Wide;
 use crate::{Dd, KahanMap, Lift, PreparedStep, Scalar, SingularStep};
@@ -249,21 +250,34 @@ where
     };
     let lifted = map.lift(given);
     let state = SVector::from_fn(|i, _| given(&x[i]));
+    let report = |reason, determinant, bound| {
+        Some(SingularStep::because(reason, determinant, bound, eps.approximate()))
+    };
     if !is_finite.get() {
-        return Some(SingularStep::unestablished(f64::NAN, f64::INFINITY, eps.approximate()));
+        return report(Reason::NotFinite, f64::NAN, f64::INFINITY);
     }
     let increments = wide_increments(&lifted, &state, given(&eps));
     let quotients = once_with(|| wide_quotients(&lifted, &state, given(&eps)));
-    let mut bound = f64::INFINITY;
+    let (mut bound, mut is_known) = (f64::INFINITY, false);
     for attempt in increments.into_iter().chain(quotients.flatten()) {
         bound = attempt.bound().min(bound);
+        is_known |= attempt.is_within(PROMISE * T::UNIT);
         if let Some(settled) = attempt.rounded(PROMISE * T::UNIT, T::narrow, T::widen) {
             *next = settled;
             return None;
         }
     }
-    let determinant = wide_determinant(&lifted, &state, given(&eps));
-    Some(SingularStep::unestablished(report(determinant), bound, eps.approximate()))
+    let [denominator, determinant] = wide_denominators(&lifted, &state, given(&eps));
+    let reason = if is_known {
+        Reason::BeyondRange
+    } else if !determinant.is_defined() {
+        Reason::NoField
+    } else if is_exactly_zero(&denominator) {
+        Reason::Pole
+    } else {
+        Reason::Digits(Wide::MOST_DIGITS)
+    };
+    report(reason, rounded(&determinant), bound)
 }
 
 // What the last rungs call is apart, because it is the same for every scalar that comes here, and for the stack's sake.
@@ -294,19 +308,27 @@ where
     Attempt::by_quotients(map, x, eps)
 }
 
-/// det A(x,ε) in [`Wide`].
+/// D of the reduced map, and det A(x,ε), in [`Wide`].
 #[inline(never)]
-fn wide_determinant<M, const N: usize>(map: &M, x: &SVector<Bounded<Wide>, N>, eps: Bounded<Wide>) -> Wide
+fn wide_denominators<M, const N: usize>(
+    map: &M,
+    x: &SVector<Bounded<Wide>, N>,
+    eps: Bounded<Wide>,
+) -> [Wide; 2]
 where
     M: KahanMap<Bounded<Wide>, N>,
 {
-    map.det_matrix(x, eps).value()
+    [map.reduced_map(x, eps).1.value(), map.det_matrix(x, eps).value()]
+}
+
+fn is_exactly_zero(number: &Wide) -> bool {
+    number.is_zero() && number.radius().is_zero()
 }
 
 /// A determinant as a float that is 0 only where the determinant is, and infinite nowhere.
-fn report(determinant: Wide) -> f64 {
+fn rounded(determinant: &Wide) -> f64 {
     match determinant.to_f64() {
-        near if near == 0.0 && !determinant.is_zero() => f64::MIN_POSITIVE,
+        near if near == 0.0 && !is_exactly_zero(determinant) => f64::MIN_POSITIVE,
         near if near.is_infinite() => f64::NAN,
         near => near,
     }

@@ -126,7 +126,7 @@ fn ties_go_to_even() {
     let check = |x: f64| {
         let (here, above) = (Wide::from(x), Wide::from(x.next_up()));
         let half = (above - here).scaled(-1);
-        let nudge = half.scaled(-250);
+        let nudge = half.scaled(-2500);
         let even = if x.to_bits() & 1 == 0 { x } else { x.next_up() };
         assert_eq!((here + half).to_f64(), even);
         assert_eq!((-(here + half)).to_f64(), -even);
@@ -201,11 +201,7 @@ fn a_pair_of_floats_is_their_sum() {
             Wide::from_double_double(high, low),
             Dyadic::of(Wide::from(high)).plus(&Dyadic::of(Wide::from(low))),
         );
-        let error = Dyadic::of(wide).minus(&exact);
-        assert!(error.is_within(&exact.scaled(Wide::UNIT_EXPONENT)));
-        let near = high * f64::from_bits((1023 - 53 - random.bits() % 240) << 52);
-        let sum = Dyadic::of(Wide::from(high)).plus(&Dyadic::of(Wide::from(near)));
-        assert!(Dyadic::of(Wide::from_double_double(high, near)).equals(&sum));
+        assert!(Dyadic::of(wide).equals(&exact));
     }
 }
 
