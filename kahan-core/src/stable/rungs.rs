@@ -21,7 +21,7 @@ use super::pair::{Both, Pair};
 use super::scalars::{Promised, Widened};
 
 /// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and ‖exact‖∞.
-const PROMISE: f64 = 63.0;
+pub(super) const PROMISE: f64 = 63.0;
 
 /// The step with all numbers embedded into V, each component handed to `finish`.
 #[inline(always)]
@@ -72,7 +72,11 @@ const fn is_short<T: Promised, M: KahanMap<T, N>, const N: usize>() -> bool {
 /// compiling, as long as no code serves both.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-fn in_own_precision<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
+pub(super) fn in_own_precision<M, T, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Option<SVector<T, N>>
 where
     T: Promised,
     M: Lift<T, N>,

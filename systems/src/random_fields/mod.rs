@@ -169,6 +169,10 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
         let own = product(vec![name(PARAMETERS[draw.below(2)].0), draw.state(states)]);
         let square = product(vec![draw.state(states), draw.state(states)]);
         let mut terms = vec![sign(draw, own), sign(draw, name(states[i])), sign(draw, square)];
+        // One term an equation, so that the closed form of many variables is short.
+        if n > 4 {
+            terms = vec![terms.swap_remove((draw.below(2) + i) % 3)];
+        }
         // Both parameters are used, whatever was drawn.
         if i == 0 {
             let difference = sum(vec![name("a"), negated(name("b"))]);

@@ -74,7 +74,7 @@ fn ratio(a: &Row, b: &Row) -> Wide {
 
 /// A natural number as a row.
 fn integer(n: u64) -> Row {
-    Row::of_limbs(false, &[n], 0)
+    Row::of_limbs(false, &[n])
 }
 
 impl Neg for Wide {
@@ -147,7 +147,7 @@ impl Wide {
     fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         let (is_negative, odd, exponent) = divisor.short()?;
         let denominator = self.denominator.checked_mul(odd)?;
-        let factor = Row::of_limbs(is_negative, &[divisor.denominator], 0);
+        let factor = Row::of_limbs(is_negative, &[divisor.denominator]);
         let power = Row::of_significand(1, exponent.checked_neg()?);
         Some(Self::of(&self.row().times(&factor).times(&power), denominator, Size::zero()))
     }

@@ -49,7 +49,7 @@ impl Wide {
 
     /// An integer of any length, its limbs in little-endian order.
     pub(crate) fn from_limbs(negative: bool, limbs: &[u64]) -> Self {
-        Self::of(&Row::of_limbs(negative, limbs, 0), 1, Size::zero())
+        Self::of(&Row::of_limbs(negative, limbs), 1, Size::zero())
     }
 
     /// ±numerator/denominator from limbs of any number.

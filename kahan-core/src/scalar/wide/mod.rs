@@ -27,9 +27,11 @@ mod size;
 #[cfg(all(test, feature = "exact"))]
 mod tests;
 
+use num_traits::Zero;
+
 pub(crate) use size::Size;
 
-use rows::Row;
+use rows::{Row, leading, size_of};
 
 /// The most digits of 64 bits that a number has.
 pub(crate) const DIGITS: usize = 17;
@@ -90,7 +92,8 @@ impl Wide {
             (number.digits[count], number.below[count]) = (digit, below);
             count += 1;
         }
-        let cut = row.without(count) / Size::from(denominator as f64);
+        let cut = row.without(count);
+        let cut = if cut.is_zero() { cut } else { cut / Size::from(denominator as f64) };
         Self { count: count as u8, radius: radius + cut, ..number }
     }
 
@@ -115,6 +118,8 @@ impl Wide {
         if !self.is_defined() {
             return self.radius;
         }
-        self.row().size() / Size::from(self.denominator as f64)
+        let below = if self.below[1] == 1 { self.digits[1] } else { 0 };
+        let numerator = size_of(leading(self.place, self.digits[0], below));
+        if self.denominator == 1 { numerator } else { numerator / Size::from(self.denominator as f64) }
     }
 }

@@ -4,8 +4,6 @@
 //! the sum of digit·2^(64·place), and its sign is that of its leading digit. What a row has no room for is cut off at its low
 //! end, and the row says how much that is at most.
 
-use num_traits::Zero;
-
 use super::{DIGITS, Size};
 
 /// The digits of a row: those of an exact sum of two numbers with a common denominator, or of a product's leading half.
@@ -18,42 +16,10 @@ const ROUNDS: usize = 64 * (DIGITS + 1) / 48 + 1;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
     digits: [(i64, i64); MOST],
-    count: usize,
+    /// Where the leading one stands: a row is made from its low end.
+    start: usize,
     /// At most so much was cut off.
     cut: Size,
-}
-
-/// A row as it is made, from its low end.
-struct Rising {
-    digits: [(i64, i64); 2 * MOST + 2],
-    count: usize,
-}
-
-impl Rising {
-    const EMPTY: Self = Self { digits: [(0, 0); 2 * MOST + 2], count: 0 };
-
-    /// A sum of digits at one place; what is carried to the next one.
-    fn settle(&mut self, place: i64, total: i128) -> i128 {
-        let digit = total as i64;
-        if digit != 0 {
-            self.digits[self.count] = (place, digit);
-            self.count += 1;
-        }
-        (total - i128::from(digit)) >> 64
-    }
-
-    /// The row, of whose parts so much was cut off.
-    fn finished(self, cut: Size) -> Row {
-        let lost = self.count.saturating_sub(MOST);
-        let mut row = Row { count: self.count - lost, cut, ..Row::EMPTY };
-        for (digit, made) in row.digits.iter_mut().zip(self.digits[lost..self.count].iter().rev()) {
-            *digit = *made;
-        }
-        if let Some(top) = lost.checked_sub(1) {
-            row.cut = row.cut + from_here_on(self.digits[top]);
-        }
-        row
-    }
 }
 
 /// More than a digit and all that may stand below it.
@@ -64,44 +30,59 @@ fn from_here_on((place, digit): (i64, i64)) -> Size {
 
 impl Row {
     pub(super) const EMPTY: Self =
-        Self { digits: [(0, 0); MOST], count: 0, cut: Size { exponent: 0, mantissa: 0.0 } };
+        Self { digits: [(0, 0); MOST], start: MOST, cut: Size { exponent: 0, mantissa: 0.0 } };
 
-    /// ±limbs, little-endian, their lowest at a place.
-    pub(super) fn of_limbs(negative: bool, limbs: &[u64], place: i64) -> Self {
-        let mut made = Rising::EMPTY;
-        let leading = limbs.len().saturating_sub(2 * MOST);
-        let mut carry = 0;
-        for (limb, at) in limbs[leading..].iter().zip(place + leading as i64..) {
-            let limb = i128::from(*limb);
-            carry = made.settle(at, if negative { -limb } else { limb } + carry);
+    /// Puts a sum of digits at a place above all others; what is carried to the next one.
+    fn settle(&mut self, place: i64, total: i128) -> i128 {
+        let digit = total as i64;
+        if digit != 0 {
+            self.lead((place, digit));
         }
-        made.settle(place + limbs.len() as i64, carry);
-        let is_cut = limbs[..leading].iter().any(|&limb| limb != 0);
-        made.finished(if is_cut { from_here_on((place + leading as i64, 0)) } else { Size::zero() })
+        (total - i128::from(digit)) >> 64
+    }
+
+    /// Puts a digit before the others. If there is no room, the last one is cut off.
+    fn lead(&mut self, digit: (i64, i64)) {
+        if self.start == 0 {
+            self.cut = self.cut + from_here_on(self.digits[MOST - 1]);
+            self.digits.copy_within(..MOST - 1, 1);
+            self.start = 1;
+        }
+        self.start -= 1;
+        self.digits[self.start] = digit;
+    }
+
+    /// ±limbs, little-endian.
+    pub(super) fn of_limbs(negative: bool, limbs: &[u64]) -> Self {
+        let (mut row, mut carry, mut place) = (Self::EMPTY, 0, 0);
+        for limb in limbs {
+            let limb = i128::from(*limb);
+            carry = row.settle(place, if negative { -limb } else { limb } + carry);
+            place += 1;
+        }
+        row.settle(place, carry);
+        row
     }
 
     /// significand·2^exponent
     pub(super) fn of_significand(significand: i64, exponent: i64) -> Self {
         let (place, shift) = (exponent.div_euclid(64), exponent.rem_euclid(64));
-        let mut made = Rising::EMPTY;
-        let carry = made.settle(place, i128::from(significand) << shift);
-        made.settle(place + 1, carry);
-        made.finished(Size::zero())
+        let mut row = Self::EMPTY;
+        let carry = row.settle(place, i128::from(significand) << shift);
+        row.settle(place + 1, carry);
+        row
     }
 
-    /// Digits that are a row's already.
-    pub(super) fn of_digits(digits: impl Iterator<Item = (i64, i64)>) -> Self {
+    /// At most [`DIGITS`] digits that are a number's.
+    pub(super) fn of_digits(digits: impl DoubleEndedIterator<Item = (i64, i64)>) -> Self {
         let mut row = Self::EMPTY;
-        for (digit, given) in row.digits.iter_mut().zip(digits) {
-            *digit = given;
-            row.count += 1;
-        }
+        digits.rev().for_each(|digit| row.lead(digit));
         row
     }
 
     /// The digits, the leading one first.
     pub(super) fn digits(&self) -> &[(i64, i64)] {
-        &self.digits[..self.count]
+        &self.digits[self.start..]
     }
 
     /// What all digits but the first `kept`, and what was cut off before, are at most.
@@ -116,17 +97,16 @@ impl Row {
 
     /// m and e with m·2^e near the row: up to a relative 2⁻⁵¹.
     pub(super) fn leading(&self) -> (f64, i64) {
-        let below = |place| self.digits().get(1).filter(|(next, _)| *next == place - 1);
-        self.digits().first().map_or((0.0, 0), |&(place, digit)| {
-            let rest = below(place).map_or(0.0, |&(_, digit)| digit as f64);
-            (digit as f64 + rest * f64::from_bits((1023 - 64) << 52), 64 * place)
-        })
+        match *self.digits() {
+            [] => (0.0, 0),
+            [(place, digit), (next, rest), ..] if next == place - 1 => leading(place, digit, rest),
+            [(place, digit), ..] => leading(place, digit, 0),
+        }
     }
 
     /// The size of the digits that are here.
     pub(super) fn size(&self) -> Size {
-        let (leading, exponent) = self.leading();
-        Size::from(leading.abs()).scaled(exponent)
+        size_of(self.leading())
     }
 
     /// |d·2⁶⁴ + d′| of the leading digit d and the one in the place below, which may be 0, and that place. `None` for zero.
@@ -139,7 +119,7 @@ impl Row {
 
     /// self + sign·other, for a sign of 1 or −1.
     pub(super) fn plus(&self, other: &Self, sign: i64) -> Self {
-        let mut made = Rising::EMPTY;
+        let mut sum = Self { cut: self.cut + other.cut, ..Self::EMPTY };
         let (mut these, mut those) = (self.digits(), other.digits());
         let (mut place, mut carry) = (0, 0);
         loop {
@@ -158,31 +138,33 @@ impl Row {
             };
             take(&mut these, 1);
             take(&mut those, sign);
-            carry = made.settle(here, carry);
+            carry = sum.settle(here, carry);
             place = here + 1;
         }
-        made.finished(self.cut + other.cut)
+        sum
     }
 
     /// self·digit·2^(64·up)
     fn times_digit(&self, (up, factor): (i64, i64)) -> Self {
-        let mut made = Rising::EMPTY;
+        let cut = self.cut * Size::from(factor.unsigned_abs() as f64).scaled(64 * up);
+        let mut product = Self { cut, ..Self::EMPTY };
         let (mut place, mut carry) = (0, 0);
         for &(at, digit) in self.digits().iter().rev() {
             if carry != 0 && place != at + up {
                 // It is a digit: less than 2⁶³.
-                carry = made.settle(place, carry);
+                carry = product.settle(place, carry);
             }
-            carry = made.settle(at + up, i128::from(digit) * i128::from(factor) + carry);
+            carry = product.settle(at + up, i128::from(digit) * i128::from(factor) + carry);
             place = at + up + 1;
         }
-        made.settle(place, carry);
-        made.finished(self.cut * Size::from(factor.unsigned_abs() as f64).scaled(64 * up))
+        product.settle(place, carry);
+        product
     }
 
     /// self·factor, for a factor that nothing was cut off.
     pub(super) fn times(&self, factor: &Self) -> Self {
-        factor.digits().iter().fold(Self::EMPTY, |sum, &digit| sum.plus(&self.times_digit(digit), 1))
+        let parts = factor.digits().iter().map(|&digit| self.times_digit(digit));
+        parts.reduce(|sum, part| sum.plus(&part, 1)).unwrap_or(Self::EMPTY)
     }
 
     /// q and r with self = q·divisor + r, for a divisor other than zero; r is zero, or below a unit of a number beside self.
@@ -192,7 +174,7 @@ impl Row {
         let (below, down) = divisor.leading();
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..ROUNDS {
-            if rest.count == 0 {
+            if rest.sign() == 0 {
                 break;
             }
             let (above, up) = rest.leading();
@@ -203,6 +185,16 @@ impl Row {
         }
         (quotient, rest)
     }
+}
+
+/// digit·2^(64·place) and the digit below it as m·2^e.
+pub(super) fn leading(place: i64, digit: i64, below: i64) -> (f64, i64) {
+    (digit as f64 + below as f64 * f64::from_bits((1023 - 64) << 52), 64 * place)
+}
+
+/// |m|·2^e
+pub(super) fn size_of((leading, exponent): (f64, i64)) -> Size {
+    Size::from(leading.abs()).scaled(exponent)
 }
 
 /// A finite float as an integer times a power of two.

@@ -108,17 +108,12 @@ fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     }
 }
 
-/// A divisor off by 1/70 of itself: v̂ is off by that, and stands for v in m, while (1+u)ᵏ − 1 is at its largest.
+/// A divisor off by nearly a 64th: v̂ is too small by that, and stands for v in m. Without any slack that would not hold.
 #[test]
 fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
-    let mut largest = 0.0_f64;
-    for k in 1..15 {
-        let Some(quotient) = off_by(UP, || rounded_up::<COARSE>(k).over(&rounded_down(k))) else { continue };
-        assert!(quotient.part() <= 1.0);
-        largest = largest.max(quotient.part());
-    }
-    // Both slacks are in that bound.
-    assert!(largest * SLACK * SLACK > 1.0, "{largest}");
+    const MIDDLE: i32 = 13;
+    let quotient = off_by(DOWN, || rounded_down::<MIDDLE>(112).over(&rounded_up(112))).expect("a quotient");
+    assert!(quotient.part() <= 1.0 && quotient.part() * SLACK * SLACK > 1.005, "{}", quotient.part());
 }
 
 /// Where the error of the divisor may be a 64th of it, there is no quotient; a little before, there is.
@@ -211,4 +206,39 @@ fn a_known_radius_is_the_error() {
     let difference = quotient - quotient;
     assert!(difference.value() == Wide::from(0.0) && difference.error() >= radius + radius);
     assert!(difference.error() <= (radius + radius) * Size::from(1.07));
+}
+
+/// Values and magnitudes in one register are those that are computed apart, bit for bit, but for multiply-adds that one of them fuses.
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn packed_pairs_are_pairs() {
+    use super::super::packed::{Packed, PackedSingle};
+    use super::super::pair::{Both, Pair};
+    fn same<V: Number, P: Pair<V>>(packed: P, both: Both<V>) {
+        assert!(packed.value() == both.value() && packed.magnitude() == both.magnitude());
+    }
+    fn check<V: Number, P: Pair<V>>(a: (V, V::Magnitude), b: (V, V::Magnitude)) {
+        let (p, q) = (P::new(a.0, a.1), P::new(b.0, b.1));
+        let (x, y) = (Both::new(a.0, a.1), Both::new(b.0, b.1));
+        same(p.plus(q), x.plus(y));
+        same(p.minus(q), x.minus(y));
+        same(p.times(q), x.times(y));
+        same(p.negated(), x.negated());
+        same(p.multiply_add(q, p), x.multiply_add(y, x));
+    }
+    for (a, b) in [(1.5, -0.25), (-3.0, 7.0), (0.0, 2.0)] {
+        check::<f64, Packed>((a, 2.0 * a.abs() + 1.0), (b, b.abs()));
+        let (a, b) = (a as f32, b as f32);
+        check::<f32, PackedSingle>((a, 2.0 * a.abs() + 1.0), (b, b.abs()));
+    }
+}
+
+/// The units of the machine's floats are theirs, and that of a pair of floats is no less than the bounds that its operations state.
+#[test]
+fn units_are_those_of_the_operations() {
+    use crate::Dd;
+    let u = f64::EPSILON / 2.0;
+    assert_eq!((f64::UNIT, f32::UNIT), (u, f64::from(f32::EPSILON) / 2.0));
+    // A quotient errs by 14u², a multiply-add by 16u² of the product and 5u² of the result, and counts twice.
+    assert!(Dd::UNIT >= 14.0 * u * u && 2.0 * Dd::UNIT >= 21.0 * u * u && Dd::UNIT >= 16.0 * u * u);
 }

@@ -47,6 +47,10 @@ impl<const BITS: i32> Worst<BITS> {
         Self(Box::leak(Box::new(value)))
     }
 
+    pub(super) fn of_float(value: f64) -> Self {
+        Self::new(Q::from_f64(value).expect("a finite number"))
+    }
+
     pub(super) fn exact(&self) -> Q {
         self.0.clone()
     }
