@@ -19,6 +19,12 @@ const ATTEMPT: &str = "kahan-core/src/stable/attempt.rs";
 const RUNGS: &str = "kahan-core/src/stable/rungs.rs";
 const WIDE: &str = "kahan-core/src/scalar/wide/arithmetic.rs";
 
+const PAIRS: &str = "-p kahan-core --features exact --lib -- dd::bounds";
+const MODERATE: &str = "kahan-core/src/scalar/dd/moderate.rs";
+const DEGREES: &str = "-p kahan-discover --lib -- thiele";
+const REFERENCES: &str = "-p kahan-systems --lib -- reference";
+const CERTIFICATE: &str = "systems/src/reference/certificate.rs";
+
 const fn rule(name: &'static str, file: &'static str, text: &'static str, weaker: &'static str) -> Weakening {
     Weakening { name, file, text, weaker, tests: RULES }
 }
@@ -136,4 +142,28 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "map_or(self.cut, |&digit| self.cut + from_here_on(digit))", "map_or(self.cut, |_| self.cut)"),
     digit("a division that ends early", "kahan-core/src/scalar/wide/rows.rs",
         "64 * (DIGITS + 1) / 48 + 1", "64 * (DIGITS + 1) / 60 - 2"),
+    // Pairs of floats: what their operations do, and what is stated of them.
+    Weakening { name: "a sum of pairs without its last rest", file: MODERATE, tests: PAIRS,
+        text: "fast_two_sum(sum, rest + error)", weaker: "fast_two_sum(sum, error)" },
+    Weakening { name: "a product of pairs without a lower part", file: MODERATE, tests: PAIRS,
+        text: "let lower = multiply_add(x.low, y.high, x.high * y.low);", weaker: "let lower = x.high * y.low;" },
+    Weakening { name: "a quotient of pairs without the lower part of its divisor", file: MODERATE, tests: PAIRS,
+        text: "multiply_add(-leading, y.low, x.low)", weaker: "x.low" },
+    Weakening { name: "a multiply-add of pairs without a lower part", file: "kahan-core/src/scalar/dd/arithmetic.rs", tests: PAIRS,
+        text: "multiply_add(x.low, y.high, multiply_add(x.high, y.low, z.low))", weaker: "multiply_add(x.high, y.low, z.low)" },
+    Weakening { name: "sums of pairs said to err by 2u²", file: "kahan-core/src/tests/dd/bounds.rs", tests: PAIRS,
+        text: "const SUM: i64 = 3;", weaker: "const SUM: i64 = 2;" },
+    Weakening { name: "products of pairs said to err by 4u²", file: "kahan-core/src/tests/dd/bounds.rs", tests: PAIRS,
+        text: "const PRODUCT: i64 = 5;", weaker: "const PRODUCT: i64 = 4;" },
+    Weakening { name: "quotients of pairs said to err by 9u²", file: "kahan-core/src/tests/dd/bounds.rs", tests: PAIRS,
+        text: "const QUOTIENT: i64 = 14;", weaker: "const QUOTIENT: i64 = 9;" },
+    // Degrees and references.
+    Weakening { name: "a degree with one spare point less", file: "kahan-discover/src/thiele.rs", tests: DEGREES,
+        text: "const SPARE: usize = 4;", weaker: "const SPARE: usize = 3;" },
+    Weakening { name: "a degree told when one spare point agrees", file: "kahan-discover/src/thiele.rs", tests: DEGREES,
+        text: "if differences.iter().all(|&difference| difference == 0) {", weaker: "if differences.first() == Some(&0) {" },
+    Weakening { name: "a certificate of the last difference", file: CERTIFICATE, tests: REFERENCES,
+        text: "self.difference = self.difference.max(difference);", weaker: "self.difference = difference;" },
+    Weakening { name: "a certificate of the least difference", file: CERTIFICATE, tests: REFERENCES,
+        text: "if self.difference <= self.allowed {\n            self.agreed_until = t;", weaker: "if difference <= self.allowed {\n            self.agreed_until = t;" },
 ];

@@ -40,7 +40,7 @@ fn integers_and_short_ratios_are_exact() {
 #[test]
 fn long_ratios_are_within_a_few_units() {
     let mut random = Random(21);
-    for _ in 0..5_000 {
+    for _ in 0..1_000 {
         let mut row = || {
             let length = 1 + random.bits() % 20;
             let mut limbs: Vec<u64> = (0..length).map(|_| random.bits() >> (random.bits() % 64)).collect();
