@@ -121,15 +121,15 @@ fn an_attempt_is_within_what_it_says() {
     let part = largest_part(&riccati, |x, e| {
         Attempt::by_increments(&riccati.lift(lift), &given(x), eps(e), |component| component)
     });
-    assert!(part > 0.15, "a bound that nothing comes near says little: {part}");
+    assert!(part > 0.05, "a bound that nothing comes near says little: {part}");
     let part = largest_part(&chain, |x, e| {
         Attempt::by_increments(&chain.lift(lift), &given(x), eps(e), |component| component)
     });
-    assert!(part > 0.02, "a bound that nothing comes near says little: {part}");
-    let part = largest_part(&riccati, |x, e| Attempt::by_quotients(&riccati.lift(lift), &given(x), eps(e)));
-    assert!(part > 0.05, "a bound that nothing comes near says little: {part}");
-    let part = largest_part(&chain, |x, e| Attempt::by_quotients(&chain.lift(lift), &given(x), eps(e)));
     assert!(part > 0.01, "a bound that nothing comes near says little: {part}");
+    let part = largest_part(&riccati, |x, e| Attempt::by_quotients(&riccati.lift(lift), &given(x), eps(e)));
+    assert!(part > 0.03, "a bound that nothing comes near says little: {part}");
+    let part = largest_part(&chain, |x, e| Attempt::by_quotients(&chain.lift(lift), &given(x), eps(e)));
+    assert!(part > 0.002, "a bound that nothing comes near says little: {part}");
 }
 
 /// What the first rung lets pass is within 64 u of the exact step, and comes near to that beside poles.
@@ -154,7 +154,7 @@ fn the_first_rung_keeps_the_promise() {
             largest = largest.max(error / (Number24::UNIT * size));
         }
     });
-    assert!(largest <= 64.0 && largest > 10.0, "{largest} u");
+    assert!(largest <= 64.0 && largest > 5.0, "{largest} u");
     assert!(passed > 100 && refused > 100 && PROMISE < 64.0, "{passed} passed, {refused} were refused");
 }
 
