@@ -236,3 +236,51 @@ fn assert_answered(
     let (error, size) = (errors.max().unwrap(), exact.iter().map(Signed::abs).max().unwrap());
     assert!(error <= two_to(6 - 53) * size, "at h = {h}, eps = {eps:e}");
 }
+
+crate::kahan! {
+    /// No field where a = b.
+    struct Divided { a, b }
+    xdot = x^2/(a - b) - x;
+}
+
+/// Each reason by a step that has it; that digits run out is so rare that its report is made by hand.
+#[test]
+fn reports_say_what_is_the_case() {
+    use crate::SingularStep;
+    use crate::error::Reason;
+    use std::string::ToString;
+    let said = |step: Result<SVector<f64, 1>, SingularStep>| step.expect_err("no step").to_string();
+    let riccati = |k: f64, x: f64, eps: f64| said(Riccati { k }.try_step(&vector![x], eps));
+    let pole = "det A = 0: the Kahan map has a pole at this point";
+    assert_eq!(riccati(0.0, 1.0, 0.5), std::format!("{pole} (eps = 0.5, half the time step)"));
+    for text in [riccati(f64::NAN, 1.0, 0.5), riccati(0.0, f64::INFINITY, 0.5)] {
+        assert!(text.starts_with("the point, eps or a parameter is not a finite number"), "{text}");
+    }
+    let beyond = [riccati(-1e300, 0.0, 1e100), said(Decay.try_step(&vector![f64::from_bits(2)], 0.125))];
+    for text in beyond {
+        assert!(text.contains("beyond the range of the scalar") && !text.contains("pole"), "{text}");
+    }
+    let text = said(Divided { a: 1.0, b: 1.0 }.try_step(&vector![0.5], 0.125));
+    assert!(text.contains("divides by zero at these parameters") && !text.contains("pole"), "{text}");
+
+    let digits = |bound: f64| SingularStep::because(Reason::Digits(17), 0.25, bound, 0.5).to_string();
+    let text = digits(0.5);
+    assert!(text.contains("17 digits of 64 bits settle the step") && text.contains("5e-1"), "{text}");
+    assert!(!text.contains("pole"), "{text}");
+    assert!(digits(f64::INFINITY).contains("17 digits of 64 bits do not tell whether this point is a pole"));
+}
+
+/// Beside a pole, and however near: a step of rational numbers has all of its digits.
+#[test]
+fn no_float_is_too_near_to_a_pole() {
+    for k in 0..60 {
+        let x = 0.3 + f64::from(k) / 64.0;
+        let near = 0.5 / x;
+        for eps in [near, f64::from_bits(near.to_bits() - 1), f64::from_bits(near.to_bits() + 1)] {
+            match (Riccati { k: 0.0 }).try_step(&vector![x], eps) {
+                Ok(next) => assert!(next[0].abs() > 1e14),
+                Err(why) => assert_eq!(why.determinant(), 0.0),
+            }
+        }
+    }
+}
