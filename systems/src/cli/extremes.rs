@@ -18,7 +18,8 @@ use super::progress::Progress;
 /// The points are seeded and stratified: a quarter each near poles, near removable poles, of mixed magnitudes, and ordinary;
 /// besides a few with subnormal, infinite and NaN inputs. In f64 eps runs over 1e-300 to 1e300 and x over 1e-150 to 1e150, in
 /// f32 over the like part of its range. Poles are found by bisection in exact arithmetic and left by relative distances of 2^-k, down
-/// to the nearest float. A parameter that is not given is drawn for each trial.
+/// to the nearest float. A parameter that is not given is drawn for each trial: of ordinary size, but for some of the points of
+/// mixed magnitudes, and some below the normal range.
 ///
 /// `step` is the fast tier, in dd the accurate one: silently wrong is a finite result that is off by more than 1e-3 of the exact one's largest component.
 /// `try_step` is the stable tier: silently wrong is an Ok that is off by more than 64 u of it (u = 2^-24 for f32, 2^-53 for f64, 2^-102 for dd), or
