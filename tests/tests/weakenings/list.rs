@@ -112,7 +112,7 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     rule("an allowance for singles that is none", "kahan-core/src/stable/scalars.rs",
         "allowance: power_of_two(-40),", "allowance: power_of_two(-80),"),
     rule("an allowance for doubles that is none", "kahan-core/src/stable/scalars.rs",
-        "allowance: power_of_two(-150),", "allowance: power_of_two(-300),"),
+        "allowance: power_of_two(-150),", "allowance: power_of_two(-420),"),
     // Steps.
     rule("an attempt without the weights of reciprocals", ATTEMPT,
         "Some(reciprocal) => reciprocal.weight(roundings),", "Some(reciprocal) => reciprocal.weight(0),"),

@@ -190,6 +190,18 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
     }
 }
 
+/// What is finished by a product with 1, or with another exact number, errs by the numerator's roundings and that of the product.
+#[test]
+fn a_weight_of_an_exact_number_counts_the_product() {
+    for n in [0, 5] {
+        let (numerator, factor) = (rounded_up::<FINE>(n), Beside::given(0.75));
+        let product = off_by(UP, || numerator.times(&factor));
+        let bound = factor.bounded.weight(numerator.bounded.roundings()) * numerator.bounded.magnitude();
+        let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
+        assert!(part <= 1.0 && part >= ALL, "{part} of the bound");
+    }
+}
+
 /// A value that knows its radius: m and k follow from that, whatever was cancelled before.
 #[test]
 fn a_known_radius_is_the_error() {

@@ -125,6 +125,20 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     assert!(as_float(product.error()) <= reciprocal.bounded.weight(0));
 }
 
+/// A reciprocal of a whole constant, which is finer than what its divisor lost below the range.
+#[test]
+fn a_weight_of_a_chain_allows_for_underflow() {
+    const FINEST: i32 = 60;
+    type Finest = Beside<FINEST>;
+    let reciprocal = off_by(TINY, || {
+        let lost = Finest::given(0.0).times(&Finest::given(0.0)).times(&Finest::given(power_of_two(18)));
+        Finest::literal(1, 1).over(&Finest::given(0.25).plus(&lost)).expect("a quotient")
+    });
+    let product = Finest::given(1.0).times(&reciprocal);
+    let error = product.error().to_f64().expect("a number");
+    assert!(error <= reciprocal.bounded.weight(0) && error > 16.0 * Worst::<FINEST>::UNIT);
+}
+
 /// The same with the machine's floats: the least numbers, carried as far as their ranges allow.
 macro_rules! floats_at_the_end_of_their_range {
     ($($name:ident: $float:ty, $least:expr;)*) => {$(
