@@ -136,8 +136,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "(self.radius + quotient.size() * other.radius)", "self.radius"),
     digit("a divisor that may be zero", WIDE,
         "other.radius * Size::from(64.0) <= other.size()", "other.radius <= other.size() * Size::from(64.0)"),
-    digit("a remainder that is forgotten", WIDE,
-        "Wide::of(&quotient, 1, (rest.size() + rest.without(usize::MAX)) / b.size())", "Wide::of(&quotient, 1, Size::zero() * rest.size() / b.size())"),
     digit("digits that are cut off and forgotten", "kahan-core/src/scalar/wide/rows.rs",
         "map_or(self.cut, |&digit| self.cut + from_here_on(digit))", "map_or(self.cut, |_| self.cut)"),
     digit("a division that ends early", "kahan-core/src/scalar/wide/rows.rs",
