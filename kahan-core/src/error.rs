@@ -1,6 +1,6 @@
 //! Why a step has no value.
 //!
-//! In: det A and ε as the step met them. Out: a report in the terms of the map.
+//! In: det A and ε as the step met them, and what is the case. Out: a report in the terms of the map.
 //! It holds floats only, whatever the scalar, so that it is `Copy` and never allocates; it is a report, not a number
 //! to compute with.
 
@@ -8,24 +8,49 @@ use core::fmt;
 
 use crate::Scalar;
 
-/// There is no (finite) step from this point: the point is a pole of the map, or the numbers overflow.
+/// There is no (finite) step from this point: the point is a pole of the map, or the numbers overflow, or their digits run out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SingularStep {
     determinant: f64,
     bound: f64,
     eps: f64,
+    reason: Reason,
+}
+
+/// What is the case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Reason {
+    /// The map has no value there, exactly.
+    Pole,
+    /// An input is not finite.
+    NotFinite,
+    /// The field has no value at the parameters: it divides by zero.
+    NoField,
+    /// The step is known, and the scalar does not hold it.
+    BeyondRange,
+    /// So many digits of 64 bits leave open what the step is.
+    Digits(usize),
+    /// Numbers overflowed before anything else was known.
+    Overflow,
 }
 
 impl SingularStep {
-    /// What was met: det A(x,ε) and ε, both rounded to `f64`.
+    /// What a step without bounds met: det A(x,ε) and ε, both rounded to `f64`.
     pub(crate) fn new(determinant: f64, eps: f64) -> Self {
-        Self { determinant, bound: f64::INFINITY, eps }
+        let reason = if determinant == 0.0 {
+            Reason::Pole
+        } else if determinant.is_finite() {
+            Reason::BeyondRange
+        } else {
+            Reason::Overflow
+        };
+        Self::because(reason, determinant, f64::INFINITY, eps)
     }
 
-    /// A step whose error is bounded by no less than this multiple of its largest component.
-    pub(crate) fn unestablished(determinant: f64, bound: f64, eps: f64) -> Self {
-        Self { determinant, bound, eps }
+    /// A step whose error is bounded by no less than this multiple of its largest component, or not promised for this reason.
+    pub(crate) fn because(reason: Reason, determinant: f64, bound: f64, eps: f64) -> Self {
+        Self { determinant, bound, eps, reason }
     }
 
     /// An exact pole, where det A is 0.
@@ -52,22 +77,27 @@ impl SingularStep {
 
 impl fmt::Display for SingularStep {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { determinant, bound, eps } = *self;
-        if determinant == 0.0 {
-            write!(f, "det A = 0: the Kahan map has a pole at this point")?;
-        } else if determinant.is_finite() && bound.is_finite() && bound > 1e-30 {
-            write!(
+        let Self { determinant, bound, eps, reason } = *self;
+        if determinant.is_finite() && !matches!(reason, Reason::Pole | Reason::NotFinite) {
+            write!(f, "det A = {determinant:?}: ")?;
+        }
+        match reason {
+            Reason::Pole => write!(f, "det A = 0: the Kahan map has a pole at this point")?,
+            Reason::NotFinite => write!(f, "the point, eps or a parameter is not a finite number")?,
+            Reason::NoField => write!(f, "the field divides by zero at these parameters")?,
+            Reason::BeyondRange => {
+                write!(f, "the Kahan step from this point is beyond the range of the scalar")?;
+            }
+            Reason::Digits(count) if bound.is_finite() => write!(
                 f,
-                "det A = {determinant:?}: this point is too near to a pole, the relative error of the step from it is \
-                 only known to be at most {bound:.0e}"
-            )?;
-        } else if determinant.is_finite() {
-            write!(
-                f,
-                "det A = {determinant:?}: the Kahan step from this point is beyond the range of the scalar"
-            )?;
-        } else {
-            write!(f, "det A is not finite: the point, eps or a parameter is too large or not a number")?;
+                "{count} digits of 64 bits settle the step from this point no better than to a relative error of {bound:.0e}"
+            )?,
+            Reason::Digits(count) => {
+                write!(f, "{count} digits of 64 bits do not tell whether this point is a pole")?;
+            }
+            Reason::Overflow => {
+                write!(f, "det A is not finite: the point, eps or a parameter is too large or not a number")?;
+            }
         }
         // A scalar that nothing approximates has no ε to print.
         if eps.is_nan() { Ok(()) } else { write!(f, " (eps = {eps:?}, half the time step)") }

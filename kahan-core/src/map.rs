@@ -106,17 +106,17 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///
     /// for x, ε and the parameters as given, u = 2⁻⁵³ for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for [`Dd`](crate::Dd). It is established
     /// for this very call: the step runs with an error bound beside each of its values, first in the scalar's own precision,
-    /// and where that proves too little in the next (`f64` for an `f32`, [`Dd`](crate::Dd) for an `f64`), then in 1024 bits with
-    /// unlimited exponents, where nothing overflows. An ordinary point gets the bits of [`step`](Self::step) at about one and a half
-    /// times its price; near poles and far out a step takes ten times as long, or at worst some microseconds. Nothing is
-    /// allocated: without optimisation the last rungs need up to a megabyte of stack, for a dense field of five variables.
+    /// and where that proves too little in the next (`f64` for an `f32`, [`Dd`](crate::Dd) for an `f64`), then in 17 digits of 64
+    /// bits, wherever these lie, where nothing overflows and sums of terms of any sizes are exact. An ordinary point gets the bits of [`step`](Self::step) at about one and a half
+    /// times its price; near poles and far out a step takes ten times as long, or at worst a fraction of a millisecond. Nothing is
+    /// allocated: without optimisation the last rungs need up to one and a half megabytes of stack, for a dense field of five variables.
     ///
     /// Exact scalars give the exact step. A map written by hand, and a scalar of a user's own, get the result of `step`, or where
     /// that left the scalar's range, of elimination with partial pivoting: finite, without a bound.
     ///
     /// # Errors
     /// [`SingularStep`] at a pole, at a point that is not finite, where x̃ is beyond the scalar's range, and where not even
-    /// 1024 bits settle the bound, so near to a pole is the point.
+    /// 17 digits settle the bound; it says which of these is the case.
     #[inline(always)]
     fn try_step(&self, x: &SVector<T, N>, eps: T) -> Result<SVector<T, N>, SingularStep>
     where

@@ -8,6 +8,7 @@ use core::array::from_fn;
 use nalgebra::{SMatrix, SVector};
 
 use crate::elimination::NoLanes;
+use crate::error::Reason;
 use crate::linear::vector;
 use crate::{
     KahanMap, Lift, PreparedStep, QuadraticField, Quotients, Scalar, SingularStep, StepCost, WideStep,
@@ -166,7 +167,7 @@ where
         if next.iter().all(|entry| entry.is_finite()) {
             Ok(next)
         } else {
-            Err(SingularStep::new(wide.det_matrix(&x, eps), eps))
+            Err(SingularStep::because(Reason::BeyondRange, wide.det_matrix(&x, eps), f64::INFINITY, eps))
         }
     }
 

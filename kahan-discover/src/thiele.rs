@@ -69,4 +69,30 @@ mod tests {
         assert_eq!(sampled(2, 9, 40), Some(9));
         assert_eq!(sampled(40, 40, 60), None);
     }
+
+    /// P/Q of degree d is fixed by 2d + 1 values; no degree is told before four more agree.
+    #[test]
+    fn a_degree_is_told_when_four_points_to_spare_agree() {
+        for d in [0, 1, 2, 7, 20] {
+            let needed = 2 * d as usize + 1;
+            assert_eq!(sampled(d, d, needed + 4), Some(d as usize));
+            assert_eq!(sampled(d, d, needed + 3), None);
+        }
+    }
+
+    /// Values of a function of degree 1 but for one: wherever that is, the degree is not 1.
+    #[test]
+    fn one_spare_point_that_does_not_agree_is_enough() {
+        let modulus = Modulus::mersenne_61();
+        let points: Vec<u64> = (1..=7).collect();
+        let values = points.iter().map(|&t| modulus.inverse(modulus.plus(t, modulus.one())).unwrap());
+        let values: Vec<u64> = values.collect();
+        let told = |values: &[u64]| degree(&modulus, &points, values, &Deadline::never());
+        assert_eq!(told(&values), Some(1));
+        for changed in 0..points.len() {
+            let mut values = values.clone();
+            values[changed] = modulus.plus(values[changed], modulus.one());
+            assert_eq!(told(&values), None, "the value with index {changed}");
+        }
+    }
 }

@@ -11,6 +11,7 @@ pub mod extremes;
 pub mod heights;
 pub mod interpreted;
 pub mod paper;
+pub mod random_fields;
 pub mod reference;
 pub mod registry;
 pub mod solution;

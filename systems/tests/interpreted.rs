@@ -217,3 +217,30 @@ fn a_dimension_known_at_run_time_becomes_a_type() {
         assert!(refusal.to_string().contains(&format!("{n} variables")), "{refusal}");
     }
 }
+
+/// 1 + εx = 0 is a removable pole of E1; a field read at run time has the value there as well.
+#[test]
+fn a_removable_pole_has_its_value() {
+    let entry = find("e1").expect("the catalog has E1");
+    let read = Interpreted::<BigRational, 3>::new(&system(entry.text()), &[]).expect("E1").rounded::<f64>();
+    for size in [1.0, 1e-140, 1e140] {
+        for x in [-2.0, -2.0_f64.next_up(), -3.0] {
+            let (x, eps) = (vector![x * size, 0.75 * size, 0.5], 0.5 / size);
+            let compiled = E1.try_step(&x, eps).expect("the reduced map has a value");
+            let next = read.try_step(&x, eps).expect("the same for the field that was read");
+            assert!((next - compiled).amax() <= 1e-14 * compiled.amax(), "{next:?}, {compiled:?}");
+        }
+    }
+}
+
+/// Parameters at which the field divides by zero end in an error, as those of compiled fields do.
+#[test]
+fn a_field_that_divides_by_zero_has_no_step() {
+    let text = "struct Divided { a, b } xdot = x^2/(a - b) + x*y; ydot = x - y/(a - b);";
+    let read = Interpreted::<BigRational, 2>::new(&system(text), &[q("2"), q("1")]).expect("a field");
+    let step =
+        |a: f64, b: f64| read.rounded::<f64>().with_parameters(&[a, b]).try_step(&vector![0.5, 0.25], 0.125);
+    assert!(step(2.0, 1.0).is_ok());
+    let why = step(1.0, 1.0).expect_err("no field").to_string();
+    assert!(why.contains("divides by zero"), "{why}");
+}

@@ -73,6 +73,39 @@ fn the_series_agrees_with_the_composition_where_there_is_no_closed_solution() {
     assert!((1.66..5.0).contains(&reference.scale()), "{}", reference.scale());
 }
 
+/// The series of one field beside the closed solution of another: what is certified is that they agree.
+#[test]
+fn a_path_that_is_not_the_solution_is_refused() {
+    let start = ["3/10", "2/5", "-1/5"];
+    for (command, wrong) in [
+        ("e5", reference(&E6, "e5", &[], &start, 1.0, 1e-9)),
+        ("e6", reference(&E5, "e6", &[], &start, 1.0, 1e-9)),
+        ("e7", reference(&E7 { xi: dd("1000001/1000000") }, "e7", &["1"], &start, 1.0, 1e-9)),
+    ] {
+        match wrong.map(|reference| reference.certificate()) {
+            Err(NoReference::Disagree { difference, until, .. }) => {
+                assert!(difference > 1e-9 && until < 0.1, "{command}: {difference:e} until {until}");
+            }
+            other => panic!("{command}: {other:?}"),
+        }
+    }
+}
+
+/// What is not a number, in whichever component, is infinitely far.
+#[test]
+fn a_point_that_is_no_number_is_infinitely_far() {
+    let reference = reference(&E6, "e6", &[], &["3/10", "2/5", "-1/5"], 1.0, 1e-9).expect("a reference");
+    let here = reference.at(Dd::from(0.5));
+    assert!(reference.distance(Dd::from(0.5), &here) < 1e-30);
+    for i in 0..3 {
+        let mut point = here.clone();
+        point[i] = Dd::from(f64::NAN);
+        assert_eq!(reference.distance(Dd::from(0.5), &point), f64::INFINITY);
+        point[i] = here[i] + Dd::from(reference.scale());
+        assert!((reference.distance(Dd::from(0.5), &point) - 1.0).abs() < 1e-12);
+    }
+}
+
 /// E1 has ẋ = −x²: x = 1/(t + 1/x₀) escapes at t = −1/x₀.
 #[test]
 fn a_solution_that_escapes_is_refused_with_its_time() {

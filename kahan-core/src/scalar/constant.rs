@@ -106,7 +106,7 @@ impl Constant {
         (high, low)
     }
 
-    /// The number in 1024 bits: exact for integers, at most 2⁻¹⁰²¹ of relative error for others.
+    /// The number: exact but for numerators and denominators of very many bits.
     pub(crate) fn to_wide(self) -> Wide {
         match self.0 {
             Form::Integer(n) => Wide::from(n),

@@ -12,7 +12,8 @@
 //!   γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and there is no quotient. Where 1/|â| is at hand, as for a reciprocal 2/d or
 //!   2/d/d′, the same m is |v̂|·(mₐ/|â| + m_b/|b̂|), and what is in parentheses is kept as a sum.
 //!
-//! Magnitudes are rounded themselves, and v̂ stands for v where they are made; [`SLACK`] pays for both.
+//! Magnitudes are rounded themselves, v̂ stands for v where they are made, and γₖ is taken as k·u; [`SLACK`] pays for all three as
+//! long as k·u is at most 1/10. A number of the last rungs knows how far it may be off, and m and k follow from that.
 //!
 //! # Underflow
 //! An operation that underflows is off by η at most, and m with it. With all inputs at most 2ᴸ in size and all products of them
@@ -22,6 +23,8 @@
 //! this leaves, and whoever makes the values compares. Quotients count as if every divisor were the least, which is checked, and
 //! errors are divided by it twice. What a step divides by ε is a constant that is at most 2 to the power
 //! [`bits_of_steps`](super::number::Range) times as large.
+
+use num_traits::Zero;
 
 use super::number::{Magnitude, Number};
 use super::pair::{Both, Pair};
@@ -81,7 +84,8 @@ macro_rules! operations {
 
 pub(super) use operations;
 
-/// What magnitudes are multiplied by before they are believed: they are rounded, and quotients are made of rounded values.
+/// What magnitudes are multiplied by before they are believed: they are rounded, quotients are made of rounded values, and
+/// (1+u)ᵏ − 1 is more than k·u. Quotients have it twice, which is once more than they need.
 pub(super) const SLACK: f64 = 1.0625;
 
 /// A value v̂ with |v̂ − v| ≤ γₖ·m, and how both are held.
@@ -120,6 +124,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         // The exponent of the next power of two.
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
         Self { pair: Pair::new(value, value.size()), roundings, inputs: 0, bits, inverse: None, ratio: None }
+            .settled()
     }
 
     /// The binary exponent that no input may exceed, so that underflow is allowed for.
@@ -203,7 +208,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
             inverse: None,
             ratio: None,
         }
-        .if_exact()
+        .settled()
     }
 
     /// The pair of a product.
@@ -217,17 +222,21 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
             inverse: None,
             ratio: None,
         }
-        .if_exact()
+        .settled()
     }
 
-    /// Where nothing was rounded, the value is its own magnitude, without an error.
+    /// Where a value knows its radius r, |v| ≤ m and |v̂ − v| ≤ γ₁·m hold with m = |v̂| + r/u, whatever cancelled on its way; with
+    /// r = 0 there is no error.
     #[inline(always)]
-    fn if_exact(self) -> Self {
+    fn settled(self) -> Self {
         let value = self.value();
-        if value.is_exact() {
-            Self { pair: Pair::new(value, value.size()), roundings: 0, ..self }
-        } else {
-            self
+        match value.radius() {
+            None => self,
+            Some(radius) => {
+                let magnitude = value.size() + radius / V::Magnitude::of(V::UNIT);
+                let roundings = u32::from(!radius.is_zero());
+                Self { pair: Pair::new(value, magnitude), roundings, inverse: None, ratio: None, ..self }
+            }
         }
     }
 
@@ -255,14 +264,15 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
                 (numerator * V::Magnitude::of(SLACK) / size, None, None)
             }
         };
-        Some(Self {
+        let quotient = Self {
             pair: Pair::new(value, magnitude),
             roundings: self.roundings.max(divisor.roundings).saturating_add(1),
             inputs: self.inputs.saturating_add(divisor.inputs),
             bits: self.bits.saturating_add(divisor.bits).saturating_add(2 * V::RANGE.bits_of_divisors),
             inverse,
             ratio,
-        })
+        };
+        Some(quotient.settled())
     }
 
     /// c/ε for a literal c and an ε, given as it is, that a step divides by: rounded once more than c, and no larger than that

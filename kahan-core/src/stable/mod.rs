@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | 1 | the scalar itself | ordinary points, at less than twice the operations of a step |
 //! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64` | cancellation: near poles, large ε |
-//! | 3 | 1024 bits without a bound on exponents | overflow, underflow, extreme cancellation, by the increment form |
+//! | 3 | 17 digits of 64 bits, wherever these lie | overflow, underflow, extreme cancellation, by the increment form |
 //! | 4 | the same | the form N/D, where increments cancel against the state |
 
 mod attempt;
@@ -20,5 +20,7 @@ mod packed;
 mod pair;
 mod rungs;
 mod scalars;
+#[cfg(all(test, feature = "exact"))]
+mod tests;
 
 pub(crate) use rungs::{stable_double, stable_double_double, stable_single};

@@ -88,9 +88,9 @@ pub(crate) trait Number: Pivot + Copy {
 
     /// |self|, rounded as magnitudes are.
     fn size(&self) -> Self::Magnitude;
-    /// Whether the value is known to be the formula's own: nothing was rounded on its way.
+    /// How far the value may be from its formula's, where it knows that itself.
     #[inline(always)]
-    fn is_exact(&self) -> bool {
-        false
+    fn radius(&self) -> Option<Self::Magnitude> {
+        None
     }
 }

@@ -10,6 +10,7 @@ use core::iter::once_with;
 use nalgebra::SVector;
 use num_traits::Zero;
 
+use crate::error::Reason;
 use crate::linear::vector;
 use crate::scalar::Wide;
 use crate::{Dd, KahanMap, Lift, PreparedStep, Scalar, SingularStep};
@@ -20,7 +21,7 @@ use super::pair::{Both, Pair};
 use super::scalars::{Promised, Widened};
 
 /// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and ‖exact‖∞.
-const PROMISE: f64 = 63.0;
+pub(super) const PROMISE: f64 = 63.0;
 
 /// The step with all numbers embedded into V, each component handed to `finish`.
 #[inline(always)]
@@ -71,7 +72,11 @@ const fn is_short<T: Promised, M: KahanMap<T, N>, const N: usize>() -> bool {
 /// compiling, as long as no code serves both.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-fn in_own_precision<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
+pub(super) fn in_own_precision<M, T, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Option<SVector<T, N>>
 where
     T: Promised,
     M: Lift<T, N>,
@@ -249,21 +254,34 @@ where
     };
     let lifted = map.lift(given);
     let state = SVector::from_fn(|i, _| given(&x[i]));
+    let report = |reason, determinant, bound| {
+        Some(SingularStep::because(reason, determinant, bound, eps.approximate()))
+    };
     if !is_finite.get() {
-        return Some(SingularStep::unestablished(f64::NAN, f64::INFINITY, eps.approximate()));
+        return report(Reason::NotFinite, f64::NAN, f64::INFINITY);
     }
     let increments = wide_increments(&lifted, &state, given(&eps));
     let quotients = once_with(|| wide_quotients(&lifted, &state, given(&eps)));
-    let mut bound = f64::INFINITY;
+    let (mut bound, mut is_known) = (f64::INFINITY, false);
     for attempt in increments.into_iter().chain(quotients.flatten()) {
         bound = attempt.bound().min(bound);
+        is_known |= attempt.is_within(PROMISE * T::UNIT);
         if let Some(settled) = attempt.rounded(PROMISE * T::UNIT, T::narrow, T::widen) {
             *next = settled;
             return None;
         }
     }
-    let determinant = wide_determinant(&lifted, &state, given(&eps));
-    Some(SingularStep::unestablished(report(determinant), bound, eps.approximate()))
+    let [denominator, determinant] = wide_denominators(&lifted, &state, given(&eps));
+    let reason = if is_known {
+        Reason::BeyondRange
+    } else if !determinant.is_defined() {
+        Reason::NoField
+    } else if is_exactly_zero(&denominator) {
+        Reason::Pole
+    } else {
+        Reason::Digits(Wide::MOST_DIGITS)
+    };
+    report(reason, rounded(&determinant), bound)
 }
 
 // What the last rungs call is apart, because it is the same for every scalar that comes here, and for the stack's sake.
@@ -294,19 +312,27 @@ where
     Attempt::by_quotients(map, x, eps)
 }
 
-/// det A(x,ε) in [`Wide`].
+/// D of the reduced map, and det A(x,ε), in [`Wide`].
 #[inline(never)]
-fn wide_determinant<M, const N: usize>(map: &M, x: &SVector<Bounded<Wide>, N>, eps: Bounded<Wide>) -> Wide
+fn wide_denominators<M, const N: usize>(
+    map: &M,
+    x: &SVector<Bounded<Wide>, N>,
+    eps: Bounded<Wide>,
+) -> [Wide; 2]
 where
     M: KahanMap<Bounded<Wide>, N>,
 {
-    map.det_matrix(x, eps).value()
+    [map.reduced_map(x, eps).1.value(), map.det_matrix(x, eps).value()]
+}
+
+fn is_exactly_zero(number: &Wide) -> bool {
+    number.is_zero() && number.radius().is_zero()
 }
 
 /// A determinant as a float that is 0 only where the determinant is, and infinite nowhere.
-fn report(determinant: Wide) -> f64 {
+fn rounded(determinant: &Wide) -> f64 {
     match determinant.to_f64() {
-        near if near == 0.0 && !determinant.is_zero() => f64::MIN_POSITIVE,
+        near if near == 0.0 && !is_exactly_zero(determinant) => f64::MIN_POSITIVE,
         near if near.is_infinite() => f64::NAN,
         near => near,
     }

@@ -121,8 +121,7 @@ impl Working for Dd {
 
 impl Number for Wide {
     type Magnitude = Size;
-    /// Four times that of an operation, so that a constant, made by a division of cut off numbers, is one, too.
-    const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT + 2) as u64) << 52);
+    const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT) as u64) << 52);
     /// No step over these divides by ε.
     const RANGE: Range =
         Range { allowance: 0.0, bits_of_products: 860, bits_of_divisors: 0, bits_of_steps: 0 };
@@ -131,8 +130,8 @@ impl Number for Wide {
         Wide::size(self)
     }
 
-    fn is_exact(&self) -> bool {
-        Wide::is_exact(self)
+    fn radius(&self) -> Option<Size> {
+        Some(Wide::radius(self))
     }
 }
 

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use clap::Args;
 use kahan_systems::extremes::{Cell, Place, Subject, Tally, Unjudged, survey, total};
+use kahan_systems::random_fields::{RandomField, numbered};
 use kahan_systems::registry::SYSTEMS;
 use kahan_systems::volterra;
 use serde_json::{Value, json};
@@ -18,7 +19,8 @@ use super::progress::Progress;
 /// besides a few with subnormal, infinite and NaN inputs, and a few large steps, with |eps f'| from 1 to 1000, for which elimination
 /// with partial pivoting (lu) is judged besides the tiers. In f64 eps runs over 1e-300 to 1e300 and x over 1e-150 to 1e150, in
 /// f32 over the like part of its range. Poles are found by bisection in exact arithmetic and left by relative distances of 2^-k, down
-/// to the nearest float. A parameter that is not given is drawn for each trial.
+/// to the nearest float. A parameter that is not given is drawn for each trial: of ordinary size, but for some of the points of
+/// mixed magnitudes, and some below the normal range.
 ///
 /// `step` is the fast tier, in dd the accurate one: silently wrong is a finite result that is off by more than 1e-3 of the exact one's largest component.
 /// `try_step` is the stable tier: silently wrong is an Ok that is off by more than 64 u of it (u = 2^-24 for f32, 2^-53 for f64, 2^-102 for dd), or
@@ -38,12 +40,19 @@ pub(crate) struct Extremes {
     #[arg(long, value_name = "N", default_value = "40000", allow_hyphen_values = true, value_parser = trials)]
     trials: u64,
 
+    /// Besides, so many random fields of two to six variables, which the seed draws, too.
+    ///
+    /// Sparse ones, with constant and linear terms, with parameters and divisors of them, and dense ones; interpreted, and listed
+    /// below the table. Fields without a closed form within the budget of terms are left out and drawn again.
+    #[arg(long, value_name = "N", default_value = "0")]
+    random_fields: usize,
+
     /// Another seed draws other points; the same seed draws the same, on any number of threads.
     #[arg(long, value_name = "S", default_value = "1", allow_hyphen_values = true, value_parser = seed)]
     seed: u64,
 
-    /// Print one JSON object: system, systems, trials, seed, seconds, cells (regime, tier, scalar, trials, max_error_u, flagged,
-    /// unjustified_flags, silently_wrong), failures.
+    /// Print one JSON object: system, systems, trials, seed, seconds, random_fields (name, text), cells (regime, tier,
+    /// scalar, trials, max_error_u, flagged, unjustified_flags, silently_wrong), failures.
     #[arg(long)]
     json: bool,
 }
@@ -58,7 +67,7 @@ Examples:
   kahan extremes volterra --seed 7 --json
   kahan extremes e9 --param xi=1/2
   kahan extremes --field 'xdot = x*y; ydot = mu - x^2;'
-  kahan extremes --trials 1000000";
+  kahan extremes --trials 10000000 --random-fields 50";
 
 fn trials(text: &str) -> Result<u64, String> {
     let trials = text.trim().parse().ok().filter(|trials| *trials >= 1);
@@ -72,16 +81,17 @@ fn seed(text: &str) -> Result<u64, String> {
 impl Extremes {
     /// The table of all cells; a complaint if the stable tier breaks its promise.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let subjects = self.subjects()?;
+        let mut subjects = self.subjects()?;
+        let fields = self.random_fields(&mut subjects)?;
         let clock = Instant::now();
         let progress = Progress::new(total(self.trials), "trials");
         let tally = survey(&subjects, self.trials, self.seed, None, &|done| progress.advance(done));
         progress.finish();
         let seconds = clock.elapsed().as_secs_f64();
         let answer = if self.json {
-            Answer::json(&self.object(&subjects, &tally, seconds))
+            Answer::json(&self.object(&subjects, &fields, &tally, seconds))
         } else {
-            Answer::text(self.text(&subjects, &tally, seconds))
+            Answer::text(self.text(&subjects, &fields, &tally, seconds))
         };
         Ok(Answer { complaint: complaint(&tally), ..answer })
     }
@@ -99,22 +109,35 @@ impl Extremes {
         blocks.iter().map(|block| self.subject(block)).collect()
     }
 
+    /// Adds the random fields that can be judged to the subjects.
+    fn random_fields(&self, subjects: &mut Vec<Subject>) -> Result<Vec<RandomField>, Refusal> {
+        let (mut fields, mut number) = (Vec::new(), 0);
+        while fields.len() < self.random_fields {
+            let field = numbered(self.seed, number);
+            number += 1;
+            let system = Block::of_text(field.block(), field.name.clone()).unproved_system()?;
+            let parameters = vec![None; system.field.symbols.parameters.len()];
+            match Subject::new(None, &system, parameters) {
+                Ok(subject) => {
+                    subjects.push(subject);
+                    fields.push(field);
+                }
+                Err(Unjudged::BeyondBudget) => {}
+                Err(why @ Unjudged::CannotRun(_)) => return Err(cannot_judge(&field.name, &why)),
+            }
+        }
+        Ok(fields)
+    }
+
     fn subject(&self, block: &Block) -> Result<Subject, Refusal> {
         let system = block.unproved_system()?;
         let name = block.name(&system);
         let parameters = self.source.known_parameters(&system, &name)?;
         let command = block.entry.map(|entry| entry.command);
-        Subject::new(command, &system, parameters).map_err(|why| {
-            Refusal::new(match why {
-                Unjudged::CannotRun(why) => format!("{name} cannot be judged: {why}"),
-                Unjudged::BeyondBudget => format!(
-                    "the closed form of {name} is beyond the budget of terms, so that there is no exact map to judge by"
-                ),
-            })
-        })
+        Subject::new(command, &system, parameters).map_err(|why| cannot_judge(&name, &why))
     }
 
-    fn object(&self, subjects: &[Subject], tally: &Tally, seconds: f64) -> Value {
+    fn object(&self, subjects: &[Subject], fields: &[RandomField], tally: &Tally, seconds: f64) -> Value {
         let cells = tally.cells.iter().map(|((regime, tier, scalar), cell)| {
             json!({
                 "regime": regime.name(),
@@ -131,6 +154,7 @@ impl Extremes {
         json!({
             "system": if let [subject] = subjects { subject.name() } else { "catalog" },
             "systems": subjects.iter().map(Subject::name).collect::<Value>(),
+            "random_fields": fields.iter().map(|field| json!([field.name, field.equations()])).collect::<Value>(),
             "trials": self.trials,
             "seed": self.seed,
             "seconds": seconds,
@@ -139,7 +163,7 @@ impl Extremes {
         })
     }
 
-    fn text(&self, subjects: &[Subject], tally: &Tally, seconds: f64) -> String {
+    fn text(&self, subjects: &[Subject], fields: &[RandomField], tally: &Tally, seconds: f64) -> String {
         const HEADER: [&str; 8] = [
             "regime",
             "tier",
@@ -166,9 +190,19 @@ impl Extremes {
         } else {
             format!("removable poles  {removable}")
         });
+        lines.extend(fields.iter().map(|field| format!("{}: {}", field.name, field.equations())));
         lines.push(format!("seed {}, {seconds:.1} seconds", self.seed));
         lines.join("\n") + "\n"
     }
+}
+
+fn cannot_judge(name: &str, why: &Unjudged) -> Refusal {
+    Refusal::new(match why {
+        Unjudged::CannotRun(why) => format!("{name} cannot be judged: {why}"),
+        Unjudged::BeyondBudget => format!(
+            "the closed form of {name} is beyond the budget of terms, so that there is no exact map to judge by"
+        ),
+    })
 }
 
 fn row((place, cell): (&Place, &Cell)) -> Vec<String> {

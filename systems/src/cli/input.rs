@@ -187,6 +187,11 @@ impl Block {
         Block::new(Some(entry), entry.text().to_owned(), entry.command.to_owned())
     }
 
+    /// A text from elsewhere; `origin` is what it is called in reports.
+    pub(crate) fn of_text(text: String, origin: String) -> Self {
+        Block::new(None, text, origin)
+    }
+
     fn new(entry: Option<&'static Entry>, text: String, origin: String) -> Self {
         let text = text.trim_start_matches('\u{feff}').to_owned();
         let body = block_range(&text).unwrap_or(0..text.len());

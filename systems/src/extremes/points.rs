@@ -129,19 +129,22 @@ impl<T: Float> Points<'_, T> {
         self.mixed()
     }
 
-    /// An ordinary point with one or more coordinates, ε among them, replaced.
+    /// An ordinary point with one or more of its numbers replaced: coordinates, ε, and parameters that are not given.
     fn altered(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
-        let (n, epsilon) = (self.judge.dimension() as u64, self.judge.epsilon());
+        let (n, epsilon) = (self.judge.dimension(), self.judge.epsilon());
+        let drawn = (n..epsilon).filter(|variable| self.fixed[variable - n].is_none());
+        let choices: Vec<usize> = (0..n).chain([epsilon]).chain(drawn).collect();
         for _ in 0..=self.random.below(2) {
-            let chosen = self.random.below(n + 1);
+            let chosen = choices[self.random.below(choices.len() as u64) as usize];
             let replacement = value(self);
-            inputs.set(if chosen == n { epsilon } else { chosen as usize }, replacement);
+            inputs.set(chosen, replacement);
         }
         inputs
     }
 
-    /// Floats of these binades, one in sixteen of the states 0; parameters of ordinary size.
+    /// Floats of these binades, one in sixteen of the states 0; parameters of ordinary size, but for one in eight of the points of mixed
+    /// magnitudes, which has them of any size.
     fn inputs(&mut self, regime: Regime, sizes: &[i64], eps: i64) -> Inputs<T> {
         let state = |points: &mut Self, binade: i64| {
             let binade = binade.clamp(-T::STATE_BINADES, T::STATE_BINADES);
@@ -150,9 +153,11 @@ impl<T: Float> Points<'_, T> {
         let x = sizes.iter().map(|&binade| state(self, binade)).collect();
         let eps = self.float(eps.clamp(-T::EPS_BINADES, T::EPS_BINADES));
         let fixed = self.fixed;
+        let is_any = !fixed.is_empty() && regime == Regime::MixedMagnitudes && self.random.below(8) == 0;
+        let (least, most) = if is_any { (-T::STATE_BINADES, T::STATE_BINADES) } else { (-3, 1) };
         let parameter = |given: &Option<T>| {
             given.unwrap_or_else(|| {
-                let binade = self.between(-3, 1);
+                let binade = self.between(least, most);
                 self.float(binade)
             })
         };

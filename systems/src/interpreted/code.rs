@@ -3,6 +3,7 @@
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::objects::{
     bilinear_plan, det_matrix_plan, field_jacobian_plan, field_plan, polarized_plan, rational_map_plan,
+    reduced_map_plan,
 };
 use kahan_algebra::plan::{Plan, StepPlan};
 use kahan_algebra::symbols::Symbols;
@@ -44,6 +45,8 @@ pub(super) struct ClosedForms {
     pub(super) det_matrix: Program,
     /// The numerators, then the denominator.
     pub(super) rational_map: Program,
+    /// The same, where a factor that depends on states is divided out.
+    pub(super) reduced_map: Option<Program>,
 }
 
 /// An integral that was claimed without a condition.
@@ -70,6 +73,7 @@ impl Code {
             closed_forms: map.as_ref().map(|map| ClosedForms {
                 det_matrix: program(&det_matrix_plan(map)),
                 rational_map: program(&rational_map_plan(map)),
+                reduced_map: reduced_map_plan(field, map).as_ref().map(program),
             }),
             integrals: integrals
                 .map(|claim| Integral { name: claim.name.text.clone(), program: program(&claim.plan) })

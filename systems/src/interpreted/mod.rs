@@ -180,7 +180,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
     /// A program of the states, the parameters and ε.
     fn values(&self, program: &Program, x: &SVector<T, N>, other: &[T], eps: Option<&T>) -> Vec<T> {
         let inputs = Inputs { state: x.as_slice(), other, parameters: &self.parameters, eps, prepared: &[] };
-        program.run(&inputs).unwrap_or_else(|| undefined())
+        program.values(&inputs)
     }
 }
 
@@ -188,12 +188,6 @@ impl<T: PartialEq, const N: usize> PartialEq for Interpreted<T, N> {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.code, &other.code) && self.parameters == other.parameters
     }
-}
-
-/// Only parameters can make a field divide by zero, and those were looked at when the system was made.
-#[cold]
-fn undefined() -> ! {
-    panic!("the field divides by zero at these parameter values")
 }
 
 fn vector<T: Scalar, const N: usize>(values: &[T]) -> SVector<T, N> {
@@ -259,6 +253,16 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
                 (vector(&values), values[N].clone())
             }
             None => Unplanned(self.clone()).rational_map(x, eps),
+        }
+    }
+
+    fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
+        match self.code.closed_forms.as_ref().and_then(|forms| forms.reduced_map.as_ref()) {
+            Some(program) => {
+                let values = self.values(program, x, &[], Some(&eps));
+                (vector(&values), values[N].clone())
+            }
+            None => self.rational_map(x, eps),
         }
     }
 }

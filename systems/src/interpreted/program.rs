@@ -97,6 +97,22 @@ impl Program {
     /// # Panics
     /// If an input is missing.
     pub(super) fn run<T: Scalar>(&self, inputs: &Inputs<'_, T>) -> Option<Vec<T>> {
+        self.run_with(inputs, T::quotient)
+    }
+
+    /// The results, divisions written as generated code has them outside of kernels.
+    ///
+    /// # Panics
+    /// If an input is missing; for exact scalars, at a division by zero.
+    pub(super) fn values<T: Scalar>(&self, inputs: &Inputs<'_, T>) -> Vec<T> {
+        self.run_with(inputs, |a, b| Some(a / b)).unwrap_or_else(|| unreachable!("only kernels have poles"))
+    }
+
+    fn run_with<T: Scalar>(
+        &self,
+        inputs: &Inputs<'_, T>,
+        divide: impl Fn(T, T) -> Option<T>,
+    ) -> Option<Vec<T>> {
         let mut registers: Vec<T> = Vec::with_capacity(self.instructions.len());
         for instruction in &self.instructions {
             let at = |index: usize| registers[index].clone();
@@ -107,7 +123,7 @@ impl Program {
                 Instruction::Add(a, b) => at(a) + at(b),
                 Instruction::Subtract(a, b) => at(a) - at(b),
                 Instruction::Multiply(a, b) => at(a) * at(b),
-                Instruction::Divide(a, b) => at(a).quotient(at(b))?,
+                Instruction::Divide(a, b) => divide(at(a), at(b))?,
                 Instruction::OverEps(a) => at(a).over_eps(&inputs.value(Symbol::Epsilon)),
                 Instruction::Reciprocal(a) => registers[a].reciprocal()?,
                 Instruction::Negate(a) => -at(a),

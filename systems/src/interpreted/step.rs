@@ -24,13 +24,13 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
     /// Runs what depends on ε and the parameters alone.
     ///
     /// # Panics
-    /// Where the parameters make the field divide by zero.
+    /// Where the parameters make the field divide by zero, for exact scalars.
     pub(super) fn new(map: Interpreted<T, N>, eps: T) -> Self {
         let constants = match &map.code.step {
             Some(step) => {
                 let StepCode { constants, .. } = step.at(&eps);
                 let inputs = Inputs { parameters: &map.parameters, eps: Some(&eps), ..Inputs::default() };
-                constants.run(&inputs).unwrap_or_else(|| super::undefined())
+                constants.values(&inputs)
             }
             None => Vec::new(),
         };

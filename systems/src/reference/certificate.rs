@@ -134,3 +134,28 @@ impl Comparison {
         Some(comparison)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Certificate, Comparison, Method};
+
+    fn certificate(differences: &[f64]) -> Certificate {
+        let mut comparison = Comparison::new(1e-9);
+        for (k, difference) in (1..).zip(differences) {
+            comparison.add(f64::from(k), *difference);
+        }
+        comparison.certificate(Method::ClosedSolution)
+    }
+
+    /// The largest difference, wherever it was seen; and nothing is agreed on after the first that is too large.
+    #[test]
+    fn a_certificate_holds_the_largest_difference_and_the_time_before_it() {
+        let smooth = certificate(&[1e-12, 3e-11, 2e-11]);
+        assert_eq!((smooth.difference, smooth.agreed_until), (3e-11, 3.0));
+        let parted = certificate(&[1e-12, 1e-3, 1e-12, 1e-12]);
+        assert_eq!((parted.difference, parted.agreed_until), (1e-3, 1.0));
+        let infinite = certificate(&[f64::INFINITY, 1e-12]);
+        assert_eq!((infinite.difference, infinite.agreed_until), (f64::INFINITY, 0.0));
+        assert_eq!(certificate(&[1e-9, 1.0001e-9]).agreed_until, 1.0);
+    }
+}

@@ -44,6 +44,35 @@ fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
     cells(&["extremes", "--field", "xdot = x*y/mu + 1/3; ydot = mu - x^2;"]);
 }
 
+/// The fields of two commands with one seed are the same, and stand in the answer as they can be read again.
+#[test]
+fn random_fields_are_drawn_by_the_seed_and_told() {
+    let object = |seed: &str| {
+        let output =
+            kahan(&["extremes", "e3", "--trials", "320", "--random-fields", "6", "--seed", seed, "--json"]);
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_slice::<Value>(&output.stdout).expect("one JSON object")
+    };
+    let (one, other) = (object("3"), object("4"));
+    assert_eq!(
+        (&one["cells"], &one["random_fields"]),
+        (&object("3")["cells"], &object("3")["random_fields"])
+    );
+    assert_ne!(one["random_fields"], other["random_fields"]);
+    assert_eq!(one["systems"].as_array().map(Vec::len), Some(7));
+    let field = one["random_fields"][1][1].as_str().expect("the text of a field");
+    let output = kahan(&["extremes", "--field", field, "--trials", "64"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// h = ±1 cancels the leading terms of det A; two steps of this sample were once flagged.
+#[test]
+fn a_field_whose_leading_terms_cancel_is_not_flagged() {
+    let field = "xdot = h*y - x + y*z; ydot = h*x - y - x*z; zdot = -z + x*y;";
+    let output = kahan(&["extremes", "--field", field, "--trials", "2000"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
 #[test]
 fn what_cannot_be_judged_is_refused() {
     for (arguments, word) in [

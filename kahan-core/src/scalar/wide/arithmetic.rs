@@ -1,114 +1,177 @@
-//! The four operations on [`Wide`], each cut off towards zero after 1024 bits, and what follows from them.
+//! The four operations on [`Wide`], and what follows from them.
 //!
-//! The unit here is the last bit of a result's mantissa, at most 2⁻¹⁰²³ of the result: a mantissa is at least 2¹⁰²³.
+//! Each is exact until digits are cut off, and what is cut off goes into the radius beside what the operands' radii grow to.
 
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
-use super::{BITS, LIMBS, State, Wide, limbs};
+use super::rows::Row;
+use super::{Size, Wide};
+
+/// The greatest common divisor.
+fn common(mut a: u64, mut b: u64) -> u64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
+}
+
+impl Wide {
+    /// Two numbers as rows over one denominator, if that has room.
+    fn over_one_denominator(&self, other: &Self) -> Option<(Row, Row, u64)> {
+        if self.denominator == other.denominator {
+            return Some((self.row(), other.row(), self.denominator));
+        }
+        let factor = other.denominator / common(self.denominator, other.denominator);
+        let all = self.denominator.checked_mul(factor)?;
+        let raised = |number: &Self| number.row().times(&integer(all / number.denominator));
+        Some((raised(self), raised(other), all))
+    }
+
+    /// self + sign·other
+    #[inline(never)]
+    fn combined(&self, other: &Self, sign: i64) -> Self {
+        if !(self.is_defined() && other.is_defined()) {
+            return Self::UNDEFINED;
+        }
+        match self.over_one_denominator(other) {
+            Some((a, b, denominator)) => Self::of(&a.plus(&b, sign), denominator, self.radius + other.radius),
+            None => self.divided_out().combined(&other.divided_out(), sign),
+        }
+    }
+
+    /// The same number without a denominator.
+    #[inline(never)]
+    pub(super) fn divided_out(&self) -> Self {
+        if self.denominator == 1 {
+            return *self;
+        }
+        let quotient = ratio(&self.row(), &integer(self.denominator));
+        Self { radius: quotient.radius + self.radius, ..quotient }
+    }
+
+    /// ±m and e where this is ±m·2^e with an odd m of 64 bits, over the denominator.
+    fn short(&self) -> Option<(bool, u64, i64)> {
+        let row = self.row();
+        let (first, last) = (row.digits().first()?, row.digits().last()?);
+        if row.digits().len() > 2 || first.0 - last.0 > 1 {
+            return None;
+        }
+        let (size, place) = row.leading_pair()?;
+        let zeros = size.trailing_zeros();
+        let odd = u64::try_from(size >> zeros).ok()?;
+        Some((row.sign() < 0, odd, 64 * place + i64::from(zeros)))
+    }
+}
+
+/// a/b for a divisor other than zero, with what the division leaves as the radius.
+fn ratio(a: &Row, b: &Row) -> Wide {
+    let (quotient, rest) = a.divided(b);
+    Wide::of(&quotient, 1, (rest.size() + rest.without(usize::MAX)) / b.size())
+}
+
+/// A natural number as a row.
+fn integer(n: u64) -> Row {
+    Row::of_limbs(false, &[n])
+}
 
 impl Neg for Wide {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self { negative: self.state == State::Number && !self.negative, ..self }
+        Self::ZERO - self
     }
 }
 
-/// Below one unit of error in a difference, below two in a sum with a carry, whose unit is half as large.
-///
-/// One limb below the mantissa keeps what alignment shifts out. Up to 64 places nothing is lost, so cancellation is exact;
-/// beyond 64 places a difference cancels at most one bit, and what is lost lies below 2⁻⁶⁴ of a unit.
 impl Add for Wide {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        let (large, small) = match self.compare_magnitudes(&other) {
-            None => return Self::UNDEFINED,
-            Some(Ordering::Less) => (other, self),
-            Some(_) => (self, other),
-        };
-        let exact = large.exact && small.exact;
-        if small.is_zero() {
-            return large.exact_if(exact);
-        }
-        let distance = large.exponent.abs_diff(small.exponent);
-        if distance > BITS + 64 {
-            return large.exact_if(false);
-        }
-        let exact = exact && distance <= limbs::trailing_zeros(&small.mantissa) + 64;
-        let (mut sum, mut addend) = (guarded(&large.mantissa), guarded(&small.mantissa));
-        limbs::shift_right(&mut addend, distance);
-        if large.negative != small.negative {
-            limbs::subtract(&mut sum, &addend);
-            return Self::normalised(large.negative, Some(large.exponent), sum).exact_if(exact);
-        }
-        if !limbs::add(&mut sum, &addend) {
-            return Self::normalised(large.negative, Some(large.exponent), sum).exact_if(exact);
-        }
-        let exact = exact && sum[0] & 1 == 0;
-        limbs::shift_right(&mut sum, 1);
-        sum[LIMBS] |= 1 << 63;
-        Self::normalised(large.negative, large.exponent.checked_add(1), sum).exact_if(exact)
+        self.combined(&other, 1)
     }
-}
-
-/// A mantissa with a limb of zeros below it.
-fn guarded(mantissa: &[u64; LIMBS]) -> [u64; LIMBS + 1] {
-    let mut guarded = [0; LIMBS + 1];
-    guarded[1..].copy_from_slice(mantissa);
-    guarded
 }
 
 impl Sub for Wide {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        self + -other
+        self.combined(&other, -1)
     }
 }
 
-/// Below one unit of error: all of the product is formed before it is cut off. Zero times undefined is undefined.
+/// |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b. Zero times undefined is undefined.
 impl Mul for Wide {
     type Output = Self;
 
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
-        match (self.state, other.state) {
-            (State::Undefined, _) | (_, State::Undefined) => Self::UNDEFINED,
-            // Nothing times anything is nothing, whatever was cut off there.
-            (State::Zero, _) => Self::ZERO.exact_if(self.exact || (other.exact && other.is_zero())),
-            (_, State::Zero) => Self::ZERO.exact_if(other.exact),
-            (State::Number, State::Number) => {
-                // The product of two mantissas in [1, 2) is in [1, 4).
-                let exponent = self.exponent.checked_add(other.exponent).and_then(|e| e.checked_add(1));
-                let product = limbs::product(&self.mantissa, &other.mantissa);
-                Self::normalised(self.negative != other.negative, exponent, product)
-                    .exact_if(self.exact && other.exact)
-            }
+        if !(self.is_defined() && other.is_defined()) {
+            return Self::UNDEFINED;
         }
+        let Some(denominator) = self.denominator.checked_mul(other.denominator) else {
+            return self.divided_out() * other.divided_out();
+        };
+        let radius = self.size() * other.radius + (other.size() + other.radius) * self.radius;
+        Self::of(&self.row().times(&other.row()), denominator, radius)
     }
 }
 
-/// Below one unit of error if the dividend's mantissa is the smaller, else below two, whose unit is half as large. Undefined for a
-/// divisor that is zero.
+/// |a/b − â/b̂| ≤ (r_a + |â/b̂|·r_b)/(|b̂| − r_b), where r_b is at most |b̂|/64; else nothing is known of the quotient. Undefined
+/// for a divisor that is zero.
 impl Div for Wide {
     type Output = Self;
 
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
-        match (self.state, other.state) {
-            (State::Undefined, _) | (_, State::Undefined | State::Zero) => Self::UNDEFINED,
-            (State::Zero, State::Number) => Self::ZERO.exact_if(self.exact),
-            (State::Number, State::Number) => {
-                // ⌊2¹⁰²⁴·ratio of the mantissas⌋ is in [2¹⁰²³, 2¹⁰²⁵); as a row of 1088 bits its value is m·2^(e − 1087)
-                // with e = 1087 − 1024 = 63 more than the difference of the exponents.
-                let exponent = self.exponent.checked_sub(other.exponent).and_then(|e| e.checked_add(63));
-                let quotient = limbs::quotient(&self.mantissa, &other.mantissa);
-                // Whether a remainder is left is not looked at: hardly any quotient is exact.
-                Self::normalised(self.negative != other.negative, exponent, quotient).exact_if(false)
-            }
+        if !(self.is_defined() && other.is_defined()) || other.is_zero() {
+            return Self::UNDEFINED;
         }
+        let exact = self.exact_quotient(&other);
+        let Some(quotient) = exact.or_else(|| {
+            let (above, below, _) = self.over_one_denominator(&other)?;
+            Some(ratio(&above, &below))
+        }) else {
+            return self.divided_out() / other.divided_out();
+        };
+        let radius = (self.radius + quotient.size() * other.radius) * Size::from(64.0 / 63.0) / other.size();
+        let is_known = other.radius * Size::from(64.0) <= other.size();
+        let radius = if is_known { radius } else { Size::from(f64::INFINITY) };
+        Self { radius: quotient.radius + radius, ..quotient }
+    }
+}
+
+impl Wide {
+    /// â/b̂ for a divisor of few bits, which becomes a factor of the denominator.
+    fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
+        let (is_negative, odd, exponent) = divisor.short()?;
+        let denominator = self.denominator.checked_mul(odd)?;
+        let factor = Row::of_limbs(is_negative, &[divisor.denominator]);
+        let power = Row::of_significand(1, exponent.checked_neg()?);
+        Some(Self::of(&self.row().times(&factor).times(&power), denominator, Size::zero()))
+    }
+
+    /// How |self| compares to |other|; `None` if either is undefined.
+    pub(crate) fn compare_magnitudes(&self, other: &Self) -> Option<Ordering> {
+        if !(self.is_defined() && other.is_defined()) {
+            return None;
+        }
+        let Some((a, b, _)) = self.over_one_denominator(other) else {
+            return self.divided_out().compare_magnitudes(&other.divided_out());
+        };
+        let sign = if a.sign() * b.sign() < 0 { 1 } else { -1 };
+        let difference = a.plus(&b, sign).sign();
+        // Of zero the other's sign is all that there is.
+        Some(if a.sign() == 0 { 0.cmp(&b.sign().abs()) } else { (a.sign() * difference).cmp(&0) })
+    }
+}
+
+/// Undefined equals nothing, itself included.
+impl PartialEq for Wide {
+    fn eq(&self, other: &Self) -> bool {
+        let difference = *self - *other;
+        difference.is_defined() && difference.is_zero()
     }
 }
 
@@ -135,7 +198,7 @@ impl Zero for Wide {
     }
 
     fn is_zero(&self) -> bool {
-        self.state == State::Zero
+        self.count == 0 && self.is_defined()
     }
 }
 

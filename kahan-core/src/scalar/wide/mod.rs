@@ -1,127 +1,125 @@
-//! A software float of 1024 bits whose exponent never runs out: what judges a step where hardware floats cannot.
+//! A software float whose exponent never runs out, and whose digits lie wherever they are needed: what judges a step where
+//! hardware floats cannot.
 //!
-//! In: floats, constants, and the generated step that runs over any [`Scalar`]. Out: the same step with a relative error
-//! of 2^[`Wide::UNIT_EXPONENT`] an operation, whatever the sizes in between.
-//! Nothing overflows: exponents are `i64`, and a number whose exponent would leave them is undefined. What has no value
-//! (a float that is not finite, a division by zero) is one state, *undefined*, which every operation passes on. There
-//! are no signed zeros, no infinities and no rounding modes; conversions to hardware floats are correctly rounded.
+//! In: floats, constants, and the generated step that runs over any [`Scalar`](crate::Scalar). Out: the same step with a bound on
+//! the error of each of its values. A number is a [row](rows) of at most [`DIGITS`] digits to the base 2⁶⁴ over a
+//! denominator of 64 bits. Digits that are zero take no room: (2¹⁰⁰⁰ + 1)² − 2²⁰⁰⁰ has all of its bits, however far apart they
+//! lie, and sums and products of fractions as a field is written with, 1/3 or 2/7, are exact. Where digits run out, the
+//! lowest are cut off, and a *radius* says how far the number may be from the value of its formula.
 //!
-//! [`limbs`] is arithmetic on rows of limbs, [`arithmetic`] the operators, [`convert`] the ways in and out, [`size`] how large
+//! No fixed size is enough for every step: D(x,ε) of six variables may have hundreds of terms of twelve factors, 636 bits each,
+//! anywhere between 2⁻¹²⁸⁸⁸ and 2¹²²⁸⁸; written out that would be 3 kB a number, megabytes for a step. What has to be kept is
+//! no more than the terms that are left when larger ones have cancelled.
+//!
+//! Nothing overflows: places reach to ±2⁴⁰, and a number beyond is undefined. What has no value (a float that is not
+//! finite, a division by zero) is *undefined* as well, which every operation passes on. There are no signed zeros, no
+//! infinities and no rounding modes; conversions to hardware floats are correctly rounded.
+//!
+//! [`rows`] is arithmetic on rows of digits, [`arithmetic`] the operators, [`convert`] the ways in and out, [`size`] how large
 //! such a number is, and [`scalar`] what a Kahan map asks for.
 
 mod arithmetic;
 mod convert;
-mod limbs;
+mod rows;
 mod scalar;
 mod size;
 
 #[cfg(all(test, feature = "exact"))]
 mod tests;
 
-use core::cmp::Ordering;
+use num_traits::Zero;
 
 pub(crate) use size::Size;
 
-/// The number of limbs of a mantissa.
-pub(crate) const LIMBS: usize = 16;
+use rows::{Row, leading, size_of};
 
-/// The bits of a mantissa.
-const BITS: u64 = 64 * LIMBS as u64;
+/// The most digits of 64 bits that a number has.
+pub(crate) const DIGITS: usize = 17;
 
-/// A float of 1024 bits with an exponent of 64 bits.
+/// Where the leading digit may be.
+const FARTHEST: u64 = 1 << 40;
+
+/// A number of [`DIGITS`] digits of 64 bits, and how far it may be from what it stands for.
 ///
-/// Its value is ±m·2^(exponent − 1023) with the mantissa m in [2¹⁰²³, 2¹⁰²⁴), little-endian in its limbs, so that
-/// 2^exponent ≤ |value| < 2^(exponent + 1); or zero; or undefined.
-/// Addition, subtraction, multiplication and division each have a relative error of at most
-/// 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT), and a sum of exactly opposite numbers is zero. It knows whether anything was cut off
-/// on its way, so that what cancels exactly is told from what cancels by accident.
+/// It is the sum of digit·2^(64·(place − below)), over the denominator. Beside what its operands' radii grow to, the radius
+/// of a sum, difference, product or quotient is at most 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT) of it, and 0 where nothing was
+/// cut off.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wide {
-    state: State,
-    exact: bool,
-    negative: bool,
-    exponent: i64,
-    mantissa: [u64; LIMBS],
-}
-
-/// What a [`Wide`] holds. Sign, exponent and mantissa are false and 0 unless it is a number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum State {
-    Zero,
-    Number,
-    Undefined,
+    digits: [i64; DIGITS],
+    /// The place of the leading digit.
+    place: i64,
+    /// 1 for zero.
+    denominator: u64,
+    /// Not a number where this is undefined.
+    radius: Size,
+    /// How many places below the leading digit each one is.
+    below: [u16; DIGITS],
+    /// How many digits there are; none is zero.
+    count: u8,
 }
 
 impl Wide {
-    /// Each operation is exact up to a relative error of at most 2^UNIT_EXPONENT = 2⁻¹⁰²².
-    pub(crate) const UNIT_EXPONENT: i64 = -(BITS as i64 - 2);
+    /// [`DIGITS`], for reports.
+    pub(crate) const MOST_DIGITS: usize = DIGITS;
 
-    const ZERO: Self =
-        Self { state: State::Zero, exact: true, negative: false, exponent: 0, mantissa: [0; LIMBS] };
+    /// Each operation cuts off at most 2^UNIT_EXPONENT of its result: 17 digits are at least 2⁶⁴·¹⁶⁻¹ units of the last.
+    pub(crate) const UNIT_EXPONENT: i64 = -(64 * (DIGITS as i64 - 1) - 2);
 
-    const UNDEFINED: Self = Self { state: State::Undefined, exact: false, ..Self::ZERO };
+    const ZERO: Self = Self {
+        digits: [0; DIGITS],
+        place: 0,
+        denominator: 1,
+        radius: Size { exponent: 0, mantissa: 0.0 },
+        below: [0; DIGITS],
+        count: 0,
+    };
 
-    /// The number with a mantissa whose top bit is set; undefined where the exponent left its range.
-    fn number(negative: bool, exponent: Option<i64>, mantissa: [u64; LIMBS]) -> Self {
-        debug_assert!(mantissa[LIMBS - 1] >> 63 == 1, "a mantissa has its top bit set");
-        match exponent {
-            Some(exponent) => Self { state: State::Number, exact: true, negative, exponent, mantissa },
-            None => Self::UNDEFINED,
+    const UNDEFINED: Self = Self { radius: Size { exponent: 0, mantissa: f64::NAN }, ..Self::ZERO };
+
+    /// The leading digits of row/denominator, with this radius and what is cut off.
+    fn of(row: &Row, denominator: u64, radius: Size) -> Self {
+        let Some(&(place, _)) = row.digits().first() else {
+            return Self { radius: radius + row.without(0) / Size::from(denominator as f64), ..Self::ZERO };
+        };
+        if place.unsigned_abs() > FARTHEST {
+            return Self::UNDEFINED;
         }
+        let mut number = Self { place, denominator, ..Self::ZERO };
+        let mut count = 0;
+        for &(at, digit) in row.digits().iter().take(DIGITS) {
+            let Ok(below) = u16::try_from(place - at) else { break };
+            (number.digits[count], number.below[count]) = (digit, below);
+            count += 1;
+        }
+        let cut = row.without(count);
+        let cut = if cut.is_zero() { cut } else { cut / Size::from(denominator as f64) };
+        Self { count: count as u8, radius: radius + cut, ..number }
     }
 
-    /// ±m·2^(exponent − 64K + 1) for any m in K ≥ LIMBS limbs, little-endian, cut off after 1024 bits.
-    fn normalised<const K: usize>(negative: bool, exponent: Option<i64>, mut magnitude: [u64; K]) -> Self {
-        let Some(shift) = limbs::leading_zeros(&magnitude) else { return Self::ZERO };
-        limbs::shift_left(&mut magnitude, shift);
-        let mut mantissa = [0; LIMBS];
-        mantissa.copy_from_slice(&magnitude[K - LIMBS..]);
-        let cut_off = magnitude[..K - LIMBS].iter().any(|&limb| limb != 0);
-        Self::number(negative, exponent.and_then(|e| e.checked_sub_unsigned(shift)), mantissa)
-            .exact_if(!cut_off)
+    /// The numerator.
+    fn row(&self) -> Row {
+        let digits = self.digits.iter().zip(&self.below).take(usize::from(self.count));
+        Row::of_digits(digits.map(|(digit, below)| (self.place - i64::from(*below), *digit)))
     }
 
-    /// The same number, exact if it was and this holds.
-    fn exact_if(self, holds: bool) -> Self {
-        Self { exact: self.exact && holds, ..self }
-    }
-
-    /// Whether this is the value of a formula itself: nothing was cut off, in it or in what it was made from.
-    pub(crate) fn is_exact(&self) -> bool {
-        self.exact
+    /// How far the value of the formula may be from this: 0 where nothing was cut off, in it or in what it was made from.
+    pub(crate) fn radius(&self) -> Size {
+        self.radius
     }
 
     /// Whether this is a number (zero included) rather than undefined.
     pub(crate) fn is_defined(&self) -> bool {
-        self.state != State::Undefined
+        !self.radius.is_unknown()
     }
 
-    /// self·2^power, exactly.
-    pub(crate) fn scaled(self, power: i64) -> Self {
-        match self.state {
-            State::Number => Self::number(self.negative, self.exponent.checked_add(power), self.mantissa),
-            State::Zero | State::Undefined => self,
+    /// |self|, to a relative 2⁻⁵⁰; unknown where self is undefined.
+    pub(crate) fn size(&self) -> Size {
+        if !self.is_defined() {
+            return self.radius;
         }
-    }
-
-    /// How |self| compares to |other|; `None` if either is undefined.
-    pub(crate) fn compare_magnitudes(&self, other: &Self) -> Option<Ordering> {
-        match (self.state, other.state) {
-            (State::Undefined, _) | (_, State::Undefined) => None,
-            (State::Number, State::Number) => {
-                let exponents = self.exponent.cmp(&other.exponent);
-                Some(exponents.then_with(|| limbs::compare(&self.mantissa, &other.mantissa)))
-            }
-            (State::Zero, State::Zero) => Some(Ordering::Equal),
-            (State::Zero, State::Number) => Some(Ordering::Less),
-            (State::Number, State::Zero) => Some(Ordering::Greater),
-        }
-    }
-}
-
-/// Undefined equals nothing, itself included.
-impl PartialEq for Wide {
-    fn eq(&self, other: &Self) -> bool {
-        self.negative == other.negative && self.compare_magnitudes(other) == Some(Ordering::Equal)
+        let below = if self.below[1] == 1 { self.digits[1] } else { 0 };
+        let numerator = size_of(leading(self.place, self.digits[0], below));
+        if self.denominator == 1 { numerator } else { numerator / Size::from(self.denominator as f64) }
     }
 }

@@ -1,4 +1,4 @@
-//! How large a [`Wide`] is: its exponent, and 53 bits of its mantissa.
+//! How large a [`Wide`](super::Wide) is: its exponent, and 53 bits of its mantissa.
 //!
 //! Bounds on errors are made of sizes. They need the range of the numbers that they belong to and hardly a digit of them, and a
 //! step over such numbers carries a size beside each.
@@ -7,8 +7,6 @@ use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul};
 
 use num_traits::Zero;
-
-use super::{LIMBS, State, Wide};
 
 /// mantissa·2^exponent with a mantissa in [1, 2); or a mantissa of 0, infinity or NaN with the exponent 0.
 ///
@@ -44,23 +42,19 @@ impl Size {
         })
     }
 
+    /// self·2^power
+    pub(crate) fn scaled(self, power: i64) -> Self {
+        Self::normalised(self.mantissa, self.exponent.checked_add(power))
+    }
+
+    /// Whether nothing is known of this.
+    pub(crate) fn is_unknown(self) -> bool {
+        self.mantissa.is_nan()
+    }
+
     /// Whether this is a number other than zero.
     fn is_normal(self) -> bool {
         self.mantissa.is_normal()
-    }
-}
-
-impl Wide {
-    /// |self|, cut off; NaN where self is undefined.
-    pub(crate) fn size(&self) -> Size {
-        match self.state {
-            State::Zero => Size::zero(),
-            State::Undefined => Size::UNKNOWN,
-            State::Number => Size {
-                exponent: self.exponent,
-                mantissa: f64::from_bits(ONE | self.mantissa[LIMBS - 1] >> 11 & FRACTION),
-            },
-        }
     }
 }
 

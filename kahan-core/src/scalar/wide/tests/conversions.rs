@@ -33,7 +33,7 @@ fn any_f32(random: &mut Random) -> f32 {
 #[test]
 fn a_float_comes_back_bit_for_bit() {
     let mut random = Random(11);
-    for _ in 0..100_000 {
+    for _ in 0..20_000 {
         let (x, y) = (any_f64(&mut random), any_f32(&mut random));
         assert_eq!(Wide::from(x).to_f64(), x);
         assert_eq!(Wide::from(y).to_f32(), y);
@@ -110,7 +110,7 @@ macro_rules! assert_nearest {
 #[test]
 fn rounding_is_to_the_nearest_float() {
     let mut random = Random(13);
-    for _ in 0..30_000 {
+    for _ in 0..10_000 {
         let exponent = random.within(1100);
         let number = random.wide(exponent);
         assert_nearest!(number, number.to_f64(), 1023);
@@ -126,14 +126,14 @@ fn ties_go_to_even() {
     let check = |x: f64| {
         let (here, above) = (Wide::from(x), Wide::from(x.next_up()));
         let half = (above - here).scaled(-1);
-        let nudge = half.scaled(-250);
+        let nudge = half.scaled(-2500);
         let even = if x.to_bits() & 1 == 0 { x } else { x.next_up() };
         assert_eq!((here + half).to_f64(), even);
         assert_eq!((-(here + half)).to_f64(), -even);
         assert_eq!((here + half - nudge).to_f64(), x);
         assert_eq!((here + half + nudge).to_f64(), x.next_up());
     };
-    for _ in 0..30_000 {
+    for _ in 0..10_000 {
         let x = any_f64(&mut random).abs();
         if x < f64::MAX {
             check(x);
@@ -142,7 +142,7 @@ fn ties_go_to_even() {
     for x in [0.0, 5e-324, f64::MIN_POSITIVE.next_down(), f64::MIN_POSITIVE, 1.0, 1.0_f64.next_down()] {
         check(x);
     }
-    for _ in 0..30_000 {
+    for _ in 0..10_000 {
         let x = any_f32(&mut random).abs();
         if x < f32::MAX {
             let (here, above) = (Wide::from(x), Wide::from(x.next_up()));
@@ -170,7 +170,7 @@ fn beyond_the_largest_float_there_is_infinity() {
 #[test]
 fn decimals_round_as_they_parse() {
     let mut random = Random(15);
-    for _ in 0..20_000 {
+    for _ in 0..5_000 {
         let limbs: [u64; 5] = core::array::from_fn(|_| random.bits());
         let count = 1 + (random.bits() % 5) as usize;
         let integer = BigInt::from_bytes_le(Sign::Plus, &limbs[..count].concat_bytes());
@@ -194,18 +194,14 @@ impl ConcatBytes for [u64] {
 #[test]
 fn a_pair_of_floats_is_their_sum() {
     let mut random = Random(16);
-    for _ in 0..30_000 {
+    for _ in 0..10_000 {
         let high = any_f64(&mut random);
         let low = any_f64(&mut random);
         let (wide, exact) = (
             Wide::from_double_double(high, low),
             Dyadic::of(Wide::from(high)).plus(&Dyadic::of(Wide::from(low))),
         );
-        let error = Dyadic::of(wide).minus(&exact);
-        assert!(error.is_within(&exact.scaled(Wide::UNIT_EXPONENT)));
-        let near = high * f64::from_bits((1023 - 53 - random.bits() % 240) << 52);
-        let sum = Dyadic::of(Wide::from(high)).plus(&Dyadic::of(Wide::from(near)));
-        assert!(Dyadic::of(Wide::from_double_double(high, near)).equals(&sum));
+        assert!(Dyadic::of(wide).equals(&exact));
     }
 }
 
@@ -213,7 +209,7 @@ fn a_pair_of_floats_is_their_sum() {
 #[test]
 fn a_number_splits_into_the_nearest_pair() {
     let mut random = Random(17);
-    for _ in 0..30_000 {
+    for _ in 0..10_000 {
         let exponent = random.within(1000);
         let number = random.wide(exponent);
         let (high, low) = number.to_double_double();

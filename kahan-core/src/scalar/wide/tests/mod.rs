@@ -8,10 +8,14 @@ mod conversions;
 mod operations;
 mod sizes;
 
-use num_bigint::{BigInt, Sign};
+use num_bigint::BigInt;
 use num_traits::Zero;
 
-use super::{LIMBS, Wide};
+use super::rows::Row;
+use super::{FARTHEST, Size, Wide};
+
+/// Limbs of a dense operand.
+const LIMBS: usize = 16;
 
 /// integer·2^exponent.
 #[derive(Clone, Debug)]
@@ -21,14 +25,26 @@ struct Dyadic {
 }
 
 impl Dyadic {
+    /// A number without a denominator.
     fn of(number: Wide) -> Self {
+        assert_eq!(number.denominator, 1, "{number:?}");
+        Self::numerator(&number)
+    }
+
+    /// The number times its denominator.
+    fn numerator(number: &Wide) -> Self {
         assert!(number.is_defined(), "an undefined number has no value");
-        if number.is_zero() {
-            return Self { integer: BigInt::zero(), exponent: 0 };
-        }
-        let sign = if number.negative { Sign::Minus } else { Sign::Plus };
-        let bytes = number.mantissa.map(u64::to_le_bytes).concat();
-        Self { integer: BigInt::from_bytes_le(sign, &bytes), exponent: number.exponent - 1023 }
+        let digits = number.digits.iter().zip(&number.below).take(number.count.into());
+        digits.fold(Self { integer: BigInt::zero(), exponent: 0 }, |sum, (&digit, &below)| {
+            assert!(digit != 0, "{number:?}");
+            let exponent = 64 * (number.place - i64::from(below));
+            sum.plus(&Self { integer: digit.into(), exponent })
+        })
+    }
+
+    /// The float of a size times its power of two.
+    fn size(size: Size) -> Self {
+        Self::of(Wide::from(size.mantissa).scaled(size.exponent))
     }
 
     /// The integers of both over the smaller exponent, which is the third.
@@ -39,6 +55,10 @@ impl Dyadic {
     }
 
     fn plus(&self, other: &Self) -> Self {
+        // A zero has no scale to align to.
+        if self.integer.is_zero() {
+            return other.clone();
+        }
         let (a, b, exponent) = self.aligned(other);
         Self { integer: a + b, exponent }
     }
@@ -62,8 +82,27 @@ impl Dyadic {
         a.magnitude() <= b.magnitude()
     }
 
+    /// A little more: what a radius that is rounded itself may lack.
+    fn scaled_up(&self) -> Self {
+        self.plus(&self.scaled(-40))
+    }
+
     fn equals(&self, other: &Self) -> bool {
         self.minus(other).integer.is_zero()
+    }
+}
+
+impl Wide {
+    /// self·2^power
+    fn scaled(self, power: i64) -> Self {
+        if !self.is_defined() || power.unsigned_abs() > 64 * FARTHEST {
+            return Self::UNDEFINED;
+        }
+        Self::of(
+            &self.row().times(&Row::of_significand(1, power)),
+            self.denominator,
+            self.radius.scaled(power),
+        )
     }
 }
 
@@ -100,15 +139,25 @@ impl Random {
         limbs
     }
 
+    /// A dense number of some 1024 bits, its leading one at 2^exponent.
     fn wide(&mut self, exponent: i64) -> Wide {
-        Wide::number(self.bits() & 1 == 1, Some(exponent), self.limbs())
+        Wide::from_limbs(self.bits() & 1 == 1, &self.limbs()).scaled(exponent - 64 * LIMBS as i64 + 1)
     }
 
-    /// Two numbers: far apart, within each other's bits, or nearly opposite.
+    /// A number of few digits, far apart.
+    fn sparse(&mut self, exponent: i64) -> Wide {
+        let parts = 1 + self.bits() % 6;
+        (0..parts).fold(Wide::zero(), |sum, _| {
+            let below = self.within(3000);
+            sum + Wide::from(self.bits() as i64 >> (self.bits() % 64)).scaled(exponent - 64 + below)
+        })
+    }
+
+    /// Two numbers: far apart, within each other's bits, nearly opposite, or of few digits.
     fn pair(&mut self) -> [Wide; 2] {
         let exponent = self.within(5000);
         let a = self.wide(exponent);
-        let b = match self.bits() % 4 {
+        let b = match self.bits() % 5 {
             0 => {
                 let exponent = self.within(5000);
                 self.wide(exponent)
@@ -121,13 +170,14 @@ impl Random {
                 let distance = self.within(2);
                 self.wide(exponent + distance)
             }
+            3 => {
+                // −a but for its lowest digits.
+                let low = self.wide(exponent - 640);
+                low - a
+            }
             _ => {
-                // −a but for its lowest limbs.
-                let mut b = -a;
-                for place in 0..self.bits() % 6 {
-                    b.mantissa[place as usize] = self.bits();
-                }
-                b.scaled(i64::from(self.bits() & 3 == 0))
+                let pair = [self.sparse(exponent), self.sparse(exponent)];
+                return if pair.iter().any(Wide::is_zero) { self.pair() } else { pair };
             }
         };
         [a, b]

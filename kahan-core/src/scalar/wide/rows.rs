@@ -1,0 +1,207 @@
+//! Exact sums and products of digits to the base 2⁶⁴, wherever these lie: places without a digit take no room.
+//!
+//! Digits carry signs, from −2⁶³ to 2⁶³ − 1, so 2¹⁰⁰⁰ − 1 has two of them: a difference fills no gap with borrows. A row is worth
+//! the sum of digit·2^(64·place), and its sign is that of its leading digit. What a row has no room for is cut off at its low
+//! end, and the row says how much that is at most.
+
+use super::{DIGITS, Size};
+
+/// The digits of a row: those of an exact sum of two numbers with a common denominator, or of a product's leading half.
+const MOST: usize = 2 * DIGITS + 6;
+
+/// Each round of a division leaves less than 2⁻⁴⁸ of the remainder; so many leave less than the unit of a number.
+const ROUNDS: usize = 64 * (DIGITS + 1) / 48 + 1;
+
+/// Digits with their places, the leading one first; none is zero.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row {
+    digits: [(i64, i64); MOST],
+    /// Where the leading one stands: a row is made from its low end.
+    start: usize,
+    /// At most so much was cut off.
+    cut: Size,
+}
+
+/// More than a digit and all that may stand below it.
+fn from_here_on((place, digit): (i64, i64)) -> Size {
+    // The second factor is more than what the conversion of the digit loses.
+    Size::from(digit.unsigned_abs() as f64 * (1.0 + 4.0 * f64::EPSILON) + 1.0).scaled(64 * place)
+}
+
+impl Row {
+    pub(super) const EMPTY: Self =
+        Self { digits: [(0, 0); MOST], start: MOST, cut: Size { exponent: 0, mantissa: 0.0 } };
+
+    /// Puts a sum of digits at a place above all others; what is carried to the next one.
+    fn settle(&mut self, place: i64, total: i128) -> i128 {
+        let digit = total as i64;
+        if digit != 0 {
+            self.lead((place, digit));
+        }
+        (total - i128::from(digit)) >> 64
+    }
+
+    /// Puts a digit before the others. If there is no room, the last one is cut off.
+    fn lead(&mut self, digit: (i64, i64)) {
+        if self.start == 0 {
+            self.cut = self.cut + from_here_on(self.digits[MOST - 1]);
+            self.digits.copy_within(..MOST - 1, 1);
+            self.start = 1;
+        }
+        self.start -= 1;
+        self.digits[self.start] = digit;
+    }
+
+    /// ±limbs, little-endian.
+    pub(super) fn of_limbs(negative: bool, limbs: &[u64]) -> Self {
+        let (mut row, mut carry, mut place) = (Self::EMPTY, 0, 0);
+        for limb in limbs {
+            let limb = i128::from(*limb);
+            carry = row.settle(place, if negative { -limb } else { limb } + carry);
+            place += 1;
+        }
+        row.settle(place, carry);
+        row
+    }
+
+    /// significand·2^exponent
+    pub(super) fn of_significand(significand: i64, exponent: i64) -> Self {
+        let (place, shift) = (exponent.div_euclid(64), exponent.rem_euclid(64));
+        let mut row = Self::EMPTY;
+        let carry = row.settle(place, i128::from(significand) << shift);
+        row.settle(place + 1, carry);
+        row
+    }
+
+    /// At most [`DIGITS`] digits that are a number's.
+    pub(super) fn of_digits(digits: impl DoubleEndedIterator<Item = (i64, i64)>) -> Self {
+        let mut row = Self::EMPTY;
+        digits.rev().for_each(|digit| row.lead(digit));
+        row
+    }
+
+    /// The digits, the leading one first.
+    pub(super) fn digits(&self) -> &[(i64, i64)] {
+        &self.digits[self.start..]
+    }
+
+    /// What all digits but the first `kept`, and what was cut off before, are at most.
+    pub(super) fn without(&self, kept: usize) -> Size {
+        self.digits().get(kept).map_or(self.cut, |&digit| self.cut + from_here_on(digit))
+    }
+
+    /// 1, −1, or 0 for none.
+    pub(super) fn sign(&self) -> i64 {
+        self.digits().first().map_or(0, |(_, digit)| digit.signum())
+    }
+
+    /// m and e with m·2^e near the row: up to a relative 2⁻⁵¹.
+    pub(super) fn leading(&self) -> (f64, i64) {
+        match *self.digits() {
+            [] => (0.0, 0),
+            [(place, digit), (next, rest), ..] if next == place - 1 => leading(place, digit, rest),
+            [(place, digit), ..] => leading(place, digit, 0),
+        }
+    }
+
+    /// The size of the digits that are here.
+    pub(super) fn size(&self) -> Size {
+        size_of(self.leading())
+    }
+
+    /// |d·2⁶⁴ + d′| of the leading digit d and the one in the place below, which may be 0, and that place. `None` for zero.
+    pub(super) fn leading_pair(&self) -> Option<(u128, i64)> {
+        let (&(place, first), rest) = self.digits().split_first()?;
+        let second = rest.first().filter(|(next, _)| *next == place - 1).map_or(0, |(_, digit)| *digit);
+        let size = u128::from(first.unsigned_abs()) << 64;
+        Some((size.wrapping_add_signed(i128::from(second) * i128::from(first.signum())), place - 1))
+    }
+
+    /// self + sign·other, for a sign of 1 or −1.
+    pub(super) fn plus(&self, other: &Self, sign: i64) -> Self {
+        let mut sum = Self { cut: self.cut + other.cut, ..Self::EMPTY };
+        let (mut these, mut those) = (self.digits(), other.digits());
+        let (mut place, mut carry) = (0, 0);
+        loop {
+            let lowest = |digits: &[(i64, i64)]| digits.last().map(|(place, _)| *place);
+            let next = [lowest(these), lowest(those)].into_iter().flatten().min();
+            // What is carried stands at or below the next digit.
+            let here = if carry == 0 { next } else { Some(place) };
+            let Some(here) = here else { break };
+            let mut take = |digits: &mut &[(i64, i64)], sign: i64| {
+                if let Some(((place, digit), higher)) = digits.split_last()
+                    && *place == here
+                {
+                    carry += i128::from(sign) * i128::from(*digit);
+                    *digits = higher;
+                }
+            };
+            take(&mut these, 1);
+            take(&mut those, sign);
+            carry = sum.settle(here, carry);
+            place = here + 1;
+        }
+        sum
+    }
+
+    /// self·digit·2^(64·up)
+    fn times_digit(&self, (up, factor): (i64, i64)) -> Self {
+        let cut = self.cut * Size::from(factor.unsigned_abs() as f64).scaled(64 * up);
+        let mut product = Self { cut, ..Self::EMPTY };
+        let (mut place, mut carry) = (0, 0);
+        for &(at, digit) in self.digits().iter().rev() {
+            if carry != 0 && place != at + up {
+                // It is a digit: less than 2⁶³.
+                carry = product.settle(place, carry);
+            }
+            carry = product.settle(at + up, i128::from(digit) * i128::from(factor) + carry);
+            place = at + up + 1;
+        }
+        product.settle(place, carry);
+        product
+    }
+
+    /// self·factor, for a factor that nothing was cut off.
+    pub(super) fn times(&self, factor: &Self) -> Self {
+        let parts = factor.digits().iter().map(|&digit| self.times_digit(digit));
+        parts.reduce(|sum, part| sum.plus(&part, 1)).unwrap_or(Self::EMPTY)
+    }
+
+    /// q and r with self = q·divisor + r, for a divisor other than zero; r is zero, or below a unit of a number beside self.
+    ///
+    /// Each digit is guessed from the leading ones; what it leaves is exact, so a guess need not be right.
+    pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
+        let (below, down) = divisor.leading();
+        let (mut quotient, mut rest) = (Self::EMPTY, *self);
+        for _ in 0..ROUNDS {
+            if rest.sign() == 0 {
+                break;
+            }
+            let (above, up) = rest.leading();
+            let (significand, exponent) = significand(above / below);
+            let digits = Self::of_significand(significand, exponent + up - down);
+            rest = rest.plus(&divisor.times(&digits), -1);
+            quotient = quotient.plus(&digits, 1);
+        }
+        (quotient, rest)
+    }
+}
+
+/// digit·2^(64·place) and the digit below it as m·2^e.
+pub(super) fn leading(place: i64, digit: i64, below: i64) -> (f64, i64) {
+    (digit as f64 + below as f64 * f64::from_bits((1023 - 64) << 52), 64 * place)
+}
+
+/// |m|·2^e
+pub(super) fn size_of((leading, exponent): (f64, i64)) -> Size {
+    Size::from(leading.abs()).scaled(exponent)
+}
+
+/// A finite float as an integer times a power of two.
+pub(super) fn significand(x: f64) -> (i64, i64) {
+    let bits = x.to_bits();
+    let (fraction, field) = ((bits & ((1 << 52) - 1)) as i64, (bits >> 52 & 0x7ff) as i64);
+    // Subnormal numbers have no hidden bit, and the exponent of the least normal ones.
+    let (size, exponent) = if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
+    (if x.is_sign_negative() { -size } else { size }, exponent)
+}

@@ -1,0 +1,275 @@
+//! Seeded random fields as trees: what `kahan extremes` tries besides the catalog, and the text that the tests' back ends read.
+//!
+//! In: seeds. Out: sparse fields, fields with linear and constant terms, with parameters and divisors of them, with parameters before
+//! unit terms, in awkward spellings, and dense ones; as text, and as values computed from the tree (a third opinion, which
+//! knows neither parser nor polynomials).
+
+mod tree;
+
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_core::num_rational::BigRational;
+
+pub use tree::Tree;
+use tree::{literal, name, negated, power, product, quotient, sum};
+
+/// The largest dimension.
+const DIMENSIONS: usize = 6;
+
+/// A parameter p/d, a dyadic rational so that every float scalar has it exactly.
+type Parameter = (&'static str, i64, i64);
+
+const PARAMETERS: [Parameter; 3] = [("a", 3, 2), ("b", -3, 8), ("k", 9, 4)];
+
+/// A field with its names.
+#[derive(Clone, Debug)]
+pub struct RandomField {
+    /// The type's name.
+    pub name: String,
+    /// What is special about it.
+    pub kind: &'static str,
+    /// The states in order.
+    pub states: Vec<&'static str>,
+    /// The parameters with their values.
+    pub parameters: Vec<Parameter>,
+    /// One right-hand side a state.
+    pub equations: Vec<Tree>,
+}
+
+/// A fixed set: every kind but the coupled one, in every dimension.
+#[must_use]
+pub fn every_field() -> Vec<RandomField> {
+    let mut fields = Vec::new();
+    for n in 1..=DIMENSIONS {
+        for (kind, make) in KINDS {
+            let mut draw = Draw { random: SplitMix64::from_bytes(format!("{kind} {n}").as_bytes()) };
+            fields.push(make(n, &mut draw));
+        }
+    }
+    fields
+}
+
+type Maker = fn(usize, &mut Draw) -> RandomField;
+
+const KINDS: [(&str, Maker); 5] =
+    [("sparse", sparse), ("affine", affine), ("scaled", scaled), ("spelled", spelled), ("dense", dense)];
+
+/// The kinds of [`numbered`]. Unit terms come twice, with other draws.
+const ALL_KINDS: [Maker; 7] = [sparse, coupled, affine, scaled, spelled, coupled, dense];
+
+/// The field of a seed with this number, of 2 to 6 variables: every kind in every dimension in turn.
+///
+/// Its name tells the number. The larger dense ones have no closed form within the budget of terms.
+#[must_use]
+pub fn numbered(seed: u64, number: usize) -> RandomField {
+    let n = 2 + number % (DIMENSIONS - 1);
+    let make = ALL_KINDS[number / (DIMENSIONS - 1) % ALL_KINDS.len()];
+    let mut draw = Draw { random: SplitMix64::from_bytes(format!("{seed} {number}").as_bytes()) };
+    let field = make(n, &mut draw);
+    RandomField { name: format!("{}_{number}", field.name), ..field }
+}
+
+const PLAIN: [&str; DIMENSIONS] = ["x", "y", "z", "u", "v", "w"];
+const AWKWARD: [&str; DIMENSIONS] = ["T", "h", "x_", "in", "N", "Vec"];
+
+struct Draw {
+    random: SplitMix64,
+}
+
+impl Draw {
+    fn below(&mut self, bound: usize) -> usize {
+        self.random.below(bound as u64) as usize
+    }
+
+    fn one<'a, V>(&mut self, choices: &'a [V]) -> &'a V {
+        &choices[self.below(choices.len())]
+    }
+
+    /// ±1 … ±9, as `n` or, one time in three, as `n/d`.
+    fn coefficient(&mut self) -> Tree {
+        let size = literal(&(self.below(9) + 1).to_string());
+        let size =
+            if self.below(3) == 0 { quotient(size, literal(&(self.below(6) + 2).to_string())) } else { size };
+        if self.below(2) == 0 { negated(size) } else { size }
+    }
+
+    fn state(&mut self, states: &[&'static str]) -> Tree {
+        name(states[self.below(states.len())])
+    }
+}
+
+fn field(
+    title: &str,
+    kind: &'static str,
+    states: &[&'static str],
+    equations: Vec<Tree>,
+    parameters: &[Parameter],
+) -> RandomField {
+    let name = format!("{title}{}", states.len());
+    RandomField { name, kind, states: states.to_vec(), parameters: parameters.to_vec(), equations }
+}
+
+fn sparse(n: usize, draw: &mut Draw) -> RandomField {
+    let states = &PLAIN[..n];
+    let equation = |draw: &mut Draw| {
+        let terms = draw.below(2) + 1;
+        sum((0..terms)
+            .map(|_| product(vec![draw.coefficient(), draw.state(states), draw.state(states)]))
+            .collect())
+    };
+    let equations = (0..n).map(|_| equation(draw)).collect();
+    field("Sparse", "one or two quadratic terms an equation", states, equations, &[])
+}
+
+fn affine(n: usize, draw: &mut Draw) -> RandomField {
+    let states = &PLAIN[..n];
+    let equation = |draw: &mut Draw| {
+        sum(vec![
+            draw.coefficient(),
+            product(vec![draw.coefficient(), draw.state(states)]),
+            product(vec![draw.coefficient(), draw.state(states), draw.state(states)]),
+            product(vec![draw.coefficient(), draw.state(states)]),
+        ])
+    };
+    let equations = (0..n).map(|_| equation(draw)).collect();
+    field("Affine", "constant, linear and quadratic terms", states, equations, &[])
+}
+
+fn scaled(n: usize, draw: &mut Draw) -> RandomField {
+    let states = &PLAIN[..n];
+    let (a, b, k) = (|| name("a"), || name("b"), || name("k"));
+    let factors = [
+        a(),
+        negated(b()),
+        product(vec![a(), b()]),
+        quotient(literal("1"), sum(vec![a(), negated(b())])),
+        quotient(b(), sum(vec![literal("1"), power(k(), 2)])),
+        quotient(sum(vec![a(), negated(k())]), product(vec![literal("3"), k()])),
+    ];
+    let mut equation = |i: usize| {
+        let mut terms = vec![
+            product(vec![draw.one(&factors).clone(), draw.state(states), draw.state(states)]),
+            quotient(product(vec![draw.state(states), draw.one(&factors).clone()]), k()),
+        ];
+        // Every parameter is used, whatever was drawn.
+        if i == 0 {
+            terms.push(sum(vec![a(), negated(b())]));
+        }
+        sum(terms)
+    };
+    let equations = (0..n).map(&mut equation).collect();
+    field("Scaled", "parameters, and divisors of them", states, equations, &PARAMETERS)
+}
+
+/// A linear and a quadratic part of unit terms, the linear one with a parameter here and there: at parameters of ±1 leading terms of
+/// det A cancel.
+fn coupled(n: usize, draw: &mut Draw) -> RandomField {
+    let states = &PLAIN[..n];
+    let sign = |draw: &mut Draw, term: Tree| if draw.below(2) == 0 { term } else { negated(term) };
+    let mut equation = |i: usize| {
+        let own = product(vec![name(PARAMETERS[draw.below(2)].0), draw.state(states)]);
+        let square = product(vec![draw.state(states), draw.state(states)]);
+        let mut terms = vec![sign(draw, own), sign(draw, name(states[i])), sign(draw, square)];
+        // One term an equation, so that the closed form of many variables is short.
+        if n > 4 {
+            terms = vec![terms.swap_remove((draw.below(2) + i) % 3)];
+        }
+        // Both parameters are used, whatever was drawn.
+        if i == 0 {
+            let difference = sum(vec![name("a"), negated(name("b"))]);
+            terms.push(product(vec![difference, draw.state(states)]));
+        }
+        sum(terms)
+    };
+    let equations = (0..n).map(&mut equation).collect();
+    field("Coupled", "parameters before unit terms", states, equations, &PARAMETERS[..2])
+}
+
+fn spelled(n: usize, draw: &mut Draw) -> RandomField {
+    let states = &AWKWARD[..n];
+    let start = draw.below(n);
+    let equation = |i: usize| {
+        let state = |k: usize| name(states[(start + i + k) % n]);
+        let (x, y, z) = (state(0), state(1), state(2));
+        // In turn, so that every spelling occurs in every dimension with enough equations.
+        let first = match (i + 2 * n) % 5 {
+            0 => negated(power(x.clone(), 2)),
+            1 => product(vec![x.clone(), power(sum(vec![y.clone(), negated(z.clone())]), 1)]),
+            2 => {
+                quotient(power(sum(vec![x.clone(), product(vec![literal("2"), y.clone()])]), 2), literal("3"))
+            }
+            3 => product(vec![sum(vec![x.clone(), y.clone()]), sum(vec![x.clone(), negated(y.clone())])]),
+            _ => negated(negated(product(vec![x.clone(), literal("0.1"), y.clone()]))),
+        };
+        let second = match (i + n) % 4 {
+            0 => product(vec![literal("1.5e-3"), z.clone()]),
+            1 => product(vec![literal("12.50"), power(y.clone(), 0)]),
+            2 => negated(quotient(product(vec![z.clone(), literal("1e2")]), literal("0.7"))),
+            _ => quotient(literal("1_000"), literal("3")),
+        };
+        // What cancels, cancels: x²y − x·y·x.
+        let cubic = product(vec![power(x.clone(), 2), y.clone()]);
+        let again = negated(product(vec![x.clone(), y, x]));
+        sum(vec![first, cubic, second, again])
+    };
+    let equations = (0..n).map(equation).collect();
+    field("Spelled", "awkward spellings, and cubic terms that cancel", states, equations, &[])
+}
+
+fn dense(n: usize, draw: &mut Draw) -> RandomField {
+    let states = &PLAIN[..n];
+    let mut equation = || {
+        let mut terms = vec![draw.coefficient()];
+        for i in 0..n {
+            terms.push(product(vec![draw.coefficient(), name(states[i])]));
+            for state in &states[i..] {
+                terms.push(product(vec![draw.coefficient(), name(states[i]), name(state)]));
+            }
+        }
+        sum(terms)
+    };
+    let equations = (0..n).map(|_| equation()).collect();
+    field("Dense", "every monomial in every equation", states, equations, &[])
+}
+
+impl RandomField {
+    /// Its equations, one after the other.
+    #[must_use]
+    pub fn equations(&self) -> String {
+        let equations = self.states.iter().zip(&self.equations);
+        equations.map(|(state, value)| format!("{state}dot = {value};")).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The block in the language of `kahan!`.
+    #[must_use]
+    pub fn block(&self) -> String {
+        let parameters: Vec<&str> = self.parameters.iter().map(|(name, ..)| *name).collect();
+        let header = match parameters.as_slice() {
+            [] => format!("pub struct {};\n", self.name),
+            parameters => format!("pub struct {} {{ {} }}\n", self.name, parameters.join(", ")),
+        };
+        let documentation = format!("/// Of dimension {}: {}.\n", self.states.len(), self.kind);
+        let equations = self.states.iter().zip(&self.equations);
+        let equations: String = equations.map(|(state, value)| format!("{state}dot = {value};\n")).collect();
+        documentation + &header + &equations
+    }
+
+    /// The values of the parameters.
+    #[must_use]
+    pub fn parameter_values(&self) -> Vec<BigRational> {
+        self.parameters.iter().map(|&(_, p, d)| ratio(p, d)).collect()
+    }
+
+    /// f(x), from the trees.
+    #[must_use]
+    pub fn value(&self, x: &[BigRational]) -> Vec<BigRational> {
+        let parameters = self.parameters.iter().map(|&(name, p, d)| (name, ratio(p, d)));
+        let names: Vec<(&str, BigRational)> =
+            self.states.iter().copied().zip(x.iter().cloned()).chain(parameters).collect();
+        self.equations.iter().map(|equation| equation.value(&names)).collect()
+    }
+}
+
+/// p/d
+fn ratio(p: i64, d: i64) -> BigRational {
+    BigRational::new(p.into(), d.into())
+}

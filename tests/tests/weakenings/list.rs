@@ -1,0 +1,167 @@
+//! The weakenings: where, what stands there, what is put in its place, and the tests that must notice.
+
+/// One of them.
+pub(crate) struct Weakening {
+    pub(crate) name: &'static str,
+    /// From the root of the workspace.
+    pub(crate) file: &'static str,
+    /// What stands there, once.
+    pub(crate) text: &'static str,
+    pub(crate) weaker: &'static str,
+    /// What follows `cargo test`.
+    pub(crate) tests: &'static str,
+}
+
+const RULES: &str = "-p kahan-core --features exact --lib -- stable::tests";
+const DIGITS: &str = "-p kahan-core --features exact --lib -- wide::tests";
+const BOUNDED: &str = "kahan-core/src/stable/bounded.rs";
+const ATTEMPT: &str = "kahan-core/src/stable/attempt.rs";
+const RUNGS: &str = "kahan-core/src/stable/rungs.rs";
+const WIDE: &str = "kahan-core/src/scalar/wide/arithmetic.rs";
+
+const PAIRS: &str = "-p kahan-core --features exact --lib -- dd::bounds";
+const MODERATE: &str = "kahan-core/src/scalar/dd/moderate.rs";
+const DEGREES: &str = "-p kahan-discover --lib -- thiele";
+const REFERENCES: &str = "-p kahan-systems --lib -- reference";
+const CERTIFICATE: &str = "systems/src/reference/certificate.rs";
+
+const fn rule(name: &'static str, file: &'static str, text: &'static str, weaker: &'static str) -> Weakening {
+    Weakening { name, file, text, weaker, tests: RULES }
+}
+
+const fn digit(
+    name: &'static str,
+    file: &'static str,
+    text: &'static str,
+    weaker: &'static str,
+) -> Weakening {
+    Weakening { name, file, text, weaker, tests: DIGITS }
+}
+
+#[rustfmt::skip]
+pub(crate) const WEAKENINGS: &[Weakening] = &[
+    // The count of roundings.
+    rule("a sum without its rounding", BOUNDED,
+        "roundings: self.roundings.max(other.roundings).saturating_add(1),",
+        "roundings: self.roundings.max(other.roundings),"),
+    rule("a sum with the roundings of its first term", BOUNDED,
+        "roundings: self.roundings.max(other.roundings).saturating_add(1),",
+        "roundings: self.roundings.saturating_add(1),"),
+    rule("a product without its rounding", BOUNDED,
+        "roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),",
+        "roundings: self.roundings.saturating_add(other.roundings),"),
+    rule("a product with the roundings of its worse factor", BOUNDED,
+        "roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),",
+        "roundings: self.roundings.max(other.roundings).saturating_add(1),"),
+    rule("a quotient without its rounding", BOUNDED,
+        "roundings: self.roundings.max(divisor.roundings).saturating_add(1),",
+        "roundings: self.roundings.max(divisor.roundings),"),
+    rule("a quotient with the roundings of its dividend", BOUNDED,
+        "roundings: self.roundings.max(divisor.roundings).saturating_add(1),",
+        "roundings: self.roundings.saturating_add(1),"),
+    rule("a constant over eps without its rounding", BOUNDED,
+        "roundings: self.roundings.saturating_add(eps.roundings).saturating_add(1),",
+        "roundings: self.roundings.saturating_add(eps.roundings),"),
+    rule("literals that are not rounded", "kahan-core/src/stable/operators.rs",
+        "Self::literal(value, u32::from(!is_exact))", "Self::literal(value, u32::from(!is_exact && false))"),
+    rule("a weight without the rounding of the product", BOUNDED,
+        "roundings: roundings.saturating_add(1), ..*self", "roundings, ..*self"),
+    // Magnitudes.
+    rule("a difference that cancels its magnitude", "kahan-core/src/stable/pair.rs",
+        "Self { value: self.value - other.value, magnitude: self.magnitude + other.magnitude }",
+        "Self { value: self.value - other.value, magnitude: (self.value - other.value).size() }"),
+    rule("a product with the magnitude of its value", "kahan-core/src/stable/pair.rs",
+        "Self { value: self.value * other.value, magnitude: self.magnitude * other.magnitude }",
+        "Self { value: self.value * other.value, magnitude: (self.value * other.value).size() }"),
+    rule("a quotient without the magnitude of its divisor", BOUNDED,
+        "let numerator = self.magnitude() + value.size() * divisor.magnitude();",
+        "let numerator = self.magnitude();"),
+    rule("a chain of quotients without the magnitude of a divisor", BOUNDED,
+        "let ratio = ratio + divisor.magnitude() * (value.size() * inverse);",
+        "let ratio = ratio + V::Magnitude::of(0.0) * (value.size() * inverse);"),
+    rule("packed magnitudes with the sign of their values", "kahan-core/src/stable/packed.rs",
+        "sign: _mm_set_pd(0.0, -0.0),", "sign: _mm_set_pd(-0.0, -0.0),"),
+    rule("half of the slack", BOUNDED, "const SLACK: f64 = 1.0625;", "const SLACK: f64 = 1.03125;"),
+    rule("divisors that may be zero", BOUNDED,
+        "V::Magnitude::of(64.0) * divisor.gamma()", "V::Magnitude::of(1.0) * divisor.gamma()"),
+    rule("a weight without the error of the reciprocal", BOUNDED,
+        "None => self.value().size() * gamma + self.error(),", "None => self.value().size() * gamma,"),
+    rule("a weight without the error of a chain", BOUNDED,
+        "self.value().size() * (gamma + ratio * slack)", "self.value().size() * (gamma + ratio * slack * V::Magnitude::of(0.0))"),
+    rule("a known radius that is forgotten", BOUNDED,
+        "let magnitude = value.size() + radius / V::Magnitude::of(V::UNIT);", "let magnitude = value.size();"),
+    // Underflow.
+    rule("no allowance for underflow", BOUNDED,
+        "self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)", "self.magnitude() * self.gamma()"),
+    rule("no allowance in the weight of a chain", BOUNDED,
+        "(gamma + ratio * slack) + V::Magnitude::of(V::RANGE.allowance)", "(gamma + ratio * slack)"),
+    rule("no allowance for numerators", BOUNDED,
+        "V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))", "0.0 * f64::from(roundings)"),
+    rule("a least divisor that is not looked at", BOUNDED,
+        "let is_certain = size > doubt + least;", "let is_certain = size > doubt + least * V::Magnitude::of(0.0);"),
+    rule("a sum without its bit", BOUNDED,
+        "bits: self.bits.max(other.bits).saturating_add(1),", "bits: self.bits.max(other.bits),"),
+    rule("a product with the inputs of one factor", BOUNDED,
+        "inputs: self.inputs.saturating_add(other.inputs),", "inputs: self.inputs.max(other.inputs),"),
+    rule("a product with the bits of one factor", BOUNDED,
+        "bits: self.bits.saturating_add(other.bits),", "bits: self.bits.max(other.bits),"),
+    rule("a quotient with the bits of its divisor once", BOUNDED,
+        "saturating_add(2 * V::RANGE.bits_of_divisors)", "saturating_add(0 * V::RANGE.bits_of_divisors)"),
+    rule("a constant over eps without bits", BOUNDED,
+        "bits: self.bits.saturating_add(V::RANGE.bits_of_steps),", "bits: self.bits,"),
+    rule("an allowance for singles that is none", "kahan-core/src/stable/scalars.rs",
+        "allowance: power_of_two(-40),", "allowance: power_of_two(-80),"),
+    rule("an allowance for doubles that is none", "kahan-core/src/stable/scalars.rs",
+        "allowance: power_of_two(-150),", "allowance: power_of_two(-420),"),
+    // Steps.
+    rule("an attempt without the weights of reciprocals", ATTEMPT,
+        "Some(reciprocal) => reciprocal.weight(roundings),", "Some(reciprocal) => reciprocal.weight(0),"),
+    rule("an attempt as N/D without an error", ATTEMPT,
+        "error: largest::<V, N>(quotients.map(|quotient| quotient.error())),",
+        "error: largest::<V, N>(quotients.map(|quotient| quotient.error())) * V::Magnitude::of(0.0),"),
+    rule("a narrower scalar that does not round", ATTEMPT,
+        "(exactly(&rounded[i]) - self.next[i]).size()", "(exactly(&rounded[i]) - self.next[i]).size() * V::Magnitude::of(0.0)"),
+    rule("inputs of any size", RUNGS,
+        "(attempt.largest_input() > sum.get()).then_some(attempt)", "(attempt.largest_input() > V::Magnitude::zero()).then_some(attempt)"),
+    rule("a promise of ten times as much", RUNGS,
+        "const PROMISE: f64 = 63.0;", "const PROMISE: f64 = 630.0;"),
+    rule("a pair of floats that is better than it is", "kahan-core/src/stable/scalars.rs",
+        "f64::EPSILON * f64::EPSILON * 4.0", "f64::EPSILON * f64::EPSILON * 3.0"),
+    // The last rungs' numbers.
+    digit("a product without the radius of a factor", WIDE,
+        "self.size() * other.radius + (other.size() + other.radius) * self.radius", "(other.size() + other.radius) * self.radius"),
+    digit("a sum without the radius of a term", WIDE,
+        "self.radius + other.radius)", "self.radius)"),
+    digit("a quotient without the radius of its divisor", WIDE,
+        "(self.radius + quotient.size() * other.radius)", "self.radius"),
+    digit("a divisor that may be zero", WIDE,
+        "other.radius * Size::from(64.0) <= other.size()", "other.radius <= other.size() * Size::from(64.0)"),
+    digit("digits that are cut off and forgotten", "kahan-core/src/scalar/wide/rows.rs",
+        "map_or(self.cut, |&digit| self.cut + from_here_on(digit))", "map_or(self.cut, |_| self.cut)"),
+    digit("a division that ends early", "kahan-core/src/scalar/wide/rows.rs",
+        "64 * (DIGITS + 1) / 48 + 1", "64 * (DIGITS + 1) / 60 - 2"),
+    // Pairs of floats: what their operations do, and what is stated of them.
+    Weakening { name: "a sum of pairs without its last rest", file: MODERATE, tests: PAIRS,
+        text: "fast_two_sum(sum, rest + error)", weaker: "fast_two_sum(sum, error)" },
+    Weakening { name: "a product of pairs without a lower part", file: MODERATE, tests: PAIRS,
+        text: "let lower = multiply_add(x.low, y.high, x.high * y.low);", weaker: "let lower = x.high * y.low;" },
+    Weakening { name: "a quotient of pairs without the lower part of its divisor", file: MODERATE, tests: PAIRS,
+        text: "multiply_add(-leading, y.low, x.low)", weaker: "x.low" },
+    Weakening { name: "a multiply-add of pairs without a lower part", file: "kahan-core/src/scalar/dd/arithmetic.rs", tests: PAIRS,
+        text: "multiply_add(x.low, y.high, multiply_add(x.high, y.low, z.low))", weaker: "multiply_add(x.high, y.low, z.low)" },
+    Weakening { name: "sums of pairs said to err by 2u²", file: "kahan-core/src/tests/dd/bounds.rs", tests: PAIRS,
+        text: "const SUM: i64 = 3;", weaker: "const SUM: i64 = 2;" },
+    Weakening { name: "products of pairs said to err by 4u²", file: "kahan-core/src/tests/dd/bounds.rs", tests: PAIRS,
+        text: "const PRODUCT: i64 = 5;", weaker: "const PRODUCT: i64 = 4;" },
+    Weakening { name: "quotients of pairs said to err by 9u²", file: "kahan-core/src/tests/dd/bounds.rs", tests: PAIRS,
+        text: "const QUOTIENT: i64 = 14;", weaker: "const QUOTIENT: i64 = 9;" },
+    // Degrees and references.
+    Weakening { name: "a degree with one spare point less", file: "kahan-discover/src/thiele.rs", tests: DEGREES,
+        text: "const SPARE: usize = 4;", weaker: "const SPARE: usize = 3;" },
+    Weakening { name: "a degree told when one spare point agrees", file: "kahan-discover/src/thiele.rs", tests: DEGREES,
+        text: "if differences.iter().all(|&difference| difference == 0) {", weaker: "if differences.first() == Some(&0) {" },
+    Weakening { name: "a certificate of the last difference", file: CERTIFICATE, tests: REFERENCES,
+        text: "self.difference = self.difference.max(difference);", weaker: "self.difference = difference;" },
+    Weakening { name: "a certificate of the least difference", file: CERTIFICATE, tests: REFERENCES,
+        text: "if self.difference <= self.allowed {\n            self.agreed_until = t;", weaker: "if difference <= self.allowed {\n            self.agreed_until = t;" },
+];
