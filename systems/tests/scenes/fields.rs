@@ -32,7 +32,7 @@ pub(crate) trait Cases<const N: usize> {
     fn start(rng: &mut SplitMix64) -> [f64; N];
 }
 
-/// Twelve at a time would hide what the macro writes; one macro a field.
+/// A field with its horizons, its starts and its block.
 macro_rules! case {
     ($(#[$doc:meta])* $name:ident[$n:literal], $low:literal..$high:literal, |$rng:ident| $start:expr, { $($block:tt)* }) => {
         kahan! {
