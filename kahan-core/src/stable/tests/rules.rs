@@ -198,7 +198,7 @@ fn a_weight_of_an_exact_number_counts_the_product() {
         let product = off_by(UP, || numerator.times(&factor));
         let bound = factor.bounded.weight(numerator.bounded.roundings()) * numerator.bounded.magnitude();
         let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
-        assert!(part <= 1.0 && part >= ALL, "{part} of the bound");
+        assert!((ALL..=1.0).contains(&part), "{part} of the bound");
     }
 }
 

@@ -45,11 +45,10 @@ crate::kahan! {
 }
 
 crate::kahan! {
-    /// A long numerator over a short denominator.
-    struct Long;
-    xdot = -x + 3*y^2 + 5*y*z + 7*z^2 + 11*y + 13*z + 17;
+    /// A numerator of many roundings over a short denominator.
+    struct Long { a }
+    xdot = -x + a^12*y;
     ydot = 0;
-    zdot = 0;
 }
 
 impl<const BITS: i32> Promised for Worst<BITS> {
@@ -143,18 +142,19 @@ fn an_attempt_is_within_what_it_says() {
 /// Where the reciprocal took few roundings, those of the numerator make nearly all of the error.
 #[test]
 fn an_attempt_has_the_roundings_of_its_numerators() {
-    let (x, eps) = (vector![-0.3, 0.7, 1.1], 0.0123);
+    let (x, a, eps) = (vector![0.0, 0.7], 1.25, 0.0123);
     let rational = |x: f64| Q::from_float(x).expect("finite");
-    let exact = Long.step(&x.map(rational), rational(eps));
+    let exact = Long { a: rational(a) }.step(&x.map(rational), rational(eps));
     let attempt = off_by((1, 0), || {
-        let eps = Bounded::<Number24>::given(Worst::of_float(eps));
-        Attempt::by_increments(&Long, &given(&x), eps, |component| component).expect("no pole is near")
+        let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::given(Worst::of_float(number)));
+        Attempt::by_increments(&Long { a }, &given(&x), eps, |component| component).expect("no pole is near")
     });
-    let (error, _) = compared(&attempt.next, &exact);
-    let size = attempt.next.iter().map(Number::size).fold(0.0, f64::max);
-    let own = 2.0 * Number24::UNIT * size;
+    // The state of rest beside it is larger; what moves begins at 0, so that its last roundings are of its own size.
+    let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;
+    let size = attempt.next[1].size();
+    let own = 2.0 * Number24::UNIT * attempt.next[0].size();
     let part = (error - own) / (attempt.bound() * size);
-    assert!(part <= 1.0 && part > 0.3, "{part} of the bound");
+    assert!(part <= 1.0 && part > 0.6, "{part} of the bound");
 }
 
 /// What the first rung lets pass is within 64 u of the exact step, and comes near to that beside poles.
