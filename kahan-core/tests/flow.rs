@@ -82,6 +82,46 @@ fn pieces_follow_the_motion() {
     assert!((flow.slope() - 1.0).abs() < 1e-6, "|1 - 2x| is 1 at both ends");
 }
 
+kahan! {
+    /// Robertson's kinetics: nothing at the beginning shows how fast it will be.
+    struct Kinetics;
+    xdot = -x/25 + 10000*y*z;
+    ydot = x/25 - 10000*y*z - 30000000*y^2;
+    zdot = 30000000*y^2;
+}
+
+kahan! {
+    /// s falls by e^{-50}, and comes back to decide.
+    struct Laser;
+    ndot = 2 - n - n*s;
+    sdot = 100*s*(n - 1);
+}
+
+/// x + y + z is 1 for ever; y is about 3.6e-5 behind its first layer, which ends at t = 1e-3 or so.
+#[test]
+fn a_stiff_beginning_is_seen() {
+    let flow = through::<_, Dd, 3>(&Kinetics, [1.0, 0.0, 0.0], 1.0).expect("it exists");
+    assert!(flow.breaks().nth(1) < Some(1e-4), "{:?}", flow.breaks().take(3).collect::<Vec<_>>());
+    for k in 1..=100 {
+        let x = flow.at(Dd::from(f64::from(k) / 100.0));
+        assert!(f64::from((x[0] + x[1] + x[2] - Dd::from(1.0)).abs()) < 1e-25);
+        assert!((3.0e-5..4.0e-5).contains(&f64::from(x[1])), "{:?}", x[1]);
+    }
+}
+
+/// While s is small n = 2 - 2e^{-t}, so s = s₀ exp(100(t - 2 + 2e^{-t})).
+#[test]
+fn a_component_that_is_small_keeps_its_digits() {
+    let flow = through::<_, f64, 2>(&Laser, [0.0, 1e-9], 1.5).expect("it exists");
+    for k in 1..=15 {
+        let t = f64::from(k) / 10.0;
+        let exact = 1e-9 * (100.0 * (t - 2.0 + 2.0 * (-t).exp())).exp();
+        let s = flow.at(t.into())[1];
+        // ∫ns dt, by which n is less, is below 1e-12 while t < 0.1 and not felt after; the exponent takes it 100 times.
+        assert!((s / exact - 1.0).abs() < 1e-10, "t = {t}: {s:e} for {exact:e}");
+    }
+}
+
 #[test]
 fn an_escape_is_told_with_its_time() {
     let escape = through::<_, f64, 1>(&Burst, [0.5], 3.0).expect_err("1/(2 - t) has no value at t = 2");

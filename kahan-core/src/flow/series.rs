@@ -134,23 +134,23 @@ impl<T: FlowScalar, const N: usize> Series<T, N> {
 }
 
 /// ρ from |xₖ| ~ |x₀|ρ⁻ᵏ in the last two terms, as Jorba and Zou, Exp. Math. 14 (2005) 99, have it, but component by component: one
-/// that is small now may decide later, so it is small errors of itself that count. Its size is the largest of the first half of its
-/// terms, as it may begin with 0.
+/// that is small now may decide later, so it is small errors of itself that count.
+///
+/// A step h = pρ, p the [part](FlowScalar::PART_OF_RADIUS), leaves out about |x_K|h^K where p^K of the component is allowed. The component
+/// is at least as large as each of its terms |xₖ|hᵏ, and may begin with 0: the term that allows the longest step counts.
 fn radius<T: FlowScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
-    let last = series.len() - 1;
-    let estimate = |i: usize, k: usize| {
-        let largest = (0..=last / 2).map(|k| size(k, i)).fold(0.0, f64::max);
-        let term = size(k, i);
-        if !(term.is_finite() && largest.is_finite()) {
+    let estimate = |i: usize, last: usize| {
+        let (left_out, allowed) = (size(last, i), T::PART_OF_RADIUS.powi(last as i32));
+        if !left_out.is_finite() {
             // Beyond the range.
-            0.0
-        } else if term > 0.0 {
-            (largest / term).powf(1.0 / k as f64)
-        } else {
-            f64::INFINITY
+            return 0.0;
         }
+        let step = |k: usize| (allowed * (size(k, i) / left_out)).powf(1.0 / (last - k) as f64);
+        let longest = (0..=last / 2).map(step).fold(0.0, f64::max);
+        if left_out > 0.0 { longest / T::PART_OF_RADIUS } else { f64::INFINITY }
     };
+    let last = series.len() - 1;
     (0..N).map(|i| estimate(i, last).min(estimate(i, last - 1))).fold(f64::INFINITY, f64::min)
 }
 
