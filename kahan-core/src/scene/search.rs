@@ -28,6 +28,8 @@ const STALL: f64 = 0.7;
 const SHARE: f64 = 0.45;
 /// Steps that differ by less than this factor are not told apart.
 const CLOSE: f64 = 1.06;
+/// Where errors fall unevenly, steps that differ by this factor are tried.
+const GRID: f64 = 1.1;
 /// Trials between two rungs.
 const TRIALS: usize = 5;
 /// The orders' compositions; the others need more stages for the same error.
@@ -105,6 +107,11 @@ impl<L: Trials> Search<L> {
             for (mode, composition) in modes.flat_map(|mode| ORDERS.map(|order| (mode, order))) {
                 self.refine(mode.kind(composition));
             }
+            if self.is_uneven() {
+                for composition in ORDERS {
+                    self.scan(Mode::PLAIN.kind(composition), coarsest);
+                }
+            }
         }
         let least_error = self.tried.iter().map(|trial| trial.error).fold(f64::INFINITY, f64::min);
         match self.best() {
@@ -154,6 +161,31 @@ impl<L: Trials> Search<L> {
     /// The steps at which the orders' law would meet an error.
     fn by_law(trial: &Trial, error: f64) -> f64 {
         trial.steps as f64 * (trial.error / error).powf(1.0 / f64::from(trial.kind.composition.order()))
+    }
+
+    /// Whether finer steps were seen to err more, and not for roundings: where a motion is stiff, steps of some sizes meet poles of the
+    /// map, and there is more than one stretch of sizes that serve.
+    fn is_uneven(&self) -> bool {
+        let plain = |trial: &&Trial| trial.kind == Mode::PLAIN.kind(trial.kind.composition);
+        let is_worse = |coarse: &Trial, fine: &Trial| {
+            coarse.kind == fine.kind
+                && coarse.steps < fine.steps
+                && coarse.error < SMALL
+                && coarse.error < STALL * fine.error
+        };
+        let coarse = self.tried.iter().filter(plain);
+        !self.is_rough
+            && coarse.into_iter().any(|coarse| self.tried.iter().any(|fine| is_worse(coarse, fine)))
+    }
+
+    /// Tries all sizes of steps, as far as they cost less than what is known to serve.
+    fn scan(&mut self, kind: Kind, coarsest: u64) {
+        let mut steps = coarsest;
+        while CLOSE * self.cost(kind, steps as f64) < self.least_cost()
+            && self.trial(kind, steps, SHARE).is_some()
+        {
+            steps = (GRID * steps as f64).ceil() as u64;
+        }
     }
 
     /// Looks for fewer steps that still serve.

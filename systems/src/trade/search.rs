@@ -20,6 +20,11 @@ const CLOSE: f64 = 1.05;
 /// Trials between two rungs.
 const TRIALS: usize = 6;
 
+/// Errors of `f64` above this are seldom roundings.
+const UNEVEN: f64 = 1e-11;
+/// Where errors fall unevenly, steps that differ by this factor are tried.
+const GRID: f64 = 1.1;
+
 /// A ladder is given up where the law says that its end will cost this factor more than what is known to do,
 const SURELY: f64 = 2.0;
 /// or that it will take this part of the time that is left.
@@ -68,6 +73,39 @@ impl Study<'_> {
         for kind in Kind::all() {
             self.refine(kind);
         }
+        if self.is_uneven() {
+            for scalar in [ScalarKind::F64, ScalarKind::F32] {
+                for order in ORDERS.into_iter().rev() {
+                    self.scan(plain(scalar, order), coarsest);
+                }
+            }
+        }
+    }
+
+    /// Whether finer steps were seen to err more, and not for roundings: where a motion is stiff, steps of some sizes meet poles of the
+    /// map, and there is more than one stretch of sizes that serve.
+    fn is_uneven(&self) -> bool {
+        let doubles = || {
+            let plain = self.settings.iter().filter(|setting| !setting.kind.compensated);
+            plain.filter(|setting| setting.kind.scalar == ScalarKind::F64)
+        };
+        doubles().any(|coarse| {
+            let error = coarse.error(self.need);
+            let finer = doubles().filter(|fine| fine.kind == coarse.kind && fine.steps > coarse.steps);
+            (UNEVEN..0.1).contains(&error)
+                && finer.into_iter().any(|fine| error < STALL * fine.error(self.need))
+        })
+    }
+
+    /// Tries all sizes of steps, as far as they cost less than what is known to do, and there is time.
+    fn scan(&mut self, kind: Kind, coarsest: u64) {
+        let mut steps = coarsest;
+        while CLOSE * self.cost(kind, steps) < self.least_cost()
+            && !self.takes_more_than(SHARE, kind, steps as f64)
+            && self.error(kind, steps).is_some()
+        {
+            steps = (GRID * steps as f64).ceil() as u64;
+        }
     }
 
     /// The plain kind, and the compensated one where the plain one's errors show its roundings.
@@ -97,9 +135,13 @@ impl Study<'_> {
             }
             stalls = if error < 0.1 && error > STALL * before { stalls + 1 } else { 0 };
             has_gained |= before.is_finite() && error < 0.5 * before;
-            if stalls == if has_gained { 2 } else { PATIENCE } {
-                self.stalled.push(kind);
-                return roundings;
+            if stalls >= if has_gained { 2 } else { PATIENCE } {
+                if self.has_roundings(kind, steps, error) {
+                    self.stalled.push(kind);
+                    return roundings;
+                }
+                // A stiff motion: coarse steps meet poles of the map, which finer ones will not.
+                stalls = 0;
             }
             // Two rungs make sure that the law holds already.
             if error < 0.1 && error < 0.5 * before && before.is_finite() {
@@ -116,6 +158,14 @@ impl Study<'_> {
             before = error;
         }
         roundings
+    }
+
+    /// Whether so many steps err by their roundings rather than by their order: double-double, which has none, errs less.
+    fn has_roundings(&mut self, kind: Kind, steps: u64, error: f64) -> bool {
+        let wide = Kind { scalar: ScalarKind::Dd, compensated: false, ..kind };
+        kind == wide
+            || self.takes_more_than(SHARE, wide, steps as f64)
+            || self.error(wide, steps).is_none_or(|other| other < STALL * error)
     }
 
     /// Looks for fewer steps that still do.
