@@ -1,14 +1,15 @@
 //! Why a step has no value.
 //!
-//! In: det A and ε as the step met them, and what is the case. Out: a report in the terms of the map.
-//! It holds floats only, whatever the scalar, so that it is `Copy` and never allocates; it is a report, not a number
-//! to compute with.
+//! In: det A and ε as the step met them, and what is the case. Out: a report in the terms of the
+//! map. It holds floats only, whatever the scalar, so that it is `Copy` and never allocates; it is
+//! a report, not a number to compute with.
 
 use core::fmt;
 
 use crate::Scalar;
 
-/// There is no (finite) step from this point: the point is a pole of the map, or the numbers overflow, or their digits run out.
+/// There is no (finite) step from this point: the point is a pole of the map, or the numbers
+/// overflow, or their digits run out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SingularStep {
@@ -48,7 +49,8 @@ impl SingularStep {
         Self::because(reason, determinant, f64::INFINITY, eps)
     }
 
-    /// A step whose error is bounded by no less than this multiple of its largest component, or not promised for this reason.
+    /// A step whose error is bounded by no less than this multiple of its largest component, or not
+    /// promised for this reason.
     pub(crate) fn because(reason: Reason, determinant: f64, bound: f64, eps: f64) -> Self {
         Self { determinant, bound, eps, reason }
     }

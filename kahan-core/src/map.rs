@@ -81,12 +81,14 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
 
     /// x̃, the state one time step of 2ε later.
     ///
-    /// The fast tier: for the fields of ordinary size the reduced closed form with one division, or two, whose error is of
-    /// the order of the scalar's rounding unit away from poles while ‖ε f′(x)‖ is not much above 1; in longer steps it is about that
-    /// of elimination with pivoting up to ‖ε f′(x)‖∞ = 1000, or up to what the documentation of the generated type says. Over floats
-    /// it branches on nothing but ε (many fields have a faster form that divides by it, for |ε| from 2⁻⁶⁴ to 2⁶⁴, `f32`: 2⁻¹⁶ to
-    /// 2¹⁶) and allocates nothing. In a loop over one ε, [`at`](Self::at) and [`orbit`](Self::orbit) give the same numbers bit for
-    /// bit and are certain to prepare once.
+    /// The fast tier: for the fields of ordinary size the reduced closed form with one division, or
+    /// two, whose error is of the order of the scalar's rounding unit away from poles while ‖ε
+    /// f′(x)‖ is not much above 1; in longer steps it is about that of elimination with pivoting up
+    /// to ‖ε f′(x)‖∞ = 1000, or up to what the documentation of the generated type says. Over
+    /// floats it branches on nothing but ε (many fields have a faster form that divides by it, for
+    /// |ε| from 2⁻⁶⁴ to 2⁶⁴, `f32`: 2⁻¹⁶ to 2¹⁶) and allocates nothing. In a loop over one ε,
+    /// [`at`](Self::at) and [`orbit`](Self::orbit) give the same numbers bit for bit and are
+    /// certain to prepare once.
     ///
     /// # Panics
     /// At a pole, for exact scalars; floats give a result that is not finite.
@@ -104,19 +106,22 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///
     ///   ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞
     ///
-    /// for x, ε and the parameters as given, u = 2⁻⁵³ for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for [`Dd`](crate::Dd). It is established
-    /// for this very call: the step runs with an error bound beside each of its values, first in the scalar's own precision,
-    /// and where that proves too little in the next (`f64` for an `f32`, [`Dd`](crate::Dd) for an `f64`), then in 17 digits of 64
-    /// bits, wherever these lie, where nothing overflows and sums of terms of any sizes are exact. An ordinary point gets the bits of [`step`](Self::step) at about one and a half
-    /// times its price; near poles and far out a step takes ten times as long, or at worst a fraction of a millisecond. Nothing is
-    /// allocated: without optimisation the last rungs need up to one and a half megabytes of stack, for a dense field of five variables.
+    /// for x, ε and the parameters as given, u = 2⁻⁵³ for `f64`, 2⁻²⁴ for `f32` and 2⁻¹⁰² for
+    /// [`Dd`](crate::Dd). It is established for this very call: the step runs with an error bound
+    /// beside each of its values, first in the scalar's own precision, and where that proves too
+    /// little in the next (`f64` for an `f32`, [`Dd`](crate::Dd) for an `f64`), then in 17 digits
+    /// of 64 bits, wherever these lie, where nothing overflows and sums of terms of any sizes are
+    /// exact. An ordinary point gets the bits of [`step`](Self::step) at about one and a half times
+    /// its price; near poles and far out a step takes ten times as long, or at worst a fraction of
+    /// a millisecond. Nothing is allocated: without optimisation the last rungs need up to one and
+    /// a half megabytes of stack, for a dense field of five variables.
     ///
     /// Exact scalars give the exact step. A map written by hand, and a scalar of a user's own, get the result of `step`, or where
     /// that left the scalar's range, of elimination with partial pivoting: finite, without a bound.
     ///
     /// # Errors
-    /// [`SingularStep`] at a pole, at a point that is not finite, where x̃ is beyond the scalar's range, and where not even
-    /// 17 digits settle the bound; it says which of these is the case.
+    /// [`SingularStep`] at a pole, at a point that is not finite, where x̃ is beyond the scalar's
+    /// range, and where not even 17 digits settle the bound; it says which of these is the case.
     #[inline(always)]
     fn try_step(&self, x: &SVector<T, N>, eps: T) -> Result<SVector<T, N>, SingularStep>
     where

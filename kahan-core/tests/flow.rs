@@ -37,8 +37,8 @@ where
     Flow::through(field, SVector::from(start).map(T::from), end, 0.0, &mut |_| true)
 }
 
-/// Over some forty pieces each errs by less than u relative to x ≤ 1, and the flow, which contracts at the end, carries an error
-/// of its beginning on by at most e^{t} x(1−x)… ≤ 1/(4x₀) = 2.5.
+/// Over some forty pieces each errs by less than u relative to x ≤ 1, and the flow, which contracts
+/// at the end, carries an error of its beginning on by at most e^{t} x(1−x)… ≤ 1/(4x₀) = 2.5.
 #[test]
 fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     let f64s = through::<_, f64, 1>(&Logistic, [0.1], 10.0).expect("it exists");
@@ -54,7 +54,8 @@ fn the_logistic_solution_is_met_to_some_units_of_the_scalar() {
     }
 }
 
-/// Both integrals of the top, in double-double: a hundred pieces of u = 2⁻¹⁰⁶ each, which the flow carries on linearly.
+/// Both integrals of the top, in double-double: a hundred pieces of u = 2⁻¹⁰⁶ each, which the flow
+/// carries on linearly.
 #[test]
 fn the_integrals_of_the_top_are_kept_in_double_double() {
     let flow = through::<_, Dd, 3>(&Top, [0.5, 1.0, 0.75], 40.0).expect("it exists");
@@ -117,7 +118,8 @@ fn a_component_that_is_small_keeps_its_digits() {
         let t = f64::from(k) / 10.0;
         let exact = 1e-9 * (100.0 * (t - 2.0 + 2.0 * (-t).exp())).exp();
         let s = flow.at(t.into())[1];
-        // ∫ns dt, by which n is less, is below 1e-12 while t < 0.1 and not felt after; the exponent takes it 100 times.
+        // ∫ns dt, by which n is less, is below 1e-12 while t < 0.1 and not felt after; the exponent
+        // takes it 100 times.
         assert!((s / exact - 1.0).abs() < 1e-10, "t = {t}: {s:e} for {exact:e}");
     }
 }

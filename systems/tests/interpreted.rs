@@ -233,7 +233,8 @@ fn a_removable_pole_has_its_value() {
     }
 }
 
-/// Parameters at which the field divides by zero end in an error where the reduced map has no value there, and not in a panic.
+/// Parameters at which the field divides by zero end in an error where the reduced map has no value
+/// there, and not in a panic.
 #[test]
 fn a_field_that_divides_by_zero_has_no_step() {
     let text = "struct Divided { a, b } xdot = x*y + 1/(a - b); ydot = x - y;";

@@ -73,7 +73,8 @@ fn the_series_agrees_with_the_composition_where_there_is_no_closed_solution() {
     assert!((1.66..5.0).contains(&reference.scale()), "{}", reference.scale());
 }
 
-/// The series of one field beside the closed solution of another: what is certified is that they agree.
+/// The series of one field beside the closed solution of another: what is certified is that they
+/// agree.
 #[test]
 fn a_path_that_is_not_the_solution_is_refused() {
     let start = ["3/10", "2/5", "-1/5"];

@@ -1,14 +1,17 @@
 //! What a step keeps of its digits when the time step is long, beside elimination with pivoting.
 //!
-//! Minors are made of values whose leading terms cancel, which the polynomial that they are does not have; and where a pivot of 1
-//! stands beside entries of the size ‖εf′‖, errors grow by that factor. Neither shows while ‖εf′‖ ≤ 1, either can take every digit far
-//! beyond, and no rule about degrees tells good forms from bad ones. So it is measured: a form is run, as it would be, at seeded points
-//! with ‖εf′‖∞ near 1, 10, 100 and 1000, in floats of 30 bits, and so is elimination with partial pivoting of A d = f, x̃ = x + 2εd.
-//! Elimination in 53 bits is the truth for both, as it errs 2⁻²³ times as much as in 30. To first order the rounding errors of a
-//! computation are proportional to u, so an error of k u in 30 bits is one of about k u in 53.
+//! Minors are made of values whose leading terms cancel, which the polynomial that they are does
+//! not have; and where a pivot of 1 stands beside entries of the size ‖εf′‖, errors grow by that
+//! factor. Neither shows while ‖εf′‖ ≤ 1, either can take every digit far beyond, and no rule about
+//! degrees tells good forms from bad ones. So it is measured: a form is run, as it would be, at
+//! seeded points with ‖εf′‖∞ near 1, 10, 100 and 1000, in floats of 30 bits, and so is elimination
+//! with partial pivoting of A d = f, x̃ = x + 2εd. Elimination in 53 bits is the truth for both, as
+//! it errs 2⁻²³ times as much as in 30. To first order the rounding errors of a computation are
+//! proportional to u, so an error of k u in 30 bits is one of about k u in 53.
 //!
-//! A form whose errors are beyond limits is refused where there is one well within them, and holds up to the size where they are
-//! within for certain. A form in doubt is kept, and says how far it holds.
+//! A form whose errors are beyond limits is refused where there is one well within them, and holds
+//! up to the size where they are within for certain. A form in doubt is kept, and says how far it
+//! holds.
 
 mod program;
 mod trial;
@@ -30,7 +33,8 @@ const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
 const FEW: usize = 25;
 /// and where these leave a doubt.
 const MANY: usize = 100;
-/// By what factor a median error may be larger than that of elimination, which counts as [`SMALL`] where it is below,
+/// By what factor a median error may be larger than that of elimination, which counts as [`SMALL`]
+/// where it is below,
 const MEDIAN_FACTOR: f64 = 30.0;
 /// in units u;
 const SMALL: f64 = 10.0;
@@ -40,7 +44,8 @@ const TAIL_FACTOR: f64 = 60.0;
 const SMALL_TAIL: f64 = 1000.0;
 /// A step is refused where it exceeds the limits by this factor, if there is one
 const REFUSED: f64 = 1.5;
-/// that is this far within them. Between 1 and what is refused it is kept, and says how far it holds.
+/// that is this far within them. Between 1 and what is refused it is kept, and says how far it
+/// holds.
 const KEPT: f64 = 1.0 / 6.0;
 /// From here
 const CLEAR: f64 = 0.2;
@@ -84,14 +89,16 @@ impl<'a> Accuracy<'a> {
         if first.is_doubtful() { loss(self.many.get_or_init(|| points(self.field, MANY))) } else { first }
     }
 
-    /// Whether a step stays well within the limits at every size; the largest one, which decides nearly always, comes first.
+    /// Whether a step stays well within the limits at every size; the largest one, which decides
+    /// nearly always, comes first.
     pub(super) fn is_kept(&self, step: &StepPlan) -> bool {
         let runner = Runner::of(step);
         self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
     }
 }
 
-/// So many points of each size. Where f′ vanishes there are none; a field of which that is mostly so has nothing to lose.
+/// So many points of each size. Where f′ vanishes there are none; a field of which that is mostly
+/// so has nothing to lose.
 fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
     let elimination = Elimination::of(field);
     let mut random = SplitMix64::from_bytes(b"long steps");

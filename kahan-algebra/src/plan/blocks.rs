@@ -8,8 +8,8 @@
 //! (A_RR − A_RS·A_SR)·(x̃ − x)_R = 2ε (P_R − A_RS·P_S),      (x̃ − x)_S = 2ε P_S(x, x̃) with x̃_R put in.
 //! ```
 //!
-//! A pivot of 1 beside entries of the size ‖εf′‖ costs that many digits in long steps. Where that is [too much](super::accuracy), a
-//! block is solved whole: S is empty.
+//! A pivot of 1 beside entries of the size ‖εf′‖ costs that many digits in long steps. Where that
+//! is [too much](super::accuracy), a block is solved whole: S is empty.
 
 use crate::field::Field;
 use crate::kahan::{polarization, scaled_matrix};
@@ -43,9 +43,11 @@ pub(super) struct Blocks<'a> {
 /// How blocks are solved.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Manner {
-    /// The states of an independent set by their pivots, the others by minors, along the row that is last after so many rotations.
+    /// The states of an independent set by their pivots, the others by minors, along the row that
+    /// is last after so many rotations.
     Eliminating(usize),
-    /// All states by minors of at most so many operations, the rows in the order that so many others are cheaper than.
+    /// All states by minors of at most so many operations, the rows in the order that so many
+    /// others are cheaper than.
     Whole { rank: usize, operations: usize },
 }
 

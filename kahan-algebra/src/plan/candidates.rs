@@ -73,13 +73,14 @@ pub(super) fn forms(field: &Field, map: Option<&RationalMap>) -> Option<Forms> {
     Some(Forms { best, two_divisions, over_time_step })
 }
 
-/// Whether the step may be made from A itself: nothing was divided out of its determinant, and three variables have better forms.
+/// Whether the step may be made from A itself: nothing was divided out of its determinant, and
+/// three variables have better forms.
 fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
     map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
 }
 
-/// The forms that may keep more digits in long steps than the `best` one does, the cheapest first: blocks solved whole. Each is at most
-/// half as expensive again.
+/// The forms that may keep more digits in long steps than the `best` one does, the cheapest first:
+/// blocks solved whole. Each is at most half as expensive again.
 pub(super) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Candidate) -> Vec<Candidate> {
     if !has_blocks(field, map) {
         return Vec::new();

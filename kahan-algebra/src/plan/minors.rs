@@ -109,8 +109,8 @@ pub(super) fn operations(pattern: &[Vec<bool>]) -> usize {
     count
 }
 
-/// The order of the rows for which so many others take fewer [operations], of those that begin anywhere and go on as given, or by
-/// the number of entries, or the other way round.
+/// The order of the rows for which so many others take fewer [operations], of those that begin
+/// anywhere and go on as given, or by the number of entries, or the other way round.
 pub(super) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
     let given: Vec<usize> = (0..pattern.len()).collect();
     let mut sparse_first = given.clone();

@@ -26,8 +26,9 @@ pub struct StepPlan {
     /// are bound by the divider. Where this plan [divides by ε](Self::has_inverse_step), also the one for all scalars but
     /// floats, and for an ε near zero.
     pub general: Option<Box<StepPlan>>,
-    /// The largest of the sizes ‖εf′‖∞ = 1, 10, 100, 1000 up to which this step loses about as little as elimination with partial
-    /// pivoting does: measured by the planner, at seeded points. [`LARGEST_SIZE`] where nothing more is lost as far as it looks.
+    /// The largest of the sizes ‖εf′‖∞ = 1, 10, 100, 1000 up to which this step loses about as
+    /// little as elimination with partial pivoting does: measured by the planner, at seeded points.
+    /// [`LARGEST_SIZE`] where nothing more is lost as far as it looks.
     pub holds_to: u32,
 }
 

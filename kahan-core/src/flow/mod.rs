@@ -1,10 +1,11 @@
 //! The solution of ẋ = f(x) itself, to measure orbits by.
 //!
-//! In: a field, a point, a time. Out: x(t) as polynomials, one for each stretch of time, so that it has a value at every time,
-//! whatever grid asks. They are Taylor series of high order ([`series`]), whose steps follow the motion: short where it is fast,
-//! long where it is slow, ever shorter before a pole. Nothing here knows of Kahan's map, so whatever agrees with a flow shares no
-//! mistake with it.
-//! Deliberately absent: a bound. How far a flow is from the solution shows in how far it is from a second method.
+//! In: a field, a point, a time. Out: x(t) as polynomials, one for each stretch of time, so that it
+//! has a value at every time, whatever grid asks. They are Taylor series of high order
+//! ([`series`]), whose steps follow the motion: short where it is fast, long where it is slow, ever
+//! shorter before a pole. Nothing here knows of Kahan's map, so whatever agrees with a flow shares
+//! no mistake with it. Deliberately absent: a bound. How far a flow is from the solution shows in
+//! how far it is from a second method.
 
 mod series;
 
@@ -17,9 +18,11 @@ use crate::{Dd, QuadraticField};
 pub use series::FlowScalar;
 use series::{Expansion, Series};
 
-/// The solution x(t), 0 ≤ t ≤ [`end`](Self::end), of a quadratic field through a point, computed in T: `f64` or [`Dd`].
+/// The solution x(t), 0 ≤ t ≤ [`end`](Self::end), of a quadratic field through a point, computed in
+/// T: `f64` or [`Dd`].
 ///
-/// Each piece errs by about T's unit roundoff relative to each component; what the flow then makes of these errors is in x(t).
+/// Each piece errs by about T's unit roundoff relative to each component; what the flow then makes
+/// of these errors is in x(t).
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -82,12 +85,13 @@ struct Piece<T> {
 }
 
 impl<T: FlowScalar> Flow<T> {
-    /// Follows the flow from `start` to the time `end`, above 0, and by the part `beyond` of it further, for orbits that do not
-    /// end there exactly; where the solution escapes to infinity in between, nothing is added. Before each piece `go_on` is asked
-    /// with the number of pieces so far.
+    /// Follows the flow from `start` to the time `end`, above 0, and by the part `beyond` of it
+    /// further, for orbits that do not end there exactly; where the solution escapes to infinity in
+    /// between, nothing is added. Before each piece `go_on` is asked with the number of pieces so
+    /// far.
     ///
-    /// Cost: a piece takes about 90 evaluations of the bilinear form in `f64`, 240 in [`Dd`]; it is as long as 0.14 and 0.09 of
-    /// the distance to the nearest singularity in complex time.
+    /// Cost: a piece takes about 90 evaluations of the bilinear form in `f64`, 240 in [`Dd`]; it is
+    /// as long as 0.14 and 0.09 of the distance to the nearest singularity in complex time.
     ///
     /// # Errors
     /// [`NoFlow`].
@@ -152,7 +156,8 @@ impl<T: FlowScalar> Flow<T> {
         self.end
     }
 
-    /// The largest |xᵢ(t)|, over all components and times up to the `end` that was asked for: what errors are relative to.
+    /// The largest |xᵢ(t)|, over all components and times up to the `end` that was asked for: what
+    /// errors are relative to.
     pub fn scale(&self) -> f64 {
         self.scale
     }
@@ -162,18 +167,20 @@ impl<T: FlowScalar> Flow<T> {
         self.slope
     }
 
-    /// The integral of ‖ẍ‖/‖ẋ‖ over the time, in the maximum norm: by what angle, so to say, the motion turns. Unlike the slope
-    /// it says nothing of directions in which nothing moves.
+    /// The integral of ‖ẍ‖/‖ẋ‖ over the time, in the maximum norm: by what angle, so to say, the
+    /// motion turns. Unlike the slope it says nothing of directions in which nothing moves.
     pub fn turning(&self) -> f64 {
         self.turning
     }
 
-    /// The times at which pieces begin, the first of them 0: they lie close where the solution moves fast.
+    /// The times at which pieces begin, the first of them 0: they lie close where the solution
+    /// moves fast.
     pub fn breaks(&self) -> impl ExactSizeIterator<Item = f64> {
         self.pieces.iter().map(|piece| piece.start.into())
     }
 
-    /// x(t), the nearest end's polynomial beyond the ends. Cost: about 60 operations a component in [`Dd`], 36 in `f64`.
+    /// x(t), the nearest end's polynomial beyond the ends. Cost: about 60 operations a component in
+    /// [`Dd`], 36 in `f64`.
     pub fn at(&self, t: Dd) -> Vec<T> {
         let piece = self.piece_at(t);
         let dimension = piece.coefficients.len() / (T::TERMS + 1);
@@ -182,8 +189,8 @@ impl<T: FlowScalar> Flow<T> {
         value
     }
 
-    /// The distance of a point from x(t) in the maximum norm, relative to the [`scale`](Self::scale); what is not a number is
-    /// infinitely far.
+    /// The distance of a point from x(t) in the maximum norm, relative to the
+    /// [`scale`](Self::scale); what is not a number is infinitely far.
     pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
         self.measure(self.piece_at(t), t, x, &mut std::vec![T::zero(); x.len()])
     }
@@ -208,7 +215,8 @@ impl<T: FlowScalar> Flow<T> {
     }
 }
 
-/// Distances from a flow at times that grow: no piece is searched for twice, and nothing is allocated.
+/// Distances from a flow at times that grow: no piece is searched for twice, and nothing is
+/// allocated.
 #[derive(Debug)]
 pub(crate) struct Along<'a, T, const N: usize> {
     flow: &'a Flow<T>,

@@ -4,8 +4,9 @@
 //!
 //! (k + 1) xₖ₊₁ = Σ_{i+j=k} Q(xᵢ,xⱼ) + Bxₖ + [k = 0] c:
 //!
-//! one Cauchy product a coefficient, and no derivative of f beyond f′. Time is counted in units of the radius of convergence, or
-//! nearly, a power of 2, so that coefficients neither overflow nor vanish where the motion is very fast or slow.
+//! one Cauchy product a coefficient, and no derivative of f beyond f′. Time is counted in units of
+//! the radius of convergence, or nearly, a power of 2, so that coefficients neither overflow nor
+//! vanish where the motion is very fast or slow.
 
 use std::vec::Vec;
 
@@ -17,11 +18,12 @@ use super::norm;
 
 /// A scalar that flows are computed in: `f64` and [`Dd`].
 pub trait FlowScalar: FloatScalar + From<f64> + From<Dd> + Into<Dd> {
-    /// The terms beyond x₀: cost falls with the number of steps and grows with its square, so the least lies near the number of
-    /// digits.
+    /// The terms beyond x₀: cost falls with the number of steps and grows with its square, so the
+    /// least lies near the number of digits.
     const TERMS: usize;
 
-    /// A step as a part of the radius of convergence ρ: the first term left out is about (h/ρ)^(TERMS + 1) of the solution.
+    /// A step as a part of the radius of convergence ρ: the first term left out is about
+    /// (h/ρ)^(TERMS + 1) of the solution.
     const PART_OF_RADIUS: f64;
 }
 
@@ -63,8 +65,8 @@ impl<'a, T: FlowScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a, F
         Self { field, linear: field.field_jacobian(&origin), constant: field.field(&origin) }
     }
 
-    /// The series at x₀, whose radius of convergence is about 1/`rate`, or else is found in some more trials. Cost: about
-    /// TERMS²/4 evaluations of the bilinear form.
+    /// The series at x₀, whose radius of convergence is about 1/`rate`, or else is found in some
+    /// more trials. Cost: about TERMS²/4 evaluations of the bilinear form.
     pub(super) fn at(&self, start: SVector<T, N>, rate: f64) -> Series<T, N> {
         /// What the 30th power of keeps far from the ends of the range.
         const NEAR: f64 = (1_u64 << 16) as f64;
@@ -76,7 +78,8 @@ impl<'a, T: FlowScalar, F: QuadraticField<T, N>, const N: usize> Expansion<'a, F
             if (1.0 / NEAR..=NEAR).contains(&size) || norm(&series.coefficients[1]) == 0.0 {
                 break;
             }
-            // Coefficients that are too large, or too small to be seen, say only in which direction.
+            // Coefficients that are too large, or too small to be seen, say only in which
+            // direction.
             rate = power_of_two(match size {
                 size if size == f64::INFINITY => rate / NEAR,
                 size if size > 0.0 => rate / size,
@@ -133,11 +136,13 @@ impl<T: FlowScalar, const N: usize> Series<T, N> {
     }
 }
 
-/// ρ from |xₖ| ~ |x₀|ρ⁻ᵏ in the last two terms, as Jorba and Zou, Exp. Math. 14 (2005) 99, have it, but component by component: one
-/// that is small now may decide later, so it is small errors of itself that count.
+/// ρ from |xₖ| ~ |x₀|ρ⁻ᵏ in the last two terms, as Jorba and Zou, Exp. Math. 14 (2005) 99, have it,
+/// but component by component: one that is small now may decide later, so it is small errors of
+/// itself that count.
 ///
-/// A step h = pρ, p the [part](FlowScalar::PART_OF_RADIUS), leaves out about |x_K|h^K where p^K of the component is allowed. The component
-/// is at least as large as each of its terms |xₖ|hᵏ, and may begin with 0: the term that allows the longest step counts.
+/// A step h = pρ, p the [part](FlowScalar::PART_OF_RADIUS), leaves out about |x_K|h^K where p^K of
+/// the component is allowed. The component is at least as large as each of its terms |xₖ|hᵏ, and
+/// may begin with 0: the term that allows the longest step counts.
 fn radius<T: FlowScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     let size = |k: usize, i: usize| series[k][i].approximate().abs();
     let estimate = |i: usize, last: usize| {
@@ -154,7 +159,8 @@ fn radius<T: FlowScalar, const N: usize>(series: &[SVector<T, N>]) -> f64 {
     (0..N).map(|i| estimate(i, last).min(estimate(i, last - 1))).fold(f64::INFINITY, f64::min)
 }
 
-/// The power of 2 nearest to a rate, within a range whose products do not overflow; 1 where nothing moves, or it is no number.
+/// The power of 2 nearest to a rate, within a range whose products do not overflow; 1 where nothing
+/// moves, or it is no number.
 fn power_of_two(rate: f64) -> f64 {
     let exponent = rate.log2().round();
     if exponent.is_finite() { exponent.clamp(-400.0, 400.0).exp2() } else { 1.0 }

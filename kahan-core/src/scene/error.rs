@@ -18,10 +18,11 @@ pub enum NoSetting {
         /// Its index.
         index: usize,
     },
-    /// The solution leaves the finite range before the horizon, or is so sensitive that not even in 32 digits two methods agree on
-    /// it.
+    /// The solution leaves the finite range before the horizon, or is so sensitive that not even in
+    /// 32 digits two methods agree on it.
     Lost {
-        /// The time at which it leaves, or until which an orbit came near to it, to a tenth of the trajectory's size.
+        /// The time at which it leaves, or until which an orbit came near to it, to a tenth of the
+        /// trajectory's size.
         time: f64,
     },
     /// The horizon takes more than the 10⁶ steps that a choice may cost to be looked at as a whole.
@@ -29,7 +30,8 @@ pub enum NoSetting {
         /// How far it was followed.
         time: f64,
     },
-    /// No setting is as accurate as that, or none that could be found and vouched for in the 10⁶ steps that a choice may cost.
+    /// No setting is as accurate as that, or none that could be found and vouched for in the 10⁶
+    /// steps that a choice may cost.
     OutOfReach {
         /// A tolerance that is expected to be met.
         best: f64,

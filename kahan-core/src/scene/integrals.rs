@@ -12,7 +12,8 @@ use crate::{Composition, Lift};
 use super::setting::{Kind, Mode};
 use super::{NoSetting, Precision, Scene, Setting};
 
-/// Roundings are taken times this: a random walk's end is within a factor of 2 of what is typical 19 times in 20.
+/// Roundings are taken times this: a random walk's end is within a factor of 2 of what is typical
+/// 19 times in 20.
 const SAFETY: f64 = 2.0;
 /// The most steps: as many as `f64` counts.
 const MOST_STEPS: f64 = 9e15;

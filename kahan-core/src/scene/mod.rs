@@ -1,10 +1,11 @@
 //! The stepper for a scene: which numbers, which order, compensated or not, and which ε.
 //!
-//! In: a map, a first point, a time to be simulated, what the orbit is for and how accurate it must be. Out: the [`Setting`]
-//! that serves at the least modelled cost. Nothing is timed, so the answer is the same on every machine of one kind, and every
-//! time: a trajectory is compared with the flow itself ([`trajectory`]), setting by setting ([`search`]), and the plan's own count
-//! of operations gives the price ([`price`]). The command `kahan trade` measures that, too.
-//! Deliberately absent: extrapolation. What is chosen has been run, over the whole horizon.
+//! In: a map, a first point, a time to be simulated, what the orbit is for and how accurate it must
+//! be. Out: the [`Setting`] that serves at the least modelled cost. Nothing is timed, so the answer
+//! is the same on every machine of one kind, and every time: a trajectory is compared with the flow
+//! itself ([`trajectory`]), setting by setting ([`search`]), and the plan's own count of operations
+//! gives the price ([`price`]). The command `kahan trade` measures that, too. Deliberately absent:
+//! extrapolation. What is chosen has been run, over the whole horizon.
 
 mod error;
 mod integrals;
@@ -25,8 +26,9 @@ pub use setting::{Precision, Setting};
 /// What an orbit is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Need {
-    /// To follow the flow's trajectory: the error is the largest distance from it over the horizon, at the times of the steps and with
-    /// the last point standing for the horizon, in the maximum norm, relative to the largest coordinate of the trajectory.
+    /// To follow the flow's trajectory: the error is the largest distance from it over the horizon,
+    /// at the times of the steps and with the last point standing for the horizon, in the maximum
+    /// norm, relative to the largest coordinate of the trajectory.
     Trajectory,
     /// To keep the map's own integrals, those at its ε: the error is the largest change over the horizon, relative to the
     /// value at the beginning. Only Kahan's map itself keeps them, so no composition is considered; the discretisation does
@@ -99,28 +101,33 @@ impl Scene {
         self
     }
 
-    /// The cheapest setting, by the model of cost, that meets the tolerance. It is never one in `f32`, which a single orbit waits for
-    /// as long as for `f64`: its gain is in memory and in the lanes of an [`Ensemble`](crate::Ensemble).
+    /// The cheapest setting, by the model of cost, that meets the tolerance. It is never one in
+    /// `f32`, which a single orbit waits for as long as for `f64`: its gain is in memory and in the
+    /// lanes of an [`Ensemble`](crate::Ensemble).
     ///
     /// # How
-    /// For [`Need::Trajectory`] the [`Flow`](crate::Flow) itself is computed over the whole horizon, and settings are run and compared with it
-    /// at every one of their steps: the one that is chosen was seen to err by at most 0.85 of the tolerance, roundings among it. An orbit
-    /// in [`Dd`](crate::Dd) that came to within a tenth of the tolerance vouches for the flow. All of this is deterministic, so the choice run
-    /// again from the same point errs by the same. What is known of it ends with the horizon, and with the point.
+    /// For [`Need::Trajectory`] the [`Flow`](crate::Flow) itself is computed over the whole
+    /// horizon, and settings are run and compared with it at every one of their steps: the one that
+    /// is chosen was seen to err by at most 0.85 of the tolerance, roundings among it. An orbit in
+    /// [`Dd`](crate::Dd) that came to within a tenth of the tolerance vouches for the flow. All of
+    /// this is deterministic, so the choice run again from the same point errs by the same. What is
+    /// known of it ends with the horizon, and with the point.
     ///
     /// For [`Need::Integrals`], ε‖f′‖∞ is at most 1 at the start, and less if the beginning of the orbit then is not as large as it
     /// should be; the roundings of n steps are taken to be those of a random walk.
     ///
     /// # How good
-    /// Of 2000 seeded scenes of twenty fields, chaotic, stiff, escaping and beside equilibria, with tolerances from 3e-2 to 1e-15, 1893 were
-    /// accepted, none of them beyond its tolerance, and 17 were refused though some setting serves whose three runs take no more
-    /// than 10⁶ steps (`cargo test --release -p kahan-systems --test scenes -- --ignored`). Timed beside every other setting on twelve
-    /// fields at six tolerances from 1e-2 to 1e-14, the choice took at most 1.6 times the time of the cheapest one (the test
-    /// `trade_sweep` beside it).
+    /// Of 2000 seeded scenes of twenty fields, chaotic, stiff, escaping and beside equilibria, with
+    /// tolerances from 3e-2 to 1e-15, 1893 were accepted, none of them beyond its tolerance, and 17
+    /// were refused though some setting serves whose three runs take no more than 10⁶ steps
+    /// (`cargo test --release -p kahan-systems --test scenes -- --ignored`). Timed beside every
+    /// other setting on twelve fields at six tolerances from 1e-2 to 1e-14, the choice took at most
+    /// 1.6 times the time of the cheapest one (the test `trade_sweep` beside it).
     ///
     /// # Cost
-    /// As much as 10⁶ steps of the map at most, most often some 10⁴; a part of them in `Dd`, whose steps take ten times as long. It
-    /// pays where a setting is run for long or used for many orbits.
+    /// As much as 10⁶ steps of the map at most, most often some 10⁴; a part of them in `Dd`, whose
+    /// steps take ten times as long. It pays where a setting is run for long or used for many
+    /// orbits.
     ///
     /// # Errors
     /// [`NoSetting`]: numbers that make no sense, a trajectory that cannot be followed to the horizon, a tolerance that no setting

@@ -1,9 +1,10 @@
 //! Which settings to try: as few as make the answer clear.
 //!
-//! In: what a step of each kind costs, and trials that tell the error of so many steps. Out: the cheapest setting that was seen to
-//! serve. For each order a ladder of more and more steps ([`ladder`]); a second method for what trials are compared with ([`vouch`]);
-//! then, between the last rung that fails and the first that serves, the law error ∝ ε^order. The law says only what to try next: what
-//! is chosen has been tried.
+//! In: what a step of each kind costs, and trials that tell the error of so many steps. Out: the
+//! cheapest setting that was seen to serve. For each order a ladder of more and more steps
+//! ([`ladder`]); a second method for what trials are compared with ([`vouch`]); then, between the
+//! last rung that fails and the first that serves, the law error ∝ ε^order. The law says only what
+//! to try next: what is chosen has been tried.
 
 mod ladder;
 mod vouch;
@@ -16,15 +17,17 @@ use crate::Composition;
 use super::Precision;
 use super::setting::{Kind, Mode};
 
-/// A setting serves whose error against the flow is at most this part of the tolerance,
+/// A setting serves whose error against the flow is at most this part of the tolerance.
 const ENOUGH: f64 = 0.85;
-/// where another trial came so many times nearer to the flow than the tolerance: two methods that are independent, and agree.
+/// A trial vouches for the flow that comes so many times nearer to it than the tolerance: two
+/// methods that are independent, and agree.
 pub(super) const VOUCHING: f64 = 10.0;
 /// Errors above this say nothing: trajectories have lost their phase.
 const SMALL: f64 = 0.1;
 /// Errors that differ by a factor nearer to 1 than this do not differ.
 const STALL: f64 = 0.7;
-/// The part of the time that is left that one trial may take, so that there is some for what vouches.
+/// The part of the time that is left that one trial may take, so that there is some for what
+/// vouches.
 const SHARE: f64 = 0.45;
 /// Steps that differ by less than this factor are not told apart.
 const CLOSE: f64 = 1.06;
@@ -41,8 +44,9 @@ pub(super) trait Trials {
     /// The number of steps to take where about so many are wanted, at least as many.
     fn steps_near(&self, kind: Kind, steps: u64) -> u64;
 
-    /// The error of so many steps over the horizon; infinite where it is beyond use, `None` where it takes too long to find out.
-    /// That is what would take more than this part of the time that is left.
+    /// The error of so many steps over the horizon; infinite where it is beyond use, `None` where
+    /// it takes too long to find out. That is what would take more than this part of the time that
+    /// is left.
     fn error(&mut self, kind: Kind, steps: u64, share: f64) -> Option<f64>;
 
     /// What a step costs.
@@ -152,7 +156,8 @@ impl<L: Trials> Search<L> {
         self.best().map_or(f64::INFINITY, |best| best.cost)
     }
 
-    /// Whether double-double, which has no roundings in common with anything, came as near to the flow as it must.
+    /// Whether double-double, which has no roundings in common with anything, came as near to the
+    /// flow as it must.
     fn is_vouched_for(&self) -> bool {
         let wide = self.tried.iter().filter(|trial| trial.kind.precision == Precision::DoubleDouble);
         wide.into_iter().any(|trial| VOUCHING * trial.error <= self.tolerance)
@@ -163,8 +168,9 @@ impl<L: Trials> Search<L> {
         trial.steps as f64 * (trial.error / error).powf(1.0 / f64::from(trial.kind.composition.order()))
     }
 
-    /// Whether finer steps were seen to err more, and not for roundings: where a motion is stiff, steps of some sizes meet poles of the
-    /// map, and there is more than one stretch of sizes that serve.
+    /// Whether finer steps were seen to err more, and not for roundings: where a motion is stiff,
+    /// steps of some sizes meet poles of the map, and there is more than one stretch of sizes that
+    /// serve.
     fn is_uneven(&self) -> bool {
         let plain = |trial: &&Trial| trial.kind == Mode::PLAIN.kind(trial.kind.composition);
         let is_worse = |coarse: &Trial, fine: &Trial| {

@@ -64,8 +64,8 @@ impl Mode {
     /// `Dd`, whose roundings are never seen.
     pub(super) const WIDE: Self = Self::new(Precision::DoubleDouble, false);
 
-    /// What a single orbit may be chosen to run in besides plain `f64`. Not `f32`, for which it waits as long; and compensation
-    /// makes no sense where no rounding is ever seen.
+    /// What a single orbit may be chosen to run in besides plain `f64`. Not `f32`, for which it
+    /// waits as long; and compensation makes no sense where no rounding is ever seen.
     pub(super) const OTHERS: [Self; 2] = [Self::WIDE, Self::COMPENSATED];
 
     /// Those of them in `f64`.

@@ -1,8 +1,9 @@
 //! The cheapest setting that follows a trajectory.
 //!
-//! In: a map, a first point, a scene. Out: of all settings that were seen to serve, over the whole horizon, the one with the least
-//! price. The solution itself is computed once ([`Flow`]), each setting that comes into question is run and compared with it, and
-//! one that is ten times as accurate as asked vouches for the solution. First all of it in `f64`; where roundings cover what
+//! In: a map, a first point, a scene. Out: of all settings that were seen to serve, over the whole
+//! horizon, the one with the least price. The solution itself is computed once ([`Flow`]), each
+//! setting that comes into question is run and compared with it, and one that is ten times as
+//! accurate as asked vouches for the solution. First all of it in `f64`; where roundings cover what
 //! matters, in [`Dd`].
 
 use std::vec::Vec;
@@ -20,8 +21,9 @@ use super::{NoSetting, Precision, Scene, Setting, price};
 pub(super) const MOST_WORK: f64 = 1e6;
 /// Below this tolerance the roundings of `f64` are felt so soon that it is not begun with.
 const FINE: f64 = 1e-12;
-/// What the roundings of a flow in `f64` are times what one of them grows to: there is one in each of its pieces, and in each of
-/// an orbit's steps; and by how much they must be below the tolerance.
+/// What the roundings of a flow in `f64` are times what one of them grows to: there is one in each
+/// of its pieces, and in each of an orbit's steps; and by how much they must be below the
+/// tolerance.
 const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
 /// The relative distance of two beginnings that tells growth.
 const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
@@ -29,7 +31,8 @@ const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
 const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// The part of what is left that the solution may take.
 const SHARE: f64 = 0.4;
-/// Trials end where they are so far off, relative to the trajectory's size, or a few tolerances: there they say nothing more.
+/// Trials end where they are so far off, relative to the trajectory's size, or a few tolerances:
+/// there they say nothing more.
 const LOST: f64 = 0.1;
 
 pub(super) fn choose<M, const N: usize>(
@@ -87,8 +90,8 @@ impl Budget {
         })
     }
 
-    /// The solution in `f64`, where its roundings stay far below the tolerance: so far as a point beside the first one stays beside
-    /// it.
+    /// The solution in `f64`, where its roundings stay far below the tolerance: so far as a point
+    /// beside the first one stays beside it.
     fn sure_flow<F, const N: usize>(
         &mut self,
         scene: &Scene,
@@ -134,7 +137,8 @@ where
     M: Lift<f64, N>,
 {
     fn choose(&self, budget: &mut Budget) -> Result<Setting, Refusal> {
-        // ε times the rate, on an average, is 4 to begin with: as coarse as compositions, whose stages are shorter, may be.
+        // ε times the rate, on an average, is 4 to begin with: as coarse as compositions, whose
+        // stages are shorter, may be.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
         let runs = Runs { attempt: self, budget, agreed_until: 0.0, is_short_of_work: false };
         let mut search = Search::new(runs, self.scene.tolerance, self.modes);
@@ -173,7 +177,8 @@ where
     T: FlowScalar,
     M: Lift<f64, N>,
 {
-    /// A power of 2 where the end is to be met more accurately than an ε that is rounded, an `f64` in every kind, has it.
+    /// A power of 2 where the end is to be met more accurately than an ε that is rounded, an `f64`
+    /// in every kind, has it.
     fn steps_near(&self, kind: Kind, steps: u64) -> u64 {
         let is_finer =
             kind.precision == Precision::DoubleDouble && self.attempt.scene.tolerance < EPS_ROUNDING;

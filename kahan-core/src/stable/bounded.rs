@@ -12,8 +12,9 @@
 //!   γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and there is no quotient. Where 1/|â| is at hand, as for a reciprocal 2/d or
 //!   2/d/d′, the same m is |v̂|·(mₐ/|â| + m_b/|b̂|), and what is in parentheses is kept as a sum.
 //!
-//! Magnitudes are rounded themselves, v̂ stands for v where they are made, and γₖ is taken as k·u; [`SLACK`] pays for all three as
-//! long as k·u is at most 1/10. A number of the last rungs knows how far it may be off, and m and k follow from that.
+//! Magnitudes are rounded themselves, v̂ stands for v where they are made, and γₖ is taken as k·u;
+//! [`SLACK`] pays for all three as long as k·u is at most 1/10. A number of the last rungs knows
+//! how far it may be off, and m and k follow from that.
 //!
 //! # Underflow
 //! An operation that underflows is off by η at most, and m with it. With all inputs at most 2ᴸ in size and all products of them
@@ -84,8 +85,9 @@ macro_rules! operations {
 
 pub(super) use operations;
 
-/// What magnitudes are multiplied by before they are believed: they are rounded, quotients are made of rounded values, and
-/// (1+u)ᵏ − 1 is more than k·u. Quotients have it twice, which is once more than they need.
+/// What magnitudes are multiplied by before they are believed: they are rounded, quotients are made
+/// of rounded values, and (1+u)ᵏ − 1 is more than k·u. Quotients have it twice, which is once more
+/// than they need.
 pub(super) const SLACK: f64 = 1.0625;
 
 /// A value v̂ with |v̂ − v| ≤ γₖ·m, and how both are held.
@@ -225,8 +227,8 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         .settled()
     }
 
-    /// Where a value knows its radius r, |v| ≤ m and |v̂ − v| ≤ γ₁·m hold with m = |v̂| + r/u, whatever cancelled on its way; with
-    /// r = 0 there is no error.
+    /// Where a value knows its radius r, |v| ≤ m and |v̂ − v| ≤ γ₁·m hold with m = |v̂| + r/u,
+    /// whatever cancelled on its way; with r = 0 there is no error.
     #[inline(always)]
     fn settled(self) -> Self {
         let value = self.value();

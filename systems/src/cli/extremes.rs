@@ -15,12 +15,14 @@ use super::progress::Progress;
 
 /// Tries steps at the extremes and judges each by exact arithmetic from the very floats that it was given.
 ///
-/// The points are seeded and stratified: a quarter each near poles, near removable poles, of mixed magnitudes, and ordinary;
-/// besides a few with subnormal, infinite and NaN inputs, and a few large steps, with |eps f'| from 1 to 1000, for which elimination
-/// with partial pivoting (lu) is judged besides the tiers. In f64 eps runs over 1e-300 to 1e300 and x over 1e-150 to 1e150, in
-/// f32 over the like part of its range. Poles are found by bisection in exact arithmetic and left by relative distances of 2^-k, down
-/// to the nearest float. A parameter that is not given is drawn for each trial: of ordinary size, but for some of the points of
-/// mixed magnitudes, and some below the normal range.
+/// The points are seeded and stratified: a quarter each near poles, near removable poles, of mixed
+/// magnitudes, and ordinary; besides a few with subnormal, infinite and NaN inputs, and a few large
+/// steps, with |eps f'| from 1 to 1000, for which elimination with partial pivoting (lu) is judged
+/// besides the tiers. In f64 eps runs over 1e-300 to 1e300 and x over 1e-150 to 1e150, in f32 over
+/// the like part of its range. Poles are found by bisection in exact arithmetic and left by
+/// relative distances of 2^-k, down to the nearest float. A parameter that is not given is drawn
+/// for each trial: of ordinary size, but for some of the points of mixed magnitudes, and some below
+/// the normal range.
 ///
 /// `step` is the fast tier, in dd the accurate one: silently wrong is a finite result that is off by more than 1e-3 of the exact one's largest component.
 /// `try_step` is the stable tier: silently wrong is an Ok that is off by more than 64 u of it (u = 2^-24 for f32, 2^-53 for f64, 2^-102 for dd), or
@@ -42,8 +44,9 @@ pub(crate) struct Extremes {
 
     /// Besides, so many random fields of two to six variables, which the seed draws, too.
     ///
-    /// Sparse ones, with constant and linear terms, with parameters and divisors of them, and dense ones; interpreted, and listed
-    /// below the table. Fields without a closed form within the budget of terms are left out and drawn again.
+    /// Sparse ones, with constant and linear terms, with parameters and divisors of them, and dense
+    /// ones; interpreted, and listed below the table. Fields without a closed form within the
+    /// budget of terms are left out and drawn again.
     #[arg(long, value_name = "N", default_value = "0")]
     random_fields: usize,
 
@@ -51,8 +54,9 @@ pub(crate) struct Extremes {
     #[arg(long, value_name = "S", default_value = "1", allow_hyphen_values = true, value_parser = seed)]
     seed: u64,
 
-    /// Print one JSON object: system, systems, trials, seed, seconds, random_fields (name, text), cells (regime, tier,
-    /// scalar, trials, max_error_u, flagged, unjustified_flags, silently_wrong), failures.
+    /// Print one JSON object: system, systems, trials, seed, seconds, random_fields (name, text),
+    /// cells (regime, tier, scalar, trials, max_error_u, flagged, unjustified_flags,
+    /// silently_wrong), failures.
     #[arg(long)]
     json: bool,
 }

@@ -24,10 +24,12 @@ use paste::rust_of;
 /// 8 its compositions), whether the state carries its rounding error (compensated), and eps. Its price is nanoseconds per unit of
 /// simulated time. Two needs:
 ///
-/// trajectory: to follow the flow. The error is the largest distance from the flow's trajectory over the whole horizon, at the times of
-/// the steps and with the last point standing for the horizon, in the maximum norm, relative to the trajectory's largest coordinate. The trajectory is a Taylor series in 32 digits that agrees with a
-/// second method (the closed solution, where the catalog has one, else a composition of order 8) to a thousandth of the
-/// tolerance; where they do not agree, or the solution escapes to infinity within the horizon, the command refuses.
+/// trajectory: to follow the flow. The error is the largest distance from the flow's trajectory
+/// over the whole horizon, at the times of the steps and with the last point standing for the
+/// horizon, in the maximum norm, relative to the trajectory's largest coordinate. The trajectory is
+/// a Taylor series in 32 digits that agrees with a second method (the closed solution, where the
+/// catalog has one, else a composition of order 8) to a thousandth of the tolerance; where they do
+/// not agree, or the solution escapes to infinity within the horizon, the command refuses.
 ///
 /// integrals: to keep the claimed integrals (those without `when`). The error is the largest change over the horizon relative to the
 /// value at the beginning, evaluated in 32 digits at the eps of the orbit: of the map's own integrals at order 2, of the
@@ -37,14 +39,17 @@ use paste::rust_of;
 /// is nearest to it. In the table, `return` is how far from the first point an orbit comes home that goes all its steps forward
 /// and back.
 ///
-/// Settings are measured until the answer is clear: nothing finer than what does, nothing dearer. The table shows the front, which
-/// no other setting beats in price and error together; --json has all. To keep integrals every eps has few bits (17, and 8 in f32), so
-/// that its powers are exact: keep it as it is printed. It matters in long runs at order 2, from some 1e5 steps on, where the step
-/// multiplies eps with itself or with parameters (the Euler top's does): with an eps that makes these products rounded, what the map
-/// conserves drifts linearly, compensated or not. At higher orders the stages round theirs anyway. A system of the catalog is timed as
-/// compiled; a field given as text is run by an interpreter, and its prices are those of the compiled E6 on this machine,
-/// scaled by what the two steps are counted to cost; f32 is taken to be no cheaper than f64 there, as how compilers pack its steps is
-/// not foreseen. Where no setting meets the tolerance the exit status is 1.
+/// Settings are measured until the answer is clear: nothing finer than what does, nothing dearer.
+/// The table shows the front, which no other setting beats in price and error together; --json has
+/// all. To keep integrals every eps has few bits (17, and 8 in f32), so that its powers are exact:
+/// keep it as it is printed. It matters in long runs at order 2, from some 1e5 steps on, where the
+/// step multiplies eps with itself or with parameters (the Euler top's does): with an eps that
+/// makes these products rounded, what the map conserves drifts linearly, compensated or not. At
+/// higher orders the stages round theirs anyway. A system of the catalog is timed as compiled; a
+/// field given as text is run by an interpreter, and its prices are those of the compiled E6 on
+/// this machine, scaled by what the two steps are counted to cost; f32 is taken to be no cheaper
+/// than f64 there, as how compilers pack its steps is not foreseen. Where no setting meets the
+/// tolerance the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Trade {

@@ -106,10 +106,11 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     }
 }
 
-/// `trials` trials of `f32`, `f64` and `Dd` each, a quarter each near poles, near removable poles, of mixed magnitudes and ordinary, and a
-/// thirty-second part (at least eight) with subnormal inputs, as many with inputs that are not finite, and as many large steps, for which elimination is judged besides, over
-/// all subjects in turn. Where
-/// none of them has a removable pole, that quarter goes to the poles.
+/// `trials` trials of `f32`, `f64` and `Dd` each, a quarter each near poles, near removable poles,
+/// of mixed magnitudes and ordinary, and a thirty-second part (at least eight) with subnormal
+/// inputs, as many with inputs that are not finite, and as many large steps, for which elimination
+/// is judged besides, over all subjects in turn. Where none of them has a removable pole, that
+/// quarter goes to the poles.
 ///
 /// `threads` is the number of threads, by default as many as the machine runs at once; `progress` is told how many trials were
 /// made since it was last called, from any of them.

@@ -129,7 +129,8 @@ impl<T: Float> Points<'_, T> {
         self.mixed()
     }
 
-    /// An ordinary point with one or more of its numbers replaced: coordinates, ε, and parameters that are not given.
+    /// An ordinary point with one or more of its numbers replaced: coordinates, ε, and parameters
+    /// that are not given.
     fn altered(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
         let (n, epsilon) = (self.judge.dimension(), self.judge.epsilon());
@@ -143,8 +144,8 @@ impl<T: Float> Points<'_, T> {
         inputs
     }
 
-    /// Floats of these binades, one in sixteen of the states 0; parameters of ordinary size, but for one in eight of the points of mixed
-    /// magnitudes, which has them of any size.
+    /// Floats of these binades, one in sixteen of the states 0; parameters of ordinary size, but
+    /// for one in eight of the points of mixed magnitudes, which has them of any size.
     fn inputs(&mut self, regime: Regime, sizes: &[i64], eps: i64) -> Inputs<T> {
         let state = |points: &mut Self, binade: i64| {
             let binade = binade.clamp(-T::STATE_BINADES, T::STATE_BINADES);

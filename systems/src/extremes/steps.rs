@@ -22,7 +22,8 @@ pub(crate) trait Steps<T>: Send + Sync {
     /// x̃ by the step through a wider format; `None` where the scalar has none.
     fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 
-    /// x̃ by elimination with partial pivoting; `None` where det A is zero and the scalar has no reciprocal of that.
+    /// x̃ by elimination with partial pivoting; `None` where det A is zero and the scalar has no
+    /// reciprocal of that.
     fn eliminated(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 
     /// The entries of f′(x), row by row.

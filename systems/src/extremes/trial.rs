@@ -33,7 +33,8 @@ pub(super) fn with_special_inputs(trials: u64) -> u64 {
     trials + 3 * special(trials)
 }
 
-/// The trials with subnormal inputs, and as many with inputs that are not finite, and as many large steps.
+/// The trials with subnormal inputs, and as many with inputs that are not finite, and as many large
+/// steps.
 fn special(trials: u64) -> u64 {
     (trials / 32).max(8)
 }

@@ -1,8 +1,10 @@
-//! Seeded random fields as trees: what `kahan extremes` tries besides the catalog, and the text that the tests' back ends read.
+//! Seeded random fields as trees: what `kahan extremes` tries besides the catalog, and the text
+//! that the tests' back ends read.
 //!
-//! In: seeds. Out: sparse fields, fields with linear and constant terms, with parameters and divisors of them, with parameters before
-//! unit terms, in awkward spellings, and dense ones; as text, and as values computed from the tree (a third opinion, which
-//! knows neither parser nor polynomials).
+//! In: seeds. Out: sparse fields, fields with linear and constant terms, with parameters and
+//! divisors of them, with parameters before unit terms, in awkward spellings, and dense ones; as
+//! text, and as values computed from the tree (a third opinion, which knows neither parser nor
+//! polynomials).
 
 mod tree;
 
@@ -56,7 +58,8 @@ const KINDS: [(&str, Maker); 5] =
 /// The kinds of [`numbered`]. Unit terms come twice, with other draws.
 const ALL_KINDS: [Maker; 7] = [sparse, coupled, affine, scaled, spelled, coupled, dense];
 
-/// The field of a seed with this number, of 2 to 6 variables: every kind in every dimension in turn.
+/// The field of a seed with this number, of 2 to 6 variables: every kind in every dimension in
+/// turn.
 ///
 /// Its name tells the number. The larger dense ones have no closed form within the budget of terms.
 #[must_use]
@@ -160,8 +163,8 @@ fn scaled(n: usize, draw: &mut Draw) -> RandomField {
     field("Scaled", "parameters, and divisors of them", states, equations, &PARAMETERS)
 }
 
-/// A linear and a quadratic part of unit terms, the linear one with a parameter here and there: at parameters of ±1 leading terms of
-/// det A cancel.
+/// A linear and a quadratic part of unit terms, the linear one with a parameter here and there: at
+/// parameters of ±1 leading terms of det A cancel.
 fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let sign = |draw: &mut Draw, term: Tree| if draw.below(2) == 0 { term } else { negated(term) };

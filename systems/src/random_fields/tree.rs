@@ -1,7 +1,8 @@
 //! Expressions as trees, with their text and their value.
 //!
-//! In: what a random field is made of. Out: text with the parentheses that the usual precedence needs and no others, and
-//! the value at named numbers. The value of a literal is that of its digits, read here and not by the front end.
+//! In: what a random field is made of. Out: text with the parentheses that the usual precedence
+//! needs and no others, and the value at named numbers. The value of a literal is that of its
+//! digits, read here and not by the front end.
 
 use std::fmt;
 
@@ -143,7 +144,8 @@ impl fmt::Display for Tree {
                     if index > 0 {
                         f.write_str("*")?;
                     }
-                    // A quotient may open a product: a/b*c is (a/b)·c. Elsewhere it needs parentheses.
+                    // A quotient may open a product: a/b*c is (a/b)·c. Elsewhere it needs
+                    // parentheses.
                     let least = if index == 0 { Level::Product } else { Level::Power };
                     grouped(f, factor, least)?;
                 }

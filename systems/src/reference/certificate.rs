@@ -147,7 +147,8 @@ mod tests {
         comparison.certificate(Method::ClosedSolution)
     }
 
-    /// The largest difference, wherever it was seen; and nothing is agreed on after the first that is too large.
+    /// The largest difference, wherever it was seen; and nothing is agreed on after the first that
+    /// is too large.
     #[test]
     fn a_certificate_holds_the_largest_difference_and_the_time_before_it() {
         let smooth = certificate(&[1e-12, 3e-11, 2e-11]);

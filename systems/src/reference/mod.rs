@@ -118,7 +118,8 @@ impl Reference {
         self.flow.turning()
     }
 
-    /// The times at which the polynomials begin, the first of them 0: they lie close where the solution moves fast.
+    /// The times at which the polynomials begin, the first of them 0: they lie close where the
+    /// solution moves fast.
     pub fn breaks(&self) -> impl ExactSizeIterator<Item = f64> {
         self.flow.breaks()
     }

@@ -1,6 +1,7 @@
 //! The first method: the flow itself, as Taylor series in time, continued from point to point.
 //!
-//! In: a field over double-double numbers, a point, a time, limits. Out: a [`Flow`], or why there is none.
+//! In: a field over double-double numbers, a point, a time, limits. Out: a [`Flow`], or why there
+//! is none.
 
 use std::time::Instant;
 

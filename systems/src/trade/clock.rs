@@ -49,7 +49,8 @@ impl Clock {
         };
         let scaled =
             Clock(self.0.into_iter().map(|(kind, time)| (kind, time * ratio(kind.scalar))).collect());
-        // How compilers pack steps in single precision is not foreseen, and has made them twice as slow; they are never much faster.
+        // How compilers pack steps in single precision is not foreseen, and has made them twice as
+        // slow; they are never much faster.
         let at_least = |kind: Kind| match kind.scalar {
             ScalarKind::F32 | ScalarKind::F32ThroughF64 => {
                 scaled.nanoseconds(kind).max(scaled.nanoseconds(Kind { scalar: ScalarKind::F64, ..kind }))

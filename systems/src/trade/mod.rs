@@ -36,8 +36,9 @@ pub use kind::{Kind, ORDERS, ScalarKind};
 /// What an orbit is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Need {
-    /// To follow the flow's trajectory: the error is the largest distance from it over the horizon, at the times of the steps and with
-    /// the last point standing for the horizon, in the maximum norm, relative to the largest coordinate of the trajectory.
+    /// To follow the flow's trajectory: the error is the largest distance from it over the horizon,
+    /// at the times of the steps and with the last point standing for the horizon, in the maximum
+    /// norm, relative to the largest coordinate of the trajectory.
     Trajectory,
     /// To keep the integrals: the error is the largest change of the map's own (at its ε; of a composition, which has none of
     /// its own, of the flow's) over the horizon, relative to the value at the beginning.

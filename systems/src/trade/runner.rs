@@ -16,8 +16,9 @@ use super::kind::{Kind, ScalarKind};
 
 /// A system at a starting point.
 pub(super) trait Runner {
-    /// Shows the first point of an orbit with ε = `eps` and those after the numbers of steps in `stops`, which grow; the seconds that
-    /// it took, without the preparations. The orbit begins at `from`, or at the scene's own point.
+    /// Shows the first point of an orbit with ε = `eps` and those after the numbers of steps in
+    /// `stops`, which grow; the seconds that it took, without the preparations. The orbit begins at
+    /// `from`, or at the scene's own point.
     fn follow(&self, kind: Kind, eps: f64, from: Option<&[Dd]>, stops: Stops<'_>, visit: Visit<'_>) -> f64;
 
     /// The trajectory to compare with.

@@ -82,8 +82,9 @@ impl Study<'_> {
         }
     }
 
-    /// Whether finer steps were seen to err more, and not for roundings: where a motion is stiff, steps of some sizes meet poles of the
-    /// map, and there is more than one stretch of sizes that serve.
+    /// Whether finer steps were seen to err more, and not for roundings: where a motion is stiff,
+    /// steps of some sizes meet poles of the map, and there is more than one stretch of sizes that
+    /// serve.
     fn is_uneven(&self) -> bool {
         let doubles = || {
             let plain = self.settings.iter().filter(|setting| !setting.kind.compensated);
@@ -97,7 +98,8 @@ impl Study<'_> {
         })
     }
 
-    /// Tries all sizes of steps, as far as they cost less than what is known to do, and there is time.
+    /// Tries all sizes of steps, as far as they cost less than what is known to do, and there is
+    /// time.
     fn scan(&mut self, kind: Kind, coarsest: u64) {
         let mut steps = coarsest;
         while CLOSE * self.cost(kind, steps) < self.least_cost()
@@ -160,7 +162,8 @@ impl Study<'_> {
         roundings
     }
 
-    /// Whether so many steps err by their roundings rather than by their order: double-double, which has none, errs less.
+    /// Whether so many steps err by their roundings rather than by their order: double-double,
+    /// which has none, errs less.
     fn has_roundings(&mut self, kind: Kind, steps: u64, error: f64) -> bool {
         let wide = Kind { scalar: ScalarKind::Dd, compensated: false, ..kind };
         kind == wide

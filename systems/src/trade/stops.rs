@@ -2,9 +2,10 @@
 
 use crate::reference::Reference;
 
-/// Steps at equal distances along an orbit, or all where they are fewer,
+/// Steps at equal distances along an orbit, or all where they are fewer.
 const EVENLY: u64 = 512;
-/// and on each stretch of the trajectory that one polynomial describes: there are many where it moves fast, however short that is.
+/// Steps on each stretch of the trajectory that one polynomial describes: there are many where it
+/// moves fast, however short that is.
 const ON_A_PIECE: u32 = 3;
 
 /// Numbers of steps after which an orbit is looked at, each larger than the one before.

@@ -40,7 +40,8 @@ pub(super) struct Study<'a> {
 impl Study<'_> {
     /// The error that the need is about, at about so many steps over the horizon; `None` where there is no time for it.
     pub(super) fn error(&mut self, kind: Kind, steps: u64) -> Option<f64> {
-        // A power of 2 where the end is to be met more accurately than an ε that is rounded, to `f64` for `dd` too, has it.
+        // A power of 2 where the end is to be met more accurately than an ε that is rounded, to
+        // `f64` for `dd` too, has it.
         let is_finer = (self.need, kind.scalar) == (Need::Trajectory, ScalarKind::Dd)
             && self.tolerance < 16.0 * f64::EPSILON;
         let steps = if is_finer { steps.next_power_of_two() } else { steps };

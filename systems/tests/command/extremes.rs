@@ -11,7 +11,8 @@ fn the_object_has_a_cell_for_every_regime_tier_and_scalar() {
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     assert_eq!((&object["system"], &object["trials"]), (&"e3".into(), &64.into()));
     let cells = object["cells"].as_array().expect("a list");
-    // Fast and stable f32 and f64, f32 through f64, accurate and stable dd; lu in each of them for large steps.
+    // Fast and stable f32 and f64, f32 through f64, accurate and stable dd; lu in each of them for
+    // large steps.
     assert_eq!(cells.len(), 7 * 7 + 3);
     let of_lu = |cell: &&Value| cell["tier"] == "lu";
     assert!(cells.iter().filter(of_lu).all(|cell| cell["regime"] == "large steps"));
@@ -44,7 +45,8 @@ fn a_field_of_ones_own_is_judged_as_its_compiled_code_would_be() {
     cells(&["extremes", "--field", "xdot = x*y/mu + 1/3; ydot = mu - x^2;"]);
 }
 
-/// The fields of two commands with one seed are the same, and stand in the answer as they can be read again.
+/// The fields of two commands with one seed are the same, and stand in the answer as they can be
+/// read again.
 #[test]
 fn random_fields_are_drawn_by_the_seed_and_told() {
     let object = |seed: &str| {

@@ -3,7 +3,8 @@
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_systems::registry::SYSTEMS;
 
-/// Fields of six variables that lose digits where states are eliminated by pivots of 1, or minors cancel.
+/// Fields of six variables that lose digits where states are eliminated by pivots of 1, or minors
+/// cancel.
 const HARD: [(&str, &str); 6] = [
     (
         "three waves",

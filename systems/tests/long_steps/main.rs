@@ -1,8 +1,10 @@
-//! Long steps: the fast tier beside elimination with partial pivoting, both against exact rationals.
+//! Long steps: the fast tier beside elimination with partial pivoting, both against exact
+//! rationals.
 //!
-//! In `f64`, at points with ‖εf′‖∞ near 1, 10, 100 and 1000: up to the size to which a step [holds](StepPlan::holds_to), its median
-//! error ‖x̃ − exact‖∞/(u‖exact‖∞) is at most 30 times that of elimination, or 300, and its 99th percentile 100 times, or 1000. The
-//! large sample, of 300 fields, is a command; `KAHAN_SEED` draws other fields and points:
+//! In `f64`, at points with ‖εf′‖∞ near 1, 10, 100 and 1000: up to the size to which a step
+//! [holds](StepPlan::holds_to), its median error ‖x̃ − exact‖∞/(u‖exact‖∞) is at most 30 times that
+//! of elimination, or 300, and its 99th percentile 100 times, or 1000. The large sample, of 300
+//! fields, is a command; `KAHAN_SEED` draws other fields and points:
 //! `KAHAN_SEED=7 cargo test --release -p kahan-systems --test long_steps -- --ignored --nocapture`.
 
 mod fields;
@@ -94,10 +96,11 @@ impl<'a> Linear<'a> {
             let pivot = (k..n).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs())).expect("a row");
             a.swap(k, pivot);
             b.swap(k, pivot);
+            let row = a[k].clone();
             for i in k + 1..n {
-                let factor = a[i][k] / a[k][k];
-                for j in k + 1..n {
-                    a[i][j] -= factor * a[k][j];
+                let factor = a[i][k] / row[k];
+                for (entry, above) in a[i].iter_mut().zip(&row).skip(k + 1) {
+                    *entry -= factor * above;
                 }
                 b[i] -= factor * b[k];
             }

@@ -1,8 +1,10 @@
-//! What `Scene::trajectory` chooses, on seeded scenes of twenty fields: chaotic, stiff, escaping, beside equilibria.
+//! What `Scene::trajectory` chooses, on seeded scenes of twenty fields: chaotic, stiff, escaping,
+//! beside equilibria.
 //!
-//! The truth is a Taylor series in 32 digits that a second method agrees with to a tenth of the tolerance; scenes without one
-//! are not judged. No clock: every run of a seed gives the same numbers. Two thousand scenes take minutes, so they are not part of
-//! `cargo test`; repeat them, or others, with
+//! The truth is a Taylor series in 32 digits that a second method agrees with to a tenth of the
+//! tolerance; scenes without one are not judged. No clock: every run of a seed gives the same
+//! numbers. Two thousand scenes take minutes, so they are not part of `cargo test`; repeat them, or
+//! others, with
 //! `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-systems --test scenes -- --ignored --nocapture`.
 
 mod fields;

@@ -88,7 +88,8 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
         (self.map.lift(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
-    /// The largest distance from the reference over every step, the last standing for the horizon; as soon as it is beyond `enough`, that.
+    /// The largest distance from the reference over every step, the last standing for the horizon;
+    /// as soon as it is beyond `enough`, that.
     pub(crate) fn error(&self, setting: &Setting, enough: f64) -> f64 {
         let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
         let dt = Dd::from(2.0 * setting.eps);

@@ -1,4 +1,5 @@
-//! The weakenings: where, what stands there, what is put in its place, and the tests that must notice.
+//! The weakenings: where, what stands there, what is put in its place, and the tests that must
+//! notice.
 
 /// One of them.
 pub(crate) struct Weakening {

@@ -1,5 +1,5 @@
-//! Plans in floats that are rounded as one likes. This runs in every expansion of the macro, which is compiled without optimisation:
-//! hence plain loops over plain floats.
+//! Plans in floats that are rounded as one likes. This runs in every expansion of the macro, which
+//! is compiled without optimisation: hence plain loops over plain floats.
 
 use super::super::{Node, Operation, Plan};
 
@@ -28,7 +28,8 @@ impl<'a> Program<'a> {
         Program { plan, start: plan.operations.iter().map(value).collect() }
     }
 
-    /// The results, everything being rounded by `round`; `inputs` by the index of their variable, a multiply-add rounds twice.
+    /// The results, everything being rounded by `round`; `inputs` by the index of their variable, a
+    /// multiply-add rounds twice.
     pub(super) fn run(&self, round: impl Fn(f64) -> f64, inputs: &[f64], prepared: &[f64]) -> Vec<f64> {
         let mut values = self.start.clone();
         let mut index = 0;

@@ -27,8 +27,8 @@ pub(super) struct Elimination {
 }
 
 impl Trial {
-    /// A random point with ‖εf′‖∞ near `size`: states from cubes of half widths 2⁻³ to 2¹⁰, parameters from 1/2 to 2 in size. `None`
-    /// where f′ vanishes, or det A.
+    /// A random point with ‖εf′‖∞ near `size`: states from cubes of half widths 2⁻³ to 2¹⁰,
+    /// parameters from 1/2 to 2 in size. `None` where f′ vanishes, or det A.
     pub(super) fn draw(elimination: &Elimination, size: f64, random: &mut SplitMix64) -> Option<Self> {
         let Elimination { states, parameters, .. } = *elimination;
         let width = 2_f64.powi(random.below(14) as i32 - 3);
@@ -58,7 +58,8 @@ impl Trial {
         trial.elimination.is_finite().then_some(trial)
     }
 
-    /// The largest error of a component, in units u of the largest component; infinite where one is not finite.
+    /// The largest error of a component, in units u of the largest component; infinite where one is
+    /// not finite.
     pub(super) fn error(&self, next: &[f64]) -> f64 {
         let (mut size, mut off) = (0.0_f64, 0.0_f64);
         for (exact, computed) in self.next.iter().zip(next) {

@@ -1,6 +1,7 @@
 //! The four operations on [`Wide`], and what follows from them.
 //!
-//! Each is exact until digits are cut off, and what is cut off goes into the radius beside what the operands' radii grow to.
+//! Each is exact until digits are cut off, and what is cut off goes into the radius beside what the
+//! operands' radii grow to.
 
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

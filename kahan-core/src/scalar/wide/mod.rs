@@ -1,22 +1,26 @@
-//! A software float whose exponent never runs out, and whose digits lie wherever they are needed: what judges a step where
-//! hardware floats cannot.
+//! A software float whose exponent never runs out, and whose digits lie wherever they are needed:
+//! what judges a step where hardware floats cannot.
 //!
-//! In: floats, constants, and the generated step that runs over any [`Scalar`](crate::Scalar). Out: the same step with a bound on
-//! the error of each of its values. A number is a [row](rows) of at most [`DIGITS`] digits to the base 2⁶⁴ over a
-//! denominator of 64 bits. Digits that are zero take no room: (2¹⁰⁰⁰ + 1)² − 2²⁰⁰⁰ has all of its bits, however far apart they
-//! lie, and sums and products of fractions as a field is written with, 1/3 or 2/7, are exact. Where digits run out, the
-//! lowest are cut off, and a *radius* says how far the number may be from the value of its formula.
+//! In: floats, constants, and the generated step that runs over any [`Scalar`](crate::Scalar). Out:
+//! the same step with a bound on the error of each of its values. A number is a [row](rows) of at
+//! most [`DIGITS`] digits to the base 2⁶⁴ over a denominator of 64 bits. Digits that are zero take
+//! no room: (2¹⁰⁰⁰ + 1)² − 2²⁰⁰⁰ has all of its bits, however far apart they lie, and sums and
+//! products of fractions as a field is written with, 1/3 or 2/7, are exact. Where digits run out,
+//! the lowest are cut off, and a *radius* says how far the number may be from the value of its
+//! formula.
 //!
-//! No fixed size is enough for every step: D(x,ε) of six variables may have hundreds of terms of twelve factors, 636 bits each,
-//! anywhere between 2⁻¹²⁸⁸⁸ and 2¹²²⁸⁸; written out that would be 3 kB a number, megabytes for a step. What has to be kept is
-//! no more than the terms that are left when larger ones have cancelled.
+//! No fixed size is enough for every step: D(x,ε) of six variables may have hundreds of terms of
+//! twelve factors, 636 bits each, anywhere between 2⁻¹²⁸⁸⁸ and 2¹²²⁸⁸; written out that would be 3
+//! kB a number, megabytes for a step. What has to be kept is no more than the terms that are left
+//! when larger ones have cancelled.
 //!
-//! Nothing overflows: places reach to ±2⁴⁰, and a number beyond is undefined. What has no value (a float that is not
-//! finite, a division by zero) is *undefined* as well, which every operation passes on. There are no signed zeros, no
-//! infinities and no rounding modes; conversions to hardware floats are correctly rounded.
+//! Nothing overflows: places reach to ±2⁴⁰, and a number beyond is undefined. What has no value (a
+//! float that is not finite, a division by zero) is *undefined* as well, which every operation
+//! passes on. There are no signed zeros, no infinities and no rounding modes; conversions to
+//! hardware floats are correctly rounded.
 //!
-//! [`rows`] is arithmetic on rows of digits, [`arithmetic`] the operators, [`convert`] the ways in and out, [`size`] how large
-//! such a number is, and [`scalar`] what a Kahan map asks for.
+//! [`rows`] is arithmetic on rows of digits, [`arithmetic`] the operators, [`convert`] the ways in
+//! and out, [`size`] how large such a number is, and [`scalar`] what a Kahan map asks for.
 
 mod arithmetic;
 mod convert;
@@ -41,9 +45,9 @@ const FARTHEST: u64 = 1 << 40;
 
 /// A number of [`DIGITS`] digits of 64 bits, and how far it may be from what it stands for.
 ///
-/// It is the sum of digit·2^(64·(place − below)), over the denominator. Beside what its operands' radii grow to, the radius
-/// of a sum, difference, product or quotient is at most 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT) of it, and 0 where nothing was
-/// cut off.
+/// It is the sum of digit·2^(64·(place − below)), over the denominator. Beside what its operands'
+/// radii grow to, the radius of a sum, difference, product or quotient is at most
+/// 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT) of it, and 0 where nothing was cut off.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wide {
     digits: [i64; DIGITS],
@@ -63,7 +67,8 @@ impl Wide {
     /// [`DIGITS`], for reports.
     pub(crate) const MOST_DIGITS: usize = DIGITS;
 
-    /// Each operation cuts off at most 2^UNIT_EXPONENT of its result: 17 digits are at least 2⁶⁴·¹⁶⁻¹ units of the last.
+    /// Each operation cuts off at most 2^UNIT_EXPONENT of its result: 17 digits are at least
+    /// 2⁶⁴·¹⁶⁻¹ units of the last.
     pub(crate) const UNIT_EXPONENT: i64 = -(64 * (DIGITS as i64 - 1) - 2);
 
     const ZERO: Self = Self {
@@ -103,7 +108,8 @@ impl Wide {
         Row::of_digits(digits.map(|(digit, below)| (self.place - i64::from(*below), *digit)))
     }
 
-    /// How far the value of the formula may be from this: 0 where nothing was cut off, in it or in what it was made from.
+    /// How far the value of the formula may be from this: 0 where nothing was cut off, in it or in
+    /// what it was made from.
     pub(crate) fn radius(&self) -> Size {
         self.radius
     }

@@ -1,15 +1,19 @@
-//! Exact sums and products of digits to the base 2⁶⁴, wherever these lie: places without a digit take no room.
+//! Exact sums and products of digits to the base 2⁶⁴, wherever these lie: places without a digit
+//! take no room.
 //!
-//! Digits carry signs, from −2⁶³ to 2⁶³ − 1, so 2¹⁰⁰⁰ − 1 has two of them: a difference fills no gap with borrows. A row is worth
-//! the sum of digit·2^(64·place), and its sign is that of its leading digit. What a row has no room for is cut off at its low
-//! end, and the row says how much that is at most.
+//! Digits carry signs, from −2⁶³ to 2⁶³ − 1, so 2¹⁰⁰⁰ − 1 has two of them: a difference fills no
+//! gap with borrows. A row is worth the sum of digit·2^(64·place), and its sign is that of its
+//! leading digit. What a row has no room for is cut off at its low end, and the row says how much
+//! that is at most.
 
 use super::{DIGITS, Size};
 
-/// The digits of a row: those of an exact sum of two numbers with a common denominator, or of a product's leading half.
+/// The digits of a row: those of an exact sum of two numbers with a common denominator, or of a
+/// product's leading half.
 const MOST: usize = 2 * DIGITS + 6;
 
-/// Each round of a division leaves less than 2⁻⁴⁸ of the remainder; so many leave less than the unit of a number.
+/// Each round of a division leaves less than 2⁻⁴⁸ of the remainder; so many leave less than the
+/// unit of a number.
 const ROUNDS: usize = 64 * (DIGITS + 1) / 48 + 1;
 
 /// Digits with their places, the leading one first; none is zero.
@@ -167,9 +171,11 @@ impl Row {
         parts.reduce(|sum, part| sum.plus(&part, 1)).unwrap_or(Self::EMPTY)
     }
 
-    /// q and r with self = q·divisor + r, for a divisor other than zero; r is zero, or below a unit of a number beside self.
+    /// q and r with self = q·divisor + r, for a divisor other than zero; r is zero, or below a unit
+    /// of a number beside self.
     ///
-    /// Each digit is guessed from the leading ones; what it leaves is exact, so a guess need not be right.
+    /// Each digit is guessed from the leading ones; what it leaves is exact, so a guess need not be
+    /// right.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (below, down) = divisor.leading();
         let (mut quotient, mut rest) = (Self::EMPTY, *self);

@@ -1,7 +1,8 @@
 //! Ladders: an order at more and more steps.
 //!
-//! In: a kind and where to begin. Out: trials, until one serves, or costs more than a setting that does, or is sure to by the law error
-//! ∝ ε^order, or two rungs in a row gain nothing; and whether roundings were felt.
+//! In: a kind and where to begin. Out: trials, until one serves, or costs more than a setting that
+//! does, or is sure to by the law error ∝ ε^order, or two rungs in a row gain nothing; and whether
+//! roundings were felt.
 
 use std::vec::Vec;
 
@@ -10,19 +11,22 @@ use crate::Composition;
 use super::super::setting::{Kind, Mode};
 use super::{ENOUGH, SHARE, SMALL, STALL, Search, Trial, Trials};
 
-/// By how much less than the law has it a rung may gain, in its logarithm, and is still taken to follow it.
+/// By how much less than the law has it a rung may gain, in its logarithm, and is still taken to
+/// follow it.
 const LAWFUL: f64 = 0.3;
 /// The law is trusted below this error.
 const USEFUL: f64 = 0.01;
 /// So many rungs in a row that gain nothing want an explanation.
 const STALLS: u32 = 2;
-/// A rung that gained less than this part of what the law has it, in logarithms, gained nothing, once the law was seen to hold.
+/// A rung that gained less than this part of what the law has it, in logarithms, gained nothing,
+/// once the law was seen to hold.
 const LITTLE: f64 = 0.3;
-/// The most rungs of a ladder,
+/// The most rungs of a ladder.
 const RUNGS: usize = 34;
-/// and of one that begins where another felt roundings.
+/// The most rungs of a ladder that begins where another felt roundings.
 const MORE_RUNGS: usize = 5;
-/// A ladder is given up where the law says that its end will cost this factor more than what is known to serve.
+/// A ladder is given up where the law says that its end will cost this factor more than what is
+/// known to serve.
 const SURELY: f64 = 1.5;
 /// Roundings differ from one ε to the next by about this factor.
 const NEAR: f64 = 30.0;
@@ -32,9 +36,9 @@ const LEAP: u64 = 1 << 12;
 /// What a rung gained on the one before.
 #[derive(Clone, Copy, Debug)]
 struct Gain {
-    /// The error before,
+    /// The error before.
     before: f64,
-    /// over the error now.
+    /// The error before over the error now.
     factor: f64,
     /// The same as a part of what the law has it, in logarithms.
     part: f64,
@@ -81,8 +85,8 @@ impl Climb {
 }
 
 impl<L: Trials> Search<L> {
-    /// The ladders of an order: that of plain `f64`, and where its roundings are felt the others', too. What then serves is vouched
-    /// for.
+    /// The ladders of an order: that of plain `f64`, and where its roundings are felt the others',
+    /// too. What then serves is vouched for.
     pub(super) fn climb(&mut self, composition: Composition, coarsest: u64) {
         let climb = self.ladder(Mode::PLAIN.kind(composition), coarsest, RUNGS);
         if climb.gained_little && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {
@@ -112,12 +116,14 @@ impl<L: Trials> Search<L> {
                 break;
             }
             if climb.stalls >= STALLS {
-                // So near, where another rung may do by luck, the price of what serves is the only end.
+                // So near, where another rung may do by luck, the price of what serves is the only
+                // end.
                 let is_near = trial.error <= NEAR * self.tolerance && self.best().is_some();
                 if !is_near && self.has_roundings(&trial) {
                     break;
                 }
-                // A stiff motion: steps of either size meet poles of the map, which finer ones will not.
+                // A stiff motion: steps of either size meet poles of the map, which finer ones will
+                // not.
                 climb.stalls = 0;
             }
             steps = 2 * trial.steps;
@@ -135,7 +141,8 @@ impl<L: Trials> Search<L> {
         climb
     }
 
-    /// Whether a trial errs by its roundings rather than by its order: double-double, which has none, errs less.
+    /// Whether a trial errs by its roundings rather than by its order: double-double, which has
+    /// none, errs less.
     fn has_roundings(&mut self, trial: &Trial) -> bool {
         let wide = Mode::WIDE.kind(trial.kind.composition);
         let other = if trial.kind == wide { None } else { self.trial(wide, trial.steps, SHARE) };

@@ -1,7 +1,8 @@
 //! A second method for the flow.
 //!
-//! In: the trials so far. Out: an orbit in double-double, of the order that gets there with the fewest stages, which comes within a
-//! part of the tolerance of the flow; or the verdict that it is the flow that has roundings.
+//! In: the trials so far. Out: an orbit in double-double, of the order that gets there with the
+//! fewest stages, which comes within a part of the tolerance of the flow; or the verdict that it is
+//! the flow that has roundings.
 
 use core::cmp::Reverse;
 use std::vec::Vec;
@@ -35,8 +36,8 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    /// The steps at which an order may come so near: by the law, from its finest trial in double-double, or its best in `f64`.
-    /// `None` where trials come no nearer.
+    /// The steps at which an order may come so near: by the law, from its finest trial in
+    /// double-double, or its best in `f64`. `None` where trials come no nearer.
     fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
         let of_order = || self.tried.iter().filter(|trial| trial.kind.composition == composition);
         let by_law = |trial: &Trial| Self::by_law(trial, 0.7 * wanted);

@@ -1,5 +1,5 @@
-//! Each rule of the running bound where the true error comes near what the rule allows: weaker by a rounding, a term or half of the
-//! slack, it would not hold.
+//! Each rule of the running bound where the true error comes near what the rule allows: weaker by a
+//! rounding, a term or half of the slack, it would not hold.
 
 use num_traits::One;
 
@@ -108,7 +108,8 @@ fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
     }
 }
 
-/// A divisor off by nearly a 64th: v̂ is too small by that, and stands for v in m. Without any slack that would not hold.
+/// A divisor off by nearly a 64th: v̂ is too small by that, and stands for v in m. Without any
+/// slack that would not hold.
 #[test]
 fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     const MIDDLE: i32 = 13;
@@ -116,7 +117,8 @@ fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
     assert!(quotient.part() <= 1.0 && quotient.part() * SLACK * SLACK > 1.005, "{}", quotient.part());
 }
 
-/// Where the error of the divisor may be a 64th of it, there is no quotient; a little before, there is.
+/// Where the error of the divisor may be a 64th of it, there is no quotient; a little before, there
+/// is.
 #[test]
 fn a_divisor_that_may_be_zero_has_no_quotient() {
     let one = Beside::<COARSE>::given(1.0);
@@ -168,7 +170,8 @@ fn what_is_divided_by_eps_is_rounded_once_more() {
     assert_near(&off_by(UP, || off_by(UP, || Beside::literal(1, 3)).over_eps(&eps)), ALL);
 }
 
-/// n̂·r̂ beside w·m: the errors of the numerator, of the reciprocal and of the product, for reciprocals of either kind.
+/// n̂·r̂ beside w·m: the errors of the numerator, of the reciprocal and of the product, for
+/// reciprocals of either kind.
 #[test]
 fn a_weight_bounds_the_product_with_a_reciprocal() {
     for (n, d) in [(0, 0), (6, 0), (0, 6), (6, 6)] {
@@ -183,14 +186,16 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
             let bound = f64::of(weight) * numerator.bounded.magnitude();
             let part = Magnitude::apart(num_traits::ToPrimitive::to_f64(&product.error()).expect("a number"))
                 / bound;
-            // n + 1 for the numerator and the product, and (d + 1)·2 for a reciprocal that errs by d + 1.
+            // n + 1 for the numerator and the product, and (d + 1)·2 for a reciprocal that errs by
+            // d + 1.
             let reached = (n + d + 2) as f64 / (n + 1 + 2 * (d + 1)) as f64;
             assert!(part <= 1.0 && part >= reached / SLACK.powi(2) - 1e-4, "{part} of the bound at {n}, {d}");
         }
     }
 }
 
-/// What is finished by a product with 1, or with another exact number, errs by the numerator's roundings and that of the product.
+/// What is finished by a product with 1, or with another exact number, errs by the numerator's
+/// roundings and that of the product.
 #[test]
 fn a_weight_of_an_exact_number_counts_the_product() {
     for n in [0, 5] {
@@ -220,7 +225,8 @@ fn a_known_radius_is_the_error() {
     assert!(difference.error() <= (radius + radius) * Size::from(1.07));
 }
 
-/// Values and magnitudes in one register are those that are computed apart, bit for bit, but for multiply-adds that one of them fuses.
+/// Values and magnitudes in one register are those that are computed apart, bit for bit, but for
+/// multiply-adds that one of them fuses.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn packed_pairs_are_pairs() {
@@ -245,12 +251,14 @@ fn packed_pairs_are_pairs() {
     }
 }
 
-/// The units of the machine's floats are theirs, and that of a pair of floats is no less than the bounds that its operations state.
+/// The units of the machine's floats are theirs, and that of a pair of floats is no less than the
+/// bounds that its operations state.
 #[test]
 fn units_are_those_of_the_operations() {
     use crate::Dd;
     let u = f64::EPSILON / 2.0;
     assert_eq!((f64::UNIT, f32::UNIT), (u, f64::from(f32::EPSILON) / 2.0));
-    // A quotient errs by 14u², a multiply-add by 16u² of the product and 5u² of the result, and counts twice.
+    // A quotient errs by 14u², a multiply-add by 16u² of the product and 5u² of the result, and
+    // counts twice.
     assert!(Dd::UNIT >= 14.0 * u * u && 2.0 * Dd::UNIT >= 21.0 * u * u && Dd::UNIT >= 16.0 * u * u);
 }

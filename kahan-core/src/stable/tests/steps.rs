@@ -1,4 +1,5 @@
-//! Whole steps over the scalar that rounds as badly as it may: what an attempt says of its error, and what the first rung lets pass.
+//! Whole steps over the scalar that rounds as badly as it may: what an attempt says of its error,
+//! and what the first rung lets pass.
 
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -72,7 +73,8 @@ fn compared<const N: usize>(x: &[Number24; N], y: &SVector<Q, N>) -> (f64, f64) 
     (error, largest(&mut y.iter().cloned()))
 }
 
-/// States and ε of ordinary size and beside poles, from a fixed sequence, each rounded up, down, and not.
+/// States and ε of ordinary size and beside poles, from a fixed sequence, each rounded up, down,
+/// and not.
 fn cases<const N: usize>(count: u64, mut see: impl FnMut(SVector<f64, N>, f64)) {
     let mut state = 20_261_122_u64;
     let mut unit = || {
@@ -105,7 +107,8 @@ where
             let Ok(exact) = &exact else { panic!("a value at a pole: {x:?}, {eps}") };
             let (error, size) = compared(&attempt.next, exact);
             let computed = attempt.next.iter().map(Number::size).fold(0.0, f64::max);
-            // The last roundings are the components' own: of the product and of the sum, as nothing is fused.
+            // The last roundings are the components' own: of the product and of the sum, as nothing
+            // is fused.
             let own = 2.0 * Number24::UNIT * (computed + size);
             let bound = attempt.bound() * computed;
             assert!(error <= bound + own, "{error:e} beyond {bound:e} at {x:?}, {eps}");
@@ -149,7 +152,8 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
         let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::given(Worst::of_float(number)));
         Attempt::by_increments(&Long { a }, &given(&x), eps, |component| component).expect("no pole is near")
     });
-    // The state of rest beside it is larger; what moves begins at 0, so that its last roundings are of its own size.
+    // The state of rest beside it is larger; what moves begins at 0, so that its last roundings are
+    // of its own size.
     let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;
     let size = attempt.next[1].size();
     let own = 2.0 * Number24::UNIT * attempt.next[0].size();
@@ -157,7 +161,8 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
     assert!(part <= 1.0 && part > 0.6, "{part} of the bound");
 }
 
-/// What the first rung lets pass is within 64 u of the exact step, and comes near to that beside poles.
+/// What the first rung lets pass is within 64 u of the exact step, and comes near to that beside
+/// poles.
 #[test]
 fn the_first_rung_keeps_the_promise() {
     let riccati = Riccati { k: Number24::of_float(0.75) };
@@ -183,7 +188,8 @@ fn the_first_rung_keeps_the_promise() {
     assert!(passed > 100 && refused > 100 && PROMISE < 64.0, "{passed} passed, {refused} were refused");
 }
 
-/// An input beyond what underflow is allowed for: y² of a small y is off by η, and a·η is far more than the allowance.
+/// An input beyond what underflow is allowed for: y² of a small y is off by η, and a·η is far more
+/// than the allowance.
 #[test]
 fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     let driven = Driven { a: Worst::<BITS>::new(two_to(60)) };
@@ -195,7 +201,8 @@ fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
     assert!(off_by((0, 1), step).is_some());
 }
 
-/// What is rounded into a narrower scalar has that error, too: next to underflow it is more than 64 u.
+/// What is rounded into a narrower scalar has that error, too: next to underflow it is more than 64
+/// u.
 #[test]
 fn a_result_that_is_rounded_below_the_normal_range_is_refused() {
     let least = f32::from_bits(1);
@@ -218,7 +225,8 @@ fn what_is_not_finite_is_no_result() {
     assert!(zero[0].is_zero());
 }
 
-/// Leading terms that cancel at a parameter: exact digits are needed 2·10³ bits apart, and where a literal is no float, too.
+/// Leading terms that cancel at a parameter: exact digits are needed 2·10³ bits apart, and where a
+/// literal is no float, too.
 #[test]
 fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     crate::kahan! {
@@ -268,7 +276,8 @@ crate::kahan! {
     xdot = x^2/(a - b) - x;
 }
 
-/// Each reason by a step that has it; that digits run out is so rare that its report is made by hand.
+/// Each reason by a step that has it; that digits run out is so rare that its report is made by
+/// hand.
 #[test]
 fn reports_say_what_is_the_case() {
     use crate::SingularStep;

@@ -1,4 +1,5 @@
-//! Values next to underflow: errors of η that products carry as far as the range lets them, beside the allowance.
+//! Values next to underflow: errors of η that products carry as far as the range lets them, beside
+//! the allowance.
 
 use num_traits::{Signed, ToPrimitive};
 
@@ -18,7 +19,8 @@ fn assert_allowed(value: &Value) {
     assert!(error.is_positive() && value.part() <= 1.0, "{} of the bound: {value:?}", value.part());
 }
 
-/// The largest input that a formula allows, a power of two; the formula is made with inputs of 1 to ask it.
+/// The largest input that a formula allows, a power of two; the formula is made with inputs of 1 to
+/// ask it.
 fn largest_input(formula: impl Fn(&Value) -> Value) -> f64 {
     power_of_two(formula(&Value::given(1.0)).bounded.largest_input() as i32)
 }
@@ -67,7 +69,8 @@ fn sums_and_constants_take_their_bits() {
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 }
 
-/// Divided by the least divisor, an error of η grows by its bits, and by as many again where the divisor has that error.
+/// Divided by the least divisor, an error of η grows by its bits, and by as many again where the
+/// divisor has that error.
 #[test]
 fn quotients_take_the_bits_of_divisors_twice() {
     let least = power_of_two(-(Worst::<FINE>::RANGE.bits_of_divisors as i32)) * 1.01;
@@ -103,7 +106,8 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 }
 
-/// A numerator of 0 that underflowed, times a reciprocal: nothing but the allowance speaks of its error.
+/// A numerator of 0 that underflowed, times a reciprocal: nothing but the allowance speaks of its
+/// error.
 #[test]
 fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let as_float = |error: Q| error.to_f64().expect("a number");

@@ -1,7 +1,8 @@
-//! A scalar that rounds as badly as it may: each operation is off by u in the direction that a test asks for, and where the test
-//! says so by η besides, as operations that underflow are.
+//! A scalar that rounds as badly as it may: each operation is off by u in the direction that a test
+//! asks for, and where the test says so by η besides, as operations that underflow are.
 //!
-//! Values are rationals, so a test knows the true error; its range is small, so that a few operations come to its borders.
+//! Values are rationals, so a test knows the true error; its range is small, so that a few
+//! operations come to its borders.
 
 use core::cell::Cell;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -181,7 +182,8 @@ impl<const BITS: i32> Beside<BITS> {
         (self.bounded.value().exact() - &self.exact).abs()
     }
 
-    /// The part of its bound that the error comes to; at most 1, or the bound is none. |v| ≤ m holds up to the slack, too.
+    /// The part of its bound that the error comes to; at most 1, or the bound is none. |v| ≤ m
+    /// holds up to the slack, too.
     pub(super) fn part(&self) -> f64 {
         let magnitude = self.bounded.magnitude();
         assert!(self.exact.abs().to_f64().expect("a number") <= 1.0625 * magnitude, "{self:?}");

@@ -58,8 +58,9 @@ fn check_sums(seed: u64, count: usize) {
     }
 }
 
-/// Operands at which an operation errs by most of what is stated, which therefore could not be much less. Those of the sum are from the
-/// paper of Joldeş, Muller and Popescu, the others are the worst that a search of a minute met without fused multiply-adds.
+/// Operands at which an operation errs by most of what is stated, which therefore could not be much
+/// less. Those of the sum are from the paper of Joldeş, Muller and Popescu, the others are the
+/// worst that a search of a minute met without fused multiply-adds.
 #[test]
 fn the_bounds_are_nearly_reached() {
     let of_bits = |high: u64, low: u64| Dd::new(f64::from_bits(high), f64::from_bits(low));

@@ -57,7 +57,8 @@ fn a_quotient_is_within_the_unit() {
     }
 }
 
-/// Digits are cut off where there is no room, and there alone: sums of up to 17 of them are exact, wherever they lie.
+/// Digits are cut off where there is no room, and there alone: sums of up to 17 of them are exact,
+/// wherever they lie.
 #[test]
 fn digits_lie_where_they_are_needed() {
     let mut random = Random(4);
@@ -82,7 +83,8 @@ fn digits_lie_where_they_are_needed() {
     assert!(!(huge + one).radius().is_zero() && (huge.scaled(-64) + one).radius().is_zero());
 }
 
-/// Fractions as fields are written with are exact, and stay so as long as their denominators have room.
+/// Fractions as fields are written with are exact, and stay so as long as their denominators have
+/// room.
 #[test]
 fn short_fractions_are_exact() {
     let whole = |n: i64| Wide::from(n);
