@@ -21,7 +21,7 @@ pub(crate) fn log_between(rng: &mut SplitMix64, low: f64, high: f64) -> f64 {
 /// A small step off an equilibrium, of either sign.
 fn off(rng: &mut SplitMix64) -> f64 {
     let size = log_between(rng, 1e-12, 1e-2);
-    if rng.next_u64() % 2 == 0 { size } else { -size }
+    if rng.next_u64().is_multiple_of(2) { size } else { -size }
 }
 
 /// A field with its scenes.
@@ -55,7 +55,7 @@ macro_rules! case {
 /// A point of a box, or one beside an equilibrium.
 macro_rules! start {
     ($rng:ident, [$($low:literal..$high:literal),*], [$($near:expr),*]) => {
-        if $rng.next_u64() % 3 == 0 { [$($near),*] } else { [$(between($rng, $low, $high)),*] }
+        if $rng.next_u64().is_multiple_of(3) { [$($near),*] } else { [$(between($rng, $low, $high)),*] }
     };
 }
 
