@@ -1,7 +1,7 @@
 //! What the choice says, and what it prints.
 
 use kahan_core::prelude::*;
-use kahan_core::{Composition, NoSetting, Precision, Scene};
+use kahan_core::{Composition, Flow, NoSetting, Precision, Scene};
 
 use crate::systems::{Burst, E6, EulerTop, Lorenz, LotkaVolterra};
 
@@ -97,6 +97,18 @@ fn chaos_for_longer_than_f64_can_follow_is_refused() {
     // Errors grow like exp(0.9 t): by exp(90) over this horizon.
     let long = Scene::trajectory(100.0, 1e-6).choose(&Lorenz, &vector![1.0, 1.0, 20.0]);
     assert!(matches!(long, Err(NoSetting::Lost { .. } | NoSetting::TooLong { .. })), "{long:?}");
+}
+
+/// From (1, 1, 1) the motion is quiet at first; an earlier form of the choice continued the errors
+/// of that beginning, and ended elsewhere on the attractor.
+#[test]
+fn chaos_after_a_quiet_beginning_is_followed_to_its_end() {
+    let (start, horizon, tolerance) = (vector![1.0, 1.0, 1.0], 20.0, 1e-3);
+    let setting = Scene::trajectory(horizon, tolerance).choose(&Lorenz, &start).unwrap();
+    let flow = Flow::through(&Lorenz, start.map(Dd::from), horizon, 0.0, &mut |_| true).unwrap();
+    let last = setting.run(&Lorenz, start).map(Dd::from);
+    let error = flow.distance(Dd::from(horizon), last.as_slice());
+    assert!(error <= tolerance && setting.error() <= tolerance, "{setting} errs {error:e}");
 }
 
 #[test]
