@@ -53,6 +53,9 @@ const CLEAR: f64 = 0.2;
 const DOUBTFUL: f64 = 3.0 * REFUSED;
 /// A median of n errors lies within the quantiles ½ ± this/√n, nine times in ten.
 const BAND: f64 = 0.8;
+/// A step is said to hold where it stays within this part of the limits: other points, a hundredth
+/// of which is read off, differ from these.
+const CLAIMED: f64 = 0.6;
 /// What stands for the tail, read off as uncertainly.
 const TAIL: f64 = 0.9;
 
@@ -127,7 +130,7 @@ impl Loss {
 
     /// The largest size up to which the step holds for certain; 0 if there is none.
     pub(super) fn holds_to(&self) -> u32 {
-        let held = SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= 1.0);
+        let held = SIZES.iter().zip(&self.0).take_while(|(_, ratio)| ratio.largest <= CLAIMED);
         held.last().map_or(0, |(size, _)| *size)
     }
 }
