@@ -71,7 +71,7 @@ pub(super) enum Verdict {
     None {
         /// Of all trials.
         least_error: f64,
-        /// Whether the errors of some ladder fell, and then no further.
+        /// Whether roundings were seen in some ladder, or in the flow.
         is_rough: bool,
     },
 }
@@ -83,7 +83,7 @@ pub(super) struct Search<L> {
     /// The numbers that may be chosen besides plain `f64`.
     modes: &'static [Mode],
     tried: Vec<Trial>,
-    /// Whether the errors of some ladder fell, and then no further.
+    /// Whether roundings were seen in some ladder, or in the flow.
     is_rough: bool,
 }
 
@@ -159,8 +159,8 @@ impl<L: Trials> Search<L> {
     /// Whether double-double, which has no roundings in common with anything, came as near to the
     /// flow as it must.
     fn is_vouched_for(&self) -> bool {
-        let wide = self.tried.iter().filter(|trial| trial.kind.precision == Precision::DoubleDouble);
-        wide.into_iter().any(|trial| VOUCHING * trial.error <= self.tolerance)
+        let vouches = |trial: &Trial| VOUCHING * trial.error <= self.tolerance;
+        self.tried.iter().any(|trial| trial.kind.precision == Precision::DoubleDouble && vouches(trial))
     }
 
     /// The steps at which the orders' law would meet an error.
@@ -179,9 +179,8 @@ impl<L: Trials> Search<L> {
                 && coarse.error < SMALL
                 && coarse.error < STALL * fine.error
         };
-        let coarse = self.tried.iter().filter(plain);
-        !self.is_rough
-            && coarse.into_iter().any(|coarse| self.tried.iter().any(|fine| is_worse(coarse, fine)))
+        let mut coarse = self.tried.iter().filter(plain);
+        !self.is_rough && coarse.any(|coarse| self.tried.iter().any(|fine| is_worse(coarse, fine)))
     }
 
     /// Tries all sizes of steps, as far as they cost less than what is known to serve.

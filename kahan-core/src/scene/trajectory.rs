@@ -18,7 +18,7 @@ use super::setting::{Kind, Mode};
 use super::{NoSetting, Precision, Scene, Setting, price};
 
 /// The most steps of the map that a choice may cost, all of its trials together.
-pub(super) const MOST_WORK: f64 = 1e6;
+const MOST_WORK: f64 = 1e6;
 /// Below this tolerance the roundings of `f64` are felt so soon that it is not begun with.
 const FINE: f64 = 1e-12;
 /// What the roundings of a flow in `f64` are times what one of them grows to: there is one in each

@@ -91,7 +91,7 @@ where
 
         let (chosen, predicted) = command::<M>(&start, horizon, tolerance);
         let error = scene.error(&chosen, f64::INFINITY);
-        // The command looks at 512 points of an orbit, this at all.
+        // The command looks at some points of an orbit, more where it moves fast, this at all.
         assert!(error <= 1.02 * tolerance, "{name}: {chosen:?} errs {error:e}");
         let by_library = library(&scene.map, &scene.start, horizon, tolerance);
         if let Some(setting) = &by_library {

@@ -71,7 +71,7 @@ struct Climb {
 }
 
 impl Climb {
-    /// Counts what a rung gained on the one before; whether it followed the law.
+    /// Counts what a rung gained on the one before, if there was one that said something.
     fn add(&mut self, trial: Trial) -> Option<Gain> {
         let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
         let gain = Gain::of(&before, &trial);
