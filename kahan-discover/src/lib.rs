@@ -21,6 +21,7 @@
 //! assert_eq!(report.integrals.len(), 2); // each `text` is a line for `kahan!`
 //! ```
 
+pub mod basis;
 pub mod chart;
 pub mod claims;
 pub mod composition;

@@ -3,6 +3,7 @@
 //! It comes from a [`Family`](crate::family::Family) at values of the parameters, and steps by elimination on A(x,ε). Removable poles count as poles here: random points meet
 //! neither.
 
+use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::parity::sign_changes;
 use crate::stepping::Stepping;
@@ -82,6 +83,21 @@ impl ModularMap {
         };
         let jacobian = self.modulus.times(back, self.modulus.inverse(determinant)?);
         Some(Step { next, jacobian })
+    }
+
+    /// ∂x̃/∂x = A(x,ε)⁻¹ A(x̃,−ε), row by row, from a point and its image; `None` where det A(x,ε) = 0.
+    #[must_use]
+    pub fn jacobian(&self, point: &[u64], next: &[u64]) -> Option<Vec<Vec<u64>>> {
+        let n = self.dimension;
+        let here = self.extended_matrix(point, self.eps);
+        let there = self.extended_matrix(next, self.modulus.opposite(self.eps));
+        let rows = here.chunks(n + 1).zip(there.chunks(n + 1));
+        let rows = rows.map(|(left, right)| [&left[..n], &right[..n]].concat()).collect();
+        let echelon = Echelon::of(&self.modulus, rows, 2 * n);
+        if echelon.rank_of_first(n) < n {
+            return None;
+        }
+        Some(echelon.rows.iter().map(|row| row[n..].to_vec()).collect())
     }
 
     /// det A(x, ε) for any ε.

@@ -1,0 +1,128 @@
+//! That the monomials of a basis have one relation along every orbit.
+//!
+//! Of r + 1 monomials at r + 1 consecutive points the determinant must vanish identically, while at r points they are
+//! independent. As the map is birational, r points further on are as generic as the first r, so all of an orbit has the
+//! relation of its first r points. The determinant is a rational function of states, parameters and ε; its degree and the
+//! size of its coefficients are bounded step by step, and it is evaluated modulo random primes at random points. Points on
+//! both sides of the start halve the number of steps, whose degrees multiply.
+
+use kahan_algebra::field::Field;
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::prove::points_needed;
+use kahan_algebra::rational::Rational;
+
+use crate::matrix::Echelon;
+use crate::modulus::Modulus;
+use crate::setting::Setting;
+use crate::stepping::Stepping;
+
+use super::Basis;
+
+/// More points than this are not taken.
+const MOST_POINTS: u32 = 64;
+
+/// How often a point is drawn again where its orbit ends at a pole.
+const MOST_DRAWS: usize = 16;
+
+/// The number of points modulo random primes that prove the basis with an error below 2⁻¹⁰⁰, all of them passed; `None` where the
+/// relation fails at one, or the degrees are too high for 61-bit primes.
+pub fn prove(basis: &Basis, setting: &Setting, field: &Field, random: &mut SplitMix64) -> Option<u32> {
+    let size = determinant_size(basis, field, setting.eps())?;
+    let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
+    (0..points).all(|_| holds_somewhere(basis, setting, random)).then_some(points)
+}
+
+/// Whether r + 1 points have a relation and r of them none other, at a random point modulo a random prime.
+fn holds_somewhere(basis: &Basis, setting: &Setting, random: &mut SplitMix64) -> bool {
+    for _ in 0..MOST_DRAWS {
+        let modulus = Modulus::random(random);
+        let Some(draw) = setting.draw(modulus, random) else { continue };
+        let (before, after) = halves(basis);
+        let start = draw.map.point(random);
+        let backward = draw.map.with_eps(modulus.opposite(draw.map.eps())).orbit(start.clone(), before + 1);
+        let forward = draw.map.orbit(start, after + 1);
+        if backward.len() <= before || forward.len() <= after {
+            continue;
+        }
+        let orbit = backward[1..].iter().rev().chain(&forward);
+        let rows: Vec<Vec<u64>> = orbit.map(|point| basis.values(&modulus, point)).collect();
+        let width = basis.monomials.len();
+        let fewer = Echelon::of(&modulus, rows[1..].to_vec(), width).rank();
+        // Fewer than r independent rows at one point say nothing of the others.
+        if fewer < width - 1 {
+            continue;
+        }
+        return Echelon::of(&modulus, rows, width).rank() == width - 1;
+    }
+    false
+}
+
+/// How many of the points stand before the start, and how many after it.
+fn halves(basis: &Basis) -> (usize, usize) {
+    let steps = basis.monomials.len() - 1;
+    (steps / 2, steps - steps / 2)
+}
+
+impl Basis {
+    /// The values of the monomials at a point.
+    pub(super) fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
+        let value = |exponents: &Vec<u32>| {
+            let powers = exponents.iter().zip(point);
+            powers.fold(modulus.one(), |product, (&exponent, &x)| {
+                modulus.times(product, modulus.power(x, exponent))
+            })
+        };
+        self.monomials.iter().map(value).collect()
+    }
+}
+
+/// A bound of the total degree in states, parameters and ε, and of log₂ of the sum of all coefficients in size.
+#[derive(Clone, Copy)]
+struct Bound {
+    degree: u64,
+    bits: u64,
+}
+
+/// The bound of the determinant of all monomials at all points.
+fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
+    let (before, after) = halves(basis);
+    let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
+    let size = basis.monomials.len() as u64;
+    // One more bit a row for each doubling of their number bounds the number of products.
+    let mut total = Bound { degree: 0, bits: size * u64::from(size.ilog2() + 1) };
+    for steps in [before, after] {
+        let mut point = Bound { degree: 1, bits: 0 };
+        for _ in 0..steps {
+            point = image(point, field, eps)?;
+            total.degree = total.degree.checked_add(point.degree.checked_mul(u64::from(highest))?)?;
+            total.bits = total.bits.checked_add(point.bits.checked_mul(u64::from(highest))?)?;
+        }
+    }
+    total.degree = total.degree.checked_add(u64::from(highest))?;
+    Some(total)
+}
+
+/// The bound of x̃ = X̃/W̃ from that of x = X/W, numerators and denominator alike.
+///
+/// Row i of A x̃ = b times qᵢW has entries that are of the first degree in X and W; Cramer's rule multiplies n of them.
+fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
+    let n = field.dimension() as u64;
+    let symbols = &field.symbols;
+    let others = |polynomial: &Polynomial| polynomial.degree_where(|variable| !symbols.is_state(variable));
+    let sides = || field.components.iter().flat_map(|c| [&c.numerator, &c.denominator]);
+    let of_coefficients = sides().map(others).max()?;
+    let degree = u64::from(of_coefficients) + u64::from(eps.is_none()) + point.degree;
+    // |qᵢ| + 4 |pᵢ| bounds the coefficients of a row, times a fixed ε.
+    let bits = sides().map(norm_bits).max()? + eps.map_or(0, Rational::bits) + 4;
+    Some(Bound {
+        degree: degree.checked_mul(n)?,
+        bits: point.bits.checked_add(bits)?.checked_mul(n)?.checked_add(n * u64::from(n.ilog2() + 1))?,
+    })
+}
+
+/// log₂ of the sum of all coefficients in size, denominators cleared, rounded up.
+fn norm_bits(polynomial: &Polynomial) -> u64 {
+    let all: u64 = polynomial.terms().map(|(_, coefficient)| coefficient.bits()).sum();
+    all + u64::from((polynomial.len() as u64 + 1).ilog2()) + 1
+}
