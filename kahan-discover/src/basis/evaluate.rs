@@ -122,13 +122,16 @@ impl Basis {
         for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
             column /= *scale;
         }
-        let decomposed = matrix.svd(true, true);
-        let condition = decomposed.singular_values.max() / decomposed.singular_values.min();
+        // The iteration that finds singular values stops some hundred roundings early: enough for them, not for a solution.
+        let singular_values = matrix.singular_values();
+        let condition = singular_values.max() / singular_values.min();
         // Beyond this not one digit would be right.
         if condition.is_nan() || condition * f64::EPSILON > 1.0 {
             return Err(BasisError::Undetermined);
         }
-        let solution = decomposed.solve(&unit, 0.0).map_err(|_| BasisError::Undetermined)?;
+        let factors = matrix.qr();
+        let right = factors.q().tr_mul(&unit);
+        let solution = factors.r().solve_upper_triangular(&right).ok_or(BasisError::Undetermined)?;
         let mut coefficients = vec![1.0; self.monomials.len()];
         for ((&place, value), scale) in others.iter().zip(solution.iter()).zip(&scales) {
             coefficients[place] = value / scale;
