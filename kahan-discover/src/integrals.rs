@@ -15,7 +15,7 @@ use crate::limit::with_a_limit;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::Pencil;
-use crate::search::{pencils_of_entries, spanned_pencils};
+use crate::search::{Reach, pencils_of_entries, spanned_pencils};
 use crate::setting::{Draw, Setting};
 use crate::space::{lift_space, tidy};
 use crate::stepping::Stepping;
@@ -27,42 +27,41 @@ const HIGHEST: u32 = 8;
 /// that is known already.
 const MOST_AHEAD: usize = 150;
 
+/// What to look for.
+pub struct Aims<'a> {
+    /// Integrals that are known beforehand.
+    pub linear: Vec<Polynomial>,
+    /// How many there are, and in which degrees orbits show them; without it nothing is looked for.
+    pub hilbert: Option<&'a Hilbert>,
+    /// An integral P/Q that need not be looked for, kept unless others are found below its degree.
+    pub known: Option<&'a (Polynomial, Polynomial)>,
+    /// How large formulas may be.
+    pub reach: Reach,
+}
+
 /// Independent integrals over ℚ with all unknowns, each proved, of least degree first: as many as there are, or as were
-/// found before the deadline. `hilbert` says how many to look for; `known` is an integral P/Q that need not be looked for,
-/// kept unless others are found below its degree.
+/// found before the deadline.
 pub fn integrals(
     setting: &Setting,
     claims: &Claims<'_>,
-    hilbert: &Hilbert,
-    known: Option<&(Polynomial, Polynomial)>,
+    aims: &Aims<'_>,
     random: &mut SplitMix64,
     deadline: &Deadline,
 ) -> Vec<Formula> {
     let mut collector = Collector {
         setting,
         claims,
-        wanted: hilbert.integrals,
-        known,
+        wanted: aims.hilbert.map_or(0, |hilbert| hilbert.integrals).max(aims.linear.len()),
+        known: aims.known,
         step: setting.step(random),
         independent: Independent::new(setting, random),
         formulas: Vec::new(),
     };
-    let modulus = Modulus::mersenne_61();
-    let Some(draw) = setting.draw(modulus, random) else { return Vec::new() };
-    let Some(relation_degree) = hilbert.defining_degree(&draw.map, random, deadline) else {
-        return Vec::new();
-    };
-    let bounds = Bounds { relation_degree, highest: hilbert.degree(), deadline };
-    let leaf = Leaf::of(&draw.map, random);
-    if let Some(coordinates) = leaf.coordinates(setting, random, deadline) {
-        for Coordinate { numerator, denominator } in &coordinates {
-            collector.offer(numerator.clone(), denominator.clone());
-        }
-        collector.search_leaf(&Chart { leaf, coordinates }, &draw, &bounds, random);
+    for linear in &aims.linear {
+        collector.offer_one(linear.clone(), Polynomial::one());
     }
-    if !collector.is_done() {
-        let chart = Chart { leaf: Leaf::whole((0..setting.dimension()).collect()), coordinates: Vec::new() };
-        collector.search_leaf(&chart, &draw, &bounds, random);
+    if let Some(hilbert) = aims.hilbert.filter(|_| !collector.is_done()) {
+        collector.search(hilbert, aims.reach, random, deadline);
     }
     collector.formulas
 }
@@ -130,6 +129,32 @@ impl Collector<'_> {
         }
     }
 
+    /// Looks on the leaves of linear relations, then in the whole space.
+    fn search(
+        &mut self,
+        hilbert: &Hilbert,
+        reach: Reach,
+        random: &mut SplitMix64,
+        deadline: &Deadline,
+    ) -> Option<()> {
+        let setting = self.setting;
+        let draw = setting.draw(Modulus::mersenne_61(), random)?;
+        let relation_degree = hilbert.defining_degree(&draw.map, random, deadline)?;
+        let bounds = Bounds { relation_degree, highest: hilbert.degree(), reach, deadline };
+        let leaf = Leaf::of(&draw.map, random);
+        if let Some(coordinates) = leaf.coordinates(setting, random, deadline) {
+            for Coordinate { numerator, denominator } in &coordinates {
+                self.offer(numerator.clone(), denominator.clone());
+            }
+            self.search_leaf(&Chart { leaf, coordinates }, &draw, &bounds, random);
+        }
+        if !self.is_done() {
+            let leaf = Leaf::whole((0..setting.dimension()).collect());
+            self.search_leaf(&Chart { leaf, coordinates: Vec::new() }, &draw, &bounds, random);
+        }
+        Some(())
+    }
+
     /// Looks for the integrals that are missing on a leaf.
     fn search_leaf(&mut self, chart: &Chart, draw: &Draw, bounds: &Bounds<'_>, random: &mut SplitMix64) {
         let modulus = draw.map.modulus();
@@ -143,15 +168,15 @@ impl Collector<'_> {
         for degree in 1..=bounds.highest.max(HIGHEST) {
             self.offer_known(degree);
             // Which entries of the relations are simple depends on the order of the variables.
-            for leaf in chart.leaf.orders() {
+            for leaf in chart.leaf.orders().take(bounds.reach.orders) {
                 let chart = Chart { leaf, coordinates: chart.coordinates.clone() };
                 if self.is_done() || bounds.deadline.passed() {
                     return;
                 }
                 let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
                 let known = |point: &[u64]| self.known_gradients(&chart.leaf, draw, point);
-                let found =
-                    pencils_of_entries(&map, bounds.relation_degree, degree, known, random, bounds.deadline);
+                let Bounds { relation_degree, reach, deadline, .. } = *bounds;
+                let found = pencils_of_entries(&map, relation_degree, degree, reach, known, random, deadline);
                 for basis in self.take(&found, &chart, bounds, random) {
                     if !self.is_done() {
                         self.search_constrained(&basis, degree, &chart, draw, bounds, random);
@@ -189,6 +214,10 @@ impl Collector<'_> {
     ) -> Vec<Vec<Polynomial>> {
         let mut bases = Vec::new();
         for pencil in pencils {
+            let shortest = (0..pencil.space.dimension()).map(|index| pencil.space.terms(index)).min();
+            if shortest.is_some_and(|terms| terms > bounds.reach.terms) {
+                continue;
+            }
             self.offer_known(pencil.degree);
             if self.is_done() {
                 break;
@@ -288,6 +317,7 @@ impl Collector<'_> {
 struct Bounds<'a> {
     relation_degree: u32,
     highest: u32,
+    reach: Reach,
     deadline: &'a Deadline,
 }
 

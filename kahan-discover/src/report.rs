@@ -4,6 +4,7 @@ use std::fmt;
 
 use kahan_algebra::rational::Rational;
 
+use crate::basis::Basis;
 use crate::claims::Formula;
 use crate::composition::Survivors;
 use crate::growth::GrowthVerdict;
@@ -42,6 +43,8 @@ impl Default for Options {
 /// What a search is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
+    /// Linear and quadratic integrals of the flow.
+    Flow,
     /// Degrees of iterates.
     Degrees,
     /// Hilbert functions.
@@ -59,6 +62,7 @@ pub enum Stage {
 impl fmt::Display for Stage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Stage::Flow => "linear and quadratic integrals of the flow",
             Stage::Degrees => "degrees of iterates",
             Stage::Orbits => "relations on orbits",
             Stage::Structure => "structure of the field",
@@ -121,6 +125,8 @@ pub struct Report {
     pub hilbert: Option<Hilbert>,
     /// The integrals of the map, independent and proved.
     pub integrals: Vec<Formula>,
+    /// Hirota–Kimura bases for the integrals that have no formula here, the shortest first.
+    pub bases: Vec<Basis>,
     /// Invariant densities, proved; the first of least degree.
     pub densities: Vec<Formula>,
     /// How the search for densities ended.

@@ -19,8 +19,24 @@ use crate::relations::{Relations, gradient, monomial_gradients};
 use crate::space::Space;
 use crate::stepping::Stepping;
 
-/// The most unknown coefficients of P and Q together.
-const MOST_COEFFICIENTS: usize = 900;
+/// How large formulas are looked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Reach {
+    /// The most unknown coefficients of P and Q together.
+    pub coefficients: usize,
+    /// The most terms in the states of the shortest polynomial of a pencil.
+    pub terms: usize,
+    /// The most orders of the variables in which entries of relations are looked at.
+    pub orders: usize,
+}
+
+impl Reach {
+    /// As large as the search can reach.
+    pub const FULL: Self = Reach { coefficients: 900, terms: usize::MAX, orders: usize::MAX };
+
+    /// Formulas that can be read, where bases say the rest.
+    pub const SHORT: Self = Reach { coefficients: 300, terms: 60, orders: 2 };
+}
 
 /// The pencils that relations of orbits span, of least degree first, up to `relation_degree`, until `wanted` independent
 /// integrals are found.
@@ -52,13 +68,14 @@ pub fn pencils_of_entries<M: Stepping>(
     map: &M,
     relation_degree: u32,
     degree: u32,
+    reach: Reach,
     known: impl Fn(&[u64]) -> Vec<Vec<u64>>,
     random: &mut SplitMix64,
     deadline: &Deadline,
 ) -> Vec<Pencil> {
     let mut search = Search::new(map, random);
     search.gradients = known(&search.point);
-    entries_of_degree(&mut search, relation_degree, degree, deadline);
+    entries_of_degree(&mut search, relation_degree, degree, reach, deadline);
     search.pencils
 }
 
@@ -151,6 +168,7 @@ fn entries_of_degree<M: Stepping>(
     search: &mut Search<'_, M>,
     relation_degree: u32,
     degree: u32,
+    reach: Reach,
     deadline: &Deadline,
 ) {
     let map = search.map;
@@ -159,7 +177,7 @@ fn entries_of_degree<M: Stepping>(
     let monomials = Monomials::new(n, relation_degree);
     // P and Q have the signs of their entry and none, so that few monomials of high degree are left.
     let generators = map.sign_changes();
-    if Monomials::count(n, degree) > MOST_COEFFICIENTS << generators.len() {
+    if Monomials::count(n, degree) > reach.coefficients << generators.len() {
         return;
     }
     let unknown = Monomials::new(n, degree);
@@ -183,7 +201,7 @@ fn entries_of_degree<M: Stepping>(
     // Where no monomial of this degree has the signs, the degree before has shown all.
     let is_new = (unknown.up_to(degree - 1)..unknown.len())
         .any(|index| signs[index] == 0 || places.iter().any(|&place| sign_of(place) == signs[index]));
-    if width > MOST_COEFFICIENTS || !is_new {
+    if width > reach.coefficients || !is_new {
         return;
     }
     while orbits.len() < width + SPARE {

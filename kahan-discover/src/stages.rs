@@ -11,6 +11,7 @@ use kahan_algebra::render::Notation;
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::System;
 
+use crate::basis::{Place, candidates, completing, prove};
 use crate::claims::{Claims, Formula};
 use crate::composition::survivors;
 use crate::darboux::{MeasureSearch, measure};
@@ -20,16 +21,18 @@ use crate::determinant::determinant;
 use crate::growth::GrowthVerdict;
 use crate::hamiltonian::hamiltonian;
 use crate::hilbert::{Hilbert, default_degree};
-use crate::independent::Independent;
-use crate::integrals::integrals;
+use crate::independent::{Independent, quotient_gradient};
+use crate::integrals::{Aims, integrals};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::report::{
     DensitySearch, DiscoverError, HamiltonianReport, Options, Report, Stage, StructureReport,
 };
+use crate::search::Reach;
 use crate::setting::Setting;
 use crate::space::tidy;
-use crate::structure::{divergence, flow_integrals, is_even};
+use crate::stepping::Stepping;
+use crate::structure::{FlowIntegrals, divergence, flow_integrals, is_even};
 use crate::words::sentences;
 
 /// The most coefficients of the polynomial of a density.
@@ -55,8 +58,8 @@ pub fn discover(
 ) -> Result<Report, DiscoverError> {
     let start = Instant::now();
     // Until when each stage may go on.
-    let [for_degrees, for_orbits, for_structure, for_integrals, for_densities, for_composition] =
-        [0.2, 0.4, 0.5, 0.85, 0.95, 1.0].map(|share| Deadline::after(start, options.seconds * share));
+    let [for_flow, for_degrees, for_orbits, for_structure, for_integrals, for_densities, for_composition] =
+        [0.1, 0.25, 0.42, 0.5, 0.85, 0.95, 1.0].map(|share| Deadline::after(start, options.seconds * share));
     let fixed = specialised(system, &options.parameters)?;
     let symbols = &fixed.field.symbols;
     if options.eps.as_ref().is_some_and(Rational::is_zero) {
@@ -69,6 +72,9 @@ pub fn discover(
     if options.eps.is_some() && !setting.is_invertible(random) {
         return Err(DiscoverError::Collapse);
     }
+
+    progress(Stage::Flow);
+    let of_flow = flow_integrals(&setting, 2, random, &for_flow);
 
     progress(Stage::Degrees);
     let limits =
@@ -87,18 +93,28 @@ pub fn discover(
 
     progress(Stage::Structure);
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
-    let mut structure = structure(&setting, &fixed, random, &for_structure);
+    let mut structure = structure(&setting, &fixed, &of_flow, random);
     let hamiltonian = hamiltonian(&setting, random, &for_structure);
 
     progress(Stage::Integrals);
+    let place = Place { point: draw.map.point(random), draw };
+    let shown = hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
+    let candidates = hilbert
+        .as_ref()
+        .filter(|_| shown > 0)
+        .and_then(|hilbert| hilbert.defining_degree(&place.draw.map, random, &for_integrals))
+        .map_or_else(Vec::new, |degree| candidates(&setting, degree, random, &for_integrals));
+    // Where bases say all, formulas are worth looking for only where they are short.
+    let in_bases = completing(&candidates, shown, &place, Vec::new());
+    let are_enough = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>() >= shown;
+    let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
     let modified = hamiltonian.as_ref().and_then(|found| {
         let (above, below) = found.modified(&setting, &fixed.field)?;
         Some((tidy(symbols, &above), tidy(symbols, &below)))
     });
-    let mut integrals = match &hilbert {
-        Some(hilbert) => integrals(&setting, &claims, hilbert, modified.as_ref(), random, &for_integrals),
-        None => Vec::new(),
-    };
+    let aims =
+        Aims { linear: of_flow.linear(symbols), hilbert: hilbert.as_ref(), known: modified.as_ref(), reach };
+    let mut integrals = integrals(&setting, &claims, &aims, random, &for_integrals);
     if let Some(found) = &hamiltonian {
         let proved = modified.as_ref().is_some_and(|(above, below)| {
             let is_listed = |known: &Formula| known.numerator == *above && known.denominator == *below;
@@ -117,6 +133,15 @@ pub fn discover(
         });
     }
 
+    let known = integrals.iter().filter_map(|formula| {
+        let Place { draw, point } = &place;
+        quotient_gradient(&setting, draw, point, &formula.numerator, &formula.denominator)
+    });
+    let mut bases = completing(&candidates, shown, &place, known.collect());
+    for basis in &mut bases {
+        basis.proof = prove(basis, &setting, &fixed.field, random);
+    }
+
     progress(Stage::Densities);
     let (densities, density_search) =
         densities(&setting, &claims, &integrals, &fixed.field, structure.is_even, random, &for_densities);
@@ -126,7 +151,8 @@ pub fn discover(
         .as_ref()
         .filter(|hilbert| hilbert.integrals > 0)
         .and_then(|hilbert| survivors(&setting, &integrals, hilbert.degree(), random, &for_composition));
-    let deadlines = [for_degrees, for_orbits, for_structure, for_integrals, for_densities, for_composition];
+    let deadlines =
+        [for_flow, for_degrees, for_orbits, for_structure, for_integrals, for_densities, for_composition];
     let mut report = Report {
         variables: symbols.states.clone(),
         parameters: symbols.parameters.clone(),
@@ -134,6 +160,7 @@ pub fn discover(
         degrees,
         hilbert,
         integrals,
+        bases,
         densities,
         density_search,
         own_density: claims.own_density().map(str::to_owned),
@@ -166,11 +193,10 @@ pub(crate) fn specialised(
 fn structure(
     setting: &Setting,
     system: &System,
+    of_flow: &FlowIntegrals,
     random: &mut SplitMix64,
-    deadline: &Deadline,
 ) -> StructureReport {
     let symbols = &system.field.symbols;
-    let of_flow = flow_integrals(setting, 2, random, deadline);
     let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));
     let written = |wanted: u32| -> Vec<String> {
         let chosen = of_flow.found.iter().filter(|polynomial| degree(polynomial) == wanted);

@@ -4,6 +4,7 @@ use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::symbols::Symbols;
 
 use crate::deadline::Deadline;
 use crate::independent::Independent;
@@ -50,6 +51,18 @@ pub struct FlowIntegrals {
     pub degree: u32,
 }
 
+impl FlowIntegrals {
+    /// The linear ones, which Kahan's map keeps whatever ε is.
+    #[must_use]
+    pub fn linear(&self, symbols: &Symbols) -> Vec<Polynomial> {
+        let is_linear = |found: &&Polynomial| found.degree_where(|variable| symbols.is_state(variable)) == 1;
+        self.found.iter().filter(is_linear).cloned().collect()
+    }
+}
+
+/// More monomials are not looked at: the cost grows with their cube.
+const MOST_MONOMIALS: usize = 900;
+
 /// Functionally independent polynomial integrals of the flow ẋ = f(x), of degree at most `degree`, lifted over the
 /// parameters: exactly the P with ∇P·f = 0 modulo a prime at random parameters.
 pub fn flow_integrals(
@@ -82,6 +95,9 @@ fn flow_space(
     random: &mut SplitMix64,
     deadline: &Deadline,
 ) -> Option<Vec<Polynomial>> {
+    if Monomials::count(setting.dimension(), degree) > MOST_MONOMIALS {
+        return None;
+    }
     let monomials = Monomials::new(setting.dimension(), degree);
     let draw = setting.draw(Modulus::mersenne_61(), random)?;
     let all: Vec<usize> = (1..monomials.len()).collect();

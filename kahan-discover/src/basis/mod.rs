@@ -5,7 +5,8 @@
 //! values of the monomials at as many consecutive points as there are coefficients to solve for give them. Where a formula
 //! of an integral has thousands of terms, the basis says the same in one line.
 //!
-//! [`bases`] finds them, `proof` proves them, `evaluate` gives the integrals at a point, exactly or in floats.
+//! `candidates` finds them, [`prove`] proves them, [`Basis::evaluate`] gives the integrals along an orbit in floats,
+//! [`Basis::evaluate_exact`] exactly.
 
 mod evaluate;
 mod gradients;
@@ -67,32 +68,23 @@ fn monomial_text(states: &[String], exponents: &[u32]) -> String {
     if powers.is_empty() { "1".to_owned() } else { powers.join("*") }
 }
 
-/// Bases on monomials up to a degree that give, together with integrals whose gradients at `place` are known, as many
-/// independent integrals as are `wanted`: the shortest first, and none that brings nothing. Fewer where the relations of
-/// this degree show fewer, or the deadline passes.
-///
-/// Cost: 2n + 1 echelon forms of N columns, N = C(n + degree, n).
-pub(crate) fn bases(
-    setting: &Setting,
-    degree: u32,
+/// Of bases found by [`candidates`] those that give, together with integrals whose gradients at `place` are `known`, as many
+/// independent integrals as are `wanted`, the shortest first, and none that brings nothing; fewer where they give fewer.
+pub(crate) fn completing(
+    candidates: &[Basis],
     wanted: usize,
     place: &Place,
     known: Vec<Vec<u64>>,
-    random: &mut SplitMix64,
-    deadline: &Deadline,
 ) -> Vec<Basis> {
     let mut found = Vec::new();
     let mut gradients = known;
-    let modulus = *place.draw.map.modulus();
-    let n = setting.dimension();
-    let rank = |rows: &[Vec<u64>]| Echelon::of(&modulus, rows.to_vec(), n).rank();
-    for candidate in candidates(setting, degree, random, deadline) {
-        if rank(&gradients) >= wanted || deadline.passed() {
+    let map = &place.draw.map;
+    let rank = |rows: &[Vec<u64>]| Echelon::of(map.modulus(), rows.to_vec(), map.dimension()).rank();
+    for candidate in candidates {
+        if rank(&gradients) >= wanted {
             break;
         }
-        let Some(own) = gradients::of_coefficients(&candidate, &place.draw.map, &place.point) else {
-            continue;
-        };
+        let Some(own) = gradients::of_coefficients(candidate, map, &place.point) else { continue };
         let mut integrals = Vec::new();
         for (coefficient, gradient) in own.into_iter().enumerate() {
             gradients.push(gradient);
@@ -103,7 +95,7 @@ pub(crate) fn bases(
             }
         }
         if !integrals.is_empty() {
-            found.push(Basis { integrals, ..candidate });
+            found.push(Basis { integrals, ..candidate.clone() });
         }
     }
     found
@@ -115,8 +107,15 @@ pub(crate) struct Place {
     pub(crate) point: Vec<u64>,
 }
 
-/// Sets of monomials with one relation, the smallest first, each once.
-fn candidates(setting: &Setting, degree: u32, random: &mut SplitMix64, deadline: &Deadline) -> Vec<Basis> {
+/// Sets of monomials up to a degree with one relation, the smallest first, each once; as many as the deadline allows.
+///
+/// Cost: 2n + 1 echelon forms of N columns, N = C(n + degree, n).
+pub(crate) fn candidates(
+    setting: &Setting,
+    degree: u32,
+    random: &mut SplitMix64,
+    deadline: &Deadline,
+) -> Vec<Basis> {
     let monomials = Monomials::new(setting.dimension(), degree);
     let Some(draw) = setting.draw(Modulus::mersenne_61(), random) else { return Vec::new() };
     let Some(relations) = random_relations(&draw.map, &monomials, random, deadline) else {

@@ -20,7 +20,8 @@ fn found(text: &str, degree: u32, wanted: usize) -> (Setting, Field, Vec<Basis>)
     let mut random = SplitMix64::new(1);
     let draw = setting.draw(Modulus::mersenne_61(), &mut random).unwrap();
     let place = Place { point: draw.map.point(&mut random), draw };
-    let bases = bases(&setting, degree, wanted, &place, Vec::new(), &mut random, &Deadline::never());
+    let all = candidates(&setting, degree, &mut random, &Deadline::never());
+    let bases = completing(&all, wanted, &place, Vec::new());
     (setting, field, bases)
 }
 
