@@ -11,6 +11,8 @@ mod budget;
 mod calculus;
 mod content;
 mod division;
+#[cfg(feature = "factor")]
+mod factor;
 mod gcd;
 mod images;
 mod monomial;
@@ -22,6 +24,8 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 pub use budget::{Budget, OverBudget};
+#[cfg(feature = "factor")]
+pub use factor::Factors;
 pub use gcd::{gcd, gcd_all, gcd_all_within, gcd_within};
 pub use monomial::{Monomial, Variable};
 

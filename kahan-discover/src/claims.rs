@@ -3,13 +3,15 @@
 //! What is printed is what was proved: the text of the claim is parsed behind the equations of the field and goes through
 //! the prover of claims. A formula that does not pass is not returned.
 
-use kahan_algebra::poly::{Monomial, Polynomial};
+use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Formulas, Notation};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
+
+use crate::writing::quotient;
 
 /// What densities are called.
 const DENSITY: &str = "rho";
@@ -23,7 +25,7 @@ pub struct Formula {
     pub text: String,
     /// The degree in the states of numerator and denominator, the larger.
     pub degree: u32,
-    /// The numerator; 1 for a density.
+    /// The numerator.
     pub numerator: Polynomial,
     /// The denominator.
     pub denominator: Polynomial,
@@ -109,7 +111,8 @@ impl<'a> Claims<'a> {
         name
     }
 
-    /// The claim that numerator/denominator is an integral, if it is proved; `index` numbers its name.
+    /// The claim that numerator/denominator is an integral, if it is proved; `index` numbers its name. It is written in
+    /// factors, or as `nested` where that is shorter.
     #[must_use]
     pub fn integral(
         &self,
@@ -117,34 +120,33 @@ impl<'a> Claims<'a> {
         index: usize,
         numerator: &Polynomial,
         denominator: &Polynomial,
+        nested: Option<&str>,
     ) -> Option<Formula> {
-        let above = factored(symbols, &[(numerator.clone(), 1)]);
-        let value = if denominator.is_one() {
-            above
-        } else {
-            quotient(&above, &factored(symbols, &[(denominator.clone(), 1)]))
-        };
+        let own = quotient(symbols, &[numerator.clone()], &[denominator.clone()]);
+        let value = nested.filter(|nested| nested.len() < own.len()).map_or(own, str::to_owned);
         let text = format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition);
         self.proved(symbols, ClaimKind::Integral, text, numerator, denominator)
     }
 
-    /// The claim that 1/∏ factorᵏ is an invariant density, if it is proved.
+    /// The claim that ∏ factorᵏ is an invariant density, if it is proved.
     #[must_use]
     pub fn density(
         &self,
         symbols: &Symbols,
         index: Option<usize>,
-        factors: &[(Polynomial, u32)],
+        factors: &[(Polynomial, i32)],
     ) -> Option<Formula> {
-        let value =
-            if factors.is_empty() { "1".to_owned() } else { quotient("1", &factored(symbols, factors)) };
-        let text = format!("density {} = {value}{};", self.name(DENSITY, index), self.condition);
-        let power = |(factor, exponent): &(Polynomial, u32)| {
-            (0..*exponent).map(|_| factor.clone()).collect::<Vec<_>>()
+        let side = |sign: i32| -> Vec<Polynomial> {
+            let own = factors.iter().filter(|(_, exponent)| exponent * sign > 0);
+            own.flat_map(|(factor, exponent)| vec![factor.clone(); exponent.unsigned_abs() as usize]).collect()
         };
-        let product =
-            factors.iter().flat_map(power).fold(Polynomial::one(), |product, factor| &product * &factor);
-        self.proved(symbols, ClaimKind::Density, text, &Polynomial::one(), &product)
+        let (above, below) = (side(1), side(-1));
+        let value = quotient(symbols, &above, &below);
+        let text = format!("density {} = {value}{};", self.name(DENSITY, index), self.condition);
+        let product = |side: &[Polynomial]| {
+            side.iter().fold(Polynomial::one(), |product, factor| &product * factor)
+        };
+        self.proved(symbols, ClaimKind::Density, text, &product(&above), &product(&below))
     }
 
     fn proved(
@@ -169,68 +171,4 @@ impl<'a> Claims<'a> {
             denominator: denominator.clone(),
         })
     }
-}
-
-/// `above/below`.
-fn quotient(above: &str, below: &str) -> String {
-    let above =
-        if above.contains(' ') && !is_product(above) { format!("({above})") } else { above.to_owned() };
-    let is_atom = below.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '^') || is_group(below);
-    if is_atom { format!("{above}/{below}") } else { format!("{above}/({below})") }
-}
-
-/// Whether sums stand in parentheses only.
-fn is_product(text: &str) -> bool {
-    let mut depth = 0;
-    text.chars().all(|c| {
-        match c {
-            '(' => depth += 1,
-            ')' => depth -= 1,
-            ' ' if depth == 0 => return false,
-            _ => {}
-        }
-        true
-    })
-}
-
-/// Whether the text is one sum in parentheses, perhaps with an exponent.
-fn is_group(text: &str) -> bool {
-    let inner = text.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('^');
-    inner.starts_with('(') && inner.ends_with(')') && !inner[1..inner.len() - 1].contains(['(', ')'])
-}
-
-/// A product of powers, what divides every term of a factor written before it.
-fn factored(symbols: &Symbols, factors: &[(Polynomial, u32)]) -> String {
-    let mut common = Monomial::one();
-    let mut sums: Vec<String> = Vec::new();
-    let mut sign = false;
-    for (factor, exponent) in factors {
-        let monomial = factor.monomial_content();
-        let rest = factor.div_monomial(&monomial).unwrap_or_else(|| factor.clone());
-        common = common.mul(&monomial.pow(*exponent));
-        if let Some(value) = rest.as_constant() {
-            sign ^= value.is_negative() && exponent % 2 == 1;
-            let size = value.abs();
-            if !size.is_one() {
-                sums.insert(0, Notation::Text.power(&size.to_string(), i64::from(*exponent)));
-            }
-            continue;
-        }
-        let text = Notation::Text.polynomial(symbols, &rest);
-        sums.push(Notation::Text.power(&format!("({text})"), i64::from(*exponent)));
-    }
-    let alone = sums.len() == 1 && common.is_one() && !sign;
-    if alone && sums[0].ends_with(')') {
-        let text = &sums[0];
-        return text[1..text.len() - 1].to_owned();
-    }
-    let mut parts = Vec::new();
-    if !common.is_one() {
-        parts.push(Notation::Text.polynomial(symbols, &Polynomial::term(common, Rational::one())));
-    }
-    parts.extend(sums);
-    if parts.is_empty() {
-        parts.push("1".to_owned());
-    }
-    format!("{}{}", if sign { "-" } else { "" }, parts.join("*"))
 }

@@ -1,6 +1,7 @@
 //! Polynomials with a given cofactor under the map: P(φ(x)) = C(x) P(x), linear in P.
 //!
-//! With C = det ∂x̃/∂x, dx/P is an invariant measure; with C = 1, P is an integral. Two P with the same C have an integral
+//! With C = det ∂x̃/∂x, dx/P is an invariant measure; with C = 1, P is an integral. A quotient of factors whose cofactors
+//! multiply to 1/det ∂x̃/∂x is a density too. Two P with the same C have an integral
 //! as their quotient, so with integrals the P of one degree form a space; its simplest element is the one to write.
 
 use kahan_algebra::poly::Polynomial;
@@ -21,12 +22,12 @@ const SPARE: usize = 6;
 /// How often a point is drawn again.
 const MOST_DRAWS: usize = 16;
 
-/// The polynomial of an invariant measure dx/P, in factors.
+/// The density ρ of an invariant measure ρ dx, in factors.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Measure {
-    /// P as a product: factors and their exponents.
-    pub factors: Vec<(Polynomial, u32)>,
-    /// The degree of P in the states.
+    /// ρ as a product: factors and their exponents.
+    pub factors: Vec<(Polynomial, i32)>,
+    /// The degrees of the factors in the states, each as often as it is multiplied or divided by.
     pub degree: u32,
 }
 
@@ -77,6 +78,9 @@ pub fn measure_space(
 /// Products of factors are tried to this degree, beyond what linear algebra reaches.
 const HIGHEST_PRODUCT: u32 = 12;
 
+/// Quotients are tried up to this sum of the degrees above and below.
+const HIGHEST_QUOTIENT: u32 = 16;
+
 /// How a search for a measure ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MeasureSearch {
@@ -105,7 +109,7 @@ pub fn measure(
         if deadline.passed() {
             break;
         }
-        if let Some(factors) = product(setting, factors, degree, random) {
+        if let Some(factors) = product(setting, factors, degree, &[-1], random) {
             return MeasureSearch::Found(Measure { factors, degree });
         }
         if degree > highest {
@@ -118,7 +122,11 @@ pub fn measure(
         }
         looked_up_to = Some(degree);
     }
-    MeasureSearch::NoneUpTo(looked_up_to)
+    let quotient = (1..=HIGHEST_QUOTIENT).find_map(|degree| {
+        let factors = product(setting, factors, degree, &[-1, 1], random)?;
+        Some(Measure { factors, degree })
+    });
+    quotient.map_or(MeasureSearch::NoneUpTo(looked_up_to), MeasureSearch::Found)
 }
 
 /// The simplest element of a space of P, over ℚ.
@@ -144,64 +152,71 @@ fn lifted(
     };
     let symbols = setting.family().symbols();
     let polynomials = lift_space(&Names::of(setting), &monomials, &form, at, random, deadline)?;
-    Some(Measure { factors: vec![(tidy(symbols, &polynomials[row]), 1)], degree })
+    Some(Measure { factors: vec![(tidy(symbols, &polynomials[row]), -1)], degree })
 }
 
-/// The simplest product of the given polynomials that has this degree and the cofactor det ∂x̃/∂x.
+/// The simplest product of powers of the given polynomials, exponents of these `signs`, whose degrees add up to `degree` and
+/// whose cofactor is 1/det ∂x̃/∂x.
 fn product(
     setting: &Setting,
     factors: &[Polynomial],
     degree: u32,
+    signs: &[i32],
     random: &mut SplitMix64,
-) -> Option<Vec<(Polynomial, u32)>> {
+) -> Option<Vec<(Polynomial, i32)>> {
     let symbols = setting.family().symbols();
     let degrees: Vec<u32> =
         factors.iter().map(|factor| factor.degree_where(|variable| symbols.is_state(variable))).collect();
     let modulus = Modulus::mersenne_61();
-    // For each of two points the factors' cofactors and the determinant.
-    let mut samples: Vec<(Vec<u64>, u64)> = Vec::new();
+    // For each of two points the factors' cofactors, their inverses, and the determinant.
+    let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
     for _ in 0..2 {
         let draw = setting.draw(modulus, random)?;
         let (point, step) = random_step(&draw.map, random)?;
-        let cofactors: Option<Vec<u64>> = factors
+        let cofactors: Option<Vec<[u64; 2]>> = factors
             .iter()
             .map(|factor| {
                 let here = setting.evaluate(&modulus, factor, &draw, &point)?;
                 let there = setting.evaluate(&modulus, factor, &draw, &step.next)?;
-                Some(modulus.times(there, modulus.inverse(here)?))
+                let cofactor = |above, below| Some(modulus.times(above, modulus.inverse(below)?));
+                Some([cofactor(there, here)?, cofactor(here, there)?])
             })
             .collect();
         samples.push((cofactors?, step.jacobian));
     }
-    let mut candidates: Vec<Vec<u32>> = Vec::new();
-    exponents(&degrees, degree, &mut Vec::new(), &mut candidates);
-    let has_cofactor = |exponents: &Vec<u32>| {
+    let mut candidates: Vec<Vec<i32>> = Vec::new();
+    exponents(&degrees, degree, signs, &mut Vec::new(), &mut candidates);
+    let has_cofactor = |exponents: &Vec<i32>| {
         samples.iter().all(|(cofactors, jacobian)| {
-            let powers =
-                cofactors.iter().zip(exponents).map(|(&base, &exponent)| modulus.power(base, exponent));
-            powers.fold(modulus.one(), |product, power| modulus.times(product, power)) == *jacobian
+            let powers = cofactors.iter().zip(exponents).map(|(bases, &exponent)| {
+                modulus.power(bases[usize::from(exponent < 0)], exponent.unsigned_abs())
+            });
+            powers.fold(*jacobian, |product, power| modulus.times(product, power)) == modulus.one()
         })
     };
-    let terms = |exponents: &Vec<u32>| -> usize {
-        exponents.iter().zip(factors).map(|(&exponent, factor)| exponent as usize * (factor.len() + 1)).sum()
+    let terms = |exponents: &Vec<i32>| -> usize {
+        let each = exponents.iter().zip(factors);
+        each.map(|(exponent, factor)| exponent.unsigned_abs() as usize * (factor.len() + 1)).sum()
     };
     let best = candidates.into_iter().filter(has_cofactor).min_by_key(terms)?;
-    let used = factors.iter().cloned().zip(best).filter(|(_, exponent)| *exponent > 0);
+    let used = factors.iter().cloned().zip(best).filter(|(_, exponent)| *exponent != 0);
     Some(used.collect())
 }
 
-/// All exponents with Σ exponent·degree = total, up to a few thousand.
-fn exponents(degrees: &[u32], total: u32, begun: &mut Vec<u32>, found: &mut Vec<Vec<u32>>) {
-    const MOST: usize = 5000;
+/// All exponents of these signs with Σ |exponent|·degree = total, up to some thousand.
+fn exponents(degrees: &[u32], total: u32, signs: &[i32], begun: &mut Vec<i32>, found: &mut Vec<Vec<i32>>) {
+    const MOST: usize = 20_000;
     let Some((&first, rest)) = degrees.split_first() else {
         if total == 0 && found.len() < MOST {
             found.push(begun.clone());
         }
         return;
     };
-    for exponent in 0..=total.checked_div(first).unwrap_or(0) {
-        begun.push(exponent);
-        exponents(rest, total - exponent * first, begun, found);
-        begun.pop();
+    for size in 0..=total.checked_div(first).unwrap_or(0) {
+        for &sign in if size == 0 { &signs[..1] } else { signs } {
+            begun.push(sign * size as i32);
+            exponents(rest, total - size * first, signs, begun, found);
+            begun.pop();
+        }
     }
 }

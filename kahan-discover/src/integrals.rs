@@ -58,7 +58,7 @@ pub fn integrals(
         formulas: Vec::new(),
     };
     for linear in &aims.linear {
-        collector.offer_one(linear.clone(), Polynomial::one());
+        collector.offer_one(linear.clone(), Polynomial::one(), None);
     }
     if let Some(hilbert) = aims.hilbert.filter(|_| !collector.is_done()) {
         collector.search(hilbert, aims.reach, random, deadline);
@@ -93,12 +93,12 @@ impl Collector<'_> {
     }
 
     /// Keeps P/Q, or P and Q where they are integrals each, if that is independent of what is known and is proved.
-    fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
+    fn offer(&mut self, numerator: Polynomial, denominator: Polynomial, nested: Option<&str>) {
         if denominator.as_constant().is_none() && self.is_kept(&denominator) {
-            self.offer_one(denominator, Polynomial::one());
-            self.offer_one(numerator, Polynomial::one());
+            self.offer_one(denominator, Polynomial::one(), None);
+            self.offer_one(numerator, Polynomial::one(), None);
         } else {
-            self.offer_one(numerator, denominator);
+            self.offer_one(numerator, denominator, nested);
         }
     }
 
@@ -110,19 +110,21 @@ impl Collector<'_> {
         let Some((above, below)) = self.known else { return };
         let is_expensive = 2 * Monomials::count(self.setting.dimension(), degree) > MOST_AHEAD;
         if is_expensive || own(above).max(own(below)) <= degree {
-            self.offer(above.clone(), below.clone());
+            self.offer(above.clone(), below.clone(), None);
         }
     }
 
-    fn offer_one(&mut self, numerator: Polynomial, denominator: Polynomial) {
+    fn offer_one(&mut self, numerator: Polynomial, denominator: Polynomial, nested: Option<&str>) {
         let symbols = self.setting.family().symbols();
         if self.is_done() || !self.independent.admits(&numerator, &denominator) {
             return;
         }
         let (numerator, denominator) = (tidy(symbols, &numerator), tidy(symbols, &denominator));
-        let numerator = with_a_limit(symbols, numerator, &denominator);
+        let limited = with_a_limit(symbols, numerator.clone(), &denominator);
+        let nested = nested.filter(|_| limited == numerator);
+        let numerator = limited;
         if let Some(formula) =
-            self.claims.integral(symbols, self.formulas.len() + 1, &numerator, &denominator)
+            self.claims.integral(symbols, self.formulas.len() + 1, &numerator, &denominator, nested)
         {
             self.independent.keep(&numerator, &denominator);
             self.formulas.push(formula);
@@ -144,7 +146,7 @@ impl Collector<'_> {
         let leaf = Leaf::of(&draw.map, random);
         if let Some(coordinates) = leaf.coordinates(setting, random, deadline) {
             for Coordinate { numerator, denominator } in &coordinates {
-                self.offer(numerator.clone(), denominator.clone());
+                self.offer(numerator.clone(), denominator.clone(), None);
             }
             self.search_leaf(&Chart { leaf, coordinates }, &draw, &bounds, random);
         }
@@ -250,8 +252,9 @@ impl Collector<'_> {
             let before = self.formulas.len();
             for &index in order.iter().filter(|&&index| index != base) {
                 let above = with_a_limit(symbols, basis[index].clone(), &basis[base]);
-                if let Some((above, below)) = chart.substituted(symbols, &above, &basis[base]) {
-                    self.offer(above, below);
+                if let Some((full_above, full_below)) = chart.substituted(symbols, &above, &basis[base]) {
+                    let nested = chart.written(symbols, &above, &basis[base]);
+                    self.offer(full_above, full_below, nested.as_deref());
                 }
             }
             if self.formulas.len() > before {

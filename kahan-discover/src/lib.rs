@@ -59,6 +59,7 @@ pub mod structure;
 pub mod thiele;
 pub mod weights;
 mod words;
+mod writing;
 
 pub use deadline::Deadline;
 pub use report::{DiscoverError, Options, Report, Stage};

@@ -34,6 +34,7 @@ use crate::space::tidy;
 use crate::stepping::Stepping;
 use crate::structure::{FlowIntegrals, divergence, flow_integrals, is_even};
 use crate::words::sentences;
+use crate::writing::state_factors;
 
 /// The most coefficients of the polynomial of a density.
 const MOST_DENSITY_COEFFICIENTS: usize = 220;
@@ -121,7 +122,7 @@ pub fn discover(
             if integrals.iter().any(is_listed) {
                 return true;
             }
-            let formula = claims.integral(symbols, integrals.len() + 1, above, below);
+            let formula = claims.integral(symbols, integrals.len() + 1, above, below, None);
             let is_proved = formula.is_some();
             add_if_independent(&setting, &mut integrals, formula, random);
             is_proved
@@ -254,11 +255,11 @@ fn densities(
 ) -> (Vec<Formula>, DensitySearch) {
     let symbols = setting.family().symbols();
     let mut factors: Vec<Polynomial> = Vec::new();
-    for polynomial in integrals.iter().flat_map(|formula| [&formula.numerator, &formula.denominator]) {
-        if polynomial.variables().iter().any(|&variable| symbols.is_state(variable))
-            && !factors.contains(polynomial)
-        {
-            factors.push(polynomial.clone());
+    for side in integrals.iter().flat_map(|formula| [&formula.numerator, &formula.denominator]) {
+        for factor in state_factors(symbols, side) {
+            if !factors.contains(&factor) {
+                factors.push(factor);
+            }
         }
     }
     let highest = density_degree(setting.dimension());
@@ -276,7 +277,7 @@ fn densities(
         && densities.is_empty()
         && let Some(written) = written_determinant(setting, field)
     {
-        densities.extend(claims.density(symbols, None, &[(written, 1)]));
+        densities.extend(claims.density(symbols, None, &[(written, -1)]));
     }
     (densities, search)
 }

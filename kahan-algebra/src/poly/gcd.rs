@@ -189,7 +189,7 @@ fn pseudo_remainder(
 }
 
 /// The coefficient of the highest power of `main`.
-fn leading_coefficient(polynomial: &Polynomial, main: Variable) -> Polynomial {
+pub(super) fn leading_coefficient(polynomial: &Polynomial, main: Variable) -> Polynomial {
     let degree = polynomial.degree_in(main);
     let power = Monomial::power(main, degree);
     Polynomial::from_sorted(

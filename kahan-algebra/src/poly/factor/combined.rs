@@ -1,0 +1,62 @@
+//! Polynomials modulo several primes become polynomials over ℤ (the Chinese remainder theorem).
+
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+
+use super::lifted;
+use super::sparse::Residues;
+use crate::poly::{Monomial, Polynomial, Variable};
+use crate::prime_field::PrimeField;
+use crate::rational::Rational;
+
+/// Integer coefficients modulo a product of primes.
+#[derive(Default)]
+pub(super) struct Combined {
+    modulus: BigInt,
+    factors: Vec<BTreeMap<Vec<u32>, BigInt>>,
+}
+
+impl Combined {
+    /// One prime more; whether that changed a coefficient.
+    pub(super) fn combine(&mut self, field: PrimeField, residues: Vec<Residues>) -> bool {
+        let prime = BigInt::from(field.prime());
+        if self.factors.is_empty() {
+            let symmetric = |(exponents, value): (Vec<u32>, u64)| {
+                (exponents, lifted::symmetric(&BigInt::from(value), &prime))
+            };
+            self.factors =
+                residues.into_iter().map(|factor| factor.into_iter().map(symmetric).collect()).collect();
+            self.modulus = prime;
+            return true;
+        }
+        let inverse = self.modulus.extended_gcd(&prime).x;
+        let modulus = &self.modulus * &prime;
+        let mut is_news = false;
+        for (known, residues) in self.factors.iter_mut().zip(residues) {
+            for exponents in residues.keys() {
+                known.entry(exponents.clone()).or_default();
+            }
+            for (exponents, value) in known {
+                let residue = BigInt::from(residues.get(exponents).copied().unwrap_or(0));
+                let digit = lifted::symmetric(&((residue - &*value) * &inverse), &prime);
+                is_news |= digit != BigInt::default();
+                *value = lifted::symmetric(&(&*value + &self.modulus * digit), &modulus);
+            }
+        }
+        self.modulus = modulus;
+        is_news
+    }
+
+    /// The polynomials whose coefficients are those of least size.
+    pub(super) fn factors(&self, order: &[Variable]) -> Vec<Polynomial> {
+        let polynomial = |factor: &BTreeMap<Vec<u32>, BigInt>| {
+            Polynomial::from_terms(factor.iter().map(|(exponents, value)| {
+                let monomial: Monomial = order.iter().copied().zip(exponents.iter().copied()).collect();
+                (monomial, Rational::from(value.clone()))
+            }))
+        };
+        self.factors.iter().map(polynomial).collect()
+    }
+}

@@ -1,0 +1,150 @@
+//! Dense polynomials in one variable over a prime field: coefficients by exponent, without zeros at the end.
+
+use crate::prime_field::PrimeField;
+
+/// Coefficients by exponent.
+pub(super) type Dense = Vec<u64>;
+
+/// Sums of products of residues below 2^62 are reduced when they come here, so that they never overflow.
+const REDUCE_AT: u128 = 1 << 127;
+
+/// Without the zeros at the end.
+pub(super) fn trimmed(mut a: Dense) -> Dense {
+    while a.last() == Some(&0) {
+        a.pop();
+    }
+    a
+}
+
+/// Adds the first coefficients of a·b to sums that are not reduced yet, as many as there are sums.
+pub(super) fn add_product(field: PrimeField, sums: &mut [u128], a: &[u64], b: &[u64]) {
+    for (shift, &left) in a.iter().enumerate().take(sums.len()) {
+        for (sum, &right) in sums[shift..].iter_mut().zip(b) {
+            *sum += u128::from(left) * u128::from(right);
+            if *sum >= REDUCE_AT {
+                *sum %= u128::from(field.prime());
+            }
+        }
+    }
+}
+
+/// The residues of sums of products.
+pub(super) fn reduced(field: PrimeField, sums: &[u128]) -> Dense {
+    sums.iter().map(|sum| (sum % u128::from(field.prime())) as u64).collect()
+}
+
+/// The first `len` coefficients of the product, zeros at the end included.
+pub(super) fn product_to(field: PrimeField, a: &[u64], b: &[u64], len: usize) -> Dense {
+    let mut sums = vec![0; len];
+    add_product(field, &mut sums, a, b);
+    reduced(field, &sums)
+}
+
+/// Σ aᵢ·bᵢ.
+pub(super) fn dot(field: PrimeField, a: &[u64], b: &[u64]) -> u64 {
+    let mut sum = 0;
+    for (&left, &right) in a.iter().zip(b) {
+        sum += u128::from(left) * u128::from(right);
+        if sum >= REDUCE_AT {
+            sum %= u128::from(field.prime());
+        }
+    }
+    (sum % u128::from(field.prime())) as u64
+}
+
+/// a·b.
+pub(super) fn product(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
+    if a.is_empty() || b.is_empty() {
+        return Dense::new();
+    }
+    trimmed(product_to(field, a, b, a.len() + b.len() - 1))
+}
+
+/// a − b.
+pub(super) fn difference(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
+    let at = |side: &[u64], index: usize| side.get(index).copied().unwrap_or(0);
+    trimmed((0..a.len().max(b.len())).map(|index| field.sub(at(a, index), at(b, index))).collect())
+}
+
+/// a divided by its leading coefficient; 0 stays 0.
+pub(super) fn monic(field: PrimeField, a: &[u64]) -> Dense {
+    let inverse = a.last().and_then(|&lead| field.inverse(lead)).unwrap_or(0);
+    a.iter().map(|&coefficient| field.mul(coefficient, inverse)).collect()
+}
+
+/// Quotient and remainder.
+///
+/// # Panics
+/// If b is 0.
+pub(super) fn quotient_and_rest(field: PrimeField, a: &[u64], b: &[u64]) -> (Dense, Dense) {
+    let lead = *b.last().expect("a divisor is not zero");
+    let inverse = field.inverse(lead).expect("a leading coefficient is not zero");
+    let mut rest = a.to_vec();
+    let mut quotient = vec![0; (a.len() + 1).saturating_sub(b.len())];
+    for shift in (0..quotient.len()).rev() {
+        let factor = field.mul(rest[shift + b.len() - 1], inverse);
+        quotient[shift] = factor;
+        if factor != 0 {
+            for (own, &other) in rest[shift..].iter_mut().zip(b) {
+                *own = field.sub(*own, field.mul(factor, other));
+            }
+        }
+    }
+    rest.truncate(b.len() - 1);
+    (trimmed(quotient), trimmed(rest))
+}
+
+/// a modulo b.
+pub(super) fn rest(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
+    quotient_and_rest(field, a, b).1
+}
+
+/// The monic greatest common divisor.
+pub(super) fn gcd(field: PrimeField, a: &[u64], b: &[u64]) -> Dense {
+    let (mut a, mut b) = (a.to_vec(), b.to_vec());
+    while !b.is_empty() {
+        (a, b) = (b.clone(), rest(field, &a, &b));
+    }
+    monic(field, &a)
+}
+
+/// 1/a modulo `modulus`; `None` where the two are not coprime.
+pub(super) fn inverse(field: PrimeField, a: &[u64], modulus: &[u64]) -> Option<Dense> {
+    // Both rows are (r, s) with r = s·a modulo the modulus.
+    let (mut upper, mut lower) = ((modulus.to_vec(), vec![]), (rest(field, a, modulus), vec![1]));
+    while lower.0.len() > 1 {
+        let (quotient, rest) = quotient_and_rest(field, &upper.0, &lower.0);
+        let next = difference(field, &upper.1, &product(field, &quotient, &lower.1));
+        (upper, lower) = (lower, (rest, next));
+    }
+    let unit = field.inverse(*lower.0.first()?)?;
+    Some(rest(field, &product(field, &lower.1, &[unit]), modulus))
+}
+
+/// a^exponent modulo `modulus`.
+pub(super) fn power(field: PrimeField, a: &[u64], mut exponent: u64, modulus: &[u64]) -> Dense {
+    let (mut power, mut base) = (rest(field, &[1], modulus), rest(field, a, modulus));
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            power = rest(field, &product(field, &power, &base), modulus);
+        }
+        base = rest(field, &product(field, &base, &base), modulus);
+        exponent >>= 1;
+    }
+    power
+}
+
+/// The derivative.
+pub(super) fn derivative(field: PrimeField, a: &[u64]) -> Dense {
+    let terms = a.iter().enumerate().skip(1);
+    trimmed(terms.map(|(index, &value)| field.mul(index as u64 % field.prime(), value)).collect())
+}
+
+/// For pairwise coprime factors the sᵢ of degree below theirs with Σ sᵢ·∏_{j≠i} fⱼ = 1; `None` where two share a factor.
+pub(super) fn partial_fractions(field: PrimeField, factors: &[Dense]) -> Option<Vec<Dense>> {
+    let cofactor = |skipped: usize, modulus: &Dense| {
+        let others = factors.iter().enumerate().filter(|(index, _)| *index != skipped);
+        others.fold(vec![1], |so_far, (_, other)| rest(field, &product(field, &so_far, other), modulus))
+    };
+    factors.iter().enumerate().map(|(index, f)| inverse(field, &cofactor(index, f), f)).collect()
+}

@@ -1,0 +1,76 @@
+//! Factors modulo a prime p become factors modulo a power of p (Hensel's lemma, one power of p a step).
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Zero};
+
+use super::dense::{self, Dense};
+use super::univariate::Integers;
+use crate::poly::{Budget, OverBudget};
+use crate::prime_field::PrimeField;
+use crate::rational::Rational;
+
+/// Monic polynomials whose product is, up to a unit, a given one modulo `modulus`.
+pub(super) struct Lifted {
+    pub(super) modulus: BigInt,
+    pub(super) factors: Vec<Integers>,
+}
+
+/// Lifts monic, pairwise coprime factors of `whole` modulo p until the modulus is beyond `bound`.
+pub(super) fn lift(
+    field: PrimeField,
+    factors: &[Dense],
+    whole: &Integers,
+    bound: &BigInt,
+    budget: &mut Budget,
+) -> Result<Lifted, OverBudget> {
+    let prime = BigInt::from(field.prime());
+    let inverses = dense::partial_fractions(field, factors).expect("the image is square-free");
+    let mut next = prime.clone();
+    while next <= *bound {
+        next *= &prime;
+    }
+    let last = next;
+    let unit = whole[whole.len() - 1].extended_gcd(&last).x.mod_floor(&last);
+    let whole: Integers = whole.iter().map(|c| (c * &unit).mod_floor(&last)).collect();
+    let mut lifted: Vec<Integers> =
+        factors.iter().map(|factor| factor.iter().map(|&c| BigInt::from(c)).collect()).collect();
+    let mut modulus = prime.clone();
+    while modulus < last {
+        let next = &modulus * &prime;
+        budget.charge((whole.len() * whole.len()) as u64 * (next.bits() / 64 + 1))?;
+        let so_far = lifted.iter().fold(vec![BigInt::one()], |so_far, f| product(&so_far, f, &next));
+        let error = dense::trimmed(
+            whole.iter().zip(&so_far).map(|(a, b)| residue(field, &((a - b) / &modulus))).collect(),
+        );
+        for ((factor, image), inverse) in lifted.iter_mut().zip(factors).zip(&inverses) {
+            let step = dense::rest(field, &dense::product(field, &error, inverse), image);
+            for (coefficient, &digit) in factor.iter_mut().zip(&step) {
+                *coefficient += &modulus * digit;
+            }
+        }
+        modulus = next;
+    }
+    Ok(Lifted { modulus, factors: lifted })
+}
+
+fn residue(field: PrimeField, value: &BigInt) -> u64 {
+    field.reduce(&Rational::from(value.clone())).expect("integers have residues")
+}
+
+/// The product modulo `modulus`, coefficients from 0 on.
+pub(super) fn product(a: &Integers, b: &Integers, modulus: &BigInt) -> Integers {
+    let mut product = vec![BigInt::zero(); a.len() + b.len() - 1];
+    for (shift, left) in a.iter().enumerate() {
+        for (index, right) in b.iter().enumerate() {
+            product[shift + index] += left * right;
+        }
+    }
+    product.iter().map(|coefficient| coefficient.mod_floor(modulus)).collect()
+}
+
+/// The residue of least size.
+pub(super) fn symmetric(value: &BigInt, modulus: &BigInt) -> BigInt {
+    let residue = value.mod_floor(modulus);
+    if &residue * 2 > *modulus { residue - modulus } else { residue }
+}

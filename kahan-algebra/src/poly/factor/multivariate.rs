@@ -1,0 +1,222 @@
+//! Irreducible factors of a polynomial that is primitive in its main variable.
+//!
+//! All other variables are set to small integers, which leaves a polynomial in one variable. If it keeps the degree and is
+//! irreducible, so is the whole (a factor without the main variable would be a content). Else its factors are lifted
+//! modulo large primes, in the way of Wang ("An improved multivariate polynomial factoring algorithm", Math. Comp. 32, 1978),
+//! until their product is the polynomial. They are then irreducible, as their images are.
+
+use super::combined::Combined;
+use super::sparse::{self, Problem};
+use super::univariate;
+use crate::poly::gcd::leading_coefficient;
+use crate::poly::{Budget, OverBudget, Polynomial, Variable};
+use crate::prime_field::{PrimeField, SplitMix64};
+use crate::rational::Rational;
+
+/// How often new points are taken where the factors of an image cannot be lifted; they grow from round to round.
+const ROUNDS: u32 = 8;
+/// Images to choose from: that with the fewest factors is lifted.
+const IMAGES: usize = 3;
+
+/// The irreducible factors with their exponents; `None` where no image could be lifted.
+pub(super) fn factors(
+    whole: &Polynomial,
+    main: Variable,
+    budget: &mut Budget,
+) -> Result<Option<Vec<(Polynomial, u32)>>, OverBudget> {
+    let mut order: Vec<Variable> = whole.variables().into_iter().filter(|&v| v != main).collect();
+    if order.is_empty() {
+        return univariate::factors(whole, main, budget).map(Some);
+    }
+    order.insert(0, main);
+    let mut rng = SplitMix64::new(whole.len() as u64);
+    let mut lead = None;
+    for round in 0..ROUNDS {
+        let mut best: Option<Image> = None;
+        for _ in 0..IMAGES {
+            let Some(image) = Image::at(whole, &order, 8 << (2 * round), &mut rng, budget)? else { continue };
+            if image.is_irreducible() {
+                return Ok(Some(vec![(whole.clone(), 1)]));
+            }
+            if best.as_ref().is_none_or(|best| image.key() < best.key()) {
+                best = Some(image);
+            }
+        }
+        let Some(image) = best else { continue };
+        let lead = match &mut lead {
+            Some(lead) => lead,
+            None => lead.insert(Lead::of(whole, main, budget)),
+        };
+        if let Some(factors) = image.lifted(whole, &order, lead, &mut rng, budget)? {
+            return Ok(Some(factors));
+        }
+    }
+    Ok(None)
+}
+
+/// The polynomial with all but the main variable fixed.
+struct Image {
+    points: Vec<i64>,
+    factors: Vec<(Polynomial, u32)>,
+}
+
+impl Image {
+    /// At random points below `size`; `None` where the degree falls.
+    fn at(
+        whole: &Polynomial,
+        order: &[Variable],
+        size: u64,
+        rng: &mut SplitMix64,
+        budget: &mut Budget,
+    ) -> Result<Option<Self>, OverBudget> {
+        let points: Vec<i64> = order[1..]
+            .iter()
+            .map(|_| {
+                let point = 2 + rng.below(size) as i64;
+                if rng.below(2) == 0 { point } else { -point }
+            })
+            .collect();
+        let mut image = whole.clone();
+        for (&variable, &point) in order[1..].iter().zip(&points) {
+            budget.charge(image.len() as u64 * image.coefficient_words())?;
+            image = image.substitute(variable, &Rational::from(point));
+        }
+        if image.degree() != whole.degree_in(order[0]) {
+            return Ok(None);
+        }
+        let factors = univariate::factors(&image.primitive_part(), order[0], budget)?;
+        Ok(Some(Self { points, factors }))
+    }
+
+    fn is_irreducible(&self) -> bool {
+        matches!(self.factors.as_slice(), [(_, 1)])
+    }
+
+    /// Less for what is nearer to the whole: no factors that happen to agree, and few of them.
+    fn key(&self) -> (i64, usize) {
+        (-self.factors.iter().map(|(factor, _)| i64::from(factor.degree())).sum::<i64>(), self.factors.len())
+    }
+
+    /// The factors of the whole whose images these are, if there are such ones.
+    fn lifted(
+        &self,
+        whole: &Polynomial,
+        order: &[Variable],
+        lead: &Lead,
+        rng: &mut SplitMix64,
+        budget: &mut Budget,
+    ) -> Result<Option<Vec<(Polynomial, u32)>>, OverBudget> {
+        let mut multipliers = Vec::new();
+        for (_, exponent) in &self.factors {
+            multipliers.push(lead.multiplier(*exponent, budget)?);
+        }
+        let problem =
+            Problem { whole, order, points: &self.points, images: &self.factors, multipliers: &multipliers };
+        let words: u64 = multipliers.iter().map(Polynomial::coefficient_words).max().unwrap_or(1);
+        let mut known = Combined::default();
+        for _ in 0..whole.coefficient_words() + words + 2 {
+            let field = PrimeField::random(rng);
+            let Some(residues) = sparse::lift(field, &problem, rng, budget)? else { continue };
+            let is_news = known.combine(field, residues);
+            let candidates = known.factors(order);
+            if self.agree(whole, lead, &multipliers, &candidates) {
+                let mut factors = Vec::new();
+                for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
+                    factors.push((lead.taken_out(candidate, budget)?, *exponent));
+                }
+                if is_product(whole, &factors, budget)? {
+                    return Ok(Some(factors));
+                }
+            }
+            if !is_news {
+                break;
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether lead·∏ candidate^k = whole·∏ multiplier^k at a point modulo a prime, which wrong candidates seldom pass.
+    fn agree(
+        &self,
+        whole: &Polynomial,
+        lead: &Lead,
+        multipliers: &[Polynomial],
+        candidates: &[Polynomial],
+    ) -> bool {
+        let field = PrimeField::MERSENNE_61;
+        let product = |start: &Polynomial, others: &[Polynomial]| {
+            others.iter().zip(&self.factors).fold(value(start), |product, (other, (_, exponent))| {
+                field.mul(product, field.pow(value(other), u64::from(*exponent)))
+            })
+        };
+        product(&lead.whole, candidates) == product(whole, multipliers)
+    }
+}
+
+/// The value modulo a prime at a fixed point.
+fn value(polynomial: &Polynomial) -> u64 {
+    let field = PrimeField::MERSENNE_61;
+    polynomial.terms().fold(0, |sum, (monomial, coefficient)| {
+        let start = field.reduce(coefficient).expect("the coefficients are integers");
+        let term = monomial.powers().iter().fold(start, |product, &(variable, exponent)| {
+            let point = SplitMix64::new(u64::from(variable.0)).below(field.prime());
+            field.mul(product, field.pow(point, u64::from(exponent)))
+        });
+        field.add(sum, term)
+    })
+}
+
+/// Whether the whole is the product.
+fn is_product(
+    whole: &Polynomial,
+    factors: &[(Polynomial, u32)],
+    budget: &mut Budget,
+) -> Result<bool, OverBudget> {
+    let mut rest = whole.clone();
+    for (factor, exponent) in factors {
+        for _ in 0..*exponent {
+            match rest.div_within(factor, budget)? {
+                Some(quotient) => rest = quotient,
+                None => return Ok(false),
+            }
+        }
+    }
+    Ok(rest.is_one())
+}
+
+/// The leading coefficient in the main variable.
+struct Lead {
+    whole: Polynomial,
+    content: Rational,
+    factors: Vec<(Polynomial, u32)>,
+}
+
+impl Lead {
+    fn of(whole: &Polynomial, main: Variable, budget: &mut Budget) -> Self {
+        let whole = leading_coefficient(whole, main);
+        let factors = whole.factors(budget);
+        Self { whole, content: factors.content.abs(), factors: factors.factors }
+    }
+
+    /// A multiple of the leading coefficient of every factor that occurs `exponent` times.
+    fn multiplier(&self, exponent: u32, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+        let mut product = Polynomial::constant(self.content.clone());
+        for (factor, own) in &self.factors {
+            product = product.mul_within(&factor.pow_within(own / exponent, budget)?, budget)?;
+        }
+        Ok(product)
+    }
+
+    /// The primitive part of what a multiplier may have gone into.
+    fn taken_out(&self, polynomial: Polynomial, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
+        let monomial = polynomial.monomial_content();
+        let mut rest = polynomial.div_monomial(&monomial).expect("the content divides").primitive_part();
+        for (factor, exponent) in self.factors.iter().filter(|(factor, _)| factor.len() > 1) {
+            for _ in 0..*exponent {
+                let Some(quotient) = rest.div_within(factor, budget)? else { break };
+                rest = quotient.primitive_part();
+            }
+        }
+        Ok(rest)
+    }
+}

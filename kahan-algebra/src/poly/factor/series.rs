@@ -1,0 +1,159 @@
+//! From factors at one value of a variable y to factors with y: Hensel's lemma in F_p[[t]], t = y − point.
+//!
+//! Leading coefficients: the lift is of monic polynomials over power series. Each factor is multiplied by a multiple of its
+//! leading coefficient at the end, which makes it a polynomial in t again (the classic trick; see Geddes, Czapor and
+//! Labahn, Algorithms for Computer Algebra, 1992, section 6.6). Powers of a factor are lifted as one, and their root is
+//! taken at the end, so nothing has to be square-free.
+
+use super::dense::{self, Dense};
+use crate::prime_field::PrimeField;
+
+/// A polynomial in x and y, or x and t: for each power of x the coefficients by powers of the other.
+pub(super) type Rows = Vec<Vec<u64>>;
+
+/// What is to be lifted.
+pub(super) struct Question<'a> {
+    /// The product, up to what does not contain x; all rows have the same length.
+    pub(super) whole: &'a Rows,
+    /// The factors at y = point, and how often they occur.
+    pub(super) factors: &'a [(Dense, u32)],
+    /// For each factor a multiple of its leading coefficient: coefficients by powers of y, as many as a row has.
+    pub(super) multipliers: &'a [Dense],
+    /// Where the factors are known.
+    pub(super) point: u64,
+}
+
+/// The factors, each times what its multiplier has beyond its leading coefficient; `None` where the point is a bad one:
+/// the leading coefficient vanishes there, or factors agree.
+pub(super) fn lift(field: PrimeField, question: &Question<'_>) -> Option<Vec<Rows>> {
+    let Question { whole, factors, multipliers, point } = question;
+    let len = whole[0].len();
+    let shifted: Rows = whole.iter().map(|row| shift(field, row, *point)).collect();
+    let unit = reciprocal(field, shifted.last()?)?;
+    let monic: Rows = shifted.iter().map(|row| dense::product_to(field, row, &unit, len)).collect();
+    let mut powers: Vec<Dense> = Vec::new();
+    for (factor, exponent) in *factors {
+        let factor = dense::monic(field, factor);
+        powers.push((0..*exponent).fold(vec![1], |power, _| dense::product(field, &power, &factor)));
+    }
+    let lifted = lift_monic(field, &monic, powers)?;
+    let mut results = Vec::new();
+    for ((lifted, (_, exponent)), multiplier) in lifted.into_iter().zip(*factors).zip(*multipliers) {
+        let degree = lifted[0].len() - 1;
+        let root = root(field, transposed(&lifted, degree + 1), *exponent, len)?;
+        let multiplier = shift(field, multiplier, *point);
+        let back = field.neg(*point);
+        let row = |row: &Dense| shift(field, &dense::product_to(field, row, &multiplier, len), back);
+        results.push(root.iter().map(row).collect());
+    }
+    Some(results)
+}
+
+/// Monic factors as power series, from their values at t = 0: for each factor its coefficients by powers of t, each a
+/// polynomial in x.
+fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Vec<Vec<Dense>>> {
+    let by_t = transposed(whole, whole[0].len());
+    let inverses = dense::partial_fractions(field, &factors)?;
+    // products[i] is the product of the factors up to the i-th.
+    let mut products: Vec<Vec<Dense>> = Vec::new();
+    for factor in &factors {
+        let one = vec![1];
+        let before = products.last().map_or(&one, |product| &product[0]);
+        products.push(vec![dense::product(field, before, factor)]);
+    }
+    if products.last()?[0] != by_t[0] {
+        return None;
+    }
+    let mut lifted: Vec<Vec<Dense>> = factors.into_iter().map(|factor| vec![factor]).collect();
+    for step in 1..by_t.len() {
+        // The products as they are without the new coefficients,
+        for index in 0..lifted.len() {
+            let mut sums = vec![0; whole.len()];
+            if index > 0 {
+                for other in 1..=step {
+                    let factor = &lifted[index][step - other];
+                    dense::add_product(field, &mut sums, &products[index - 1][other], factor);
+                }
+            }
+            products[index].push(dense::reduced(field, &sums));
+        }
+        let error = dense::difference(field, &by_t[step], &products[lifted.len() - 1][step]);
+        // and with them.
+        let mut before: Dense = Vec::new();
+        for index in 0..lifted.len() {
+            let image = lifted[index][0].clone();
+            let digit = dense::rest(field, &dense::product(field, &error, &inverses[index]), &image);
+            let mut sums = vec![0; whole.len()];
+            dense::add_product(field, &mut sums, &before, &image);
+            match index {
+                0 => dense::add_product(field, &mut sums, &digit, &[1]),
+                _ => dense::add_product(field, &mut sums, &products[index - 1][0], &digit),
+            }
+            before = dense::trimmed(dense::reduced(field, &sums));
+            for (own, &more) in products[index][step].iter_mut().zip(&before) {
+                *own = field.add(*own, more);
+            }
+            lifted[index].push(digit);
+        }
+    }
+    Some(lifted)
+}
+
+/// Rows and columns exchanged; rows that are too short end with zeros.
+fn transposed(rows: &[Dense], columns: usize) -> Rows {
+    let column = |place: usize| rows.iter().map(|row| row.get(place).copied().unwrap_or(0)).collect();
+    (0..columns).map(column).collect()
+}
+
+/// The monic k-th root of a monic polynomial in x over power series in t that is a k-th power.
+///
+/// With x^(kd)·h(1/x) the power and α = 1/k, h^α is found term by term from h·(h^α)′ = α·h′·h^α (Knuth, The Art of
+/// Computer Programming 4.7): m·rₘ = Σ_{l=1..m} (αl − (m − l))·hₗ·r_{m−l}.
+fn root(field: PrimeField, power: Rows, exponent: u32, len: usize) -> Option<Rows> {
+    if exponent == 1 {
+        return Some(power);
+    }
+    let alpha = field.inverse(u64::from(exponent) % field.prime())?;
+    let degree = (power.len() - 1) / exponent as usize;
+    // From the highest power of x downwards.
+    let mut root: Rows = vec![power[power.len() - 1].clone()];
+    for m in 1..=degree {
+        let mut sums = vec![0; len];
+        for l in 1..=m {
+            let weight = field.sub(field.mul(alpha, l as u64), (m - l) as u64);
+            let scaled = scaled(field, &power[power.len() - 1 - l], weight);
+            dense::add_product(field, &mut sums, &scaled, &root[m - l]);
+        }
+        let unit = field.inverse(m as u64)?;
+        root.push(scaled(field, &dense::reduced(field, &sums), unit));
+    }
+    root.reverse();
+    Some(root)
+}
+
+fn scaled(field: PrimeField, row: &[u64], factor: u64) -> Dense {
+    row.iter().map(|&value| field.mul(value, factor)).collect()
+}
+
+/// The coefficients of a(y + by), as many as a has.
+fn shift(field: PrimeField, a: &[u64], by: u64) -> Dense {
+    let mut shifted = a.to_vec();
+    for done in 0..a.len() {
+        for place in (done + 1..a.len()).rev() {
+            shifted[place - 1] = field.add(shifted[place - 1], field.mul(shifted[place], by));
+        }
+    }
+    shifted
+}
+
+/// 1/a as a power series, as many terms as a has; `None` where a(0) = 0.
+fn reciprocal(field: PrimeField, a: &[u64]) -> Option<Dense> {
+    let unit = field.inverse(*a.first()?)?;
+    let mut inverse = vec![unit];
+    for step in 1..a.len() {
+        let known: Dense = inverse.iter().rev().copied().collect();
+        let sum = dense::dot(field, &a[1..=step], &known);
+        inverse.push(field.mul(field.neg(sum), unit));
+    }
+    Some(inverse)
+}

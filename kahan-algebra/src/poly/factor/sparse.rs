@@ -1,0 +1,253 @@
+//! Factors modulo a large prime p, one variable after another.
+//!
+//! Known are the factors with the first variables, the others fixed at points. The next variable y is let free at several
+//! points of the first ones, which takes a lift from one value of y to all ([`series`](super::series)); a coefficient of
+//! each factor is then interpolated on the monomials that the factor has already (Zippel, "Probabilistic algorithms for
+//! sparse polynomials", EUROSAM 1979), at the powers of one point, so that the linear systems are Vandermonde's (Monagan and
+//! Tuncer, CASC 2016; Chen and Monagan, CASC 2020). A monomial that vanishes at a fixed point is missing in the result;
+//! whoever divides sees it.
+
+use std::collections::BTreeMap;
+
+use super::dense::{self, Dense};
+use super::series::{self, Question, Rows};
+use crate::poly::{Budget, OverBudget, Polynomial, Variable};
+use crate::prime_field::{PrimeField, SplitMix64};
+
+/// About that many products of residues take as long as one product of terms.
+const RESIDUES_PER_TERM: u64 = 32;
+
+/// A polynomial over F_p: coefficients by exponents, the main variable first.
+pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
+
+/// What is to be factored.
+pub(super) struct Problem<'a> {
+    /// The polynomial, with integer coefficients.
+    pub(super) whole: &'a Polynomial,
+    /// Its variables, the main one first.
+    pub(super) order: &'a [Variable],
+    /// The values of all but the main variable.
+    pub(super) points: &'a [i64],
+    /// The factors at the points and their exponents.
+    pub(super) images: &'a [(Polynomial, u32)],
+    /// For each factor a multiple of its leading coefficient in the main variable.
+    pub(super) multipliers: &'a [Polynomial],
+}
+
+/// The factors modulo p, each times what its multiplier has beyond its leading coefficient; `None` at a bad point.
+pub(super) fn lift(
+    field: PrimeField,
+    problem: &Problem<'_>,
+    rng: &mut SplitMix64,
+    budget: &mut Budget,
+) -> Result<Option<Vec<Residues>>, OverBudget> {
+    let points: Vec<u64> = problem.points.iter().map(|&point| field.reduce_i64(point)).collect();
+    let wholes = stages(field, problem.whole, problem.order, &points);
+    let multipliers: Vec<Vec<Residues>> =
+        problem.multipliers.iter().map(|each| stages(field, each, problem.order, &points)).collect();
+    let mut factors: Vec<(Residues, u32)> = problem
+        .images
+        .iter()
+        .map(|(image, exponent)| (residues(field, image, &problem.order[..1]), *exponent))
+        .collect();
+    for (stage, &point) in points.iter().enumerate() {
+        let step = Step {
+            field,
+            whole: &wholes[stage + 1],
+            multipliers: multipliers.iter().map(|each| &each[stage + 1]).collect(),
+            factors: &factors,
+            point,
+        };
+        let Some(lifted) = step.lift(rng, budget)? else { return Ok(None) };
+        for ((factor, _), lifted) in factors.iter_mut().zip(lifted) {
+            *factor = lifted;
+        }
+    }
+    Ok(Some(factors.into_iter().map(|(factor, _)| factor).collect()))
+}
+
+/// The polynomial with the first i variables free, for each i beginning with the main variable alone.
+fn stages(field: PrimeField, polynomial: &Polynomial, order: &[Variable], points: &[u64]) -> Vec<Residues> {
+    let mut stages = vec![residues(field, polynomial, order)];
+    for &point in points.iter().rev() {
+        let mut fixed = Residues::new();
+        for (exponents, &coefficient) in &stages[stages.len() - 1] {
+            let (last, first) = exponents.split_last().expect("the main variable stays");
+            let value = field.mul(coefficient, field.pow(point, u64::from(*last)));
+            let sum = fixed.entry(first.to_vec()).or_insert(0);
+            *sum = field.add(*sum, value);
+        }
+        stages.push(fixed);
+    }
+    stages.reverse();
+    stages
+}
+
+fn residues(field: PrimeField, polynomial: &Polynomial, order: &[Variable]) -> Residues {
+    polynomial
+        .terms()
+        .map(|(monomial, coefficient)| {
+            let exponents = order.iter().map(|&variable| monomial.exponent(variable)).collect();
+            (exponents, field.reduce(coefficient).expect("the coefficients are integers"))
+        })
+        .collect()
+}
+
+/// One variable more.
+struct Step<'a> {
+    field: PrimeField,
+    whole: &'a Residues,
+    multipliers: Vec<&'a Residues>,
+    factors: &'a [(Residues, u32)],
+    point: u64,
+}
+
+impl Step<'_> {
+    fn lift(&self, rng: &mut SplitMix64, budget: &mut Budget) -> Result<Option<Vec<Residues>>, OverBudget> {
+        let field = self.field;
+        let highest =
+            |at: usize| self.whole.keys().map(|exponents| exponents[at]).max().unwrap_or(0) as usize;
+        let last = self.whole.keys().next().map_or(1, |exponents| exponents.len() - 1);
+        let (degree, len) = (highest(0), highest(last) + 1);
+        let base: Vec<u64> = (1..last).map(|_| 1 + rng.below(field.prime() - 1)).collect();
+        let shapes: Vec<Shape> =
+            self.factors.iter().map(|(factor, _)| Shape::new(field, factor, &base)).collect();
+        let samples = shapes.iter().map(Shape::samples).max().unwrap_or(1);
+        let size = (degree + 1) * len;
+        budget.charge((samples * (self.whole.len() + size * size)) as u64 / RESIDUES_PER_TERM)?;
+
+        let mut whole = Walk::new(field, self.whole, &base, Some(last));
+        let mut multipliers: Vec<Walk> =
+            self.multipliers.iter().map(|each| Walk::new(field, each, &base, Some(last))).collect();
+        let mut factors: Vec<Walk> =
+            self.factors.iter().map(|(factor, _)| Walk::new(field, factor, &base, None)).collect();
+        let mut lifts: Vec<Vec<Rows>> = vec![Vec::new(); factors.len()];
+        for _ in 0..samples {
+            let known: Vec<(Dense, u32)> = factors
+                .iter_mut()
+                .zip(self.factors)
+                .map(|(walk, (_, exponent))| (column(&walk.next(field, degree + 1, 1)), *exponent))
+                .collect();
+            let multipliers: Vec<Dense> =
+                multipliers.iter_mut().map(|walk| walk.next(field, 1, len).remove(0)).collect();
+            let question = Question {
+                whole: &whole.next(field, degree + 1, len),
+                factors: &known,
+                multipliers: &multipliers,
+                point: self.point,
+            };
+            let Some(lifted) = series::lift(field, &question) else { return Ok(None) };
+            for (all, one) in lifts.iter_mut().zip(lifted) {
+                all.push(one);
+            }
+        }
+        let work: usize = shapes.iter().map(|shape| shape.work(len)).sum();
+        budget.charge(work as u64 / RESIDUES_PER_TERM)?;
+        Ok(shapes.iter().zip(&lifts).map(|(shape, lifts)| shape.interpolated(field, lifts, len)).collect())
+    }
+}
+
+fn column(rows: &Rows) -> Dense {
+    dense::trimmed(rows.iter().map(|row| row[0]).collect())
+}
+
+/// The value of a monomial, the main variable and those from `end` on left out.
+fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
+    let powers = exponents[1..].iter().zip(base);
+    powers.fold(1, |product, (&exponent, &base)| field.mul(product, field.pow(base, u64::from(exponent))))
+}
+
+/// A polynomial evaluated at the powers of a point, one after another.
+struct Walk {
+    /// For each term the powers of the variables that stay, and the value and the factor to the next.
+    terms: Vec<(usize, usize, u64, u64)>,
+}
+
+impl Walk {
+    /// The main variable stays, and the one at `second`.
+    fn new(field: PrimeField, polynomial: &Residues, base: &[u64], second: Option<usize>) -> Self {
+        let term = |(exponents, &coefficient): (&Vec<u32>, &u64)| {
+            let other = second.map_or(0, |place| exponents[place] as usize);
+            (exponents[0] as usize, other, coefficient, value(field, exponents, base))
+        };
+        Self { terms: polynomial.iter().map(term).collect() }
+    }
+
+    /// The values at the next power, by powers of the main and the second variable.
+    fn next(&mut self, field: PrimeField, rows: usize, columns: usize) -> Rows {
+        let mut values = vec![vec![0; columns]; rows];
+        for (row, column, value, ratio) in &mut self.terms {
+            *value = field.mul(*value, *ratio);
+            let sum: &mut u64 = &mut values[*row][*column];
+            *sum = field.add(*sum, *value);
+        }
+        values
+    }
+}
+
+/// The monomials of a factor by powers of the main variable, and their values.
+struct Shape {
+    groups: BTreeMap<usize, Vec<(Vec<u32>, u64)>>,
+}
+
+impl Shape {
+    fn new(field: PrimeField, factor: &Residues, base: &[u64]) -> Self {
+        let mut groups: BTreeMap<usize, Vec<(Vec<u32>, u64)>> = BTreeMap::new();
+        for (exponents, _) in factor.iter().filter(|(_, coefficient)| **coefficient != 0) {
+            let node = (exponents.clone(), value(field, exponents, base));
+            groups.entry(exponents[0] as usize).or_default().push(node);
+        }
+        Self { groups }
+    }
+
+    /// How many values the interpolation takes.
+    fn samples(&self) -> usize {
+        self.groups.values().map(Vec::len).max().unwrap_or(1)
+    }
+
+    fn work(&self, len: usize) -> usize {
+        self.groups.values().map(|group| group.len() * group.len() * len).sum()
+    }
+
+    fn interpolated(&self, field: PrimeField, lifts: &[Rows], len: usize) -> Option<Residues> {
+        let mut terms = Residues::new();
+        for (&row, group) in &self.groups {
+            let nodes: Vec<u64> = group.iter().map(|(_, node)| *node).collect();
+            let columns: Vec<Dense> = (0..len)
+                .map(|power| {
+                    lifts[..nodes.len()].iter().map(|lift| lift.get(row).map_or(0, |r| r[power])).collect()
+                })
+                .collect();
+            for ((exponents, _), solution) in group.iter().zip(vandermonde(field, &nodes, &columns)?) {
+                for (power, coefficient) in solution.into_iter().enumerate().filter(|(_, c)| *c != 0) {
+                    let mut exponents = exponents.clone();
+                    exponents.push(power as u32);
+                    terms.insert(exponents, coefficient);
+                }
+            }
+        }
+        Some(terms)
+    }
+}
+
+/// For each node mᵢ and each column v the cᵢ with Σ cᵢ·mᵢ^k = vₖ, k from 1 on; `None` where nodes agree.
+///
+/// With q = ∏_{j≠i} (z − mⱼ), the sum Σ qₖ·v_{k+1} is cᵢ·mᵢ·q(mᵢ).
+fn vandermonde(field: PrimeField, nodes: &[u64], columns: &[Dense]) -> Option<Vec<Dense>> {
+    let master = nodes.iter().fold(vec![1], |all, &node| dense::product(field, &all, &[field.neg(node), 1]));
+    nodes
+        .iter()
+        .map(|&node| {
+            // Horner's rule from the top gives the quotient by z − node.
+            let mut quotient = vec![0; nodes.len()];
+            let mut carry = 0;
+            for place in (0..nodes.len()).rev() {
+                carry = field.add(field.mul(carry, node), master[place + 1]);
+                quotient[place] = carry;
+            }
+            let at_node = quotient.iter().rev().fold(0, |sum, &c| field.add(field.mul(sum, node), c));
+            let unit = field.inverse(field.mul(node, at_node))?;
+            Some(columns.iter().map(|values| field.mul(dense::dot(field, &quotient, values), unit)).collect())
+        })
+        .collect()
+}

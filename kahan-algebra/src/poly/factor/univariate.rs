@@ -1,0 +1,229 @@
+//! Irreducible factors of a polynomial in one variable over ℤ.
+//!
+//! Zassenhaus, "On Hensel factorization I", J. Number Theory 1, 1969: factors modulo a small prime p are lifted to factors
+//! modulo a power of p beyond twice the coefficients of any true factor, and products of few of them are tried. The
+//! degrees that sums of degrees modulo several primes allow settle most irreducible polynomials before.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{Signed, Zero};
+
+use super::dense::Dense;
+use super::lifted::{self, Lifted};
+use super::{modular, square_free};
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable};
+use crate::prime_field::{PrimeField, SplitMix64, is_prime_u64};
+use crate::rational::Rational;
+
+/// Coefficients by exponent, the last one positive.
+pub(super) type Integers = Vec<BigInt>;
+
+/// The primes that are looked at: the one with the fewest factors is lifted.
+const PRIMES: usize = 5;
+/// Primes from here on: odd, and seldom such that two factors agree modulo them.
+const FIRST_PRIME: u64 = 1009;
+/// About that many products of residues take as long as one product of terms.
+const RESIDUES_PER_TERM: u64 = 32;
+
+/// The irreducible factors of a primitive polynomial in `main`, with their exponents.
+pub(super) fn factors(
+    polynomial: &Polynomial,
+    main: Variable,
+    budget: &mut Budget,
+) -> Result<Vec<(Polynomial, u32)>, OverBudget> {
+    let mut all = Vec::new();
+    for (part, exponent) in square_free::yun(polynomial, main, budget)? {
+        let degree = part.degree() as usize;
+        let coefficient = |power: usize| part.coefficient(&Monomial::power(main, power as u32)).numerator();
+        for factor in irreducible((0..=degree).map(coefficient).collect(), budget)? {
+            let terms = factor.into_iter().enumerate();
+            let terms = terms.map(|(power, c)| (Monomial::power(main, power as u32), Rational::from(c)));
+            all.push((Polynomial::from_terms(terms), exponent));
+        }
+    }
+    Ok(all)
+}
+
+/// The irreducible factors of a primitive square-free polynomial with a positive leading coefficient.
+fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
+    let degree = polynomial.len() - 1;
+    if degree < 2 {
+        return Ok(vec![polynomial]);
+    }
+    let mut possible = DegreeSet::all(degree);
+    let mut best: Option<(PrimeField, Vec<modular::EqualDegree>, usize)> = None;
+    let mut tried = 0;
+    for prime in (FIRST_PRIME..).step_by(2).filter(|&n| is_prime_u64(n)) {
+        let cube = (degree as u64).saturating_pow(3);
+        budget.charge(8 * cube / RESIDUES_PER_TERM + degree as u64)?;
+        let Some((field, image)) = good_image(&polynomial, prime) else { continue };
+        let parts = modular::by_degree(field, &image);
+        let count = parts.iter().map(modular::EqualDegree::count).sum();
+        possible.meet(&DegreeSet::sums(degree, &parts));
+        if possible.is_trivial() {
+            return Ok(vec![polynomial]);
+        }
+        if best.as_ref().is_none_or(|(_, _, least)| count < *least) {
+            best = Some((field, parts, count));
+        }
+        tried += 1;
+        if tried == PRIMES {
+            break;
+        }
+    }
+    let (field, parts, _) = best.expect("all but finitely many primes are good");
+    let mut rng = SplitMix64::new(field.prime());
+    let images: Vec<Dense> =
+        parts.into_iter().flat_map(|part| modular::irreducible(field, part, &mut rng)).collect();
+    let lifted = lifted::lift(field, &images, &polynomial, &(coefficient_bound(&polynomial) * 2), budget)?;
+    recombine(polynomial, lifted, &possible, budget)
+}
+
+/// The monic image modulo a prime that keeps the degree and the square-freeness.
+fn good_image(polynomial: &Integers, prime: u64) -> Option<(PrimeField, Dense)> {
+    let field = PrimeField::new(prime)?;
+    let image: Dense =
+        polynomial.iter().map(|c| field.reduce(&Rational::from(c.clone()))).collect::<Option<_>>()?;
+    let keeps_degree = image.last() != Some(&0);
+    let derivative = super::dense::derivative(field, &image);
+    (keeps_degree && super::dense::gcd(field, &image, &derivative).len() == 1)
+        .then(|| (field, super::dense::monic(field, &image)))
+}
+
+/// The degrees that a factor may have.
+struct DegreeSet(Vec<bool>);
+
+impl DegreeSet {
+    fn all(degree: usize) -> Self {
+        Self(vec![true; degree + 1])
+    }
+
+    /// The sums of degrees of factors modulo a prime.
+    fn sums(degree: usize, parts: &[modular::EqualDegree]) -> Self {
+        let mut possible = vec![false; degree + 1];
+        possible[0] = true;
+        for part in parts {
+            for _ in 0..part.count() {
+                for sum in (part.degree..=degree).rev() {
+                    possible[sum] |= possible[sum - part.degree];
+                }
+            }
+        }
+        Self(possible)
+    }
+
+    fn meet(&mut self, other: &Self) {
+        for (own, other) in self.0.iter_mut().zip(&other.0) {
+            *own &= other;
+        }
+    }
+
+    fn is_trivial(&self) -> bool {
+        self.0.iter().filter(|possible| **possible).count() == 2
+    }
+}
+
+/// No coefficient of lc(f)/lc(g)·g, g a factor of f, is larger: |lc(f)|·2^n·‖f‖₂ (Mignotte, Math. Comp. 28, 1974).
+fn coefficient_bound(polynomial: &Integers) -> BigInt {
+    let squares: BigInt = polynomial.iter().map(|c| c * c).sum();
+    ((squares.sqrt() + 1_u32) << (polynomial.len() - 1)) * polynomial[polynomial.len() - 1].abs()
+}
+
+/// The true factors as products of factors modulo a power of a prime, the fewest first.
+fn recombine(
+    mut whole: Integers,
+    lifted: Lifted,
+    possible: &DegreeSet,
+    budget: &mut Budget,
+) -> Result<Vec<Integers>, OverBudget> {
+    let Lifted { modulus, mut factors } = lifted;
+    let words = modulus.bits() / 64 + 1;
+    let mut found = Vec::new();
+    let mut size = 1;
+    while 2 * size <= factors.len() {
+        let mut chosen: Vec<usize> = (0..size).collect();
+        loop {
+            let degree: usize = chosen.iter().map(|&index| factors[index].len() - 1).sum();
+            if possible.0[degree] {
+                budget.charge((whole.len() * whole.len()) as u64 * words)?;
+                let candidate = candidate(&whole, chosen.iter().map(|&index| &factors[index]), &modulus);
+                if let Some(quotient) = exact_quotient(&whole, &candidate) {
+                    found.push(candidate);
+                    whole = quotient;
+                    for &index in chosen.iter().rev() {
+                        factors.remove(index);
+                    }
+                    if 2 * size > factors.len() {
+                        break;
+                    }
+                    chosen = (0..size).collect();
+                    continue;
+                }
+            } else {
+                budget.charge(1)?;
+            }
+            if !advance(&mut chosen, factors.len()) {
+                break;
+            }
+        }
+        size += 1;
+    }
+    if whole.len() > 1 {
+        found.push(whole);
+    }
+    Ok(found)
+}
+
+/// The next subset of the same size in lexicographic order, if there is one.
+fn advance(chosen: &mut [usize], count: usize) -> bool {
+    let size = chosen.len();
+    let Some(place) = (0..size).rev().find(|&place| chosen[place] < count - size + place) else {
+        return false;
+    };
+    chosen[place] += 1;
+    for next in place + 1..size {
+        chosen[next] = chosen[next - 1] + 1;
+    }
+    true
+}
+
+/// The primitive part of lc(whole)·∏ factors, coefficients of least size modulo `modulus`.
+fn candidate<'a>(
+    whole: &Integers,
+    factors: impl Iterator<Item = &'a Integers>,
+    modulus: &BigInt,
+) -> Integers {
+    let lead = vec![whole[whole.len() - 1].clone()];
+    let mut product = factors.fold(lead, |so_far, factor| lifted::product(&so_far, factor, modulus));
+    let mut content = BigInt::zero();
+    for coefficient in &mut product {
+        *coefficient = lifted::symmetric(coefficient, modulus);
+        content = content.gcd(coefficient);
+    }
+    for coefficient in &mut product {
+        *coefficient = &*coefficient / &content;
+    }
+    product
+}
+
+/// The quotient of integer polynomials where there is one.
+fn exact_quotient(whole: &Integers, divisor: &Integers) -> Option<Integers> {
+    let divides = |a: &BigInt, b: &BigInt| if b.is_zero() { a.is_zero() } else { (a % b).is_zero() };
+    if !divides(&whole[0], &divisor[0]) {
+        return None;
+    }
+    let lead = &divisor[divisor.len() - 1];
+    let mut rest = whole.clone();
+    let mut quotient = vec![BigInt::zero(); (whole.len() + 1).checked_sub(divisor.len())?];
+    for shift in (0..quotient.len()).rev() {
+        let (factor, remainder) = rest[shift + divisor.len() - 1].div_rem(lead);
+        if !remainder.is_zero() {
+            return None;
+        }
+        for (own, other) in rest[shift..].iter_mut().zip(divisor) {
+            *own -= &factor * other;
+        }
+        quotient[shift] = factor;
+    }
+    rest.iter().all(Zero::is_zero).then_some(quotient)
+}
