@@ -2,13 +2,11 @@
 
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::render::Notation;
 use kahan_algebra::symbols::{Symbol, Symbols};
 
 use crate::leaf::{Coordinate, Leaf};
 use crate::setting::Setting;
 use crate::space::Names;
-use crate::writing::{factored, is_product, quotient};
 
 /// The work that putting the formulas of a leaf's coordinates in may take, in products of terms.
 const SUBSTITUTION_WORK: u64 = 20_000_000;
@@ -70,66 +68,5 @@ impl Chart {
         let [above, below] = quotient;
         let reduced = RationalFunction::new_within(above, below, &mut budget).ok()??;
         Some((reduced.numerator().clone(), reduced.denominator().clone()))
-    }
-
-    /// P/Q as text with every coordinate written out where it stands, which keeps its formula in one piece; `None` without
-    /// coordinates.
-    #[must_use]
-    pub fn written(
-        &self,
-        symbols: &Symbols,
-        numerator: &Polynomial,
-        denominator: &Polynomial,
-    ) -> Option<String> {
-        if self.coordinates.is_empty() {
-            return None;
-        }
-        let above = self.written_sum(symbols, numerator);
-        let above = if is_product(&above) { above } else { format!("({above})") };
-        Some(match denominator.as_constant().is_some_and(|constant| constant.is_one()) {
-            true => above,
-            false => format!("{above}/({})", self.written_sum(symbols, denominator)),
-        })
-    }
-
-    /// A polynomial by the powers of its coordinates.
-    fn written_sum(&self, symbols: &Symbols, polynomial: &Polynomial) -> String {
-        // Coordinates that are one variable each are put in as such.
-        let short = |coordinate: &Coordinate| coordinate.denominator.is_one() && coordinate.numerator.len() == 1;
-        let is_coordinate = |variable: Variable| matches!(symbols.symbol(variable), Symbol::SecondState(_));
-        let mut sum = polynomial.clone();
-        for (j, coordinate) in self.coordinates.iter().enumerate().filter(|(_, own)| short(own)) {
-            let powers = sum.coefficients_in(self.variable(symbols, j)).into_iter();
-            sum = powers.fold(Polynomial::zero(), |sum, (exponent, coefficient)| {
-                let power = (0..exponent).fold(coefficient, |power, _| &power * &coordinate.numerator);
-                sum + power
-            });
-        }
-        let mut text = String::new();
-        for (powers, coefficient) in sum.group(is_coordinate) {
-            let mut parts: Vec<String> = Vec::new();
-            for &(variable, exponent) in powers.powers() {
-                let Symbol::SecondState(j) = symbols.symbol(variable) else { continue };
-                let Coordinate { numerator, denominator } = &self.coordinates[j];
-                let own = quotient(symbols, &[numerator.clone()], &[denominator.clone()]);
-                parts.push(Notation::Text.power(&format!("({own})"), i64::from(exponent)));
-            }
-            let own = factored(symbols, &coefficient);
-            let (sign, own) = match own.strip_prefix('-') {
-                Some(positive) if is_product(&own) => ("-", positive.to_owned()),
-                _ => ("+", own),
-            };
-            if parts.is_empty() || own != "1" {
-                let is_sum = !parts.is_empty() && !is_product(&own);
-                parts.insert(0, if is_sum { format!("({own})") } else { own });
-            }
-            match (text.is_empty(), sign) {
-                (true, "-") => text.push('-'),
-                (true, _) => {}
-                (false, sign) => text.push_str(&format!(" {sign} ")),
-            }
-            text.push_str(&parts.join("*"));
-        }
-        text
     }
 }

@@ -3,6 +3,8 @@
 //! What is printed is what was proved: the text of the claim is parsed behind the equations of the field and goes through
 //! the prover of claims. A formula that does not pass is not returned.
 
+use std::slice::from_ref;
+
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Formulas, Notation};
@@ -112,7 +114,7 @@ impl<'a> Claims<'a> {
     }
 
     /// The claim that numerator/denominator is an integral, if it is proved; `index` numbers its name. It is written in
-    /// factors, or as `nested` where that is shorter.
+    /// factors, and by powers of one of the polynomials `by` where that is shorter.
     #[must_use]
     pub fn integral(
         &self,
@@ -120,32 +122,32 @@ impl<'a> Claims<'a> {
         index: usize,
         numerator: &Polynomial,
         denominator: &Polynomial,
-        nested: Option<&str>,
+        by: &[Polynomial],
     ) -> Option<Formula> {
-        let own = quotient(symbols, &[numerator.clone()], &[denominator.clone()]);
-        let value = nested.filter(|nested| nested.len() < own.len()).map_or(own, str::to_owned);
+        let value = quotient(symbols, from_ref(numerator), from_ref(denominator), by);
         let text = format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition);
         self.proved(symbols, ClaimKind::Integral, text, numerator, denominator)
     }
 
-    /// The claim that ∏ factorᵏ is an invariant density, if it is proved.
+    /// The claim that ∏ factorᵏ is an invariant density, if it is proved; written as integrals are.
     #[must_use]
     pub fn density(
         &self,
         symbols: &Symbols,
         index: Option<usize>,
         factors: &[(Polynomial, i32)],
+        by: &[Polynomial],
     ) -> Option<Formula> {
         let side = |sign: i32| -> Vec<Polynomial> {
             let own = factors.iter().filter(|(_, exponent)| exponent * sign > 0);
-            own.flat_map(|(factor, exponent)| vec![factor.clone(); exponent.unsigned_abs() as usize]).collect()
+            own.flat_map(|(factor, exponent)| vec![factor.clone(); exponent.unsigned_abs() as usize])
+                .collect()
         };
         let (above, below) = (side(1), side(-1));
-        let value = quotient(symbols, &above, &below);
+        let value = quotient(symbols, &above, &below, by);
         let text = format!("density {} = {value}{};", self.name(DENSITY, index), self.condition);
-        let product = |side: &[Polynomial]| {
-            side.iter().fold(Polynomial::one(), |product, factor| &product * factor)
-        };
+        let product =
+            |side: &[Polynomial]| side.iter().fold(Polynomial::one(), |product, factor| &product * factor);
         self.proved(symbols, ClaimKind::Density, text, &product(&above), &product(&below))
     }
 

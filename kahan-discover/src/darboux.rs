@@ -204,7 +204,13 @@ fn product(
 }
 
 /// All exponents of these signs with Σ |exponent|·degree = total, up to some thousand.
-fn exponents(degrees: &[u32], total: u32, signs: &[i32], begun: &mut Vec<i32>, found: &mut Vec<Vec<i32>>) {
+pub(crate) fn exponents(
+    degrees: &[u32],
+    total: u32,
+    signs: &[i32],
+    begun: &mut Vec<i32>,
+    found: &mut Vec<Vec<i32>>,
+) {
     const MOST: usize = 20_000;
     let Some((&first, rest)) = degrees.split_first() else {
         if total == 0 && found.len() < MOST {

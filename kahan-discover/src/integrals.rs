@@ -15,10 +15,12 @@ use crate::limit::with_a_limit;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::Pencil;
+use crate::reduction::{Step, reduced};
 use crate::search::{Reach, pencils_of_entries, spanned_pencils};
 use crate::setting::{Draw, Setting};
 use crate::space::{lift_space, tidy};
 use crate::stepping::Stepping;
+use crate::writing::state_factors_of;
 
 /// Integrals P/Q are looked for up to this degree at least, as far as the number of their coefficients allows.
 const HIGHEST: u32 = 8;
@@ -58,7 +60,7 @@ pub fn integrals(
         formulas: Vec::new(),
     };
     for linear in &aims.linear {
-        collector.offer_one(linear.clone(), Polynomial::one(), None);
+        collector.offer_one(linear.clone(), Polynomial::one());
     }
     if let Some(hilbert) = aims.hilbert.filter(|_| !collector.is_done()) {
         collector.search(hilbert, aims.reach, random, deadline);
@@ -72,7 +74,7 @@ struct Collector<'a> {
     wanted: usize,
     known: Option<&'a (Polynomial, Polynomial)>,
     /// A point and its image.
-    step: Option<(Draw, [Vec<u64>; 2])>,
+    step: Option<Step>,
     independent: Independent<'a>,
     formulas: Vec<Formula>,
 }
@@ -93,12 +95,12 @@ impl Collector<'_> {
     }
 
     /// Keeps P/Q, or P and Q where they are integrals each, if that is independent of what is known and is proved.
-    fn offer(&mut self, numerator: Polynomial, denominator: Polynomial, nested: Option<&str>) {
+    fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
         if denominator.as_constant().is_none() && self.is_kept(&denominator) {
-            self.offer_one(denominator, Polynomial::one(), None);
-            self.offer_one(numerator, Polynomial::one(), None);
+            self.offer_one(denominator, Polynomial::one());
+            self.offer_one(numerator, Polynomial::one());
         } else {
-            self.offer_one(numerator, denominator, nested);
+            self.offer_one(numerator, denominator);
         }
     }
 
@@ -110,25 +112,38 @@ impl Collector<'_> {
         let Some((above, below)) = self.known else { return };
         let is_expensive = 2 * Monomials::count(self.setting.dimension(), degree) > MOST_AHEAD;
         if is_expensive || own(above).max(own(below)) <= degree {
-            self.offer(above.clone(), below.clone(), None);
+            self.offer(above.clone(), below.clone());
         }
     }
 
-    fn offer_one(&mut self, numerator: Polynomial, denominator: Polynomial, nested: Option<&str>) {
+    fn offer_one(&mut self, numerator: Polynomial, denominator: Polynomial) {
         let symbols = self.setting.family().symbols();
         if self.is_done() || !self.independent.admits(&numerator, &denominator) {
             return;
         }
+        let factors = state_factors_of(symbols, &self.formulas);
         let (numerator, denominator) = (tidy(symbols, &numerator), tidy(symbols, &denominator));
-        let limited = with_a_limit(symbols, numerator.clone(), &denominator);
-        let nested = nested.filter(|_| limited == numerator);
-        let numerator = limited;
-        if let Some(formula) =
-            self.claims.integral(symbols, self.formulas.len() + 1, &numerator, &denominator, nested)
-        {
+        let (numerator, denominator) = self.simplified(&factors, numerator, denominator);
+        let numerator = with_a_limit(symbols, numerator, &denominator);
+        let index = self.formulas.len() + 1;
+        let formula = self.claims.integral(symbols, index, &numerator, &denominator, &factors);
+        if let Some(formula) = formula {
             self.independent.keep(&numerator, &denominator);
             self.formulas.push(formula);
         }
+    }
+
+    /// The integral combined with those known so that factors of its denominator cancel.
+    fn simplified(
+        &self,
+        factors: &[Polynomial],
+        numerator: Polynomial,
+        denominator: Polynomial,
+    ) -> (Polynomial, Polynomial) {
+        let Some(step) = &self.step else { return (numerator, denominator) };
+        let (above, below) = reduced(self.setting, step, factors, numerator.clone(), denominator.clone());
+        // A product of known factors over a new denominator may have been all that was new.
+        if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
     /// Looks on the leaves of linear relations, then in the whole space.
@@ -146,7 +161,7 @@ impl Collector<'_> {
         let leaf = Leaf::of(&draw.map, random);
         if let Some(coordinates) = leaf.coordinates(setting, random, deadline) {
             for Coordinate { numerator, denominator } in &coordinates {
-                self.offer(numerator.clone(), denominator.clone(), None);
+                self.offer(numerator.clone(), denominator.clone());
             }
             self.search_leaf(&Chart { leaf, coordinates }, &draw, &bounds, random);
         }
@@ -252,9 +267,8 @@ impl Collector<'_> {
             let before = self.formulas.len();
             for &index in order.iter().filter(|&&index| index != base) {
                 let above = with_a_limit(symbols, basis[index].clone(), &basis[base]);
-                if let Some((full_above, full_below)) = chart.substituted(symbols, &above, &basis[base]) {
-                    let nested = chart.written(symbols, &above, &basis[base]);
-                    self.offer(full_above, full_below, nested.as_deref());
+                if let Some((above, below)) = chart.substituted(symbols, &above, &basis[base]) {
+                    self.offer(above, below);
                 }
             }
             if self.formulas.len() > before {

@@ -46,6 +46,7 @@ pub mod modulus;
 pub mod monomials;
 pub mod parity;
 pub mod pencil;
+mod reduction;
 pub mod relations;
 pub mod report;
 pub mod scan;

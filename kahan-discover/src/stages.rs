@@ -34,7 +34,7 @@ use crate::space::tidy;
 use crate::stepping::Stepping;
 use crate::structure::{FlowIntegrals, divergence, flow_integrals, is_even};
 use crate::words::sentences;
-use crate::writing::state_factors;
+use crate::writing::state_factors_of;
 
 /// The most coefficients of the polynomial of a density.
 const MOST_DENSITY_COEFFICIENTS: usize = 220;
@@ -122,7 +122,13 @@ pub fn discover(
             if integrals.iter().any(is_listed) {
                 return true;
             }
-            let formula = claims.integral(symbols, integrals.len() + 1, above, below, None);
+            let formula = claims.integral(
+                symbols,
+                integrals.len() + 1,
+                above,
+                below,
+                &state_factors_of(symbols, &integrals),
+            );
             let is_proved = formula.is_some();
             add_if_independent(&setting, &mut integrals, formula, random);
             is_proved
@@ -254,21 +260,14 @@ fn densities(
     deadline: &Deadline,
 ) -> (Vec<Formula>, DensitySearch) {
     let symbols = setting.family().symbols();
-    let mut factors: Vec<Polynomial> = Vec::new();
-    for side in integrals.iter().flat_map(|formula| [&formula.numerator, &formula.denominator]) {
-        for factor in state_factors(symbols, side) {
-            if !factors.contains(&factor) {
-                factors.push(factor);
-            }
-        }
-    }
+    let factors = state_factors_of(symbols, integrals);
     let highest = density_degree(setting.dimension());
     let mut densities = Vec::new();
     let mut search = DensitySearch::default();
     match measure(setting, &factors, highest, random, deadline) {
         MeasureSearch::Found(found) => {
             search.seen = Some(found.degree);
-            densities.extend(claims.density(symbols, None, &found.factors));
+            densities.extend(claims.density(symbols, None, &found.factors, &factors));
         }
         MeasureSearch::Seen(degree) => search.seen = Some(degree),
         MeasureSearch::NoneUpTo(degree) => search.none_up_to = degree,
@@ -277,7 +276,7 @@ fn densities(
         && densities.is_empty()
         && let Some(written) = written_determinant(setting, field)
     {
-        densities.extend(claims.density(symbols, None, &[(written, -1)]));
+        densities.extend(claims.density(symbols, None, &[(written, -1)], &factors));
     }
     (densities, search)
 }

@@ -1,57 +1,288 @@
-//! Formulas as text in the language of `kahan!`, in factors.
+//! Formulas as text in the language of `kahan!`: in factors, and by powers of polynomials that are known already.
+//!
+//! A long factor P is often short in another polynomial F: P = Σ dₖ Fᵏ, where F is linear in a variable v that the digits dₖ
+//! do not contain. The catalog's Lagrange top is such a case, and it is written so where that is shorter.
 
-use kahan_algebra::poly::{Budget, Monomial, Polynomial};
+use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Notation;
-use kahan_algebra::symbols::Symbols;
+use kahan_algebra::symbols::{Symbol, Symbols};
+
+use crate::claims::Formula;
 
 /// What factoring one polynomial may cost: most take milliseconds, the worst a second.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 20_000_000;
 
-/// A product in irreducible factors, as far as they were found.
-#[derive(Clone, Debug)]
-struct Product {
-    content: Rational,
-    monomial: Monomial,
-    /// Polynomials with the exponents they have here, each with its first term in writing positive.
-    factors: Vec<(Polynomial, u32)>,
-}
+/// A factor of fewer terms is written as it is.
+const FEW_TERMS: usize = 12;
 
-/// The irreducible factors of a polynomial that contain states, each once, as far as they were found in reasonable work.
-#[must_use]
+/// The irreducible factors that contain states, each once.
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
-    let factors = polynomial.factors(&mut Budget::new(MOST_TERMS, MOST_WORK)).factors;
-    let has_states = |factor: &Polynomial| factor.variables().iter().any(|&v| symbols.is_state(v));
-    factors.into_iter().map(|(factor, _)| factor).filter(has_states).collect()
+    let found = polynomial.factors(&mut Budget::new(MOST_TERMS, MOST_WORK)).factors.into_iter();
+    let has_states =
+        |factor: &Polynomial| factor.variables().iter().any(|&variable| symbols.is_state(variable));
+    found.map(|(factor, _)| factor).filter(has_states).collect()
 }
 
-/// ∏ above / ∏ below, each in factors.
-#[must_use]
-pub(crate) fn quotient(symbols: &Symbols, above: &[Polynomial], below: &[Polynomial]) -> String {
+/// Those of all numerators and denominators.
+pub(crate) fn state_factors_of(symbols: &Symbols, formulas: &[Formula]) -> Vec<Polynomial> {
+    let mut factors: Vec<Polynomial> = Vec::new();
+    for side in formulas.iter().flat_map(|formula| [&formula.numerator, &formula.denominator]) {
+        for factor in state_factors(symbols, side) {
+            if !factors.contains(&factor) {
+                factors.push(factor);
+            }
+        }
+    }
+    factors
+}
+
+/// ∏ above / ∏ below, each in factors, these perhaps by powers of one of `by` or of a factor below.
+pub(crate) fn quotient(
+    symbols: &Symbols,
+    above: &[Polynomial],
+    below: &[Polynomial],
+    by: &[Polynomial],
+) -> String {
     let (mut above, mut below) = (Product::of(above), Product::of(below));
-    // One rational number for both, in front of the numerator's integers.
+    let own = below.sums.iter().filter_map(|(sum, _)| match sum {
+        Sum::Plain(polynomial) if polynomial.len() < FEW_TERMS => Some(polynomial.clone()),
+        _ => None,
+    });
+    let by: Vec<Polynomial> = by.iter().cloned().chain(own).collect();
+    above.shorten(symbols, &by);
+    below.shorten(symbols, &by);
+    // What stands in front of both sides becomes one, without fractions.
     let content = above.content.checked_div(&below.content).unwrap_or_else(Rational::zero);
-    above.content = Rational::from(content.numerator());
-    below.content = Rational::from(content.denominator());
-    let above = above.text(symbols);
-    if below.is_one() {
+    let (front_above, front_below) =
+        (above.front.mul(&below.front_below), above.front_below.mul(&below.front));
+    let common = front_above.gcd(&front_below);
+    let lowest = |monomial: &Monomial| monomial.div(&common).unwrap_or_default();
+    let above = product_text(symbols, &content.numerator().into(), &lowest(&front_above), &above.sums);
+    let below = product_text(symbols, &content.denominator().into(), &lowest(&front_below), &below.sums);
+    if below == "1" {
         return above;
     }
-    let below = below.text(symbols);
-    let above = if above.contains(' ') && !is_product(&above) { format!("({above})") } else { above };
+    let above = if is_product(&above) { above } else { format!("({above})") };
     let is_atom = below.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '^') || is_group(&below);
     if is_atom { format!("{above}/{below}") } else { format!("{above}/({below})") }
 }
 
-/// The polynomial in factors; a sum stands alone, without parentheses.
-#[must_use]
-pub(crate) fn factored(symbols: &Symbols, polynomial: &Polynomial) -> String {
-    Product::of(std::slice::from_ref(polynomial)).text(symbols)
+/// content · front/front_below · ∏ sums.
+#[derive(Clone, Debug)]
+struct Product {
+    content: Rational,
+    front: Monomial,
+    front_below: Monomial,
+    sums: Vec<(Sum, u32)>,
+}
+
+/// A factor that is no monomial.
+#[derive(Clone, Debug, PartialEq)]
+enum Sum {
+    /// As it is.
+    Plain(Polynomial),
+    /// As text.
+    Written(String),
+}
+
+impl Product {
+    fn of(polynomials: &[Polynomial]) -> Self {
+        let mut product = Product {
+            content: Rational::one(),
+            front: Monomial::one(),
+            front_below: Monomial::one(),
+            sums: Vec::new(),
+        };
+        for polynomial in polynomials {
+            let found = polynomial.factors(&mut Budget::new(MOST_TERMS, MOST_WORK));
+            product.content = &product.content * &found.content;
+            for (factor, exponent) in found.factors {
+                product.take(factor, exponent);
+            }
+        }
+        product
+    }
+
+    fn take(&mut self, factor: Polynomial, exponent: u32) {
+        if let (1, Some((monomial, _))) = (factor.len(), factor.leading_term()) {
+            self.front = self.front.mul(&monomial.pow(exponent));
+            return;
+        }
+        let is_negative = begins_negative(&factor);
+        let factor = Sum::Plain(if is_negative { -&factor } else { factor });
+        if is_negative && exponent % 2 == 1 {
+            self.content = -&self.content;
+        }
+        match self.sums.iter_mut().find(|(known, _)| *known == factor) {
+            Some((_, known)) => *known += exponent,
+            None => self.sums.push((factor, exponent)),
+        }
+    }
+
+    /// Writes long factors by powers of shorter polynomials where that is shorter.
+    fn shorten(&mut self, symbols: &Symbols, by: &[Polynomial]) {
+        for (sum, exponent) in &mut self.sums {
+            let Sum::Plain(polynomial) = &*sum else { continue };
+            if polynomial.len() < FEW_TERMS {
+                continue;
+            }
+            let mut best = Notation::Text.polynomial(symbols, polynomial);
+            let mut scale = None;
+            for base in by.iter().filter(|base| base.len() < polynomial.len()) {
+                for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
+                    if let Some((text, own)) = by_powers(symbols, polynomial, base, variable)
+                        && text.len() < best.len()
+                    {
+                        (best, scale) = (text, Some(own));
+                    }
+                }
+            }
+            if let Some(Scale { content, front, front_below }) = scale {
+                self.content = &self.content * &content.pow(*exponent as i32).unwrap_or_else(Rational::one);
+                self.front = self.front.mul(&front.pow(*exponent));
+                self.front_below = self.front_below.mul(&front_below.pow(*exponent));
+                *sum = Sum::Written(best);
+            }
+        }
+    }
+}
+
+/// What a polynomial was divided by to be written.
+struct Scale {
+    content: Rational,
+    front: Monomial,
+    front_below: Monomial,
+}
+
+/// A polynomial by powers of a base.
+pub(crate) struct InPowers {
+    /// scale · P with the base replaced by `fresh`.
+    pub(crate) sum: Polynomial,
+    /// What stands for the base.
+    pub(crate) fresh: Variable,
+    /// One term without states.
+    pub(crate) scale: Polynomial,
+}
+
+/// The polynomial by powers of `base` that is linear in `variable` with a coefficient of one term without states; `None` where
+/// it is not, and beyond the budget.
+pub(crate) fn in_powers(
+    symbols: &Symbols,
+    polynomial: &Polynomial,
+    base: &Polynomial,
+    variable: Variable,
+) -> Option<InPowers> {
+    let fresh = symbols.variable(Symbol::SecondState(0));
+    if base.degree_in(variable) != 1 || polynomial.contains(fresh) {
+        return None;
+    }
+    let mut parts = base.coefficients_in(variable);
+    let slope = parts.remove(&1)?;
+    let rest = parts.remove(&0).unwrap_or_default();
+    if slope.len() > 1 || slope.variables().into_iter().any(|v| symbols.is_state(v)) {
+        return None;
+    }
+    // With F = μv + r: μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ, F being a variable of its own for a moment.
+    let highest = polynomial.degree_in(variable);
+    let shifted = Polynomial::variable(fresh) - rest;
+    let mut budget = Budget::new(MOST_TERMS, MOST_WORK / 10);
+    let mut sum = Polynomial::zero();
+    for (exponent, part) in polynomial.coefficients_in(variable) {
+        let power = shifted.pow_within(exponent, &mut budget).ok()?;
+        let scale = slope.pow_within(highest - exponent, &mut budget).ok()?;
+        sum = sum + part.mul_within(&power, &mut budget).ok()?.mul_within(&scale, &mut budget).ok()?;
+    }
+    Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
+}
+
+/// The polynomial written by powers of `base`; `None` where that is not possible, or where nothing comes of it.
+fn by_powers(
+    symbols: &Symbols,
+    polynomial: &Polynomial,
+    base: &Polynomial,
+    variable: Variable,
+) -> Option<(String, Scale)> {
+    let base = if begins_negative(base) { -base } else { base.clone() };
+    let InPowers { sum, fresh, scale } = in_powers(symbols, polynomial, &base, variable)?;
+    let (factor, coefficient) = scale.leading_term()?;
+    if !sum.contains(fresh) {
+        return None;
+    }
+    let front = sum.monomial_content();
+    let sum = sum.div_monomial(&front)?;
+    let content = sum.content();
+    let sum = sum.primitive_part();
+    // The fresh variable may be part of the common monomial: then the base divides the polynomial, which is irreducible.
+    if front.exponent(fresh) > 0 {
+        return None;
+    }
+    let content = content.checked_div(coefficient)?;
+    let scale = Scale { content, front, front_below: factor.clone() };
+    let base_text = Notation::Text.polynomial(symbols, &base);
+    let base_text = if base.len() > 1 { format!("({base_text})") } else { base_text };
+    let mut text = String::new();
+    let (mut is_first, mut is_negative) = (true, false);
+    for (exponent, digit) in sum.coefficients_in(fresh) {
+        let mut product = Product::of(&[digit]);
+        if is_first {
+            // The whole begins positive.
+            is_negative = product.content.is_negative();
+        }
+        if is_negative {
+            product.content = -&product.content;
+        }
+        let sign = match (product.content.is_negative(), is_first) {
+            (true, _) => " - ",
+            (false, true) => "",
+            (false, false) => " + ",
+        };
+        product.content = product.content.abs();
+        let power = Notation::Text.power(&base_text, i64::from(exponent));
+        product.sums.extend((exponent > 0).then_some((Sum::Written(power), 1)));
+        text.push_str(sign);
+        text.push_str(&product_text(symbols, &product.content, &product.front, &product.sums));
+        is_first = false;
+    }
+    let content = if is_negative { -&scale.content } else { scale.content };
+    Some((text, Scale { content, ..scale }))
+}
+
+/// content · front · ∏ sums; a sum stands alone without parentheses.
+fn product_text(symbols: &Symbols, content: &Rational, front: &Monomial, sums: &[(Sum, u32)]) -> String {
+    let text = |sum: &Sum| match sum {
+        Sum::Plain(polynomial) => Notation::Text.polynomial(symbols, polynomial),
+        Sum::Written(text) => text.clone(),
+    };
+    if let ([(sum, 1)], true, true) = (sums, front.is_one(), content.is_one()) {
+        return text(sum);
+    }
+    let in_parentheses = |(sum, exponent): &(Sum, u32)| {
+        let own = text(sum);
+        let is_atom = is_group(&own) || !own.contains([' ', '*', '/', '-']);
+        let own = if is_atom { own } else { format!("({own})") };
+        Notation::Text.power(&own, i64::from(*exponent))
+    };
+    let mut parts: Vec<String> = sums.iter().map(in_parentheses).collect();
+    let front = Notation::Text.polynomial(symbols, &Polynomial::term(front.clone(), content.clone()));
+    match front.as_str() {
+        "1" if !parts.is_empty() => {}
+        "-1" if !parts.is_empty() => parts[0].insert(0, '-'),
+        _ => parts.insert(0, front),
+    }
+    parts.join("*")
+}
+
+/// Whether the first term in writing is negative: low degrees stand first, in the order of terms within a degree.
+fn begins_negative(polynomial: &Polynomial) -> bool {
+    let lowest = polynomial.terms().map(|(monomial, _)| monomial.degree()).min();
+    let first = polynomial.terms().find(|(monomial, _)| Some(monomial.degree()) == lowest);
+    first.is_some_and(|(_, coefficient)| coefficient.is_negative())
 }
 
 /// Whether sums stand in parentheses only.
-pub(crate) fn is_product(text: &str) -> bool {
+fn is_product(text: &str) -> bool {
     let mut depth = 0;
     text.chars().all(|c| {
         match c {
@@ -67,63 +298,14 @@ pub(crate) fn is_product(text: &str) -> bool {
 /// Whether the text is one sum in parentheses, perhaps with an exponent.
 fn is_group(text: &str) -> bool {
     let inner = text.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('^');
-    inner.starts_with('(') && inner.ends_with(')') && !inner[1..inner.len() - 1].contains(['(', ')'])
-}
-
-impl Product {
-    fn of(polynomials: &[Polynomial]) -> Self {
-        let mut product =
-            Product { content: Rational::one(), monomial: Monomial::one(), factors: Vec::new() };
-        for polynomial in polynomials {
-            let found = polynomial.factors(&mut Budget::new(MOST_TERMS, MOST_WORK));
-            product.content = &product.content * &found.content;
-            for (factor, exponent) in found.factors {
-                product.take(factor, exponent);
-            }
-        }
-        product
-    }
-
-    fn take(&mut self, factor: Polynomial, exponent: u32) {
-        if let [(monomial, _)] = &factor.terms().collect::<Vec<_>>()[..] {
-            self.monomial = self.monomial.mul(&monomial.pow(exponent));
-            return;
-        }
-        // Formulas are written with low degrees first, in the order of terms within a degree.
-        let lowest = factor.terms().map(|(monomial, _)| monomial.degree()).min();
-        let first = factor.terms().find(|(monomial, _)| Some(monomial.degree()) == lowest);
-        let is_negative = first.is_some_and(|(_, coefficient)| coefficient.is_negative());
-        let factor = if is_negative { -&factor } else { factor };
-        if is_negative && exponent % 2 == 1 {
-            self.content = -&self.content;
-        }
-        match self.factors.iter_mut().find(|(known, _)| *known == factor) {
-            Some((_, known)) => *known += exponent,
-            None => self.factors.push((factor, exponent)),
-        }
-    }
-
-    fn is_one(&self) -> bool {
-        self.content.is_one() && self.monomial.is_one() && self.factors.is_empty()
-    }
-
-    fn text(&self, symbols: &Symbols) -> String {
-        let alone = self.monomial.is_one() && self.content.is_one();
-        if let ([(sum, 1)], true) = (&self.factors[..], alone) {
-            return Notation::Text.polynomial(symbols, sum);
-        }
-        let sums = self.factors.iter().map(|(sum, exponent)| {
-            let text = format!("({})", Notation::Text.polynomial(symbols, sum));
-            Notation::Text.power(&text, i64::from(*exponent))
-        });
-        let term = Polynomial::term(self.monomial.clone(), self.content.clone());
-        let front = Notation::Text.polynomial(symbols, &term);
-        let mut parts: Vec<String> = sums.collect();
-        match front.as_str() {
-            "1" if !parts.is_empty() => {}
-            "-1" if !parts.is_empty() => parts[0].insert(0, '-'),
-            _ => parts.insert(0, front),
-        }
-        parts.join("*")
-    }
+    let mut depth = 0;
+    let closes_early = |(place, c): (usize, char)| {
+        depth += match c {
+            '(' => 1,
+            ')' => -1,
+            _ => 0,
+        };
+        depth == 0 && place + 1 < inner.len()
+    };
+    inner.starts_with('(') && inner.ends_with(')') && !inner.char_indices().any(closes_early)
 }

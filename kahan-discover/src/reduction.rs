@@ -1,0 +1,139 @@
+//! Integrals made simpler by others: P/Q less a multiple of a product of known factors, so that a factor of Q cancels.
+//!
+//! Two polynomials with the same cofactor under the map have an integral as their quotient. A product M of factors of known
+//! integrals that has Q's cofactor may therefore be subtracted from P, times what is free of states; where P and M are
+//! proportional on the zeros of a factor q of Q, some combination αP − βM is divisible by q.
+
+use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
+use kahan_algebra::rational::Rational;
+
+use crate::darboux::exponents;
+use crate::setting::{Draw, Setting};
+use crate::space::tidy;
+use crate::stepping::Stepping;
+use crate::writing::{in_powers, state_factors};
+
+/// A point of a drawn map, and its image.
+pub(crate) type Step = (Draw, [Vec<u64>; 2]);
+
+/// The integral with factors of its denominator cancelled, as often as that is possible; `factors` are those of the integrals
+/// known.
+pub(crate) fn reduced(
+    setting: &Setting,
+    step: &Step,
+    factors: &[Polynomial],
+    numerator: Polynomial,
+    denominator: Polynomial,
+) -> (Polynomial, Polynomial) {
+    let symbols = setting.family().symbols();
+    let (mut numerator, mut denominator) = (numerator, denominator);
+    while let Some((above, below)) = without_factor(setting, step, factors, &numerator, &denominator) {
+        let common = gcd(&above, &below);
+        let lowest = |side: &Polynomial| side.checked_div(&common).unwrap_or_else(|| side.clone());
+        (numerator, denominator) = (tidy(symbols, &lowest(&above)), tidy(symbols, &lowest(&below)));
+    }
+    (numerator, denominator)
+}
+
+/// (αP − βM)/q over Q/q for some factor q of Q and some M.
+fn without_factor(
+    setting: &Setting,
+    step: &Step,
+    factors: &[Polynomial],
+    numerator: &Polynomial,
+    denominator: &Polynomial,
+) -> Option<(Polynomial, Polynomial)> {
+    let symbols = setting.family().symbols();
+    let poles = state_factors(symbols, denominator);
+    if poles.is_empty() {
+        return None;
+    }
+    let products = products(setting, step, factors, numerator, denominator)?;
+    let moves = moving_states(setting, step, factors);
+    for pole in &poles {
+        for variable in pole.variables().into_iter().filter(|&variable| symbols.is_state(variable)) {
+            // What is left of a polynomial where the pole is 0, and the factor that was multiplied by.
+            let rest = |polynomial: &Polynomial| {
+                let written = in_powers(symbols, polynomial, pole, variable)?;
+                let rest = written.sum.coefficients_in(written.fresh).remove(&0)?;
+                Some((rest, written.scale))
+            };
+            let Some((own, own_scale)) = rest(numerator) else { continue };
+            for product in &products {
+                let Some((other, other_scale)) = rest(product) else { continue };
+                // own = α t and other = β t, α and β integrals: then β own_scale P = α other_scale M where the pole is 0.
+                let (alpha, beta) = (content_in(&moves, &own), content_in(&moves, &other));
+                let (shape, same) = (own.checked_div(&alpha)?, other.checked_div(&beta)?);
+                let beta = match (shape == same, shape == -&same) {
+                    (true, _) => beta,
+                    (false, true) => -&beta,
+                    (false, false) => continue,
+                };
+                let left = &(&beta * &own_scale) * numerator;
+                let right = &(&alpha * &other_scale) * product;
+                let difference = &left - &right;
+                if !difference.variables().iter().any(|variable| moves.contains(variable)) {
+                    continue;
+                }
+                let above = difference.checked_div(pole)?;
+                return Some((above, denominator.checked_div(pole)?));
+            }
+        }
+    }
+    None
+}
+
+/// The states that are no integrals by themselves.
+fn moving_states(setting: &Setting, (draw, [here, there]): &Step, factors: &[Polynomial]) -> Vec<Variable> {
+    let symbols = setting.family().symbols();
+    let rests = |variable: Variable| {
+        let alone = Polynomial::variable(variable);
+        let value = |point: &[u64]| setting.evaluate(draw.map.modulus(), &alone, draw, point);
+        factors.contains(&alone) && value(here) == value(there)
+    };
+    (0..setting.dimension()).map(|i| symbols.state(i)).filter(|&variable| !rests(variable)).collect()
+}
+
+/// What all coefficients have in common, the polynomial taken as one in these variables.
+fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
+    let groups = polynomial.group(|variable| variables.contains(&variable));
+    let common = gcd_all(&groups.into_values().collect::<Vec<_>>());
+    common.scale(&polynomial.content().checked_div(&common.content()).unwrap_or_else(Rational::one))
+}
+
+/// The products of factors that have the denominator's cofactor and at most the numerator's degree.
+fn products(
+    setting: &Setting,
+    (draw, [here, there]): &Step,
+    factors: &[Polynomial],
+    numerator: &Polynomial,
+    denominator: &Polynomial,
+) -> Option<Vec<Polynomial>> {
+    let symbols = setting.family().symbols();
+    let modulus = draw.map.modulus();
+    let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));
+    let cofactor = |polynomial: &Polynomial| {
+        let value = |point: &[u64]| setting.evaluate(modulus, polynomial, draw, point);
+        Some(modulus.times(value(there)?, modulus.inverse(value(here)?)?))
+    };
+    let cofactors: Vec<u64> = factors.iter().map(cofactor).collect::<Option<_>>()?;
+    let degrees: Vec<u32> = factors.iter().map(degree).collect();
+    let wanted = cofactor(denominator)?;
+    let mut found = Vec::new();
+    for total in 1..=degree(numerator) {
+        let mut candidates = Vec::new();
+        exponents(&degrees, total, &[1], &mut Vec::new(), &mut candidates);
+        for candidate in candidates {
+            let own = cofactors.iter().zip(&candidate).fold(modulus.one(), |product, (base, &exponent)| {
+                modulus.times(product, modulus.power(*base, exponent.unsigned_abs()))
+            });
+            if own == wanted {
+                let powers = factors.iter().zip(&candidate);
+                found.push(powers.fold(Polynomial::one(), |product, (factor, &exponent)| {
+                    (0..exponent).fold(product, |product, _| &product * factor)
+                }));
+            }
+        }
+    }
+    Some(found)
+}
