@@ -19,6 +19,9 @@ fn main() {
     for f in r.integrals.iter().chain(&r.densities) {
         println!("{}", f.text.chars().take(1500).collect::<String>());
     }
+    for b in &r.brackets {
+        println!("{b}");
+    }
     for b in &r.bases {
         println!("basis {:?} {:?} {:?}", b.monomial_texts(&r.variables), b.integrals, b.proof);
     }

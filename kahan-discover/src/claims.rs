@@ -13,7 +13,8 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
 
-use crate::writing::quotient;
+use crate::brackets::Entry;
+use crate::writing::{is_product, quotient};
 
 /// What densities are called.
 const DENSITY: &str = "rho";
@@ -145,10 +146,31 @@ impl<'a> Claims<'a> {
         };
         let (above, below) = (side(1), side(-1));
         let value = quotient(symbols, &above, &below, by);
+        // A density is one up to a factor.
+        let value = value.strip_prefix('-').filter(|_| is_product(&value)).unwrap_or(&value);
         let text = format!("density {} = {value}{};", self.name(DENSITY, index), self.condition);
         let product =
             |side: &[Polynomial]| side.iter().fold(Polynomial::one(), |product, factor| &product * factor);
         self.proved(symbols, ClaimKind::Density, text, &product(&above), &product(&below))
+    }
+
+    /// The entries of a bracket in factors, as they stand in a claim.
+    pub(crate) fn bracket_entries(&self, symbols: &Symbols, entries: &[Entry]) -> String {
+        let entry = |(i, j, value): &Entry| {
+            let value = quotient(symbols, from_ref(value.numerator()), from_ref(value.denominator()), &[]);
+            format!("{{{}, {}}} = {value};", symbols.states[*i], symbols.states[*j])
+        };
+        entries.iter().map(entry).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The claim of an invariant bracket with these entries, if it is proved.
+    pub(crate) fn bracket(&self, index: usize, entries: &str) -> Option<String> {
+        let text = format!("bracket {} {{ {entries} }}{};", self.name("P", Some(index)), self.condition);
+        self.is_proved(&text).then_some(text)
+    }
+
+    fn is_proved(&self, text: &str) -> bool {
+        read(&lexer::lex(&format!("{} {text}", self.equations)).tokens).diagnostics.is_empty()
     }
 
     fn proved(
@@ -159,9 +181,7 @@ impl<'a> Claims<'a> {
         numerator: &Polynomial,
         denominator: &Polynomial,
     ) -> Option<Formula> {
-        let block = format!("{} {text}", self.equations);
-        let reading = read(&lexer::lex(&block).tokens);
-        if !reading.diagnostics.is_empty() {
+        if !self.is_proved(&text) {
             return None;
         }
         let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));

@@ -29,6 +29,9 @@ const HIGHEST: u32 = 8;
 /// that is known already.
 const MOST_AHEAD: usize = 150;
 
+/// So few monomials are looked at in every order of the variables.
+const CHEAP: usize = 100;
+
 /// What to look for.
 pub struct Aims<'a> {
     /// Integrals that are known beforehand.
@@ -185,7 +188,9 @@ impl Collector<'_> {
         for degree in 1..=bounds.highest.max(HIGHEST) {
             self.offer_known(degree);
             // Which entries of the relations are simple depends on the order of the variables.
-            for leaf in chart.leaf.orders().take(bounds.reach.orders) {
+            let is_cheap = Monomials::count(map.dimension(), degree) <= CHEAP;
+            let orders = if is_cheap { usize::MAX } else { bounds.reach.orders };
+            for leaf in chart.leaf.orders().take(orders) {
                 let chart = Chart { leaf, coordinates: chart.coordinates.clone() };
                 if self.is_done() || bounds.deadline.passed() {
                     return;

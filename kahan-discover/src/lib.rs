@@ -22,6 +22,7 @@
 //! ```
 
 pub mod basis;
+mod brackets;
 pub mod chart;
 pub mod claims;
 pub mod composition;

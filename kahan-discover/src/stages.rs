@@ -12,6 +12,7 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::System;
 
 use crate::basis::{Place, candidates, completing, prove};
+use crate::brackets::brackets;
 use crate::claims::{Claims, Formula};
 use crate::composition::survivors;
 use crate::darboux::{MeasureSearch, measure};
@@ -152,6 +153,10 @@ pub fn discover(
     progress(Stage::Densities);
     let (densities, density_search) =
         densities(&setting, &claims, &integrals, &fixed.field, structure.is_even, random, &for_densities);
+    let brackets = match densities.first() {
+        Some(density) => brackets(&claims, symbols, &integrals, density, &for_densities),
+        None => Vec::new(),
+    };
 
     progress(Stage::Composition);
     let survivors = hilbert
@@ -169,6 +174,7 @@ pub fn discover(
         integrals,
         bases,
         densities,
+        brackets,
         density_search,
         own_density: claims.own_density().map(str::to_owned),
         structure,

@@ -282,7 +282,7 @@ fn begins_negative(polynomial: &Polynomial) -> bool {
 }
 
 /// Whether sums stand in parentheses only.
-fn is_product(text: &str) -> bool {
+pub(crate) fn is_product(text: &str) -> bool {
     let mut depth = 0;
     text.chars().all(|c| {
         match c {
