@@ -14,6 +14,7 @@
 //! Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, chapters 6 and 8. Absent on purpose: recombination of
 //! multivariate factors; new points, at which fewer factors fall apart, serve as well (Hilbert's irreducibility theorem).
 
+#[cfg(test)]
 mod combined;
 mod dense;
 mod lifted;

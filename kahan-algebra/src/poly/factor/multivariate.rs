@@ -43,10 +43,7 @@ pub(super) fn factors(
             }
         }
         let Some(image) = best else { continue };
-        let lead = match &mut lead {
-            Some(lead) => lead,
-            None => lead.insert(Lead::of(whole, main, budget)),
-        };
+        let lead = lead.get_or_insert_with(|| Lead::of(whole, main, budget));
         if let Some(factors) = image.lifted(whole, &order, lead, &mut rng, budget)? {
             return Ok(Some(factors));
         }
@@ -78,7 +75,9 @@ impl Image {
             .collect();
         let mut image = whole.clone();
         for (&variable, &point) in order[1..].iter().zip(&points) {
-            budget.charge(image.len() as u64 * image.coefficient_words())?;
+            let power =
+                u64::from(image.degree_in(variable)) * u64::from(point.unsigned_abs().ilog2() + 1) / 64 + 1;
+            budget.charge(power * power + image.len() as u64 * image.coefficient_words() * power)?;
             image = image.substitute(variable, &Rational::from(point));
         }
         if image.degree() != whole.degree_in(order[0]) {
@@ -124,7 +123,12 @@ impl Image {
                 for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
                     factors.push((lead.taken_out(candidate, budget)?, *exponent));
                 }
-                if is_product(whole, &factors, budget)? {
+                // Equal degrees and the product make each factor the one whose image is its own, the largest ones first.
+                let degrees = factors.iter().zip(&self.factors);
+                let has_degrees = |((factor, _), (image, _)): (&(Polynomial, _), &(Polynomial, _))| {
+                    factor.degree_in(order[0]) == image.degree()
+                };
+                if degrees.into_iter().all(has_degrees) && is_product(whole, &factors, budget)? {
                     return Ok(Some(factors));
                 }
             }

@@ -11,11 +11,9 @@ use std::collections::BTreeMap;
 
 use super::dense::{self, Dense};
 use super::series::{self, Question, Rows};
+use crate::poly::images::RESIDUES_PER_TERM;
 use crate::poly::{Budget, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64};
-
-/// About that many products of residues take as long as one product of terms.
-const RESIDUES_PER_TERM: u64 = 32;
 
 /// A polynomial over F_p: coefficients by exponents, the main variable first.
 pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
@@ -41,6 +39,8 @@ pub(super) fn lift(
     rng: &mut SplitMix64,
     budget: &mut Budget,
 ) -> Result<Option<Vec<Residues>>, OverBudget> {
+    // Each variable costs a pass over what is left.
+    budget.charge((problem.whole.len() * problem.order.len()) as u64)?;
     let points: Vec<u64> = problem.points.iter().map(|&point| field.reduce_i64(point)).collect();
     let wholes = stages(field, problem.whole, problem.order, &points);
     let multipliers: Vec<Vec<Residues>> =
@@ -110,11 +110,13 @@ impl Step<'_> {
         let last = self.whole.keys().next().map_or(1, |exponents| exponents.len() - 1);
         let (degree, len) = (highest(0), highest(last) + 1);
         let base: Vec<u64> = (1..last).map(|_| 1 + rng.below(field.prime() - 1)).collect();
+        budget.charge((self.whole.len() * last) as u64)?;
         let shapes: Vec<Shape> =
             self.factors.iter().map(|(factor, _)| Shape::new(field, factor, &base)).collect();
         let samples = shapes.iter().map(Shape::samples).max().unwrap_or(1);
-        let size = (degree + 1) * len;
-        budget.charge((samples * (self.whole.len() + size * size)) as u64 / RESIDUES_PER_TERM)?;
+        let size = (degree as u64 + 1).saturating_mul(len as u64);
+        let each = size.saturating_mul(size).saturating_add(self.whole.len() as u64);
+        budget.charge(each.saturating_mul(samples as u64) / RESIDUES_PER_TERM)?;
 
         let mut whole = Walk::new(field, self.whole, &base, Some(last));
         let mut multipliers: Vec<Walk> =

@@ -8,9 +8,10 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
 
-use super::dense::Dense;
+use super::dense::{self, Dense};
 use super::lifted::{self, Lifted};
 use super::{modular, square_free};
+use crate::poly::images::RESIDUES_PER_TERM;
 use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64, is_prime_u64};
 use crate::rational::Rational;
@@ -22,8 +23,6 @@ pub(super) type Integers = Vec<BigInt>;
 const PRIMES: usize = 5;
 /// Primes from here on: odd, and seldom such that two factors agree modulo them.
 const FIRST_PRIME: u64 = 1009;
-/// About that many products of residues take as long as one product of terms.
-const RESIDUES_PER_TERM: u64 = 32;
 
 /// The irreducible factors of a primitive polynomial in `main`, with their exponents.
 pub(super) fn factors(
@@ -34,6 +33,7 @@ pub(super) fn factors(
     let mut all = Vec::new();
     for (part, exponent) in square_free::yun(polynomial, main, budget)? {
         let degree = part.degree() as usize;
+        budget.charge(effort(degree))?;
         let coefficient = |power: usize| part.coefficient(&Monomial::power(main, power as u32)).numerator();
         for factor in irreducible((0..=degree).map(coefficient).collect(), budget)? {
             let terms = factor.into_iter().enumerate();
@@ -54,8 +54,7 @@ fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers
     let mut best: Option<(PrimeField, Vec<modular::EqualDegree>, usize)> = None;
     let mut tried = 0;
     for prime in (FIRST_PRIME..).step_by(2).filter(|&n| is_prime_u64(n)) {
-        let cube = (degree as u64).saturating_pow(3);
-        budget.charge(8 * cube / RESIDUES_PER_TERM + degree as u64)?;
+        budget.charge(effort(degree))?;
         let Some((field, image)) = good_image(&polynomial, prime) else { continue };
         let parts = modular::by_degree(field, &image);
         let count = parts.iter().map(modular::EqualDegree::count).sum();
@@ -79,15 +78,20 @@ fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers
     recombine(polynomial, lifted, &possible, budget)
 }
 
+/// What the factors by degree cost modulo one small prime.
+fn effort(degree: usize) -> u64 {
+    (degree as u64).saturating_pow(3).saturating_mul(8) / RESIDUES_PER_TERM + degree as u64
+}
+
 /// The monic image modulo a prime that keeps the degree and the square-freeness.
 fn good_image(polynomial: &Integers, prime: u64) -> Option<(PrimeField, Dense)> {
     let field = PrimeField::new(prime)?;
     let image: Dense =
         polynomial.iter().map(|c| field.reduce(&Rational::from(c.clone()))).collect::<Option<_>>()?;
     let keeps_degree = image.last() != Some(&0);
-    let derivative = super::dense::derivative(field, &image);
-    (keeps_degree && super::dense::gcd(field, &image, &derivative).len() == 1)
-        .then(|| (field, super::dense::monic(field, &image)))
+    let derivative = dense::derivative(field, &image);
+    (keeps_degree && dense::gcd(field, &image, &derivative).len() == 1)
+        .then(|| (field, dense::monic(field, &image)))
 }
 
 /// The degrees that a factor may have.
