@@ -1,9 +1,10 @@
 //! Irreducible factors of a polynomial that is primitive in its main variable.
 //!
-//! All other variables are set to small integers, which leaves a polynomial in one variable. If it keeps the degree and is
-//! irreducible, so is the whole (a factor without the main variable would be a content). Else its factors are lifted
-//! modulo large primes, in the way of Wang ("An improved multivariate polynomial factoring algorithm", Math. Comp. 32, 1978),
-//! until their product is the polynomial. They are then irreducible, as their images are.
+//! All other variables are set to small integers, which leaves a polynomial in one variable. If it
+//! keeps the degree and is irreducible, so is the whole (a factor without the main variable would
+//! be a content). Else its factors are lifted modulo large primes, in the way of Wang ("An improved
+//! multivariate polynomial factoring algorithm", Math. Comp. 32, 1978), until their product is the
+//! polynomial. They are then irreducible, as their images are.
 
 use super::combined::Combined;
 use super::sparse::{self, Problem};
@@ -13,7 +14,8 @@ use crate::poly::{Budget, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64};
 use crate::rational::Rational;
 
-/// How often new points are taken where the factors of an image cannot be lifted; they grow from round to round.
+/// How often new points are taken where the factors of an image cannot be lifted; they grow from
+/// round to round.
 const ROUNDS: u32 = 8;
 /// Images to choose from: that with the fewest factors is lifted.
 const IMAGES: usize = 3;
@@ -123,7 +125,8 @@ impl Image {
                 for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
                     factors.push((lead.taken_out(candidate, budget)?, *exponent));
                 }
-                // Equal degrees and the product make each factor the one whose image is its own, the largest ones first.
+                // Equal degrees and the product make each factor the one whose image is its own,
+                // the largest ones first.
                 let degrees = factors.iter().zip(&self.factors);
                 let has_degrees = |((factor, _), (image, _)): (&(Polynomial, _), &(Polynomial, _))| {
                     factor.degree_in(order[0]) == image.degree()
@@ -139,7 +142,8 @@ impl Image {
         Ok(None)
     }
 
-    /// Whether lead·∏ candidate^k = whole·∏ multiplier^k at a point modulo a prime, which wrong candidates seldom pass.
+    /// Whether lead·∏ candidate^k = whole·∏ multiplier^k at a point modulo a prime, which wrong
+    /// candidates seldom pass.
     fn agree(
         &self,
         whole: &Polynomial,

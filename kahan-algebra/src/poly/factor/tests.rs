@@ -157,7 +157,8 @@ fn leading_coefficients_may_have_several_variables() {
     ]);
 }
 
-/// Points where the leading coefficient vanishes or factors agree lie close to the origin, as the points tried first.
+/// Points where the leading coefficient vanishes or factors agree lie close to the origin, as the
+/// points tried first.
 #[test]
 fn bad_points_are_no_matter() {
     let zeros = (-9..10).fold(Polynomial::one(), |product, root| &product * &p(&format!("y + {root}")));

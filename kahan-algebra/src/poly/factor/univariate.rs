@@ -1,8 +1,9 @@
 //! Irreducible factors of a polynomial in one variable over ℤ.
 //!
-//! Zassenhaus, "On Hensel factorization I", J. Number Theory 1, 1969: factors modulo a small prime p are lifted to factors
-//! modulo a power of p beyond twice the coefficients of any true factor, and products of few of them are tried. The
-//! degrees that sums of degrees modulo several primes allow settle most irreducible polynomials before.
+//! Zassenhaus, "On Hensel factorization I", J. Number Theory 1, 1969: factors modulo a small prime
+//! p are lifted to factors modulo a power of p beyond twice the coefficients of any true factor,
+//! and products of few of them are tried. The degrees that sums of degrees modulo several primes
+//! allow settle most irreducible polynomials before.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -44,7 +45,8 @@ pub(super) fn factors(
     Ok(all)
 }
 
-/// The irreducible factors of a primitive square-free polynomial with a positive leading coefficient.
+/// The irreducible factors of a primitive square-free polynomial with a positive leading
+/// coefficient.
 fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let degree = polynomial.len() - 1;
     if degree < 2 {
@@ -127,7 +129,8 @@ impl DegreeSet {
     }
 }
 
-/// No coefficient of lc(f)/lc(g)·g, g a factor of f, is larger: |lc(f)|·2^n·‖f‖₂ (Mignotte, Math. Comp. 28, 1974).
+/// No coefficient of lc(f)/lc(g)·g, g a factor of f, is larger: |lc(f)|·2^n·‖f‖₂ (Mignotte, Math.
+/// Comp. 28, 1974).
 fn coefficient_bound(polynomial: &Integers) -> BigInt {
     let squares: BigInt = polynomial.iter().map(|c| c * c).sum();
     ((squares.sqrt() + 1_u32) << (polynomial.len() - 1)) * polynomial[polynomial.len() - 1].abs()

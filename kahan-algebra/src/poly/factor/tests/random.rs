@@ -17,8 +17,8 @@ pub(super) fn random_factor(rng: &mut SplitMix64, variables: u16, terms: u64, de
     factor
 }
 
-/// The factors of a random product are the factors of its random factors. That these are irreducible themselves is not
-/// known, but no factor may be lost or found only in company.
+/// The factors of a random product are the factors of its random factors. That these are
+/// irreducible themselves is not known, but no factor may be lost or found only in company.
 #[test]
 fn random_products_have_the_factors_of_their_factors() {
     let mut rng = SplitMix64::new(11);
@@ -47,7 +47,8 @@ fn random_products_have_the_factors_of_their_factors() {
     }
 }
 
-/// A change of variables takes factors to factors: no choice of a main variable or of points decides anything.
+/// A change of variables takes factors to factors: no choice of a main variable or of points
+/// decides anything.
 #[test]
 fn irreducible_factors_stay_so_in_other_variables() {
     let mut rng = SplitMix64::new(12);
@@ -67,8 +68,8 @@ fn irreducible_factors_stay_so_in_other_variables() {
 
 /// lead·x^d + q·(… + rest), x not in lead and rest nor alone: irreducible after Eisenstein at q.
 ///
-/// The prime q divides all coefficients but the leading one, and q² does not divide the last one, which is ±q and so has
-/// no common factor with the leading one either.
+/// The prime q divides all coefficients but the leading one, and q² does not divide the last one,
+/// which is ±q and so has no common factor with the leading one either.
 pub(super) fn random_irreducible(
     rng: &mut SplitMix64,
     variables: u16,
