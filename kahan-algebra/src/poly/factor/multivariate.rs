@@ -18,7 +18,7 @@ use crate::rational::Rational;
 /// round to round.
 const ROUNDS: u32 = 8;
 /// Images to choose from: that with the fewest factors is lifted.
-const IMAGES: usize = 3;
+const IMAGES: usize = 2;
 
 /// The irreducible factors with their exponents; `None` where no image could be lifted.
 pub(super) fn factors(

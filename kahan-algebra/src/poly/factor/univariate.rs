@@ -77,7 +77,7 @@ fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers
     let images: Vec<Dense> =
         parts.into_iter().flat_map(|part| modular::irreducible(field, part, &mut rng)).collect();
     let lifted = lifted::lift(field, &images, &polynomial, &(coefficient_bound(&polynomial) * 2), budget)?;
-    recombine(polynomial, lifted, &possible, budget)
+    recombine(polynomial, lifted, budget)
 }
 
 /// What the factors by degree cost modulo one small prime.
@@ -137,43 +137,25 @@ fn coefficient_bound(polynomial: &Integers) -> BigInt {
 }
 
 /// The true factors as products of factors modulo a power of a prime, the fewest first.
-fn recombine(
-    mut whole: Integers,
-    lifted: Lifted,
-    possible: &DegreeSet,
-    budget: &mut Budget,
-) -> Result<Vec<Integers>, OverBudget> {
+fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let Lifted { modulus, mut factors } = lifted;
     let words = modulus.bits() / 64 + 1;
     let mut found = Vec::new();
-    let mut size = 1;
-    while 2 * size <= factors.len() {
-        let mut chosen: Vec<usize> = (0..size).collect();
-        loop {
-            let degree: usize = chosen.iter().map(|&index| factors[index].len() - 1).sum();
-            if possible.0[degree] {
-                budget.charge((whole.len() * whole.len()) as u64 * words)?;
-                let candidate = candidate(&whole, chosen.iter().map(|&index| &factors[index]), &modulus);
-                if let Some(quotient) = exact_quotient(&whole, &candidate) {
-                    found.push(candidate);
-                    whole = quotient;
-                    for &index in chosen.iter().rev() {
-                        factors.remove(index);
-                    }
-                    if 2 * size > factors.len() {
-                        break;
-                    }
-                    chosen = (0..size).collect();
-                    continue;
-                }
-            } else {
-                budget.charge(1)?;
+    let mut chosen = vec![0];
+    while 2 * chosen.len() <= factors.len() {
+        budget.charge((whole.len() * whole.len()) as u64 * words)?;
+        let candidate = candidate(&whole, chosen.iter().map(|&index| &factors[index]), &modulus);
+        if let Some(quotient) = exact_quotient(&whole, &candidate) {
+            found.push(candidate);
+            whole = quotient;
+            for &index in chosen.iter().rev() {
+                factors.remove(index);
             }
-            if !advance(&mut chosen, factors.len()) {
-                break;
-            }
+            // Smaller sets have been tried already.
+            chosen = (0..chosen.len()).collect();
+        } else if !advance(&mut chosen, factors.len()) {
+            chosen = (0..=chosen.len()).collect();
         }
-        size += 1;
     }
     if whole.len() > 1 {
         found.push(whole);

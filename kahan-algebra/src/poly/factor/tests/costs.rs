@@ -24,6 +24,17 @@ fn an_exhausted_budget_leaves_square_free_parts() {
     assert!(!polynomial.factors(&mut Budget::new(100_000, 0)).is_complete);
 }
 
+/// The squares are in what the coefficients of x share, so they are sought there apart.
+#[test]
+fn an_exhausted_budget_leaves_square_free_contents() {
+    let given = [(p("u^2 + v"), 2), (p("v^2*w^2 + u^3 + 1"), 3), (p("x*w + y^2"), 1)];
+    let factors = product(&given).factors(&mut Budget::new(100_000, 0));
+    assert!(!factors.is_complete);
+    assert_sound(&product(&given), &factors);
+    assert_eq!(factors.factors.len(), 3);
+    assert!(given.iter().all(|factor| factors.factors.contains(factor)), "{factors:?}");
+}
+
 #[test]
 fn equal_inputs_have_equal_answers() {
     let whole = product(&[(p("x^2*y + z^3 - t"), 2), (p("t^2*y + z^2*x - 5"), 1)]);
@@ -84,4 +95,61 @@ fn tall_polynomials_keep_to_the_budget() {
         assert!(!factors.is_complete, "{text}");
         assert_eq!(factors.factors, [(polynomial, 1)]);
     }
+}
+
+fn spent(polynomial: &Polynomial) -> u64 {
+    let mut budget = Budget::new(100_000, u64::MAX);
+    assert!(polynomial.factors(&mut budget).is_complete);
+    u64::MAX - budget.work_left()
+}
+
+/// What is linear in a variable needs no image, only coefficients without a common factor.
+#[test]
+fn linear_polynomials_are_cheapest() {
+    let mut rng = SplitMix64::new(17);
+    let coefficient = random_factor(&mut rng, 6, 300, 8);
+    let rest = random_factor(&mut rng, 6, 300, 8);
+    let linear = &(&coefficient * &Polynomial::variable(Variable(7))) + &rest;
+    assert!(spent(&linear) <= 2 * linear.len() as u64);
+}
+
+/// Degrees that no sum of degrees modulo some prime is need no lift and no trial.
+#[test]
+fn degrees_modulo_primes_settle_most() {
+    let mut rng = SplitMix64::new(18);
+    let mut sum = 0;
+    for _ in 0..20 {
+        let mut whole = p("x^16");
+        for power in 0..16 {
+            let c = Rational::from(rng.below(1 << 40) as i64);
+            whole = &whole + &Polynomial::term(Monomial::power(Variable(23), power), c);
+        }
+        sum += spent(&whole);
+    }
+    assert!(sum <= 110_000, "{sum}");
+}
+
+/// Coefficients of several words take several primes, and no division before the last one.
+#[test]
+fn wrong_candidates_are_not_divided_by() {
+    let mut rng = SplitMix64::new(19);
+    let long = Rational::parse("12345678901234567890123456789012345678901234567891").unwrap();
+    let mut factor = || {
+        let terms = random_factor(&mut rng, 5, 30, 6);
+        &terms.scale(&long) + &p("a^7 + b^7 + c^7 + d^7 + e^7")
+    };
+    let whole = &factor() * &factor();
+    assert!(spent(&whole) <= 365_000, "{}", spent(&whole));
+}
+
+/// Where a is a square, b² − a³ falls apart, and so it does at the first points of some.
+#[test]
+fn the_better_of_several_images_is_lifted() {
+    let mut rng = SplitMix64::new(20);
+    let mut sum = 0;
+    for _ in 0..30 {
+        let other = &random_factor(&mut rng, 5, 30, 6) + &p("a^7 + b^7 + c^7 + d^7 + e^7");
+        sum += spent(&(&p("b^2 - a^3") * &other));
+    }
+    assert!(sum <= 400_000, "{sum}");
 }
