@@ -58,17 +58,17 @@ impl Polynomial {
     /// false; if the gcds for that become too long as well, it is returned as it is. Either way the
     /// product is this polynomial. Costs a pass over the terms a variable and one factorisation in one
     /// variable for what is irreducible; for factors of t terms in n variables about n·t lifts with two
-    /// variables. A budget of ten million is about a second at most.
+    /// variables. A budget of ten million lasts a few seconds at most.
     pub fn factors(&self, budget: &mut Budget) -> Factors {
         if self.is_zero() {
             return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
         }
-        let monomial = self.monomial_content();
-        let core = self.div_monomial(&monomial).expect("the monomial content divides").primitive_part();
-        let powers = monomial.powers().iter();
-        let mut factors: Vec<(Polynomial, u32)> =
-            powers.map(|&(variable, exponent)| (Self::variable(variable), exponent)).collect();
-        let is_complete = split(&core, budget, &mut factors);
+        let (mut factors, core) = without_monomial(self);
+        let found = irreducible(&core, budget).ok().flatten();
+        let is_complete = found.is_some();
+        factors.extend(found.unwrap_or_else(|| {
+            square_free::square_free(&core, &mut Budget::new(SQUARE_FREE_TERMS, SQUARE_FREE_WORK))
+        }));
         factors.sort_by(|(left, _), (right, _)| {
             let key = |polynomial: &Self| (polynomial.degree(), polynomial.len());
             key(left).cmp(&key(right)).then_with(|| right.terms().cmp(left.terms()))
@@ -88,21 +88,29 @@ impl Factors {
     }
 }
 
-/// Adds the factors of a primitive polynomial that no variable divides; whether they are all
-/// irreducible.
-fn split(polynomial: &Polynomial, budget: &mut Budget, factors: &mut Vec<(Polynomial, u32)>) -> bool {
-    let Some(main) = main_variable(polynomial) else { return true };
-    match split_within(polynomial, main, budget) {
-        Ok(Some(all)) => {
-            factors.extend(all);
-            true
-        }
-        Ok(None) | Err(OverBudget) => {
-            let mut budget = Budget::new(SQUARE_FREE_TERMS, SQUARE_FREE_WORK);
-            factors.extend(square_free::square_free(polynomial, &mut budget));
-            false
-        }
+/// Polynomials with their exponents.
+type Powers = Vec<(Polynomial, u32)>;
+
+/// The single variables that divide a polynomial, and the primitive part of what is left.
+fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
+    let monomial = polynomial.monomial_content();
+    let rest = polynomial.div_monomial(&monomial).expect("the monomial content divides");
+    let powers = monomial.powers().iter();
+    (powers.map(|&(variable, e)| (Polynomial::variable(variable), e)).collect(), rest.primitive_part())
+}
+
+/// The irreducible factors of a primitive polynomial that no variable divides; `None` where they
+/// could not be found.
+fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Powers>, OverBudget> {
+    let Some(main) = main_variable(polynomial) else { return Ok(Some(Vec::new())) };
+    let Some((mut factors, rest)) = content(polynomial, main, budget)? else { return Ok(None) };
+    if rest.degree_in(main) == 1 {
+        factors.push((rest, 1));
+        return Ok(Some(factors));
     }
+    let Some(others) = multivariate::factors(&rest, main, budget)? else { return Ok(None) };
+    factors.extend(others);
+    Ok(Some(factors))
 }
 
 /// The variable in which the polynomial is linear, or else one of low degree with a short leading
@@ -114,37 +122,17 @@ fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     })
 }
 
-/// The irreducible factors; `None` where they could not be found.
-fn split_within(
-    polynomial: &Polynomial,
-    main: Variable,
-    budget: &mut Budget,
-) -> Result<Option<Vec<(Polynomial, u32)>>, OverBudget> {
-    let Some((mut factors, rest)) = content(polynomial, main, budget)? else { return Ok(None) };
-    if rest.degree_in(main) == 1 {
-        factors.push((rest, 1));
-        return Ok(Some(factors));
-    }
-    let Some(others) = multivariate::factors(&rest, main, budget)? else { return Ok(None) };
-    factors.extend(others);
-    Ok(Some(factors))
-}
-
-/// Irreducible factors with their exponents, and what is left.
-type Split = (Vec<(Polynomial, u32)>, Polynomial);
-
 /// The factors without `main`, and the rest, which has none: they divide every coefficient, so they
 /// are among the factors of the shortest one. `None` where that could not be factored.
 fn content(
     polynomial: &Polynomial,
     main: Variable,
     budget: &mut Budget,
-) -> Result<Option<Split>, OverBudget> {
+) -> Result<Option<(Powers, Polynomial)>, OverBudget> {
     let mut coefficients: Vec<Polynomial> = polynomial.coefficients_in(main).into_values().collect();
     coefficients.sort_by_key(Polynomial::len);
     for coefficient in &mut coefficients {
-        let monomial = coefficient.monomial_content();
-        *coefficient = coefficient.div_monomial(&monomial).expect("the content divides").primitive_part();
+        *coefficient = without_monomial(coefficient).1;
     }
     let shortest = &coefficients[0];
     let mut shared = shortest.variables();
@@ -159,12 +147,9 @@ fn content(
     if shared.is_empty() {
         return Ok(Some((Vec::new(), rest)));
     }
-    let candidates = shortest.factors(budget);
-    if !candidates.is_complete {
-        return Ok(None);
-    }
+    let Some(candidates) = irreducible(shortest, budget)? else { return Ok(None) };
     let mut factors = Vec::new();
-    for (candidate, most) in candidates.factors {
+    for (candidate, most) in candidates {
         if !candidate.variables().is_subset(&shared) {
             continue;
         }

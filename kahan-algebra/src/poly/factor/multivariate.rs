@@ -8,7 +8,7 @@
 
 use super::combined::Combined;
 use super::sparse::{self, Problem};
-use super::univariate;
+use super::{Powers, irreducible, univariate, without_monomial};
 use crate::poly::gcd::leading_coefficient;
 use crate::poly::{Budget, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64};
@@ -25,7 +25,7 @@ pub(super) fn factors(
     whole: &Polynomial,
     main: Variable,
     budget: &mut Budget,
-) -> Result<Option<Vec<(Polynomial, u32)>>, OverBudget> {
+) -> Result<Option<Powers>, OverBudget> {
     let mut order: Vec<Variable> = whole.variables().into_iter().filter(|&v| v != main).collect();
     if order.is_empty() {
         return univariate::factors(whole, main, budget).map(Some);
@@ -45,7 +45,10 @@ pub(super) fn factors(
             }
         }
         let Some(image) = best else { continue };
-        let lead = lead.get_or_insert_with(|| Lead::of(whole, main, budget));
+        if lead.is_none() {
+            lead = Lead::of(whole, main, budget)?;
+        }
+        let Some(lead) = &lead else { return Ok(None) };
         if let Some(factors) = image.lifted(whole, &order, lead, &mut rng, budget)? {
             return Ok(Some(factors));
         }
@@ -56,7 +59,7 @@ pub(super) fn factors(
 /// The polynomial with all but the main variable fixed.
 struct Image {
     points: Vec<i64>,
-    factors: Vec<(Polynomial, u32)>,
+    factors: Powers,
 }
 
 impl Image {
@@ -106,7 +109,7 @@ impl Image {
         lead: &Lead,
         rng: &mut SplitMix64,
         budget: &mut Budget,
-    ) -> Result<Option<Vec<(Polynomial, u32)>>, OverBudget> {
+    ) -> Result<Option<Powers>, OverBudget> {
         let mut multipliers = Vec::new();
         for (_, exponent) in &self.factors {
             multipliers.push(lead.multiplier(*exponent, budget)?);
@@ -196,14 +199,16 @@ fn is_product(
 struct Lead {
     whole: Polynomial,
     content: Rational,
-    factors: Vec<(Polynomial, u32)>,
+    factors: Powers,
 }
 
 impl Lead {
-    fn of(whole: &Polynomial, main: Variable, budget: &mut Budget) -> Self {
+    fn of(whole: &Polynomial, main: Variable, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
         let whole = leading_coefficient(whole, main);
-        let factors = whole.factors(budget);
-        Self { whole, content: factors.content.abs(), factors: factors.factors }
+        let (mut factors, core) = without_monomial(&whole);
+        let Some(others) = irreducible(&core, budget)? else { return Ok(None) };
+        factors.extend(others);
+        Ok(Some(Self { content: whole.content().abs(), whole, factors }))
     }
 
     /// A multiple of the leading coefficient of every factor that occurs `exponent` times.
@@ -217,8 +222,7 @@ impl Lead {
 
     /// The primitive part of what a multiplier may have gone into.
     fn taken_out(&self, polynomial: Polynomial, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
-        let monomial = polynomial.monomial_content();
-        let mut rest = polynomial.div_monomial(&monomial).expect("the content divides").primitive_part();
+        let (_, mut rest) = without_monomial(&polynomial);
         for (factor, exponent) in self.factors.iter().filter(|(factor, _)| factor.len() > 1) {
             for _ in 0..*exponent {
                 let Some(quotient) = rest.div_within(factor, budget)? else { break };

@@ -54,7 +54,7 @@ fn work(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u32, count: us
     u64::MAX - budget.work_left()
 }
 
-/// Ten million are about a second or less.
+/// Ten million last a few seconds at most.
 #[test]
 fn sparse_products_and_irreducible_ones_are_cheap() {
     let mut rng = SplitMix64::new(13);
