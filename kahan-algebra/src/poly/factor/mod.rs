@@ -52,13 +52,13 @@ const SQUARE_FREE_TERMS: usize = 20_000;
 const SQUARE_FREE_WORK: u64 = 4_000_000;
 
 impl Polynomial {
-    /// The irreducible factors over ℚ (Zassenhaus 1969 in one variable, after Wang 1978 in several).
+    /// The irreducible factors over ℚ (Zassenhaus 1969, in several variables after Wang 1978).
     ///
     /// Where the budget does not suffice, what resists is returned square-free and `is_complete` is
     /// false; if the gcds for that become too long as well, it is returned as it is. Either way the
-    /// product is this polynomial. Costs a pass over the terms a variable and one factorisation in one
-    /// variable for what is irreducible; for factors of t terms in n variables about n·t lifts with two
-    /// variables. A budget of ten million lasts a few seconds at most.
+    /// product is this polynomial. Costs, for what is irreducible, a pass over the terms a variable
+    /// and a factorisation in one variable; for factors of t terms in n variables, about n·t lifts
+    /// in two variables. A budget of ten million lasts a few seconds at most.
     pub fn factors(&self, budget: &mut Budget) -> Factors {
         if self.is_zero() {
             return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
