@@ -1,10 +1,10 @@
 //! Multivariate polynomials over ℚ in a sparse normal form.
 //!
-//! In come variables and rational coefficients; out go sums, products, derivatives, exact quotients and
-//! greatest common divisors. What holds: the terms stand strictly decreasing in graded lexicographic order
-//! and none has a zero coefficient, so equal polynomials are equal as data and every iteration is
-//! deterministic. Absent on purpose: names of variables (whoever renders knows them) and evaluation (the
-//! plans evaluate).
+//! In come variables and rational coefficients; out go sums, products, derivatives, exact
+//! quotients, greatest common divisors and, with the feature `factor`, irreducible factors. What
+//! holds: the terms stand strictly decreasing in graded lexicographic order and none has a zero
+//! coefficient, so equal polynomials are equal as data and every iteration is deterministic. Absent
+//! on purpose: names of variables (whoever renders knows them) and evaluation (the plans evaluate).
 
 mod arithmetic;
 mod budget;

@@ -20,7 +20,7 @@ use crate::prime_field::{PrimeField, SplitMix64};
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
 
 /// About that many products of residues take as long as one product of terms.
-const RESIDUES_PER_TERM: u64 = 32;
+pub(super) const RESIDUES_PER_TERM: u64 = 32;
 
 /// Coefficients in F_p by exponent, without zeros at the end.
 type Univariate = Vec<u64>;

@@ -1,11 +1,13 @@
-//! Dense polynomials in one variable over a prime field: coefficients by exponent, without zeros at the end.
+//! Dense polynomials in one variable over a prime field: coefficients by exponent, without zeros at
+//! the end.
 
 use crate::prime_field::PrimeField;
 
 /// Coefficients by exponent.
 pub(super) type Dense = Vec<u64>;
 
-/// Sums of products of residues below 2^62 are reduced when they come here, so that they never overflow.
+/// Sums of products of residues below 2^62 are reduced when they come here, so that they never
+/// overflow.
 const REDUCE_AT: u128 = 1 << 127;
 
 /// Without the zeros at the end.
@@ -140,7 +142,8 @@ pub(super) fn derivative(field: PrimeField, a: &[u64]) -> Dense {
     trimmed(terms.map(|(index, &value)| field.mul(index as u64 % field.prime(), value)).collect())
 }
 
-/// For pairwise coprime factors the sᵢ of degree below theirs with Σ sᵢ·∏_{j≠i} fⱼ = 1; `None` where two share a factor.
+/// For pairwise coprime factors the sᵢ of degree below theirs with Σ sᵢ·∏_{j≠i} fⱼ = 1; `None`
+/// where two share a factor.
 pub(super) fn partial_fractions(field: PrimeField, factors: &[Dense]) -> Option<Vec<Dense>> {
     let cofactor = |skipped: usize, modulus: &Dense| {
         let others = factors.iter().enumerate().filter(|(index, _)| *index != skipped);

@@ -1,4 +1,5 @@
-//! Factors modulo a prime p become factors modulo a power of p (Hensel's lemma, one power of p a step).
+//! Factors modulo a prime p become factors modulo a power of p (Hensel's lemma, one power of p a
+//! step).
 
 use num_bigint::BigInt;
 use num_integer::Integer;

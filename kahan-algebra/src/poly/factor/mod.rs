@@ -1,18 +1,21 @@
 //! Irreducible factors of multivariate polynomials over ℚ.
 //!
-//! In goes a polynomial, out come a rational number and powers of irreducible primitive polynomials whose product it is.
-//! The steps: rational content and monomial; contents in a main variable, found as common factors of its shortest
-//! coefficient; a polynomial that is primitive and linear in it is irreducible. Else all other variables become integers
-//! ([`multivariate`]), the polynomial in one variable that is left is factored ([`univariate`]), and its factors are
-//! lifted, one variable after another ([`sparse`]). Powers are lifted as such, so that square-free parts, whose gcds are
-//! dear, are only sought where the budget runs out.
+//! In goes a polynomial, out come a rational number and powers of irreducible primitive polynomials
+//! whose product it is. The steps: rational content and monomial; contents in a main variable,
+//! found as common factors of its shortest coefficient; a polynomial that is primitive and linear
+//! in it is irreducible. Else all other variables become integers ([`multivariate`]), the
+//! polynomial in one variable that is left is factored ([`univariate`]), and its factors are
+//! lifted, one variable after another ([`sparse`]). Powers are lifted as such, so that square-free
+//! parts, whose gcds are dear, are only sought where the budget runs out.
 //!
-//! What holds: division decides what a factor is, and an irreducible image that a factor is irreducible; seeded random
-//! points decide only how fast, and a budget of work, never a clock, when to stop.
+//! What holds: division decides what a factor is, and an irreducible image that a factor is
+//! irreducible; seeded random points decide only how fast, and a budget of work, never a clock,
+//! when to stop.
 //!
-//! Sources: Yun, SYMSAC 1976; Zassenhaus, J. Number Theory 1, 1969; Wang, Math. Comp. 32, 1978; Zippel, EUROSAM 1979;
-//! Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, chapters 6 and 8. Absent on purpose: recombination of
-//! multivariate factors; new points, at which fewer factors fall apart, serve as well (Hilbert's irreducibility theorem).
+//! Sources: Yun, SYMSAC 1976; Zassenhaus, J. Number Theory 1, 1969; Wang, Math. Comp. 32, 1978;
+//! Zippel, EUROSAM 1979; Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, chapters
+//! 6 and 8. Absent on purpose: recombination of multivariate factors; new points, at which fewer
+//! factors fall apart, serve as well (Hilbert's irreducibility theorem).
 
 mod combined;
 mod dense;
@@ -25,6 +28,7 @@ mod square_free;
 #[cfg(test)]
 mod tests;
 mod univariate;
+mod vandermonde;
 
 use super::gcd::leading_coefficient;
 use super::images::degree_bounds;
@@ -36,8 +40,8 @@ use crate::rational::Rational;
 pub struct Factors {
     /// The rational factor, with the sign; 0 for the polynomial 0.
     pub content: Rational,
-    /// Pairwise coprime polynomials with coprime integer coefficients, the leading one positive, and their exponents;
-    /// by degree, then by length.
+    /// Pairwise coprime polynomials with coprime integer coefficients, the leading one positive,
+    /// and their exponents; by degree, then by length.
     pub factors: Vec<(Polynomial, u32)>,
     /// Whether every factor is known to be irreducible.
     pub is_complete: bool,
@@ -48,21 +52,23 @@ const SQUARE_FREE_TERMS: usize = 20_000;
 const SQUARE_FREE_WORK: u64 = 4_000_000;
 
 impl Polynomial {
-    /// The irreducible factors over ℚ.
+    /// The irreducible factors over ℚ (Zassenhaus 1969, in several variables after Wang 1978).
     ///
-    /// Where the budget does not suffice, what resists is returned square-free and `is_complete` is false; a polynomial
-    /// with gcds out of all proportion is returned as it is. Either way the product is this polynomial. Costs
-    /// milliseconds for what is irreducible, and for sparse factors with hundreds of terms tenths of a second.
+    /// Where the budget does not suffice, what resists is returned square-free and `is_complete` is
+    /// false; if the gcds for that become too long as well, it is returned as it is. Either way the
+    /// product is this polynomial. Costs, for what is irreducible, a pass over the terms a variable
+    /// and a factorisation in one variable; for factors of t terms in n variables, about n·t lifts
+    /// in two variables. A budget of ten million lasts a few seconds at most.
     pub fn factors(&self, budget: &mut Budget) -> Factors {
         if self.is_zero() {
             return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
         }
-        let monomial = self.monomial_content();
-        let core = self.div_monomial(&monomial).expect("the monomial content divides").primitive_part();
-        let powers = monomial.powers().iter();
-        let mut factors: Vec<(Polynomial, u32)> =
-            powers.map(|&(variable, exponent)| (Self::variable(variable), exponent)).collect();
-        let is_complete = split(&core, budget, &mut factors);
+        let (mut factors, core) = without_monomial(self);
+        let found = irreducible(&core, budget).ok().flatten();
+        let is_complete = found.is_some();
+        factors.extend(found.unwrap_or_else(|| {
+            square_free::square_free(&core, &mut Budget::new(SQUARE_FREE_TERMS, SQUARE_FREE_WORK))
+        }));
         factors.sort_by(|(left, _), (right, _)| {
             let key = |polynomial: &Self| (polynomial.degree(), polynomial.len());
             key(left).cmp(&key(right)).then_with(|| right.terms().cmp(left.terms()))
@@ -82,36 +88,21 @@ impl Factors {
     }
 }
 
-/// Adds the factors of a primitive polynomial that no variable divides; whether they are all irreducible.
-fn split(polynomial: &Polynomial, budget: &mut Budget, factors: &mut Vec<(Polynomial, u32)>) -> bool {
-    let Some(main) = main_variable(polynomial) else { return true };
-    match split_within(polynomial, main, budget) {
-        Ok(Some(all)) => {
-            factors.extend(all);
-            true
-        }
-        Ok(None) | Err(OverBudget) => {
-            let mut budget = Budget::new(SQUARE_FREE_TERMS, SQUARE_FREE_WORK);
-            factors.extend(square_free::square_free(polynomial, &mut budget));
-            false
-        }
-    }
+/// Polynomials with their exponents.
+type Powers = Vec<(Polynomial, u32)>;
+
+/// The single variables that divide a polynomial, and the primitive part of what is left.
+fn without_monomial(polynomial: &Polynomial) -> (Powers, Polynomial) {
+    let monomial = polynomial.monomial_content();
+    let rest = polynomial.div_monomial(&monomial).expect("the monomial content divides");
+    let powers = monomial.powers().iter();
+    (powers.map(|&(variable, e)| (Polynomial::variable(variable), e)).collect(), rest.primitive_part())
 }
 
-/// The variable in which the polynomial is linear, or else one of low degree with a short leading coefficient.
-fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
-    polynomial.variables().into_iter().min_by_key(|&variable| {
-        let degree = polynomial.degree_in(variable);
-        (degree > 1, leading_coefficient(polynomial, variable).len() * degree as usize)
-    })
-}
-
-/// The irreducible factors; `None` where they could not be found.
-fn split_within(
-    polynomial: &Polynomial,
-    main: Variable,
-    budget: &mut Budget,
-) -> Result<Option<Vec<(Polynomial, u32)>>, OverBudget> {
+/// The irreducible factors of a primitive polynomial that no variable divides; `None` where they
+/// could not be found.
+fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Powers>, OverBudget> {
+    let Some(main) = main_variable(polynomial) else { return Ok(Some(Vec::new())) };
     let Some((mut factors, rest)) = content(polynomial, main, budget)? else { return Ok(None) };
     if rest.degree_in(main) == 1 {
         factors.push((rest, 1));
@@ -122,21 +113,26 @@ fn split_within(
     Ok(Some(factors))
 }
 
-/// Irreducible factors with their exponents, and what is left.
-type Split = (Vec<(Polynomial, u32)>, Polynomial);
+/// The variable in which the polynomial is linear, or else one of low degree with a short leading
+/// coefficient.
+fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
+    polynomial.variables().into_iter().min_by_key(|&variable| {
+        let degree = polynomial.degree_in(variable);
+        (degree > 1, leading_coefficient(polynomial, variable).len() * degree as usize)
+    })
+}
 
-/// The factors without `main`, and the rest, which has none: they divide every coefficient, so they are among the factors
-/// of the shortest one. `None` where that could not be factored.
+/// The factors without `main`, and the rest, which has none: they divide every coefficient, so they
+/// are among the factors of the shortest one. `None` where that could not be factored.
 fn content(
     polynomial: &Polynomial,
     main: Variable,
     budget: &mut Budget,
-) -> Result<Option<Split>, OverBudget> {
+) -> Result<Option<(Powers, Polynomial)>, OverBudget> {
     let mut coefficients: Vec<Polynomial> = polynomial.coefficients_in(main).into_values().collect();
     coefficients.sort_by_key(Polynomial::len);
     for coefficient in &mut coefficients {
-        let monomial = coefficient.monomial_content();
-        *coefficient = coefficient.div_monomial(&monomial).expect("the content divides").primitive_part();
+        *coefficient = without_monomial(coefficient).1;
     }
     let shortest = &coefficients[0];
     let mut shared = shortest.variables();
@@ -151,12 +147,9 @@ fn content(
     if shared.is_empty() {
         return Ok(Some((Vec::new(), rest)));
     }
-    let candidates = shortest.factors(budget);
-    if !candidates.is_complete {
-        return Ok(None);
-    }
+    let Some(candidates) = irreducible(shortest, budget)? else { return Ok(None) };
     let mut factors = Vec::new();
-    for (candidate, most) in candidates.factors {
+    for (candidate, most) in candidates {
         if !candidate.variables().is_subset(&shared) {
             continue;
         }

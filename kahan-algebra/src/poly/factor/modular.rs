@@ -1,8 +1,8 @@
 //! Factors of a square-free polynomial in one variable over a small prime field.
 //!
-//! First the products of all irreducible factors of one degree, then these apart (Cantor and Zassenhaus, "A new algorithm
-//! for factoring polynomials over finite fields", Math. Comp. 36, 1981). The random choices are seeded and change how
-//! long it takes, never what is found.
+//! First the products of all irreducible factors of one degree, then these apart (Cantor and
+//! Zassenhaus, "A new algorithm for factoring polynomials over finite fields", Math. Comp. 36,
+//! 1981). The random choices are seeded and change how long it takes, never what is found.
 
 use super::dense::{self, Dense};
 use crate::prime_field::{PrimeField, SplitMix64};
@@ -20,8 +20,8 @@ impl EqualDegree {
     }
 }
 
-/// The factors of a monic square-free polynomial by degree: x^(p^d) − x is the product of all irreducible monic
-/// polynomials whose degree divides d.
+/// The factors of a monic square-free polynomial by degree: x^(p^d) − x is the product of all
+/// irreducible monic polynomials whose degree divides d.
 pub(super) fn by_degree(field: PrimeField, polynomial: &[u64]) -> Vec<EqualDegree> {
     let mut rest = polynomial.to_vec();
     let mut frobenius = vec![0, 1];

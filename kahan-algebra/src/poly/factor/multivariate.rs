@@ -1,29 +1,31 @@
 //! Irreducible factors of a polynomial that is primitive in its main variable.
 //!
-//! All other variables are set to small integers, which leaves a polynomial in one variable. If it keeps the degree and is
-//! irreducible, so is the whole (a factor without the main variable would be a content). Else its factors are lifted
-//! modulo large primes, in the way of Wang ("An improved multivariate polynomial factoring algorithm", Math. Comp. 32, 1978),
-//! until their product is the polynomial. They are then irreducible, as their images are.
+//! All other variables are set to small integers, which leaves a polynomial in one variable. If it
+//! keeps the degree and is irreducible, so is the whole (a factor without the main variable would
+//! be a content). Else its factors are lifted modulo large primes, in the way of Wang ("An improved
+//! multivariate polynomial factoring algorithm", Math. Comp. 32, 1978), until their product is the
+//! polynomial. They are then irreducible, as their images are.
 
 use super::combined::Combined;
 use super::sparse::{self, Problem};
-use super::univariate;
+use super::{Powers, irreducible, univariate, without_monomial};
 use crate::poly::gcd::leading_coefficient;
 use crate::poly::{Budget, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64};
 use crate::rational::Rational;
 
-/// How often new points are taken where the factors of an image cannot be lifted; they grow from round to round.
+/// How often new points are taken where the factors of an image cannot be lifted; they grow from
+/// round to round.
 const ROUNDS: u32 = 8;
 /// Images to choose from: that with the fewest factors is lifted.
-const IMAGES: usize = 3;
+const IMAGES: usize = 2;
 
 /// The irreducible factors with their exponents; `None` where no image could be lifted.
 pub(super) fn factors(
     whole: &Polynomial,
     main: Variable,
     budget: &mut Budget,
-) -> Result<Option<Vec<(Polynomial, u32)>>, OverBudget> {
+) -> Result<Option<Powers>, OverBudget> {
     let mut order: Vec<Variable> = whole.variables().into_iter().filter(|&v| v != main).collect();
     if order.is_empty() {
         return univariate::factors(whole, main, budget).map(Some);
@@ -43,10 +45,10 @@ pub(super) fn factors(
             }
         }
         let Some(image) = best else { continue };
-        let lead = match &mut lead {
-            Some(lead) => lead,
-            None => lead.insert(Lead::of(whole, main, budget)),
-        };
+        if lead.is_none() {
+            lead = Lead::of(whole, main, budget)?;
+        }
+        let Some(lead) = &lead else { return Ok(None) };
         if let Some(factors) = image.lifted(whole, &order, lead, &mut rng, budget)? {
             return Ok(Some(factors));
         }
@@ -57,7 +59,7 @@ pub(super) fn factors(
 /// The polynomial with all but the main variable fixed.
 struct Image {
     points: Vec<i64>,
-    factors: Vec<(Polynomial, u32)>,
+    factors: Powers,
 }
 
 impl Image {
@@ -78,7 +80,9 @@ impl Image {
             .collect();
         let mut image = whole.clone();
         for (&variable, &point) in order[1..].iter().zip(&points) {
-            budget.charge(image.len() as u64 * image.coefficient_words())?;
+            let power =
+                u64::from(image.degree_in(variable)) * u64::from(point.unsigned_abs().ilog2() + 1) / 64 + 1;
+            budget.charge(power * power + image.len() as u64 * image.coefficient_words() * power)?;
             image = image.substitute(variable, &Rational::from(point));
         }
         if image.degree() != whole.degree_in(order[0]) {
@@ -105,7 +109,7 @@ impl Image {
         lead: &Lead,
         rng: &mut SplitMix64,
         budget: &mut Budget,
-    ) -> Result<Option<Vec<(Polynomial, u32)>>, OverBudget> {
+    ) -> Result<Option<Powers>, OverBudget> {
         let mut multipliers = Vec::new();
         for (_, exponent) in &self.factors {
             multipliers.push(lead.multiplier(*exponent, budget)?);
@@ -124,7 +128,13 @@ impl Image {
                 for (candidate, (_, exponent)) in candidates.into_iter().zip(&self.factors) {
                     factors.push((lead.taken_out(candidate, budget)?, *exponent));
                 }
-                if is_product(whole, &factors, budget)? {
+                // Equal degrees and the product make each factor the one whose image is its own,
+                // the largest ones first.
+                let degrees = factors.iter().zip(&self.factors);
+                let has_degrees = |((factor, _), (image, _)): (&(Polynomial, _), &(Polynomial, _))| {
+                    factor.degree_in(order[0]) == image.degree()
+                };
+                if degrees.into_iter().all(has_degrees) && is_product(whole, &factors, budget)? {
                     return Ok(Some(factors));
                 }
             }
@@ -135,7 +145,8 @@ impl Image {
         Ok(None)
     }
 
-    /// Whether lead·∏ candidate^k = whole·∏ multiplier^k at a point modulo a prime, which wrong candidates seldom pass.
+    /// Whether lead·∏ candidate^k = whole·∏ multiplier^k at a point modulo a prime, which wrong
+    /// candidates seldom pass.
     fn agree(
         &self,
         whole: &Polynomial,
@@ -188,14 +199,16 @@ fn is_product(
 struct Lead {
     whole: Polynomial,
     content: Rational,
-    factors: Vec<(Polynomial, u32)>,
+    factors: Powers,
 }
 
 impl Lead {
-    fn of(whole: &Polynomial, main: Variable, budget: &mut Budget) -> Self {
+    fn of(whole: &Polynomial, main: Variable, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
         let whole = leading_coefficient(whole, main);
-        let factors = whole.factors(budget);
-        Self { whole, content: factors.content.abs(), factors: factors.factors }
+        let (mut factors, core) = without_monomial(&whole);
+        let Some(others) = irreducible(&core, budget)? else { return Ok(None) };
+        factors.extend(others);
+        Ok(Some(Self { content: whole.content().abs(), whole, factors }))
     }
 
     /// A multiple of the leading coefficient of every factor that occurs `exponent` times.
@@ -209,8 +222,7 @@ impl Lead {
 
     /// The primitive part of what a multiplier may have gone into.
     fn taken_out(&self, polynomial: Polynomial, budget: &mut Budget) -> Result<Polynomial, OverBudget> {
-        let monomial = polynomial.monomial_content();
-        let mut rest = polynomial.div_monomial(&monomial).expect("the content divides").primitive_part();
+        let (_, mut rest) = without_monomial(&polynomial);
         for (factor, exponent) in self.factors.iter().filter(|(factor, _)| factor.len() > 1) {
             for _ in 0..*exponent {
                 let Some(quotient) = rest.div_within(factor, budget)? else { break };

@@ -1,14 +1,17 @@
-//! From factors at one value of a variable y to factors with y: Hensel's lemma in F_p[[t]], t = y − point.
+//! From factors at one value of a variable y to factors with y: Hensel's lemma in F_p[[t]], t = y −
+//! point.
 //!
-//! Leading coefficients: the lift is of monic polynomials over power series. Each factor is multiplied by a multiple of its
-//! leading coefficient at the end, which makes it a polynomial in t again (the classic trick; see Geddes, Czapor and
-//! Labahn, Algorithms for Computer Algebra, 1992, section 6.6). Powers of a factor are lifted as one, and their root is
-//! taken at the end, so nothing has to be square-free.
+//! Leading coefficients: the lift is of monic polynomials over power series. Each factor is
+//! multiplied by a multiple of its leading coefficient at the end, which makes it a polynomial in t
+//! again (the classic trick; see Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992,
+//! section 6.6). Powers of a factor are lifted as one, and their root is taken at the end, so
+//! nothing has to be square-free.
 
 use super::dense::{self, Dense};
 use crate::prime_field::PrimeField;
 
-/// A polynomial in x and y, or x and t: for each power of x the coefficients by powers of the other.
+/// A polynomial in x and y, or x and t: for each power of x the coefficients by powers of the
+/// other.
 pub(super) type Rows = Vec<Vec<u64>>;
 
 /// What is to be lifted.
@@ -17,14 +20,15 @@ pub(super) struct Question<'a> {
     pub(super) whole: &'a Rows,
     /// The factors at y = point, and how often they occur.
     pub(super) factors: &'a [(Dense, u32)],
-    /// For each factor a multiple of its leading coefficient: coefficients by powers of y, as many as a row has.
+    /// For each factor a multiple of its leading coefficient: coefficients by powers of y, as many
+    /// as a row has.
     pub(super) multipliers: &'a [Dense],
     /// Where the factors are known.
     pub(super) point: u64,
 }
 
-/// The factors, each times what its multiplier has beyond its leading coefficient; `None` where the point is a bad one:
-/// the leading coefficient vanishes there, or factors agree.
+/// The factors, each times what its multiplier has beyond its leading coefficient; `None` where the
+/// point is a bad one: the leading coefficient vanishes there, or factors agree.
 pub(super) fn lift(field: PrimeField, question: &Question<'_>) -> Option<Vec<Rows>> {
     let Question { whole, factors, multipliers, point } = question;
     let len = whole[0].len();
@@ -49,8 +53,8 @@ pub(super) fn lift(field: PrimeField, question: &Question<'_>) -> Option<Vec<Row
     Some(results)
 }
 
-/// Monic factors as power series, from their values at t = 0: for each factor its coefficients by powers of t, each a
-/// polynomial in x.
+/// Monic factors as power series, from their values at t = 0: for each factor its coefficients by
+/// powers of t, each a polynomial in x.
 fn lift_monic(field: PrimeField, whole: &Rows, factors: Vec<Dense>) -> Option<Vec<Vec<Dense>>> {
     let by_t = transposed(whole, whole[0].len());
     let inverses = dense::partial_fractions(field, &factors)?;
@@ -107,8 +111,8 @@ fn transposed(rows: &[Dense], columns: usize) -> Rows {
 
 /// The monic k-th root of a monic polynomial in x over power series in t that is a k-th power.
 ///
-/// With x^(kd)·h(1/x) the power and α = 1/k, h^α is found term by term from h·(h^α)′ = α·h′·h^α (Knuth, The Art of
-/// Computer Programming 4.7): m·rₘ = Σ_{l=1..m} (αl − (m − l))·hₗ·r_{m−l}.
+/// With x^(kd)·h(1/x) the power and α = 1/k, h^α is found term by term from h·(h^α)′ = α·h′·h^α
+/// (Knuth, The Art of Computer Programming 4.7): m·rₘ = Σ_{l=1..m} (αl − (m − l))·hₗ·r_{m−l}.
 fn root(field: PrimeField, power: Rows, exponent: u32, len: usize) -> Option<Rows> {
     if exponent == 1 {
         return Some(power);

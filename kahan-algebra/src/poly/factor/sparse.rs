@@ -1,21 +1,21 @@
 //! Factors modulo a large prime p, one variable after another.
 //!
-//! Known are the factors with the first variables, the others fixed at points. The next variable y is let free at several
-//! points of the first ones, which takes a lift from one value of y to all ([`series`](super::series)); a coefficient of
-//! each factor is then interpolated on the monomials that the factor has already (Zippel, "Probabilistic algorithms for
-//! sparse polynomials", EUROSAM 1979), at the powers of one point, so that the linear systems are Vandermonde's (Monagan and
-//! Tuncer, CASC 2016; Chen and Monagan, CASC 2020). A monomial that vanishes at a fixed point is missing in the result;
-//! whoever divides sees it.
+//! Known are the factors with the first variables, the others fixed at points. The next variable y
+//! is let free at several points of the first ones, which takes a lift from one value of y to all
+//! ([`series`](super::series)); a coefficient of each factor is then interpolated on the monomials
+//! that the factor has already (Zippel, "Probabilistic algorithms for sparse polynomials", EUROSAM
+//! 1979), at the powers of one point, so that the linear systems are Vandermonde's (Monagan and
+//! Tuncer, CASC 2016; Chen and Monagan, CASC 2020). A monomial that vanishes at a fixed point is
+//! missing in the result; whoever divides sees it.
 
 use std::collections::BTreeMap;
 
 use super::dense::{self, Dense};
 use super::series::{self, Question, Rows};
+use super::vandermonde;
+use crate::poly::images::RESIDUES_PER_TERM;
 use crate::poly::{Budget, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64};
-
-/// About that many products of residues take as long as one product of terms.
-const RESIDUES_PER_TERM: u64 = 32;
 
 /// A polynomial over F_p: coefficients by exponents, the main variable first.
 pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
@@ -34,13 +34,16 @@ pub(super) struct Problem<'a> {
     pub(super) multipliers: &'a [Polynomial],
 }
 
-/// The factors modulo p, each times what its multiplier has beyond its leading coefficient; `None` at a bad point.
+/// The factors modulo p, each times what its multiplier has beyond its leading coefficient; `None`
+/// at a bad point.
 pub(super) fn lift(
     field: PrimeField,
     problem: &Problem<'_>,
     rng: &mut SplitMix64,
     budget: &mut Budget,
 ) -> Result<Option<Vec<Residues>>, OverBudget> {
+    // Each variable costs a pass over what is left.
+    budget.charge((problem.whole.len() * problem.order.len()) as u64)?;
     let points: Vec<u64> = problem.points.iter().map(|&point| field.reduce_i64(point)).collect();
     let wholes = stages(field, problem.whole, problem.order, &points);
     let multipliers: Vec<Vec<Residues>> =
@@ -66,7 +69,8 @@ pub(super) fn lift(
     Ok(Some(factors.into_iter().map(|(factor, _)| factor).collect()))
 }
 
-/// The polynomial with the first i variables free, for each i beginning with the main variable alone.
+/// The polynomial with the first i variables free, for each i beginning with the main variable
+/// alone.
 fn stages(field: PrimeField, polynomial: &Polynomial, order: &[Variable], points: &[u64]) -> Vec<Residues> {
     let mut stages = vec![residues(field, polynomial, order)];
     for &point in points.iter().rev() {
@@ -110,11 +114,13 @@ impl Step<'_> {
         let last = self.whole.keys().next().map_or(1, |exponents| exponents.len() - 1);
         let (degree, len) = (highest(0), highest(last) + 1);
         let base: Vec<u64> = (1..last).map(|_| 1 + rng.below(field.prime() - 1)).collect();
+        budget.charge((self.whole.len() * last) as u64)?;
         let shapes: Vec<Shape> =
             self.factors.iter().map(|(factor, _)| Shape::new(field, factor, &base)).collect();
         let samples = shapes.iter().map(Shape::samples).max().unwrap_or(1);
-        let size = (degree + 1) * len;
-        budget.charge((samples * (self.whole.len() + size * size)) as u64 / RESIDUES_PER_TERM)?;
+        let size = (degree as u64 + 1).saturating_mul(len as u64);
+        let each = size.saturating_mul(size).saturating_add(self.whole.len() as u64);
+        budget.charge(each.saturating_mul(samples as u64) / RESIDUES_PER_TERM)?;
 
         let mut whole = Walk::new(field, self.whole, &base, Some(last));
         let mut multipliers: Vec<Walk> =
@@ -159,7 +165,8 @@ fn value(field: PrimeField, exponents: &[u32], base: &[u64]) -> u64 {
 
 /// A polynomial evaluated at the powers of a point, one after another.
 struct Walk {
-    /// For each term the powers of the variables that stay, and the value and the factor to the next.
+    /// For each term the powers of the variables that stay, and the value and the factor to the
+    /// next.
     terms: Vec<(usize, usize, u64, u64)>,
 }
 
@@ -218,7 +225,9 @@ impl Shape {
                     lifts[..nodes.len()].iter().map(|lift| lift.get(row).map_or(0, |r| r[power])).collect()
                 })
                 .collect();
-            for ((exponents, _), solution) in group.iter().zip(vandermonde(field, &nodes, &columns)?) {
+            for ((exponents, _), solution) in
+                group.iter().zip(vandermonde::solutions(field, &nodes, &columns)?)
+            {
                 for (power, coefficient) in solution.into_iter().enumerate().filter(|(_, c)| *c != 0) {
                     let mut exponents = exponents.clone();
                     exponents.push(power as u32);
@@ -228,26 +237,4 @@ impl Shape {
         }
         Some(terms)
     }
-}
-
-/// For each node mᵢ and each column v the cᵢ with Σ cᵢ·mᵢ^k = vₖ, k from 1 on; `None` where nodes agree.
-///
-/// With q = ∏_{j≠i} (z − mⱼ), the sum Σ qₖ·v_{k+1} is cᵢ·mᵢ·q(mᵢ).
-fn vandermonde(field: PrimeField, nodes: &[u64], columns: &[Dense]) -> Option<Vec<Dense>> {
-    let master = nodes.iter().fold(vec![1], |all, &node| dense::product(field, &all, &[field.neg(node), 1]));
-    nodes
-        .iter()
-        .map(|&node| {
-            // Horner's rule from the top gives the quotient by z − node.
-            let mut quotient = vec![0; nodes.len()];
-            let mut carry = 0;
-            for place in (0..nodes.len()).rev() {
-                carry = field.add(field.mul(carry, node), master[place + 1]);
-                quotient[place] = carry;
-            }
-            let at_node = quotient.iter().rev().fold(0, |sum, &c| field.add(field.mul(sum, node), c));
-            let unit = field.inverse(field.mul(node, at_node))?;
-            Some(columns.iter().map(|values| field.mul(dense::dot(field, &quotient, values), unit)).collect())
-        })
-        .collect()
 }

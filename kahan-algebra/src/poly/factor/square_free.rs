@@ -1,10 +1,10 @@
-//! Square-free decomposition: f = ∏ fₖ^k with fₖ square-free and pairwise coprime (Yun, "On square-free decomposition
-//! algorithms", SYMSAC 1976).
+//! Square-free decomposition: f = ∏ fₖ^k with fₖ square-free and pairwise coprime (Yun, "On
+//! square-free decomposition algorithms", SYMSAC 1976).
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
 
-/// The decomposition of a primitive polynomial, and whether the budget sufficed; where it did not, what is left stands
-/// undecomposed.
+/// The decomposition of a primitive polynomial, and whether the budget sufficed; where it did not,
+/// what is left stands undecomposed.
 pub(super) fn square_free(polynomial: &Polynomial, budget: &mut Budget) -> Vec<(Polynomial, u32)> {
     let Some(main) = polynomial.variables().into_iter().min_by_key(|v| polynomial.degree_in(*v)) else {
         return Vec::new();

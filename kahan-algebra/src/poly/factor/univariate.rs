@@ -1,16 +1,18 @@
 //! Irreducible factors of a polynomial in one variable over ℤ.
 //!
-//! Zassenhaus, "On Hensel factorization I", J. Number Theory 1, 1969: factors modulo a small prime p are lifted to factors
-//! modulo a power of p beyond twice the coefficients of any true factor, and products of few of them are tried. The
-//! degrees that sums of degrees modulo several primes allow settle most irreducible polynomials before.
+//! Zassenhaus, "On Hensel factorization I", J. Number Theory 1, 1969: factors modulo a small prime
+//! p are lifted to factors modulo a power of p beyond twice the coefficients of any true factor,
+//! and products of few of them are tried. The degrees that sums of degrees modulo several primes
+//! allow settle most irreducible polynomials before.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
 
-use super::dense::Dense;
+use super::dense::{self, Dense};
 use super::lifted::{self, Lifted};
 use super::{modular, square_free};
+use crate::poly::images::RESIDUES_PER_TERM;
 use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64, is_prime_u64};
 use crate::rational::Rational;
@@ -22,8 +24,6 @@ pub(super) type Integers = Vec<BigInt>;
 const PRIMES: usize = 5;
 /// Primes from here on: odd, and seldom such that two factors agree modulo them.
 const FIRST_PRIME: u64 = 1009;
-/// About that many products of residues take as long as one product of terms.
-const RESIDUES_PER_TERM: u64 = 32;
 
 /// The irreducible factors of a primitive polynomial in `main`, with their exponents.
 pub(super) fn factors(
@@ -34,6 +34,7 @@ pub(super) fn factors(
     let mut all = Vec::new();
     for (part, exponent) in square_free::yun(polynomial, main, budget)? {
         let degree = part.degree() as usize;
+        budget.charge(effort(degree))?;
         let coefficient = |power: usize| part.coefficient(&Monomial::power(main, power as u32)).numerator();
         for factor in irreducible((0..=degree).map(coefficient).collect(), budget)? {
             let terms = factor.into_iter().enumerate();
@@ -44,7 +45,8 @@ pub(super) fn factors(
     Ok(all)
 }
 
-/// The irreducible factors of a primitive square-free polynomial with a positive leading coefficient.
+/// The irreducible factors of a primitive square-free polynomial with a positive leading
+/// coefficient.
 fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let degree = polynomial.len() - 1;
     if degree < 2 {
@@ -54,8 +56,7 @@ fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers
     let mut best: Option<(PrimeField, Vec<modular::EqualDegree>, usize)> = None;
     let mut tried = 0;
     for prime in (FIRST_PRIME..).step_by(2).filter(|&n| is_prime_u64(n)) {
-        let cube = (degree as u64).saturating_pow(3);
-        budget.charge(8 * cube / RESIDUES_PER_TERM + degree as u64)?;
+        budget.charge(effort(degree))?;
         let Some((field, image)) = good_image(&polynomial, prime) else { continue };
         let parts = modular::by_degree(field, &image);
         let count = parts.iter().map(modular::EqualDegree::count).sum();
@@ -76,7 +77,12 @@ fn irreducible(polynomial: Integers, budget: &mut Budget) -> Result<Vec<Integers
     let images: Vec<Dense> =
         parts.into_iter().flat_map(|part| modular::irreducible(field, part, &mut rng)).collect();
     let lifted = lifted::lift(field, &images, &polynomial, &(coefficient_bound(&polynomial) * 2), budget)?;
-    recombine(polynomial, lifted, &possible, budget)
+    recombine(polynomial, lifted, budget)
+}
+
+/// What the factors by degree cost modulo one small prime.
+fn effort(degree: usize) -> u64 {
+    (degree as u64).saturating_pow(3).saturating_mul(8) / RESIDUES_PER_TERM + degree as u64
 }
 
 /// The monic image modulo a prime that keeps the degree and the square-freeness.
@@ -85,9 +91,9 @@ fn good_image(polynomial: &Integers, prime: u64) -> Option<(PrimeField, Dense)> 
     let image: Dense =
         polynomial.iter().map(|c| field.reduce(&Rational::from(c.clone()))).collect::<Option<_>>()?;
     let keeps_degree = image.last() != Some(&0);
-    let derivative = super::dense::derivative(field, &image);
-    (keeps_degree && super::dense::gcd(field, &image, &derivative).len() == 1)
-        .then(|| (field, super::dense::monic(field, &image)))
+    let derivative = dense::derivative(field, &image);
+    (keeps_degree && dense::gcd(field, &image, &derivative).len() == 1)
+        .then(|| (field, dense::monic(field, &image)))
 }
 
 /// The degrees that a factor may have.
@@ -123,50 +129,33 @@ impl DegreeSet {
     }
 }
 
-/// No coefficient of lc(f)/lc(g)·g, g a factor of f, is larger: |lc(f)|·2^n·‖f‖₂ (Mignotte, Math. Comp. 28, 1974).
+/// No coefficient of lc(f)/lc(g)·g, g a factor of f, is larger: |lc(f)|·2^n·‖f‖₂ (Mignotte, Math.
+/// Comp. 28, 1974).
 fn coefficient_bound(polynomial: &Integers) -> BigInt {
     let squares: BigInt = polynomial.iter().map(|c| c * c).sum();
     ((squares.sqrt() + 1_u32) << (polynomial.len() - 1)) * polynomial[polynomial.len() - 1].abs()
 }
 
 /// The true factors as products of factors modulo a power of a prime, the fewest first.
-fn recombine(
-    mut whole: Integers,
-    lifted: Lifted,
-    possible: &DegreeSet,
-    budget: &mut Budget,
-) -> Result<Vec<Integers>, OverBudget> {
+fn recombine(mut whole: Integers, lifted: Lifted, budget: &mut Budget) -> Result<Vec<Integers>, OverBudget> {
     let Lifted { modulus, mut factors } = lifted;
     let words = modulus.bits() / 64 + 1;
     let mut found = Vec::new();
-    let mut size = 1;
-    while 2 * size <= factors.len() {
-        let mut chosen: Vec<usize> = (0..size).collect();
-        loop {
-            let degree: usize = chosen.iter().map(|&index| factors[index].len() - 1).sum();
-            if possible.0[degree] {
-                budget.charge((whole.len() * whole.len()) as u64 * words)?;
-                let candidate = candidate(&whole, chosen.iter().map(|&index| &factors[index]), &modulus);
-                if let Some(quotient) = exact_quotient(&whole, &candidate) {
-                    found.push(candidate);
-                    whole = quotient;
-                    for &index in chosen.iter().rev() {
-                        factors.remove(index);
-                    }
-                    if 2 * size > factors.len() {
-                        break;
-                    }
-                    chosen = (0..size).collect();
-                    continue;
-                }
-            } else {
-                budget.charge(1)?;
+    let mut chosen = vec![0];
+    while 2 * chosen.len() <= factors.len() {
+        budget.charge((whole.len() * whole.len()) as u64 * words)?;
+        let candidate = candidate(&whole, chosen.iter().map(|&index| &factors[index]), &modulus);
+        if let Some(quotient) = exact_quotient(&whole, &candidate) {
+            found.push(candidate);
+            whole = quotient;
+            for &index in chosen.iter().rev() {
+                factors.remove(index);
             }
-            if !advance(&mut chosen, factors.len()) {
-                break;
-            }
+            // Smaller sets have been tried already.
+            chosen = (0..chosen.len()).collect();
+        } else if !advance(&mut chosen, factors.len()) {
+            chosen = (0..=chosen.len()).collect();
         }
-        size += 1;
     }
     if whole.len() > 1 {
         found.push(whole);
