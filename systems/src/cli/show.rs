@@ -13,8 +13,8 @@ use kahan_algebra::system::{Claim, System};
 use serde_json::{Value, json};
 
 use super::input::{Block, Source};
-use super::output::{Answer, Refusal, matrix};
-use page::{Page, aligned, column, environment, singletons};
+use super::output::{Answer, Refusal};
+use page::{Page, aligned, column, environment, matrix, singletons};
 use plan::PlanSheet;
 
 /// Shows a system: field, f', A, b, bilinear form, det A, reduced map, Jacobian, claims.
@@ -103,7 +103,7 @@ impl Show {
         };
         Ok(match (self.json, self.latex) {
             (true, _) => Answer::json(&sheet.json()),
-            (false, true) => Answer::text(sheet.latex()),
+            (false, true) => Answer::verbatim(sheet.latex()),
             (false, false) => Answer::text(sheet.text()),
         })
     }

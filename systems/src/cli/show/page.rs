@@ -2,7 +2,7 @@
 
 use kahan_algebra::render::MatrixText;
 
-use super::super::output::matrix;
+use super::super::layout::{matrix_within, screen_width, words};
 
 /// Text that grows downwards.
 #[derive(Default)]
@@ -16,11 +16,18 @@ impl Page {
         self.text.push('\n');
     }
 
+    /// Sentences, as many lines as the screen takes.
+    pub(super) fn prose(&mut self, text: &str) {
+        for line in words(text, screen_width()) {
+            self.line(&line);
+        }
+    }
+
     pub(super) fn section(&mut self, title: &str, lines: Vec<String>) {
         self.line("");
         self.line(title);
         for line in lines {
-            self.line(&format!("  {line}"));
+            self.line(&format!("{:INDENT$}{line}", ""));
         }
     }
 
@@ -32,6 +39,19 @@ impl Page {
 /// A column as a matrix.
 pub(super) fn singletons(entries: &[String]) -> MatrixText {
     entries.iter().map(|entry| vec![entry.clone()]).collect()
+}
+
+/// The columns by which a section is indented.
+const INDENT: usize = 2;
+
+/// A matrix as lines of a section.
+pub(super) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
+    matrix_within(rows, left, right, screen_width().saturating_sub(INDENT))
+}
+
+/// Sentences as lines of a section.
+pub(super) fn paragraph(text: &str) -> Vec<String> {
+    words(text, screen_width().saturating_sub(INDENT))
 }
 
 /// A column in brackets, a line a row.
