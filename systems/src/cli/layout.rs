@@ -9,6 +9,8 @@ mod tests;
 
 use std::io::{IsTerminal, stdout};
 
+use kahan_algebra::render::lines;
+
 use super::output::{columns, widths};
 
 /// The columns of a screen whose width nobody knows.
@@ -135,7 +137,7 @@ fn groups(
 
 /// A row in columns of these widths; a cell of more takes further lines.
 fn side_by_side(row: &[String], widths: &[usize]) -> Vec<String> {
-    let cells: Vec<Vec<String>> = row.iter().zip(widths).map(|(cell, &width)| words(cell, width)).collect();
+    let cells: Vec<Vec<String>> = row.iter().zip(widths).map(|(cell, &width)| lines(cell, width)).collect();
     let height = cells.iter().map(Vec::len).max().unwrap_or(0);
     (0..height)
         .map(|line| {
@@ -170,84 +172,13 @@ pub(crate) fn labelled(label: &str, text: &str, room: usize) -> Vec<String> {
 fn labelled_within(label: &str, text: &str, room: usize, width: usize) -> Vec<String> {
     let beside = width.saturating_sub(room + 2);
     if longest_word(text) > beside || length(label) > room && length(label) + 2 + length(text) > width {
-        let below = words(text, width.saturating_sub(2)).into_iter();
+        let below = lines(text, width.saturating_sub(2)).into_iter();
         let indented = below.map(|line| format!("  {line}"));
         return std::iter::once(label.to_owned()).chain(indented).collect();
     }
-    let texts = if length(label) > room { vec![text.to_owned()] } else { words(text, beside) };
+    let texts = if length(label) > room { vec![text.to_owned()] } else { lines(text, beside) };
     let labels = std::iter::once(label).chain(std::iter::repeat(""));
     labels.zip(texts).map(|(label, text)| format!("{label:<room$}  {text}").trim_end().to_owned()).collect()
-}
-
-/// A text in lines of at most `width` characters, broken at spaces; never empty.
-pub(crate) fn words(text: &str, width: usize) -> Vec<String> {
-    if length(text) <= width {
-        return vec![text.to_owned()];
-    }
-    let mut lines: Vec<String> = Vec::new();
-    let mut taken = 0;
-    for unit in units(text) {
-        let word = length(unit.trim_start());
-        match lines.last_mut() {
-            Some(line) if taken + length(unit) <= width => {
-                line.push_str(unit);
-                taken += length(unit);
-            }
-            _ => {
-                lines.push(unit.trim_start().to_owned());
-                taken = word;
-            }
-        }
-    }
-    lines
-}
-
-/// The text in pieces that stay together, each with the spaces before it: a sign goes with its term, `=` with what it follows.
-fn units(text: &str) -> Vec<&str> {
-    let mut starts = vec![0];
-    let mut begins_word = false;
-    let mut after_sign = false;
-    let mut spaces = 0;
-    for (at, c) in text.char_indices() {
-        if c == ' ' {
-            spaces = if begins_word { spaces } else { at };
-            begins_word = true;
-            continue;
-        }
-        if std::mem::take(&mut begins_word) {
-            let word = text[at..].split(' ').next().unwrap_or_default();
-            if !after_sign && !matches!(word, "=" | ":=") && spaces > 0 {
-                starts.push(spaces);
-            }
-            after_sign = matches!(word, "+" | "-");
-        } else if at == 0 {
-            after_sign = false;
-        }
-    }
-    starts.push(text.len());
-    starts.windows(2).map(|pair| &text[pair[0]..pair[1]]).collect()
-}
-
-/// A text whose lines are at most `width` characters, each broken at its spaces and continued further in.
-pub(crate) fn folded(text: &str, width: usize) -> String {
-    let mut out = String::with_capacity(text.len());
-    for line in text.lines() {
-        if length(line) <= width {
-            out.push_str(line);
-            out.push('\n');
-            continue;
-        }
-        let indent = line.len() - line.trim_start_matches(' ').len();
-        // A deep indent would leave no room.
-        let indent = indent.min(width / 2);
-        let further = (indent + 4).min(width / 2);
-        for (index, part) in words(line.trim_start(), width - further).into_iter().enumerate() {
-            out.push_str(&" ".repeat(if index == 0 { indent } else { further }));
-            out.push_str(&part);
-            out.push('\n');
-        }
-    }
-    out
 }
 
 /// A line of cells with commas, broken after some so that each part has at most `width` characters; further parts are indented.

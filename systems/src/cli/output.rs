@@ -4,9 +4,10 @@ use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
 use kahan_algebra::diagnostics::brief;
+use kahan_algebra::render::folded;
 use serde_json::Value;
 
-use super::layout::{folded, terminal_width};
+use super::layout::terminal_width;
 
 /// The result of a command that was understood.
 #[derive(Debug)]

@@ -9,6 +9,7 @@ mod evaluating;
 mod extremes;
 mod heights;
 mod interrupting;
+mod latex;
 mod numbers;
 mod orbit;
 mod parameters;

@@ -1,6 +1,8 @@
 //! Every line is within the width, or is one word.
 
-use super::{after_commas, folded, labelled_within, matrix_within, table_within, words};
+use kahan_algebra::render::{folded, lines};
+
+use super::{after_commas, labelled_within, matrix_within, table_within};
 
 fn rows(cells: &[&[&str]]) -> Vec<Vec<String>> {
     cells.iter().map(|row| row.iter().map(|cell| (*cell).to_owned()).collect()).collect()
@@ -62,11 +64,11 @@ fn a_row_of_a_matrix_breaks_between_its_entries() {
 
 #[test]
 fn formulas_break_before_a_term() {
-    assert_eq!(words("x~ = a*x + b*y - c*z", 10), ["x~ = a*x", "+ b*y", "- c*z"]);
-    assert_eq!(words("H := a + b", 4), ["H :=", "a", "+ b"]);
-    assert_eq!(words("one  two", 20), ["one  two"]);
-    assert_eq!(words("one  two", 4), ["one", "two"]);
-    assert_eq!(words("", 4), [""]);
+    assert_eq!(lines("x~ = a*x + b*y - c*z", 10), ["x~ = a*x", "+ b*y", "- c*z"]);
+    assert_eq!(lines("H := a + b", 4), ["H :=", "a", "+ b"]);
+    assert_eq!(lines("one  two", 20), ["one  two"]);
+    assert_eq!(lines("one  two", 4), ["one", "two"]);
+    assert_eq!(lines("", 4), [""]);
 }
 
 #[test]

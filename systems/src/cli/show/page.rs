@@ -1,8 +1,8 @@
 //! What `kahan show` writes is put together from: sections of plain text, displays of LaTeX, matrices.
 
-use kahan_algebra::render::MatrixText;
+use kahan_algebra::render::{MatrixText, lines};
 
-use super::super::layout::{matrix_within, screen_width, words};
+use super::super::layout::{matrix_within, screen_width};
 
 /// Text that grows downwards.
 #[derive(Default)]
@@ -18,7 +18,7 @@ impl Page {
 
     /// Sentences, as many lines as the screen takes.
     pub(super) fn prose(&mut self, text: &str) {
-        for line in words(text, screen_width()) {
+        for line in lines(text, screen_width()) {
             self.line(&line);
         }
     }
@@ -51,18 +51,12 @@ pub(super) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<Strin
 
 /// Sentences as lines of a section.
 pub(super) fn paragraph(text: &str) -> Vec<String> {
-    words(text, screen_width().saturating_sub(INDENT))
+    lines(text, screen_width().saturating_sub(INDENT))
 }
 
 /// A column in brackets, a line a row.
 pub(super) fn column(entries: &[String]) -> Vec<String> {
     matrix(&singletons(entries), '[', ']')
-}
-
-/// A matrix in LaTeX.
-pub(super) fn environment(name: &str, rows: &[Vec<String>]) -> String {
-    let rows: Vec<String> = rows.iter().map(|row| row.join(" & ")).collect();
-    format!("\\begin{{{name}}}\n{}\n\\end{{{name}}}", rows.join(" \\\\\n"))
 }
 
 /// Equations in LaTeX, one below the other.
