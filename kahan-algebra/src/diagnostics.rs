@@ -57,10 +57,10 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// A mistake of `kind` at `span`: what is wrong, and what to write instead.
+    /// A mistake of `kind` at `span`: what is wrong, and what to write instead, each made [`brief`].
     #[must_use]
     pub fn new(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Self {
-        Diagnostic { kind, span, message: message.into(), help: help.into() }
+        Diagnostic { kind, span, message: brief(&message.into()), help: brief(&help.into()) }
     }
 }
 
@@ -72,6 +72,36 @@ impl fmt::Display for Diagnostic {
         }
         Ok(())
     }
+}
+
+/// A message as it is, unless what it quotes is too long for one: then a word of more than 80 characters keeps its beginning
+/// and its end, and so does the whole if it still has more than 700.
+///
+/// ```
+/// let name = "x".repeat(1_000_000);
+/// let message = kahan_algebra::diagnostics::brief(&format!("there is no `{name}` here"));
+/// assert!(message.starts_with("there is no `xxx") && message.ends_with("xxx` here") && message.len() < 100);
+/// ```
+#[must_use]
+pub fn brief(message: &str) -> String {
+    let words = message.split_inclusive(char::is_whitespace);
+    let short: String = words.map(|word| without_middle(word, 80, 46, 16)).collect();
+    without_middle(&short, 700, 440, 240)
+}
+
+/// A text of at most `longest` characters as it is, of another the first and the last few.
+fn without_middle(text: &str, longest: usize, first: usize, last: usize) -> String {
+    // So many bytes are that many characters at most.
+    if text.len() <= longest {
+        return text.to_owned();
+    }
+    let count = text.chars().count();
+    if count <= longest {
+        return text.to_owned();
+    }
+    let head: String = text.chars().take(first).collect();
+    let tail: String = text.chars().skip(count - last).collect();
+    format!("{head}…{tail}")
 }
 
 /// The mistakes found so far. Dropping a collector without [`Diagnostics::finish`] is a bug and panics.

@@ -1,6 +1,7 @@
 //! Claims as written, and as statements.
 
-use crate::syntax::{ClaimBody, ClaimKind, Expr, ExprKind};
+use crate::rational::Rational;
+use crate::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Factor};
 use crate::system::{Claim, System};
 
 use super::notation::Notation;
@@ -26,7 +27,11 @@ fn write(expr: &Expr, notation: Notation) -> (String, Level) {
             (notation.number(value), level)
         }
         ExprKind::Name(name) => (notation.name(name), Level::Atom),
-        ExprKind::Negation(inner) => (format!("-{}", at_least(inner, Level::Power, notation)), Level::Sum),
+        ExprKind::Negation(inner) => {
+            // −(a·b) is read back as it was written; in LaTeX nothing reads back.
+            let level = if notation == Notation::Text { Level::Power } else { Level::Product };
+            (format!("-{}", at_least(inner, level, notation)), Level::Sum)
+        }
         ExprKind::Sum(terms) => {
             let mut text = String::new();
             for (index, term) in terms.iter().enumerate() {
@@ -41,28 +46,12 @@ fn write(expr: &Expr, notation: Notation) -> (String, Level) {
             }
             (text, Level::Sum)
         }
-        ExprKind::Product(factors)
-            if notation == Notation::Latex && factors.iter().any(|factor| factor.divides) =>
-        {
-            let side = |divides: bool| -> String {
-                let mut chosen: Vec<String> = Vec::new();
-                let count = factors.iter().filter(|factor| factor.divides == divides).count();
-                for factor in factors.iter().filter(|factor| factor.divides == divides) {
-                    let level = if count > 1 { Level::Power } else { Level::Sum };
-                    chosen.push(at_least(&factor.expr, level, notation));
-                }
-                if chosen.is_empty() { "1".to_owned() } else { notation.product(&chosen) }
-            };
-            (notation.quotient(&side(false), &side(true)), Level::Power)
-        }
+        ExprKind::Product(factors) if notation == Notation::Latex => latex_product(factors),
         ExprKind::Product(factors) => {
             let mut text = String::new();
             for (index, factor) in factors.iter().enumerate() {
-                match (index, factor.divides, notation) {
-                    (0, ..) => {}
-                    (_, true, _) => text.push('/'),
-                    (_, false, Notation::Text) => text.push('*'),
-                    (_, false, Notation::Latex) => text.push(' '),
+                if index > 0 {
+                    text.push(if factor.divides { '/' } else { '*' });
                 }
                 // A sign at the front needs no parentheses: −a·b is (−a)·b.
                 let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
@@ -77,10 +66,66 @@ fn write(expr: &Expr, notation: Notation) -> (String, Level) {
     }
 }
 
+/// A product in LaTeX: its numbers as one, what divides below a line, no factor of 1.
+fn latex_product(factors: &[Factor]) -> (String, Level) {
+    let notation = Notation::Latex;
+    let mut coefficient = Rational::from(1);
+    let mut sides: [Vec<&Expr>; 2] = [Vec::new(), Vec::new()];
+    for factor in factors {
+        let mut expr = &factor.expr;
+        // A sign at the front is the sign of all: −a·b is (−a)·b.
+        if let ExprKind::Negation(inner) = &expr.kind
+            && std::ptr::eq(factor, &factors[0])
+        {
+            coefficient = -coefficient;
+            expr = inner;
+        }
+        let combined = match &expr.kind {
+            ExprKind::Number(value) if factor.divides => coefficient.checked_div(value),
+            ExprKind::Number(value) => Some(&coefficient * value),
+            _ => None,
+        };
+        match combined {
+            Some(combined) => coefficient = combined,
+            None => sides[usize::from(factor.divides)].push(expr),
+        }
+    }
+    let size = if coefficient.is_negative() { -&coefficient } else { coefficient.clone() };
+    let (text, level) = if sides[1].is_empty() && size.is_integer() {
+        number_times(&size, &sides[0])
+    } else {
+        let above = number_times(&Rational::from(size.numerator()), &sides[0]).0;
+        let below = number_times(&Rational::from(size.denominator()), &sides[1]).0;
+        (notation.quotient(&above, &below), Level::Power)
+    };
+    match coefficient.is_negative() {
+        true if level < Level::Product => (format!("-{}", parenthesized(&text, notation)), Level::Sum),
+        true => (format!("-{text}"), Level::Sum),
+        false => (text, level),
+    }
+}
+
+/// A whole number, unless it is 1, and factors behind it.
+fn number_times(number: &Rational, factors: &[&Expr]) -> (String, Level) {
+    let notation = Notation::Latex;
+    match factors {
+        [] => (notation.number(number), Level::Atom),
+        [single] if number.is_one() => write(single, notation),
+        _ => {
+            let number = (!number.is_one()).then(|| notation.number(number));
+            let written = factors.iter().map(|factor| at_least(factor, Level::Power, notation));
+            (notation.product(&number.into_iter().chain(written).collect::<Vec<_>>()), Level::Product)
+        }
+    }
+}
+
 fn at_least(expr: &Expr, level: Level, notation: Notation) -> String {
     let (text, own) = write(expr, notation);
+    if own >= level { text } else { parenthesized(&text, notation) }
+}
+
+fn parenthesized(text: &str, notation: Notation) -> String {
     match notation {
-        _ if own >= level => text,
         Notation::Text => format!("({text})"),
         Notation::Latex => format!("\\left({text}\\right)"),
     }

@@ -88,6 +88,16 @@ impl Formulas<'_> {
                 Notation::Text => {
                     format!("{state} + 2*eps*{}/{}", parenthesize(&above), parenthesize(&below))
                 }
+                Notation::Latex if above == "1" && below == "1" => format!("{state} + 2\\varepsilon"),
+                Notation::Latex if below == "1" => {
+                    let is_plain = above.starts_with(char::is_alphabetic) || above.starts_with('\\');
+                    let factor = if is_plain && !above.contains(" + ") && !above.contains(" - ") {
+                        format!("\\,{above}")
+                    } else {
+                        format!("\\left({above}\\right)")
+                    };
+                    format!("{state} + 2\\varepsilon{factor}")
+                }
                 Notation::Latex => {
                     format!("{state} + 2\\varepsilon\\,{}", self.notation.quotient(&above, &below))
                 }

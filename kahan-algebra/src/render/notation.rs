@@ -4,6 +4,8 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 use crate::symbols::{Symbol, Symbols};
 
+use super::name::latex_name;
+
 /// How formulas are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notation {
@@ -14,21 +16,13 @@ pub enum Notation {
 }
 
 impl Notation {
-    /// A name; in LaTeX Greek names become Greek and digits become indices.
+    /// A name; in LaTeX Greek names become Greek, digits and what stands behind `_` become indices: `\\mu_{1}`, `x_{\\mathrm{max}}`.
     #[must_use]
     pub fn name(self, name: &str) -> String {
         if self == Notation::Text {
             return name.to_owned();
         }
-        let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        let index = &name[stem.len()..];
-        let stem = match stem {
-            "eps" | "ε" => "\\varepsilon".to_owned(),
-            _ if GREEK.contains(&stem) => format!("\\{stem}"),
-            _ if stem.chars().count() == 1 => stem.to_owned(),
-            _ => format!("\\mathit{{{}}}", stem.replace('_', "\\_")),
-        };
-        if index.is_empty() { stem } else { format!("{stem}_{{{index}}}") }
+        latex_name(name)
     }
 
     /// The name of a variable; the second copy of a state with a prime.
@@ -60,10 +54,25 @@ impl Notation {
         }
     }
 
-    /// A product of factors that are written already.
+    /// A product of factors that are written already; in LaTeX a point stands before a number that is not the first.
     #[must_use]
     pub fn product(self, factors: &[String]) -> String {
-        factors.join(if self == Notation::Text { "*" } else { " " })
+        if self == Notation::Text {
+            return factors.join("*");
+        }
+        let mut text = String::new();
+        for (index, factor) in factors.iter().enumerate() {
+            let is_number = factor.starts_with(|c: char| c.is_ascii_digit());
+            text.push_str(if index == 0 {
+                ""
+            } else if is_number {
+                " \\cdot "
+            } else {
+                " "
+            });
+            text.push_str(factor);
+        }
+        text
     }
 
     /// `above/below`, both sums at worst.
@@ -123,8 +132,3 @@ pub(super) fn parenthesize(text: &str) -> String {
 pub(super) fn parenthesize_sum(text: &str) -> String {
     if text.contains(' ') { format!("({text})") } else { text.to_owned() }
 }
-
-const GREEK: [&str; 23] = [
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu",
-    "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega", "Gamma",
-];

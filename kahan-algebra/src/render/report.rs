@@ -19,8 +19,8 @@ pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], orig
     let line = &text[line_start..line_end];
     let column = text[line_start..first_range.start].chars().count();
     let marked = &text[first_range.start..last_range.end.clamp(first_range.start, line_end)];
-    let (line, column) = shorten(line, column);
     let gutter = number.to_string();
+    let (line, column) = shorten(line, column, WIDTH.saturating_sub(gutter.len() + 3));
     let margin = " ".repeat(gutter.len());
     // Tabs keep their width, so that the caret stands under its place.
     let indent: String = line.chars().take(column).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
@@ -40,17 +40,20 @@ pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], orig
     out
 }
 
-/// A long line is cut around its place.
-fn shorten(line: &str, column: usize) -> (String, usize) {
-    const WIDTH: usize = 160;
-    const BEFORE: usize = 60;
+/// The columns of a screen, which the line with the caret takes at most.
+const WIDTH: usize = 80;
+
+/// A line of more than `width` characters is cut around its place.
+fn shorten(line: &str, column: usize, width: usize) -> (String, usize) {
     let length = line.chars().count();
-    if length <= WIDTH {
+    if length <= width {
         return (line.to_owned(), column);
     }
-    let start = column.saturating_sub(BEFORE);
-    let cut: String = line.chars().skip(start).take(WIDTH).collect();
+    // Room for an ellipsis on either side; more of what comes after the place than of what comes before.
+    let kept = width.saturating_sub(2);
+    let start = column.saturating_sub(kept / 3).min(length - kept);
+    let cut: String = line.chars().skip(start).take(kept).collect();
     let head = if start > 0 { "…" } else { "" };
-    let tail = if start + WIDTH < length { "…" } else { "" };
+    let tail = if start + kept < length { "…" } else { "" };
     (format!("{head}{cut}{tail}"), column - start + usize::from(start > 0))
 }

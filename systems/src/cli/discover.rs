@@ -11,7 +11,8 @@ use kahan_discover::{Options, Report, discover};
 use serde_json::{Map, Value, json};
 
 use super::input::number;
-use super::output::{Answer, Refusal, columns, widths};
+use super::layout::{labelled, matrix};
+use super::output::{Answer, Refusal};
 use super::progress::Progress;
 use super::search::{Search, refused};
 
@@ -128,7 +129,9 @@ impl Finding {
 
     fn text(&self) -> String {
         let report = &self.report;
-        let mut lines: Vec<String> = self.head().iter().map(|row| columns(row, &[KEY_WIDTH, 0])).collect();
+        let head = self.head();
+        let mut lines: Vec<String> =
+            head.iter().flat_map(|row| labelled(&row[0], &row[1], KEY_WIDTH)).collect();
         if !report.integrals.is_empty() || !report.densities.is_empty() {
             lines.push(String::new());
             let claims = report.integrals.iter().chain(&report.densities);
@@ -139,8 +142,7 @@ impl Finding {
         if let Some(hamiltonian) = &report.structure.hamiltonian {
             lines.push(String::new());
             lines.push("K =".to_owned());
-            let widths = widths(&hamiltonian.tensor);
-            lines.extend(hamiltonian.tensor.iter().map(|row| format!("  {}", columns(row, &widths))));
+            lines.extend(matrix(&hamiltonian.tensor, '[', ']').iter().map(|row| format!("  {row}")));
         }
         lines.join("\n") + "\n"
     }

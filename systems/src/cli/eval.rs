@@ -9,7 +9,8 @@ use serde_json::{Map, Value, json};
 
 use super::double_double::DoubleDouble;
 use super::input::{Start, coordinates, number};
-use super::output::{Answer, Refusal, matrix, shorten};
+use super::layout::{labelled, matrix_within, screen_width};
+use super::output::{Answer, Refusal, shorten};
 use super::scalar::{Printable, ScalarKind};
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 
@@ -171,30 +172,48 @@ fn readable(objects: &Value) -> String {
             ("parameters" | "integrals" | "brackets", Value::Object(named)) => {
                 let kind = key.trim_end_matches('s');
                 lines.extend(
-                    named.iter().flat_map(|(name, value)| labelled(&format!("{kind} {name}"), value)),
+                    named.iter().flat_map(|(name, value)| lines_of(&format!("{kind} {name}"), value)),
                 );
             }
-            _ => lines.extend(labelled(key, value)),
+            _ => lines.extend(lines_of(key, value)),
         }
     }
     lines.join("\n") + "\n"
 }
 
-fn labelled(label: &str, value: &Value) -> Vec<String> {
-    const WIDTH: usize = 16;
+fn lines_of(label: &str, value: &Value) -> Vec<String> {
+    /// The columns of the labels.
+    const LABELS: usize = 16;
     let cell = |value: &Value| match value {
         Value::Null => "undefined".to_owned(),
         Value::String(text) => text.clone(),
         other => other.to_string(),
     };
-    let values = match value {
+    match value {
         Value::Array(items) if items.iter().any(Value::is_array) => {
             let rows = items.iter().filter_map(Value::as_array);
-            matrix(&rows.map(|row| row.iter().map(cell).collect()).collect::<Vec<_>>(), '[', ']')
+            let rows: Vec<Vec<String>> = rows.map(|row| row.iter().map(cell).collect()).collect();
+            beside_or_below(label, &rows, LABELS)
         }
-        Value::Array(items) => vec![format!("({})", items.iter().map(cell).collect::<Vec<_>>().join(", "))],
-        single => vec![cell(single)],
-    };
-    let labels = std::iter::once(label).chain(std::iter::repeat(""));
-    labels.zip(values).map(|(label, value)| format!("{label:<WIDTH$}  {value}")).collect()
+        Value::Array(items) => {
+            let items: Vec<String> = items.iter().map(cell).collect();
+            labelled(label, &format!("({})", items.join(", ")), LABELS)
+        }
+        single => labelled(label, &cell(single), LABELS),
+    }
+}
+
+/// A matrix beside its label, or below it where that spares breaks.
+fn beside_or_below(label: &str, rows: &[Vec<String>], labels: usize) -> Vec<String> {
+    let room = screen_width().saturating_sub(labels + 2);
+    let beside = matrix_within(rows, '[', ']', room);
+    if label.chars().count() <= labels
+        && beside.len() == rows.len()
+        && beside.iter().all(|line| line.chars().count() <= room)
+    {
+        let labelled = std::iter::once(label).chain(std::iter::repeat("")).zip(&beside);
+        return labelled.map(|(label, line)| format!("{label:<labels$}  {line}")).collect();
+    }
+    let below = matrix_within(rows, '[', ']', screen_width().saturating_sub(2));
+    std::iter::once(label.to_owned()).chain(below.iter().map(|line| format!("  {line}"))).collect()
 }

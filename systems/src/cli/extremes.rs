@@ -9,8 +9,9 @@ use kahan_systems::registry::SYSTEMS;
 use kahan_systems::volterra;
 use serde_json::{Value, json};
 
-use super::input::{Block, Source};
-use super::output::{Answer, Refusal, columns, widths};
+use super::input::{Block, Source, whole};
+use super::layout::{labelled, table};
+use super::output::{Answer, Refusal};
 use super::progress::Progress;
 
 /// Tries steps at the extremes and judges each by exact arithmetic from the very floats that it was given.
@@ -47,7 +48,7 @@ pub(crate) struct Extremes {
     /// Sparse ones, with constant and linear terms, with parameters and divisors of them, and dense
     /// ones; interpreted, and listed below the table. Fields without a closed form within the
     /// budget of terms are left out and drawn again.
-    #[arg(long, value_name = "N", default_value = "0")]
+    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = fields)]
     random_fields: usize,
 
     /// Another seed draws other points; the same seed draws the same, on any number of threads.
@@ -74,12 +75,15 @@ Examples:
   kahan extremes --trials 10000000 --random-fields 50";
 
 fn trials(text: &str) -> Result<u64, String> {
-    let trials = text.trim().parse().ok().filter(|trials| *trials >= 1);
-    trials.ok_or_else(|| "write a whole number, 1 or more".to_owned())
+    whole(text, 1, u64::MAX)
 }
 
 fn seed(text: &str) -> Result<u64, String> {
-    text.trim().parse().map_err(|_| "write a whole number from 0 to 2^64 - 1".to_owned())
+    whole(text, 0, u64::MAX)
+}
+
+fn fields(text: &str) -> Result<usize, String> {
+    whole(text, 0, usize::MAX)
 }
 
 impl Extremes {
@@ -180,25 +184,25 @@ impl Extremes {
         ];
         let mut rows = vec![HEADER.map(str::to_owned).to_vec()];
         rows.extend(tally.cells.iter().map(row));
-        let widths = widths(&rows);
-        let mut lines: Vec<String> = rows.iter().map(|row| columns(row, &widths)).collect();
+        let mut lines = table(&rows, 3);
         lines.push(String::new());
         let names = |has: fn(&Subject) -> bool| {
             let names: Vec<&str> = subjects.iter().filter(|s| has(s)).map(Subject::name).collect();
             names.join(", ")
         };
-        lines.push(format!("systems          {}", names(|_| true)));
+        lines.extend(labelled("systems", &names(|_| true), LABELS));
         let removable = names(Subject::has_removable_poles);
-        lines.push(if removable.is_empty() {
-            "removable poles  none; their quarter went to the poles".to_owned()
-        } else {
-            format!("removable poles  {removable}")
-        });
+        let removable =
+            if removable.is_empty() { "none; their quarter went to the poles" } else { &removable };
+        lines.extend(labelled("removable poles", removable, LABELS));
         lines.extend(fields.iter().map(|field| format!("{}: {}", field.name, field.equations())));
         lines.push(format!("seed {}, {seconds:.1} seconds", self.seed));
         lines.join("\n") + "\n"
     }
 }
+
+/// The columns of the labels below the table.
+const LABELS: usize = 15;
 
 fn cannot_judge(name: &str, why: &Unjudged) -> Refusal {
     Refusal::new(match why {

@@ -9,8 +9,9 @@ use kahan_algebra::system::System;
 use kahan_systems::heights::{Bounds, Growth, HeightsOrbit, Stop, Survey};
 use serde_json::{Map, Value, json};
 
-use super::input::{Start, coordinates, number, seconds};
-use super::output::{Answer, Refusal, columns, widths};
+use super::input::{Start, coordinates, number, seconds, whole};
+use super::layout::table;
+use super::output::{Answer, Refusal};
 use super::progress::Progress;
 use super::sink::{Broken, Sink};
 
@@ -56,15 +57,14 @@ Examples:
   kahan heights lv --eps 9/14 --at 1/2,5/3 --steps 17
   kahan heights e4 --eps 1/2 --at 7/3,11/13,23/47 --steps 60 --csv e4.csv
   kahan heights e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 400 --json
-  kahan heights --field 'xdot = y; ydot = 6*x^2 - a;' --param a=0.5 --eps 1/3 --at 0,1 --steps 30 --seconds 5";
+  kahan heights --field 'xdot = y; ydot = 6*x^2 - a;' --param a=0.5 --eps 1/3 --at 0,1 --steps 30";
 
 fn steps(text: &str) -> Result<usize, String> {
-    text.trim().parse().map_err(|_| "write a whole number, 0 or more".to_owned())
+    whole(text, 0, usize::MAX)
 }
 
 fn digits(text: &str) -> Result<u64, String> {
-    let digits = text.trim().parse().ok().filter(|digits| *digits >= 1);
-    digits.ok_or_else(|| "write a whole number, 1 or more".to_owned())
+    whole(text, 1, u64::MAX)
 }
 
 /// What was found, and what it is about.
@@ -170,8 +170,7 @@ impl Finding<'_> {
         let is_cut = shown.len() < self.survey.heights.len();
         let mut rows = vec![self.header()];
         rows.extend(shown.into_iter().filter_map(|index| self.row(index)));
-        let widths = widths(&rows);
-        let mut lines: Vec<String> = rows.iter().map(|row| columns(row, &widths)).collect();
+        let mut lines = table(&rows, 1);
         if is_cut {
             lines.push("(--json and --csv have every step)".to_owned());
         }

@@ -2,7 +2,9 @@
 //!
 //! Texts become checked systems here; everything that is wrong with them becomes a [`Refusal`].
 
-use std::path::PathBuf;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use clap::Args;
 use kahan_algebra::diagnostics::{Diagnostic, Diagnostics};
@@ -11,12 +13,13 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::render::report;
 use kahan_algebra::system::System;
 use kahan_algebra::{check, parse, read};
-use kahan_systems::entry::{Entry, block_range};
+use kahan_systems::entry::Entry;
 use kahan_systems::registry::{all, find};
 
 use super::output::Refusal;
+use super::rust_file::{RustBlock, blocks};
 use super::values::given_values;
-pub(crate) use super::values::{coordinates, number, seconds};
+pub(crate) use super::values::{coordinates, number, seconds, whole};
 
 /// The system that a command is about.
 #[derive(Args, Clone, Debug, Default)]
@@ -29,9 +32,13 @@ pub(crate) struct Source {
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
     field: Option<String>,
 
-    /// A file with such a field, or a Rust file whose first `kahan! {` begins a line.
+    /// A file with such a field, or a Rust file with calls of `kahan!`; `-` is standard input.
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
+
+    /// Which block of a Rust file that has several: the name of its struct or of its variable, or its line.
+    #[arg(long, value_name = "NAME", requires = "file", visible_alias = "struct")]
+    block: Option<String>,
 
     /// The value of a parameter; once for each. `show` and `verify` put it in before the map is reduced, `eval` and `orbit`
     /// after; `discover` leaves the others generic, and `scan` takes FROM:TO:STEP in the place of V.
@@ -60,6 +67,8 @@ pub(crate) struct Block {
     /// The catalog's entry, where it is one.
     pub(crate) entry: Option<&'static Entry>,
     text: String,
+    /// Where in the text the block stands.
+    body: Range<usize>,
     lexed: Lexed,
     /// What the text is called in reports.
     origin: String,
@@ -111,11 +120,58 @@ impl Source {
                 None => Err(unknown_system(name)),
             },
             (None, Some(text), None) => Ok(Some(Block::new(None, text.clone(), "--field".to_owned()))),
-            (None, None, Some(path)) => match std::fs::read_to_string(path) {
-                Ok(text) => Ok(Some(Block::new(None, text, path.display().to_string()))),
-                Err(error) => Err(Refusal::new(format!("cannot read the file {}: {error}", path.display()))),
-            },
+            (None, None, Some(path)) => self.block_of_file(path).map(Some),
             _ => Err(Refusal::new("one field at a time: give a SYSTEM, or --field, or --file")),
+        }
+    }
+
+    fn block_of_file(&self, path: &Path) -> Result<Block, Refusal> {
+        let (read, origin) = if path.as_os_str() == "-" {
+            (io::read_to_string(io::stdin()), "standard input".to_owned())
+        } else {
+            (fs::read_to_string(path), path.display().to_string())
+        };
+        let text = read.map_err(|error| {
+            let what = if path.as_os_str() == "-" { origin.clone() } else { format!("the file {origin}") };
+            Refusal::new(format!("cannot read {what}: {error}"))
+        })?;
+        let blocks = blocks(&text);
+        let listed = || {
+            let named = blocks.iter().map(|block| match &block.name {
+                Some(name) => format!("{name} (line {})", block.line),
+                None => format!("line {}", block.line),
+            });
+            named.collect::<Vec<_>>().join(", ")
+        };
+        let chosen: Vec<&RustBlock> = match &self.block {
+            Some(wanted) => blocks
+                .iter()
+                .filter(|block| block.name.as_ref() == Some(wanted) || block.line.to_string() == *wanted)
+                .collect(),
+            None => blocks.iter().collect(),
+        };
+        match (&chosen[..], &self.block) {
+            ([one], _) => Ok(Block::within(None, text.clone(), one.range.clone(), origin)),
+            ([], None) => {
+                let whole = 0..text.len();
+                Ok(Block::within(None, text, whole, origin))
+            }
+            ([], Some(wanted)) if blocks.is_empty() => {
+                Err(Refusal::new(format!("--block {wanted}: {origin} has no call of `kahan!`; leave it out")))
+            }
+            ([], Some(wanted)) => Err(Refusal::new(format!(
+                "--block {wanted}: there is no such block in {origin}; it has {}",
+                listed()
+            ))),
+            (_, None) => Err(Refusal::new(format!(
+                "{origin} has {} blocks: {}; choose one by --block NAME, or by its line",
+                blocks.len(),
+                listed()
+            ))),
+            (_, Some(wanted)) => Err(Refusal::new(format!(
+                "--block {wanted} is not one block: {origin} has {}; choose by the line",
+                listed()
+            ))),
         }
     }
 
@@ -192,14 +248,21 @@ impl Block {
         Block::new(None, text, origin)
     }
 
+    /// The text itself, or the one call of `kahan!` in it.
     fn new(entry: Option<&'static Entry>, text: String, origin: String) -> Self {
-        let text = text.trim_start_matches('\u{feff}').to_owned();
-        let body = block_range(&text).unwrap_or(0..text.len());
+        let body = blocks(&text).into_iter().next().map_or(0..text.len(), |block| block.range);
+        Block::within(entry, text, body, origin)
+    }
+
+    /// A part of a text.
+    fn within(entry: Option<&'static Entry>, text: String, mut body: Range<usize>, origin: String) -> Self {
+        // A mark of the byte order, as some editors put it in front.
+        body.start += if text[body.clone()].starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let mut lexed = lex(&text[body.clone()]);
         for range in &mut lexed.ranges {
             *range = range.start + body.start..range.end + body.start;
         }
-        Block { entry, text, lexed, origin }
+        Block { entry, text, body, lexed, origin }
     }
 
     /// The system, with its claims proved as the macro does it.
@@ -216,9 +279,9 @@ impl Block {
         self.accept(system, &diagnostics.finish())
     }
 
-    /// The text, as it was given.
+    /// The text of the block, as it was given.
     pub(crate) fn text(&self) -> &str {
-        &self.text
+        &self.text[self.body.clone()]
     }
 
     /// The seed of the macro's proof.
@@ -235,8 +298,15 @@ impl Block {
         if diagnostics.is_empty() {
             return Ok(system);
         }
-        let reports = diagnostics.iter().map(|one| report(one, &self.text, &self.lexed.ranges, &self.origin));
-        Err(Refusal::reports(reports.collect()))
+        /// Nobody reads more at once.
+        const MOST: usize = 8;
+        let shown = diagnostics.iter().take(MOST);
+        let reports = shown.map(|one| report(one, &self.text, &self.lexed.ranges, &self.origin));
+        let reports: String = reports.collect();
+        Err(Refusal::reports(match diagnostics.len().saturating_sub(MOST) {
+            0 => reports,
+            more => format!("{reports}error: {more} more mistakes are not shown\n"),
+        }))
     }
 }
 
@@ -245,7 +315,8 @@ fn names() -> Vec<&'static str> {
 }
 
 fn unknown_system(name: &str) -> Refusal {
-    let wanted = name.to_lowercase();
+    // Nothing is near to a name that is longer than any.
+    let wanted: String = name.chars().take(64).flat_map(char::to_lowercase).collect();
     let distance = |known: &str| strsim::levenshtein(&wanted, &known.to_lowercase());
     let nearest = all()
         .min_by_key(|entry| distance(entry.command).min(distance(entry.type_name)))

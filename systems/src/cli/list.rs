@@ -5,7 +5,8 @@ use kahan_systems::registry::all;
 use serde_json::{Value, json};
 
 use super::input::Block;
-use super::output::{Answer, Refusal, columns, widths};
+use super::layout::table;
+use super::output::{Answer, Refusal};
 
 /// Lists the systems of the catalog: name, variables, parameters, number of claims, title.
 #[derive(Args, Debug)]
@@ -45,7 +46,6 @@ impl List {
         if self.json {
             return Ok(Answer::json(&json!({ "systems": objects })));
         }
-        let widths = widths(&rows);
-        Ok(Answer::text(rows.iter().map(|row| columns(row, &widths) + "\n").collect()))
+        Ok(Answer::text(table(&rows, 1).join("\n") + "\n"))
     }
 }

@@ -6,16 +6,20 @@
 //! say when they end.
 
 mod atlas;
+mod completions;
 mod discover;
 mod double_double;
 mod eval;
 mod extremes;
 mod heights;
 mod input;
+mod interrupt;
+mod layout;
 mod list;
 mod orbit;
 mod output;
 mod progress;
+mod rust_file;
 mod scalar;
 mod scan;
 mod search;
@@ -30,7 +34,7 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use output::{Answer, Refusal, finish};
 
@@ -70,6 +74,7 @@ enum Command {
     Discover(discover::Discover),
     Scan(scan::Scan),
     Atlas(atlas::Atlas),
+    Completions(completions::Completions),
 }
 
 /// Runs the command with these arguments, the program's name first.
@@ -94,6 +99,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Discover(command)) => command.run(),
         Some(Command::Scan(command)) => command.run(),
         Some(Command::Atlas(command)) => command.run(),
+        Some(Command::Completions(command)) => command.run(Cli::command()),
     }
 }
 
@@ -101,7 +107,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
 fn usage(error: &clap::Error) -> Result<Answer, Refusal> {
     let text = error.render().to_string();
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
-        return Ok(Answer::text(text));
+        return Ok(Answer::verbatim(text));
     }
     let lines = text
         .lines()

@@ -17,7 +17,7 @@ use kahan_algebra::interpret::UndefinedField;
 use serde_json::{Map, Value, json};
 
 use super::double_double::DoubleDouble;
-use super::input::{Start, coordinates, number};
+use super::input::{Start, coordinates, number, whole};
 use super::output::{Answer, Refusal};
 use super::progress::Progress;
 use super::scalar::{Printable, ScalarKind};
@@ -71,21 +71,16 @@ Examples:
   kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8
   kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --scalar dd
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
-  kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 100000 --every 100 --out e7.csv
+  kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100";
 
 fn count(text: &str) -> Result<i64, String> {
-    at_least(0, text)
+    whole(text, 0, i64::MAX)
 }
 
 fn positive_count(text: &str) -> Result<i64, String> {
-    at_least(1, text)
-}
-
-fn at_least(least: i64, text: &str) -> Result<i64, String> {
-    let count = text.trim().parse().ok().filter(|count| *count >= least);
-    count.ok_or_else(|| format!("write a whole number, {least} or more"))
+    whole(text, 1, i64::MAX)
 }
 
 impl Orbit {

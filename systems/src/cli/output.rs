@@ -1,15 +1,21 @@
-//! What a command hands back, how it is printed, and the layout of tables and matrices.
+//! What a command hands back, how it is printed, and rows of columns.
 
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
+use kahan_algebra::diagnostics::brief;
+use kahan_algebra::render::folded;
 use serde_json::Value;
+
+use super::layout::terminal_width;
 
 /// The result of a command that was understood.
 #[derive(Debug)]
 pub(crate) struct Answer {
     /// For standard output.
     pub(crate) text: String,
+    /// Whether a terminal may break its lines at spaces.
+    pub(crate) breaks: bool,
     /// A failed check or a pole, for standard error; then the exit status is 1.
     pub(crate) complaint: Option<String>,
 }
@@ -19,21 +25,26 @@ pub(crate) struct Answer {
 pub(crate) struct Refusal(String);
 
 impl Answer {
-    /// Plain text.
+    /// Plain text; a terminal breaks long lines at spaces.
     pub(crate) fn text(text: String) -> Self {
-        Answer { text, complaint: None }
+        Answer { text, breaks: true, complaint: None }
+    }
+
+    /// A text of another language, in which a line break may mean something.
+    pub(crate) fn verbatim(text: String) -> Self {
+        Answer { breaks: false, ..Answer::text(text) }
     }
 
     /// One JSON object.
     pub(crate) fn json(object: &Value) -> Self {
-        Answer::text(format!("{object:#}\n"))
+        Answer::verbatim(format!("{object:#}\n"))
     }
 }
 
 impl Refusal {
     /// What is wrong and what to write instead, without `error:`.
     pub(crate) fn new(message: impl AsRef<str>) -> Self {
-        Refusal(format!("error: {}\n", message.as_ref()))
+        Refusal(paragraph(message.as_ref()))
     }
 
     /// Reports that begin with `error:` and end with a line break already.
@@ -42,11 +53,20 @@ impl Refusal {
     }
 }
 
+/// A message for standard error.
+fn paragraph(message: &str) -> String {
+    format!("error: {}\n", brief(message))
+}
+
 /// Prints a result and chooses the exit status. A reader that has gone away (`kahan | head`) is no error.
 pub(crate) fn finish(result: Result<Answer, Refusal>) -> ExitCode {
     let (text, complaint, status) = match result {
-        Ok(Answer { text, complaint: None }) => (text, String::new(), 0),
-        Ok(Answer { text, complaint: Some(complaint) }) => (text, format!("error: {complaint}\n"), 1),
+        Ok(Answer { text, breaks, complaint }) => {
+            let width = terminal_width().filter(|_| breaks);
+            let text = width.map_or_else(|| text.clone(), |width| folded(&text, width));
+            let status = u8::from(complaint.is_some());
+            (text, complaint.map_or_else(String::new, |complaint| paragraph(&complaint)), status)
+        }
         Err(Refusal(reports)) => (String::new(), reports, 2),
     };
     let written = io::stdout().write_all(text.as_bytes()).and_then(|()| io::stdout().flush());
@@ -85,18 +105,6 @@ pub(crate) fn columns(row: &[String], widths: &[usize]) -> String {
     let cells: Vec<String> =
         row.iter().zip(widths).map(|(cell, &width)| cell.clone() + &gap(cell, width)).collect();
     cells.join("  ").trim_end().to_owned()
-}
-
-/// A matrix, a line a row, between `left` and `right`.
-pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
-    let widths = widths(rows);
-    rows.iter()
-        .map(|row| {
-            let cells: Vec<String> =
-                row.iter().zip(&widths).map(|(cell, &width)| gap(cell, width) + cell).collect();
-            format!("{left} {} {right}", cells.join("  "))
-        })
-        .collect()
 }
 
 /// At most `width` characters, the last of them `…` where something was cut off.

@@ -10,7 +10,8 @@ use kahan_discover::{Axis, Options, Scan as Grid, scan};
 use serde_json::{Map, Value, json};
 
 use super::input::number;
-use super::output::{Answer, Refusal, columns, widths};
+use super::layout::table;
+use super::output::{Answer, Refusal};
 use super::progress::Progress;
 use super::search::{Search, refused};
 
@@ -165,8 +166,7 @@ fn text(name: &str, found: &Grid, total: usize, seconds: f64) -> String {
         [values, seen(&point.sight)].concat()
     }));
     let special = rows.len() - 2;
-    let widths = widths(&rows);
-    let mut lines: Vec<String> = rows.iter().map(|row| columns(row, &widths)).collect();
+    let mut lines = table(&rows, found.names.len());
     lines.push(String::new());
     let looked = found.points.len();
     lines.push(format!(

@@ -5,7 +5,7 @@ use kahan_algebra::system::System;
 use kahan_discover::DiscoverError;
 use kahan_discover::monomials::Monomials;
 
-use super::input::{Source, seconds};
+use super::input::{Source, seconds, whole};
 use super::output::Refusal;
 
 /// A field, and the bounds of a search.
@@ -35,8 +35,7 @@ pub(crate) struct Search {
 
 /// A whole number that is a degree.
 fn degree(text: &str) -> Result<u32, String> {
-    let degree = text.trim().parse().ok().filter(|degree| *degree >= 1);
-    degree.ok_or_else(|| "write a whole number, 1 or more".to_owned())
+    whole(text, 1, u32::MAX)
 }
 
 /// More monomials take minutes and gigabytes.

@@ -6,15 +6,16 @@ mod plan;
 use clap::Args;
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 use kahan_algebra::render::{
-    Formulas, MatrixText, Notation, claim_statement, claim_text, condition_text, macro_block,
+    Formulas, MatrixText, Notation, PAGE_WIDTH, claim_statement, claim_text, condition_text, latex_box,
+    latex_equation, latex_matrix, latex_width, macro_block,
 };
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
 use serde_json::{Value, json};
 
 use super::input::{Block, Source};
-use super::output::{Answer, Refusal, matrix};
-use page::{Page, aligned, column, environment, singletons};
+use super::output::{Answer, Refusal};
+use page::{Page, aligned, column, matrix, singletons};
 use plan::PlanSheet;
 
 /// Shows a system: field, f', A, b, bilinear form, det A, reduced map, Jacobian, claims.
@@ -103,7 +104,7 @@ impl Show {
         };
         Ok(match (self.json, self.latex) {
             (true, _) => Answer::json(&sheet.json()),
-            (false, true) => Answer::text(sheet.latex()),
+            (false, true) => Answer::verbatim(sheet.latex()),
             (false, false) => Answer::text(sheet.text()),
         })
     }
@@ -210,15 +211,16 @@ impl Sheet<'_> {
         let mut page = Page::default();
         page.line(&format!("% {}", self.block.name(self.system)));
         page.display(&aligned(self.equations_latex(|state| format!("\\dot {{{state}}}"), &self.field)));
-        page.display(&format!("f'(x) = {}", environment("pmatrix", &self.field_jacobian)));
-        page.display(&format!(
-            "A(x,\\varepsilon) = I - \\varepsilon f'(x) = {}",
-            environment("pmatrix", &self.matrix)
-        ));
-        page.display(&format!("b(x,\\varepsilon) = {}", environment("pmatrix", &singletons(&self.rhs))));
-        page.display(&format!("Q(x,x') = {}", environment("pmatrix", &singletons(&self.bilinear))));
-        let determinant = self.determinant.clone().unwrap_or_else(|| environment("vmatrix", &self.matrix));
-        page.display(&format!("D = \\det A(x,\\varepsilon) = {determinant}"));
+        page.display(&matrix_latex("f'(x)", "pmatrix", &self.field_jacobian));
+        let matrix = "A(x,\\varepsilon) = I - \\varepsilon f'(x)";
+        page.display(&matrix_latex(matrix, "pmatrix", &self.matrix));
+        page.display(&matrix_latex("b(x,\\varepsilon)", "pmatrix", &singletons(&self.rhs)));
+        page.display(&matrix_latex("Q(x,x')", "pmatrix", &singletons(&self.bilinear)));
+        let determinant = "D = \\det A(x,\\varepsilon)";
+        page.display(&match &self.determinant {
+            Some(expanded) => aligned(vec![latex_equation(determinant, expanded, PAGE_WIDTH)]),
+            None => matrix_latex(determinant, "vmatrix", &self.matrix),
+        });
         match &self.map {
             Some(map) => {
                 page.display(&aligned(self.equations_latex(|state| format!("\\widetilde {{{state}}}"), map)));
@@ -227,7 +229,7 @@ impl Sheet<'_> {
         }
         if let Some(factor) = &self.removed_factor {
             page.line("% divided out of the numerators and D:");
-            page.display(factor);
+            page.display(&latex_box(factor, PAGE_WIDTH));
         }
         page.display(
             "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
@@ -246,7 +248,9 @@ impl Sheet<'_> {
             };
             let statements = claim_statement(claim, self.notation).into_iter();
             page.display(&aligned(
-                statements.map(|(left, right)| format!("{left}{index} &= {right}")).collect(),
+                statements
+                    .map(|(left, right)| latex_equation(&format!("{left}{index}"), &right, PAGE_WIDTH))
+                    .collect(),
             ));
         }
         page.text
@@ -254,6 +258,12 @@ impl Sheet<'_> {
 
     fn equations_latex(&self, left: impl Fn(&str) -> String, right: &[String]) -> Vec<String> {
         let states = self.states().iter().map(|state| self.notation.name(state));
-        states.zip(right).map(|(state, value)| format!("{} &= {value}", left(&state))).collect()
+        states.zip(right).map(|(state, value)| latex_equation(&left(&state), value, PAGE_WIDTH)).collect()
     }
+}
+
+/// `left = matrix` in LaTeX.
+fn matrix_latex(left: &str, environment: &str, rows: &[Vec<String>]) -> String {
+    let room = PAGE_WIDTH.saturating_sub(latex_width(left) + 3);
+    format!("{left} = {}", latex_matrix(environment, rows, room))
 }

@@ -1,7 +1,7 @@
 //! Where long output goes while it is made: standard output as it comes, or a file that appears whole or not at all.
 //!
 //! A file is written beside its final place under a temporary name and renamed at the end; one that is not finished is
-//! removed. Rows for standard output are collected for a moment at most, so that a reader sees them while they are made and
+//! removed, also where a signal ends the command. Rows for standard output are collected for a moment at most, so that a reader sees them while they are made and
 //! a million of them do not take a million system calls.
 
 use std::fs::{self, File};
@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 
 use tempfile::NamedTempFile;
 
+use super::interrupt::{Unfinished, unfinished};
 use super::output::Refusal;
 
 /// A place for rows.
@@ -18,7 +19,7 @@ pub(crate) struct Sink(Place);
 
 enum Place {
     Standard { writer: BufWriter<Stdout>, flushed: Instant },
-    File { writer: BufWriter<NamedTempFile>, path: PathBuf },
+    File { writer: BufWriter<NamedTempFile>, path: PathBuf, unfinished: Unfinished },
 }
 
 /// Why nothing more can be written.
@@ -63,13 +64,18 @@ impl Sink {
             return Err(refused("it has no file name"));
         }
         // The temporary file's own name is nobody's business.
-        let file = temporary(folder).map_err(|error| {
+        let (file, unfinished) = unfinished(|| temporary(folder)).map_err(|error| {
             refused(&match error.kind() {
                 ErrorKind::NotFound => format!("the folder {} does not exist", folder.display()),
                 kind => format!("no file can be made in {} ({kind})", folder.display()),
             })
         })?;
-        Ok(Sink(Place::File { writer: BufWriter::new(file), path }))
+        Ok(Sink(Place::File { writer: BufWriter::new(file), path, unfinished }))
+    }
+
+    /// Whether it is standard output.
+    pub(crate) fn is_standard(&self) -> bool {
+        matches!(self.0, Place::Standard { .. })
     }
 
     /// Takes some text.
@@ -94,11 +100,12 @@ impl Sink {
             Place::Standard { writer, .. } => writer.flush(),
         };
         flushed.map_err(|error| self.broken(&error))?;
-        if let Place::File { writer, path } = self.0 {
+        if let Place::File { writer, path, unfinished } = self.0 {
             let kept = writer.into_inner().map_err(io::IntoInnerError::into_error).and_then(|file| {
                 file.as_file().sync_all()?;
                 file.persist(&path).map_err(|error| error.error)
             });
+            drop(unfinished);
             kept.map(|_: File| ()).map_err(|error| cannot_write(&path.display().to_string(), &error))?;
         }
         Ok(())

@@ -2,13 +2,14 @@
 
 use serde_json::{Map, Value};
 
+use super::layout::{after_commas, terminal_width};
 use super::scalar::Printable;
 use super::sink::{Broken, Sink};
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
-    /// A line of column names, then a line a row; what is undefined is empty.
+    /// A line of column names, then a line a row; what is undefined is empty. A terminal breaks a long line after commas.
     Csv,
     /// One object: what is known beforehand, `rows`, and `stopped`; what is undefined is null.
     Json,
@@ -21,12 +22,15 @@ pub(crate) struct Table {
     /// The row being written, kept so that its memory is.
     line: String,
     has_rows: bool,
+    /// The columns of the terminal that shows the rows.
+    width: Option<usize>,
 }
 
 impl Table {
     /// A table without anything in it.
     pub(crate) fn new(sink: Sink, format: Format) -> Self {
-        Table { sink, format, line: String::new(), has_rows: false }
+        let width = terminal_width().filter(|_| sink.is_standard() && format == Format::Csv);
+        Table { sink, format, line: String::new(), has_rows: false, width }
     }
 
     /// Writes what stands before the rows; `head` has the names of the columns under `columns`.
@@ -34,7 +38,8 @@ impl Table {
         let text = match self.format {
             Format::Csv => {
                 let columns = head.get("columns").and_then(Value::as_array).into_iter().flatten();
-                columns.filter_map(Value::as_str).collect::<Vec<_>>().join(",") + "\n"
+                let line = columns.filter_map(Value::as_str).collect::<Vec<_>>().join(",") + "\n";
+                self.width.map_or_else(|| line.clone(), |width| after_commas(&line, width))
             }
             Format::Json => {
                 let entries =
@@ -98,7 +103,10 @@ impl Table {
 
     fn finish_row(&mut self) -> Result<(), Broken> {
         self.has_rows = true;
-        self.sink.write(&self.line)
+        match self.width {
+            Some(width) if self.line.len() > width => self.sink.write(&after_commas(&self.line, width)),
+            _ => self.sink.write(&self.line),
+        }
     }
 
     /// Writes what stands behind the rows, and closes the sink; `stopped` says why the rows ended early, or is null.

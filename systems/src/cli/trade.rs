@@ -89,7 +89,7 @@ const EXAMPLES: &str = "\
 Examples:
   kahan trade e6 --at 1,1/2,1/3 --horizon 100
   kahan trade lv --at 1/2,5/3 --horizon 50 --tolerance 1e-10 --out lv.svg
-  kahan trade euler --param a1=1 --param a2=-3 --param a3=1 --at 1/2,1/4,-3/4 --horizon 1000 --need integrals --tolerance 1e-12
+  kahan trade e6 --at 1,1/2,1/3 --horizon 1000 --need integrals --tolerance 1e-12
   kahan trade --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --at -1/2,1/5 --horizon 20 --json";
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -6,11 +6,13 @@
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::{ERROR_EXPONENT, Verdict, prove_all, prove_by_normal_form};
+use kahan_algebra::render::{claim_text, macro_block};
 use kahan_algebra::system::{Claim, System};
 use kahan_algebra::token::TokenKind;
 use kahan_algebra::{check, parse, seed};
 
 use super::claim::Outcome;
+use super::formula::mutations;
 
 /// Decides one claim of a system, and says on what the decision rests. Costs milliseconds, a second at worst.
 #[must_use]
@@ -48,6 +50,44 @@ pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, Str
         Some(claim) => establish_block_claim(&system, claim, seed(&tokens)),
         None => (Outcome::Failed, "it claims nothing".to_owned()),
     }
+}
+
+/// The first change of one coefficient or sign of a system's claim with which it does not hold, as the changed claim, and how
+/// many changes were tried. What stands behind `when` is not changed.
+///
+/// Where all numbers and signs can be changed (as in `integral M = z`), the coefficient of a state is raised that was 0.
+/// Costs a proof a change, as [`establish_block_claim`].
+#[must_use]
+pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>) {
+    let before = System { claims: system.claims[..=index].to_vec(), ..system.clone() };
+    let claim = claim_text(system, &system.claims[index]);
+    let block = macro_block(&before);
+    // Header, constants, equations and earlier claims: what stands between the macro's brace and the claim.
+    let Some(context) = block.strip_prefix("kahan! {").and_then(|block| block.split_once(&claim)) else {
+        return (0, None);
+    };
+    let (body, condition) = claim.split_at(claim.find(" when ").unwrap_or(claim.len()));
+    let raised = system.field.symbols.states.iter().flat_map(|state| {
+        body.match_indices(" = ").map(move |(at, sign)| {
+            let (left, right) = body.split_at(at + sign.len());
+            format!("{left}{state} + {right}")
+        })
+    });
+    let mut tried = 0;
+    let failed = mutations(body).into_iter().chain(raised).find(|mutated| {
+        let mutated = format!("{mutated}{condition}");
+        let tokens = lex(&format!("{}{mutated}", context.0)).tokens;
+        let mut diagnostics = Diagnostics::default();
+        let changed = check::check(parse::parse(&tokens, &mut diagnostics), &mut diagnostics);
+        // What is no claim any more has not failed as one: an exponent beyond its limit.
+        if !diagnostics.finish().is_empty() {
+            return false;
+        }
+        tried += 1;
+        let claim = changed.claims.last();
+        claim.is_some_and(|claim| establish_block_claim(&changed, claim, seed(&tokens)).0 == Outcome::Failed)
+    });
+    (tried, failed.map(|body| body + condition))
 }
 
 /// The block without its claims.

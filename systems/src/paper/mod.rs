@@ -18,7 +18,7 @@ mod numeric;
 mod registry;
 mod sections;
 
-pub use block::establish_block_claim;
+pub use block::{establish_block_claim, failing_mutation};
 pub use claim::{Claim, Established, Outcome};
 pub use registry::Paper;
 pub use sections::{OPEN, Structure, structure};

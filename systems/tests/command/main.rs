@@ -2,17 +2,23 @@
 //! common to all.
 
 mod atlas;
+mod completions;
 mod discovering;
 mod double_double;
 mod evaluating;
 mod extremes;
 mod heights;
+mod interrupting;
+mod latex;
+mod numbers;
 mod orbit;
 mod parameters;
 mod plan;
 mod refusing;
 mod regressions;
 mod running;
+mod rust_files;
 mod showing;
+mod terminals;
 mod trade;
 mod verifying;

@@ -57,7 +57,6 @@ fn no_claim_of_a_system_survives_every_mutation() {
 fn one_system_at_a_time() {
     assert!(refusal(&["verify", "e1", "--system", "e2"]).contains("--system"));
     assert!(refusal(&["verify", "--system", "e10"]).contains("`e10`"));
-    assert!(refusal(&["verify", "--mutate", "--field", "xdot = x;"]).contains("--mutate"));
     assert!(answer(&["verify", "--system", "general"]).starts_with("general: "));
 }
 
@@ -79,4 +78,39 @@ fn a_vacuous_claim_fails() {
     let output = kahan(&["verify", "--field", "xdot = y; ydot = -x; integral C = eps;"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(text(&output.stdout).contains("says nothing"));
+}
+
+#[test]
+fn no_claim_of_a_field_of_ones_own_survives_every_mutation() {
+    let field = "struct S { a, b } xdot = y; ydot = -x; zdot = 0*a*b; integral H = x^2 + y^2; \
+                 integral K = H*z + 3; integral Z = z; integral W = H + a*x when a = 0; density one = 1; \
+                 bracket P { {x,y} = 1; };";
+    let report = object(&["verify", "--field", field, "--mutate", "--json"]);
+    let mutations = report["mutations"].as_array().expect("a list");
+    assert_eq!((mutations.len(), &report["survived"]), (6, &Value::from(0)), "{report}");
+    let failed = |k: usize| mutations[k]["failed"].as_str().expect("a claim");
+    assert_eq!(failed(0), "integral H = x^3 + y^2;");
+    assert!(failed(3).ends_with(" when a = 0;"), "{}", failed(3));
+    assert!(failed(2) != "integral Z = 2*z;" && failed(4) != "density one = 2;");
+    for (k, one) in mutations.iter().enumerate() {
+        // It failed as a claim, and not because it uses what is not there.
+        let changed = field.replace(&["integral H = x^2 + y^2;", "", "integral Z = z;"][k.min(2)], failed(k));
+        if matches!(k, 0 | 2) {
+            let said = text(&kahan(&["verify", "--field", &changed]).stderr);
+            assert!(said.contains("claims failed"), "{one}: {said}");
+        }
+    }
+    let special = answer(&["verify", "e9", "--param", "xi=1", "--mutate"]);
+    assert!(special.contains(" 0 survived"), "{special}");
+}
+
+#[test]
+fn what_cannot_be_made_false_is_said_to_survive() {
+    // Every function is an integral of a map that moves nothing.
+    let output = kahan(&["verify", "--mutate", "--field", "xdot = 0*y; ydot = 0*x; integral H = x + 2*y;"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("field.H"), "{}", text(&output.stderr));
+    assert!(answer(&["verify", "--mutate", "--field", "xdot = x;"]).starts_with("0 claims"));
+    let false_claim = "xdot = y; ydot = -x; integral H = x^2 + 2*y^2;";
+    assert!(refusal(&["verify", "--mutate", "--field", false_claim]).contains("does not hold"));
 }

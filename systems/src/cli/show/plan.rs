@@ -9,7 +9,7 @@ use kahan_algebra::poly::Variable;
 use kahan_algebra::system::System;
 use serde_json::{Value, json};
 
-use super::page::Page;
+use super::page::{Page, paragraph};
 
 /// The width of the column of names.
 const NAMES: usize = 23;
@@ -86,27 +86,34 @@ impl PlanSheet {
         let titles = COLUMNS.map(|(title, _)| title.to_owned());
         page.line(&row("object", &titles));
         for object in &self.objects.list {
-            page.line(&row(&self.label(object), &cells(object)));
+            let label = self.label(object);
+            // A long name stands above its numbers.
+            if label.chars().count() < NAMES {
+                page.line(&row(&label, &cells(object)));
+            } else {
+                page.line(&label);
+                page.line(&row("", &cells(object)));
+            }
         }
         page.line("");
-        for line in notes() {
-            page.line(&line);
+        for note in notes() {
+            page.prose(&note);
         }
-        page.line(&format!(
+        page.prose(&format!(
             "In this run the map was derived in {:.2} ms and the plans were made in {:.2} ms.",
             milliseconds(self.derived),
             milliseconds(self.planned)
         ));
         if self.objects.map.is_none() {
             page.line("");
-            page.line(&format!(
-                "N and D are beyond the budget ({TERM_BUDGET} terms, and the work that derives them), so det A and"
+            page.prose(&format!(
+                "N and D are beyond the budget ({TERM_BUDGET} terms, and the work that derives them), so det A and (N, D) are \
+                 computed on the numeric matrix."
             ));
-            page.line("(N, D) are computed on the numeric matrix.");
         }
         match &self.step {
             Some(step) => self.step_sections(&mut page, step),
-            None => page.section("step", elimination()),
+            None => page.section("step", paragraph(ELIMINATION)),
         }
         page.text
     }
@@ -115,9 +122,7 @@ impl PlanSheet {
         step_section(page, "step", step);
         if let Some(general) = &self.general {
             page.line("");
-            for line in GENERAL {
-                page.line(line);
-            }
+            page.prose(GENERAL);
             step_section(page, "general step", general);
         }
     }
@@ -133,12 +138,9 @@ impl PlanSheet {
 }
 
 /// Which step is taken when.
-const GENERAL: [&str; 4] = [
-    "This step is divided by the time step, which shortens the way from a state to the next. Floats",
-    "take it where eps is from 2^-64 to 2^64 in size (f32: 2^-16 to 2^16). All else takes the general",
-    "step, which divides by no eps: exact and wider numbers, the lanes of ensembles, Jacobians, and",
-    "floats at any other eps.",
-];
+const GENERAL: &str = "This step is divided by the time step, which shortens the way from a state to the next. Floats take \
+    it where eps is from 2^-64 to 2^64 in size (f32: 2^-16 to 2^16). All else takes the general step, which divides by no eps: \
+    exact and wider numbers, the lanes of ensembles, Jacobians, and floats at any other eps.";
 
 /// A step in three parts.
 fn step_section(page: &mut Page, name: &str, step: &StepListing) {
@@ -162,26 +164,16 @@ fn domain(holds_to: u32) -> Vec<String> {
     } else {
         "longer steps lose more; try_step says how much is left."
     };
-    vec![
-        format!(
-            "Up to |eps f'| = {holds_to} (the largest row sum of eps f'(x)) the median error is at most 30 times"
-        ),
-        "that of elimination with pivoting, or 300 u, by measurement at random points in short floats;"
-            .to_owned(),
-        end.to_owned(),
-    ]
+    paragraph(&format!(
+        "Up to |eps f'| = {holds_to} (the largest row sum of eps f'(x)) the median error is at most 30 times that of elimination with \
+         pivoting, or 300 u, by measurement at random points in short floats; {end}"
+    ))
 }
 
 /// Why there are no lines to show.
-fn elimination() -> Vec<String> {
-    let lines = [
-        "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination with pivoting in a loop: N and D are beyond the",
-        "budget, and so is the elimination of A in straight lines. What it does depends on the numbers that",
-        "it meets, so nothing is counted here. det A = 0 counts as a pole, and the Jacobian is",
-        "A(x,eps)^-1 A(x~,-eps).",
-    ];
-    lines.map(str::to_owned).to_vec()
-}
+const ELIMINATION: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination with pivoting in a loop: N and D are beyond the budget, \
+    and so is the elimination of A in straight lines. What it does depends on the numbers that it meets, so nothing is counted \
+    here. det A = 0 counts as a pole, and the Jacobian is A(x,eps)^-1 A(x~,-eps).";
 
 /// What the columns mean.
 fn notes() -> Vec<String> {

@@ -3,7 +3,7 @@
 use kahan_systems::reference::Method;
 use kahan_systems::trade::{Need, ScalarKind, Setting};
 
-use super::super::output::{columns, widths};
+use super::super::layout::table;
 use super::Finding;
 use super::paste::rust_of;
 
@@ -72,8 +72,7 @@ impl Finding<'_> {
                 error(setting.return_error),
             ]
         }));
-        let widths = widths(&rows);
-        rows.iter().map(|row| columns(row, &widths)).collect()
+        table(&rows, 3)
     }
 
     /// The kinds that cannot reach the tolerance, with the best they reached.

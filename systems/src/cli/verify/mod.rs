@@ -29,7 +29,8 @@ pub(crate) struct Verify {
     #[arg(long = "system", value_name = "SYSTEM", conflicts_with_all = ["system", "field", "file"])]
     of: Option<String>,
 
-    /// Change one coefficient or sign of every claim: each must then fail. The exit status is 1 if one survives.
+    /// Change one coefficient or sign of every claim: each must then fail. The exit status is 1 if one survives. Of a field of your
+    /// own the claims must hold to begin with.
     #[arg(long)]
     mutate: bool,
 
@@ -45,7 +46,8 @@ Examples:
   kahan verify --system general
   kahan verify --mutate
   kahan verify e9 --param xi=1
-  kahan verify --field 'xdot = y; ydot = -x; integral H = x^2 + y^2;'";
+  kahan verify --field 'xdot = y; ydot = -x; integral H = x^2 + y^2;'
+  kahan verify --file field.txt --mutate";
 
 impl Verify {
     /// The table, or `claims` and `failed`; a complaint if a claim fails.
@@ -54,9 +56,11 @@ impl Verify {
         let source = self.of.clone().map_or_else(|| self.source.clone(), Source::of_system);
         if let Some(block) = source.block_outside_the_paper()? {
             if self.mutate {
-                return Err(Refusal::new(
-                    "--mutate is about the paper's claims: leave out --field, --file and --param",
-                ));
+                // Of a claim that does not hold there is nothing to mutate: it is reported as in every other command.
+                let system = block.system()?;
+                let name = block.name(&system);
+                let system = source.specialised(system, &name)?;
+                return Ok(mutate::run_block(&name, &system, self.json));
             }
             let rows = verify_block(&block, &source)?;
             return Ok(Report { rows, open: &[], elapsed: start.elapsed() }.answer(self.json));

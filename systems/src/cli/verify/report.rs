@@ -6,7 +6,14 @@ use kahan_systems::paper::{Established, Outcome};
 use kahan_systems::registry::find;
 use serde_json::{Value, json};
 
-use super::super::output::{Answer, columns, shorten, widths};
+use super::super::layout::screen_width;
+use super::super::output::{Answer, columns, widths};
+
+/// The columns by which the lines of a system are indented.
+const INDENT: usize = 2;
+
+/// What there is to say of a block without claims.
+pub(super) const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME = …;`, `density NAME = …;` or `bracket NAME { … }`";
 
 /// A claim with its outcome.
 pub(super) struct Row {
@@ -50,6 +57,7 @@ impl Report<'_> {
     fn table(&self) -> String {
         let cells: Vec<Vec<String>> = self.rows.iter().map(Row::cells).collect();
         let widths = widths(&cells);
+        let room = screen_width().saturating_sub(INDENT);
         let mut text = String::new();
         let mut system = None;
         for (row, cells) in self.rows.iter().zip(&cells) {
@@ -58,7 +66,14 @@ impl Report<'_> {
                 text.push_str(&format!("{}\n", title(&row.system)));
                 system = Some(&row.system);
             }
-            text.push_str(&format!("  {}\n", columns(cells, &widths)));
+            let line = columns(cells, &widths);
+            if line.chars().count() <= room {
+                text.push_str(&format!("{:INDENT$}{line}\n", ""));
+            } else {
+                text.push_str(&format!("{:INDENT$}{}\n", "", row.id));
+                text.push_str(&format!("{:INDENT$}  {}\n", "", columns(&cells[1..], &widths[1..])));
+            }
+            text.push_str(&format!("    {}\n", row.statement_and_source()));
             if matches!(row.established.outcome, Outcome::Failed | Outcome::Misprint) {
                 text.push_str(&format!("    {}\n", row.established.detail));
             }
@@ -76,8 +91,7 @@ impl Report<'_> {
 
     fn totals(&self) -> String {
         if self.rows.is_empty() {
-            let how = "add `integral NAME = …;`, `density NAME = …;` or `bracket NAME { … }`";
-            return format!("0 claims: the block claims nothing; {how}\n");
+            return format!("{NO_CLAIMS}\n");
         }
         let count =
             |keep: fn(Outcome) -> bool| self.rows.iter().filter(|row| keep(row.established.outcome)).count();
@@ -99,15 +113,13 @@ impl Report<'_> {
 
 impl Row {
     fn cells(&self) -> Vec<String> {
-        const WIDTH: usize = 56;
+        vec![self.id.clone(), self.established.outcome.words(), format!("{:>7.1} ms", self.milliseconds())]
+    }
+
+    /// The statement in one line, and where it is from.
+    fn statement_and_source(&self) -> String {
         let statement = self.statement.split_whitespace().collect::<Vec<_>>().join(" ");
-        vec![
-            self.id.clone(),
-            shorten(&statement, WIDTH),
-            shorten(&self.source, WIDTH),
-            self.established.outcome.words(),
-            format!("{:>7.1} ms", self.milliseconds()),
-        ]
+        if self.source.is_empty() { statement } else { format!("{statement}    // {}", self.source) }
     }
 
     fn json(&self) -> Value {

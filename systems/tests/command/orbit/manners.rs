@@ -45,7 +45,7 @@ fn bad_input_says_what_to_write_instead() {
         ),
         (at(&["--steps", "5", "--order", "3"]), &["'3'", "2, 4, 6, 8"]),
         (at(&["--steps", "-5"]), &["'-5'", "whole number, 0 or more"]),
-        (at(&["--steps", "1e3"]), &["'1e3'", "whole number, 0 or more"]),
+        (at(&["--steps", "1.5"]), &["'1.5'", "whole number, 0 or more"]),
         (at(&["--steps", "5", "--every", "0"]), &["'0'", "whole number, 1 or more"]),
         (at(&[]), &["--steps"]),
         (vec!["e6", "--at", "1,2,3", "--steps", "5"], &["--eps"]),

@@ -1,0 +1,135 @@
+//! Names in LaTeX.
+
+/// A name by its parts: what stands before its digits or its first `_`, and the indices behind. Greek names become Greek, other
+/// names of several letters are set as words.
+pub(super) fn latex_name(name: &str) -> String {
+    let parts: Vec<&str> = name.split('_').collect();
+    let [first, rest @ ..] = &parts[..] else { return word("mathit", name) };
+    let stem = first.trim_end_matches(|c: char| c.is_ascii_digit());
+    if stem.is_empty() || rest.iter().any(|part| part.is_empty()) {
+        return word("mathit", name);
+    }
+    let digits = Some(&first[stem.len()..]).filter(|digits| !digits.is_empty());
+    let indices: Vec<String> =
+        digits.into_iter().map(str::to_owned).chain(rest.iter().map(|part| index(part))).collect();
+    let stem = letters("mathit", stem);
+    if indices.is_empty() { stem } else { format!("{stem}_{{{}}}", indices.join(",")) }
+}
+
+/// A part behind `_`: a number, a letter, a Greek name with or without a number, or a word.
+fn index(part: &str) -> String {
+    let stem = part.trim_end_matches(|c: char| c.is_ascii_digit());
+    let digits = &part[stem.len()..];
+    match (stem, digits) {
+        ("", _) => digits.to_owned(),
+        (_, "") => letters("mathrm", stem),
+        _ if greek(stem).is_some() => format!("{}_{{{digits}}}", letters("mathrm", stem)),
+        _ => word("mathrm", part),
+    }
+}
+
+/// A Greek letter, another letter, or a word in a type face.
+fn letters(face: &str, text: &str) -> String {
+    match greek(text) {
+        Some(letter) => format!("\\{letter}"),
+        None if text.chars().count() == 1 => text.to_owned(),
+        None => word(face, text),
+    }
+}
+
+fn word(face: &str, text: &str) -> String {
+    format!("\\{face}{{{}}}", text.replace('_', "\\_"))
+}
+
+/// The command of a Greek letter by its name or by itself.
+fn greek(text: &str) -> Option<&'static str> {
+    match text {
+        // ε is half the time step, and is written so everywhere.
+        "eps" | "ε" => return Some("varepsilon"),
+        "ϵ" => return Some("epsilon"),
+        _ => {}
+    }
+    GREEK.iter().find(|(name, sign)| *name == text || *sign == text).map(|(name, _)| *name)
+}
+
+/// The letters that LaTeX has commands for; the others look like Latin ones.
+const GREEK: [(&str, &str); 40] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ϵ"),
+    ("varepsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("vartheta", "ϑ"),
+    ("iota", "ι"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("pi", "π"),
+    ("varpi", "ϖ"),
+    ("rho", "ρ"),
+    ("varrho", "ϱ"),
+    ("sigma", "σ"),
+    ("varsigma", "ς"),
+    ("tau", "τ"),
+    ("upsilon", "υ"),
+    ("phi", "φ"),
+    ("varphi", "ϕ"),
+    ("chi", "χ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+    ("Gamma", "Γ"),
+    ("Delta", "Δ"),
+    ("Theta", "Θ"),
+    ("Lambda", "Λ"),
+    ("Xi", "Ξ"),
+    ("Pi", "Π"),
+    ("Sigma", "Σ"),
+    ("Upsilon", "Υ"),
+    ("Phi", "Φ"),
+    ("Psi", "Ψ"),
+    ("Omega", "Ω"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::latex_name;
+
+    #[test]
+    fn names_are_set_by_their_kind() {
+        for (name, latex) in [
+            ("x", "x"),
+            ("x1", "x_{1}"),
+            ("mu_1", "\\mu_{1}"),
+            ("mu1", "\\mu_{1}"),
+            ("alpha12", "\\alpha_{12}"),
+            ("al", "\\mathit{al}"),
+            ("al3", "\\mathit{al}_{3}"),
+            ("x_max", "x_{\\mathrm{max}}"),
+            ("x_e7", "x_{\\mathrm{e7}}"),
+            ("a_1_2", "a_{1,2}"),
+            ("x1_max", "x_{1,\\mathrm{max}}"),
+            ("x_i", "x_{i}"),
+            ("x_mu", "x_{\\mu}"),
+            ("x_mu2", "x_{\\mu_{2}}"),
+            ("k_on_off", "k_{\\mathrm{on},\\mathrm{off}}"),
+            ("Gamma", "\\Gamma"),
+            ("Alpha", "\\mathit{Alpha}"),
+            ("eps", "\\varepsilon"),
+            ("eps_0", "\\varepsilon_{0}"),
+            ("epsilon", "\\epsilon"),
+            ("ξ2", "\\xi_{2}"),
+            ("_x", "\\mathit{\\_x}"),
+            ("x_", "\\mathit{x\\_}"),
+            ("a__b", "\\mathit{a\\_\\_b}"),
+            ("H2O", "\\mathit{H2O}"),
+        ] {
+            assert_eq!(latex_name(name), latex, "{name}");
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! Lines that fit the reader's screen.
+//!
+//! A table breaks between its columns, on a terminal of its width, elsewhere at 80 columns. A formula that goes to a file or to
+//! another program stays on its line; on a terminal it breaks before a term. No word and no number is ever broken:
+//! one that is wider than the screen stands whole on a line of its own.
+
+#[cfg(test)]
+mod tests;
+
+use std::io::{IsTerminal, stdout};
+
+use kahan_algebra::render::lines;
+
+use super::output::{columns, widths};
+
+/// The columns of a screen whose width nobody knows.
+const USUAL_WIDTH: usize = 80;
+/// A terminal that says to be narrower is taken for one of this width.
+const NARROWEST: usize = 20;
+
+/// The columns that a table may take.
+pub(crate) fn screen_width() -> usize {
+    terminal_width().unwrap_or(USUAL_WIDTH)
+}
+
+/// The columns of the terminal that is standard output; `None` where it is none.
+pub(crate) fn terminal_width() -> Option<usize> {
+    if !stdout().is_terminal() {
+        return None;
+    }
+    let (terminal_size::Width(width), _) = terminal_size::terminal_size_of(stdout())?;
+    // Terminals that do not know themselves say 0.
+    (width > 0).then(|| usize::from(width).max(NARROWEST))
+}
+
+fn length(text: &str) -> usize {
+    text.chars().count()
+}
+
+fn longest_word(text: &str) -> usize {
+    text.split(' ').map(length).max().unwrap_or(0)
+}
+
+/// The width of columns of these widths, two spaces apart.
+fn total(widths: &[usize]) -> usize {
+    widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)
+}
+
+/// A table whose first row is its heading, as lines of the screen.
+///
+/// Where it is too wide, headings and columns of sentences take several lines; if that is not enough, the columns that do not
+/// fit come below in a table of their own, with the first `keys` columns again; if even a single column does not fit
+/// beside those, each row becomes a list of its cells.
+pub(crate) fn table(rows: &[Vec<String>], keys: usize) -> Vec<String> {
+    table_within(rows, keys, screen_width())
+}
+
+fn table_within(rows: &[Vec<String>], keys: usize, width: usize) -> Vec<String> {
+    let natural = widths(rows);
+    if total(&natural) <= width {
+        return rows.iter().map(|row| columns(row, &natural)).collect();
+    }
+    let compact = below_heading(rows);
+    let half: Vec<usize> = (0..natural.len())
+        .map(|column| if compact[column] > SENTENCE { compact[column].div_ceil(2) } else { compact[column] })
+        .collect();
+    if let Some(narrower) = squeezed(rows, &half, width) {
+        return rows.iter().flat_map(|row| side_by_side(row, &narrower)).collect();
+    }
+    let Some(groups) = groups(rows, &compact, keys, width) else { return records(rows, width) };
+    let mut lines = Vec::new();
+    for group in groups {
+        if !lines.is_empty() {
+            lines.push(String::new());
+        }
+        let pick = |row: &Vec<String>| -> Vec<String> {
+            (0..keys).chain(group.clone()).filter_map(|column| row.get(column).cloned()).collect()
+        };
+        let part: Vec<Vec<String>> = rows.iter().map(pick).collect();
+        let least = vec![0; part.first().map_or(0, Vec::len)];
+        let fitting = squeezed(&part, &least, width).unwrap_or_else(|| widths(&part));
+        lines.extend(part.iter().flat_map(|row| side_by_side(row, &fitting)));
+    }
+    lines
+}
+
+/// From here on a cell is a sentence, or a list, of which two lines read as well as one.
+const SENTENCE: usize = 24;
+
+/// The width of each column when its heading takes as many lines as it has words.
+fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
+    let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
+    let cells = widths(rows);
+    let heading = heading.iter().map(|name| longest_word(name)).enumerate();
+    heading.map(|(column, word)| word.max(cells.get(column).copied().unwrap_or(0))).collect()
+}
+
+/// The widths of columns that give way, the widest first, none to less than `least` or a word; `None` if that is not enough.
+fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
+    let mut narrower = widths(rows);
+    let least: Vec<usize> = (0..narrower.len())
+        .map(|column| {
+            let words = rows.iter().filter_map(|row| row.get(column)).map(|cell| longest_word(cell));
+            words.max().unwrap_or(0).max(least[column])
+        })
+        .collect();
+    while total(&narrower) > width {
+        let (widest, _) =
+            narrower.iter().enumerate().filter(|&(k, &now)| now > least[k]).max_by_key(|&(_, &now)| now)?;
+        narrower[widest] -= 1;
+    }
+    Some(narrower)
+}
+
+/// The columns behind the keys, as many at a time as fit beside them; `None` if one does not.
+fn groups(
+    rows: &[Vec<String>],
+    natural: &[usize],
+    keys: usize,
+    width: usize,
+) -> Option<Vec<std::ops::Range<usize>>> {
+    let keys_width = total(&natural[..keys.min(natural.len())]);
+    let room = width.checked_sub(if keys == 0 { 0 } else { keys_width + 2 })?;
+    let mut groups: Vec<std::ops::Range<usize>> = Vec::new();
+    for column in keys..natural.len() {
+        let words = rows.iter().filter_map(|row| row.get(column)).map(|cell| longest_word(cell));
+        if words.max().unwrap_or(0) > room {
+            return None;
+        }
+        match groups.last_mut() {
+            Some(group) if total(&natural[group.start..=column]) <= room => group.end = column + 1,
+            _ => groups.push(column..column + 1),
+        }
+    }
+    Some(groups)
+}
+
+/// A row in columns of these widths; a cell of more takes further lines.
+fn side_by_side(row: &[String], widths: &[usize]) -> Vec<String> {
+    let cells: Vec<Vec<String>> = row.iter().zip(widths).map(|(cell, &width)| lines(cell, width)).collect();
+    let height = cells.iter().map(Vec::len).max().unwrap_or(0);
+    (0..height)
+        .map(|line| {
+            let at_line: Vec<String> =
+                cells.iter().map(|cell| cell.get(line).cloned().unwrap_or_default()).collect();
+            columns(&at_line, widths)
+        })
+        .collect()
+}
+
+/// Each row as a list: the heading of a column, then the cell.
+fn records(rows: &[Vec<String>], width: usize) -> Vec<String> {
+    let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
+    let names = heading.iter().map(|name| length(name)).max().unwrap_or(0).min(width / 2);
+    let mut lines = Vec::new();
+    for row in rows {
+        if !lines.is_empty() {
+            lines.push(String::new());
+        }
+        lines.extend(
+            heading.iter().zip(row).flat_map(|(name, cell)| labelled_within(name, cell, names, width)),
+        );
+    }
+    lines
+}
+
+/// A label of `room` columns, and a text beside it that goes on below; a word too wide for that begins on a line of its own.
+pub(crate) fn labelled(label: &str, text: &str, room: usize) -> Vec<String> {
+    labelled_within(label, text, room, screen_width())
+}
+
+fn labelled_within(label: &str, text: &str, room: usize, width: usize) -> Vec<String> {
+    let beside = width.saturating_sub(room + 2);
+    if longest_word(text) > beside || length(label) > room && length(label) + 2 + length(text) > width {
+        let below = lines(text, width.saturating_sub(2)).into_iter();
+        let indented = below.map(|line| format!("  {line}"));
+        return std::iter::once(label.to_owned()).chain(indented).collect();
+    }
+    let texts = if length(label) > room { vec![text.to_owned()] } else { lines(text, beside) };
+    let labels = std::iter::once(label).chain(std::iter::repeat(""));
+    labels.zip(texts).map(|(label, text)| format!("{label:<room$}  {text}").trim_end().to_owned()).collect()
+}
+
+/// A line of cells with commas, broken after some so that each part has at most `width` characters; further parts are indented.
+pub(crate) fn after_commas(line: &str, width: usize) -> String {
+    let mut out = String::with_capacity(line.len() + 16);
+    let mut taken = 0;
+    for cell in line.split_inclusive(',') {
+        let length = length(cell.trim_end_matches('\n'));
+        if taken > 0 && taken + length > width {
+            out.push_str("\n  ");
+            taken = 2;
+        }
+        out.push_str(cell);
+        taken += length;
+    }
+    out
+}
+
+/// A matrix between `left` and `right`, a line a row, or as many as it takes to break a row between its entries.
+pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
+    matrix_within(rows, left, right, screen_width())
+}
+
+/// The same where fewer columns are left.
+pub(crate) fn matrix_within(rows: &[Vec<String>], left: char, right: char, width: usize) -> Vec<String> {
+    const BRACKETS: usize = 4;
+    let widths = widths(rows);
+    let room = width.saturating_sub(BRACKETS);
+    let mut groups: Vec<std::ops::Range<usize>> = Vec::new();
+    for column in 0..widths.len() {
+        match groups.last_mut() {
+            Some(group) if total(&widths[group.start..=column]) <= room => group.end = column + 1,
+            _ => groups.push(column..column + 1),
+        }
+    }
+    let last = groups.len().saturating_sub(1);
+    let mut lines = Vec::new();
+    for row in rows {
+        for (index, group) in groups.iter().enumerate() {
+            let cells: Vec<String> = group
+                .clone()
+                .filter_map(|column| {
+                    let cell = row.get(column)?;
+                    // An entry that is wider than the screen aligns nothing.
+                    let gap = if widths[column] > room { 0 } else { widths[column] - length(cell) };
+                    Some(" ".repeat(gap) + cell)
+                })
+                .collect();
+            let before = if index == 0 { left } else { ' ' };
+            let after = if index == last { format!(" {right}") } else { String::new() };
+            lines.push(format!("{before} {}{after}", cells.join("  ")));
+        }
+    }
+    lines
+}
