@@ -7,7 +7,7 @@ mod notation;
 mod report;
 
 pub use block::macro_block;
-pub use claim::{claim_statement, claim_text, condition_text};
+pub use claim::{claim_statement, claim_text, condition_note, condition_statement, condition_text};
 pub use formula::{Formulas, MatrixText};
 pub use notation::Notation;
 pub use report::report;

@@ -1,7 +1,7 @@
 //! Documentation of the generated items: the formulas themselves.
 
 use kahan_algebra::plan::LARGEST_SIZE;
-use kahan_algebra::render::{Formulas, Notation, claim_statement, claim_text};
+use kahan_algebra::render::{Formulas, Notation, claim_statement, claim_text, condition_note};
 use kahan_algebra::system::Claim;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -48,11 +48,18 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
         let of_lanes = "Ensembles, and scalars other than `f32` and `f64`, keep";
         lines.extend(general.into_iter().flat_map(|general| domain(of_lanes, general.holds_to)));
     }
-    let claims: Vec<String> = system.claims.iter().map(|claim| claim_text(system, claim)).collect();
+    let claims: Vec<String> = system.claims.iter().map(|claim| proved(context, claim)).collect();
     if !claims.is_empty() {
         push_block(&mut lines, "Proved while compiling:", &claims);
     }
     emit_lines(&lines)
+}
+
+/// A claim, with what is not 0 where it is made.
+fn proved(context: &Context<'_>, claim: &Claim) -> String {
+    let note = condition_note(context.system, claim);
+    let text = claim_text(context.system, claim);
+    if note.is_empty() { text } else { format!("{text}  // {note}") }
 }
 
 /// A paragraph on how far a step holds, if that is not as far as the planner looks.

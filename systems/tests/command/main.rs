@@ -12,6 +12,7 @@ mod parameters;
 mod plan;
 mod refusing;
 mod regressions;
+mod relations;
 mod running;
 mod showing;
 mod trade;
