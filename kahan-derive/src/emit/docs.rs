@@ -94,10 +94,8 @@ fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
 
 /// The documentation of `integrals`.
 pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
-    let mut lines = vec![
-        " The integrals of motion of the map at `__state`; `__half_step` is ε, half the time step."
-            .to_owned(),
-    ];
+    let mut lines =
+        vec![" The integrals of motion of the map at `x`; `eps` is ε, half the time step.".to_owned()];
     let statements: Vec<String> = claims.iter().flat_map(|claim| statement(claim)).collect();
     push_block(&mut lines, "In order:", &statements);
     lines.push(String::new());
@@ -108,7 +106,8 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 /// The documentation of `density`.
 pub(super) fn density(claim: &Claim) -> TokenStream {
     let mut lines = vec![
-        " The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `__half_step` is ε, half the time step.".to_owned(),
+        " The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `eps` is ε, half the time step."
+            .to_owned(),
     ];
     push_block(&mut lines, "Namely", &statement(claim));
     emit_lines(&lines)
@@ -117,7 +116,8 @@ pub(super) fn density(claim: &Claim) -> TokenStream {
 /// The documentation of `bracket_NAME`.
 pub(super) fn bracket(claim: &Claim) -> TokenStream {
     let mut lines = vec![
-        " An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `__half_step` is ε, half the time step.".to_owned(),
+        " An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `eps` is ε, half the time step."
+            .to_owned(),
     ];
     push_block(&mut lines, "Its entries, those not given being zero:", &statement(claim));
     emit_lines(&lines)
