@@ -5,7 +5,7 @@
 //! knows Rust: the macro (`kahan-derive`) and the command (`kahan-systems`) are two users of one pipeline, [`read`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`], [`system`], [`kahan`],
-//! [`plan`], [`prove`], [`specialise`], [`interpret`], [`objects`], [`render`],
+//! [`plan`], [`relations`], [`prove`], [`specialise`], [`interpret`], [`objects`], [`render`],
 //! [`poisson`]; beneath them the exact arithmetic of [`rational`], [`poly`] and [`rational_function`].
 
 pub mod arithmetic;
@@ -24,6 +24,7 @@ pub mod prime_field;
 pub mod prove;
 pub mod rational;
 pub mod rational_function;
+pub mod relations;
 pub mod render;
 pub mod specialise;
 pub mod symbols;

@@ -6,6 +6,7 @@
 //! without one; cancellation uses that the operands are reduced already (Henrici: only factors named below
 //! can be common), which keeps each gcd small. Absent on purpose: evaluation, and quotients left unreduced.
 
+mod compose;
 #[cfg(test)]
 mod tests;
 

@@ -1,26 +1,30 @@
-//! A system with some of its parameters fixed: a smaller system, reduced after the values are put in.
+//! A system on which some of its parameters have values: a smaller system, reduced after the values are put in.
 
 use crate::field::{Component, Field};
 use crate::plan::PlanBuilder;
-use crate::poly::Variable;
+use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
 use crate::rational_function::RationalFunction;
+use crate::relations::{Obstacle, Relations};
 use crate::symbols::{Symbol, Symbols};
 use crate::syntax::ClaimKind;
-use crate::system::{Claim, System};
+use crate::system::{Claim, Condition, System};
 
 impl System {
     /// The system at these values of parameters, which become constants of it. Claims `when` one of them has another
-    /// value are left out. `None` where the field then divides by zero.
+    /// value are left out, and those whose relations cannot be solved any more. `None` where the field then divides by zero.
     #[must_use]
     pub fn specialise(&self, values: &[(usize, Rational)]) -> Option<System> {
         let old = &self.field.symbols;
-        let kept = |k: usize| values.iter().all(|(fixed, _)| *fixed != k);
-        let names = old.parameters.iter().enumerate().filter(|(k, _)| kept(*k)).map(|(_, name)| name.clone());
-        let symbols = Symbols { states: old.states.clone(), parameters: names.collect() };
-        let specialisation = Specialisation { old, new: &symbols, values };
-        let components = self.field.components.iter().map(|component| specialisation.component(component));
-        let components = components.collect::<Option<Vec<_>>>()?;
+        let mut relations = Relations::default();
+        for (k, value) in values {
+            let parameter = old.parameter(*k);
+            let polynomial = &Polynomial::variable(parameter) - &Polynomial::constant(value.clone());
+            relations.add(&polynomial, &[parameter]).ok()?;
+        }
+        let mut specialised = self.on(&relations)?;
+        let specialisation =
+            Specialisation { field: &self.field, new: &specialised.field.symbols, relations: &relations };
         let mut claims: Vec<Claim> = Vec::new();
         for claim in self.claims.iter().filter_map(|claim| specialisation.claim(claim)) {
             // A block has one density without `when`; another that becomes so differs by an integral.
@@ -29,53 +33,69 @@ impl System {
                 claims.push(claim);
             }
         }
-        let mut constants = self.constants.clone();
-        constants.extend(values.iter().map(|(k, value)| (old.parameters[*k].clone(), value.clone())));
-        let field = Field { symbols: symbols.clone(), components };
+        specialised.claims = claims;
+        specialised
+            .constants
+            .extend(values.iter().map(|(k, value)| (old.parameters[*k].clone(), value.clone())));
+        Some(specialised)
+    }
+
+    /// The system where these relations between parameters hold, without claims: the parameters that they are solved for are
+    /// gone. `None` where the field then divides by zero, or is too large.
+    #[must_use]
+    pub fn on(&self, relations: &Relations) -> Option<System> {
+        let old = &self.field.symbols;
+        let is_kept = |k: usize| relations.value(old.parameter(k)).is_none();
+        let names = old.parameters.iter().enumerate().filter(|(k, _)| is_kept(*k));
+        let symbols =
+            Symbols { states: old.states.clone(), parameters: names.map(|(_, name)| name.clone()).collect() };
+        let specialisation = Specialisation { field: &self.field, new: &symbols, relations };
+        let components = self.field.components.iter().map(|component| specialisation.component(component));
+        let components = components.collect::<Option<Vec<_>>>()?;
         Some(System {
             header: self.header.clone(),
-            constants,
-            field,
+            constants: self.constants.clone(),
+            field: Field { symbols, components },
             is_field_sound: self.is_field_sound,
-            claims,
+            claims: Vec::new(),
         })
     }
 }
 
 struct Specialisation<'a> {
-    old: &'a Symbols,
+    field: &'a Field,
     new: &'a Symbols,
-    /// Indices of parameters, and their values.
-    values: &'a [(usize, Rational)],
+    /// Between parameters.
+    relations: &'a Relations,
 }
 
 impl Specialisation<'_> {
-    /// The value of a variable that is fixed.
-    fn value(&self, variable: Variable) -> Option<&Rational> {
-        let Symbol::Parameter(k) = self.old.symbol(variable) else { return None };
-        self.values.iter().find(|(fixed, _)| *fixed == k).map(|(_, value)| value)
-    }
-
-    /// A variable that is not fixed, under its new number.
+    /// A variable that has no value, under its new number.
     fn renamed(&self, variable: Variable) -> Variable {
-        let symbol = match self.old.symbol(variable) {
+        let old = &self.field.symbols;
+        let symbol = match old.symbol(variable) {
             Symbol::Parameter(k) => {
-                Symbol::Parameter(k - self.values.iter().filter(|(fixed, _)| *fixed < k).count())
+                let gone = (0..k).filter(|&other| self.relations.value(old.parameter(other)).is_some());
+                Symbol::Parameter(k - gone.count())
             }
             symbol => symbol,
         };
         self.new.variable(symbol)
     }
 
+    fn polynomial(&self, polynomial: &Polynomial) -> Polynomial {
+        polynomial.map_variables(|variable| self.renamed(variable))
+    }
+
+    fn function(&self, function: &RationalFunction) -> Option<RationalFunction> {
+        RationalFunction::new(self.polynomial(function.numerator()), self.polynomial(function.denominator()))
+    }
+
     fn component(&self, component: &Component) -> Option<Component> {
-        let substituted = |polynomial: &crate::poly::Polynomial| {
-            let fixed = self.values.iter().fold(polynomial.clone(), |polynomial, (k, value)| {
-                polynomial.substitute(self.old.parameter(*k), value)
-            });
-            fixed.map_variables(|variable| self.renamed(variable))
-        };
-        let quotient =
-            RationalFunction::new(substituted(&component.numerator), substituted(&component.denominator))?;
+        let mut relations = self.relations.clone();
+        let numerator = relations.put_into(&component.numerator).ok()??;
+        let denominator = relations.put_into(&component.denominator).ok()??;
+        let quotient = self.function(&numerator.checked_div(&denominator)?)?;
         Some(Component {
             numerator: quotient.numerator().clone(),
             denominator: quotient.denominator().clone(),
@@ -83,19 +103,58 @@ impl Specialisation<'_> {
     }
 
     fn claim(&self, claim: &Claim) -> Option<Claim> {
-        let contradicts = |(variable, value): &(Variable, Rational)| {
-            self.value(*variable).is_some_and(|fixed| fixed != value)
-        };
-        if claim.conditions.iter().any(contradicts) {
-            return None;
-        }
-        let open = claim.conditions.iter().filter(|(variable, _)| self.value(*variable).is_none());
-        let conditions = open.map(|(variable, value)| (self.renamed(*variable), value.clone())).collect();
+        let conditions = self.conditions(&claim.conditions)?;
         let mut builder = PlanBuilder::default();
-        let outputs = builder.include_mapped(&claim.plan, |builder, variable| match self.value(variable) {
-            Some(value) => builder.constant(value),
-            None => builder.input(self.renamed(variable)),
+        let outputs = builder.include_mapped(&claim.plan, |builder, variable| {
+            match self.relations.value(variable).and_then(RationalFunction::as_polynomial) {
+                Some(value) => builder.constant(&value.as_constant().unwrap_or_default()),
+                None => builder.input(self.renamed(variable)),
+            }
         });
         Some(Claim { plan: builder.finish(&outputs), conditions, ..claim.clone() })
+    }
+
+    /// What is left to be solved of a claim's conditions; `None` where they do not hold, or are not known to say the same.
+    fn conditions(&self, conditions: &[Condition]) -> Option<Vec<Condition>> {
+        let mut relations = self.relations.clone();
+        let mut solved = Vec::new();
+        for condition in conditions {
+            let value = &condition.value;
+            let product = value.denominator() * &Polynomial::variable(condition.variable);
+            let polynomial = &product - value.numerator();
+            let before = relations.nonzero().len();
+            let name = match relations.add(&polynomial, &[condition.variable]) {
+                Ok(name) => Some(name),
+                Err(Obstacle::Identity) => None,
+                Err(_) => return None,
+            };
+            for nonzero in &condition.nonzero {
+                if !relations.require(nonzero).ok()? {
+                    return None;
+                }
+            }
+            let added = before..relations.nonzero().len();
+            solved.extend(name.map(|name| (condition.written.clone(), name, added)));
+        }
+        let eps = Polynomial::variable(self.field.symbols.epsilon());
+        let divisors = self.field.components.iter().map(|component| &component.denominator);
+        for nonzero in divisors.chain([&eps]) {
+            if relations.makes_vanish(nonzero).ok()? {
+                return None;
+            }
+        }
+        let renamed = |condition: Condition| {
+            let nonzero = condition.nonzero.iter().map(|polynomial| {
+                let mut relations = self.relations.clone();
+                Some(self.polynomial(relations.put_into(polynomial).ok()??.numerator()))
+            });
+            Some(Condition {
+                variable: self.renamed(condition.variable),
+                value: self.function(&condition.value)?,
+                nonzero: nonzero.collect::<Option<Vec<_>>>()?,
+                written: condition.written,
+            })
+        };
+        Condition::all(solved, &relations).into_iter().map(renamed).collect()
     }
 }

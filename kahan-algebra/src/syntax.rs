@@ -94,7 +94,7 @@ pub struct Claim {
     pub name: Name,
     /// The claimed function or tensor; absent where it could not be read.
     pub body: Option<ClaimBody>,
-    /// `when NAME = number, …`.
+    /// `when expr = expr, …`.
     pub conditions: Vec<Condition>,
 }
 
@@ -118,13 +118,27 @@ pub struct Entry {
     pub value: Expr,
 }
 
-/// `NAME = number` behind `when`.
+/// A relation between parameters and `eps` behind `when`: `expr = expr`.
 #[derive(Clone, Debug)]
 pub struct Condition {
-    /// A parameter, or `eps`.
-    pub name: Name,
-    /// A constant expression.
-    pub value: Expr,
+    /// The left side.
+    pub left: Expr,
+    /// The right side.
+    pub right: Expr,
+}
+
+impl Condition {
+    /// Where the relation stands.
+    #[must_use]
+    pub fn span(&self) -> Span {
+        self.left.span.to(self.right.span)
+    }
+
+    /// Calls `visit` with every name of the relation and its place, from left to right.
+    pub fn visit_names(&self, visit: &mut dyn FnMut(&str, Span)) {
+        self.left.visit_names(visit);
+        self.right.visit_names(visit);
+    }
 }
 
 /// An expression and its place.
@@ -134,6 +148,19 @@ pub struct Expr {
     pub kind: ExprKind,
     /// Where it stands.
     pub span: Span,
+}
+
+impl Expr {
+    /// Calls `visit` with every name of the expression and its place, from left to right.
+    pub fn visit_names(&self, visit: &mut dyn FnMut(&str, Span)) {
+        match &self.kind {
+            ExprKind::Number(_) => {}
+            ExprKind::Name(name) => visit(name, self.span),
+            ExprKind::Sum(terms) => terms.iter().for_each(|term| term.expr.visit_names(visit)),
+            ExprKind::Product(factors) => factors.iter().for_each(|factor| factor.expr.visit_names(visit)),
+            ExprKind::Negation(inner) | ExprKind::Power(inner, _) => inner.visit_names(visit),
+        }
+    }
 }
 
 /// The shapes of an expression.

@@ -1,11 +1,17 @@
 //! A checked block: the field, and claims about its map that can be evaluated (whether they hold is the prover's
 //! question).
 
+use std::ops::Range;
+
 use crate::field::Field;
 use crate::plan::Plan;
-use crate::poly::Variable;
+use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
-use crate::syntax::{ClaimBody, ClaimKind, Header, Name};
+use crate::rational_function::RationalFunction;
+use crate::relations::Relations;
+use crate::symbols::Symbols;
+use crate::syntax::{self, ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
+use crate::token::Span;
 
 /// A field with its claims.
 #[derive(Clone, Debug)]
@@ -33,8 +39,57 @@ pub struct Claim {
     pub body: Option<ClaimBody>,
     /// The function (one result), or the tensor's entries above the diagonal, row by row (n(n−1)/2 results).
     pub plan: Plan,
-    /// The specialisation on which the claim is made: values of parameters and of ε.
-    pub conditions: Vec<(Variable, Rational)>,
+    /// The specialisation on which the claim is made.
+    pub conditions: Vec<Condition>,
+}
+
+/// A relation between parameters and ε behind `when`, solved for one of them.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// What was written, for display.
+    pub written: syntax::Condition,
+    /// The name that it was solved for.
+    pub variable: Variable,
+    /// Its value, in names that no condition of the claim is solved for.
+    pub value: RationalFunction,
+    /// What this relation adds to what is not 0: the coefficient of the name, and divisors.
+    pub nonzero: Vec<Polynomial>,
+}
+
+impl Condition {
+    /// The relations of a claim, each as written with its name and with how much was known not to be 0 before and after it,
+    /// once all are solved.
+    pub(crate) fn all(
+        solved: Vec<(syntax::Condition, Variable, Range<usize>)>,
+        relations: &Relations,
+    ) -> Vec<Condition> {
+        let condition = |(written, variable, added): (syntax::Condition, Variable, Range<usize>)| {
+            let value = relations.value(variable).cloned()?;
+            Some(Condition { written, variable, value, nonzero: relations.nonzero()[added].to_vec() })
+        };
+        solved.into_iter().filter_map(condition).collect()
+    }
+
+    /// `NAME = value`, written nowhere in particular.
+    #[must_use]
+    pub fn fixed(symbols: &Symbols, variable: Variable, value: &Rational) -> Condition {
+        let expr = |kind| Expr { kind, span: Span::token(0) };
+        Condition {
+            written: syntax::Condition {
+                left: expr(ExprKind::Name(symbols.name(variable))),
+                right: expr(ExprKind::Number(value.clone())),
+            },
+            variable,
+            value: RationalFunction::constant(value.clone()),
+            nonzero: Vec::new(),
+        }
+    }
+
+    /// The number that is the value, where it is one.
+    #[must_use]
+    pub fn number(&self) -> Option<Rational> {
+        self.value.as_polynomial().and_then(Polynomial::as_constant)
+    }
 }
 
 impl Claim {

@@ -9,7 +9,7 @@ use kahan_algebra::prove::{Verdict, prove_all};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::render::{Notation, claim_statement, claim_text};
-use kahan_algebra::system::{Claim, System};
+use kahan_algebra::system::{Claim, Condition, System};
 use kahan_algebra::{lexer, read};
 
 /// The block of a source file of the catalog.
@@ -366,7 +366,7 @@ fn a_constructed_bracket_is_written_as_people_write_it() {
     let claim = tensor(&e1, "Q").claim(
         &e1.field.symbols,
         "Q",
-        vec![(e1.field.symbols.epsilon(), Rational::new(1, 2))],
+        vec![Condition::fixed(&e1.field.symbols, e1.field.symbols.epsilon(), &Rational::new(1, 2))],
     );
     let text = claim_text(&e1, &claim);
     assert!(text.starts_with("bracket Q { {x,y} = x^3; {y,z} = x^2*"), "{text}");

@@ -4,17 +4,21 @@
 
 use crate::FloatScalar;
 
-/// The ε nearest to `eps` with at most a third of the scalar's bits (`f32`: 8, `f64`: 17, `Dd`: 35), so that ε² and ε³ are exact.
+/// The number nearest to `eps` that has at most a third of the scalar's bits (`f32`: 8, `f64`: 17, `Dd`: 35), so that its
+/// square and cube are exact.
 ///
-/// The map at a rounded ε is as good as any other, but where the step computes powers of ε their roundings are the same in every
-/// step: together they are no ε at all, and the integrals of the map drift linearly with the number of steps, compensated
-/// or not. It matters for long runs (from about 10⁷ steps in `f64`, 10⁵ in `f32`), for systems whose step has powers of ε times
-/// parameters (the Euler top) and for an ε near a simple rational: at ε = 0.05 the Euler top's integrals drift linearly even
-/// when compensated, at 3/64 they do not. The nearest short ε differs from the wish by at most 2⁻¹⁷ of it (`f32`: 2⁻⁸), which
-/// for a step that was chosen freely costs nothing.
+/// Why one wants that: a step may use ε, ε² and ε³, each computed once and rounded. A rounded ε is still some ε, and its map
+/// keeps its own integrals. But the rounded ε² is not the square of the rounded ε, so the step belongs to no ε at all; its
+/// error is the same in every step, and the integrals drift in proportion to the number of steps, in compensated orbits, too.
+/// Where the powers are exact there is no such drift.
 ///
-/// It does not help where parameters are rounded and multiplied with ε, nor in a composition, whose stages take γε; for a
-/// homogeneous field [`Orbit::scaled`](crate::Orbit::scaled) removes ε altogether. What is not finite is returned as it is; a subnormal ε keeps fewer bits.
+/// When it matters: in long runs (from about 10⁷ steps in `f64`, 10⁵ in `f32`) of systems whose step multiplies parameters with
+/// powers of ε, as the Euler top's does: its integrals drift at ε = 0.05, and not at ε = 3/64. What it costs: the result differs
+/// from `eps` by at most 2⁻¹⁷ of it (`f32`: 2⁻⁸), nothing for a time step that was chosen freely.
+///
+/// When it does not help: where a parameter's product with ε is rounded, and in compositions, whose stages have steps of their
+/// own. For a homogeneous field [`Orbit::scaled`](crate::Orbit::scaled) removes ε altogether. Infinities and NaN are returned
+/// as they are; a subnormal ε keeps fewer bits.
 ///
 /// ```
 /// use kahan_core::nearest_short_eps;

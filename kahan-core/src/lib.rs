@@ -19,13 +19,35 @@
 //! let after_a_hundred = LotkaVolterra.orbit(start, eps).compensated().nth(1000);
 //! ```
 //!
-//! Begin with [`kahan!`], the language of fields and of what is claimed about them; then [`KahanMap`], all that a system can do;
-//! [`Orbit`] and [`Composition`], long runs and higher orders; [`Ensemble`], many trajectories at once; [`Scene`], the cheapest
-//! setting that is accurate enough.
+//! # Every day
 //!
-//! In: a system written with [`kahan!`], or the two traits [`QuadraticField`] and [`KahanMap`] written by hand.
-//! Out: steps, matrices, Jacobians and orbits over any [`Scalar`]: `f32`, `f64`, exact rationals, or the user's.
-//! Nothing here knows the syntax of fields or algebra with symbols; that lies behind the macro.
+//! `use kahan_core::prelude::*;` brings all of this.
+//!
+//! | what | where |
+//! |---|---|
+//! | write a field, and claim what its map keeps | [`kahan!`], explained in [`language`] |
+//! | one step, forward or back; one with a promised error | [`KahanMap::step`], [`step_back`](KahanMap::step_back), [`try_step`](KahanMap::try_step) |
+//! | many steps | [`KahanMap::orbit`], an iterator; [`compensated`](Orbit::compensated) against rounding, [`composed`](Orbit::composed) for order 4, 6 or 8 ([`Composition`]) |
+//! | many trajectories | [`Ensemble`], [`Axis`] for grids of initial points |
+//! | derivatives, determinants | [`KahanMap::jacobian`], [`det_jacobian`](KahanMap::det_jacobian) |
+//! | integrals, a density, brackets | methods of the type that the macro makes: `integrals`, `density`, `bracket_NAME` |
+//! | another kind of number | `f32`, `f64`, [`Dd`] with twice the digits, `BigRational` with the feature `exact` |
+//! | the cheapest setting that is accurate enough | [`Scene`] |
+//! | ε from a time step | [`eps_from_dt`] |
+//!
+//! # Advanced
+//!
+//! | what | where |
+//! |---|---|
+//! | a scalar of your own | [`Scalar`], [`Constant`]; [`Pivot`] for `try_step`, [`FloatScalar`] for modes of orbits, [`EnsembleScalar`] |
+//! | generic code over systems | [`KahanMap`], [`QuadraticField`], [`Named`], [`Integrals`], [`Lift`] |
+//! | a map written by hand | [`QuadraticField`] and [`KahanMap`] with [`Elimination`] or a [`PreparedStep`] |
+//! | a loop of your own | [`KahanAt`], which [`KahanMap::at`] prepares |
+//! | rounding that must not drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
+//! | errors as one goes | [`Orbit::with_error_estimate`] |
+//! | the solution of the equation itself | [`Flow`] |
+//! | what is inside: modes as types, costs, instruction sets | [`Method`], [`Accumulation`], [`PreparedMap`], [`StepCost`], [`Level`] |
+//!
 //! Without default features the crate is `no_std`; float scalars never allocate in any configuration.
 
 #![no_std]
@@ -60,6 +82,9 @@ mod try_step;
 mod vector_macro;
 
 pub mod prelude;
+
+#[doc = include_str!("../../docs/language.md")]
+pub mod language {}
 
 #[doc(hidden)]
 pub mod __private;

@@ -84,11 +84,13 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// The fast tier: for the fields of ordinary size the reduced closed form with one division, or
     /// two, whose error is of the order of the scalar's rounding unit away from poles while ‖ε
     /// f′(x)‖ is not much above 1; in longer steps it is about that of elimination with pivoting up
-    /// to ‖ε f′(x)‖∞ = 1000, or up to what the documentation of the generated type says. Over
-    /// floats it branches on nothing but ε (many fields have a faster form that divides by it, for
-    /// |ε| from 2⁻⁶⁴ to 2⁶⁴, `f32`: 2⁻¹⁶ to 2¹⁶) and allocates nothing. In a loop over one ε,
-    /// [`at`](Self::at) and [`orbit`](Self::orbit) give the same numbers bit for bit and are
-    /// certain to prepare once.
+    /// to ‖ε f′(x)‖∞ = 1000, or up to what the documentation of the generated type says.
+    ///
+    /// Over floats every point takes the same operations and the same time: nothing is tested, and
+    /// nothing is allocated. Only ε chooses between two forms, where a field has a faster one that
+    /// divides by ε: that is used for |ε| from 2⁻⁶⁴ to 2⁶⁴ (`f32`: 2⁻¹⁶ to 2¹⁶), the other beyond.
+    /// In a loop with one ε use [`at`](Self::at) or [`orbit`](Self::orbit): they compute what
+    /// depends on ε and the parameters once, and give the same numbers bit for bit.
     ///
     /// # Panics
     /// At a pole, for exact scalars; floats give a result that is not finite.

@@ -22,6 +22,8 @@ fn check(name: &str) {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src/golden");
     let block = fs::read_to_string(folder.join(format!("{name}.kahan"))).expect("the block is there");
     let expanded = expansion(&block);
+    // What rustdoc shows of it has names for reading.
+    assert!(!expanded.contains("__state") && !expanded.contains("__half_step"), "{name}");
     let path = folder.join(format!("{name}.expanded.rs"));
     if std::env::var("KAHAN_GOLDEN").is_ok_and(|mode| mode == "overwrite") {
         fs::write(&path, &expanded).expect("the folder can be written");

@@ -1,6 +1,9 @@
 //! Special values of parameters and of ε: where degrees or ranks on a rational grid are not the generic ones.
 
-use std::time::Instant;
+mod proposals;
+mod shapes;
+
+use std::time::{Duration, Instant};
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -14,6 +17,8 @@ use crate::monomials::Monomials;
 use crate::report::{DiscoverError, Options};
 use crate::setting::Setting;
 use crate::stages::specialised;
+
+pub use proposals::Proposal;
 
 /// The values of one parameter, or of ε, on a grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -77,6 +82,8 @@ pub struct Scan {
     pub generic: Sight,
     /// The grid, the last axis running fastest; shorter than it where time ran out.
     pub points: Vec<GridPoint>,
+    /// Relations between scanned quantities at which all points of the grid are special, where there are two or more.
+    pub relations: Vec<Proposal>,
     /// Whether time ran out.
     pub out_of_time: bool,
 }
@@ -94,7 +101,7 @@ const ITERATES: usize = 6;
 const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
-/// Degrees and ranks on the grid of all axes. `options` fixes further parameters and ε, the degree of relations and the
+/// Degrees and ranks on the grid of all axes, and what is proved where relations between them hold. `options` fixes further parameters and ε, the degree of relations and the
 /// time; `progress` is told of every point (done, of how many).
 ///
 /// # Errors
@@ -105,7 +112,8 @@ pub fn scan(
     options: &Options,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Scan, DiscoverError> {
-    let deadline = Deadline::after(Instant::now(), options.seconds);
+    let start = Instant::now();
+    let deadline = Deadline::after(start, options.seconds);
     for axis in axes.iter().filter(|axis| axis.name != "eps") {
         if !system.field.symbols.parameters.contains(&axis.name) {
             return Err(DiscoverError::UnknownParameter(axis.name.clone()));
@@ -140,7 +148,12 @@ pub fn scan(
         progress(index + 1, total);
     }
     let out_of_time = points.len() < total;
-    Ok(Scan { names: axes.iter().map(|axis| axis.name.clone()).collect(), generic, points, out_of_time })
+    let names = axes.iter().map(|axis| axis.name.clone()).collect();
+    let mut scan = Scan { names, generic, points, relations: Vec::new(), out_of_time };
+    let time = Duration::try_from_secs_f64(options.seconds).unwrap_or(Duration::MAX);
+    let end = start.checked_add(time).unwrap_or_else(|| start + Duration::from_secs(1 << 32));
+    scan.relations = proposals::proposals(system, &scan, options, end);
+    Ok(scan)
 }
 
 /// Degrees and ranks at these values; `None` inside where orbits end at poles.

@@ -1,6 +1,7 @@
 //! Special values are found from the equations alone.
 
 use kahan_algebra::rational::Rational;
+use kahan_algebra::{lexer, read};
 use kahan_discover::{Axis, DiscoverError, Options, Scan, scan};
 
 mod support;
@@ -61,4 +62,78 @@ fn grids_have_axes_and_names_are_checked() {
         &mut |_, _| {},
     );
     assert_eq!(divided.unwrap().points[0].sight, None);
+}
+
+/// A grid of integers on several axes.
+fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
+    let integers = (Rational::from(from), Rational::from(to), Rational::one());
+    let axis = |name: &&str| Axis::range(name, &integers.0, &integers.1, &integers.2).unwrap();
+    let axes: Vec<Axis> = names.iter().map(axis).collect();
+    let options = Options { seconds: 3600.0, ..Options::default() };
+    scan(&system(text), &axes, &options, &mut |_, _| {}).unwrap()
+}
+
+/// The relations with the number of their points and of their claims, each claim proved where it stands and false without
+/// its relation.
+fn relations<'a>(text: &str, scan: &'a Scan) -> Vec<(&'a str, usize, usize)> {
+    let mistakes = |claim: &str| read(&lexer::lex(&format!("{text} {claim}")).tokens).diagnostics;
+    for claim in scan.relations.iter().flat_map(|proposal| &proposal.claims) {
+        assert_eq!(mistakes(claim), [], "{claim}");
+        assert!(!mistakes(&format!("{};", claim.split(" when ").next().unwrap())).is_empty(), "{claim}");
+    }
+    let all = scan.relations.iter().map(|proposal| {
+        let ending = format!(" when {};", proposal.relation);
+        assert!(proposal.claims.iter().all(|claim| claim.ends_with(&ending)), "{:?}", proposal.claims);
+        (proposal.relation.as_str(), proposal.points, proposal.claims.len())
+    });
+    all.collect()
+}
+
+#[test]
+fn linear_relations_are_proposed_and_proved() {
+    // x + y + z changes by (a + b + c) y².
+    let text = "xdot = x*(y - z) + a*y^2; ydot = y*(z - x) + b*y^2; zdot = z*(x - y) + c*y^2;";
+    let found = on_grid(text, &["a", "b", "c"], -1, 1);
+    assert_eq!(relations(text, &found), [("c = -a - b", 7, 1)]);
+    assert_eq!(found.relations[0].claims, ["integral H1 = x + y + z when c = -a - b;"]);
+    assert_eq!(found.relations[0].sight.integrals, 1);
+    // Where the sum is not 0 on the grid, no relation is seen.
+    assert_eq!(relations(text, &on_grid(text, &["a", "b", "c"], 1, 2)), []);
+    // One of several quantities alone, and what is kept in general, is not claimed on it.
+    let text = "xdot = a*x*y - z*x; ydot = b*z*x + y^2; zdot = 0;";
+    let found = on_grid(text, &["a", "b"], -3, 3);
+    let names: Vec<&str> = relations(text, &found).into_iter().map(|(name, ..)| name).collect();
+    assert!(names.contains(&"b = 0"), "{names:?}");
+    assert!(found.relations.iter().flat_map(|known| &known.claims).all(|claim| !claim.contains("= z when")));
+}
+
+#[test]
+fn products_are_proposed_and_proved() {
+    let oscillators = "xdot = a1*a2*y; ydot = -a1*a2*x; udot = a5*a6*v; vdot = -a5*a6*u;";
+    let found = on_grid(oscillators, &["a1", "a2", "a5", "a6"], 1, 4);
+    assert_eq!(relations(oscillators, &found), [("a1*a2 = a5*a6", 32, 2)]);
+    let volterra = "xdot = x*(c*y + z); ydot = y*(x + a*z); zdot = z*(b*x + y);";
+    let found = on_grid(volterra, &["a", "b", "c"], -2, 2);
+    assert_eq!(relations(volterra, &found), [("c*a*b = -1", 4, 2)]);
+}
+
+#[test]
+fn what_is_only_seen_is_not_claimed() {
+    // At eps = ±1 the degrees grow more slowly, and nothing is kept.
+    let text = "xdot = x*(1 - y); ydot = y*(x - 1) + a*x^2;";
+    let found = on_grid(text, &["a", "eps"], -4, 4);
+    assert_eq!(relations(text, &found), [("eps = -1", 9, 0), ("eps = 1", 9, 0)]);
+    // Five points of which half are special anyway say nothing.
+    assert_eq!(relations(text, &on_grid(text, &["a", "eps"], -2, 2)), []);
+    // One axis has values, not relations.
+    assert_eq!(relations(E7, &scanned(E7, "xi", -1, 1, Rational::one())), []);
+}
+
+#[test]
+fn the_names_of_claims_are_free() {
+    let text = "xdot = x*(y - z) + a*y^2; ydot = y*(z - x) + b*y^2; zdot = z*(x - y) + c*y^2; \
+         integral H1 = x + y + z when a = -b - c;";
+    let found = on_grid(text, &["a", "b", "c"], -1, 1);
+    assert_eq!(relations(text, &found).len(), 1);
+    assert_eq!(found.relations[0].claims, ["integral H2 = x + y + z when c = -a - b;"]);
 }

@@ -1,97 +1,176 @@
-//! `when NAME = number, …`: the specialisation on which a claim is made.
+//! `when expr = expr, …`: the relations on which a claim is made.
 //!
-//! Parameters and ε get values, once each; states cannot be fixed, and ε = 0 is no step. At the values the field itself
-//! must exist.
+//! They are between parameters and ε, each solved for a name that enters it linearly; states cannot be fixed, and ε = 0 is no
+//! step. Where they hold, the field itself and the relations as written must exist.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::field::Component;
-use crate::poly::Variable;
-use crate::rational::Rational;
-use crate::syntax::Condition;
+use crate::poly::{OverBudget, Polynomial, Variable};
+use crate::rational_function::RationalFunction;
+use crate::relations::{Obstacle, Relations};
+use crate::render::Notation;
+use crate::symbols::Symbols;
+use crate::syntax;
+use crate::system::Condition;
+use crate::token::Span;
 
-use super::constants::constant_value;
-use super::names::{Scope, is_epsilon};
+use super::expand::{Expansion, expand_in_claim, too_large};
+use super::names::Scope;
 
-/// The values behind `when`; `None` if one is broken.
+/// The relations behind `when`, solved; `None` if one is broken.
 pub(super) fn evaluate(
-    written: &[Condition],
+    written: &[syntax::Condition],
     components: &[Component],
     scope: &mut Scope,
     diagnostics: &mut Diagnostics,
-) -> Option<Vec<(Variable, Rational)>> {
-    let mut values: Vec<(Variable, Rational)> = Vec::new();
-    let mut sound = true;
+) -> Option<Vec<Condition>> {
+    let mut relations = Relations::default();
+    let mut solved = Vec::new();
     for condition in written {
-        match one_condition(condition, &values, scope) {
-            Ok(Some(value)) => values.push(value),
-            Ok(None) => sound = false,
+        let before = relations.nonzero().len();
+        match one_relation(condition, &mut relations, components, scope) {
+            Ok(name) => solved.push((condition.clone(), name?, before..relations.nonzero().len())),
             Err(diagnostic) => {
                 diagnostics.push(diagnostic);
-                sound = false;
+                return None;
             }
         }
     }
-    (sound && is_field_defined(written, &values, components, diagnostics)).then_some(values)
+    Some(Condition::all(solved, &relations))
 }
 
-/// A claim about a field that divides by zero says nothing.
-fn is_field_defined(
-    written: &[Condition],
-    values: &[(Variable, Rational)],
+/// Adds a relation and gives the name it was solved for; `Ok(None)` where a mistake in it was reported elsewhere.
+fn one_relation(
+    condition: &syntax::Condition,
+    relations: &mut Relations,
     components: &[Component],
-    diagnostics: &mut Diagnostics,
-) -> bool {
-    let vanishes = |component: &Component| {
-        let divisor = values.iter().fold(component.denominator.clone(), |divisor, (variable, value)| {
-            divisor.substitute(*variable, value)
-        });
-        divisor.is_zero()
-    };
-    let (Some(first), Some(last)) = (written.first(), written.last()) else { return true };
-    let singular = components.iter().any(vanishes);
-    if singular {
-        diagnostics.report(
-            Kind::Claim,
-            first.name.span.to(last.value.span),
-            "here the field divides by zero, so it has no map",
-            "fix values at which every divisor of the equations is different from zero",
-        );
+    scope: &mut Scope,
+) -> Result<Option<Variable>, Diagnostic> {
+    let Some(names) = names(condition, scope)? else { return Ok(None) };
+    let span = condition.span();
+    let wrong = |message: &str, help: &str| Diagnostic::new(Kind::Claim, span, message, help);
+    let over_budget = |_: OverBudget| too_large(span);
+    let (left, right) = (expand_in_claim(&condition.left, scope)?, expand_in_claim(&condition.right, scope)?);
+    let is_first = relations.values().next().is_none();
+    let divisors = [&left.denominator, &right.denominator];
+    let polynomial = difference(&left, &right);
+    let name = relations
+        .add(&polynomial, &names)
+        .map_err(|obstacle| explain(&obstacle, span, is_first, &scope.symbols))?;
+    if relations.value(scope.symbols.epsilon()).is_some_and(RationalFunction::is_zero) {
+        return Err(wrong(
+            "at eps = 0 the map is the identity, and every claim says nothing",
+            "choose another value",
+        ));
     }
-    !singular
+    for divisor in divisors {
+        if !relations.require(divisor).map_err(over_budget)? {
+            return Err(wrong(
+                "where this relation holds it divides by zero",
+                "write it without the division",
+            ));
+        }
+    }
+    for component in components {
+        if relations.makes_vanish(&component.denominator).map_err(over_budget)? {
+            return Err(wrong(
+                "here the field divides by zero, so it has no map",
+                "fix values at which every divisor of the equations is different from zero",
+            ));
+        }
+    }
+    Ok(Some(name))
 }
 
-fn one_condition(
-    condition: &Condition,
-    earlier: &[(Variable, Rational)],
-    scope: &mut Scope,
-) -> Result<Option<(Variable, Rational)>, Diagnostic> {
-    let name = &condition.name;
-    let wrong = |message: String, help: &str| Err(Diagnostic::new(Kind::Claim, name.span, message, help));
-    let fixable = |name: &str| scope.variable(name).filter(|&variable| !scope.symbols.is_state(variable));
-    let Some(variable) = fixable(&name.text) else {
-        if scope.is_poisoned(&name.text) {
+/// The numerator of left − right in lowest terms.
+fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
+    let above = &(&left.numerator * &right.denominator) - &(&right.numerator * &left.denominator);
+    let below = &left.denominator * &right.denominator;
+    RationalFunction::new(above, below).map_or_else(Polynomial::zero, |quotient| quotient.numerator().clone())
+}
+
+/// The parameters of a relation in the order of their places, then ε; `Ok(None)` if a name is a mistake already.
+fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<Variable>>, Diagnostic> {
+    let mut found: Vec<(String, Span)> = Vec::new();
+    condition.visit_names(&mut |name, span| found.push((name.to_owned(), span)));
+    let epsilon = scope.symbols.epsilon();
+    let mut names: Vec<Variable> = Vec::new();
+    for (name, span) in found {
+        scope.mark_used(&name);
+        if scope.is_poisoned(&name) || matches!(scope.constants.get(&name), Some(None)) {
             return Ok(None);
         }
-        let slip = scope.nearest(&name.text, true).filter(|nearest| fixable(nearest).is_some());
-        let help = slip.map_or_else(
-            || "`when` fixes parameters and `eps`, as in `when eps = 1`".to_owned(),
-            |nearest| format!("did you mean `{nearest}`?"),
-        );
-        return wrong(
-            format!("`{}` is neither a parameter nor `eps`, so it cannot be fixed by `when`", name.text),
-            &help,
-        );
+        if scope.constants.contains_key(&name) {
+            continue;
+        }
+        match scope.variable(&name) {
+            Some(variable) if scope.symbols.is_state(variable) => {
+                return Err(Diagnostic::new(
+                    Kind::Claim,
+                    span,
+                    format!("`{name}` is a state, and states move along an orbit: `when` cannot fix them"),
+                    "a relation is between parameters and `eps`, as in `when eps = 1` or `when c = -a - b`",
+                ));
+            }
+            Some(variable) if !names.contains(&variable) => names.push(variable),
+            Some(_) => {}
+            None => return Err(unknown(&name, span, scope)),
+        }
+    }
+    names.sort_by_key(|name| *name == epsilon);
+    Ok(Some(names))
+}
+
+fn unknown(name: &str, span: Span, scope: &mut Scope) -> Diagnostic {
+    let stands = |scope: &Scope, nearest: &str| {
+        scope.constants.contains_key(nearest)
+            || scope.variable(nearest).is_some_and(|variable| !scope.symbols.is_state(variable))
     };
-    if earlier.iter().any(|(known, _)| *known == variable) {
-        return wrong(format!("`{}` is fixed twice", name.text), "remove one of the conditions");
-    }
-    scope.mark_used(&name.text);
-    let Some(value) = constant_value(&condition.value, scope)? else { return Ok(None) };
-    if is_epsilon(&name.text) && value.is_zero() {
-        return wrong(
-            "at eps = 0 the map is the identity, and every claim says nothing".to_owned(),
-            "choose another value",
-        );
-    }
-    Ok(Some((variable, value)))
+    let help = match scope.nearest(name, true).filter(|nearest| stands(scope, nearest)) {
+        Some(nearest) => {
+            // Nothing else may use the name that was meant; that is not a second mistake.
+            scope.mark_used(&nearest);
+            format!("did you mean `{nearest}`?")
+        }
+        None => {
+            "a relation is between parameters and `eps`, as in `when eps = 1` or `when c = -a - b`".to_owned()
+        }
+    };
+    let message = format!("`{name}` is neither a parameter nor `eps`, so it cannot stand behind `when`");
+    Diagnostic::new(Kind::Claim, span, message, help)
+}
+
+/// The mistake of a relation that cannot be solved.
+fn explain(obstacle: &Obstacle, span: Span, is_first: bool, symbols: &Symbols) -> Diagnostic {
+    let (message, help) = match obstacle {
+        Obstacle::TooLarge => return too_large(span),
+        Obstacle::Identity if is_first => {
+            ("this relation always holds, so it says nothing".to_owned(), "remove it".to_owned())
+        }
+        Obstacle::Identity => {
+            ("this relation follows from those before it".to_owned(), "remove it".to_owned())
+        }
+        Obstacle::Contradiction if is_first => (
+            "this relation never holds, so nothing is claimed".to_owned(),
+            "correct it, or remove the claim".to_owned(),
+        ),
+        Obstacle::Contradiction => (
+            "this relation contradicts those before it".to_owned(),
+            "keep one of them; what a relation is divided by to be solved is not 0 either".to_owned(),
+        ),
+        Obstacle::NotLinear => (
+            "no name enters this relation linearly, so it cannot be solved".to_owned(),
+            "write it with a parameter or `eps` of degree 1, as in `when c = -a - b` or `when a*b = c^2`"
+                .to_owned(),
+        ),
+        Obstacle::Product(a, b) => {
+            let text = |factor: &Polynomial| Notation::Text.polynomial(symbols, factor);
+            let (a, b) = (text(a), text(b));
+            (
+                format!("this relation is a product, which holds where {a} = 0 and where {b} = 0"),
+                format!("write the factor that is meant, as in `when {a} = 0`"),
+            )
+        }
+    };
+    Diagnostic::new(Kind::Claim, span, message, help)
 }

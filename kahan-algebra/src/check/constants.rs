@@ -6,7 +6,7 @@ use crate::syntax::{Block, Expr};
 use crate::token::Span;
 
 use super::expand::expand;
-use super::names::{Scope, visit_names};
+use super::names::Scope;
 
 /// Evaluates the constants in order and enters them into the scope.
 pub(super) fn evaluate(
@@ -35,10 +35,10 @@ pub(super) fn evaluate(
 }
 
 /// The value of an expression of numbers and constants; `Ok(None)` where a mistake in it was reported elsewhere.
-pub(super) fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagnostic> {
+fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagnostic> {
     let mut foreign: Option<(String, Span)> = None;
     let mut poisoned = false;
-    visit_names(expr, &mut |name, span| match scope.constants.get(name) {
+    expr.visit_names(&mut |name, span| match scope.constants.get(name) {
         Some(value) => poisoned |= value.is_none(),
         None if scope.is_poisoned(name) => poisoned = true,
         None => foreign = foreign.take().or(Some((name.to_owned(), span))),

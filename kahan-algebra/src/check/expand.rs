@@ -1,4 +1,5 @@
-//! An expression of an equation to a fraction p/q, p expanded in states and parameters, q free of states.
+//! An expression of an equation, or of a relation behind `when`, to a fraction p/q, p expanded in states and parameters,
+//! q free of states.
 //!
 //! What cancels, cancels: only the result counts, not what it passed through. Sizes are limited, so that no input hangs
 //! the compiler.
@@ -43,11 +44,17 @@ impl Expansion {
 
 /// Expands `expr`, whose names all mean something.
 pub(super) fn expand(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
-    Expander { scope, budget: Budget::new(MOST_TERMS, MOST_WORK) }.expand(expr)
+    Expander { scope, in_claim: false, budget: Budget::new(MOST_TERMS, MOST_WORK) }.expand(expr)
+}
+
+/// The same in a claim, where exponents may be negative.
+pub(super) fn expand_in_claim(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
+    Expander { scope, in_claim: true, budget: Budget::new(MOST_TERMS, MOST_WORK) }.expand(expr)
 }
 
 struct Expander<'a> {
     scope: &'a Scope,
+    in_claim: bool,
     budget: Budget,
 }
 
@@ -150,6 +157,11 @@ impl Expander<'_> {
 
     fn power(&mut self, base: &Expr, exponent: i64, span: Span) -> Result<Expansion, Diagnostic> {
         let wrong = |kind, message: String, help: &str| Err(Diagnostic::new(kind, span, message, help));
+        if exponent < 0 && self.in_claim {
+            let power =
+                Expr { kind: ExprKind::Power(Box::new(base.clone()), exponent.saturating_neg()), span };
+            return self.product(&[Factor { divides: true, expr: power }]);
+        }
         if exponent < 0 {
             return wrong(
                 Kind::Exponent,

@@ -6,7 +6,7 @@ use crate::diagnostics::{Diagnostics, Kind};
 use crate::poly::Variable;
 use crate::rational::Rational;
 use crate::symbols::Symbols;
-use crate::syntax::{Block, ClaimBody, Expr, ExprKind, Name};
+use crate::syntax::{Block, ClaimBody, Expr, Name};
 use crate::token::Span;
 
 use super::spelling::is_keyword;
@@ -137,7 +137,7 @@ impl Scope {
     fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
         let mut names = Vec::new();
         for value in block.equations.iter().filter_map(|equation| equation.value.as_ref()) {
-            visit_names(value, &mut |name, span| names.push((name.to_owned(), span)));
+            value.visit_names(&mut |name, span| names.push((name.to_owned(), span)));
         }
         for (text, span) in names {
             let known = self.is_state_name(&text)
@@ -203,7 +203,7 @@ impl Scope {
     /// Reports every name of `expr` that means nothing here; `true` if all mean something and none is poisoned.
     pub(super) fn resolve(&mut self, expr: &Expr, in_claim: bool, diagnostics: &mut Diagnostics) -> bool {
         let mut names = Vec::new();
-        visit_names(expr, &mut |name, span| names.push((name.to_owned(), span)));
+        expr.visit_names(&mut |name, span| names.push((name.to_owned(), span)));
         let mut sound = true;
         for (name, span) in names {
             self.used.insert(name.clone());
@@ -363,17 +363,6 @@ fn report_reserved(name: &Name, diagnostics: &mut Diagnostics) -> bool {
         return true;
     }
     reserved
-}
-
-/// Calls `visit` with every name of `expr` and its place, from left to right.
-pub(super) fn visit_names(expr: &Expr, visit: &mut dyn FnMut(&str, Span)) {
-    match &expr.kind {
-        ExprKind::Number(_) => {}
-        ExprKind::Name(name) => visit(name, expr.span),
-        ExprKind::Sum(terms) => terms.iter().for_each(|term| visit_names(&term.expr, visit)),
-        ExprKind::Product(factors) => factors.iter().for_each(|factor| visit_names(&factor.expr, visit)),
-        ExprKind::Negation(inner) | ExprKind::Power(inner, _) => visit_names(inner, visit),
-    }
 }
 
 /// The expressions of a claim's body.

@@ -260,16 +260,19 @@ fn leave_group(cursor: &mut Cursor<'_>) {
     }
 }
 
-/// Reads `when NAME = number, …` if it is there.
+/// Reads `when expr = expr, …` if it is there.
 fn conditions(cursor: &mut Cursor<'_>, conditions: &mut Vec<Condition>) -> Parsed<()> {
     if cursor.identifier(0) != Some("when") {
         return Ok(());
     }
     cursor.advance();
     loop {
-        let name = cursor.expect_name("a parameter or `eps`")?;
+        cursor.is_left_side = true;
+        let left = parse_expr(cursor);
+        cursor.is_left_side = false;
+        let left = left?;
         equals(cursor)?;
-        conditions.push(Condition { name, value: parse_expr(cursor)? });
+        conditions.push(Condition { left, right: parse_expr(cursor)? });
         if !cursor.take(',') {
             return Ok(());
         }

@@ -12,11 +12,13 @@ pub(super) struct Cursor<'a> {
     at: usize,
     /// Whether an item may follow an operand without `;`: behind the `when` of a bracket.
     pub(super) item_may_follow: bool,
+    /// Whether `=` ends the expression: on the left side of a relation behind `when`.
+    pub(super) is_left_side: bool,
 }
 
 impl<'a> Cursor<'a> {
     pub(super) fn new(tokens: &'a [Token]) -> Self {
-        Cursor { tokens, at: 0, item_may_follow: false }
+        Cursor { tokens, at: 0, item_may_follow: false, is_left_side: false }
     }
 
     pub(super) fn position(&self) -> usize {

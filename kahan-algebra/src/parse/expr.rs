@@ -285,6 +285,8 @@ fn after_operand(cursor: &Cursor<'_>, operand: Expr) -> Parsed<Expr> {
     match &token.kind {
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
         TokenKind::Unreadable { .. } => Ok(operand),
+        // What compares is reported where `=` is expected.
+        TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.is_left_side => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) && cursor.item_may_follow => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) => error(

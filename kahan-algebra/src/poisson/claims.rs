@@ -2,11 +2,10 @@
 
 use crate::plan::{Node, PlanBuilder};
 use crate::poly::{Budget, Variable};
-use crate::rational::Rational;
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use crate::syntax::{ClaimBody, ClaimKind, Entry, Name};
-use crate::system::{Claim, upper_index};
+use crate::system::{Claim, Condition, upper_index};
 use crate::token::Span;
 
 use super::expression::expression;
@@ -22,10 +21,10 @@ use super::{PoissonError, PoissonTensor};
 /// [`PoissonError::UndefinedClaim`] where the claim divides by zero identically (perhaps only at the values behind
 /// `when`), [`PoissonError::OverBudget`] where it is too large.
 pub fn claim_functions(claim: &Claim, budget: &mut Budget) -> Result<Vec<RationalFunction>, PoissonError> {
-    let fixed = |variable: Variable| claim.conditions.iter().find(|(known, _)| *known == variable);
+    let fixed = |variable: Variable| claim.conditions.iter().find(|known| known.variable == variable);
     let values = claim.plan.evaluate(&Reduced::new(budget), |variable| {
         Ok(match fixed(variable) {
-            Some((_, value)) => RationalFunction::constant(value.clone()),
+            Some(condition) => condition.value.clone(),
             None => RationalFunction::variable(variable),
         })
     });
@@ -43,7 +42,7 @@ impl PoissonTensor {
     /// row by row. `name` should be a name that nothing else in the system has; the system's reader checks it.
     /// The places of the names point nowhere in particular.
     #[must_use]
-    pub fn claim(&self, symbols: &Symbols, name: &str, conditions: Vec<(Variable, Rational)>) -> Claim {
+    pub fn claim(&self, symbols: &Symbols, name: &str, conditions: Vec<Condition>) -> Claim {
         let n = self.dimension();
         let mut places: Vec<(usize, usize)> = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect();
         if n == 3 {

@@ -18,11 +18,9 @@ pub use refute::Refutation;
 pub use sizes::{ERROR_EXPONENT, points_needed};
 
 use crate::diagnostics::{Diagnostics, Kind};
-use crate::poly::Variable;
 use crate::prime_field::SplitMix64;
-use crate::rational::Rational;
 use crate::render::condition_text;
-use crate::system::{Claim, System};
+use crate::system::{Claim, Condition, System};
 
 use sample::{Samples, Scheme};
 
@@ -52,14 +50,14 @@ pub fn prove_all(system: &System, seed: u64) -> Vec<Option<Verdict>> {
     let scheme = Scheme::of(&system.field);
     let mut random = SplitMix64::new(seed);
     // Claims on the same specialisation share their points.
-    let mut groups: Vec<(&[(Variable, Rational)], Samples)> = Vec::new();
+    let mut groups: Vec<(&[Condition], Samples)> = Vec::new();
     let mut verdicts = Vec::new();
     for claim in &system.claims {
         if claim.body.is_none() {
             verdicts.push(None);
             continue;
         }
-        let known = groups.iter().position(|(conditions, _)| *conditions == claim.conditions.as_slice());
+        let known = groups.iter().position(|(conditions, _)| are_equal(conditions, &claim.conditions));
         let group = known.unwrap_or_else(|| {
             groups.push((&claim.conditions, Samples::new(random.next_u64())));
             groups.len() - 1
@@ -67,6 +65,14 @@ pub fn prove_all(system: &System, seed: u64) -> Vec<Option<Verdict>> {
         verdicts.push(Some(modular::decide(&scheme, claim, &mut groups[group].1)));
     }
     verdicts
+}
+
+/// Whether two specialisations are the same.
+fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
+    let values = |conditions: &[Condition]| {
+        conditions.iter().map(|condition| (condition.variable, condition.value.clone())).collect::<Vec<_>>()
+    };
+    a.len() == b.len() && values(a) == values(b)
 }
 
 /// Reports the claims that do not hold.

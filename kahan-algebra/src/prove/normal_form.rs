@@ -6,10 +6,11 @@ use crate::kahan::RationalMap;
 use crate::plan::PlanBuilder;
 use crate::poly::{Budget, Polynomial, Variable};
 use crate::rational::Rational;
+use crate::relations::put_into;
 use crate::system::{Claim, System};
 
 use super::residual::pairs;
-use super::sample::{Sample, Scheme, rows, run};
+use super::sample::{Sample, Scheme, impose, rows, run};
 
 /// Terms of any intermediate result, and products of terms in all: about a second at worst, with long coefficients.
 const MOST_TERMS: usize = 20_000;
@@ -44,22 +45,21 @@ fn sample(
     let mut here: Vec<Function> = (0..scheme.variables)
         .map(|index| Function::polynomial(Polynomial::variable(variable(index))))
         .collect();
-    for (variable, value) in &claim.conditions {
-        here[usize::from(variable.0)] = functions.constant(value)?;
-    }
+    impose(&claim.conditions, functions, &mut here)?;
     let eps = usize::from(scheme.symbols.epsilon().0);
     let specialised = |polynomial: &Polynomial| {
-        let fixed = claim
-            .conditions
-            .iter()
-            .fold(polynomial.clone(), |p, (variable, value)| p.substitute(*variable, value));
-        Function::polynomial(fixed)
+        let values = claim.conditions.iter().map(|condition| (condition.variable, &condition.value));
+        let quotient = put_into(polynomial, values, &mut Budget::new(MOST_TERMS, MOST_WORK)).ok()??;
+        functions.divide(
+            &Function::polynomial(quotient.numerator().clone()),
+            &Function::polynomial(quotient.denominator().clone()),
+        )
     };
-    let denominator = specialised(&map.reduced.denominator);
+    let denominator = specialised(&map.reduced.denominator)?;
     let two_eps = functions.multiply(&functions.constant(&Rational::from(2))?, &here[eps]);
     let mut there = here.clone();
     for (value, increment) in there.iter_mut().zip(&map.reduced.increments) {
-        let quotient = functions.divide(&specialised(increment), &denominator)?;
+        let quotient = functions.divide(&specialised(increment)?, &denominator)?;
         *value = functions.add(value, &functions.multiply(&two_eps, &quotient));
     }
     let mut back = there.clone();

@@ -40,7 +40,7 @@ pub(super) fn refute(scheme: &Scheme, claim: &Claim) -> Refutation {
     for height in 1..=HIGHEST {
         for _ in 0..POINTS_PER_HEIGHT {
             let here = small_point(scheme, &claim.conditions, height, &mut random);
-            let Some(sample) = take_step(scheme, &Exact, here) else { continue };
+            let Some(sample) = here.and_then(|here| take_step(scheme, &Exact, here)) else { continue };
             if let Some(refutation) = at(claim, &sample, scheme.dimension()) {
                 return refutation;
             }

@@ -8,6 +8,7 @@ use crate::poly::Variable;
 use crate::prime_field::{PrimeField, SplitMix64};
 use crate::rational::Rational;
 use crate::symbols::Symbols;
+use crate::system::Condition;
 
 /// What a step needs, as plans: the numerators p of the field and the matrix Â.
 pub(super) struct Scheme {
@@ -103,7 +104,7 @@ impl Samples {
     pub(super) fn modular(
         &mut self,
         scheme: &Scheme,
-        conditions: &[(Variable, Rational)],
+        conditions: &[Condition],
         index: usize,
     ) -> Option<&(Modular, Sample<u64>)> {
         while self.modular.len() <= index {
@@ -111,9 +112,7 @@ impl Samples {
                 let arithmetic = Modular(PrimeField::random(&mut self.random));
                 let mut here: Vec<u64> =
                     (0..scheme.variables).map(|_| arithmetic.0.sample(&mut self.random)).collect();
-                for (variable, value) in conditions {
-                    here[usize::from(variable.0)] = arithmetic.constant(value)?;
-                }
+                impose(conditions, &arithmetic, &mut here)?;
                 Some((arithmetic, take_step(scheme, &arithmetic, here)?))
             })?;
             self.modular.push(sample);
@@ -125,12 +124,12 @@ impl Samples {
     pub(super) fn exact(
         &mut self,
         scheme: &Scheme,
-        conditions: &[(Variable, Rational)],
+        conditions: &[Condition],
         index: usize,
     ) -> Option<&Sample<Rational>> {
         while self.exact.len() <= index {
             let sample = (0..MOST_DRAWS).find_map(|_| {
-                take_step(scheme, &Exact, small_point(scheme, conditions, 3, &mut self.random))
+                take_step(scheme, &Exact, small_point(scheme, conditions, 3, &mut self.random)?)
             })?;
             self.exact.push(sample);
         }
@@ -138,13 +137,30 @@ impl Samples {
     }
 }
 
-/// A random point whose coordinates have height at most `height`; ε is positive, parameters are not zero.
+/// Gives the names that conditions are solved for their values at a point of all others; `None` where one has none.
+pub(super) fn impose<A: Arithmetic>(
+    conditions: &[Condition],
+    arithmetic: &A,
+    here: &mut [A::Value],
+) -> Option<()> {
+    for condition in conditions {
+        let mut builder = PlanBuilder::default();
+        let numerator = builder.polynomial(condition.value.numerator());
+        let denominator = builder.polynomial(condition.value.denominator());
+        let value = builder.divide(numerator, denominator);
+        here[usize::from(condition.variable.0)] = run(arithmetic, &builder.finish(&[value]), here)?.pop()?;
+    }
+    Some(())
+}
+
+/// A random point whose coordinates have height at most `height`, but for those that the conditions then have; ε is positive
+/// and parameters are not zero, unless conditions make them so. `None` where the conditions divide by zero, and at ε = 0.
 pub(super) fn small_point(
     scheme: &Scheme,
-    conditions: &[(Variable, Rational)],
+    conditions: &[Condition],
     height: u64,
     random: &mut SplitMix64,
-) -> Vec<Rational> {
+) -> Option<Vec<Rational>> {
     let states = scheme.dimension();
     let mut here: Vec<Rational> = (0..scheme.variables)
         .map(|index| {
@@ -154,8 +170,7 @@ pub(super) fn small_point(
             Rational::new(sign * numerator as i64, denominator as i64)
         })
         .collect();
-    for (variable, value) in conditions {
-        here[usize::from(variable.0)] = value.clone();
-    }
-    here
+    impose(conditions, &Exact, &mut here)?;
+    let eps = &here[usize::from(scheme.symbols.epsilon().0)];
+    (!eps.is_zero()).then_some(here)
 }

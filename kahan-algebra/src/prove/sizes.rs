@@ -18,7 +18,7 @@ use crate::arithmetic::{Arithmetic, Bounds, Size};
 use crate::system::Claim;
 
 use super::residual::pairs;
-use super::sample::{Sample, Scheme, rows, run};
+use super::sample::{Sample, Scheme, impose, rows, run};
 
 /// The error of a proof is below 2 to minus this.
 pub const ERROR_EXPONENT: u32 = 100;
@@ -52,9 +52,8 @@ pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
 fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<Size>> {
     let n = scheme.dimension();
     let mut here = vec![Size::variable(); scheme.variables];
-    for (variable, value) in &claim.conditions {
-        here[usize::from(variable.0)] = Size::constant(value);
-    }
+    // A name that a relation is solved for is a quotient of polynomials in the others, of their degrees.
+    impose(&claim.conditions, &Bounds, &mut here)?;
     let eps = here[usize::from(scheme.symbols.epsilon().0)];
     let matrix = rows(&run(&Bounds, &scheme.matrix, &here)?, n);
     let right = run(&Bounds, &scheme.numerators, &here)?;

@@ -1,7 +1,7 @@
 //! A system as a block of `kahan!`, in one canonical layout.
 
 use crate::field::Component;
-use crate::system::{Claim, System};
+use crate::system::{Claim, Condition, System};
 
 use super::claim::claim_text;
 use super::formula::Formulas;
@@ -15,12 +15,19 @@ fn used_parameters(system: &System) -> Vec<String> {
         let in_field = |c: &Component| c.numerator.contains(variable) || c.denominator.contains(variable);
         let in_claim = |claim: &Claim| {
             claim.plan.inputs().contains(&variable)
-                || claim.conditions.iter().any(|(fixed, _)| *fixed == variable)
+                || claim.conditions.iter().any(|condition| mentions(condition, &symbols.name(variable)))
         };
         system.field.components.iter().any(in_field) || system.claims.iter().any(in_claim)
     };
     let names = symbols.parameters.iter().enumerate();
     names.filter(|(k, _)| is_used(*k)).map(|(_, name)| name.clone()).collect()
+}
+
+/// Whether a name stands in a relation, or is what it was solved for.
+fn mentions(condition: &Condition, name: &str) -> bool {
+    let mut found = false;
+    condition.written.visit_names(&mut |text, _| found |= text == name);
+    found
 }
 
 /// The block: header, equations as expanded (constants folded in), claims as written.

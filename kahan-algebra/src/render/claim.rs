@@ -177,13 +177,37 @@ pub fn claim_statement(claim: &Claim, notation: Notation) -> Vec<(String, String
     }
 }
 
-/// `eps = 1, xi = -1`; empty for a claim without `when`.
+/// `eps = 1, c = -a - b`; empty for a claim without `when`.
 #[must_use]
 pub fn condition_text(system: &System, claim: &Claim) -> String {
+    condition_statement(system, claim, Notation::Text)
+}
+
+/// The relations behind `when`: a name that has a number with it, others as written; empty for a claim without `when`.
+#[must_use]
+pub fn condition_statement(system: &System, claim: &Claim, notation: Notation) -> String {
     let symbols = &system.field.symbols;
-    let parts =
-        claim.conditions.iter().map(|(variable, value)| format!("{} = {value}", symbols.name(*variable)));
+    let parts = claim.conditions.iter().map(|condition| {
+        let (left, right) = match condition.number() {
+            Some(number) => (notation.variable(symbols, condition.variable), notation.number(&number)),
+            None => {
+                let written = &condition.written;
+                (expr_text(&written.left, notation), expr_text(&written.right, notation))
+            }
+        };
+        format!("{left} = {right}")
+    });
     parts.collect::<Vec<_>>().join(", ")
+}
+
+/// What the relations of a claim were divided by to be solved, `a2 != 0`: not 0 where it is claimed. Empty where that is
+/// numbers alone.
+#[must_use]
+pub fn condition_note(system: &System, claim: &Claim) -> String {
+    let nonzero = claim.conditions.iter().flat_map(|condition| &condition.nonzero);
+    let texts =
+        nonzero.map(|factor| format!("{} != 0", Notation::Text.polynomial(&system.field.symbols, factor)));
+    texts.collect::<Vec<_>>().join(", ")
 }
 
 impl ClaimKind {

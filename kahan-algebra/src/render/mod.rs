@@ -11,7 +11,7 @@ mod report;
 
 pub use block::macro_block;
 pub use breaking::{PAGE_WIDTH, latex_box, latex_equation, latex_lines, latex_matrix, latex_width};
-pub use claim::{claim_statement, claim_text, condition_text};
+pub use claim::{claim_statement, claim_text, condition_note, condition_statement, condition_text};
 pub use formula::{Formulas, MatrixText};
 pub use lines::{folded, lines};
 pub use notation::Notation;

@@ -36,7 +36,7 @@ fn emit_method(
     quote! {
         impl #on_impl #this {
             #documentation
-            pub fn #name #on_method (&self, __state: &#vector, __half_step: #scalar) -> #result {
+            pub fn #name #on_method (&self, x: &#vector, eps: #scalar) -> #result {
                 #body
             }
         }
@@ -70,8 +70,8 @@ fn emit_integrals(context: &Context<'_>) -> TokenStream {
             fn integral_names(&self) -> &'static [&'static __kahan::core::primitive::str] {
                 &Self::INTEGRALS
             }
-            fn integrals(&self, __state: &#vector, __half_step: #scalar) -> #result {
-                Self::integrals(self, __state, __half_step)
+            fn integrals(&self, x: &#vector, eps: #scalar) -> #result {
+                Self::integrals(self, x, eps)
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Documentation of the generated items: the formulas themselves.
 
 use kahan_algebra::plan::LARGEST_SIZE;
-use kahan_algebra::render::{Formulas, Notation, claim_statement, claim_text};
+use kahan_algebra::render::{Formulas, Notation, claim_statement, claim_text, condition_note};
 use kahan_algebra::system::Claim;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -48,11 +48,18 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
         let of_lanes = "Ensembles, and scalars other than `f32` and `f64`, keep";
         lines.extend(general.into_iter().flat_map(|general| domain(of_lanes, general.holds_to)));
     }
-    let claims: Vec<String> = system.claims.iter().map(|claim| claim_text(system, claim)).collect();
+    let claims: Vec<String> = system.claims.iter().map(|claim| proved(context, claim)).collect();
     if !claims.is_empty() {
         push_block(&mut lines, "Proved while compiling:", &claims);
     }
     emit_lines(&lines)
+}
+
+/// A claim, with what is not 0 where it is made.
+fn proved(context: &Context<'_>, claim: &Claim) -> String {
+    let note = condition_note(context.system, claim);
+    let text = claim_text(context.system, claim);
+    if note.is_empty() { text } else { format!("{text}  // {note}") }
 }
 
 /// A paragraph on how far a step holds, if that is not as far as the planner looks.
@@ -87,10 +94,8 @@ fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
 
 /// The documentation of `integrals`.
 pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
-    let mut lines = vec![
-        " The integrals of motion of the map at `__state`; `__half_step` is ε, half the time step."
-            .to_owned(),
-    ];
+    let mut lines =
+        vec![" The integrals of motion of the map at `x`; `eps` is ε, half the time step.".to_owned()];
     let statements: Vec<String> = claims.iter().flat_map(|claim| statement(claim)).collect();
     push_block(&mut lines, "In order:", &statements);
     lines.push(String::new());
@@ -101,7 +106,8 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
 /// The documentation of `density`.
 pub(super) fn density(claim: &Claim) -> TokenStream {
     let mut lines = vec![
-        " The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `__half_step` is ε, half the time step.".to_owned(),
+        " The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `eps` is ε, half the time step."
+            .to_owned(),
     ];
     push_block(&mut lines, "Namely", &statement(claim));
     emit_lines(&lines)
@@ -110,7 +116,8 @@ pub(super) fn density(claim: &Claim) -> TokenStream {
 /// The documentation of `bracket_NAME`.
 pub(super) fn bracket(claim: &Claim) -> TokenStream {
     let mut lines = vec![
-        " An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `__half_step` is ε, half the time step.".to_owned(),
+        " An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `eps` is ε, half the time step."
+            .to_owned(),
     ];
     push_block(&mut lines, "Its entries, those not given being zero:", &statement(claim));
     emit_lines(&lines)

@@ -20,16 +20,16 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let (vector, matrix) = (context.vector(), context.matrix());
     quote! {
         impl<#scalar: __kahan::Scalar> __kahan::QuadraticField<#scalar, #dimension> for #this {
-            fn field(&self, __state: &#vector) -> #vector {
+            fn field(&self, x: &#vector) -> #vector {
                 #value
             }
-            fn field_jacobian(&self, __state: &#vector) -> #matrix {
+            fn field_jacobian(&self, x: &#vector) -> #matrix {
                 #slope
             }
-            fn bilinear(&self, __state: &#vector, __other: &#vector) -> #vector {
+            fn bilinear(&self, x: &#vector, y: &#vector) -> #vector {
                 #bilinear
             }
-            fn polarized(&self, __state: &#vector, __other: &#vector) -> #vector {
+            fn polarized(&self, x: &#vector, y: &#vector) -> #vector {
                 #polarized
             }
         }

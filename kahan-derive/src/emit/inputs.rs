@@ -13,18 +13,18 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
     match symbols.symbol(variable) {
         Symbol::State(i) => format_ident!("__s_{}", symbols.states[i]),
         Symbol::Parameter(k) => format_ident!("__p_{}", symbols.parameters[k]),
-        Symbol::Epsilon => format_ident!("__half_step"),
+        Symbol::Epsilon => format_ident!("eps"),
         Symbol::SecondState(i) => format_ident!("__o_{}", symbols.states[i]),
     }
 }
 
-/// Binds what a plan reads: `let [__s_x, _, __s_z] = __kahan::components(__state);`, the parameters from `self`; ε stands
-/// in `__half_step`, the second point in `__other`.
+/// Binds what a plan reads: `let [__s_x, _, __s_z] = __kahan::components(x);`, the parameters from `self`; ε stands
+/// in `eps`, the second point in `y`.
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     emit_inputs_as(plan, symbols, &TokenStream::new())
 }
 
-/// The same for a kernel, the states as values: `let [__s_x, _, __s_z] = __kahan::components(__state).clone();`.
+/// The same for a kernel, the states as values: `let [__s_x, _, __s_z] = __kahan::components(x).clone();`.
 ///
 /// All are read before anything is computed. Read where they are used first, they come in an order in which compilers that
 /// pack scalar code into vectors pair them badly, at the cost of a tenth of a large step.
@@ -46,10 +46,10 @@ fn emit_inputs_as(plan: &Plan, symbols: &Symbols, taken: &TokenStream) -> TokenS
     };
     let mut bindings = TokenStream::new();
     if let Some(states) = pattern(&Symbol::State) {
-        bindings.extend(quote! { let #states = __kahan::components(__state) #taken; });
+        bindings.extend(quote! { let #states = __kahan::components(x) #taken; });
     }
     if let Some(states) = pattern(&Symbol::SecondState) {
-        bindings.extend(quote! { let #states = __kahan::components(__other) #taken; });
+        bindings.extend(quote! { let #states = __kahan::components(y) #taken; });
     }
     for (k, parameter) in symbols.parameters.iter().enumerate() {
         let variable = symbols.parameter(k);

@@ -42,11 +42,11 @@ fn emit_prepared(context: &Context<'_>, prepare: &TokenStream) -> TokenStream {
     quote! {
         type Prepared = __Step<#scalar>;
         #[inline(always)]
-        fn prepare(&self, __half_step: &#scalar) -> __Step<#scalar> {
+        fn prepare(&self, eps: &#scalar) -> __Step<#scalar> {
             #prepare
         }
-        fn jacobian(&self, __state: &#vector, __half_step: #scalar) -> #matrix {
-            __kahan::jacobian_by_duals(self, __state, &__half_step)
+        fn jacobian(&self, x: &#vector, eps: #scalar) -> #matrix {
+            __kahan::jacobian_by_duals(self, x, &eps)
         }
     }
 }
@@ -58,14 +58,14 @@ fn emit_stable_step(context: &Context<'_>) -> TokenStream {
         #[inline(always)]
         fn try_prepared(
             &self,
-            __prepared: &Self::Prepared,
-            __state: &#vector,
-            __half_step: &#scalar,
+            prepared: &Self::Prepared,
+            x: &#vector,
+            eps: &#scalar,
         ) -> __kahan::core::result::Result<#vector, __kahan::SingularStep>
         where
             #scalar: __kahan::Pivot,
         {
-            __kahan::stable_step(self, __prepared, __state, __half_step)
+            __kahan::stable_step(self, prepared, x, eps)
         }
     }
 }
@@ -76,8 +76,8 @@ fn emit_elimination(context: &Context<'_>) -> TokenStream {
     quote! {
         type Prepared = __kahan::Elimination<Self, #scalar>;
         #[inline]
-        fn prepare(&self, __half_step: &#scalar) -> Self::Prepared {
-            __kahan::Elimination::new(self.clone(), __half_step.clone())
+        fn prepare(&self, eps: &#scalar) -> Self::Prepared {
+            __kahan::Elimination::new(self.clone(), eps.clone())
         }
     }
 }
@@ -86,22 +86,23 @@ fn emit_elimination(context: &Context<'_>) -> TokenStream {
 fn emit_lift(context: &Context<'_>) -> TokenStream {
     let (this, name, scalar, dimension) =
         (context.self_type(), &context.name, &context.scalar, &context.dimension);
+    let other = format_ident!("{}", if context.name == "U" { "V" } else { "U" });
     let (lifted, value) = if context.has_parameters() {
         let fields = context.system.field.symbols.parameters.iter().map(|parameter| {
             let field = identifier(parameter, Span::call_site());
-            quote!(#field: __lift(&self.#field))
+            quote!(#field: lift(&self.#field))
         });
-        (quote!(#name<__U>), quote!(#name { #(#fields),* }))
+        (quote!(#name<#other>), quote!(#name { #(#fields),* }))
     } else {
-        (quote!(#name), quote!(#name))
+        (quote!(#name), quote!(__kahan::Clone::clone(self)))
     };
     quote! {
         impl<#scalar: __kahan::Scalar> __kahan::Lift<#scalar, #dimension> for #this {
-            type Lifted<__U: __kahan::Scalar> = #lifted;
+            type Lifted<#other: __kahan::Scalar> = #lifted;
             #[inline(always)]
-            fn lift<__U: __kahan::Scalar>(
+            fn lift<#other: __kahan::Scalar>(
                 &self,
-                __lift: impl __kahan::core::ops::Fn(&#scalar) -> __U,
+                lift: impl __kahan::core::ops::Fn(&#scalar) -> #other,
             ) -> #lifted {
                 #value
             }
@@ -117,7 +118,7 @@ fn emit_closed_forms(context: &Context<'_>, map: &RationalMap) -> TokenStream {
     let reduced_map = reduced_map.map(|plan| emit_quotient(context, "reduced_map", &plan));
     let (scalar, vector) = (&context.scalar, context.vector());
     quote! {
-        fn det_matrix(&self, __state: &#vector, __half_step: #scalar) -> #scalar {
+        fn det_matrix(&self, x: &#vector, eps: #scalar) -> #scalar {
             #above
             #(#determinant)*
         }
@@ -132,7 +133,7 @@ fn emit_quotient(context: &Context<'_>, name: &str, plan: &Plan) -> TokenStream 
     let denominator = numerators.pop();
     let (scalar, vector, name) = (&context.scalar, context.vector(), format_ident!("{name}"));
     quote! {
-        fn #name(&self, __state: &#vector, __half_step: #scalar) -> (#vector, #scalar) {
+        fn #name(&self, x: &#vector, eps: #scalar) -> (#vector, #scalar) {
             #bindings
             (__kahan::vector([#(#numerators),*]), #denominator)
         }

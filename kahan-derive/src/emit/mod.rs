@@ -17,8 +17,10 @@
 //! and without one to `{ …the same with an anonymous type…; Field { mu: mu.clone() } }`. Mistakes become
 //! `compile_error!` beside all of that, so that code which uses the type stays quiet.
 //!
-//! Names: everything of ours is reached through `__kahan`, and every binding begins with `__` (a state `x` is `__s_x`, a
-//! parameter `mu` is `__p_mu`): a constant or a unit struct of the user's in scope would capture a pattern of its name.
+//! Names: everything of ours is reached through `__kahan`, and bindings begin with `__` (a state `x` is `__s_x`, a
+//! parameter `mu` is `__p_mu`): a constant or a unit struct of the user's in scope would capture a pattern of its name. Only
+//! arguments, which rustdoc shows, have names for reading; a function of each name stands before the user's, and a pattern
+//! may have the name of a function.
 
 mod claims;
 mod docs;
@@ -77,17 +79,22 @@ pub(crate) fn emit(core: &TokenStream, block: TokenStream, reading: &Reading, in
     quote! { { #errors #definition #implementations #value } }
 }
 
+/// The names of arguments.
+const ARGUMENTS: [&str; 5] = ["x", "y", "eps", "prepared", "lift"];
+
 fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStream {
     let names = items::emit_names(context);
     let field = field::emit_field(context);
     let map = map::emit_map(context);
     let claims = claims::emit_claims(context);
+    let shields = ARGUMENTS.iter().map(|name| format_ident!("{name}"));
     quote! {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
         #[allow(non_snake_case, non_upper_case_globals, unused, missing_docs)]
         const _: () = {
             use #core::__private as __kahan;
             use __kahan::Clone as _;
+            #(fn #shields() {})*
             #names
             #field
             #map

@@ -227,7 +227,7 @@ impl<'a> Emitter<'a> {
         if self.constants.is_none() {
             if self.plan.operations[b.0] == Operation::Input(self.symbols.epsilon()) {
                 let a = self.operand(a).grouped(Level::Atom);
-                return Expression::atom(quote!(#a.over_eps(__half_step)));
+                return Expression::atom(quote!(#a.over_eps(eps)));
             }
             return self.binary(a, b, Level::Product, |a, b| quote!(#a / #b));
         }

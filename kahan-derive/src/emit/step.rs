@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! pub struct __Step<T> { eps: Apart<T>, two_eps: Apart<T> }
-//! impl<T: Scalar> PreparedStep<T, 3> for __Step<T> { fn quotients(&self, __state) … }  // the kernel
+//! impl<T: Scalar> PreparedStep<T, 3> for __Step<T> { fn quotients(&self, x) … }  // the kernel
 //! impl<T: Scalar> WideStep<T, 3> for __Step<T> { fn widen … }                          // the same over lanes
 //! ```
 //!
@@ -22,7 +22,7 @@ use super::plan::{Emitted, emit_kernel, emit_plan};
 pub(super) struct EmittedStep {
     /// The type and what it implements.
     pub(super) items: TokenStream,
-    /// The body of `prepare(&self, __half_step: &T) -> __Step<T>`.
+    /// The body of `prepare(&self, eps: &T) -> __Step<T>`.
     pub(super) prepare: TokenStream,
 }
 
@@ -99,8 +99,8 @@ impl<'a> Kernel<'a> {
         });
         let divisor = self.is_inverse().then(|| {
             quote! {
-                let (__is_inverse, __divisor) = __kahan::divisor(__half_step);
-                let __half_step = &__divisor;
+                let (__is_inverse, __divisor) = __kahan::divisor(eps);
+                let eps = &__divisor;
             }
         });
         let held = self.general.map(|_| quote!(__general,));
@@ -158,7 +158,7 @@ impl<'a> Kernel<'a> {
                 #[inline(always)]
                 fn quotients(
                     &self,
-                    __state: &#vector,
+                    x: &#vector,
                 ) -> __kahan::Option<__kahan::Quotients<#scalar, #dimension>> {
                     #otherwise
                     #inputs
@@ -184,11 +184,11 @@ impl<'a> Kernel<'a> {
         });
         quote! {
             if !#scalar::HAS_INVERSE_STEPS || !(#scalar::CALLS_GENERAL_STEP || self.__is_inverse) {
-                return self.__general.quotients(__state);
+                return self.__general.quotients(x);
             }
             if !self.__is_inverse {
-                let __state = __kahan::vector(__kahan::components(__state).clone());
-                let [#(#increments),*] = __kahan::general_increment(&self.__general, __state);
+                let x = __kahan::vector(__kahan::components(x).clone());
+                let [#(#increments),*] = __kahan::general_increment(&self.__general, x);
                 return __kahan::Option::Some(__kahan::Quotients {
                     numerators: [#(#increments),*],
                     reciprocals: [#(#reciprocals),*],

@@ -35,6 +35,11 @@ fn scope() {
         const _: () = {
             use ::kahan_core::__private as __kahan;
             use __kahan::Clone as _;
+            fn x() {}
+            fn y() {}
+            fn eps() {}
+            fn prepared() {}
+            fn lift() {}
             impl<T> Field<T> {
                 /// The state variables, in order.
                 pub const VARIABLES: [&'static __kahan::core::primitive::str; 2] = [
@@ -59,11 +64,8 @@ fn scope() {
                 }
             }
             impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Field<T> {
-                fn field(
-                    &self,
-                    __state: &__kahan::SVector<T, 2>,
-                ) -> __kahan::SVector<T, 2> {
-                    let [__s_x, __s_y] = __kahan::components(__state);
+                fn field(&self, x: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
+                    let [__s_x, __s_y] = __kahan::components(x);
                     let __p_mu = &self.mu;
                     __kahan::vector([
                         __s_x.clone() * __s_y.clone() * __p_mu.clone(),
@@ -72,9 +74,9 @@ fn scope() {
                 }
                 fn field_jacobian(
                     &self,
-                    __state: &__kahan::SVector<T, 2>,
+                    x: &__kahan::SVector<T, 2>,
                 ) -> __kahan::SMatrix<T, 2, 2> {
-                    let [__s_x, __s_y] = __kahan::components(__state);
+                    let [__s_x, __s_y] = __kahan::components(x);
                     let __p_mu = &self.mu;
                     let __c_1 = __kahan::integer::<T>(1);
                     __kahan::matrix([
@@ -84,11 +86,11 @@ fn scope() {
                 }
                 fn bilinear(
                     &self,
-                    __state: &__kahan::SVector<T, 2>,
-                    __other: &__kahan::SVector<T, 2>,
+                    x: &__kahan::SVector<T, 2>,
+                    y: &__kahan::SVector<T, 2>,
                 ) -> __kahan::SVector<T, 2> {
-                    let [__s_x, __s_y] = __kahan::components(__state);
-                    let [__o_x, __o_y] = __kahan::components(__other);
+                    let [__s_x, __s_y] = __kahan::components(x);
+                    let [__o_x, __o_y] = __kahan::components(y);
                     let __p_mu = &self.mu;
                     __kahan::vector([
                         (__s_x.clone() * __o_y.clone() + __s_y.clone() * __o_x.clone())
@@ -98,11 +100,11 @@ fn scope() {
                 }
                 fn polarized(
                     &self,
-                    __state: &__kahan::SVector<T, 2>,
-                    __other: &__kahan::SVector<T, 2>,
+                    x: &__kahan::SVector<T, 2>,
+                    y: &__kahan::SVector<T, 2>,
                 ) -> __kahan::SVector<T, 2> {
-                    let [__s_x, __s_y] = __kahan::components(__state);
-                    let [__o_x, __o_y] = __kahan::components(__other);
+                    let [__s_x, __s_y] = __kahan::components(x);
+                    let [__o_x, __o_y] = __kahan::components(y);
                     let __p_mu = &self.mu;
                     let __c_1_2 = __kahan::ratio::<T>(1, 2);
                     __kahan::vector([
@@ -135,27 +137,25 @@ fn scope() {
                 #[inline(always)]
                 fn quotients(
                     &self,
-                    __state: &__kahan::SVector<T, 2>,
+                    x: &__kahan::SVector<T, 2>,
                 ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
                     if !T::HAS_INVERSE_STEPS
                         || !(T::CALLS_GENERAL_STEP || self.__is_inverse)
                     {
-                        return self.__general.quotients(__state);
+                        return self.__general.quotients(x);
                     }
                     if !self.__is_inverse {
-                        let __state = __kahan::vector(
-                            __kahan::components(__state).clone(),
-                        );
+                        let x = __kahan::vector(__kahan::components(x).clone());
                         let [__increment_1, __increment_2] = __kahan::general_increment(
                             &self.__general,
-                            __state,
+                            x,
                         );
                         return __kahan::Option::Some(__kahan::Quotients {
                             numerators: [__increment_1, __increment_2],
                             reciprocals: [__kahan::Option::None, __kahan::Option::None],
                         });
                     }
-                    let [__s_x, __s_y] = __kahan::components(__state).clone();
+                    let [__s_x, __s_y] = __kahan::components(x).clone();
                     let __sum_1 = self
                         .half_plus_half_over_eps
                         .0
@@ -200,9 +200,9 @@ fn scope() {
                 #[inline(always)]
                 fn quotients(
                     &self,
-                    __state: &__kahan::SVector<T, 2>,
+                    x: &__kahan::SVector<T, 2>,
                 ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-                    let [__s_x, __s_y] = __kahan::components(__state).clone();
+                    let [__s_x, __s_y] = __kahan::components(x).clone();
                     let __t_y_eps_mu_minus_one = __s_y
                         .clone()
                         .multiply_subtract(
@@ -253,37 +253,33 @@ fn scope() {
             impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Field<T> {
                 type Prepared = __Step<T>;
                 #[inline(always)]
-                fn prepare(&self, __half_step: &T) -> __Step<T> {
+                fn prepare(&self, eps: &T) -> __Step<T> {
                     let __general = {
                         let __p_mu = &self.mu;
                         __General {
-                            eps_mu: __kahan::Apart::new(
-                                __half_step.clone() * __p_mu.clone(),
-                            ),
-                            eps: __kahan::Apart::new(__half_step.clone()),
+                            eps_mu: __kahan::Apart::new(eps.clone() * __p_mu.clone()),
+                            eps: __kahan::Apart::new(eps.clone()),
                             eps_plus_one: __kahan::Apart::new(
-                                __half_step.clone() + __kahan::integer::<T>(1),
+                                eps.clone() + __kahan::integer::<T>(1),
                             ),
                         }
                     };
-                    let (__is_inverse, __divisor) = __kahan::divisor(__half_step);
-                    let __half_step = &__divisor;
+                    let (__is_inverse, __divisor) = __kahan::divisor(eps);
+                    let eps = &__divisor;
                     let __p_mu = &self.mu;
                     let __c_1_2 = __kahan::ratio::<T>(1, 2);
                     let __t_mu_half_eps = __p_mu.clone()
-                        * (__c_1_2.clone() * __half_step.clone());
+                        * (__c_1_2.clone() * eps.clone());
                     __Step {
                         mu_half_eps: __kahan::Apart::new(__t_mu_half_eps.clone()),
                         mu_half_eps_plus_half_mu: __kahan::Apart::new(
                             __t_mu_half_eps + __c_1_2.clone() * __p_mu.clone(),
                         ),
                         half_plus_half_over_eps: __kahan::Apart::new(
-                            __c_1_2.clone() + __c_1_2.over_eps(__half_step),
+                            __c_1_2.clone() + __c_1_2.over_eps(eps),
                         ),
-                        eps: __kahan::Apart::new(__half_step.clone()),
-                        eps_mu: __kahan::Apart::new(
-                            __half_step.clone() * __p_mu.clone(),
-                        ),
+                        eps: __kahan::Apart::new(eps.clone()),
+                        eps_mu: __kahan::Apart::new(eps.clone() * __p_mu.clone()),
                         mu: __kahan::Apart::new(__p_mu.clone()),
                         __general,
                         __is_inverse,
@@ -291,17 +287,17 @@ fn scope() {
                 }
                 fn jacobian(
                     &self,
-                    __state: &__kahan::SVector<T, 2>,
-                    __half_step: T,
+                    x: &__kahan::SVector<T, 2>,
+                    eps: T,
                 ) -> __kahan::SMatrix<T, 2, 2> {
-                    __kahan::jacobian_by_duals(self, __state, &__half_step)
+                    __kahan::jacobian_by_duals(self, x, &eps)
                 }
                 #[inline(always)]
                 fn try_prepared(
                     &self,
-                    __prepared: &Self::Prepared,
-                    __state: &__kahan::SVector<T, 2>,
-                    __half_step: &T,
+                    prepared: &Self::Prepared,
+                    x: &__kahan::SVector<T, 2>,
+                    eps: &T,
                 ) -> __kahan::core::result::Result<
                     __kahan::SVector<T, 2>,
                     __kahan::SingularStep,
@@ -309,60 +305,54 @@ fn scope() {
                 where
                     T: __kahan::Pivot,
                 {
-                    __kahan::stable_step(self, __prepared, __state, __half_step)
+                    __kahan::stable_step(self, prepared, x, eps)
                 }
-                fn det_matrix(
-                    &self,
-                    __state: &__kahan::SVector<T, 2>,
-                    __half_step: T,
-                ) -> T {
-                    let [__s_x, __s_y] = __kahan::components(__state);
+                fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
+                    let [__s_x, __s_y] = __kahan::components(x);
                     let __p_mu = &self.mu;
                     let __c_1 = __kahan::integer::<T>(1);
                     __c_1.clone()
-                        - __half_step.clone()
+                        - eps.clone()
                             * ((__s_y.clone()
-                                + (__s_x.clone() + __s_y.clone()) * __half_step.clone())
+                                + (__s_x.clone() + __s_y.clone()) * eps.clone())
                                 * __p_mu.clone() - __c_1)
                 }
                 fn rational_map(
                     &self,
-                    __state: &__kahan::SVector<T, 2>,
-                    __half_step: T,
+                    x: &__kahan::SVector<T, 2>,
+                    eps: T,
                 ) -> (__kahan::SVector<T, 2>, T) {
-                    let [__s_x, __s_y] = __kahan::components(__state);
+                    let [__s_x, __s_y] = __kahan::components(x);
                     let __p_mu = &self.mu;
                     let __c_1 = __kahan::integer::<T>(1);
                     let __sum_1 = __c_1.clone()
-                        + (__s_y.clone()
-                            + (__s_x.clone() - __s_y.clone()) * __half_step.clone())
+                        + (__s_y.clone() + (__s_x.clone() - __s_y.clone()) * eps.clone())
                             * __p_mu.clone();
                     (
                         __kahan::vector([
                             __s_x.clone()
-                                * (__c_1.clone() + __half_step.clone() * __sum_1.clone()),
+                                * (__c_1.clone() + eps.clone() * __sum_1.clone()),
                             __s_y.clone()
-                                - __half_step.clone()
+                                - eps.clone()
                                     * (__s_y.clone() * __sum_1
                                         - __s_x.clone() * __kahan::integer::<T>(2)),
                         ]),
                         __c_1.clone()
-                            - __half_step.clone()
+                            - eps.clone()
                                 * (__p_mu.clone()
                                     * (__s_y.clone()
-                                        + __half_step.clone() * (__s_x.clone() + __s_y.clone()))
-                                    - __c_1),
+                                        + eps.clone() * (__s_x.clone() + __s_y.clone())) - __c_1),
                     )
                 }
             }
             impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Field<T> {
-                type Lifted<__U: __kahan::Scalar> = Field<__U>;
+                type Lifted<U: __kahan::Scalar> = Field<U>;
                 #[inline(always)]
-                fn lift<__U: __kahan::Scalar>(
+                fn lift<U: __kahan::Scalar>(
                     &self,
-                    __lift: impl __kahan::core::ops::Fn(&T) -> __U,
-                ) -> Field<__U> {
-                    Field { mu: __lift(&self.mu) }
+                    lift: impl __kahan::core::ops::Fn(&T) -> U,
+                ) -> Field<U> {
+                    Field { mu: lift(&self.mu) }
                 }
             }
         };

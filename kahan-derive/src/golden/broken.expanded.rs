@@ -45,6 +45,11 @@ pub struct Broken<T> {
 const _: () = {
     use ::kahan_core::__private as __kahan;
     use __kahan::Clone as _;
+    fn x() {}
+    fn y() {}
+    fn eps() {}
+    fn prepared() {}
+    fn lift() {}
     impl<T> Broken<T> {
         /// The state variables, in order.
         pub const VARIABLES: [&'static __kahan::core::primitive::str; 2] = ["x", "y"];
@@ -60,29 +65,29 @@ const _: () = {
         }
     }
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Broken<T> {
-        fn field(&self, __state: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
+        fn field(&self, x: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
             let __c_0 = __kahan::integer::<T>(0);
             __kahan::vector([__c_0.clone(), __c_0])
         }
         fn field_jacobian(
             &self,
-            __state: &__kahan::SVector<T, 2>,
+            x: &__kahan::SVector<T, 2>,
         ) -> __kahan::SMatrix<T, 2, 2> {
             let __c_0 = __kahan::integer::<T>(0);
             __kahan::matrix([[__c_0.clone(), __c_0.clone()], [__c_0.clone(), __c_0]])
         }
         fn bilinear(
             &self,
-            __state: &__kahan::SVector<T, 2>,
-            __other: &__kahan::SVector<T, 2>,
+            x: &__kahan::SVector<T, 2>,
+            y: &__kahan::SVector<T, 2>,
         ) -> __kahan::SVector<T, 2> {
             let __c_0 = __kahan::integer::<T>(0);
             __kahan::vector([__c_0.clone(), __c_0])
         }
         fn polarized(
             &self,
-            __state: &__kahan::SVector<T, 2>,
-            __other: &__kahan::SVector<T, 2>,
+            x: &__kahan::SVector<T, 2>,
+            y: &__kahan::SVector<T, 2>,
         ) -> __kahan::SVector<T, 2> {
             let __c_0 = __kahan::integer::<T>(0);
             __kahan::vector([__c_0.clone(), __c_0])
@@ -101,7 +106,7 @@ const _: () = {
         #[inline(always)]
         fn quotients(
             &self,
-            __state: &__kahan::SVector<T, 2>,
+            x: &__kahan::SVector<T, 2>,
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
             let __c_0 = __kahan::integer::<T>(0);
             __kahan::Option::Some(__kahan::Quotients {
@@ -126,50 +131,50 @@ const _: () = {
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Broken<T> {
         type Prepared = __Step<T>;
         #[inline(always)]
-        fn prepare(&self, __half_step: &T) -> __Step<T> {
+        fn prepare(&self, eps: &T) -> __Step<T> {
             __Step {
                 __scalar: __kahan::core::marker::PhantomData,
             }
         }
         fn jacobian(
             &self,
-            __state: &__kahan::SVector<T, 2>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 2>,
+            eps: T,
         ) -> __kahan::SMatrix<T, 2, 2> {
-            __kahan::jacobian_by_duals(self, __state, &__half_step)
+            __kahan::jacobian_by_duals(self, x, &eps)
         }
         #[inline(always)]
         fn try_prepared(
             &self,
-            __prepared: &Self::Prepared,
-            __state: &__kahan::SVector<T, 2>,
-            __half_step: &T,
+            prepared: &Self::Prepared,
+            x: &__kahan::SVector<T, 2>,
+            eps: &T,
         ) -> __kahan::core::result::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
         where
             T: __kahan::Pivot,
         {
-            __kahan::stable_step(self, __prepared, __state, __half_step)
+            __kahan::stable_step(self, prepared, x, eps)
         }
-        fn det_matrix(&self, __state: &__kahan::SVector<T, 2>, __half_step: T) -> T {
+        fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
             __kahan::integer::<T>(1)
         }
         fn rational_map(
             &self,
-            __state: &__kahan::SVector<T, 2>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 2>,
+            eps: T,
         ) -> (__kahan::SVector<T, 2>, T) {
-            let [__s_x, __s_y] = __kahan::components(__state);
+            let [__s_x, __s_y] = __kahan::components(x);
             (__kahan::vector([__s_x.clone(), __s_y.clone()]), __kahan::integer::<T>(1))
         }
     }
     impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Broken<T> {
-        type Lifted<__U: __kahan::Scalar> = Broken<__U>;
+        type Lifted<U: __kahan::Scalar> = Broken<U>;
         #[inline(always)]
-        fn lift<__U: __kahan::Scalar>(
+        fn lift<U: __kahan::Scalar>(
             &self,
-            __lift: impl __kahan::core::ops::Fn(&T) -> __U,
-        ) -> Broken<__U> {
-            Broken { mu: __lift(&self.mu) }
+            lift: impl __kahan::core::ops::Fn(&T) -> U,
+        ) -> Broken<U> {
+            Broken { mu: lift(&self.mu) }
         }
     }
     impl<T> Broken<T> {
@@ -177,7 +182,7 @@ const _: () = {
         pub const INTEGRALS: [&'static __kahan::core::primitive::str; 1] = ["H"];
     }
     impl<T: __kahan::Scalar> Broken<T> {
-        /// The integrals of motion of the map at `__state`; `__half_step` is ε, half the time step.
+        /// The integrals of motion of the map at `x`; `eps` is ε, half the time step.
         ///
         /// In order:
         ///
@@ -188,10 +193,10 @@ const _: () = {
         /// Where a divisor is zero, floats are not finite and exact scalars panic.
         pub fn integrals(
             &self,
-            __state: &__kahan::SVector<T, 2>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 2>,
+            eps: T,
         ) -> __kahan::SVector<T, 1> {
-            let [__s_x, _] = __kahan::components(__state);
+            let [__s_x, _] = __kahan::components(x);
             __kahan::vector([__s_x.clone()])
         }
     }
@@ -201,10 +206,10 @@ const _: () = {
         }
         fn integrals(
             &self,
-            __state: &__kahan::SVector<T, 2>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 2>,
+            eps: T,
         ) -> __kahan::SVector<T, 1> {
-            Self::integrals(self, __state, __half_step)
+            Self::integrals(self, x, eps)
         }
     }
 };

@@ -28,6 +28,11 @@ pub struct Dense<T> {
 const _: () = {
     use ::kahan_core::__private as __kahan;
     use __kahan::Clone as _;
+    fn x() {}
+    fn y() {}
+    fn eps() {}
+    fn prepared() {}
+    fn lift() {}
     impl<T> Dense<T> {
         /// The state variables, in order.
         pub const VARIABLES: [&'static __kahan::core::primitive::str; 6] = [
@@ -54,10 +59,8 @@ const _: () = {
         }
     }
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 6> for Dense<T> {
-        fn field(&self, __state: &__kahan::SVector<T, 6>) -> __kahan::SVector<T, 6> {
-            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(
-                __state,
-            );
+        fn field(&self, x: &__kahan::SVector<T, 6>) -> __kahan::SVector<T, 6> {
+            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(x);
             let __p_a = &self.a;
             let __p_b = &self.b;
             let __p_c = &self.c;
@@ -349,11 +352,9 @@ const _: () = {
         }
         fn field_jacobian(
             &self,
-            __state: &__kahan::SVector<T, 6>,
+            x: &__kahan::SVector<T, 6>,
         ) -> __kahan::SMatrix<T, 6, 6> {
-            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(
-                __state,
-            );
+            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(x);
             let __p_a = &self.a;
             let __p_b = &self.b;
             let __p_c = &self.c;
@@ -740,15 +741,11 @@ const _: () = {
         }
         fn bilinear(
             &self,
-            __state: &__kahan::SVector<T, 6>,
-            __other: &__kahan::SVector<T, 6>,
+            x: &__kahan::SVector<T, 6>,
+            y: &__kahan::SVector<T, 6>,
         ) -> __kahan::SVector<T, 6> {
-            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(
-                __state,
-            );
-            let [__o_x, __o_y, __o_z, __o_u, __o_v, __o_w] = __kahan::components(
-                __other,
-            );
+            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(x);
+            let [__o_x, __o_y, __o_z, __o_u, __o_v, __o_w] = __kahan::components(y);
             let __p_a = &self.a;
             let __p_b = &self.b;
             let __p_c = &self.c;
@@ -1108,15 +1105,11 @@ const _: () = {
         }
         fn polarized(
             &self,
-            __state: &__kahan::SVector<T, 6>,
-            __other: &__kahan::SVector<T, 6>,
+            x: &__kahan::SVector<T, 6>,
+            y: &__kahan::SVector<T, 6>,
         ) -> __kahan::SVector<T, 6> {
-            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(
-                __state,
-            );
-            let [__o_x, __o_y, __o_z, __o_u, __o_v, __o_w] = __kahan::components(
-                __other,
-            );
+            let [__s_x, __s_y, __s_z, __s_u, __s_v, __s_w] = __kahan::components(x);
+            let [__o_x, __o_y, __o_z, __o_u, __o_v, __o_w] = __kahan::components(y);
             let __p_a = &self.a;
             let __p_b = &self.b;
             let __p_c = &self.c;
@@ -1555,33 +1548,33 @@ const _: () = {
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 6> for Dense<T> {
         type Prepared = __kahan::Elimination<Self, T>;
         #[inline]
-        fn prepare(&self, __half_step: &T) -> Self::Prepared {
-            __kahan::Elimination::new(self.clone(), __half_step.clone())
+        fn prepare(&self, eps: &T) -> Self::Prepared {
+            __kahan::Elimination::new(self.clone(), eps.clone())
         }
         #[inline(always)]
         fn try_prepared(
             &self,
-            __prepared: &Self::Prepared,
-            __state: &__kahan::SVector<T, 6>,
-            __half_step: &T,
+            prepared: &Self::Prepared,
+            x: &__kahan::SVector<T, 6>,
+            eps: &T,
         ) -> __kahan::core::result::Result<__kahan::SVector<T, 6>, __kahan::SingularStep>
         where
             T: __kahan::Pivot,
         {
-            __kahan::stable_step(self, __prepared, __state, __half_step)
+            __kahan::stable_step(self, prepared, x, eps)
         }
     }
     impl<T: __kahan::Scalar> __kahan::Lift<T, 6> for Dense<T> {
-        type Lifted<__U: __kahan::Scalar> = Dense<__U>;
+        type Lifted<U: __kahan::Scalar> = Dense<U>;
         #[inline(always)]
-        fn lift<__U: __kahan::Scalar>(
+        fn lift<U: __kahan::Scalar>(
             &self,
-            __lift: impl __kahan::core::ops::Fn(&T) -> __U,
-        ) -> Dense<__U> {
+            lift: impl __kahan::core::ops::Fn(&T) -> U,
+        ) -> Dense<U> {
             Dense {
-                a: __lift(&self.a),
-                b: __lift(&self.b),
-                c: __lift(&self.c),
+                a: lift(&self.a),
+                b: lift(&self.b),
+                c: lift(&self.c),
             }
         }
     }

@@ -45,6 +45,11 @@ pub struct E3;
 const _: () = {
     use ::kahan_core::__private as __kahan;
     use __kahan::Clone as _;
+    fn x() {}
+    fn y() {}
+    fn eps() {}
+    fn prepared() {}
+    fn lift() {}
     impl E3 {
         /// The state variables, in order.
         pub const VARIABLES: [&'static __kahan::core::primitive::str; 3] = [
@@ -64,8 +69,8 @@ const _: () = {
         }
     }
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 3> for E3 {
-        fn field(&self, __state: &__kahan::SVector<T, 3>) -> __kahan::SVector<T, 3> {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+        fn field(&self, x: &__kahan::SVector<T, 3>) -> __kahan::SVector<T, 3> {
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
             __kahan::vector([
                 -(__s_x.clone() * __s_z.clone()),
                 -(__s_z.clone() * __s_y.clone()),
@@ -74,9 +79,9 @@ const _: () = {
         }
         fn field_jacobian(
             &self,
-            __state: &__kahan::SVector<T, 3>,
+            x: &__kahan::SVector<T, 3>,
         ) -> __kahan::SMatrix<T, 3, 3> {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
             let __t_minus_z = -__s_z.clone();
             let __c_0 = __kahan::integer::<T>(0);
             let __c_2 = __kahan::integer::<T>(2);
@@ -88,11 +93,11 @@ const _: () = {
         }
         fn bilinear(
             &self,
-            __state: &__kahan::SVector<T, 3>,
-            __other: &__kahan::SVector<T, 3>,
+            x: &__kahan::SVector<T, 3>,
+            y: &__kahan::SVector<T, 3>,
         ) -> __kahan::SVector<T, 3> {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
-            let [__o_x, __o_y, __o_z] = __kahan::components(__other);
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
+            let [__o_x, __o_y, __o_z] = __kahan::components(y);
             let __c_1_2 = __kahan::ratio::<T>(1, 2);
             __kahan::vector([
                 -((__s_x.clone() * __o_z.clone() + __s_z.clone() * __o_x.clone())
@@ -104,11 +109,11 @@ const _: () = {
         }
         fn polarized(
             &self,
-            __state: &__kahan::SVector<T, 3>,
-            __other: &__kahan::SVector<T, 3>,
+            x: &__kahan::SVector<T, 3>,
+            y: &__kahan::SVector<T, 3>,
         ) -> __kahan::SVector<T, 3> {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
-            let [__o_x, __o_y, __o_z] = __kahan::components(__other);
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
+            let [__o_x, __o_y, __o_z] = __kahan::components(y);
             let __c_1_2 = __kahan::ratio::<T>(1, 2);
             __kahan::vector([
                 -((__s_x.clone() * __o_z.clone() + __s_z.clone() * __o_x.clone())
@@ -136,16 +141,16 @@ const _: () = {
         #[inline(always)]
         fn quotients(
             &self,
-            __state: &__kahan::SVector<T, 3>,
+            x: &__kahan::SVector<T, 3>,
         ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
             if !T::HAS_INVERSE_STEPS || !(T::CALLS_GENERAL_STEP || self.__is_inverse) {
-                return self.__general.quotients(__state);
+                return self.__general.quotients(x);
             }
             if !self.__is_inverse {
-                let __state = __kahan::vector(__kahan::components(__state).clone());
+                let x = __kahan::vector(__kahan::components(x).clone());
                 let [__increment_1, __increment_2, __increment_3] = __kahan::general_increment(
                     &self.__general,
-                    __state,
+                    x,
                 );
                 return __kahan::Option::Some(__kahan::Quotients {
                     numerators: [__increment_1, __increment_2, __increment_3],
@@ -156,7 +161,7 @@ const _: () = {
                     ],
                 });
             }
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state).clone();
+            let [__s_x, __s_y, __s_z] = __kahan::components(x).clone();
             let __t_x_squared_plus_y_squared = (__s_x.clone() * __s_x.clone()
                 + __s_y.clone() * __s_y.clone())
                 .alone();
@@ -202,9 +207,9 @@ const _: () = {
         #[inline(always)]
         fn quotients(
             &self,
-            __state: &__kahan::SVector<T, 3>,
+            x: &__kahan::SVector<T, 3>,
         ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state).clone();
+            let [__s_x, __s_y, __s_z] = __kahan::components(x).clone();
             let __t_eps_z = (self.eps.0.clone() * __s_z.clone()).alone();
             let __t_eps_x = (self.eps.0.clone() * __s_x.clone()).alone();
             let __t_eps_y = (self.eps.0.clone() * __s_y.clone()).alone();
@@ -253,23 +258,21 @@ const _: () = {
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 3> for E3 {
         type Prepared = __Step<T>;
         #[inline(always)]
-        fn prepare(&self, __half_step: &T) -> __Step<T> {
+        fn prepare(&self, eps: &T) -> __Step<T> {
             let __general = {
                 __General {
-                    eps: __kahan::Apart::new(__half_step.clone()),
-                    two_eps: __kahan::Apart::new(
-                        __half_step.clone() * __kahan::integer::<T>(2),
-                    ),
+                    eps: __kahan::Apart::new(eps.clone()),
+                    two_eps: __kahan::Apart::new(eps.clone() * __kahan::integer::<T>(2)),
                 }
             };
-            let (__is_inverse, __divisor) = __kahan::divisor(__half_step);
-            let __half_step = &__divisor;
+            let (__is_inverse, __divisor) = __kahan::divisor(eps);
+            let eps = &__divisor;
             __Step {
                 one_over_eps: __kahan::Apart::new(
-                    __kahan::integer::<T>(1).over_eps(__half_step),
+                    __kahan::integer::<T>(1).over_eps(eps),
                 ),
                 half_over_eps: __kahan::Apart::new(
-                    __kahan::ratio::<T>(1, 2).over_eps(__half_step),
+                    __kahan::ratio::<T>(1, 2).over_eps(eps),
                 ),
                 __general,
                 __is_inverse,
@@ -277,46 +280,46 @@ const _: () = {
         }
         fn jacobian(
             &self,
-            __state: &__kahan::SVector<T, 3>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 3>,
+            eps: T,
         ) -> __kahan::SMatrix<T, 3, 3> {
-            __kahan::jacobian_by_duals(self, __state, &__half_step)
+            __kahan::jacobian_by_duals(self, x, &eps)
         }
         #[inline(always)]
         fn try_prepared(
             &self,
-            __prepared: &Self::Prepared,
-            __state: &__kahan::SVector<T, 3>,
-            __half_step: &T,
+            prepared: &Self::Prepared,
+            x: &__kahan::SVector<T, 3>,
+            eps: &T,
         ) -> __kahan::core::result::Result<__kahan::SVector<T, 3>, __kahan::SingularStep>
         where
             T: __kahan::Pivot,
         {
-            __kahan::stable_step(self, __prepared, __state, __half_step)
+            __kahan::stable_step(self, prepared, x, eps)
         }
-        fn det_matrix(&self, __state: &__kahan::SVector<T, 3>, __half_step: T) -> T {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+        fn det_matrix(&self, x: &__kahan::SVector<T, 3>, eps: T) -> T {
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
             let __c_2 = __kahan::integer::<T>(2);
             let __product_1 = (__s_x.clone() * __s_x.clone()
                 + __s_y.clone() * __s_y.clone()) * __c_2.clone();
             __kahan::integer::<T>(1)
-                + __half_step.clone()
+                + eps.clone()
                     * (__c_2 * __s_z.clone()
-                        + __half_step.clone()
+                        + eps.clone()
                             * (__product_1.clone()
                                 + __s_z.clone()
-                                    * (__s_z.clone() + __product_1 * __half_step.clone())))
+                                    * (__s_z.clone() + __product_1 * eps.clone())))
         }
         fn rational_map(
             &self,
-            __state: &__kahan::SVector<T, 3>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 3>,
+            eps: T,
         ) -> (__kahan::SVector<T, 3>, T) {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
             let __c_1 = __kahan::integer::<T>(1);
             let __t_z_squared = __s_z.clone() * __s_z.clone();
             let __sum_1 = __c_1.clone()
-                - __half_step.clone() * (__t_z_squared.clone() * __half_step.clone());
+                - eps.clone() * (__t_z_squared.clone() * eps.clone());
             let __c_2 = __kahan::integer::<T>(2);
             let __t_x_squared = __s_x.clone() * __s_x.clone();
             let __t_y_squared = __s_y.clone() * __s_y.clone();
@@ -328,32 +331,31 @@ const _: () = {
                     __sum_1.clone() * __s_x.clone(),
                     __sum_1 * __s_y.clone(),
                     __s_z.clone()
-                        + __half_step.clone()
+                        + eps.clone()
                             * (__product_1.clone()
                                 + __s_z.clone()
                                     * (__t_two_z.clone()
-                                        + __half_step.clone()
+                                        + eps.clone()
                                             * (__c_2.clone() * __t_x_squared + __c_2 * __t_y_squared
                                                 + __t_z_squared))),
                 ]),
                 __c_1
-                    + __half_step.clone()
+                    + eps.clone()
                         * (__t_two_z
-                            + __half_step.clone()
+                            + eps.clone()
                                 * (__product_1.clone()
                                     + __s_z.clone()
-                                        * (__s_z.clone() + __half_step.clone() * __product_1))),
+                                        * (__s_z.clone() + eps.clone() * __product_1))),
             )
         }
         fn reduced_map(
             &self,
-            __state: &__kahan::SVector<T, 3>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 3>,
+            eps: T,
         ) -> (__kahan::SVector<T, 3>, T) {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
             let __c_1 = __kahan::integer::<T>(1);
-            let __t_one_minus_z_eps = __c_1.clone()
-                - __s_z.clone() * __half_step.clone();
+            let __t_one_minus_z_eps = __c_1.clone() - __s_z.clone() * eps.clone();
             let __c_2 = __kahan::integer::<T>(2);
             let __t_x_squared = __s_x.clone() * __s_x.clone();
             let __t_y_squared = __s_y.clone() * __s_y.clone();
@@ -362,27 +364,26 @@ const _: () = {
                     __t_one_minus_z_eps.clone() * __s_x.clone(),
                     __t_one_minus_z_eps * __s_y.clone(),
                     __s_z.clone()
-                        + __half_step.clone()
+                        + eps.clone()
                             * (__c_2.clone() * __t_x_squared.clone()
                                 + __c_2.clone() * __t_y_squared.clone()
                                 + __s_z.clone() * __s_z.clone()),
                 ]),
                 __c_1
-                    + __half_step.clone()
+                    + eps.clone()
                         * (__s_z.clone()
-                            + __half_step.clone()
-                                * (__c_2 * (__t_x_squared + __t_y_squared))),
+                            + eps.clone() * (__c_2 * (__t_x_squared + __t_y_squared))),
             )
         }
     }
     impl<T: __kahan::Scalar> __kahan::Lift<T, 3> for E3 {
-        type Lifted<__U: __kahan::Scalar> = E3;
+        type Lifted<U: __kahan::Scalar> = E3;
         #[inline(always)]
-        fn lift<__U: __kahan::Scalar>(
+        fn lift<U: __kahan::Scalar>(
             &self,
-            __lift: impl __kahan::core::ops::Fn(&T) -> __U,
+            lift: impl __kahan::core::ops::Fn(&T) -> U,
         ) -> E3 {
-            E3
+            __kahan::Clone::clone(self)
         }
     }
     impl E3 {
@@ -390,7 +391,7 @@ const _: () = {
         pub const INTEGRALS: [&'static __kahan::core::primitive::str; 2] = ["H", "K"];
     }
     impl E3 {
-        /// The integrals of motion of the map at `__state`; `__half_step` is ε, half the time step.
+        /// The integrals of motion of the map at `x`; `eps` is ε, half the time step.
         ///
         /// In order:
         ///
@@ -402,10 +403,10 @@ const _: () = {
         /// Where a divisor is zero, floats are not finite and exact scalars panic.
         pub fn integrals<T: __kahan::Scalar>(
             &self,
-            __state: &__kahan::SVector<T, 3>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 3>,
+            eps: T,
         ) -> __kahan::SVector<T, 2> {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
             let __t_x_squared_plus_y_squared = __s_x.clone() * __s_x.clone()
                 + __s_y.clone() * __s_y.clone();
             __kahan::vector([
@@ -414,8 +415,7 @@ const _: () = {
                     * (__t_x_squared_plus_y_squared.clone()
                         + __s_z.clone() * __s_z.clone())
                     / (__kahan::integer::<T>(1)
-                        + __t_x_squared_plus_y_squared
-                            * (__half_step.clone() * __half_step.clone())),
+                        + __t_x_squared_plus_y_squared * (eps.clone() * eps.clone())),
             ])
         }
     }
@@ -425,14 +425,14 @@ const _: () = {
         }
         fn integrals(
             &self,
-            __state: &__kahan::SVector<T, 3>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 3>,
+            eps: T,
         ) -> __kahan::SVector<T, 2> {
-            Self::integrals(self, __state, __half_step)
+            Self::integrals(self, x, eps)
         }
     }
     impl E3 {
-        /// The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `__half_step` is ε, half the time step.
+        /// The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `eps` is ε, half the time step.
         ///
         /// Namely
         ///
@@ -441,17 +441,17 @@ const _: () = {
         /// ```
         pub fn density<T: __kahan::Scalar>(
             &self,
-            __state: &__kahan::SVector<T, 3>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 3>,
+            eps: T,
         ) -> T {
-            let [__s_x, __s_y, __s_z] = __kahan::components(__state);
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
             __kahan::integer::<T>(2)
                 / ((__s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone()
                     + __s_z.clone() * __s_z.clone()) * (__s_y.clone() * __s_x.clone()))
         }
     }
     impl E3 {
-        /// An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `__half_step` is ε, half the time step.
+        /// An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `eps` is ε, half the time step.
         ///
         /// Its entries, those not given being zero:
         ///
@@ -461,13 +461,13 @@ const _: () = {
         /// ```
         pub fn bracket_P<T: __kahan::Scalar>(
             &self,
-            __state: &__kahan::SVector<T, 3>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 3>,
+            eps: T,
         ) -> __kahan::SMatrix<T, 3, 3> {
-            let [__s_x, __s_y, _] = __kahan::components(__state);
+            let [__s_x, __s_y, _] = __kahan::components(x);
             let __sum_1 = __kahan::integer::<T>(1)
                 + (__s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone())
-                    * (__half_step.clone() * __half_step.clone());
+                    * (eps.clone() * eps.clone());
             let __p_0_1 = __kahan::integer::<T>(0);
             let __p_0_2 = __s_x.clone() * __sum_1.clone();
             let __p_1_2 = __s_y.clone() * __sum_1;

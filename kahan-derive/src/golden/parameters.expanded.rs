@@ -35,6 +35,11 @@ pub(crate) struct Pendulum<T> {
 const _: () = {
     use ::kahan_core::__private as __kahan;
     use __kahan::Clone as _;
+    fn x() {}
+    fn y() {}
+    fn eps() {}
+    fn prepared() {}
+    fn lift() {}
     impl<T> Pendulum<T> {
         /// The state variables, in order.
         pub const VARIABLES: [&'static __kahan::core::primitive::str; 2] = ["x", "y"];
@@ -50,8 +55,8 @@ const _: () = {
         }
     }
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Pendulum<T> {
-        fn field(&self, __state: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
-            let [__s_x, __s_y] = __kahan::components(__state);
+        fn field(&self, x: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
+            let [__s_x, __s_y] = __kahan::components(x);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __t_mu_minus_nu = __p_mu.clone() - __p_nu.clone();
@@ -73,9 +78,9 @@ const _: () = {
         }
         fn field_jacobian(
             &self,
-            __state: &__kahan::SVector<T, 2>,
+            x: &__kahan::SVector<T, 2>,
         ) -> __kahan::SMatrix<T, 2, 2> {
-            let [__s_x, __s_y] = __kahan::components(__state);
+            let [__s_x, __s_y] = __kahan::components(x);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __c_1 = __kahan::integer::<T>(1);
@@ -101,11 +106,11 @@ const _: () = {
         }
         fn bilinear(
             &self,
-            __state: &__kahan::SVector<T, 2>,
-            __other: &__kahan::SVector<T, 2>,
+            x: &__kahan::SVector<T, 2>,
+            y: &__kahan::SVector<T, 2>,
         ) -> __kahan::SVector<T, 2> {
-            let [__s_x, __s_y] = __kahan::components(__state);
-            let [__o_x, __o_y] = __kahan::components(__other);
+            let [__s_x, __s_y] = __kahan::components(x);
+            let [__o_x, __o_y] = __kahan::components(y);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __c_1 = __kahan::integer::<T>(1);
@@ -121,11 +126,11 @@ const _: () = {
         }
         fn polarized(
             &self,
-            __state: &__kahan::SVector<T, 2>,
-            __other: &__kahan::SVector<T, 2>,
+            x: &__kahan::SVector<T, 2>,
+            y: &__kahan::SVector<T, 2>,
         ) -> __kahan::SVector<T, 2> {
-            let [__s_x, __s_y] = __kahan::components(__state);
-            let [__o_x, __o_y] = __kahan::components(__other);
+            let [__s_x, __s_y] = __kahan::components(x);
+            let [__o_x, __o_y] = __kahan::components(y);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __t_y_plus_y_second = __s_y.clone() + __o_y.clone();
@@ -177,16 +182,16 @@ const _: () = {
         #[inline(always)]
         fn quotients(
             &self,
-            __state: &__kahan::SVector<T, 2>,
+            x: &__kahan::SVector<T, 2>,
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
             if !T::HAS_INVERSE_STEPS || !(T::CALLS_GENERAL_STEP || self.__is_inverse) {
-                return self.__general.quotients(__state);
+                return self.__general.quotients(x);
             }
             if !self.__is_inverse {
-                let __state = __kahan::vector(__kahan::components(__state).clone());
+                let x = __kahan::vector(__kahan::components(x).clone());
                 let [__increment_1, __increment_2] = __kahan::general_increment(
                     &self.__general,
-                    __state,
+                    x,
                 );
                 return __kahan::Option::Some(__kahan::Quotients {
                     numerators: [__increment_1, __increment_2],
@@ -196,7 +201,7 @@ const _: () = {
                     ],
                 });
             }
-            let [__s_x, __s_y] = __kahan::components(__state).clone();
+            let [__s_x, __s_y] = __kahan::components(x).clone();
             let __reciprocal_1 = self
                 .constant_2
                 .0
@@ -251,9 +256,9 @@ const _: () = {
         #[inline(always)]
         fn quotients(
             &self,
-            __state: &__kahan::SVector<T, 2>,
+            x: &__kahan::SVector<T, 2>,
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-            let [__s_x, __s_y] = __kahan::components(__state).clone();
+            let [__s_x, __s_y] = __kahan::components(x).clone();
             let __t_eps_x = self.eps.0.clone() * __s_x;
             let __c_100 = __kahan::integer::<T>(100);
             let __t_eps_y = self.eps.0.clone() * __s_y.clone();
@@ -347,31 +352,30 @@ const _: () = {
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Pendulum<T> {
         type Prepared = __Step<T>;
         #[inline(always)]
-        fn prepare(&self, __half_step: &T) -> __Step<T> {
+        fn prepare(&self, eps: &T) -> __Step<T> {
             let __general = {
                 let __p_mu = &self.mu;
                 let __p_nu = &self.nu;
-                let __t_eps_nu = __half_step.clone() * __p_nu.clone();
+                let __t_eps_nu = eps.clone() * __p_nu.clone();
                 let __c_100 = __kahan::integer::<T>(100);
                 let __t_n100_nu = __p_nu.clone() * __c_100.clone();
                 let __c_10 = __kahan::integer::<T>(10);
-                let __t_eps_mu = __half_step.clone() * __p_mu.clone();
+                let __t_eps_mu = eps.clone() * __p_mu.clone();
                 let __t_eps_mu_ten_nu = __t_eps_mu.clone()
                     * (__p_nu.clone() * __c_10.clone());
                 let __c_981 = __kahan::integer::<T>(981);
                 let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
                 __General {
-                    eps: __kahan::Apart::new(__half_step.clone()),
+                    eps: __kahan::Apart::new(eps.clone()),
                     nu_plus_one: __kahan::Apart::new(
                         __p_nu.clone() + __kahan::integer::<T>(1),
                     ),
                     eps_plus_eps_nu: __kahan::Apart::new(
-                        __half_step.clone() + __t_eps_nu.clone(),
+                        eps.clone() + __t_eps_nu.clone(),
                     ),
                     constant_1: __kahan::Apart::new(
-                        __c_981.clone() * (__half_step.clone() * __t_eps_mu.clone())
-                            - __c_981.clone()
-                                * (__half_step.clone() * __t_eps_nu.clone())
+                        __c_981.clone() * (eps.clone() * __t_eps_mu.clone())
+                            - __c_981.clone() * (eps.clone() * __t_eps_nu.clone())
                             - (__p_nu.clone() * __t_n100_nu.clone()
                                 + __t_eps_mu_ten_nu.clone())
                             + (__p_mu.clone() * __t_eps_mu_ten_nu.clone()
@@ -391,28 +395,28 @@ const _: () = {
                     ),
                 }
             };
-            let (__is_inverse, __divisor) = __kahan::divisor(__half_step);
-            let __half_step = &__divisor;
+            let (__is_inverse, __divisor) = __kahan::divisor(eps);
+            let eps = &__divisor;
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __t_n1_20_mu = __kahan::ratio::<T>(1, 20) * __p_mu.clone();
             let __t_mu_nu = __p_mu.clone() * __p_nu.clone();
             let __t_nu_squared = __p_nu.clone() * __p_nu.clone();
             let __c_1_2 = __kahan::ratio::<T>(1, 2);
-            let __t_half_over_eps = __c_1_2.clone().over_eps(__half_step);
+            let __t_half_over_eps = __c_1_2.clone().over_eps(eps);
             let __c_981_200 = __kahan::ratio::<T>(981, 200);
-            let __t_nu_eps = __p_nu.clone() * __half_step.clone();
+            let __t_nu_eps = __p_nu.clone() * eps.clone();
             __Step {
                 half_plus_half_nu: __kahan::Apart::new(
                     __c_1_2.clone() + __p_nu.clone() * __c_1_2.clone(),
                 ),
                 constant_1: __kahan::Apart::new(
-                    __c_1_2.clone() * __t_nu_eps.clone() + __c_1_2 * __half_step.clone(),
+                    __c_1_2.clone() * __t_nu_eps.clone() + __c_1_2 * eps.clone(),
                 ),
                 constant_2: __kahan::Apart::new(
                     __p_mu.clone() * __t_n1_20_mu.clone()
                         - __p_nu.clone() * __t_n1_20_mu.clone()
-                        + (__c_981_200.clone() * (__p_mu.clone() * __half_step.clone())
+                        + (__c_981_200.clone() * (__p_mu.clone() * eps.clone())
                             + __p_mu.clone() * __t_half_over_eps.clone())
                         + (__t_n1_20_mu.clone() * __t_mu_nu.clone()
                             - __t_n1_20_mu * __t_nu_squared.clone()
@@ -421,7 +425,7 @@ const _: () = {
                             - (__c_981_200 * __t_nu_eps
                                 + __p_nu.clone() * __t_half_over_eps)),
                 ),
-                eps: __kahan::Apart::new(__half_step.clone()),
+                eps: __kahan::Apart::new(eps.clone()),
                 nu_plus_one: __kahan::Apart::new(
                     __p_nu.clone() + __kahan::integer::<T>(1),
                 ),
@@ -436,25 +440,25 @@ const _: () = {
         }
         fn jacobian(
             &self,
-            __state: &__kahan::SVector<T, 2>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 2>,
+            eps: T,
         ) -> __kahan::SMatrix<T, 2, 2> {
-            __kahan::jacobian_by_duals(self, __state, &__half_step)
+            __kahan::jacobian_by_duals(self, x, &eps)
         }
         #[inline(always)]
         fn try_prepared(
             &self,
-            __prepared: &Self::Prepared,
-            __state: &__kahan::SVector<T, 2>,
-            __half_step: &T,
+            prepared: &Self::Prepared,
+            x: &__kahan::SVector<T, 2>,
+            eps: &T,
         ) -> __kahan::core::result::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
         where
             T: __kahan::Pivot,
         {
-            __kahan::stable_step(self, __prepared, __state, __half_step)
+            __kahan::stable_step(self, prepared, x, eps)
         }
-        fn det_matrix(&self, __state: &__kahan::SVector<T, 2>, __half_step: T) -> T {
-            let [__s_x, __s_y] = __kahan::components(__state);
+        fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
+            let [__s_x, __s_y] = __kahan::components(x);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __t_mu_minus_nu_minus_one = __p_mu.clone() - __p_nu.clone()
@@ -465,24 +469,23 @@ const _: () = {
             let __c_100 = __kahan::integer::<T>(100);
             let __t_n100_y = __c_100.clone() * __s_y.clone();
             let __c_981 = __kahan::integer::<T>(981);
-            -((__half_step.clone()
-                * (__half_step.clone()
-                    * (__t_n100_y.clone() - __p_mu.clone() * __c_981.clone())
+            -((eps.clone()
+                * (eps.clone() * (__t_n100_y.clone() - __p_mu.clone() * __c_981.clone())
                     - __c_10.clone()
                         * (__p_mu.clone() * __p_mu.clone()
                             - __c_10.clone() * __s_x.clone())
                     + __p_nu.clone()
                         * (__c_100.clone() * __s_x.clone()
-                            + (__t_n100_y + __c_981) * __half_step.clone()
+                            + (__t_n100_y + __c_981) * eps.clone()
                             - __p_mu.clone() * (__t_mu_minus_nu_minus_one * __c_10)))
                 - __sum_1.clone() * __c_100) * __kahan::ratio::<T>(1, 100) / __sum_1)
         }
         fn rational_map(
             &self,
-            __state: &__kahan::SVector<T, 2>,
-            __half_step: T,
+            x: &__kahan::SVector<T, 2>,
+            eps: T,
         ) -> (__kahan::SVector<T, 2>, T) {
-            let [__s_x, __s_y] = __kahan::components(__state);
+            let [__s_x, __s_y] = __kahan::components(x);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __t_mu_minus_nu = __p_mu.clone() - __p_nu.clone();
@@ -502,22 +505,21 @@ const _: () = {
                 * (__p_mu.clone() * __p_mu.clone() - __c_10 * __s_x.clone());
             let __product_3 = __sum_1.clone() * __c_100;
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
-            let __product_4 = __half_step.clone()
-                * (__half_step.clone() * (__t_n100_y.clone() - __t_n981_mu.clone())
+            let __product_4 = eps.clone()
+                * (eps.clone() * (__t_n100_y.clone() - __t_n981_mu.clone())
                     - __product_2.clone()
                     + __p_nu.clone()
                         * (__t_n100_x.clone()
-                            + __half_step.clone()
-                                * (__t_n100_y.clone() + __c_981.clone())
+                            + eps.clone() * (__t_n100_y.clone() + __c_981.clone())
                             - __product_1.clone()));
             (
                 __kahan::vector([
-                    -((__half_step.clone()
+                    -((eps.clone()
                         * (__s_x.clone()
-                            * (__half_step.clone() * (__t_n100_y.clone() + __t_n981_mu)
+                            * (eps.clone() * (__t_n100_y.clone() + __t_n981_mu)
                                 - __product_2
                                 + __p_nu.clone()
-                                    * (__t_n100_x + (__t_n100_y - __c_981) * __half_step.clone()
+                                    * (__t_n100_x + (__t_n100_y - __c_981) * eps.clone()
                                         - __product_1))
                             - __s_y.clone()
                                 * (__sum_1.clone() * __kahan::integer::<T>(200)))
@@ -526,22 +528,22 @@ const _: () = {
                     __c_1_100.clone()
                         * (__s_y.clone() * (__product_3.clone() + __product_4.clone())
                             - __t_mu_minus_nu * __kahan::integer::<T>(1962)
-                                * (__half_step.clone() * __s_x.clone())) / __sum_1.clone(),
+                                * (eps.clone() * __s_x.clone())) / __sum_1.clone(),
                 ]),
                 -(__c_1_100 * (__product_4 - __product_3) / __sum_1),
             )
         }
     }
     impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Pendulum<T> {
-        type Lifted<__U: __kahan::Scalar> = Pendulum<__U>;
+        type Lifted<U: __kahan::Scalar> = Pendulum<U>;
         #[inline(always)]
-        fn lift<__U: __kahan::Scalar>(
+        fn lift<U: __kahan::Scalar>(
             &self,
-            __lift: impl __kahan::core::ops::Fn(&T) -> __U,
-        ) -> Pendulum<__U> {
+            lift: impl __kahan::core::ops::Fn(&T) -> U,
+        ) -> Pendulum<U> {
             Pendulum {
-                mu: __lift(&self.mu),
-                nu: __lift(&self.nu),
+                mu: lift(&self.mu),
+                nu: lift(&self.nu),
             }
         }
     }

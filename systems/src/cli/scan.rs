@@ -5,7 +5,7 @@ use std::time::Instant;
 use clap::Args;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
-use kahan_discover::scan::{GridPoint, Sight};
+use kahan_discover::scan::{GridPoint, Proposal, Sight};
 use kahan_discover::{Axis, Options, Scan as Grid, scan};
 use serde_json::{Map, Value, json};
 
@@ -21,6 +21,10 @@ use super::search::{Search, refused};
 /// algebraic integrals that the orbit shows. Special are the points where something else is seen than at generic values; they
 /// are printed. A range is FROM:TO:STEP with TO included where it is met; what has a single value is fixed, and what is not
 /// given is generic.
+///
+/// With two ranges or more it looks for relations as well, as c = -a - b or a1*a2 = a5*a6: all points of the grid on them are
+/// special. In the time that is left formulas are looked for there, and printed as claims `when` the relation holds, each
+/// proved; where none is, the relation is only seen.
 #[derive(Args, Debug)]
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Scan {
@@ -29,7 +33,7 @@ pub(crate) struct Scan {
 }
 
 const EXAMPLES: &str = "\
-The JSON object holds every point: system, names, generic, points, special, out_of_time, seconds.
+The JSON object holds every point: system, names, generic, points, special, relations, out_of_time, seconds.
 
 Examples:
   kahan scan e9 --param xi=-2:2:1/12
@@ -137,6 +141,7 @@ fn object(name: &str, found: &Grid, seconds: f64) -> Value {
         "generic": sight(&found.generic),
         "points": points,
         "special": special,
+        "relations": found.relations.iter().map(relation).collect::<Vec<_>>(),
         "out_of_time": found.out_of_time,
         "seconds": seconds,
     })
@@ -145,6 +150,33 @@ fn object(name: &str, found: &Grid, seconds: f64) -> Value {
 fn values(found: &Grid, point: &GridPoint) -> Value {
     let pairs = found.names.iter().zip(&point.values);
     pairs.map(|(name, value)| (name.clone(), json!(value.to_string()))).collect::<Map<_, _>>().into()
+}
+
+fn relation(found: &Proposal) -> Value {
+    json!({
+        "relation": found.relation,
+        "points": found.points,
+        "sight": sight(&found.sight),
+        "claims": found.claims,
+        "proved": !found.claims.is_empty(),
+    })
+}
+
+/// What a relation has for it, in words, and the claims that are proved there.
+fn relation_lines(found: &Proposal) -> Vec<String> {
+    let Proposal { relation, points, claims, .. } = found;
+    let integrals = match found.sight.integrals {
+        0 => "no integral".to_owned(),
+        1 => "1 integral".to_owned(),
+        count => format!("{count} integrals"),
+    };
+    let seen =
+        format!("when {relation}: all {points} points of the grid there are special, with {integrals}");
+    let verdict = if claims.is_empty() { "only seen, nothing is proved" } else { "proved" };
+    let mut lines =
+        vec![String::new(), format!("{seen}; {verdict}{}", if claims.is_empty() { "" } else { ":" })];
+    lines.extend(claims.iter().cloned());
+    lines
 }
 
 fn sight(sight: &Sight) -> Value {
@@ -181,5 +213,6 @@ fn text(name: &str, found: &Grid, total: usize, seconds: f64) -> String {
             total - looked
         ));
     }
+    lines.extend(found.relations.iter().flat_map(relation_lines));
     lines.join("\n") + "\n"
 }

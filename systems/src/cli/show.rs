@@ -6,8 +6,8 @@ mod plan;
 use clap::Args;
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 use kahan_algebra::render::{
-    Formulas, MatrixText, Notation, PAGE_WIDTH, claim_statement, claim_text, condition_text, latex_box,
-    latex_equation, latex_matrix, latex_width, macro_block,
+    Formulas, MatrixText, Notation, PAGE_WIDTH, claim_statement, claim_text, condition_note,
+    condition_statement, condition_text, latex_box, latex_equation, latex_matrix, latex_width, macro_block,
 };
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
@@ -126,6 +126,7 @@ impl Sheet<'_> {
                 "kind": claim.kind.keyword(),
                 "statement": claim_text(self.system, claim),
                 "when": condition_text(self.system, claim),
+                "nonzero": condition_note(self.system, claim),
                 "source": self.source(claim),
             })
         });
@@ -194,8 +195,10 @@ impl Sheet<'_> {
         );
         if !self.system.claims.is_empty() {
             let claims = self.system.claims.iter().map(|claim| {
-                let source = self.source(claim).map_or_else(String::new, |source| format!("    // {source}"));
-                claim_text(self.system, claim) + &source
+                let notes = [condition_note(self.system, claim), self.source(claim).unwrap_or("").to_owned()];
+                let notes = notes.into_iter().filter(|note| !note.is_empty()).collect::<Vec<_>>().join("; ");
+                let comment = if notes.is_empty() { notes } else { format!("    // {notes}") };
+                claim_text(self.system, claim) + &comment
             });
             page.section("claims, proved", claims.collect());
         }
@@ -247,11 +250,14 @@ impl Sheet<'_> {
                 String::new()
             };
             let statements = claim_statement(claim, self.notation).into_iter();
-            page.display(&aligned(
-                statements
-                    .map(|(left, right)| latex_equation(&format!("{left}{index}"), &right, PAGE_WIDTH))
-                    .collect(),
-            ));
+            let mut rows: Vec<String> = statements
+                .map(|(left, right)| latex_equation(&format!("{left}{index}"), &right, PAGE_WIDTH))
+                .collect();
+            if !claim.is_unconditional() {
+                let relations = condition_statement(self.system, claim, self.notation);
+                rows.push(format!("&\\text{{where }} {relations}"));
+            }
+            page.display(&aligned(rows));
         }
         page.text
     }

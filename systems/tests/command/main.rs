@@ -16,6 +16,7 @@ mod parameters;
 mod plan;
 mod refusing;
 mod regressions;
+mod relations;
 mod running;
 mod rust_files;
 mod showing;

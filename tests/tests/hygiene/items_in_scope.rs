@@ -36,6 +36,9 @@ mod crowd {
     pub(super) static y: i8 = 2;
     pub(super) struct z;
     pub(super) const mu: i8 = 3;
+    pub(super) struct eps;
+    pub(super) const prepared: i8 = 4;
+    pub(super) static lift: i8 = 5;
     pub(super) fn reduced() {}
     pub(super) fn vector() {}
 

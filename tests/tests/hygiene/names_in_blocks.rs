@@ -41,6 +41,25 @@ kahan! {
 }
 
 kahan! {
+    /// Names of what is generated.
+    pub(super) struct U { lift, prepared }
+    xdot = lift*x*y;
+    ydot = prepared*x^2;
+}
+
+/// A type with the name of an argument, beside nothing that has it.
+#[allow(non_camel_case_types, reason = "a name to be in the way")]
+pub(super) mod argument {
+    kahan_core::kahan! {
+        /// Without parameters.
+        pub(in super::super) struct x;
+        ydot = x;
+        xdot = -y;
+        integral H = x^2 + y^2;
+    }
+}
+
+kahan! {
     /// Letters beyond ASCII, and capitals beside small letters.
     pub(super) struct Größe { größe, Größe }
     Xdot = größe*x*X;
@@ -89,6 +108,8 @@ fn names_of_blocks_do_not_meet_names_of_the_macro() {
         numerators: ratio(1, 9),
         denominator: ratio(1, 10),
     });
+    assert_kahan(&U { lift: ratio(1, 2), prepared: ratio(1, 3) });
+    assert_kahan(&argument::x);
     assert_kahan(&Größe { größe: ratio(1, 2), Größe: ratio(1, 3) });
     assert_kahan(&Underscores { x_: ratio(1, 2), __x: ratio(1, 3) });
     assert_eq!(T::<f64>::VARIABLES, ["t", "h", "eps_", "x_"]);

@@ -1,4 +1,4 @@
-//! `when` fixes a value.
+//! A relation behind `when` is solved for one of its names.
 
 use kahan_core::prelude::*;
 
@@ -6,7 +6,7 @@ kahan! {
     pub struct Rotation { k, l }
     xdot = k*y;
     ydot = -l*x;
-    integral H = x^2 + y^2 when k = l;
+    integral H = x^2 + y^2 when k^2 = l^2 + 1;
 }
 
 fn main() {}

@@ -1,0 +1,227 @@
+//! Claims `when` relations between parameters and ε hold: solved, proved, refuted on the relation, put in, written.
+
+use kahan_algebra::prove::{Refutation, Verdict, prove_all, prove_by_normal_form};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::{Notation, claim_text, condition_note, condition_statement, macro_block};
+use kahan_algebra::system::System;
+use kahan_algebra::{Reading, lexer, read, seed};
+
+/// x + y + z changes by (p + q + r) x y.
+const SUM: &str = "xdot = p*x*y; ydot = q*x*y; zdot = r*x*y;";
+/// A field of Lotka and Volterra; a b x + y − a z changes by (a b c + 1) x y.
+const VOLTERRA: &str = "xdot = x*(c*y + z); ydot = y*(x + a*z); zdot = z*(b*x + y);";
+/// Two oscillators with the frequencies a1 a2 and a5 a6.
+const OSCILLATORS: &str = "xdot = a1*a2*y; ydot = -a1*a2*x; udot = a5*a6*v; vdot = -a5*a6*u;";
+/// The map multiplies by (1 + ε p)/(1 − ε p) and (1 + ε q)/(1 − ε q).
+const GROWTH: &str = "xdot = p*x; ydot = q*y;";
+
+fn reading(text: &str) -> Reading {
+    read(&lexer::lex(text).tokens)
+}
+
+fn sound(text: &str) -> System {
+    let reading = reading(text);
+    assert_eq!(reading.diagnostics, [], "{text}");
+    reading.system
+}
+
+fn verdict(text: &str) -> Verdict {
+    let tokens = lexer::lex(text).tokens;
+    let verdicts = prove_all(&read(&tokens).system, seed(&tokens));
+    let [Some(verdict)] = &verdicts[..] else { panic!("one claim that was understood: {text}") };
+    verdict.clone()
+}
+
+#[test]
+fn both_provers_decide_claims_on_their_relations() {
+    let sum = "integral S = x + y + z";
+    let linear = "integral L = a*b*x + y - a*z";
+    let oscillators = "integral G = x*u + y*v";
+    let growth = "integral F = x^2*y";
+    for (field, claim, when, holds) in [
+        (SUM, sum, "r = -p - q", true),
+        (SUM, sum, "p + q = -r", true),
+        (SUM, sum, "0 = p + q + r", true),
+        (SUM, sum, "r/q + p/q = -1", true),
+        (SUM, sum, "(r + p)*q^-1 = -1", true),
+        (SUM, sum, "r = -p - q, eps = 1", true),
+        (SUM, sum, "eps = 1, r = -p - q", true),
+        (SUM, sum, "r = -2*q, p = q", true),
+        (SUM, sum, "p = q, r = -2*p", true),
+        (SUM, sum, "p = q, r = 2*p", false),
+        (SUM, sum, "r = p - q", false),
+        (SUM, sum, "r = -p - 2*q", false),
+        (SUM, sum, "eps = 1", false),
+        (SUM, "integral D = y - z", "p*q = p*r", true),
+        (SUM, "integral D = y + z", "p*q = p*r", false),
+        (VOLTERRA, linear, "a*b*c = -1", true),
+        (VOLTERRA, linear, "c = -1/(a*b)", true),
+        (VOLTERRA, linear, "a*b*c = -1, a = b^2", true),
+        (VOLTERRA, linear, "a = b^2, a*b*c = -1", true),
+        (VOLTERRA, linear, "a*b*c = -2", false),
+        (VOLTERRA, linear, "a*b*c = 1", false),
+        (OSCILLATORS, oscillators, "a1*a2 = a5*a6", true),
+        (OSCILLATORS, oscillators, "a1*a2 = -a5*a6", false),
+        (OSCILLATORS, "integral G = x*u - y*v", "a1*a2 = -a5*a6", true),
+        (OSCILLATORS, oscillators, "a1*a2 = a5*a6, a1 = a5", true),
+        // a2 is not 0, as the first relation was divided by it.
+        (OSCILLATORS, oscillators, "a1*a2 = a5*a6, a2*a5 = a2*a1", true),
+        (OSCILLATORS, oscillators, "a1 = a5", false),
+        (GROWTH, growth, "2*p + q + eps^2*p^2*q = 0", true),
+        (GROWTH, growth, "q = -2*p/(1 + eps^2*p^2)", true),
+        (GROWTH, growth, "q = -2*p/(1 - eps^2*p^2)", false),
+        (GROWTH, growth, "q = -2*p", false),
+        (GROWTH, growth, "eps*p = 2, 5*q = -2*p", true),
+        (GROWTH, growth, "eps*p = 2, 5*q = -4*p", false),
+        (GROWTH, growth, "eps*p = 2, eps*q = -4/5", true),
+        (GROWTH, "density R = 1", "p = -q", true),
+        (GROWTH, "density R = 1", "p = q", false),
+        (GROWTH, "density R = 1", "eps^2*p*q = -1", false),
+    ] {
+        let text = format!("{field} {claim} when {when};");
+        let system = reading(&text).system;
+        assert_eq!(matches!(verdict(&text), Verdict::Proved(_)), holds, "{text}");
+        assert_eq!(prove_by_normal_form(&system, &system.claims[0]), Some(holds), "{text}");
+        assert_eq!(reading(&text).diagnostics.is_empty(), holds, "{text}");
+    }
+}
+
+#[test]
+fn tensors_are_decided_on_relations_too() {
+    // The bracket of two oscillators of one frequency with their signs exchanged.
+    let bracket = "bracket P { {x,v} = 1; {y,u} = -1; }";
+    assert!(matches!(verdict(&format!("{OSCILLATORS} {bracket} when a1*a2 = a5*a6;")), Verdict::Proved(_)));
+    assert!(matches!(verdict(&format!("{OSCILLATORS} {bracket} when a1 = a5;")), Verdict::Refuted(_)));
+}
+
+#[test]
+fn a_counterexample_satisfies_the_relations() {
+    let text = format!("{SUM} integral S = x + y - z when r = -p - q, eps*p = q;");
+    let Verdict::Refuted(Refutation::At { point, left, right, .. }) = verdict(&text) else {
+        panic!("x + y - z changes")
+    };
+    let [_, _, _, p, q, r, eps] = &point[..] else { panic!("three states, three parameters, eps") };
+    assert_eq!(*r, -&(p + q));
+    assert_eq!(&(eps * p), q);
+    assert!(!eps.is_zero());
+    assert_ne!(left, right);
+}
+
+#[test]
+fn the_degrees_of_solved_names_enter_the_error_bound() {
+    // The bound on degrees is 2²⁰: a claim of degree some 10⁵ is within it, unless a parameter in it is of degree 64.
+    let of = |when: &str| verdict(&format!("{SUM} integral S = ((x + y + z)^64)^64 when {when};"));
+    assert!(matches!(of("r = -p - q"), Verdict::Proved(_)));
+    assert_eq!(of("r = -p - q, p = q^64"), Verdict::TooLarge);
+}
+
+#[test]
+fn relations_that_cannot_be_solved_are_explained_at_their_place() {
+    for (when, at, message) in [
+        ("p^2 = q^2 + 1", "p ^ 2 = q ^ 2 + 1", "no name enters this relation linearly"),
+        ("eps^2 = 2", "eps ^ 2 = 2", "no name enters this relation linearly"),
+        ("p = x", "x", "`x` is a state"),
+        ("x = 1", "x", "`x` is a state"),
+        ("p = pp", "pp", "`pp` is neither a parameter nor `eps`"),
+        ("p = S", "S", "`S` is neither a parameter nor `eps`"),
+        ("0 = 1", "0 = 1", "never holds"),
+        ("p = p + 1", "p = p + 1", "never holds"),
+        ("p = p", "p = p", "always holds"),
+        ("p = q, p = q + 1", "p = q + 1", "contradicts those before it"),
+        ("p = 1, p = 2", "p = 2", "contradicts those before it"),
+        ("p*q = 1, p = 0", "p = 0", "contradicts those before it"),
+        ("p = 1, p = 1", "p = 1", "follows from those before it"),
+        ("p = q, r = q, p = r", "p = r", "follows from those before it"),
+        ("p*q^2 = p", "p * q ^ 2 = p", "is a product, which holds where p = 0 and where -1 + q^2 = 0"),
+        ("p*q = 0", "p * q = 0", "is a product, which holds where p = 0 and where q = 0"),
+        ("eps = 0", "eps = 0", "at eps = 0 the map is the identity"),
+        ("eps = p, p = 0", "p = 0", "at eps = 0 the map is the identity"),
+        ("k = 0", "k = 0", "the field divides by zero"),
+        ("p = k, p = 0", "p = 0", "the field divides by zero"),
+        (
+            "(p^2 - 1)/(p - 1) = 2",
+            "( p ^ 2 - 1 ) / ( p - 1 ) = 2",
+            "where this relation holds it divides by zero",
+        ),
+        ("p = 1/(q - q)", "( q - q )", "this divisor is zero"),
+        ("p = q = r", "r = ", "`;`"),
+        ("p", "p ;", "expected `=`"),
+        ("p = (q + r + 1)^60, q = (p*r + 2)^60, r^60*q = p", "", "more than"),
+    ] {
+        let text = format!("xdot = p*x*y/k; ydot = q*x*y; zdot = r*x*y; integral T = 1 + S when {when};");
+        let text =
+            text.replace("1 + S", "q*x - p*y/k").replace("integral T", "integral S = z + x; integral T");
+        // The first integral is there for its name.
+        let lexed = lexer::lex(&text);
+        let diagnostics = read(&lexed.tokens).diagnostics;
+        let own = diagnostics.iter().find(|d| !d.message.contains("`S` does not hold"));
+        let Some(own) = own else { panic!("{when}: nothing is reported") };
+        assert!(own.message.contains(message), "{when}: {}", own.message);
+        let tokens = lexed.tokens[own.span.first..=own.span.last].iter().map(|token| token.text.as_str());
+        let found = tokens.collect::<Vec<_>>().join(" ");
+        assert!(at.is_empty() || at.ends_with(' ') || found == at, "{when}: at `{found}`");
+    }
+}
+
+#[test]
+fn what_is_fixed_later_is_put_into_relations() {
+    let text = format!("{OSCILLATORS} integral G = x*u + y*v when a1*a2 = a5*a6, eps = 1/2;");
+    let system = sound(&text);
+    let condition = |fixed: &[(usize, i64)]| {
+        let values: Vec<(usize, Rational)> = fixed.iter().map(|&(k, v)| (k, Rational::from(v))).collect();
+        let special = system.specialise(&values).expect("the field divides by nothing");
+        special.claims.first().map(|claim| {
+            // What is written is what holds: the block reads and proves as it stands.
+            sound(&macro_block(&special).replace("kahan! {", "").trim_end_matches('}'));
+            assert_eq!(prove_by_normal_form(&special, claim), Some(true), "{fixed:?}");
+            claim_text(&special, claim).split_once(" when ").map(|(_, when)| when.to_owned())
+        })
+    };
+    let some = |text: &str| Some(Some(text.to_owned()));
+    assert_eq!(condition(&[]), some("a1*a2 = a5*a6, eps = 1/2;"));
+    // a1 and a2 given, a5 takes its place; three given, it is a number; all given, it holds or it does not.
+    assert_eq!(condition(&[(0, 2), (1, 3)]), some("a1*a2 = a5*a6, eps = 1/2;"));
+    assert_eq!(condition(&[(0, 2), (1, 3), (2, 4)]), some("a6 = 3/2, eps = 1/2;"));
+    assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 3)]), some("eps = 1/2;"));
+    assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 4)]), None);
+    // Where what it was divided by is 0, nothing is known of it.
+    assert_eq!(condition(&[(1, 0)]), None);
+    assert_eq!(condition(&[(1, 0), (2, 0)]), None);
+}
+
+#[test]
+fn a_relation_with_a_value_alone_is_a_value() {
+    let text = |when: &str| {
+        let system = sound(&format!("const half = 1/2; {SUM} integral S = q*x - p*y when {when};"));
+        claim_text(&system, &system.claims[0])
+    };
+    assert_eq!(text("2*p = half, eps = 2"), "integral S = q*x - p*y when p = 1/4, eps = 2;");
+    assert_eq!(text("p = q, q = half"), "integral S = q*x - p*y when p = 1/2, q = 1/2;");
+    assert_eq!(text("r = -p-q"), "integral S = q*x - p*y when r = -p - q;");
+    assert_eq!(text("p*(q + 1)=r/half"), "integral S = q*x - p*y when p*(q + 1) = r/half;");
+}
+
+#[test]
+fn what_relations_were_divided_by_is_said() {
+    let note = |when: &str| {
+        let system = sound(&format!("{SUM} integral S = q*x - p*y when {when};"));
+        condition_note(&system, &system.claims[0])
+    };
+    assert_eq!(note("r = -p - q, eps = 1"), "");
+    assert_eq!(note("p*q = r^2"), "q != 0");
+    assert_eq!(note("p*q = p*r"), "p != 0");
+    assert_eq!(note("p*q = r^2, eps*p = 1/(r + 1)"), "q != 0, r != 0, 1 + r != 0");
+}
+
+#[test]
+fn relations_are_written_in_latex() {
+    let system = sound(&format!("{OSCILLATORS} integral G = x*u + y*v when a1*a2 = a5*a6, eps = 1/2;"));
+    let latex = condition_statement(&system, &system.claims[0], Notation::Latex);
+    assert_eq!(latex, "a_{1} a_{2} = a_{5} a_{6}, \\varepsilon = \\frac{1}{2}");
+}
+
+#[test]
+fn a_conditional_claim_has_no_accessor() {
+    let system = sound(&format!("{SUM} integral S = x + y + z when r = -p - q;"));
+    assert_eq!(system.accessors(system.claims[0].kind).count(), 0);
+}

@@ -1,0 +1,197 @@
+//! What a grid suggests: relations at which a field is special, and what is proved of it there.
+
+use std::cmp::Reverse;
+use std::collections::{BTreeSet, HashMap};
+use std::time::{Duration, Instant};
+
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::relations::Relations;
+use kahan_algebra::render::{Formulas, Notation};
+use kahan_algebra::symbols::Symbols;
+use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::System;
+use kahan_algebra::{lexer, read};
+
+use super::shapes::{Grid, Shape, shapes};
+use super::{Scan, Sight};
+use crate::claims::Formula;
+use crate::report::Options;
+use crate::stages::discover;
+
+/// A relation between scanned quantities at which all points of the grid are special.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Proposal {
+    /// The relation as it stands behind `when`: `c = -a - b`.
+    pub relation: String,
+    /// How many points of the grid lie on it.
+    pub points: usize,
+    /// What is seen at most of those with the fewest integrals.
+    pub sight: Sight,
+    /// What was found there and proved, ready to paste; what holds without the relation is left out.
+    pub claims: Vec<String>,
+}
+
+/// The relations that the grid shows, with what is proved until `end`.
+pub(super) fn proposals(system: &System, scan: &Scan, options: &Options, end: Instant) -> Vec<Proposal> {
+    let symbols = &system.field.symbols;
+    // At ε = 0 the map is the identity, and a point without a sight says nothing.
+    let zero_step = |values: &[Rational]| {
+        scan.names.iter().zip(values).any(|(name, value)| name == "eps" && value.is_zero())
+    };
+    let seen = || scan.points.iter().filter(|point| point.sight.is_some() && !zero_step(&point.values));
+    let sights: Vec<&Sight> = seen().filter_map(|point| point.sight.as_ref()).collect();
+    let grid = |is_special: &dyn Fn(&Sight) -> bool| Grid {
+        points: seen().map(|point| point.values.clone()).collect(),
+        special: sights.iter().map(|sight| is_special(sight)).collect(),
+    };
+    let axes: Option<Vec<Variable>> = scan.names.iter().map(|name| variable(symbols, name)).collect();
+    let (Some(axes), true) = (axes, scan.names.len() > 1) else { return Vec::new() };
+    // Integrals that ordinary points lack say more than lower degrees.
+    let mut found = shapes(&grid(&|sight| sight.integrals > scan.generic.integrals), &[]);
+    let others = shapes(&grid(&|sight| *sight != scan.generic), &found);
+    found.extend(others);
+    let mut prover = Prover::new(system, options);
+    let mut proposals = Vec::new();
+    for (index, Shape { polynomial, points }) in found.iter().enumerate() {
+        let polynomial = polynomial.map_variables(|axis| axes[usize::from(axis.0)]);
+        let Some(sight) = usual(points.iter().map(|&at| sights[at])) else { continue };
+        let relation = relation_text(symbols, &polynomial);
+        let left = end.saturating_duration_since(Instant::now());
+        let claims =
+            prover.prove(&polynomial, &relation, left / u32::try_from(found.len() - index).unwrap_or(1));
+        proposals.push(Proposal { relation, points: points.len(), sight: sight.clone(), claims });
+    }
+    proposals
+}
+
+fn variable(symbols: &Symbols, name: &str) -> Option<Variable> {
+    if name == "eps" {
+        return Some(symbols.epsilon());
+    }
+    symbols.parameters.iter().position(|known| known == name).map(|k| symbols.parameter(k))
+}
+
+/// What has the fewest integrals, and of that what most are equal to: the others lie on further relations.
+fn usual<'a>(sights: impl Iterator<Item = &'a Sight>) -> Option<&'a Sight> {
+    let mut counts: HashMap<String, (usize, &Sight)> = HashMap::new();
+    for sight in sights {
+        counts.entry(format!("{sight:?}")).or_insert((0, sight)).0 += 1;
+    }
+    let rank =
+        |(text, (count, sight)): &(String, (usize, &Sight))| (Reverse(sight.integrals), *count, text.clone());
+    counts.into_iter().max_by_key(rank).map(|(_, (_, sight))| sight)
+}
+
+/// The polynomial as an equation: a name with coefficient ±1 alone on the left, else a number alone on the right, else the
+/// terms with `-` there.
+fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
+    let is_linear = polynomial.degree() == 1;
+    let mut terms = polynomial.terms();
+    let alone = terms.rfind(|(monomial, value)| is_linear && !monomial.is_one() && value.abs().is_one());
+    let constant = Polynomial::constant(polynomial.coefficient(&Monomial::one()));
+    let (mut left, mut right) = match alone {
+        Some((monomial, value)) => {
+            let left = Polynomial::term(monomial.clone(), value.clone());
+            let right = &left - polynomial;
+            (left, right)
+        }
+        None if is_linear || !constant.is_zero() => (polynomial - &constant, -&constant),
+        None => {
+            let negative = polynomial.terms().filter(|(_, value)| value.is_negative());
+            let right = Polynomial::from_terms(negative.map(|(monomial, value)| (monomial.clone(), -value)));
+            (polynomial + &right, right)
+        }
+    };
+    if left.terms().all(|(_, value)| value.is_negative()) {
+        (left, right) = (-&left, -&right);
+    }
+    let text = |side: &Polynomial| Notation::Text.polynomial(symbols, side);
+    format!("{} = {}", text(&left), text(&right))
+}
+
+/// Looks for formulas on relations, and proves them of the field as it was given.
+struct Prover<'a> {
+    system: &'a System,
+    options: &'a Options,
+    equations: String,
+    taken: BTreeSet<String>,
+}
+
+impl<'a> Prover<'a> {
+    fn new(system: &'a System, options: &'a Options) -> Self {
+        let symbols = &system.field.symbols;
+        let values = Formulas { field: &system.field, map: None, notation: Notation::Text }.field();
+        let lines = symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};"));
+        let claims = system.claims.iter().map(|claim| claim.name.text.clone());
+        let constants = system.constants.iter().map(|(name, _)| name.clone());
+        let names = symbols.states.iter().chain(&symbols.parameters).cloned();
+        Prover {
+            system,
+            options,
+            equations: lines.collect::<Vec<_>>().join(" "),
+            taken: claims.chain(constants).chain(names).collect(),
+        }
+    }
+
+    /// What is proved where the polynomial vanishes, and not without that, in at most so much time.
+    fn prove(&mut self, polynomial: &Polynomial, relation: &str, time: Duration) -> Vec<String> {
+        let Some((system, options)) = self.restricted(polynomial, time) else { return Vec::new() };
+        let Ok(report) = discover(&system, &options, &mut |_| {}) else { return Vec::new() };
+        let formulas = report.integrals.iter().chain(&report.densities);
+        formulas.filter_map(|formula| self.claim(formula, relation)).collect()
+    }
+
+    /// The system where the polynomial vanishes: without the parameter it is solved for, or at the ε it gives.
+    fn restricted(&self, polynomial: &Polynomial, time: Duration) -> Option<(System, Options)> {
+        let symbols = &self.system.field.symbols;
+        let mut options = Options { seconds: time.as_secs_f64(), ..self.options.clone() };
+        let mut relations = Relations::default();
+        let name = relations.add(polynomial, &[]).ok()?;
+        let value = relations.value(name)?;
+        if name == symbols.epsilon() {
+            options.eps = Some(value.as_polynomial()?.as_constant()?);
+            return Some((System { claims: Vec::new(), ..self.system.clone() }, options));
+        }
+        // A field whose coefficients depend on ε has no map of this kind.
+        let is_free = !value.numerator().contains(symbols.epsilon())
+            && !value.denominator().contains(symbols.epsilon());
+        let system = is_free.then(|| self.system.on(&relations))??;
+        Some((system, options))
+    }
+
+    /// The formula as a claim `when` the relation holds; `None` where it is not proved, or holds without it.
+    fn claim(&mut self, formula: &Formula, relation: &str) -> Option<String> {
+        let statement = formula.text.trim_end_matches(';');
+        let (body, fixed) = statement.split_once(" when ").unwrap_or((statement, ""));
+        let (_, value) = body.split_once(" = ")?;
+        let eps_is_fixed = relation.starts_with("eps = ");
+        let mut fixed: Vec<&str> = fixed.split(", ").filter(|part| !part.is_empty()).collect();
+        fixed.retain(|part| !eps_is_fixed || !part.starts_with("eps = "));
+        let name = self.free_name(formula.kind);
+        let claim = |relations: &[&str]| {
+            let when =
+                if relations.is_empty() { String::new() } else { format!(" when {}", relations.join(", ")) };
+            format!("{} {name} = {value}{when};", formula.kind.keyword())
+        };
+        let holds = |claim: &str| {
+            read(&lexer::lex(&format!("{} {claim}", self.equations)).tokens).diagnostics.is_empty()
+        };
+        let on_relation = claim(&[&[relation], &fixed[..]].concat());
+        if holds(&claim(&fixed)) || !holds(&on_relation) {
+            return None;
+        }
+        self.taken.insert(name);
+        Some(on_relation)
+    }
+
+    /// H1, H2, … or rho, rho2, …: the first that nothing has.
+    fn free_name(&self, kind: ClaimKind) -> String {
+        let name = |index: usize| match (kind, index) {
+            (ClaimKind::Integral, _) => format!("H{index}"),
+            (_, 1) => "rho".to_owned(),
+            _ => format!("rho{index}"),
+        };
+        (1..).map(name).find(|name| !self.taken.contains(name)).unwrap_or_default()
+    }
+}

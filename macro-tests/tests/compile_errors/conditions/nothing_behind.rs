@@ -1,0 +1,12 @@
+//! `when` without a relation.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Rotation { k }
+    xdot = k*y;
+    ydot = -k*x;
+    integral H = x^2 + y^2 when;
+}
+
+fn main() {}
