@@ -43,6 +43,9 @@ const MOST_DENSITY_COEFFICIENTS: usize = 220;
 /// A density of more terms than this is not written.
 const MOST_DENSITY_TERMS: usize = 300;
 
+/// A formula of more characters is left to a basis, where there is one.
+const MOST_CHARACTERS: usize = 4000;
+
 /// The work that writing det A out may take, in products of terms.
 const DETERMINANT_WORK: u64 = 1_000_000;
 
@@ -141,6 +144,10 @@ pub fn discover(
         });
     }
 
+    // What a basis says in a line need not fill a page.
+    let is_short = |formula: &&Formula| !are_enough || formula.text.len() <= MOST_CHARACTERS;
+    let all_integrals = integrals;
+    let integrals: Vec<Formula> = all_integrals.iter().filter(is_short).cloned().collect();
     let known = integrals.iter().filter_map(|formula| {
         let Place { draw, point } = &place;
         quotient_gradient(&setting, draw, point, &formula.numerator, &formula.denominator)
@@ -152,7 +159,7 @@ pub fn discover(
 
     progress(Stage::Densities);
     let (densities, density_search) =
-        densities(&setting, &claims, &integrals, &fixed.field, structure.is_even, random, &for_densities);
+        densities(&setting, &claims, &all_integrals, &fixed.field, structure.is_even, random, &for_densities);
     let brackets = match densities.first() {
         Some(density) => brackets(&claims, symbols, &integrals, density, &for_densities),
         None => Vec::new(),

@@ -52,8 +52,10 @@ fn orbits(report: &Report) -> Vec<String> {
         return vec![format!("{why}, so nothing is known of relations.")];
     };
     let from = match hilbert.orbits {
-        4 => format!("from 4 orbits of up to {} modulo two primes", counted(hilbert.points, "point")),
-        orbits => format!("from {} of up to {}", counted(orbits, "orbit"), counted(hilbert.points, "point")),
+        4 => format!("seen on 4 orbits of up to {} modulo two primes", counted(hilbert.points, "point")),
+        orbits => {
+            format!("seen on {} of up to {}", counted(orbits, "orbit"), counted(hilbert.points, "point"))
+        }
     };
     let mut sentences = Vec::new();
     if let Some(period) = hilbert.period {
@@ -70,45 +72,89 @@ fn orbits(report: &Report) -> Vec<String> {
         )
     } else {
         format!(
-            "Relations of degree ≤ {degree} confine orbits to sets of dimension {} in dimension {n}: {} visible up to that degree, {from}.",
+            "Polynomial relations of degree ≤ {degree} confine an orbit to a set of dimension {} in dimension {n}, {from}: so many show {}.",
             hilbert.dimension(n),
-            counted(hilbert.integrals, "independent algebraic integral")
+            counted(hilbert.integrals, "independent integral")
         )
     });
     if !hilbert.agree {
         sentences.push(
-            "The orbits looked at did not all agree; the larger ranks, those of a generic orbit, are given."
+            "The orbits looked at did not all agree; what most of them show, those of a generic orbit, is given."
                 .to_owned(),
         );
     }
     sentences
 }
 
-fn formulas(report: &Report) -> Option<String> {
-    let wanted = report.independent_integrals();
-    let found = report.integrals.len();
-    if wanted == 0 && found == 0 {
-        return None;
+/// What stands below as claims, and what does not.
+fn formulas(report: &Report) -> Vec<String> {
+    let shown = report.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
+    let formulas = report.integrals.len();
+    let in_bases: usize = report.bases.iter().map(|basis| basis.integrals.len()).sum();
+    let mut sentences = Vec::new();
+    if formulas > 0 {
+        sentences.push(format!(
+            "{} below, proved{}.",
+            match formulas {
+                1 => "A formula of one integral stands".to_owned(),
+                _ => format!("Formulas of {formulas} independent integrals stand"),
+            },
+            if formulas > shown {
+                let more = formulas - shown;
+                let are = if more == 1 { "one is".to_owned() } else { format!("{more} are") };
+                format!("; {are} of a higher degree than the relations looked at")
+            } else {
+                String::new()
+            }
+        ));
     }
-    Some(if found >= wanted {
-        format!("Formulas: {}, independent and proved.", counted(found, "integral"))
-    } else {
-        format!(
-            "Formulas: {} of the {wanted} that orbits show, independent and proved; the others were not reached.",
-            counted(found, "integral")
-        )
-    })
+    for basis in &report.bases {
+        let proof = match basis.proof {
+            Some(_) => "proved mod p (error < 2^-100)",
+            None => "seen modulo primes",
+        };
+        sentences.push(format!(
+            "{} more {} no short formula, but a Hirota-Kimura basis: along every orbit {} satisfy one linear relation, whose coefficients are constant there, {proof}.",
+            capitalised(&counted(basis.integrals.len(), "integral")),
+            if basis.integrals.len() == 1 { "has" } else { "have" },
+            basis.monomial_texts(&report.variables).join(", ")
+        ));
+    }
+    let missing = shown.saturating_sub(formulas + in_bases);
+    if missing > 0 {
+        sentences.push(format!(
+            "{} not reached.",
+            match missing {
+                1 => "The formula of one integral that orbits show was".to_owned(),
+                _ => format!("The formulas of {missing} integrals that orbits show were"),
+            }
+        ));
+    }
+    sentences
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 fn densities(report: &Report) -> String {
     match report.densities.first() {
         Some(density) if density.degree == 0 => "The map preserves volume, proved.".to_owned(),
-        Some(density) => format!("An invariant density 1/P with P of degree {}, proved.", density.degree),
+        Some(_) => match report.brackets.len() {
+            0 => "The invariant density below is proved.".to_owned(),
+            1 => "The invariant density below is proved, and so is the Poisson bracket that it makes with integrals.".to_owned(),
+            count => format!(
+                "The invariant density below is proved, and so are the {count} Poisson brackets that it makes with integrals."
+            ),
+        },
         None => match (report.density_search.seen, report.density_search.none_up_to) {
             (Some(degree), _) => format!(
-                "An invariant density 1/P with P of degree {degree} shows modulo a prime; no formula of it was reached."
+                "One over a polynomial of degree {degree} is an invariant density, as seen modulo a prime; no formula of it was reached."
             ),
-            (None, Some(degree)) => format!("No invariant density 1/P shows up to degree {degree} of P."),
+            (None, Some(degree)) => format!(
+                "No invariant density shows that is one over a polynomial of degree {degree} or less, or made of factors of the integrals."
+            ),
             (None, None) => "The time ran out before an invariant density was looked for.".to_owned(),
         },
     }
@@ -118,7 +164,7 @@ fn densities(report: &Report) -> String {
 fn own_density(report: &Report) -> Option<String> {
     let own = report.own_density.as_ref().filter(|_| !report.densities.is_empty())?;
     Some(format!(
-        "The field brings the density `{own}` along, and a block takes one: the line printed would stand in its place. The quotient of two densities is an integral, if not a constant."
+        "The field brings the density `{own}` along, and a block takes one: the line below would stand in its place. The quotient of two densities is an integral, if not a constant."
     ))
 }
 
@@ -126,7 +172,7 @@ fn structure(report: &Report) -> Vec<String> {
     let structure = &report.structure;
     let mut sentences = vec![format!("The divergence of the field is {}.", structure.divergence)];
     if structure.is_even {
-        sentences.push("det(I - t f'(x)) is even in t, so 1/det A is an invariant density.".to_owned());
+        sentences.push("det A(x,eps) is even in eps, so that 1/det A is an invariant density.".to_owned());
     }
     sentences.push(flow(report));
     sentences.push(match &structure.hamiltonian {
@@ -150,32 +196,34 @@ fn structure(report: &Report) -> Vec<String> {
     sentences
 }
 
-/// Linear and quadratic integrals of the flow, as far as they were looked for.
+/// Linear and quadratic integrals of the flow, as far as they were looked for; their formulas stand in the table.
 fn flow(report: &Report) -> String {
     let structure = &report.structure;
-    let linear = structure.linear_integrals.len();
-    let quadratic = structure.quadratic_integrals.len();
-    match (structure.flow_degree, linear) {
-        (0, _) => "Linear and quadratic integrals of the flow were not reached.".to_owned(),
-        (1, 0) => "The flow has no linear integral; quadratic ones were not reached.".to_owned(),
-        (1, _) => format!(
-            "The flow has {}; quadratic ones were not reached.",
+    let (linear, quadratic) = (structure.linear_integrals.len(), structure.quadratic_integrals.len());
+    let found = linear + quadratic;
+    match structure.flow_degree {
+        0 => "Linear and quadratic integrals of the flow were not reached.".to_owned(),
+        1 if linear == 0 => "The flow has no linear integral; quadratic ones were not looked for.".to_owned(),
+        1 => format!(
+            "The flow has {}, which the map keeps; quadratic ones were not looked for.",
             counted(linear, "independent linear integral")
         ),
-        (_, 0) => format!(
-            "The flow has no linear integral and {}.",
-            match quadratic {
-                0 => "no quadratic one".to_owned(),
-                1 => "one quadratic integral".to_owned(),
-                count => format!("{count} independent quadratic ones"),
-            }
-        ),
-        _ => format!(
-            "The flow has {} and {} independent of {}.",
-            counted(linear, "independent linear integral"),
-            counted(quadratic, "quadratic integral"),
-            if linear == 1 { "it" } else { "them" }
-        ),
+        _ if found == 0 => "The flow has no linear integral and no quadratic one.".to_owned(),
+        _ => {
+            let of = match (linear, quadratic) {
+                (0, quadratic) => counted(quadratic, "independent quadratic integral"),
+                (linear, 0) => counted(linear, "independent linear integral"),
+                _ => format!("{linear} linear and {quadratic} quadratic independent integrals"),
+            };
+            let kept = if quadratic == 0 {
+                "which the map keeps"
+            } else if linear == 0 {
+                "which the map need not keep as they stand"
+            } else {
+                "of which the map keeps the linear ones as they stand"
+            };
+            format!("The flow has {of}, {kept}.")
+        }
     }
 }
 
@@ -188,18 +236,14 @@ fn composition(report: &Report) -> Option<String> {
     let quotients =
         survivors.quotients.iter().map(|&(above, below)| format!("{}/{}", name(above), name(below)));
     let kept: Vec<String> = kept.chain(quotients).collect();
-    let which = if kept.is_empty() {
-        "neither one as it stands nor a quotient of two".to_owned()
-    } else {
-        kept.join(", ")
+    let which = match (kept.is_empty(), survivors.hilbert.integrals) {
+        (true, 0) => String::new(),
+        (true, _) => ", none of them a formula below or a quotient of two".to_owned(),
+        (false, _) => format!(": {}", kept.join(", ")),
     };
     Some(format!(
-        "Of the integrals {} under symmetric composition, up to degree {}; among the formulas: {which}.",
-        match survivors.hilbert.integrals {
-            0 => "none survives".to_owned(),
-            1 => "one survives".to_owned(),
-            count => format!("{count} survive"),
-        },
+        "Steps of order 4, 6 and 8 (`kahan orbit --order`), which compose the map at several eps, keep {} of degree ≤ {}{which}.",
+        counted(survivors.hilbert.integrals, "integral"),
         survivors.hilbert.degree()
     ))
 }

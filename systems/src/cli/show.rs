@@ -1,15 +1,14 @@
 //! `kahan show`: the formulas of a system as text, as LaTeX, or as the block of the macro; or the plan of its code.
 
-mod page;
+pub(super) mod page;
 mod plan;
 
 use clap::Args;
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 use kahan_algebra::render::{
-    Formulas, MatrixText, Notation, PAGE_WIDTH, claim_statement, claim_text, condition_note,
-    condition_statement, condition_text, latex_box, latex_equation, latex_matrix, latex_width, macro_block,
+    Formulas, MatrixText, Notation, PAGE_WIDTH, claim_text, condition_note, condition_text, latex_box,
+    latex_equation, latex_matrix, latex_width, macro_block,
 };
-use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
 use serde_json::{Value, json};
 
@@ -210,7 +209,6 @@ impl Sheet<'_> {
     }
 
     fn latex(&self) -> String {
-        let name = |text: &str| self.notation.name(text);
         let mut page = Page::default();
         page.line(&format!("% {}", self.block.name(self.system)));
         page.display(&aligned(self.equations_latex(|state| format!("\\dot {{{state}}}"), &self.field)));
@@ -240,24 +238,7 @@ impl Sheet<'_> {
              \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}",
         );
         for claim in &self.system.claims {
-            let source = self.source(claim).map_or_else(String::new, |source| format!(": {source}"));
-            let condition = condition_text(self.system, claim);
-            let when = if condition.is_empty() { String::new() } else { format!(", when {condition}") };
-            page.line(&format!("% {} {}{when}{source}", claim.kind.keyword(), claim.name.text));
-            let index = if claim.kind == ClaimKind::Bracket {
-                format!("_{{{}}}", name(&claim.name.text))
-            } else {
-                String::new()
-            };
-            let statements = claim_statement(claim, self.notation).into_iter();
-            let mut rows: Vec<String> = statements
-                .map(|(left, right)| latex_equation(&format!("{left}{index}"), &right, PAGE_WIDTH))
-                .collect();
-            if !claim.is_unconditional() {
-                let relations = condition_statement(self.system, claim, self.notation);
-                rows.push(format!("&\\text{{where }} {relations}"));
-            }
-            page.display(&aligned(rows));
+            page.claim(self.system, claim, self.source(claim));
         }
         page.text
     }

@@ -1,17 +1,22 @@
 //! What `kahan show` writes is put together from: sections of plain text, displays of LaTeX, matrices.
 
-use kahan_algebra::render::{MatrixText, lines};
+use kahan_algebra::render::{
+    MatrixText, Notation, PAGE_WIDTH, claim_statement, condition_statement, condition_text, latex_equation,
+    lines,
+};
+use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::{Claim, System};
 
 use super::super::layout::{matrix_within, screen_width};
 
 /// Text that grows downwards.
 #[derive(Default)]
-pub(super) struct Page {
-    pub(super) text: String,
+pub(crate) struct Page {
+    pub(crate) text: String,
 }
 
 impl Page {
-    pub(super) fn line(&mut self, line: &str) {
+    pub(crate) fn line(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push('\n');
     }
@@ -31,8 +36,29 @@ impl Page {
         }
     }
 
-    pub(super) fn display(&mut self, formula: &str) {
+    pub(crate) fn display(&mut self, formula: &str) {
         self.line(&format!("\\[\n{formula}\n\\]"));
+    }
+
+    /// A claim in LaTeX, with a comment that says which, and perhaps where it is from.
+    pub(crate) fn claim(&mut self, system: &System, claim: &Claim, source: Option<&str>) {
+        let name = &claim.name.text;
+        let source = source.map_or_else(String::new, |source| format!(": {source}"));
+        let condition = condition_text(system, claim);
+        let when = if condition.is_empty() { String::new() } else { format!(", when {condition}") };
+        self.line(&format!("% {} {name}{when}{source}", claim.kind.keyword()));
+        let index = match claim.kind {
+            ClaimKind::Bracket => format!("_{{{}}}", Notation::Latex.name(name)),
+            _ => String::new(),
+        };
+        let statements = claim_statement(claim, Notation::Latex).into_iter();
+        let mut rows: Vec<String> = statements
+            .map(|(left, right)| latex_equation(&format!("{left}{index}"), &right, PAGE_WIDTH))
+            .collect();
+        if !claim.is_unconditional() {
+            rows.push(format!("&\\text{{where }} {}", condition_statement(system, claim, Notation::Latex)));
+        }
+        self.display(&aligned(rows));
     }
 }
 
@@ -60,6 +86,6 @@ pub(super) fn column(entries: &[String]) -> Vec<String> {
 }
 
 /// Equations in LaTeX, one below the other.
-pub(super) fn aligned(lines: Vec<String>) -> String {
+pub(crate) fn aligned(lines: Vec<String>) -> String {
     format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n"))
 }
