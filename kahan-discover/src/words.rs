@@ -114,9 +114,11 @@ fn formulas(report: &Report) -> Vec<String> {
             None => "seen modulo primes",
         };
         sentences.push(format!(
-            "{} more {} no short formula, but a Hirota-Kimura basis: along every orbit {} satisfy one linear relation, whose coefficients are constant there, {proof}.",
-            capitalised(&counted(basis.integrals.len(), "integral")),
-            if basis.integrals.len() == 1 { "has" } else { "have" },
+            "{} no short formula, but a Hirota-Kimura basis: along every orbit {} satisfy one linear relation, whose coefficients are constant there, {proof}.",
+            match basis.integrals.len() {
+                1 => "One more integral has".to_owned(),
+                count => format!("{count} more integrals have"),
+            },
             basis.monomial_texts(&report.variables).join(", ")
         ));
     }
@@ -131,11 +133,6 @@ fn formulas(report: &Report) -> Vec<String> {
         ));
     }
     sentences
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 fn densities(report: &Report) -> String {

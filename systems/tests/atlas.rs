@@ -5,9 +5,12 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
+use kahan_algebra::lexer::lex;
+use kahan_algebra::syntax::{ClaimBody, ClaimKind};
 use kahan_systems::atlas::{Checked, Found, Making, Orbits, page};
 use kahan_systems::paper::figures::{Figure, Measurement};
 use kahan_systems::paper::{Claim, Established, Outcome, Paper};
+use kahan_systems::registry;
 use quick_xml::Reader;
 use quick_xml::events::Event;
 
@@ -186,4 +189,141 @@ fn a_claim_that_failed_is_told_at_the_top_and_shown_open() {
     let group = before.rsplit("<details").next().unwrap_or_default();
     assert!(group.contains(" open>"), "its group is closed: {}", &group[..60.min(group.len())]);
     assert!(page_with(&paper, good).contains("no claim failed."));
+}
+
+/// The part of the page about one system.
+fn sheet<'a>(page: &'a str, command: &str) -> &'a str {
+    let (_, after) =
+        page.split_once(&format!(" id=\"system-{command}\"")).unwrap_or_else(|| panic!("{command}"));
+    after.split("</details>").next().unwrap_or_default()
+}
+
+/// What is left of a part of the page without its tags.
+fn text_of(markup: &str) -> String {
+    markup.split('<').filter_map(|piece| piece.split_once('>')).map(|(_, text)| text).collect()
+}
+
+#[test]
+fn an_opened_system_shows_everything_that_is_claimed_of_it() {
+    let paper = Paper::new();
+    let page = page_with(&paper, good);
+    for entry in registry::all() {
+        let system = kahan_algebra::read(&lex(entry.text()).tokens).system;
+        let sheet = sheet(&page, entry.command);
+        let shown: Vec<&str> = sheet.split("<div class=\"preserved\">").skip(1).collect();
+        assert_eq!(shown.len(), system.claims.len(), "{}", entry.command);
+        for kind in [ClaimKind::Integral, ClaimKind::Density, ClaimKind::Bracket] {
+            let title = match kind {
+                ClaimKind::Integral => "<h4>Integral",
+                ClaimKind::Density => "<h4>Invariant densit",
+                ClaimKind::Bracket => "<h4>Invariant Poisson bracket",
+            };
+            assert_eq!(
+                sheet.contains(title),
+                system.claims.iter().any(|claim| claim.kind == kind),
+                "{title}"
+            );
+        }
+        for claim in &system.claims {
+            let id = format!("{}.{}", entry.command, claim.name.text);
+            let block = shown.iter().find(|block| block.contains(&format!("href=\"#claim-{id}\"")));
+            let block = block.unwrap_or_else(|| panic!("{id} is not shown"));
+            assert_eq!(block.contains(">when "), !claim.conditions.is_empty(), "{id}");
+            let formulas = block.matches("<div class=\"formula\"").count();
+            match &claim.body {
+                Some(ClaimBody::Tensor(entries)) => assert_eq!(formulas, entries.len(), "{id}"),
+                _ => assert_eq!(formulas, 1, "{id}"),
+            }
+            // Every variable of the formula stands in it.
+            let words = text_of(block);
+            let symbols = &system.field.symbols;
+            for (i, state) in symbols.states.iter().enumerate().filter(|(_, state)| state.len() == 1) {
+                if claim.plan.inputs().contains(&symbols.state(i)) {
+                    assert!(words.contains(state.as_str()), "{id} shows no {state}: {words}");
+                }
+            }
+        }
+    }
+}
+
+/// The formulas of the page, as MathML.
+fn formulas(page: &str) -> impl Iterator<Item = &str> {
+    page.split("<math ").skip(1).filter_map(|rest| rest.split("</math>").next())
+}
+
+#[test]
+fn parentheses_stretch_around_what_is_tall() {
+    let page = page_with(&Paper::new(), good);
+    let mut stretched = 0;
+    for formula in formulas(&page) {
+        // Where each open parenthesis stands, and whether it stretches.
+        let mut open: Vec<(usize, bool)> = Vec::new();
+        let mut at = 0;
+        for piece in formula.split_inclusive('<') {
+            let (tag, text) = piece.trim_end_matches('<').split_once('>').unwrap_or_default();
+            let stretches = tag.contains("stretchy=\"true\"");
+            match (tag.starts_with("mo"), text) {
+                (true, "(" | "[" | "{") => open.push((at, stretches)),
+                (true, ")" | "]" | "}") => {
+                    if let Some((start, begins)) = open.pop() {
+                        let inside = &formula[start..at];
+                        let is_tall =
+                            ["<mfrac", "<mtable", "<munderover"].iter().any(|tall| inside.contains(tall));
+                        assert!(!is_tall || stretches && begins, "{}", text_of(formula));
+                        stretched += usize::from(is_tall);
+                    }
+                }
+                _ => {}
+            }
+            at += piece.len();
+        }
+    }
+    assert!(stretched > 100, "{stretched}");
+}
+
+/// How many characters wide a formula is: of a fraction the wider side, of a table the widest row.
+fn width(formula: &str) -> usize {
+    let xml = format!("<math {formula}</math>");
+    let mut reader = Reader::from_str(&xml);
+    // For each open element its name and the widths of its children.
+    let mut open: Vec<(String, Vec<usize>)> = vec![(String::new(), Vec::new())];
+    loop {
+        match reader.read_event().expect("well formed") {
+            Event::Eof => return open[0].1.iter().sum(),
+            Event::Start(start) => open.push((start.name().as_ref().to_owned(), Vec::new())),
+            Event::Text(text) => {
+                let characters = text.trim().chars().count();
+                open.last_mut().expect("an element").1.push(characters);
+            }
+            Event::End(_) => {
+                let (name, children) = open.pop().expect("an element");
+                let width = match name.as_str() {
+                    "mfrac" | "mtable" | "munderover" => children.iter().copied().max().unwrap_or(0),
+                    // An accent is above its letter.
+                    "mover" => children.first().copied().unwrap_or(0),
+                    _ => children.iter().sum(),
+                };
+                open.last_mut().expect("the formula around it").1.push(width);
+            }
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn no_formula_is_wider_than_its_place() {
+    let page = page_with(&Paper::new(), good);
+    let (systems, rest) = page.split_once("<section id=\"tables\"").expect("the tables");
+    // Signs have spaces around them, which are not counted here.
+    for formula in formulas(systems) {
+        assert!(width(formula) <= 90, "{} characters: {}", width(formula), text_of(formula));
+    }
+    for formula in formulas(rest) {
+        assert!(width(formula) <= 64, "{} characters: {}", width(formula), text_of(formula));
+    }
+    let lagrange = sheet(&page, "lagrange");
+    assert!(
+        lagrange.contains("<mfrac><mrow><mtable class=\"menv-alignlike"),
+        "a long numerator is in one line"
+    );
 }

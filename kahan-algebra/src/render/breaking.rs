@@ -56,6 +56,29 @@ pub fn latex_equation(left: &str, right: &str, width: usize) -> String {
     format!("{left} &= {}", latex_lines(right, room).join(" \\\\\n&\\quad "))
 }
 
+/// A formula with or without a relation (`left = right`), in as many lines as it needs, as one display.
+#[must_use]
+pub fn latex_display(formula: &str, width: usize) -> String {
+    if latex_width(formula) <= width {
+        return formula.to_owned();
+    }
+    let sides = split(formula, |rest| RELATIONS.iter().any(|sign| rest.starts_with(sign)));
+    let [left, right] = sides[..] else { return latex_box(formula, width) };
+    let (sign, right) = right.split_once(' ').unwrap_or(("", right));
+    let rows = if latex_width(left) * 3 <= width {
+        let room = width.saturating_sub(latex_width(left) + 3);
+        format!("{left} &{sign} {}", latex_lines(right, room).join(" \\\\\n&\\quad "))
+    } else {
+        let left = latex_lines(left, width).join(" \\\\\n&\\quad ");
+        let right = latex_lines(right, width.saturating_sub(5)).join(" \\\\\n&\\qquad ");
+        format!("& {left} \\\\\n&\\quad {sign} {right}")
+    };
+    format!("\\begin{{aligned}}\n{rows}\n\\end{{aligned}}")
+}
+
+/// The signs between the sides of a statement.
+const RELATIONS: [&str; 4] = [" = ", " \\coloneqq ", " \\neq ", " \\approx "];
+
 /// A matrix in the environment `name`, with `width` characters for all columns; wide entries have several lines.
 #[must_use]
 pub fn latex_matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
@@ -297,7 +320,7 @@ fn command(rest: &str) -> (usize, usize) {
 
 #[cfg(test)]
 mod tests {
-    use super::{latex_box, latex_equation, latex_lines, latex_matrix, latex_width};
+    use super::{latex_box, latex_display, latex_equation, latex_lines, latex_matrix, latex_width};
 
     #[test]
     fn widths_are_about_what_the_eye_sees() {
@@ -337,6 +360,21 @@ mod tests {
             latex_lines(&format!("b \\left({sum}\\right)^{{2}}"), 23),
             ["b".to_owned(), format!("\\cdot \\left({two}\\right)^{{2}}")]
         );
+    }
+
+    #[test]
+    fn statements_break_at_their_relation() {
+        let sum = ["aaaaaaaa"; 4].join(" + ");
+        assert_eq!(latex_display("a = b", 10), "a = b");
+        assert_eq!(
+            latex_display(&format!("f = {sum}"), 25),
+            "\\begin{aligned}\nf &= aaaaaaaa + aaaaaaaa \\\\\n&\\quad + aaaaaaaa + aaaaaaaa\n\\end{aligned}"
+        );
+        assert_eq!(
+            latex_display(&format!("{sum} \\neq 0"), 28),
+            "\\begin{aligned}\n& aaaaaaaa + aaaaaaaa \\\\\n&\\quad + aaaaaaaa + aaaaaaaa \\\\\n&\\quad \\neq 0\n\\end{aligned}"
+        );
+        assert!(latex_width(&latex_display(&sum, 25)) <= 25);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Documentation of the generated items: the formulas themselves.
 
 use kahan_algebra::plan::LARGEST_SIZE;
-use kahan_algebra::render::{Formulas, Notation, claim_statement, claim_text, condition_note};
+use kahan_algebra::render::{Formulas, Notation, claim_statement, claim_text, condition_note, folded};
 use kahan_algebra::system::Claim;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -29,7 +29,8 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     );
     lines.push(String::new());
     lines.push(" ```text".to_owned());
-    lines.extend(states.iter().zip(formulas.field()).map(|(state, value)| format!(" {state}dot = {value}")));
+    let equations = states.iter().zip(formulas.field()).map(|(state, value)| format!("{state}dot = {value}"));
+    push_formulas(&mut lines, &equations.collect::<Vec<_>>());
     lines.push(" ```".to_owned());
     push_block(&mut lines, "Matrix A(x,ε) = I − ε f′(x), row by row:", &rows(&formulas));
     match formulas.map() {
@@ -88,8 +89,16 @@ fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
     lines.push(format!(" {title}"));
     lines.push(String::new());
     lines.push(" ```text".to_owned());
-    lines.extend(text.iter().map(|line| format!(" {line}")));
+    push_formulas(lines, text);
     lines.push(" ```".to_owned());
+}
+
+/// Formulas as they fit a page of rustdoc: a long one is broken before its terms.
+fn push_formulas(lines: &mut Vec<String>, formulas: &[String]) {
+    /// The characters that a page shows without a scroll bar, about.
+    const WIDTH: usize = 100;
+    let folded = formulas.iter().map(|formula| folded(formula, WIDTH)).collect::<String>();
+    lines.extend(folded.lines().map(|line| format!(" {line}")));
 }
 
 /// The documentation of `integrals`.

@@ -41,8 +41,8 @@ pub fn page(found: &Found<'_>, making: &Making) -> String {
                 }
                 (table_of_contents(found))
                 main {
-                    (systems::section())
-                    (systems::further())
+                    (systems::section(found))
+                    (systems::further(found))
                     (structures::section(found))
                     (solutions::section(found))
                     (figures::section(found))

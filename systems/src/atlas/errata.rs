@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::found::{Checked, Found};
-use super::math::displays;
+use super::math::{COLUMN, displays};
 use super::readable::readable;
 use super::words::{badge, decimal, link};
 use crate::paper::figures::{DE1, DE2, DE7, DE7_1_5, DE7_2_9, Figure, slope};
@@ -57,8 +57,8 @@ fn misprint(found: &Found<'_>, checked: &Checked<'_>) -> Markup {
                 (readable(place)) " " (badge(established.outcome))
             }
             dl {
-                dt { "Printed" } dd.printed { (displays(&lines)) }
-                dt { "Correct" } dd { (displays(&found.paper.latex(claim))) }
+                dt { "Printed" } dd.printed { (displays(&lines, COLUMN)) }
+                dt { "Correct" } dd { (displays(&found.paper.latex(claim), COLUMN)) }
                 dt { "Shown" } dd { (readable(shown)) " (" (link(checked)) ")" }
             }
         }

@@ -1,5 +1,6 @@
 //! Formulas: LaTeX to MathML, which browsers set without a script.
 
+use kahan_algebra::render::{latex_box, latex_display};
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Event, Parser, ParserError, Storage, push_mathml};
@@ -9,19 +10,27 @@ pub(super) fn inline(latex: &str) -> Markup {
     mathml(latex, DisplayMode::Inline)
 }
 
-/// A formula in a line of its own, which scrolls in its box where it is too wide.
-pub(super) fn display(latex: &str) -> Markup {
-    html! { div.formula tabindex="0" { (mathml(latex, DisplayMode::Block)) } }
+/// The characters of a line in the width of the page.
+pub(super) const LINE: usize = 84;
+/// Those of a line in the column of statements.
+pub(super) const COLUMN: usize = 56;
+/// Those of a line in a cell of a table of formulas.
+const CELL: usize = 44;
+
+/// A formula of at most so many characters a line. It scrolls in its box only where the window itself is narrower.
+pub(super) fn display(latex: &str, width: usize) -> Markup {
+    let latex = latex_display(latex, width);
+    html! { div.formula tabindex="0" { (mathml(&latex, DisplayMode::Block)) } }
 }
 
 /// A formula in a cell of a table: in display style, without a box.
 pub(super) fn cell(latex: &str) -> Markup {
-    inline(&format!("\\displaystyle {latex}"))
+    inline(&format!("\\displaystyle {}", latex_box(latex, CELL)))
 }
 
-/// Several formulas, a line each.
-pub(super) fn displays(formulas: &[String]) -> Markup {
-    html! { @for formula in formulas { (display(formula)) } }
+/// Several formulas, each on lines of its own.
+pub(super) fn displays(formulas: &[String], width: usize) -> Markup {
+    html! { @for formula in formulas { (display(formula, width)) } }
 }
 
 /// What cannot be set is shown as it is written, and marked: the tests look for the mark.
@@ -59,7 +68,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_set_is_shown_and_marked() {
-        let set = display("\\frac{<}{").into_string();
+        let set = display("\\frac{<}{", super::LINE).into_string();
         assert!(set.contains("class=\"unset\"") && set.contains("&lt;"), "{set}");
     }
 }

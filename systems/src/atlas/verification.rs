@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::found::{Checked, Found};
-use super::math::displays;
+use super::math::{COLUMN, displays};
 use super::readable::readable;
 use super::words::{anchor, badge};
 use crate::paper::Outcome;
@@ -93,7 +93,7 @@ fn row(checked: &Checked<'_>, found: &Found<'_>) -> Markup {
     html! {
         tr id=(anchor(&claim.id)) {
             th scope="row" { code { (claim.id) } div.source { (readable(&claim.source)) } }
-            td { (displays(&found.paper.latex(claim))) }
+            td { (displays(&found.paper.latex(claim), COLUMN)) }
             td {
                 (badge(established.outcome))
                 @if matches!(established.outcome, Outcome::Exact(_) | Outcome::Failed) {

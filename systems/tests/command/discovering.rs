@@ -45,16 +45,18 @@ fn every_key_is_there_and_says_what_was_found() {
     assert_eq!(found["survivors"]["formulas"], json!([]));
     assert_eq!(found["out_of_time"], false);
     assert!(found["seconds"].is_number() && !texts(&found["sentences"]).is_empty());
-    let lines = [texts(&found["integrals"]), texts(&found["densities"])].concat();
-    assert_eq!(reading(WEIERSTRASS, &lines).system.claims.len(), 2);
+    let lines = ["integrals", "densities", "brackets"].map(|key| texts(&found[key])).concat();
+    assert_eq!(reading(WEIERSTRASS, &lines).system.claims.len(), 3);
+    assert_eq!(found["bases"], json!([]));
 }
 
 #[test]
 fn printed_lines_go_into_a_block_as_they_stand() {
     for (name, integrals) in [("e1", 2), ("e6", 2), ("euler", 2), ("volterra", 2), ("volterra4", 3)] {
         let page = answer(&["discover", name]);
-        let is_claim = |line: &&str| line.starts_with("integral ") || line.starts_with("density ");
-        let lines: Vec<String> = page.lines().filter(is_claim).map(str::to_owned).collect();
+        // The last paragraph is claims, and nothing else is.
+        let (_, claims) = page.trim_end().rsplit_once("\n\n").expect("a summary before the claims");
+        let lines: Vec<String> = claims.lines().map(str::to_owned).collect();
         let block = find(name).expect("a system of the catalog").text();
         let equations: Vec<&str> = block.lines().filter(|line| line.contains("dot = ")).collect();
         assert_eq!(reading(&equations.join(" "), &lines).system.claims.len(), lines.len());
@@ -84,10 +86,9 @@ fn the_numbers_stand_before_the_claims() {
     };
     assert_eq!(line("system "), "e9");
     assert_eq!((line("generic "), line("fixed ")), ("eps".to_owned(), "xi = 1".to_owned()));
-    assert!(line("degrees ").starts_with("1, 2, 4, 6, 8, "));
-    assert_eq!(line("growth "), "linear");
-    assert_eq!(line("hilbert "), "3, 5, 7, 9, 11, 13, 15, 17, 19");
-    assert_eq!(line("integrals "), "2");
+    assert!(line("degrees of iterates ").starts_with("1, 2, 4, 6, 8, "));
+    assert_eq!(line("  on an orbit "), "3, 5, 7, 9, 11, 13, 15, 17, 19");
+    assert!(page.contains("so many show 2 independent integrals"), "{page}");
     assert!(page.contains(" when xi = 1;"));
 }
 
@@ -117,6 +118,28 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
         assert_eq!(texts(&found["integrals"]).len(), claimed("integral"), "{}", entry.command);
         assert_eq!(texts(&found["densities"]).is_empty(), claimed("density") == 0, "{}", entry.command);
     }
+}
+
+/// The block that `--macro` prints compiles again with as many claims, `--latex` writes each, `--out` takes either.
+#[test]
+fn what_is_found_is_printed_as_a_block_and_in_latex() {
+    let found = object(&["discover", "euler"]);
+    let all: usize = ["integrals", "densities", "brackets"].iter().map(|key| texts(&found[*key]).len()).sum();
+    let block = answer(&["discover", "euler", "--macro"]);
+    let inside =
+        block.trim().strip_prefix("kahan! {").and_then(|rest| rest.strip_suffix('}')).expect("a block");
+    assert_eq!(reading(inside, &[]).system.claims.len(), all);
+    assert!(block.lines().all(|line| line.chars().count() <= 100), "{block}");
+    let latex = answer(&["discover", "euler", "--latex"]);
+    assert_eq!(latex.lines().filter(|line| line.starts_with("% ")).count(), 1 + all, "{latex}");
+    assert_eq!(latex.matches("\\begin{aligned}").count(), 1 + all);
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("euler.rs");
+    let path = file.to_str().expect("a path");
+    assert_eq!(answer(&["discover", "euler", "--macro", "--out", path]), "");
+    assert_eq!(std::fs::read_to_string(&file).expect("a file"), block);
+    assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 1);
+    assert!(refusal(&["discover", "e6", "--out", "/nowhere/at/all"]).contains("cannot write"));
 }
 
 #[test]

@@ -95,7 +95,7 @@ fn name(text: &str) -> String {
 
 /// In parentheses, as high as what is inside.
 fn enclosed(text: &str) -> String {
-    let is_high = ["\\frac", "\\sum", "\\left"].iter().any(|high| text.contains(high));
+    let is_high = ["\\frac", "\\sum", "\\left", "\\begin"].iter().any(|high| text.contains(high));
     if is_high { format!("\\left({text}\\right)") } else { format!("({text})") }
 }
 

@@ -20,7 +20,7 @@ pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String
         ("dot", [inner]) => format!("\\frac{{d}}{{dt}}{}", enclosed(&write(inner).0)),
         ("bracket", [.., left, right]) if arguments.len() == 5 => {
             let tensor = written[..3].join(", ");
-            format!("\\left\\{{{}, {}\\right\\}}_{{({tensor})}}", write(left).0, write(right).0)
+            format!("\\left\\{{{}, {}\\right\\}}_{{{}}}", write(left).0, write(right).0, enclosed(&tensor))
         }
         ("back", [inner]) => format!("\\left.{}\\right|_{{\\text{{previous point}}}}", write(inner).0),
         ("next", [system, inner]) => {
@@ -29,7 +29,9 @@ pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String
         ("d", [inner, Formula::Name(variable)]) => {
             format!("\\frac{{\\partial {}}}{{\\partial {}}}", at_least(inner, Level::Product), name(variable))
         }
-        ("on", [inner, ..]) => format!("\\left.{}\\right|_{{({})}}", write(inner).0, written[1..].join(", ")),
+        ("on", [inner, ..]) => {
+            format!("\\left.{}\\right|_{{{}}}", write(inner).0, enclosed(&written[1..].join(", ")))
+        }
         ("at", [inner, rest @ ..]) => {
             let replaced: Vec<String> = rest
                 .chunks(2)
