@@ -1,17 +1,14 @@
-//! Invariant Poisson brackets from a density and n − 2 integrals.
-//!
-//! Contracting the invariant volume ρ dx with n − 2 integrals leaves the bivector
-//! Pⁱʲ = (1/ρ) Σ ±∂H₁/∂x_{k₁} ⋯ ∂H_{n−2}/∂x_{k_{n−2}}, the minor of the gradients without columns i and j. It is a Poisson tensor (Nambu,
-//! "Generalized Hamiltonian dynamics", 1973) with the Hₘ as Casimir functions, and invariant as ρ and the Hₘ are.
+//! Invariant Poisson brackets from a density and n − 2 integrals, which are Casimir functions of the bracket.
 
-use kahan_algebra::poly::{Budget, OverBudget, Polynomial};
+use kahan_algebra::poisson::{PoissonTensor, invariant_bracket};
+use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
 use crate::claims::{Claims, Formula};
 use crate::deadline::Deadline;
 
-/// The work that one entry may take, in products of terms.
+/// The work that one bracket may take, in products of terms.
 const MOST_TERMS: usize = 2_000;
 const MOST_WORK: u64 = 4_000_000;
 
@@ -40,96 +37,43 @@ pub(crate) fn brackets(
         if deadline.passed() {
             break;
         }
-        let chosen: Vec<&Formula> = chosen.into_iter().map(|index| &integrals[index]).collect();
-        let Ok(Some(entries)) = tensor(symbols, &chosen, density) else { continue };
-        let value = claims.bracket_entries(symbols, &entries);
-        found.extend((value.len() <= MOST_CHARACTERS).then_some(value));
+        let Some(tensor) = tensor(symbols, &chosen, integrals, density) else { continue };
+        let entries = claims.bracket_entries(symbols, &tensor);
+        found.extend((entries.len() <= MOST_CHARACTERS).then_some(entries));
     }
     found.sort_by_key(String::len);
     let names = 1..=MOST_BRACKETS;
     names.zip(&found).filter_map(|(index, entries)| claims.bracket(index, entries)).collect()
 }
 
-/// All choices of `count` of the indices below `of`, ascending.
+/// All choices of `count` of the indices below `of`, each ascending, those of the lowest indices first.
 fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
     }
-    (0..of)
-        .flat_map(|last| {
-            choices(last, count - 1).into_iter().map(move |mut chosen| {
-                chosen.push(last);
-                chosen
-            })
+    let with_last = |last: usize| {
+        choices(last, count - 1).into_iter().map(move |mut chosen| {
+            chosen.push(last);
+            chosen
         })
-        .collect()
+    };
+    (0..of).flat_map(with_last).collect()
 }
 
-/// An entry above the diagonal: i, j and {xᵢ, xⱼ}.
-pub(crate) type Entry = (usize, usize, RationalFunction);
-
-/// The entries that are not 0; `None` where a denominator is 0.
+/// The bracket with the chosen integrals as Casimir functions; `None` beyond the budget.
 fn tensor(
     symbols: &Symbols,
-    integrals: &[&Formula],
+    chosen: &[usize],
+    integrals: &[Formula],
     density: &Formula,
-) -> Result<Option<Vec<Entry>>, OverBudget> {
-    let n = symbols.dimension();
-    let mut gradients = Vec::new();
-    for formula in integrals {
-        let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
-        let own = RationalFunction::new_within(
-            formula.numerator.clone(),
-            formula.denominator.clone(),
-            &mut budget,
-        )?;
-        let Some(own) = own else { return Ok(None) };
-        let slopes: Result<Vec<_>, _> =
-            (0..n).map(|i| own.derivative_within(symbols.state(i), &mut budget)).collect();
-        gradients.push(slopes?);
-    }
-    let mut entries = Vec::new();
-    for i in 0..n {
-        for j in i + 1..n {
-            let columns: Vec<usize> = (0..n).filter(|&column| column != i && column != j).collect();
-            let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
-            let minor = minor(&gradients, &columns, &mut budget)?;
-            let signed = if (i + j) % 2 == 1 { minor } else { -&minor };
-            let weight = RationalFunction::new_within(
-                density.denominator.clone(),
-                density.numerator.clone(),
-                &mut budget,
-            )?;
-            let Some(weight) = weight else { return Ok(None) };
-            let entry = signed.mul_within(&weight, &mut budget)?;
-            if !entry.is_zero() {
-                entries.push((i, j, entry));
-            }
-        }
-    }
-    Ok((!entries.is_empty()).then_some(entries))
-}
-
-/// The determinant of the rows' entries in these columns, by expansion along the first row.
-fn minor(
-    rows: &[Vec<RationalFunction>],
-    columns: &[usize],
-    budget: &mut Budget,
-) -> Result<RationalFunction, OverBudget> {
-    let Some((first, rest)) = rows.split_first() else {
-        return Ok(RationalFunction::from(Polynomial::one()));
+) -> Option<PoissonTensor> {
+    let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+    let mut function = |above: &Polynomial, below: &Polynomial| {
+        RationalFunction::new_within(above.clone(), below.clone(), &mut budget).ok()?
     };
-    let mut sum = RationalFunction::zero();
-    for (place, &column) in columns.iter().enumerate() {
-        if first[column].is_zero() {
-            continue;
-        }
-        let others: Vec<usize> = columns.iter().copied().filter(|&other| other != column).collect();
-        let product = minor(rest, &others, budget)?.mul_within(&first[column], budget)?;
-        sum = match place % 2 {
-            0 => sum.add_within(&product, budget)?,
-            _ => sum.sub_within(&product, budget)?,
-        };
-    }
-    Ok(sum)
+    let casimirs = chosen.iter().map(|&index| &integrals[index]);
+    let casimirs: Option<Vec<_>> =
+        casimirs.map(|integral| function(&integral.numerator, &integral.denominator)).collect();
+    let density = function(&density.numerator, &density.denominator)?;
+    invariant_bracket(symbols, &density, &casimirs?, &mut budget).ok()
 }

@@ -5,6 +5,7 @@
 
 use std::slice::from_ref;
 
+use kahan_algebra::poisson::PoissonTensor;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Formulas, Notation};
@@ -13,7 +14,6 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
 
-use crate::brackets::Entry;
 use crate::writing::{is_product, quotient};
 
 /// What densities are called.
@@ -155,12 +155,16 @@ impl<'a> Claims<'a> {
     }
 
     /// The entries of a bracket in factors, as they stand in a claim.
-    pub(crate) fn bracket_entries(&self, symbols: &Symbols, entries: &[Entry]) -> String {
-        let entry = |(i, j, value): &Entry| {
-            let value = quotient(symbols, from_ref(value.numerator()), from_ref(value.denominator()), &[]);
-            format!("{{{}, {}}} = {value};", symbols.states[*i], symbols.states[*j])
+    pub(crate) fn bracket_entries(&self, symbols: &Symbols, tensor: &PoissonTensor) -> String {
+        let n = tensor.dimension();
+        let places = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
+        let entry = |(i, j): (usize, usize)| {
+            let value = tensor.entry(i, j);
+            let text = quotient(symbols, from_ref(value.numerator()), from_ref(value.denominator()), &[]);
+            let states = &symbols.states;
+            (!value.is_zero()).then(|| format!("{{{}, {}}} = {text};", states[i], states[j]))
         };
-        entries.iter().map(entry).collect::<Vec<_>>().join(" ")
+        places.filter_map(entry).collect::<Vec<_>>().join(" ")
     }
 
     /// The claim of an invariant bracket with these entries, if it is proved.

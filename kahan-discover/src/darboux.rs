@@ -226,3 +226,27 @@ pub(crate) fn exponents(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kahan_algebra::{lexer, read};
+
+    #[test]
+    fn a_density_may_be_a_quotient_of_factors() {
+        // E1, whose density 1/(y²(1 − ε²x²)) is made here of y and y³(1 − ε²x²).
+        let field = read(&lexer::lex("xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;").tokens).system.field;
+        let setting = Setting::new(&field, None);
+        let symbols = &field.symbols;
+        let variable = Polynomial::variable;
+        let (x, y, eps) =
+            (variable(symbols.state(0)), variable(symbols.state(1)), variable(symbols.epsilon()));
+        let square = |polynomial: &Polynomial| polynomial * polynomial;
+        let long = &(&square(&y) * &y) * &(Polynomial::one() - &square(&eps) * &square(&x));
+        let factors = [long.clone(), y.clone()];
+        // One over a polynomial is not looked for up to degree 4, where there is one.
+        let far = Deadline::never();
+        let found = measure(&setting, &factors, 2, &mut SplitMix64::new(1), &far);
+        assert_eq!(found, MeasureSearch::Found(Measure { factors: vec![(long, -1), (y, 1)], degree: 6 }));
+    }
+}

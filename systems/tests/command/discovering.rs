@@ -2,7 +2,7 @@
 //! catalog's further systems claim what is found of them.
 
 use kahan_algebra::{Reading, lexer, read};
-use kahan_systems::registry::{FURTHER, find};
+use kahan_systems::registry::{FURTHER, all, find};
 use serde_json::{Value, json};
 
 use crate::running::{answer, refusal};
@@ -150,6 +150,42 @@ fn the_lagrange_top_has_four() {
     assert_eq!(found["hilbert"], json!([6, 18, 38, 66]));
     assert_eq!(texts(&found["integrals"]).len(), 4);
     reading(find("lagrange").expect("in the catalog").text(), &texts(&found["integrals"]));
+}
+
+/// All lines of the catalog took 10 546 characters when numerators and denominators were expanded.
+#[test]
+#[ignore = "the whole catalog: seconds in a release build, minutes in another"]
+fn the_catalog_is_written_in_six_tenths_of_the_characters() {
+    let length = |command: &str| -> usize {
+        let found = object(&["discover", command, "--seconds", "600"]);
+        [texts(&found["integrals"]), texts(&found["densities"])].concat().iter().map(String::len).sum()
+    };
+    let taken: usize = all().map(|entry| length(entry.command)).sum();
+    println!("{taken} characters, {:.3} of 10546", taken as f64 / 10546.0);
+    assert!(taken * 10 <= 10546 * 6, "{taken}");
+}
+
+/// Rigid bodies in a fluid and a field of gravity: all four integrals within the default time.
+#[test]
+#[ignore = "a minute each where the build is slow"]
+fn rigid_bodies_have_four_integrals_in_formulas_and_bases() {
+    let clebsch = "m1dot = (w3 - w2)*p2*p3; m2dot = (w1 - w3)*p3*p1; m3dot = (w2 - w1)*p1*p2;
+        p1dot = p2*m3 - p3*m2; p2dot = p3*m1 - p1*m3; p3dot = p1*m2 - p2*m1;";
+    let kirchhoff = "m1dot = (a3 - a1)*m2*m3 + (b3 - b1)*p2*p3; m2dot = (a1 - a3)*m1*m3 + (b1 - b3)*p1*p3;
+        m3dot = 0; p1dot = a3*p2*m3 - a1*p3*m2; p2dot = a1*p3*m1 - a3*p1*m3; p3dot = a1*(p1*m2 - p2*m1);";
+    let euler_poinsot = "m1dot = (a3 - a1)*m2*m3 + g*p2; m2dot = (a1 - a3)*m1*m3 - g*p1; m3dot = 0;
+        p1dot = a3*p2*m3 - a1*p3*m2; p2dot = a1*p3*m1 - a3*p1*m3; p3dot = a1*(p1*m2 - p2*m1);";
+    for field in [clebsch, kirchhoff, euler_poinsot] {
+        let found = object(&["discover", "--field", field]);
+        let formulas = texts(&found["integrals"]);
+        let bases = found["bases"].as_array().expect("a list");
+        let in_bases: usize =
+            bases.iter().map(|basis| basis["integrals"].as_array().map_or(0, Vec::len)).sum();
+        println!("{} formulas, {in_bases} in bases, {} s", formulas.len(), found["seconds"]);
+        assert_eq!((formulas.len() + in_bases, &found["out_of_time"]), (4, &json!(false)), "{field}");
+        assert!(bases.iter().all(|basis| basis["outcome"] == "proved-mod-p"), "{bases:?}");
+        reading(field, &formulas);
+    }
 }
 
 /// The values of a scan of one axis at which as many integrals are seen.
