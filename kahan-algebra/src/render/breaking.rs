@@ -176,7 +176,7 @@ fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
         }
         if factor[at..].starts_with(OPEN) {
             let start = at + OPEN.len();
-            return Some(vec![start..closing(factor, start)]);
+            return Some(std::iter::once(start..closing(factor, start)).collect());
         }
     }
     None

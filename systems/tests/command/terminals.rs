@@ -17,7 +17,7 @@ fn tables() -> Vec<(Vec<String>, String)> {
         runs.push(vec!["discover", system, "--seconds", "0.5"]);
     }
     runs.push(vec!["extremes", "--field", WIDE, "--trials", "32", "--random-fields", "2"]);
-    runs.extend(["euler", "lv", "e6", "e7"].map(|system| vec!["verify", system]));
+    runs.extend(["euler", "lv", "e3", "e8"].map(|system| vec!["verify", system]));
     runs.push(vec!["verify", "--field", WIDE]);
     runs.push(vec!["show", "--field", WIDE, "--plan"]);
     let long = format!("{LONG},2,3,1/2,1/3,1/5");

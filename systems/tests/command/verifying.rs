@@ -92,13 +92,10 @@ fn no_claim_of_a_field_of_ones_own_survives_every_mutation() {
     assert_eq!(failed(0), "integral H = x^3 + y^2;");
     assert!(failed(3).ends_with(" when a = 0;"), "{}", failed(3));
     assert!(failed(2) != "integral Z = 2*z;" && failed(4) != "density one = 2;");
-    for (k, one) in mutations.iter().enumerate() {
-        // It failed as a claim, and not because it uses what is not there.
-        let changed = field.replace(&["integral H = x^2 + y^2;", "", "integral Z = z;"][k.min(2)], failed(k));
-        if matches!(k, 0 | 2) {
-            let said = text(&kahan(&["verify", "--field", &changed]).stderr);
-            assert!(said.contains("claims failed"), "{one}: {said}");
-        }
+    // They failed as claims, and not because they use what is not there.
+    for (k, original) in [(0, "integral H = x^2 + y^2;"), (2, "integral Z = z;")] {
+        let said = text(&kahan(&["verify", "--field", &field.replace(original, failed(k))]).stderr);
+        assert!(said.contains("claims failed"), "{}: {said}", failed(k));
     }
     let special = answer(&["verify", "e9", "--param", "xi=1", "--mutate"]);
     assert!(special.contains(" 0 survived"), "{special}");

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use kahan_algebra::render::lines;
 use kahan_systems::paper::{Established, Outcome};
 use kahan_systems::registry::find;
 use serde_json::{Value, json};
@@ -63,7 +64,7 @@ impl Report<'_> {
         for (row, cells) in self.rows.iter().zip(&cells) {
             if system != Some(&row.system) {
                 text.push_str(if system.is_some() { "\n" } else { "" });
-                text.push_str(&format!("{}\n", title(&row.system)));
+                text.push_str(&(lines(&title(&row.system), screen_width()).join("\n") + "\n"));
                 system = Some(&row.system);
             }
             let line = columns(cells, &widths);
