@@ -75,5 +75,12 @@ fn tensor(
     let casimirs: Option<Vec<_>> =
         casimirs.map(|integral| function(&integral.numerator, &integral.denominator)).collect();
     let density = function(&density.numerator, &density.denominator)?;
-    invariant_bracket(symbols, &density, &casimirs?, &mut budget).ok()
+    let tensor = invariant_bracket(symbols, &density, &casimirs?, &mut budget).ok()?;
+    // A bracket is one up to a number: the entries are written with coprime integers, the first positive.
+    let mut contents =
+        tensor.entries().iter().filter(|entry| !entry.is_zero()).map(|e| e.numerator().content());
+    let first = contents.next()?;
+    let common = contents.fold(first.clone(), |common, other| common.gcd(&other)).abs();
+    let number = if first.is_negative() { -common } else { common };
+    tensor.scaled(&RationalFunction::constant(number.recip()?), &mut budget).ok()
 }

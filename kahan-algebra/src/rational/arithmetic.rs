@@ -53,7 +53,7 @@ impl Rational {
 
     /// The greatest positive rational g such that self/g and other/g are integers: gcd of the numerators over
     /// lcm of the denominators; gcd(0, b) = |b|.
-    pub(crate) fn gcd(&self, other: &Self) -> Self {
+    pub fn gcd(&self, other: &Self) -> Self {
         if let (Repr::Small { num: a, den: b }, Repr::Small { num: c, den: d }) = (&self.0, &other.0) {
             let num = gcd(a.unsigned_abs(), c.unsigned_abs());
             let den = if b == d {

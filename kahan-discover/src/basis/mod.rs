@@ -31,6 +31,21 @@ pub use proof::prove;
 /// Monomials m₀, …, m_r with one relation Σ cₖ mₖ(x) = 0 along every orbit; the cₖ differ from orbit to orbit.
 ///
 /// Normalised by c_b = 1, b the place of the unit, each cₖ is an integral of the map.
+///
+/// ```
+/// use kahan_algebra::rational::Rational;
+/// use kahan_discover::Basis;
+///
+/// // Orbits of ẋ = y, ẏ = −x lie on circles 1 + c₁ y² + c₂ x² = 0; two points determine c₁ = c₂ = −1/25.
+/// let monomials = vec![vec![0, 0], vec![0, 2], vec![2, 0]];
+/// let basis = Basis { monomials, unit: 0, integrals: vec![1], proof: None };
+/// let found = basis.evaluate(&[vec![5.0, 0.0], vec![3.0, 4.0]])?;
+/// assert!((found.coefficients[1] + 0.04).abs() <= found.condition * f64::EPSILON);
+///
+/// let orbit = [[5, 0], [3, 4]].map(|point| point.map(Rational::from).to_vec());
+/// assert_eq!(basis.evaluate_exact(&orbit)?[1], Rational::new(-1, 25));
+/// # Ok::<(), kahan_discover::basis::BasisError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Basis {
     /// The exponents of the states in each monomial, ascending by degree.
