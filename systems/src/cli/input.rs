@@ -36,7 +36,8 @@ pub(crate) struct Source {
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 
-    /// Which block of a Rust file that has several: the name of its struct or of its variable, or its line.
+    /// Which block of a Rust file that has several: the name of its struct or of its variable, or
+    /// its line.
     #[arg(long, value_name = "NAME", requires = "file", visible_alias = "struct")]
     block: Option<String>,
 
