@@ -1,7 +1,8 @@
 //! Long plain text in lines: broken at spaces, so that no word, number or term is.
 
-/// A text in lines of at most `width` characters, broken at spaces; never empty. A sign stays with the term behind it, `=` with
-/// what stands before it. A word of more than `width` characters has a line of its own.
+/// A text in lines of at most `width` characters, broken at spaces; never empty. A sign stays with
+/// the term behind it, `=` with what stands before it. A word of more than `width` characters has a
+/// line of its own.
 ///
 /// ```
 /// let lines = kahan_algebra::render::lines("x~ = a*x + b*y - c*z", 10);
@@ -30,7 +31,8 @@ pub fn lines(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// A text whose lines have at most `width` characters: each is broken at its spaces and goes on further in.
+/// A text whose lines have at most `width` characters: each is broken at its spaces and goes on
+/// further in.
 #[must_use]
 pub fn folded(text: &str, width: usize) -> String {
     let mut out = String::with_capacity(text.len());

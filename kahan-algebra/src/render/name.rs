@@ -1,7 +1,7 @@
 //! Names in LaTeX.
 
-/// A name by its parts: what stands before its digits or its first `_`, and the indices behind. Greek names become Greek, other
-/// names of several letters are set as words.
+/// A name by its parts: what stands before its digits or its first `_`, and the indices behind.
+/// Greek names become Greek, other names of several letters are set as words.
 pub(super) fn latex_name(name: &str) -> String {
     let parts: Vec<&str> = name.split('_').collect();
     let [first, rest @ ..] = &parts[..] else { return word("mathit", name) };

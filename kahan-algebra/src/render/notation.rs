@@ -16,7 +16,8 @@ pub enum Notation {
 }
 
 impl Notation {
-    /// A name; in LaTeX Greek names become Greek, digits and what stands behind `_` become indices: `\\mu_{1}`, `x_{\\mathrm{max}}`.
+    /// A name; in LaTeX Greek names become Greek, digits and what stands behind `_` become indices:
+    /// `\mu_{1}`, `x_{\mathrm{max}}`.
     #[must_use]
     pub fn name(self, name: &str) -> String {
         if self == Notation::Text {
@@ -54,7 +55,8 @@ impl Notation {
         }
     }
 
-    /// A product of factors that are written already; in LaTeX a point stands before a number that is not the first.
+    /// A product of factors that are written already; in LaTeX a point stands before a number that
+    /// is not the first.
     #[must_use]
     pub fn product(self, factors: &[String]) -> String {
         if self == Notation::Text {

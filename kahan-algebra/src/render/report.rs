@@ -49,7 +49,8 @@ fn shorten(line: &str, column: usize, width: usize) -> (String, usize) {
     if length <= width {
         return (line.to_owned(), column);
     }
-    // Room for an ellipsis on either side; more of what comes after the place than of what comes before.
+    // Room for an ellipsis on either side; more of what comes after the place than of what comes
+    // before.
     let kept = width.saturating_sub(2);
     let start = column.saturating_sub(kept / 3).min(length - kept);
     let cut: String = line.chars().skip(start).take(kept).collect();

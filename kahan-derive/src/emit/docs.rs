@@ -96,7 +96,7 @@ fn push_block(lines: &mut Vec<String>, title: &str, text: &[String]) {
 /// Formulas as they fit a page of rustdoc: a long one is broken before its terms.
 fn push_formulas(lines: &mut Vec<String>, formulas: &[String]) {
     /// The characters that a page shows without a scroll bar, about.
-    const WIDTH: usize = 100;
+    const WIDTH: usize = 96;
     let folded = formulas.iter().map(|formula| folded(formula, WIDTH)).collect::<String>();
     lines.extend(folded.lines().map(|line| format!(" {line}")));
 }

@@ -2,8 +2,8 @@
 ///
 /// ```text
 /// xdot = y
-/// ydot = (x*y - 981/100*mu*x + 981/100*nu*x + nu*x*y - 1/10*mu^2*y + 1/10*mu*nu*y - 1/10*mu^2*nu*y
-///     + 1/10*mu*nu^2*y)/(mu - nu + mu*nu - nu^2)
+/// ydot = (x*y - 981/100*mu*x + 981/100*nu*x + nu*x*y - 1/10*mu^2*y + 1/10*mu*nu*y
+///     - 1/10*mu^2*nu*y + 1/10*mu*nu^2*y)/(mu - nu + mu*nu - nu^2)
 /// ```
 ///
 /// Matrix A(x,ε) = I − ε f′(x), row by row:
@@ -18,9 +18,9 @@
 /// The map, over its common denominator in lowest terms:
 ///
 /// ```text
-/// x~ = x + 2*eps*(mu*y - nu*y - 981/100*eps*mu*x + 981/100*eps*nu*x + mu*nu*y - nu^2*y)/(mu - nu
-///     - eps*x + mu*nu - nu^2 - eps*nu*x - eps^2*y + 1/10*eps*mu^2 - 1/10*eps*mu*nu + 981/100*eps^2*mu
-///     - 981/100*eps^2*nu - eps^2*nu*y + 1/10*eps*mu^2*nu - 1/10*eps*mu*nu^2)
+/// x~ = x + 2*eps*(mu*y - nu*y - 981/100*eps*mu*x + 981/100*eps*nu*x + mu*nu*y - nu^2*y)/(mu
+///     - nu - eps*x + mu*nu - nu^2 - eps*nu*x - eps^2*y + 1/10*eps*mu^2 - 1/10*eps*mu*nu
+///     + 981/100*eps^2*mu - 981/100*eps^2*nu - eps^2*nu*y + 1/10*eps*mu^2*nu - 1/10*eps*mu*nu^2)
 /// y~ = y + 2*eps*(x*y - 981/100*mu*x + 981/100*nu*x + nu*x*y + eps*y^2 - 1/10*mu^2*y
 ///     + 1/10*mu*nu*y - 981/100*eps*mu*y + 981/100*eps*nu*y + eps*nu*y^2 - 1/10*mu^2*nu*y
 ///     + 1/10*mu*nu^2*y)/(mu - nu - eps*x + mu*nu - nu^2 - eps*nu*x - eps^2*y + 1/10*eps*mu^2

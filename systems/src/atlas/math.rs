@@ -17,7 +17,8 @@ pub(super) const COLUMN: usize = 56;
 /// Those of a line in a cell of a table of formulas.
 const CELL: usize = 44;
 
-/// A formula of at most so many characters a line. It scrolls in its box only where the window itself is narrower.
+/// A formula of at most so many characters a line. It scrolls in its box only where the window
+/// itself is narrower.
 pub(super) fn display(latex: &str, width: usize) -> Markup {
     let latex = latex_display(latex, width);
     html! { div.formula tabindex="0" { (mathml(&latex, DisplayMode::Block)) } }

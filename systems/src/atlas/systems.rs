@@ -1,4 +1,5 @@
-//! The systems: field, A(x,ε) and map of each, as the library derives them from the blocks of the catalog, and what it preserves.
+//! The systems: field, A(x,ε) and map of each, as the library derives them from the blocks of the
+//! catalog, and what it preserves.
 
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::lexer::lex;

@@ -35,8 +35,8 @@ impl Completions {
     }
 }
 
-/// The command line with the systems' names as the values that a SYSTEM may have. (Others are refused with more
-/// than a list, so that they are not told to the parser itself.)
+/// The command line with the systems' names as the values that a SYSTEM may have. (Others are
+/// refused with more than a list, so that they are not told to the parser itself.)
 fn naming_systems(command: Command) -> Command {
     let names = || PossibleValuesParser::new(all().map(|entry| entry.command).chain(["general"]));
     let subcommands: Vec<String> = command.get_subcommands().map(|one| one.get_name().to_owned()).collect();

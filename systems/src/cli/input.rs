@@ -3,8 +3,7 @@
 //! Texts become checked systems here; everything that is wrong with them becomes a [`Refusal`].
 
 use std::ops::Range;
-use std::path::{Path, PathBuf};
-use std::{fs, io};
+use std::path::PathBuf;
 
 use clap::Args;
 use kahan_algebra::diagnostics::{Diagnostic, Diagnostics};
@@ -16,8 +15,9 @@ use kahan_algebra::{check, parse, read};
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::{all, find};
 
+use super::file::{chosen, read_file};
 use super::output::Refusal;
-use super::rust_file::{RustBlock, blocks};
+use super::rust_file::blocks;
 use super::values::given_values;
 pub(crate) use super::values::{coordinates, number, seconds, whole};
 
@@ -36,7 +36,8 @@ pub(crate) struct Source {
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 
-    /// Which block of a Rust file that has several: the name of its struct or of its variable, or its line.
+    /// Which block of a Rust file that has several: the name of its struct or of its variable, or
+    /// its line.
     #[arg(long, value_name = "NAME", requires = "file", visible_alias = "struct")]
     block: Option<String>,
 
@@ -120,58 +121,12 @@ impl Source {
                 None => Err(unknown_system(name)),
             },
             (None, Some(text), None) => Ok(Some(Block::new(None, text.clone(), "--field".to_owned()))),
-            (None, None, Some(path)) => self.block_of_file(path).map(Some),
+            (None, None, Some(path)) => {
+                let (text, origin) = read_file(path)?;
+                let body = chosen(&text, &origin, self.block.as_deref())?;
+                Ok(Some(Block::within(None, text, body, origin)))
+            }
             _ => Err(Refusal::new("one field at a time: give a SYSTEM, or --field, or --file")),
-        }
-    }
-
-    fn block_of_file(&self, path: &Path) -> Result<Block, Refusal> {
-        let (read, origin) = if path.as_os_str() == "-" {
-            (io::read_to_string(io::stdin()), "standard input".to_owned())
-        } else {
-            (fs::read_to_string(path), path.display().to_string())
-        };
-        let text = read.map_err(|error| {
-            let what = if path.as_os_str() == "-" { origin.clone() } else { format!("the file {origin}") };
-            Refusal::new(format!("cannot read {what}: {error}"))
-        })?;
-        let blocks = blocks(&text);
-        let listed = || {
-            let named = blocks.iter().map(|block| match &block.name {
-                Some(name) => format!("{name} (line {})", block.line),
-                None => format!("line {}", block.line),
-            });
-            named.collect::<Vec<_>>().join(", ")
-        };
-        let chosen: Vec<&RustBlock> = match &self.block {
-            Some(wanted) => blocks
-                .iter()
-                .filter(|block| block.name.as_ref() == Some(wanted) || block.line.to_string() == *wanted)
-                .collect(),
-            None => blocks.iter().collect(),
-        };
-        match (&chosen[..], &self.block) {
-            ([one], _) => Ok(Block::within(None, text.clone(), one.range.clone(), origin)),
-            ([], None) => {
-                let whole = 0..text.len();
-                Ok(Block::within(None, text, whole, origin))
-            }
-            ([], Some(wanted)) if blocks.is_empty() => {
-                Err(Refusal::new(format!("--block {wanted}: {origin} has no call of `kahan!`; leave it out")))
-            }
-            ([], Some(wanted)) => Err(Refusal::new(format!(
-                "--block {wanted}: there is no such block in {origin}; it has {}",
-                listed()
-            ))),
-            (_, None) => Err(Refusal::new(format!(
-                "{origin} has {} blocks: {}; choose one by --block NAME, or by its line",
-                blocks.len(),
-                listed()
-            ))),
-            (_, Some(wanted)) => Err(Refusal::new(format!(
-                "--block {wanted} is not one block: {origin} has {}; choose by the line",
-                listed()
-            ))),
         }
     }
 

@@ -1,7 +1,8 @@
 //! What a command leaves behind that is told to stop: no unfinished file.
 //!
-//! SIGINT and SIGTERM remove the files that are not finished yet and end the process with status 130 or 143. A signal is sent to
-//! the process as a whole, so the list of these files is the process's, too.
+//! SIGINT and SIGTERM remove the files that are not finished yet and end the process with status
+//! 130 or 143. A signal is sent to the process as a whole, so the list of these files is the
+//! process's, too.
 
 use std::io;
 use std::path::PathBuf;
@@ -33,7 +34,8 @@ impl Drop for Unfinished {
     }
 }
 
-/// Waits for a signal on a thread of its own, from the first unfinished file to the end of the process.
+/// Waits for a signal on a thread of its own, from the first unfinished file to the end of the
+/// process.
 #[cfg(unix)]
 fn listen() -> io::Result<()> {
     use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,8 +1,9 @@
 //! Lines that fit the reader's screen.
 //!
-//! A table breaks between its columns, on a terminal of its width, elsewhere at 80 columns. A formula that goes to a file or to
-//! another program stays on its line; on a terminal it breaks before a term. No word and no number is ever broken:
-//! one that is wider than the screen stands whole on a line of its own.
+//! A table breaks between its columns, on a terminal of its width, elsewhere at 80 columns. A
+//! formula that goes to a file or to another program stays on its line; on a terminal it breaks
+//! before a term. No word and no number is ever broken: one that is wider than the screen stands
+//! whole on a line of its own.
 
 #[cfg(test)]
 mod tests;
@@ -48,9 +49,10 @@ fn total(widths: &[usize]) -> usize {
 
 /// A table whose first row is its heading, as lines of the screen.
 ///
-/// Where it is too wide, headings and columns of sentences take several lines; if that is not enough, the columns that do not
-/// fit come below in a table of their own, with the first `keys` columns again; if even a single column does not fit
-/// beside those, each row becomes a list of its cells.
+/// Where it is too wide, headings and columns of sentences take several lines; if that is not
+/// enough, the columns that do not fit come below in a table of their own, with the first `keys`
+/// columns again; if even a single column does not fit beside those, each row becomes a list of its
+/// cells.
 pub(crate) fn table(rows: &[Vec<String>], keys: usize) -> Vec<String> {
     table_within(rows, keys, screen_width())
 }
@@ -95,7 +97,8 @@ fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     heading.map(|(column, word)| word.max(cells.get(column).copied().unwrap_or(0))).collect()
 }
 
-/// The widths of columns that give way, the widest first, none to less than `least` or a word; `None` if that is not enough.
+/// The widths of columns that give way, the widest first, none to less than `least` or a word;
+/// `None` if that is not enough.
 fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
     let mut narrower = widths(rows);
     let least: Vec<usize> = (0..narrower.len())
@@ -164,7 +167,8 @@ fn records(rows: &[Vec<String>], width: usize) -> Vec<String> {
     lines
 }
 
-/// A label of `room` columns, and a text beside it that goes on below; a word too wide for that begins on a line of its own.
+/// A label of `room` columns, and a text beside it that goes on below; a word too wide for that
+/// begins on a line of its own.
 pub(crate) fn labelled(label: &str, text: &str, room: usize) -> Vec<String> {
     labelled_within(label, text, room, screen_width())
 }
@@ -181,7 +185,8 @@ fn labelled_within(label: &str, text: &str, room: usize, width: usize) -> Vec<St
     labels.zip(texts).map(|(label, text)| format!("{label:<room$}  {text}").trim_end().to_owned()).collect()
 }
 
-/// A line of cells with commas, broken after some so that each part has at most `width` characters; further parts are indented.
+/// A line of cells with commas, broken after some so that each part has at most `width` characters;
+/// further parts are indented.
 pub(crate) fn after_commas(line: &str, width: usize) -> String {
     let mut out = String::with_capacity(line.len() + 16);
     let mut taken = 0;
@@ -197,7 +202,8 @@ pub(crate) fn after_commas(line: &str, width: usize) -> String {
     out
 }
 
-/// A matrix between `left` and `right`, a line a row, or as many as it takes to break a row between its entries.
+/// A matrix between `left` and `right`, a line a row, or as many as it takes to break a row between
+/// its entries.
 pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
     matrix_within(rows, left, right, screen_width())
 }

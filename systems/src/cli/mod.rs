@@ -11,6 +11,7 @@ mod discover;
 mod double_double;
 mod eval;
 mod extremes;
+mod file;
 mod heights;
 mod input;
 mod interrupt;

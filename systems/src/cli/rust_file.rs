@@ -1,6 +1,7 @@
 //! The blocks of `kahan!` in a Rust file: where each begins and ends, and what it is called.
 //!
-//! Of Rust only as much is understood as tells a macro call from a comment, a string or a character.
+//! Of Rust only as much is understood as tells a macro call from a comment, a string or a
+//! character.
 
 use std::ops::Range;
 

@@ -1,8 +1,9 @@
 //! Where long output goes while it is made: standard output as it comes, or a file that appears whole or not at all.
 //!
-//! A file is written beside its final place under a temporary name and renamed at the end; one that is not finished is
-//! removed, also where a signal ends the command. Rows for standard output are collected for a moment at most, so that a reader sees them while they are made and
-//! a million of them do not take a million system calls.
+//! A file is written beside its final place under a temporary name and renamed at the end; one that
+//! is not finished is removed, also where a signal ends the command. Rows for standard output are
+//! collected for a moment at most, so that a reader sees them while they are made and a million of
+//! them do not take a million system calls.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Stdout, Write};

@@ -9,7 +9,8 @@ use super::sink::{Broken, Sink};
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
-    /// A line of column names, then a line a row; what is undefined is empty. A terminal breaks a long line after commas.
+    /// A line of column names, then a line a row; what is undefined is empty. A terminal breaks a
+    /// long line after commas.
     Csv,
     /// One object: what is known beforehand, `rows`, and `stopped`; what is undefined is null.
     Json,

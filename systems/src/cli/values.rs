@@ -31,7 +31,8 @@ fn exact(text: &str) -> Option<Rational> {
     Some(if text.starts_with('-') { -size } else { size })
 }
 
-/// A decimal without a sign. Beyond what the language reads, as people type it: `.5`, `5.`, `1_000`.
+/// A decimal without a sign. Beyond what the language reads, as people type it: `.5`, `5.`,
+/// `1_000`.
 fn decimal(text: &str) -> Option<Rational> {
     let text = without_separators(text);
     let (mantissa, exponent) = text.split_at(text.find(['e', 'E']).unwrap_or(text.len()));

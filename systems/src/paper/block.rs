@@ -52,17 +52,18 @@ pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, Str
     }
 }
 
-/// The first change of one coefficient or sign of a system's claim with which it does not hold, as the changed claim, and how
-/// many changes were tried. What stands behind `when` is not changed.
+/// The first change of one coefficient or sign of a system's claim with which it does not hold, as
+/// the changed claim, and how many changes were tried. What stands behind `when` is not changed.
 ///
-/// Where all numbers and signs can be changed (as in `integral M = z`), the coefficient of a state is raised that was 0.
-/// Costs a proof a change, as [`establish_block_claim`].
+/// Where all numbers and signs can be changed (as in `integral M = z`), the coefficient of a state
+/// is raised that was 0. Costs a proof a change, as [`establish_block_claim`].
 #[must_use]
 pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>) {
     let before = System { claims: system.claims[..=index].to_vec(), ..system.clone() };
     let claim = claim_text(system, &system.claims[index]);
     let block = macro_block(&before);
-    // Header, constants, equations and earlier claims: what stands between the macro's brace and the claim.
+    // Header, constants, equations and earlier claims: what stands between the macro's brace and
+    // the claim.
     let Some(context) = block.strip_prefix("kahan! {").and_then(|block| block.split_once(&claim)) else {
         return (0, None);
     };

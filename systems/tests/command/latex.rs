@@ -14,7 +14,8 @@ fn of_field(field: &str) -> String {
     latex(&["--field", field])
 }
 
-/// Panics unless braces, `\\left … \\right` and environments close in the order in which they open, display by display.
+/// Panics unless braces, `\left … \right` and environments close in the order in which they open,
+/// display by display.
 fn assert_is_whole(page: &str) {
     let mut open: Vec<String> = Vec::new();
     for line in page.lines().filter(|line| !line.starts_with('%')) {

@@ -42,7 +42,8 @@ fn tables() -> Vec<(Vec<String>, String)> {
     done.collect()
 }
 
-/// Formulas, which stay whole elsewhere than on a terminal: equations, statements with their source, claims, code, notes.
+/// Formulas, which stay whole elsewhere than on a terminal: equations, statements with their
+/// source, claims, code, notes.
 fn is_formula(line: &str) -> bool {
     let line = line.trim_start();
     let is_named = ["integral ", "density ", "bracket ", "choice", "let orbit", "note ", "random-"];
@@ -54,7 +55,8 @@ fn is_formula(line: &str) -> bool {
 fn every_line_of_a_table_fits_80_columns_or_is_one_number() {
     for (arguments, page) in tables() {
         for line in page.lines() {
-            // A number has no space inside; brackets and commas are those of a vector or of a matrix.
+            // A number has no space inside; brackets and commas are those of a vector or of a
+            // matrix.
             let cell = line.trim().trim_start_matches(['[', '(']).trim_end_matches([']', ')', ',']).trim();
             let fits = line.chars().count() <= 80 || !cell.contains(' ') || is_sentence(&arguments, line);
             let has_formulas = !["list", "eval", "heights"].contains(&arguments[0].as_str());
@@ -138,7 +140,8 @@ mod on_a_terminal {
             .spawn()
             .expect("the command runs");
         let mut read = Vec::new();
-        // The last reader of the screen is gone when the command is: Linux then says so by an error.
+        // The last reader of the screen is gone when the command is: Linux then says so by an
+        // error.
         let _ = File::from(terminal).read_to_end(&mut read);
         assert!(child.wait().expect("it ends").success(), "{arguments:?}");
         String::from_utf8(read).expect("text").replace("\r\n", "\n")

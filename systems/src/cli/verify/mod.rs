@@ -29,8 +29,8 @@ pub(crate) struct Verify {
     #[arg(long = "system", value_name = "SYSTEM", conflicts_with_all = ["system", "field", "file"])]
     of: Option<String>,
 
-    /// Change one coefficient or sign of every claim: each must then fail. The exit status is 1 if one survives. Of a field of your
-    /// own the claims must hold to begin with.
+    /// Change one coefficient or sign of every claim: each must then fail. The exit status is 1 if
+    /// one survives. Of a field of your own the claims must hold to begin with.
     #[arg(long)]
     mutate: bool,
 
@@ -56,7 +56,8 @@ impl Verify {
         let source = self.of.clone().map_or_else(|| self.source.clone(), Source::of_system);
         if let Some(block) = source.block_outside_the_paper()? {
             if self.mutate {
-                // Of a claim that does not hold there is nothing to mutate: it is reported as in every other command.
+                // Of a claim that does not hold there is nothing to mutate: it is reported as in
+                // every other command.
                 let system = block.system()?;
                 let name = block.name(&system);
                 let system = source.specialised(system, &name)?;

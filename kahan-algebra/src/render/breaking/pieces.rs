@@ -1,0 +1,115 @@
+//! Formulas in LaTeX taken apart at their top: terms, factors, and what is inside a fraction or a
+//! parenthesis.
+
+use std::ops::Range;
+
+/// The arguments of the first fraction at the top, or what the first parentheses there enclose.
+pub(super) fn insides(factor: &str) -> Option<Vec<Range<usize>>> {
+    const FRACTION: &str = "\\frac{";
+    const OPEN: &str = "\\left(";
+    let mut depth = Depth::default();
+    for (at, _) in factor.char_indices() {
+        let is_top = depth.is_top();
+        depth.pass(&factor[at..]);
+        if !is_top {
+            continue;
+        }
+        if factor[at..].starts_with(FRACTION) {
+            let above = at + FRACTION.len()..closing(factor, at + FRACTION.len());
+            let below = above.end + 2;
+            return Some(vec![above, below..closing(factor, below)]);
+        }
+        if factor[at..].starts_with(OPEN) {
+            let start = at + OPEN.len();
+            return Some(std::iter::once(start..closing(factor, start)).collect());
+        }
+    }
+    None
+}
+
+/// Where the group ends whose inside begins at `start`: at its `}` or `\right`.
+pub(super) fn closing(text: &str, start: usize) -> usize {
+    let mut depth = Depth::default();
+    for (at, _) in text[start..].char_indices() {
+        depth.pass(&text[start + at..]);
+        if depth.0 < 0 {
+            return start + at;
+        }
+    }
+    text.len()
+}
+
+/// How deep in groups a place is: braces, `\left … \right`, environments.
+#[derive(Default)]
+struct Depth(i32, bool);
+
+impl Depth {
+    fn is_top(&self) -> bool {
+        self.0 == 0
+    }
+
+    /// Goes over the character that begins `rest`.
+    fn pass(&mut self, rest: &str) {
+        if std::mem::take(&mut self.1) {
+            // `\{` is a sign, not a group.
+            return;
+        }
+        self.1 = rest.starts_with("\\{") || rest.starts_with("\\}") || rest.starts_with("\\\\");
+        if rest.starts_with('{') || is_command(rest, "\\left") || is_command(rest, "\\begin") {
+            self.0 += 1;
+        }
+        if rest.starts_with('}') || is_command(rest, "\\right") || is_command(rest, "\\end") {
+            self.0 -= 1;
+        }
+    }
+}
+
+/// Whether a command with this name begins here, and not one whose name is longer.
+fn is_command(rest: &str, name: &str) -> bool {
+    rest.strip_prefix(name).is_some_and(|after| !after.starts_with(|c: char| c.is_ascii_alphabetic()))
+}
+
+/// The terms of a sum, each but the first with its sign in front.
+pub(super) fn terms(formula: &str) -> Vec<&str> {
+    split(formula, |rest| rest.starts_with(" + ") || rest.starts_with(" - "))
+}
+
+/// The factors of a product, the first with its sign.
+pub(super) fn factors(term: &str) -> Vec<&str> {
+    let glued = |before: &str, rest: &str| {
+        // What an accent or a function applies to, a point and what it multiplies, a space that is
+        // written out.
+        let last = before.rsplit(' ').next().unwrap_or_default();
+        matches!(last, "+" | "-" | "\\cdot" | "\\,")
+            || last.starts_with("\\operatorname")
+            || rest.starts_with(" {")
+            || rest.starts_with(" \\,")
+    };
+    let mut pieces: Vec<&str> = Vec::new();
+    let mut start = 0;
+    let mut depth = Depth::default();
+    for (at, c) in term.char_indices() {
+        if c == ' ' && depth.is_top() && !glued(&term[start..at], &term[at..]) {
+            pieces.push(&term[start..at]);
+            start = at + 1;
+        }
+        depth.pass(&term[at..]);
+    }
+    pieces.push(&term[start..]);
+    pieces
+}
+
+pub(super) fn split(text: &str, begins: impl Fn(&str) -> bool) -> Vec<&str> {
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    let mut depth = Depth::default();
+    for (at, c) in text.char_indices() {
+        if c == ' ' && depth.is_top() && at > 0 && begins(&text[at..]) {
+            pieces.push(&text[start..at]);
+            start = at + 1;
+        }
+        depth.pass(&text[at..]);
+    }
+    pieces.push(&text[start..]);
+    pieces
+}

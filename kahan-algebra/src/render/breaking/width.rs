@@ -1,0 +1,54 @@
+//! About how wide a formula in LaTeX is.
+
+use super::pieces::closing;
+
+/// About how many characters wide a formula is when it is set.
+#[must_use]
+pub fn latex_width(formula: &str) -> usize {
+    let mut width = 0;
+    let mut at = 0;
+    while let Some(c) = formula[at..].chars().next() {
+        let rest = &formula[at..];
+        let (size, taken) = match c {
+            '\\' => command(rest),
+            // Signs between terms have space on both sides.
+            '+' | '-' | '=' if rest[1..].starts_with(' ') && at > 0 => (3, 1),
+            ' ' | '{' | '}' | '&' | '^' | '_' | '\n' => (0, c.len_utf8()),
+            _ => (1, c.len_utf8()),
+        };
+        width += size;
+        at += taken;
+    }
+    width
+}
+
+/// The width of a command with its arguments, where these are not in a line, and how many bytes it
+/// has.
+fn command(rest: &str) -> (usize, usize) {
+    let letters = rest[1..].find(|c: char| !c.is_ascii_alphabetic()).map_or(rest.len(), |end| end + 1);
+    let name = &rest[..letters];
+    match name {
+        "\\" => {
+            // `\{` is one character, `\,` a narrow space, `\\` the end of a line.
+            let sign = rest[1..].chars().next().map_or(0, char::len_utf8);
+            (usize::from(!rest.starts_with("\\,") && !rest.starts_with("\\\\")), 1 + sign)
+        }
+        "\\frac" => {
+            let above = letters + 1..closing(rest, letters + 1);
+            let below = (above.end + 2).min(rest.len());
+            let below = below..closing(rest, below);
+            let size = latex_width(&rest[above]).max(latex_width(&rest[below.clone()]));
+            (size, (below.end + 1).min(rest.len()))
+        }
+        "\\begin" => {
+            let named = rest.find('}').map_or(rest.len(), |end| end + 1);
+            let end = closing(rest, named);
+            let size = rest[named..end].split("\\\\").map(latex_width).max().unwrap_or(0);
+            (size, rest[end..].find('}').map_or(rest.len(), |brace| end + brace + 1))
+        }
+        "\\left" | "\\right" | "\\mathit" | "\\mathrm" | "\\text" | "\\operatorname" | "\\widetilde"
+        | "\\dot" | "\\widehat" | "\\displaystyle" => (0, letters),
+        "\\quad" | "\\qquad" | "\\coloneqq" => (2, letters),
+        _ => (1, letters),
+    }
+}
