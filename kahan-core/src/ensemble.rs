@@ -22,6 +22,7 @@ use nalgebra::SVector;
 use columns::Columns;
 use level::Instructions;
 
+pub use advance::Advances;
 pub use grid::Axis;
 pub use level::{Level, Reciprocal};
 pub use scalar::EnsembleScalar;
