@@ -1,4 +1,5 @@
-//! Claims `when` relations between parameters and ε hold: solved, proved, refuted on the relation, put in, written.
+//! Claims `when` relations between parameters and ε hold: solved, proved, refuted on the relation,
+//! put in, written.
 
 use kahan_algebra::prove::{Refutation, Verdict, prove_all, prove_by_normal_form};
 use kahan_algebra::rational::Rational;
@@ -109,7 +110,8 @@ fn a_counterexample_satisfies_the_relations() {
 
 #[test]
 fn the_degrees_of_solved_names_enter_the_error_bound() {
-    // The bound on degrees is 2²⁰: a claim of degree some 10⁵ is within it, unless a parameter in it is of degree 64.
+    // The bound on degrees is 2²⁰: a claim of degree some 10⁵ is within it, unless a parameter in
+    // it is of degree 64.
     let of = |when: &str| verdict(&format!("{SUM} integral S = ((x + y + z)^64)^64 when {when};"));
     assert!(matches!(of("r = -p - q"), Verdict::Proved(_)));
     assert_eq!(of("r = -p - q, p = q^64"), Verdict::TooLarge);
@@ -173,14 +175,15 @@ fn what_is_fixed_later_is_put_into_relations() {
         let special = system.specialise(&values).expect("the field divides by nothing");
         special.claims.first().map(|claim| {
             // What is written is what holds: the block reads and proves as it stands.
-            sound(&macro_block(&special).replace("kahan! {", "").trim_end_matches('}'));
+            sound(macro_block(&special).replace("kahan! {", "").trim_end_matches('}'));
             assert_eq!(prove_by_normal_form(&special, claim), Some(true), "{fixed:?}");
             claim_text(&special, claim).split_once(" when ").map(|(_, when)| when.to_owned())
         })
     };
     let some = |text: &str| Some(Some(text.to_owned()));
     assert_eq!(condition(&[]), some("a1*a2 = a5*a6, eps = 1/2;"));
-    // a1 and a2 given, a5 takes its place; three given, it is a number; all given, it holds or it does not.
+    // a1 and a2 given, a5 takes its place; three given, it is a number; all given, it holds or it
+    // does not.
     assert_eq!(condition(&[(0, 2), (1, 3)]), some("a1*a2 = a5*a6, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 3), (2, 4)]), some("a6 = 3/2, eps = 1/2;"));
     assert_eq!(condition(&[(0, 2), (1, 6), (2, 4), (3, 3)]), some("eps = 1/2;"));

@@ -1,7 +1,10 @@
 //! What one asks of a system that cannot answer: rustc then says what to declare, or what to write.
 //!
-//! A block without an integral, without a density, or with integers for parameters has these methods in place of the real
-//! ones. No type fulfils what they ask for, so that a call never gets past the compiler, and nothing is compiled.
+//! A block without an integral, without a density, or with integers for parameters has these
+//! methods in place of the real ones. No type fulfils what they ask for, so that a call never gets
+//! past the compiler, and nothing is compiled. They take `&mut self`: rustc tries methods with
+//! `&self` first, so that integrals written by hand go before them, and so does the map of a system
+//! whose scalar is not inferred yet.
 
 use core::iter::Empty;
 
@@ -50,7 +53,7 @@ fn unanswered() -> ! {
     unreachable!("no type has what this asks for")
 }
 
-/// Of a block without integrals; by `&mut self`, so that integrals written by hand go before.
+/// Of a block without integrals.
 pub trait WithoutIntegrals {
     /// Not to be called.
     fn integrals<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, 1>
@@ -75,7 +78,7 @@ pub trait WithoutDensity {
 /// Of a system whose parameters are integers.
 pub trait IntegerParameters {
     /// Not to be called.
-    fn step<T, const N: usize>(&self, _: &SVector<T, N>, _: T) -> SVector<T, N>
+    fn step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
     {
@@ -83,7 +86,7 @@ pub trait IntegerParameters {
     }
 
     /// Not to be called.
-    fn step_back<T, const N: usize>(&self, _: &SVector<T, N>, _: T) -> SVector<T, N>
+    fn step_back<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
     {
@@ -92,7 +95,7 @@ pub trait IntegerParameters {
 
     #[allow(clippy::missing_errors_doc, reason = "it returns nothing")]
     /// Not to be called.
-    fn try_step<T, const N: usize>(&self, _: &SVector<T, N>, _: T) -> Result<SVector<T, N>, SingularStep>
+    fn try_step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> Result<SVector<T, N>, SingularStep>
     where
         Block: HasScalars<Self, T>,
     {
@@ -100,7 +103,7 @@ pub trait IntegerParameters {
     }
 
     /// Not to be called.
-    fn orbit<T, const N: usize>(&self, _: SVector<T, N>, _: T) -> Empty<SVector<T, N>>
+    fn orbit<T, const N: usize>(&mut self, _: SVector<T, N>, _: T) -> Empty<SVector<T, N>>
     where
         Block: HasScalars<Self, T>,
     {
@@ -108,7 +111,7 @@ pub trait IntegerParameters {
     }
 
     /// Not to be called.
-    fn at<T>(&self, _: T)
+    fn at<T>(&mut self, _: T)
     where
         Block: HasScalars<Self, T>,
     {
@@ -116,7 +119,7 @@ pub trait IntegerParameters {
     }
 
     /// Not to be called.
-    fn field<T, const N: usize>(&self, _: &SVector<T, N>) -> SVector<T, N>
+    fn field<T, const N: usize>(&mut self, _: &SVector<T, N>) -> SVector<T, N>
     where
         Block: HasScalars<Self, T>,
     {
@@ -124,7 +127,7 @@ pub trait IntegerParameters {
     }
 
     /// Not to be called.
-    fn jacobian<T, const N: usize>(&self, _: &SVector<T, N>, _: T) -> SMatrix<T, N, N>
+    fn jacobian<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SMatrix<T, N, N>
     where
         Block: HasScalars<Self, T>,
     {

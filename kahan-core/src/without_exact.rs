@@ -1,4 +1,5 @@
-//! `BigRational` where the feature `exact` is off: a name that cannot be used, so that rustc says how to have it.
+//! `BigRational` where the feature `exact` is off: a name that cannot be used, so that rustc says
+//! how to have it.
 
 use core::marker::PhantomData;
 

@@ -1,4 +1,4 @@
-//! What a word means that stands where a keyword should: `invariant H = …` is meant as `integral H = …`.
+//! What a word means that stands where a keyword should: `invariant H = …` means an `integral`.
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::syntax::{Block, Claim, ClaimKind, Constant};
@@ -51,7 +51,8 @@ fn meant(word: &str) -> Option<&'static str> {
     synonym.map(|(keyword, _)| *keyword).or_else(|| near().copied())
 }
 
-/// The mistake of an item `WORD NAME …` whose word is none of the language; the name counts as known from here on.
+/// The mistake of an item `WORD NAME …` whose word is none of the language; the name counts as
+/// known from here on.
 pub(super) fn wrong_keyword(cursor: &Cursor<'_>, block: &mut Block) -> Option<Diagnostic> {
     let word = cursor.identifier(0)?;
     cursor.identifier(1)?;

@@ -12,7 +12,8 @@ use super::columns::Group;
 use super::level::Instructions;
 use super::{Ensemble, EnsembleScalar};
 
-/// A map at a fixed ε that moves ensembles of points with N entries: every [`PreparedMap`] on such points.
+/// A map at a fixed ε that moves ensembles of points with N entries: every [`PreparedMap`] on such
+/// points.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not move points of {N} numbers of the type `{T}`",
     label = "another dimension, or another type of number, than that of the points",

@@ -10,7 +10,8 @@ use super::inputs::emit_inputs;
 use super::plan::emit_plan;
 use super::{Context, docs, items};
 
-/// Expands to the accessors of all claims. Where there are no integrals, or no density, rustc is told what a call lacks.
+/// Expands to the accessors of all claims. Where there are no integrals, or no density, rustc is
+/// told what a call lacks.
 pub(super) fn emit_claims(context: &Context<'_>) -> TokenStream {
     let integrals = emit_integrals(context);
     let density =
