@@ -55,6 +55,8 @@ fn both_provers_decide_claims_on_their_relations() {
         (SUM, sum, "eps = 1", false),
         (SUM, "integral D = y - z", "p*q = p*r", true),
         (SUM, "integral D = y + z", "p*q = p*r", false),
+        // q is not 0, as the first relation was divided by it: r is, and so p.
+        (SUM, "integral D = x + z", "p*q = r^2, q*r = 0", true),
         (VOLTERRA, linear, "a*b*c = -1", true),
         (VOLTERRA, linear, "c = -1/(a*b)", true),
         (VOLTERRA, linear, "a*b*c = -1, a = b^2", true),
@@ -84,6 +86,54 @@ fn both_provers_decide_claims_on_their_relations() {
         assert_eq!(matches!(verdict(&text), Verdict::Proved(_)), holds, "{text}");
         assert_eq!(prove_by_normal_form(&system, &system.claims[0]), Some(holds), "{text}");
         assert_eq!(reading(&text).diagnostics.is_empty(), holds, "{text}");
+    }
+}
+
+#[test]
+fn no_sign_and_no_coefficient_can_be_changed() {
+    for (field, claim, changes) in [
+        (
+            SUM,
+            "integral S = x + y + z when r = -p - q;",
+            &[
+                ("+ y", "- y"),
+                ("x +", "2*x +"),
+                ("-p", "p"),
+                ("- q", "- 2*q"),
+                ("r =", "3*r ="),
+                ("when r", "when r + 1"),
+            ][..],
+        ),
+        (
+            VOLTERRA,
+            "integral L = a*b*x + y - a*z when a*b*c = -1;",
+            &[
+                ("+ y", "- y"),
+                ("- a*z", "+ a*z"),
+                ("a*b*x", "2*a*b*x"),
+                ("= -1", "= 1"),
+                ("a*b*c", "a*b^2*c"),
+            ],
+        ),
+        (
+            GROWTH,
+            "integral F = x^2*y when 2*p + q + eps^2*p^2*q = 0;",
+            &[
+                ("x^2", "x"),
+                ("2*p", "p"),
+                ("+ q", "- q"),
+                ("eps^2", "eps"),
+                ("p^2*q", "2*p^2*q"),
+                ("= 0", "= 1"),
+            ],
+        ),
+    ] {
+        assert!(matches!(verdict(&format!("{field} {claim}")), Verdict::Proved(_)), "{claim}");
+        for (from, to) in changes {
+            let changed = claim.replacen(from, to, 1);
+            let verdict = verdict(&format!("{field} {changed}"));
+            assert!(matches!(verdict, Verdict::Refuted(Refutation::At { .. })), "{changed}: {verdict:?}");
+        }
     }
 }
 
@@ -149,7 +199,7 @@ fn relations_that_cannot_be_solved_are_explained_at_their_place() {
         ("p = q = r", "q =", "an `=` inside an expression"),
         ("", "when", "there is no relation behind `when`"),
         ("p", "p ;", "expected `=`"),
-        ("p = (q + r + 1)^60, q = (p*r + 2)^60, r^60*q = p", "", "more than"),
+        ("p = (q + r + 1)^60, q = (p*r + 2)^60, r^60*q = p", "", "too large to be solved"),
     ] {
         let text = format!("xdot = p*x*y/k; ydot = q*x*y; zdot = r*x*y; integral T = 1 + S when {when};");
         let text =

@@ -15,7 +15,7 @@ use crate::syntax;
 use crate::system::Condition;
 use crate::token::Span;
 
-use super::expand::{Expansion, expand_in_claim, too_large};
+use super::expand::{Expansion, expand_in_claim};
 use super::names::Scope;
 
 /// The relations behind `when`, solved; `None` if one is broken.
@@ -141,6 +141,15 @@ fn unknown(name: &str, span: Span, scope: &mut Scope) -> Diagnostic {
     };
     let message = format!("`{name}` is neither a parameter nor `eps`, so it cannot stand behind `when`");
     Diagnostic::new(Kind::Claim, span, message, help)
+}
+
+fn too_large(span: Span) -> Diagnostic {
+    Diagnostic::new(
+        Kind::TooLarge,
+        span,
+        "this relation is too large to be solved, with those before it put in",
+        "write it with smaller powers",
+    )
 }
 
 /// The mistake of a relation that cannot be solved.
