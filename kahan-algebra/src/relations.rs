@@ -1,15 +1,17 @@
 //! Relations between parameters and ε, each solved for a name that enters it linearly.
 //!
-//! In come polynomials that are to vanish, one after the other; out go values of some names as rational functions of the
-//! others. What holds: a value mentions no name that has a value. What a relation is divided by to be solved, the
-//! coefficient of its name, is not 0 where the relations hold: that is part of their meaning, and what later relations
-//! share with it is divided out of them. Where coefficient and rest have no common factor the relation is irreducible, so
-//! that "generic on the relations" means the same whichever name is solved for.
+//! In come polynomials that are to vanish, one after the other; out go values of some names as
+//! rational functions of the others. What holds: a value mentions no name that has a value. What a
+//! relation is divided by to be solved, the coefficient of its name, is not 0 where the relations
+//! hold: that is part of their meaning, and what later relations share with it is divided out of
+//! them. Where coefficient and rest have no common factor the relation is irreducible, so that
+//! "generic on the relations" means the same whichever name is solved for.
 
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_within};
 use crate::rational_function::RationalFunction;
 
-/// The most terms of a value or of a relation after the values before it are put in, and products of terms in all.
+/// The most terms of a value or of a relation after the values before it are put in, and products
+/// of terms in all.
 const MOST_TERMS: usize = 10_000;
 const MOST_WORK: u64 = 300_000;
 
@@ -45,7 +47,8 @@ enum Rank {
     Irreducible,
     /// It has one, which is then not 0 either.
     Factor,
-    /// There is no rest: the relation is this name times its coefficient, and either may be meant to vanish.
+    /// There is no rest: the relation is this name times its coefficient, and either may be meant
+    /// to vanish.
     Product,
 }
 
@@ -62,8 +65,9 @@ impl Default for Relations {
 }
 
 impl Relations {
-    /// Adds the relation that `polynomial` vanishes and gives the name it was solved for: the best by its [`Rank`], and the
-    /// first of those in the order of `names` and then of what earlier values brought in.
+    /// Adds the relation that `polynomial` vanishes and gives the name it was solved for: the best
+    /// by its [`Rank`], and the first of those in the order of `names` and then of what earlier
+    /// values brought in.
     ///
     /// # Errors
     /// The [`Obstacle`]; nothing is added then.
@@ -153,13 +157,15 @@ impl Relations {
         &self.nonzero
     }
 
-    /// The polynomial with every name replaced by its value; `None` where that divides by zero identically.
+    /// The polynomial with every name replaced by its value; `None` where that divides by zero
+    /// identically.
     pub fn put_into(&mut self, polynomial: &Polynomial) -> Result<Option<RationalFunction>, OverBudget> {
         put_into(polynomial, self.values.iter().map(|(name, value)| (*name, value)), &mut self.budget)
     }
 }
 
-/// The polynomial with names replaced by their values, within a budget; `None` where that divides by zero identically.
+/// The polynomial with names replaced by their values, within a budget; `None` where that divides
+/// by zero identically.
 pub(crate) fn put_into<'a>(
     polynomial: &Polynomial,
     values: impl Iterator<Item = (Variable, &'a RationalFunction)>,

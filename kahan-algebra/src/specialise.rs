@@ -1,4 +1,5 @@
-//! A system on which some of its parameters have values: a smaller system, reduced after the values are put in.
+//! A system on which some of its parameters have values: a smaller system, reduced after the values
+//! are put in.
 
 use crate::field::{Component, Field};
 use crate::plan::PlanBuilder;
@@ -11,8 +12,9 @@ use crate::syntax::ClaimKind;
 use crate::system::{Claim, Condition, System};
 
 impl System {
-    /// The system at these values of parameters, which become constants of it. Claims `when` one of them has another
-    /// value are left out, and those whose relations cannot be solved any more. `None` where the field then divides by zero.
+    /// The system at these values of parameters, which become constants of it. Claims `when` one of
+    /// them has another value are left out, and those whose relations cannot be solved any more.
+    /// `None` where the field then divides by zero.
     #[must_use]
     pub fn specialise(&self, values: &[(usize, Rational)]) -> Option<System> {
         let old = &self.field.symbols;
@@ -40,8 +42,9 @@ impl System {
         Some(specialised)
     }
 
-    /// The system where these relations between parameters hold, without claims: the parameters that they are solved for are
-    /// gone. `None` where the field then divides by zero, or is too large.
+    /// The system where these relations between parameters hold, without claims: the parameters
+    /// that they are solved for are gone. `None` where the field then divides by zero, or is too
+    /// large.
     #[must_use]
     pub fn on(&self, relations: &Relations) -> Option<System> {
         let old = &self.field.symbols;
@@ -114,7 +117,8 @@ impl Specialisation<'_> {
         Some(Claim { plan: builder.finish(&outputs), conditions, ..claim.clone() })
     }
 
-    /// What is left to be solved of a claim's conditions; `None` where they do not hold, or are not known to say the same.
+    /// What is left to be solved of a claim's conditions; `None` where they do not hold, or are not
+    /// known to say the same.
     fn conditions(&self, conditions: &[Condition]) -> Option<Vec<Condition>> {
         let mut relations = self.relations.clone();
         let mut solved = Vec::new();

@@ -57,8 +57,8 @@ pub struct Condition {
 }
 
 impl Condition {
-    /// The relations of a claim, each as written with its name and with how much was known not to be 0 before and after it,
-    /// once all are solved.
+    /// The relations of a claim, each as written with its name and with how much was known not to
+    /// be 0 before and after it, once all are solved.
     pub(crate) fn all(
         solved: Vec<(syntax::Condition, Variable, Range<usize>)>,
         relations: &Relations,

@@ -14,6 +14,7 @@ pub use nalgebra::{SMatrix, SVector};
 pub use crate::linear::vector;
 pub use crate::prepared_step::Apart;
 pub use crate::scalar::Dual;
+pub use crate::undeclared::{Integer, IntegerParameters, WithoutDensity, WithoutIntegrals};
 pub use crate::{
     Constant, Elimination, Integrals, KahanMap, Lift, Named, Pivot, PreparedStep, QuadraticField, Quotients,
     Scalar, SingularStep, StepCost, WideStep,

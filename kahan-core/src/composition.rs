@@ -20,7 +20,7 @@ pub use stages::{Composed, Method, Single};
 /// A symmetric composition of Kahan's map with coefficients γ₁, …, γₛ, γᵢ = γₛ₊₁₋ᵢ: the step with ε is made of the steps with
 /// γ₁ε, …, γₛε, in this order.
 ///
-/// The constants of this type are all there are; their coefficients satisfy the order conditions to 40 digits.
+/// The constants below are all compositions there are; their coefficients have 40 digits.
 ///
 /// # What survives
 /// - **Reversibility**: the inverse is the composition with −ε.

@@ -22,6 +22,7 @@ use nalgebra::SVector;
 use columns::Columns;
 use level::Instructions;
 
+pub use advance::Advances;
 pub use grid::Axis;
 pub use level::{Level, Reciprocal};
 pub use scalar::EnsembleScalar;
@@ -39,8 +40,9 @@ pub use scalar::EnsembleScalar;
 /// it. An ensemble runs on the largest level of the processor; [`at_level`](Self::at_level) pins another one.
 ///
 /// # Cost
-/// N numbers of memory a point. The processor works on many trajectories side by side, so that none waits for the results of
-/// another step: the time is that of the unit with most to do, mostly the one that divides.
+/// N numbers of memory a point. The processor works on many trajectories side by side, so that none
+/// waits for the results of another step: the time is that of the unit with most to do, mostly the
+/// one that divides.
 pub struct Ensemble<T, const N: usize> {
     columns: Columns<T, N>,
     instructions: Instructions,

@@ -2,7 +2,8 @@
 
 /// Turns a quadratic system of differential equations into its Kahan map.
 ///
-/// [The language](crate::language) is a chapter of its own: grammar, claims, `when`, limits, examples. In short:
+/// [The language](crate::language) is a chapter of its own: grammar, claims, `when`, limits,
+/// examples. In short:
 ///
 /// A block is an optional header, then one equation `NAMEdot = expression;` for each state variable, then claims.
 /// Expressions are polynomials of degree at most 2 in the variables, with the usual precedence: `x^2 - z^2` is
@@ -13,9 +14,9 @@
 ///   [`KahanMap`](crate::KahanMap) and [`Named`](crate::Named).
 /// - Without one, it is an expression: a value of an anonymous type that captures its parameters from the scope.
 ///
-/// `integral NAME = expression;` claims a function that the map leaves unchanged, `density` an invariant measure, `bracket`
-/// a Poisson tensor. They are proved while compiling, and a false claim does not compile; `eps` in them is ε, **half** the
-/// time step.
+/// `integral NAME = expression;` claims a function that the map leaves unchanged, `density` an
+/// invariant measure, `bracket` a Poisson tensor. They are proved while compiling, and a false
+/// claim does not compile; `eps` in them is ε, **half** the time step.
 ///
 /// ```
 /// use kahan_core::prelude::*;

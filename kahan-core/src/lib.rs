@@ -79,7 +79,10 @@ mod scene;
 mod stable;
 mod through_f64;
 mod try_step;
+mod undeclared;
 mod vector_macro;
+#[cfg(not(feature = "exact"))]
+mod without_exact;
 
 pub mod prelude;
 
@@ -95,7 +98,7 @@ mod tests;
 pub use composition::{Composed, ComposedAt, Composition, Method, PreparedMap, Single};
 pub use elimination::Elimination;
 #[cfg(feature = "std")]
-pub use ensemble::{Axis, Ensemble, EnsembleScalar, Level, Reciprocal};
+pub use ensemble::{Advances, Axis, Ensemble, EnsembleScalar, Level, Reciprocal};
 pub use epsilon::nearest_short_eps;
 pub use error::SingularStep;
 pub use error_estimate::{ErrorEstimates, Estimated};

@@ -35,15 +35,18 @@ pub use scaled::Scaled;
 /// | both | the two, in either order | `Orbit<M, T, N, Composed, Compensated>` |
 ///
 /// # There and back
-/// The map with −ε is the inverse map, so n steps and n steps back come home: exactly over exact scalars. Over floats each of
-/// the 2n steps rounds, and the rest of the way carries its rounding along. With φ the map, ‖∂φ⁻ᵏ(xₖ)‖ says by how much k
-/// steps back from xₖ enlarge an error there; with δₖ the most that a step to xₖ rounds by (16 u ‖xₖ‖ at ordinary points), the
-/// rounding at each xₖ counts once on the way there and once on the way back. The distance from x₀ at the end is at most
+/// The map with −ε is the inverse map, so n steps and n steps back come home: exactly over exact
+/// scalars. Over floats each of the 2n steps rounds, and the rest of the way carries its rounding
+/// along. With φ the map, ‖∂φ⁻ᵏ(xₖ)‖ says by how much k steps back from xₖ enlarge an error there;
+/// with δₖ the most that a step to xₖ rounds by (16 u ‖xₖ‖ at ordinary points), the rounding at
+/// each xₖ counts once on the way there and once on the way back. The distance from x₀ at the end
+/// is at most
 ///
 /// δ₀ + 2 (‖∂φ⁻¹(x₁)‖ δ₁ + ‖∂φ⁻²(x₂)‖ δ₂ + … + ‖∂φ⁻ⁿ(xₙ)‖ δₙ)
 ///
-/// in the maximum norm, up to terms of order u². On an orbit that stays on a curve or torus errors grow at most in proportion
-/// to k, so the distance at most to n²; near chaos both grow exponentially.
+/// in the maximum norm, up to terms of order u². On an orbit that stays on a curve or torus errors
+/// grow at most in proportion to k, so the distance at most to n²; near chaos both grow
+/// exponentially.
 ///
 /// # Cost
 /// [`nth`](Iterator::nth) runs as fast as a loop over [`KahanAt::step`](crate::KahanAt::step) written by hand.

@@ -9,5 +9,13 @@ pub use crate::{
 
 pub use nalgebra::{SMatrix, SVector};
 
+// So that rustc explains what a block lacks.
+#[doc(hidden)]
+pub use crate::undeclared::{IntegerParameters as _, WithoutDensity as _, WithoutIntegrals as _};
+
 #[cfg(feature = "exact")]
 pub use num_rational::BigRational;
+
+#[cfg(not(feature = "exact"))]
+#[doc(hidden)]
+pub use crate::without_exact::BigRational;

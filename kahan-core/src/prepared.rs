@@ -12,8 +12,9 @@ use crate::{KahanMap, Orbit, Pivot, PreparedStep, Scalar, SingularStep};
 
 /// The Kahan map M at one ε, half the time step; made by [`KahanMap::at`].
 ///
-/// Everything that depends on ε and the parameters alone is computed when it is made, but divisions: a denominator that is
-/// zero is a pole of the step. Its type is made of names that a program has, so it can be stored:
+/// What depends on ε and the parameters alone is computed once, when this is made; quotients are
+/// left to the step, where a zero below shows as a pole. Its type can be written out, so a struct
+/// of yours can hold it:
 ///
 /// ```
 /// use kahan_core::KahanAt;

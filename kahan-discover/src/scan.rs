@@ -82,7 +82,8 @@ pub struct Scan {
     pub generic: Sight,
     /// The grid, the last axis running fastest; shorter than it where time ran out.
     pub points: Vec<GridPoint>,
-    /// Relations between scanned quantities at which all points of the grid are special, where there are two or more.
+    /// Relations between scanned quantities at which all points of the grid are special, where
+    /// there are two or more.
     pub relations: Vec<Proposal>,
     /// Whether time ran out.
     pub out_of_time: bool,
@@ -101,8 +102,9 @@ const ITERATES: usize = 6;
 const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
-/// Degrees and ranks on the grid of all axes, and what is proved where relations between them hold. `options` fixes further parameters and ε, the degree of relations and the
-/// time; `progress` is told of every point (done, of how many).
+/// Degrees and ranks on the grid of all axes, and what is proved where relations between them hold.
+/// `options` fixes further parameters and ε, the degree of relations and the time; `progress` is
+/// told of every point (done, of how many).
 ///
 /// # Errors
 /// As [`discover`](crate::discover()), for the field at generic values of what is scanned.

@@ -73,8 +73,8 @@ fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
     scan(&system(text), &axes, &options, &mut |_, _| {}).unwrap()
 }
 
-/// The relations with the number of their points and of their claims, each claim proved where it stands and false without
-/// its relation.
+/// The relations with the number of their points and of their claims, each claim proved where it
+/// stands and false without its relation.
 fn relations<'a>(text: &str, scan: &'a Scan) -> Vec<(&'a str, usize, usize)> {
     let mistakes = |claim: &str| read(&lexer::lex(&format!("{text} {claim}")).tokens).diagnostics;
     for claim in scan.relations.iter().flat_map(|proposal| &proposal.claims) {

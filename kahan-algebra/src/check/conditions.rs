@@ -1,7 +1,8 @@
 //! `when expr = expr, …`: the relations on which a claim is made.
 //!
-//! They are between parameters and ε, each solved for a name that enters it linearly; states cannot be fixed, and ε = 0 is no
-//! step. Where they hold, the field itself and the relations as written must exist.
+//! They are between parameters and ε, each solved for a name that enters it linearly; states cannot
+//! be fixed, and ε = 0 is no step. Where they hold, the field itself and the relations as written
+//! must exist.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::field::Component;
@@ -14,7 +15,7 @@ use crate::syntax;
 use crate::system::Condition;
 use crate::token::Span;
 
-use super::expand::{Expansion, expand_in_claim, too_large};
+use super::expand::{Expansion, expand_in_claim};
 use super::names::Scope;
 
 /// The relations behind `when`, solved; `None` if one is broken.
@@ -39,7 +40,8 @@ pub(super) fn evaluate(
     Some(Condition::all(solved, &relations))
 }
 
-/// Adds a relation and gives the name it was solved for; `Ok(None)` where a mistake in it was reported elsewhere.
+/// Adds a relation and gives the name it was solved for; `Ok(None)` where a mistake in it was
+/// reported elsewhere.
 fn one_relation(
     condition: &syntax::Condition,
     relations: &mut Relations,
@@ -89,7 +91,8 @@ fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
     RationalFunction::new(above, below).map_or_else(Polynomial::zero, |quotient| quotient.numerator().clone())
 }
 
-/// The parameters of a relation in the order of their places, then ε; `Ok(None)` if a name is a mistake already.
+/// The parameters of a relation in the order of their places, then ε; `Ok(None)` if a name is a
+/// mistake already.
 fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<Variable>>, Diagnostic> {
     let mut found: Vec<(String, Span)> = Vec::new();
     condition.visit_names(&mut |name, span| found.push((name.to_owned(), span)));
@@ -138,6 +141,15 @@ fn unknown(name: &str, span: Span, scope: &mut Scope) -> Diagnostic {
     };
     let message = format!("`{name}` is neither a parameter nor `eps`, so it cannot stand behind `when`");
     Diagnostic::new(Kind::Claim, span, message, help)
+}
+
+fn too_large(span: Span) -> Diagnostic {
+    Diagnostic::new(
+        Kind::TooLarge,
+        span,
+        "this relation is too large to be solved, with those before it put in",
+        "write it with smaller powers",
+    )
 }
 
 /// The mistake of a relation that cannot be solved.

@@ -1,5 +1,5 @@
-//! An expression of an equation, or of a relation behind `when`, to a fraction p/q, p expanded in states and parameters,
-//! q free of states.
+//! An expression of an equation, or of a relation behind `when`, to a fraction p/q, p expanded in
+//! states and parameters, q free of states.
 //!
 //! What cancels, cancels: only the result counts, not what it passed through. Sizes are limited, so that no input hangs
 //! the compiler.

@@ -7,6 +7,7 @@ use crate::token::{Span, TokenKind};
 use super::Parsed;
 use super::cursor::Cursor;
 use super::expr::parse_expr;
+use super::keyword::wrong_keyword;
 
 const SHAPES: &str =
     "a block holds equations `xdot = …;`, constants `const c = …;` and claims `integral H = …;`";
@@ -52,7 +53,10 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
             "the header stands at the beginning of a block, and a block has one",
             "move it to the top, or write a second `kahan!` block",
         )),
-        _ => equation(cursor, block),
+        _ => match wrong_keyword(cursor, block) {
+            Some(diagnostic) => Err(diagnostic),
+            None => equation(cursor, block),
+        },
     }
 }
 
@@ -266,6 +270,14 @@ fn conditions(cursor: &mut Cursor<'_>, conditions: &mut Vec<Condition>) -> Parse
         return Ok(());
     }
     cursor.advance();
+    if cursor.is_at_end() || cursor.is_punctuation(0, ';') {
+        return Err(Diagnostic::new(
+            Kind::Claim,
+            cursor.behind(),
+            "there is no relation behind `when`",
+            "write one, as in `when eps = 1` or `when c = -a - b`, or remove `when`",
+        ));
+    }
     loop {
         cursor.is_left_side = true;
         let left = parse_expr(cursor);

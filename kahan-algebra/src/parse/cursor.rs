@@ -51,6 +51,12 @@ impl<'a> Cursor<'a> {
         self.peek(ahead).filter(|token| token.kind == TokenKind::Identifier).map(|token| token.text.as_str())
     }
 
+    /// The identifier `ahead` tokens from here, with its place.
+    pub(super) fn name(&self, ahead: usize) -> Option<Name> {
+        let text = self.identifier(ahead)?.to_owned();
+        Some(Name { text, span: Span::token(self.at + ahead) })
+    }
+
     pub(super) fn is_punctuation(&self, ahead: usize, c: char) -> bool {
         self.peek(ahead).is_some_and(|token| token.kind == TokenKind::Punctuation(c))
     }

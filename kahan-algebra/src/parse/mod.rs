@@ -8,6 +8,7 @@ mod block;
 mod cursor;
 mod expr;
 mod header;
+mod keyword;
 mod number;
 
 use crate::diagnostics::{Diagnostic, Diagnostics};

@@ -137,7 +137,8 @@ impl Samples {
     }
 }
 
-/// Gives the names that conditions are solved for their values at a point of all others; `None` where one has none.
+/// Gives the names that conditions are solved for their values at a point of all others; `None`
+/// where one has none.
 pub(super) fn impose<A: Arithmetic>(
     conditions: &[Condition],
     arithmetic: &A,
@@ -153,8 +154,9 @@ pub(super) fn impose<A: Arithmetic>(
     Some(())
 }
 
-/// A random point whose coordinates have height at most `height`, but for those that the conditions then have; ε is positive
-/// and parameters are not zero, unless conditions make them so. `None` where the conditions divide by zero, and at ε = 0.
+/// A random point whose coordinates have height at most `height`, but for those that the conditions
+/// then have; ε is positive and parameters are not zero, unless conditions make them so. `None`
+/// where the conditions divide by zero, and at ε = 0.
 pub(super) fn small_point(
     scheme: &Scheme,
     conditions: &[Condition],

@@ -52,7 +52,8 @@ pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
 fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<Size>> {
     let n = scheme.dimension();
     let mut here = vec![Size::variable(); scheme.variables];
-    // A name that a relation is solved for is a quotient of polynomials in the others, of their degrees.
+    // A name that a relation is solved for is a quotient of polynomials in the others, of their
+    // degrees.
     impose(&claim.conditions, &Bounds, &mut here)?;
     let eps = here[usize::from(scheme.symbols.epsilon().0)];
     let matrix = rows(&run(&Bounds, &scheme.matrix, &here)?, n);

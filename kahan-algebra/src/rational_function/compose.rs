@@ -4,8 +4,8 @@ use super::RationalFunction;
 use crate::poly::{Budget, OverBudget, Polynomial, Variable};
 
 impl RationalFunction {
-    /// The function with `variable` replaced by `value`, within a budget; `None` where its denominator then vanishes
-    /// identically.
+    /// The function with `variable` replaced by `value`, within a budget; `None` where its
+    /// denominator then vanishes identically.
     pub fn compose_within(
         &self,
         variable: Variable,

@@ -183,7 +183,8 @@ pub fn condition_text(system: &System, claim: &Claim) -> String {
     condition_statement(system, claim, Notation::Text)
 }
 
-/// The relations behind `when`: a name that has a number with it, others as written; empty for a claim without `when`.
+/// The relations behind `when`: a name that has a number with it, others as written; empty for a
+/// claim without `when`.
 #[must_use]
 pub fn condition_statement(system: &System, claim: &Claim, notation: Notation) -> String {
     let symbols = &system.field.symbols;
@@ -200,8 +201,8 @@ pub fn condition_statement(system: &System, claim: &Claim, notation: Notation) -
     parts.collect::<Vec<_>>().join(", ")
 }
 
-/// What the relations of a claim were divided by to be solved, `a2 != 0`: not 0 where it is claimed. Empty where that is
-/// numbers alone.
+/// What the relations of a claim were divided by to be solved, `a2 != 0`: not 0 where it is
+/// claimed. Empty where that is numbers alone.
 #[must_use]
 pub fn condition_note(system: &System, claim: &Claim) -> String {
     let nonzero = claim.conditions.iter().flat_map(|condition| &condition.nonzero);

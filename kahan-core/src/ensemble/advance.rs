@@ -4,13 +4,26 @@
 //! However the columns are divided, each trajectory goes through the same operations, so its bits depend neither on
 //! its place nor on the threads.
 
-use crate::WideStep;
 use crate::composition::{Method, PreparedMap};
 use crate::error::pole;
+use crate::{Scalar, WideStep};
 
 use super::columns::Group;
 use super::level::Instructions;
 use super::{Ensemble, EnsembleScalar};
+
+/// A map at a fixed ε that moves ensembles of points with N entries: every [`PreparedMap`] on such
+/// points.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not move points of {N} numbers of the type `{T}`",
+    label = "another dimension, or another type of number, than that of the points",
+    note = "a point has one entry for each equation: give `Ensemble::grid` as many axes, `Ensemble::new` such vectors"
+)]
+pub trait Advances<T: Scalar, const N: usize>: PreparedMap<T, N, Step: WideStep<T, N> + Sync> {}
+
+#[diagnostic::do_not_recommend]
+impl<M, T: Scalar, const N: usize> Advances<T, N> for M where M: PreparedMap<T, N, Step: WideStep<T, N> + Sync>
+{}
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map` (half the time step).
@@ -44,7 +57,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// ```
     pub fn advance<M>(&mut self, map: &M, steps: usize)
     where
-        M: PreparedMap<T, N, Step: WideStep<T, N> + Sync>,
+        M: Advances<T, N>,
     {
         let instructions = self.instructions;
         let columns = self.columns.groups_mut();
@@ -65,7 +78,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
         every: usize,
         mut visit: impl FnMut(usize, &Self),
     ) where
-        M: PreparedMap<T, N, Step: WideStep<T, N> + Sync>,
+        M: Advances<T, N>,
     {
         assert!(every > 0, "an ensemble is visited every 1 step or more, not every 0");
         for visits in 1..=steps / every {

@@ -102,8 +102,8 @@ impl Scene {
     }
 
     /// The cheapest setting, by the model of cost, that meets the tolerance. It is never one in
-    /// `f32`, which a single orbit waits for as long as for `f64`: its gain is in memory and in the
-    /// lanes of an [`Ensemble`](crate::Ensemble).
+    /// `f32`: a step of a single orbit takes as long in `f32` as in `f64`. What `f32` saves is
+    /// memory, and time in an [`Ensemble`](crate::Ensemble).
     ///
     /// # How
     /// For [`Need::Trajectory`] the [`Flow`](crate::Flow) itself is computed over the whole

@@ -10,13 +10,28 @@ use super::inputs::emit_inputs;
 use super::plan::emit_plan;
 use super::{Context, docs, items};
 
-/// Expands to the accessors of all claims; to nothing where there are none.
+/// Expands to the accessors of all claims. Where there are no integrals, or no density, rustc is
+/// told what a call lacks.
 pub(super) fn emit_claims(context: &Context<'_>) -> TokenStream {
     let integrals = emit_integrals(context);
     let density =
         context.system.accessors(ClaimKind::Density).take(1).map(|claim| emit_density(context, claim));
     let brackets = context.system.accessors(ClaimKind::Bracket).map(|claim| emit_bracket(context, claim));
-    quote! { #integrals #(#density)* #(#brackets)* }
+    let this = context.self_type();
+    let scalar = &context.scalar;
+    let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
+    let lacks = |kind: ClaimKind, marker: TokenStream| {
+        let is_lacking = context.system.accessors(kind).next().is_none();
+        is_lacking.then(|| quote! { impl #generics __kahan::#marker for #this {} })
+    };
+    let lacking = [
+        lacks(ClaimKind::Integral, quote!(WithoutIntegrals)),
+        lacks(ClaimKind::Density, quote!(WithoutDensity)),
+        context.has_parameters().then(|| {
+            quote! { impl<#scalar: __kahan::Integer> __kahan::IntegerParameters for #this {} }
+        }),
+    ];
+    quote! { #integrals #(#density)* #(#brackets)* #(#lacking)* }
 }
 
 /// `impl<T: Scalar> E7<T> { pub fn …(&self, …) }`, or `impl E6 { pub fn …<T: Scalar>(&self, …) }`.

@@ -18,13 +18,14 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
     }
 }
 
-/// Binds what a plan reads: `let [__s_x, _, __s_z] = __kahan::components(x);`, the parameters from `self`; ε stands
-/// in `eps`, the second point in `y`.
+/// Binds what a plan reads: `let [__s_x, _, __s_z] = __kahan::components(x);`, the parameters from
+/// `self`; ε stands in `eps`, the second point in `y`.
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     emit_inputs_as(plan, symbols, &TokenStream::new())
 }
 
-/// The same for a kernel, the states as values: `let [__s_x, _, __s_z] = __kahan::components(x).clone();`.
+/// The same for a kernel, the states as values: `let [__s_x, _, __s_z] =
+/// __kahan::components(x).clone();`.
 ///
 /// All are read before anything is computed. Read where they are used first, they come in an order in which compilers that
 /// pack scalar code into vectors pair them badly, at the cost of a tenth of a large step.

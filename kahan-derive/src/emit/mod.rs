@@ -17,10 +17,11 @@
 //! and without one to `{ …the same with an anonymous type…; Field { mu: mu.clone() } }`. Mistakes become
 //! `compile_error!` beside all of that, so that code which uses the type stays quiet.
 //!
-//! Names: everything of ours is reached through `__kahan`, and bindings begin with `__` (a state `x` is `__s_x`, a
-//! parameter `mu` is `__p_mu`): a constant or a unit struct of the user's in scope would capture a pattern of its name. Only
-//! arguments, which rustdoc shows, have names for reading; a function of each name stands before the user's, and a pattern
-//! may have the name of a function.
+//! Names: everything of ours is reached through `__kahan`, and bindings begin with `__` (a state
+//! `x` is `__s_x`, a parameter `mu` is `__p_mu`): a constant or a unit struct of the user's in
+//! scope would capture a pattern of its name. Only arguments, which rustdoc shows, have names for
+//! reading; a function of each name stands before the user's, and a pattern may have the name of a
+//! function.
 
 mod claims;
 mod docs;

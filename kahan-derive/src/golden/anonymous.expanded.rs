@@ -355,6 +355,9 @@ fn scope() {
                     Field { mu: lift(&self.mu) }
                 }
             }
+            impl<T> __kahan::WithoutIntegrals for Field<T> {}
+            impl<T> __kahan::WithoutDensity for Field<T> {}
+            impl<T: __kahan::Integer> __kahan::IntegerParameters for Field<T> {}
         };
         Field {
             mu: ::core::clone::Clone::clone(&mu),

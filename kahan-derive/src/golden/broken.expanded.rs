@@ -212,4 +212,6 @@ const _: () = {
             Self::integrals(self, x, eps)
         }
     }
+    impl<T> __kahan::WithoutDensity for Broken<T> {}
+    impl<T: __kahan::Integer> __kahan::IntegerParameters for Broken<T> {}
 };

@@ -1596,4 +1596,7 @@ const _: () = {
             }
         }
     }
+    impl<T> __kahan::WithoutIntegrals for Dense<T> {}
+    impl<T> __kahan::WithoutDensity for Dense<T> {}
+    impl<T: __kahan::Integer> __kahan::IntegerParameters for Dense<T> {}
 };

@@ -556,4 +556,7 @@ const _: () = {
             }
         }
     }
+    impl<T> __kahan::WithoutIntegrals for Pendulum<T> {}
+    impl<T> __kahan::WithoutDensity for Pendulum<T> {}
+    impl<T: __kahan::Integer> __kahan::IntegerParameters for Pendulum<T> {}
 };

@@ -28,7 +28,8 @@ pub struct Proposal {
     pub points: usize,
     /// What is seen at most of those with the fewest integrals.
     pub sight: Sight,
-    /// What was found there and proved, ready to paste; what holds without the relation is left out.
+    /// What was found there and proved, ready to paste; what holds without the relation is left
+    /// out.
     pub claims: Vec<String>,
 }
 
@@ -72,7 +73,8 @@ fn variable(symbols: &Symbols, name: &str) -> Option<Variable> {
     symbols.parameters.iter().position(|known| known == name).map(|k| symbols.parameter(k))
 }
 
-/// What has the fewest integrals, and of that what most are equal to: the others lie on further relations.
+/// What has the fewest integrals, and of that what most are equal to: the others lie on further
+/// relations.
 fn usual<'a>(sights: impl Iterator<Item = &'a Sight>) -> Option<&'a Sight> {
     let mut counts: HashMap<String, (usize, &Sight)> = HashMap::new();
     for sight in sights {
@@ -83,8 +85,8 @@ fn usual<'a>(sights: impl Iterator<Item = &'a Sight>) -> Option<&'a Sight> {
     counts.into_iter().max_by_key(rank).map(|(_, (_, sight))| sight)
 }
 
-/// The polynomial as an equation: a name with coefficient ±1 alone on the left, else a number alone on the right, else the
-/// terms with `-` there.
+/// The polynomial as an equation: a name with coefficient ±1 alone on the left, else a number alone
+/// on the right, else the terms with `-` there.
 fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let is_linear = polynomial.degree() == 1;
     let mut terms = polynomial.terms();
@@ -142,7 +144,8 @@ impl<'a> Prover<'a> {
         formulas.filter_map(|formula| self.claim(formula, relation)).collect()
     }
 
-    /// The system where the polynomial vanishes: without the parameter it is solved for, or at the ε it gives.
+    /// The system where the polynomial vanishes: without the parameter it is solved for, or at the
+    /// ε it gives.
     fn restricted(&self, polynomial: &Polynomial, time: Duration) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
         let mut options = Options { seconds: time.as_secs_f64(), ..self.options.clone() };
@@ -160,7 +163,8 @@ impl<'a> Prover<'a> {
         Some((system, options))
     }
 
-    /// The formula as a claim `when` the relation holds; `None` where it is not proved, or holds without it.
+    /// The formula as a claim `when` the relation holds; `None` where it is not proved, or holds
+    /// without it.
     fn claim(&mut self, formula: &Formula, relation: &str) -> Option<String> {
         let statement = formula.text.trim_end_matches(';');
         let (body, fixed) = statement.split_once(" when ").unwrap_or((statement, ""));

@@ -1,7 +1,9 @@
-//! Shapes of low degree on a grid: polynomials in the scanned quantities that vanish at special points, and at no other.
+//! Shapes of low degree on a grid: polynomials in the scanned quantities that vanish at special
+//! points, and at no other.
 //!
-//! Simple ones come first: one quantity with a number, then linear ones, then two monomials; what a simpler one accounts for
-//! is no evidence for the next. All of it is in residues modulo a prime of 61 bits, where small numbers do not collide.
+//! Simple ones come first: one quantity with a number, then linear ones, then two monomials; what a
+//! simpler one accounts for is no evidence for the next. All of it is in residues modulo a prime of
+//! 61 bits, where small numbers do not collide.
 
 use std::collections::BTreeSet;
 
@@ -31,8 +33,8 @@ pub(super) struct Shape {
 
 /// So many points more than coefficients have to lie on a shape.
 const SPARE_POINTS: usize = 2;
-/// How likely as many points may be special by chance: the share of special points to the power of what a shape has more than
-/// coefficients.
+/// How likely as many points may be special by chance: the share of special points to the power of
+/// what a shape has more than coefficients.
 const CHANCE: f64 = 0.01;
 /// Random choices of points to lay a linear shape through.
 const DRAWS: usize = 3000;
@@ -44,7 +46,8 @@ const LARGEST: u64 = 1000;
 /// The most special points that candidates are made from; all of them confirm one.
 const MOST_POINTS: usize = 600;
 
-/// The shapes that account for special points which those known do not account for, the simplest first.
+/// The shapes that account for special points which those known do not account for, the simplest
+/// first.
 pub(super) fn shapes(grid: &Grid, known: &[Shape]) -> Vec<Shape> {
     let mut search = Search::new(grid);
     search.open.retain(|at| known.iter().all(|shape| !shape.points.contains(at)));
@@ -112,7 +115,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The coefficients of 1 and of the names in the one linear equation through these points; each name has one.
+    /// The coefficients of 1 and of the names in the one linear equation through these points; each
+    /// name has one.
     fn plane(&self, names: &[usize], points: &[usize]) -> Option<Vec<u64>> {
         let row = |&at: &usize| {
             std::iter::once(self.modulus.one())
@@ -187,8 +191,8 @@ impl<'a> Search<'a> {
         value.to_string().split('/').all(is_small).then_some(value)
     }
 
-    /// Takes a polynomial with that many free coefficients, if enough open points and no ordinary ones lie on it, and if these
-    /// lie on nothing smaller.
+    /// Takes a polynomial with that many free coefficients, if enough open points and no ordinary
+    /// ones lie on it, and if these lie on nothing smaller.
     fn admit(&mut self, polynomial: Polynomial, coefficients: usize) {
         let modulus = self.modulus;
         let terms: Vec<(Monomial, u64)> = polynomial

@@ -22,9 +22,10 @@ use super::search::{Search, refused};
 /// are printed. A range is FROM:TO:STEP with TO included where it is met; what has a single value is fixed, and what is not
 /// given is generic.
 ///
-/// With two ranges or more it looks for relations as well, as c = -a - b or a1*a2 = a5*a6: all points of the grid on them are
-/// special. In the time that is left formulas are looked for there, and printed as claims `when` the relation holds, each
-/// proved; where none is, the relation is only seen.
+/// With two ranges or more it looks for relations as well, as c = -a - b or a1*a2 = a5*a6: all
+/// points of the grid on them are special. In the time that is left formulas are looked for there,
+/// and printed as claims `when` the relation holds, each proved; where none is, the relation is
+/// only seen.
 #[derive(Args, Debug)]
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Scan {

@@ -23,6 +23,8 @@ const WIDE: &str = "kahan-core/src/scalar/wide/arithmetic.rs";
 const PAIRS: &str = "-p kahan-core --features exact --lib -- dd::bounds";
 const MODERATE: &str = "kahan-core/src/scalar/dd/moderate.rs";
 const DEGREES: &str = "-p kahan-discover --lib -- thiele";
+const RELATIONS: &str = "-p kahan-algebra --test relations";
+const SCANS: &str = "-p kahan-discover --test scans";
 const REFERENCES: &str = "-p kahan-systems --lib -- reference";
 const CERTIFICATE: &str = "systems/src/reference/certificate.rs";
 
@@ -165,4 +167,29 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         text: "self.difference = self.difference.max(difference);", weaker: "self.difference = difference;" },
     Weakening { name: "a certificate of the least difference", file: CERTIFICATE, tests: REFERENCES,
         text: "if self.difference <= self.allowed {\n            self.agreed_until = t;", weaker: "if difference <= self.allowed {\n            self.agreed_until = t;" },
+    // Claims on relations.
+    Weakening { name: "a relation that random points do not satisfy", file: "kahan-algebra/src/prove/sample.rs", tests: RELATIONS,
+        text: "impose(conditions, &arithmetic, &mut here)?;",
+        weaker: "" },
+    Weakening { name: "a relation whose degree does not enter the bound", file: "kahan-algebra/src/prove/sizes.rs", tests: RELATIONS,
+        text: "impose(&claim.conditions, &Bounds, &mut here)?;",
+        weaker: "" },
+    Weakening { name: "a relation that forgets what it was divided by", file: "kahan-algebra/src/relations.rs", tests: RELATIONS,
+        text: "relation = without(relation, nonzero.numerator(), &mut self.budget)?;",
+        weaker: "let _ = nonzero;" },
+    Weakening { name: "a relation solved for the worst name", file: "kahan-algebra/src/relations.rs", tests: RELATIONS,
+        text: "if best.is_none_or(|(known, _)| rank < known) {",
+        weaker: "if best.is_none_or(|(known, _)| rank >= known) {" },
+    Weakening { name: "a relation that is put in where its divisor is 0", file: "kahan-algebra/src/specialise.rs", tests: RELATIONS,
+        text: "if !relations.require(nonzero).ok()? {",
+        weaker: "if !relations.require(nonzero).ok()? && false {" },
+    Weakening { name: "a relation through ordinary points", file: "kahan-discover/src/scan/shapes.rs", tests: SCANS,
+        text: "if is_chance || points.iter().any(|&at| !self.grid.special[at]) {",
+        weaker: "if is_chance {" },
+    Weakening { name: "a relation that chance may have made", file: "kahan-discover/src/scan/shapes.rs", tests: SCANS,
+        text: "if is_chance || points.iter().any(|&at| !self.grid.special[at]) {",
+        weaker: "if points.iter().any(|&at| !self.grid.special[at]) {" },
+    Weakening { name: "a claim on a relation that holds without it", file: "kahan-discover/src/scan/proposals.rs", tests: SCANS,
+        text: "if holds(&claim(&fixed)) || !holds(&on_relation) {",
+        weaker: "if !holds(&on_relation) {" },
 ];

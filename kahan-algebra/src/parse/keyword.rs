@@ -1,0 +1,88 @@
+//! What a word means that stands where a keyword should: `invariant H = …` means an `integral`.
+
+use crate::diagnostics::{Diagnostic, Kind};
+use crate::syntax::{Block, Claim, ClaimKind, Constant};
+
+use super::cursor::Cursor;
+
+const KEYWORDS: [&str; 4] = ["integral", "density", "bracket", "const"];
+
+/// Words of the trade for each keyword, in small letters and without underscores.
+const SYNONYMS: [(&str, &[&str]); 4] = [
+    (
+        "integral",
+        &[
+            "invariant",
+            "conserved",
+            "conserve",
+            "conserves",
+            "preserved",
+            "preserves",
+            "firstintegral",
+            "first",
+            "constantofmotion",
+            "conservedquantity",
+            "conservation",
+            "hamiltonian",
+            "energy",
+            "casimir",
+            "quantity",
+        ],
+    ),
+    (
+        "density",
+        &["measure", "invariantmeasure", "volume", "volumeform", "multiplier", "jacobimultiplier", "weight"],
+    ),
+    (
+        "bracket",
+        &["poisson", "poissonbracket", "poissontensor", "liepoisson", "tensor", "symplectic", "structure"],
+    ),
+    ("const", &["constant", "let", "static", "define", "def", "val", "var"]),
+];
+
+/// Words for what the header declares.
+const PARAMETERS: [&str; 4] = ["parameter", "parameters", "param", "params"];
+
+/// The keyword that `word` means, by its sense or else by its letters.
+fn meant(word: &str) -> Option<&'static str> {
+    let word = word.to_lowercase().replace('_', "");
+    let synonym = SYNONYMS.iter().find(|(_, words)| words.contains(&word.as_str()));
+    let near = || KEYWORDS.iter().find(|keyword| word.len() > 3 && strsim::levenshtein(&word, keyword) <= 2);
+    synonym.map(|(keyword, _)| *keyword).or_else(|| near().copied())
+}
+
+/// The mistake of an item `WORD NAME …` whose word is none of the language; the name counts as
+/// known from here on.
+pub(super) fn wrong_keyword(cursor: &Cursor<'_>, block: &mut Block) -> Option<Diagnostic> {
+    let word = cursor.identifier(0)?;
+    cursor.identifier(1)?;
+    // `first integral H = …`
+    let ahead =
+        if KEYWORDS.contains(&cursor.identifier(1)?) && cursor.identifier(2).is_some() { 2 } else { 1 };
+    let name = cursor.name(ahead)?;
+    let wrong = |help: String| {
+        Diagnostic::new(Kind::Syntax, cursor.here(), format!("`{word}` is no keyword of the language"), help)
+    };
+    if PARAMETERS.contains(&word.to_lowercase().as_str()) {
+        return Some(wrong(format!("parameters stand in the header: `struct Name {{ {} }}`", name.text)));
+    }
+    if ahead == 2 {
+        // What follows is read as the item that it is.
+        return Some(wrong(format!("did you mean `{} {} …`?", cursor.identifier(1)?, name.text)));
+    }
+    let keyword = meant(word)?;
+    let kind = match keyword {
+        "integral" => ClaimKind::Integral,
+        "density" => ClaimKind::Density,
+        "bracket" => ClaimKind::Bracket,
+        _ => {
+            let help = format!("did you mean `const {} = …;`?", name.text);
+            block.constants.push(Constant { name, value: None });
+            return Some(wrong(help));
+        }
+    };
+    let shape = if kind == ClaimKind::Bracket { "{ {x,y} = …; }" } else { "= …;" };
+    let help = format!("did you mean `{keyword} {} {shape}`?", name.text);
+    block.claims.push(Claim { kind, name, body: None, conditions: Vec::new() });
+    Some(wrong(help))
+}

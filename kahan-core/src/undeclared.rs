@@ -1,0 +1,136 @@
+//! What one asks of a system that cannot answer: rustc then says what to declare, or what to write.
+//!
+//! A block without an integral, without a density, or with integers for parameters has these
+//! methods in place of the real ones. No type fulfils what they ask for, so that a call never gets
+//! past the compiler, and nothing is compiled. They take `&mut self`: rustc tries methods with
+//! `&self` first, so that integrals written by hand go before them, and so does the map of a system
+//! whose scalar is not inferred yet.
+
+use core::iter::Empty;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::SingularStep;
+
+/// What a block would have to be; it is none of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Block;
+
+/// The block of S declares an integral; none does in this way.
+#[diagnostic::on_unimplemented(
+    message = "the block of `{S}` declares no integral",
+    label = "declare one in the block: `integral H = …;`",
+    note = "what is claimed `when` a relation holds is proved and listed, but cannot be called"
+)]
+pub trait DeclaresIntegral<S: ?Sized, T> {}
+
+/// The block of S declares a density; none does in this way.
+#[diagnostic::on_unimplemented(
+    message = "the block of `{S}` declares no density",
+    label = "declare one in the block: `density rho = …;`",
+    note = "what is claimed `when` a relation holds is proved and listed, but cannot be called"
+)]
+pub trait DeclaresDensity<S: ?Sized, T> {}
+
+/// S has scalars for parameters; none has in this way.
+#[diagnostic::on_unimplemented(
+    message = "the parameters of `{S}` are integers, and a Kahan map computes with fractions",
+    label = "its parameters are integers: write `1.0`, not `1`",
+    note = "`f32`, `f64` and `Dd` are scalars, with the feature `exact` also `BigRational`"
+)]
+pub trait HasScalars<S: ?Sized, T> {}
+
+/// The integers of the language.
+pub trait Integer {}
+
+macro_rules! integers {
+    ($($integer:ty)*) => { $(impl Integer for $integer {})* };
+}
+
+integers!(i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
+
+fn unanswered() -> ! {
+    unreachable!("no type has what this asks for")
+}
+
+/// Of a block without integrals.
+pub trait WithoutIntegrals {
+    /// Not to be called.
+    fn integrals<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, 1>
+    where
+        Block: DeclaresIntegral<Self, T>,
+    {
+        unanswered()
+    }
+}
+
+/// Of a block without a density.
+pub trait WithoutDensity {
+    /// Not to be called.
+    fn density<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> T
+    where
+        Block: DeclaresDensity<Self, T>,
+    {
+        unanswered()
+    }
+}
+
+/// Of a system whose parameters are integers.
+pub trait IntegerParameters {
+    /// Not to be called.
+    fn step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
+    where
+        Block: HasScalars<Self, T>,
+    {
+        unanswered()
+    }
+
+    /// Not to be called.
+    fn step_back<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SVector<T, N>
+    where
+        Block: HasScalars<Self, T>,
+    {
+        unanswered()
+    }
+
+    #[allow(clippy::missing_errors_doc, reason = "it returns nothing")]
+    /// Not to be called.
+    fn try_step<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> Result<SVector<T, N>, SingularStep>
+    where
+        Block: HasScalars<Self, T>,
+    {
+        unanswered()
+    }
+
+    /// Not to be called.
+    fn orbit<T, const N: usize>(&mut self, _: SVector<T, N>, _: T) -> Empty<SVector<T, N>>
+    where
+        Block: HasScalars<Self, T>,
+    {
+        unanswered()
+    }
+
+    /// Not to be called.
+    fn at<T>(&mut self, _: T)
+    where
+        Block: HasScalars<Self, T>,
+    {
+        unanswered()
+    }
+
+    /// Not to be called.
+    fn field<T, const N: usize>(&mut self, _: &SVector<T, N>) -> SVector<T, N>
+    where
+        Block: HasScalars<Self, T>,
+    {
+        unanswered()
+    }
+
+    /// Not to be called.
+    fn jacobian<T, const N: usize>(&mut self, _: &SVector<T, N>, _: T) -> SMatrix<T, N, N>
+    where
+        Block: HasScalars<Self, T>,
+    {
+        unanswered()
+    }
+}

@@ -1,0 +1,13 @@
+//! The big rationals are a feature.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Spring { k }
+    xdot = v;
+    vdot = -k*x;
+}
+
+fn main() {
+    let half = BigRational::new(1.into(), 2.into());
+}
