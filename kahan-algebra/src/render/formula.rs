@@ -1,8 +1,11 @@
 //! The objects of a system as formulas.
 
+use num_bigint::BigInt;
+
 use crate::field::{Component, Field};
 use crate::kahan::{RationalMap, bilinear_form, field_jacobian, scaled_matrix, scaled_rhs};
 use crate::poly::Polynomial;
+use crate::rational::Rational;
 
 use super::notation::{Notation, parenthesize};
 
@@ -27,11 +30,29 @@ impl Formulas<'_> {
 
     /// p/q for a polynomial over the denominator of component `i`.
     fn over(&self, polynomial: &Polynomial, component: &Component) -> String {
-        let above = self.polynomial(polynomial);
         if component.denominator.is_one() || polynomial.is_zero() {
-            return above;
+            return self.polynomial(polynomial);
         }
-        self.notation.quotient(&above, &self.polynomial(&component.denominator))
+        let (above, below) = (polynomial, &component.denominator);
+        match self.notation {
+            Notation::Text => self.notation.quotient(&self.polynomial(above), &self.polynomial(below)),
+            Notation::Latex => self.fraction(above, below),
+        }
+    }
+
+    /// One line between whole numbers: (½ x y)/a is xy/(2a), and −x/a has its sign in front.
+    fn fraction(&self, above: &Polynomial, below: &Polynomial) -> String {
+        let (numerator, denominator) = (above.content(), below.content());
+        let Some(factor) = numerator.checked_div(&denominator) else { return self.polynomial(above) };
+        let is_negative = above.terms().all(|(_, coefficient)| coefficient.is_negative());
+        let whole = |part: &Polynomial, content: &Rational, times: BigInt| {
+            let scale = Rational::from(times).checked_div(content);
+            scale.map_or_else(|| part.clone(), |scale| part.scale(&scale))
+        };
+        let above = whole(above, &numerator, factor.numerator());
+        let below = whole(below, &denominator, factor.denominator());
+        let (above, sign) = if is_negative { (above.scale(&Rational::from(-1)), "-") } else { (above, "") };
+        format!("{sign}{}", self.notation.quotient(&self.polynomial(&above), &self.polynomial(&below)))
     }
 
     fn over_each(&self, polynomials: &[Polynomial]) -> Vec<String> {
@@ -99,7 +120,11 @@ impl Formulas<'_> {
                     format!("{state} + 2\\varepsilon{factor}")
                 }
                 Notation::Latex => {
-                    format!("{state} + 2\\varepsilon\\,{}", self.notation.quotient(&above, &below))
+                    let quotient = self.fraction(increment, &map.reduced.denominator);
+                    match quotient.strip_prefix('-') {
+                        Some(size) => format!("{state} - 2\\varepsilon\\,{size}"),
+                        None => format!("{state} + 2\\varepsilon\\,{quotient}"),
+                    }
                 }
             }
         });
@@ -114,7 +139,10 @@ impl Formulas<'_> {
         Some(if map.divisor.is_one() {
             above
         } else {
-            self.notation.quotient(&above, &self.polynomial(&map.divisor))
+            match self.notation {
+                Notation::Text => self.notation.quotient(&above, &self.polynomial(&map.divisor)),
+                Notation::Latex => self.fraction(&map.denominator, &map.divisor),
+            }
         })
     }
 

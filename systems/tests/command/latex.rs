@@ -95,6 +95,7 @@ fn the_latex_of_the_catalog_is_whole_and_fits_a_page() {
 fn the_latex_of_random_fields_is_whole_and_fits_a_page() {
     for number in 0..24 {
         let page = of_field(&numbered(7, number).block());
+        assert!(!page.contains("\\frac{\\frac") && !page.contains("\\frac{-\\frac"), "{page}");
         assert_is_whole(&page);
         assert_has_no_ones(&page);
         assert_fits(&page);
@@ -149,4 +150,19 @@ fn no_factor_of_one_is_written() {
     for part in ["2\\varepsilon\\left(-3\\right)", "2\\varepsilon\\,a ", "2\\varepsilon\\left(2 a\\right)"] {
         assert!(page.contains(part), "{part} is missing: {page}");
     }
+}
+
+#[test]
+fn fractions_have_whole_numbers_and_their_sign_in_front() {
+    let page = of_field("xdot = x*y/(2*a); ydot = -x/a + y/(3*b)*0; zdot = -z/(1/2*a) - 1/3*x/a;");
+    for part in [
+        "\\frac{x y}{2 a}",
+        "&= -\\frac{x}{a}",
+        "&= -\\frac{x + 6 z}{3 a}",
+        "\\frac{2 a - \\varepsilon y}{2 a}",
+    ] {
+        assert!(page.contains(part), "{part} is missing: {page}");
+    }
+    assert!(!page.contains("\\frac{\\frac"), "{page}");
+    assert_is_whole(&page);
 }
