@@ -1,4 +1,5 @@
-//! Invariant Poisson brackets from a density and n − 2 integrals, which are Casimir functions of the bracket.
+//! Invariant Poisson brackets from a density and n − 2 integrals, which are Casimir functions of
+//! the bracket.
 
 use kahan_algebra::poisson::{PoissonTensor, invariant_bracket};
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -19,8 +20,8 @@ const MOST_BRACKETS: usize = 3;
 /// A bracket of more characters is not written.
 const MOST_CHARACTERS: usize = 1_000;
 
-/// Proved brackets as claims of the language of `kahan!`, the shortest first; none where there are fewer than n − 2 integrals,
-/// and those that are too long left out.
+/// Proved brackets as claims of the language of `kahan!`, the shortest first; none where there are
+/// fewer than n − 2 integrals, and those that are too long left out.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -46,7 +47,8 @@ pub(crate) fn brackets(
     names.zip(&found).filter_map(|(index, entries)| claims.bracket(index, entries)).collect()
 }
 
-/// All choices of `count` of the indices below `of`, each ascending, those of the lowest indices first.
+/// All choices of `count` of the indices below `of`, each ascending, those of the lowest indices
+/// first.
 fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
@@ -76,7 +78,8 @@ fn tensor(
         casimirs.map(|integral| function(&integral.numerator, &integral.denominator)).collect();
     let density = function(&density.numerator, &density.denominator)?;
     let tensor = invariant_bracket(symbols, &density, &casimirs?, &mut budget).ok()?;
-    // A bracket is one up to a number: the entries are written with coprime integers, the first positive.
+    // A bracket is one up to a number: the entries are written with coprime integers, the first
+    // positive.
     let mut contents =
         tensor.entries().iter().filter(|entry| !entry.is_zero()).map(|e| e.numerator().content());
     let first = contents.next()?;

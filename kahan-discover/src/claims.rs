@@ -114,8 +114,9 @@ impl<'a> Claims<'a> {
         name
     }
 
-    /// The claim that numerator/denominator is an integral, if it is proved; `index` numbers its name. It is written in
-    /// factors, and by powers of one of the polynomials `by` where that is shorter.
+    /// The claim that numerator/denominator is an integral, if it is proved; `index` numbers its
+    /// name. It is written in factors, and by powers of one of the polynomials `by` where that is
+    /// shorter.
     #[must_use]
     pub fn integral(
         &self,

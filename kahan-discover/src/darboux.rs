@@ -1,8 +1,9 @@
 //! Polynomials with a given cofactor under the map: P(φ(x)) = C(x) P(x), linear in P.
 //!
-//! With C = det ∂x̃/∂x, dx/P is an invariant measure; with C = 1, P is an integral. A quotient of factors whose cofactors
-//! multiply to 1/det ∂x̃/∂x is a density too. Two P with the same C have an integral
-//! as their quotient, so with integrals the P of one degree form a space; its simplest element is the one to write.
+//! With C = det ∂x̃/∂x, dx/P is an invariant measure; with C = 1, P is an integral. A quotient of
+//! factors whose cofactors multiply to 1/det ∂x̃/∂x is a density too. Two P with the same C have an
+//! integral as their quotient, so with integrals the P of one degree form a space; its simplest
+//! element is the one to write.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -155,8 +156,8 @@ fn lifted(
     Some(Measure { factors: vec![(tidy(symbols, &polynomials[row]), -1)], degree })
 }
 
-/// The simplest product of powers of the given polynomials, exponents of these `signs`, whose degrees add up to `degree` and
-/// whose cofactor is 1/det ∂x̃/∂x.
+/// The simplest product of powers of the given polynomials, exponents of these `signs`, whose
+/// degrees add up to `degree` and whose cofactor is 1/det ∂x̃/∂x.
 fn product(
     setting: &Setting,
     factors: &[Polynomial],

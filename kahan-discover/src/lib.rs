@@ -1,16 +1,20 @@
 //! What the Kahan map of a quadratic field preserves, found from its equations alone.
 //!
-//! [`discover`] answers what can be asked of a new field: how fast the degrees of the map's iterates grow, how many
-//! independent algebraic integrals its orbits show, their formulas, an invariant density and the Poisson brackets that it makes
-//! with integrals, the Hamiltonian structure of the field, and which integrals survive composition. Everything is found modulo
-//! primes, from orbits, by linear algebra and interpolation; a formula is returned only once the prover of `kahan-algebra` has
-//! proved its text. An integral whose formula would fill pages is given by a Hirota–Kimura [`Basis`], which evaluates it.
+//! [`discover`] answers what can be asked of a new field: how fast the degrees of the map's
+//! iterates grow, how many independent algebraic integrals its orbits show, their formulas, an
+//! invariant density and the Poisson brackets that it makes with integrals, the Hamiltonian
+//! structure of the field, and which integrals survive composition. Everything is found modulo
+//! primes, from orbits, by linear algebra and interpolation; a formula is returned only once the
+//! prover of `kahan-algebra` has proved its text. An integral whose formula would fill pages is
+//! given by a Hirota–Kimura [`Basis`], which evaluates it.
 //!
-//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`] (the tools); [`stepping`], [`family`],
-//! [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`], [`growth`]; [`relations`], [`hilbert`], [`basis`];
-//! [`lift`], [`weights`], [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`],
-//! [`constrained`], [`independent`], `reduction`, [`integrals`]; [`darboux`], `brackets`; [`structure`], [`determinant`],
-//! [`hamiltonian`]; [`composition`]; `writing`, [`claims`], [`report`]; [`mod@scan`] looks for special values on a grid.
+//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`] (the tools);
+//! [`stepping`], [`family`], [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`],
+//! [`growth`]; [`relations`], [`hilbert`], [`basis`]; [`lift`], [`weights`], [`grading`], [`space`]
+//! (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`],
+//! [`independent`], `reduction`, [`integrals`]; [`darboux`], `brackets`; [`structure`],
+//! [`determinant`], [`hamiltonian`]; [`composition`]; `writing`, [`claims`], [`report`];
+//! [`mod@scan`] looks for special values on a grid.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};

@@ -85,7 +85,8 @@ impl ModularMap {
         Some(Step { next, jacobian })
     }
 
-    /// ∂x̃/∂x = A(x,ε)⁻¹ A(x̃,−ε), row by row, from a point and its image; `None` where det A(x,ε) = 0.
+    /// ∂x̃/∂x = A(x,ε)⁻¹ A(x̃,−ε), row by row, from a point and its image; `None` where det A(x,ε)
+    /// = 0.
     #[must_use]
     pub fn jacobian(&self, point: &[u64], next: &[u64]) -> Option<Vec<Vec<u64>>> {
         let n = self.dimension;

@@ -1,8 +1,10 @@
-//! Integrals made simpler by others: P/Q less a multiple of a product of known factors, so that a factor of Q cancels.
+//! Integrals made simpler by others: P/Q less a multiple of a product of known factors, so that a
+//! factor of Q cancels.
 //!
-//! Two polynomials with the same cofactor under the map have an integral as their quotient. A product M of factors of known
-//! integrals that has Q's cofactor may therefore be subtracted from P, times what is free of states; where P and M are
-//! proportional on the zeros of a factor q of Q, some combination αP − βM is divisible by q.
+//! Two polynomials with the same cofactor under the map have an integral as their quotient. A
+//! product M of factors of known integrals that has Q's cofactor may therefore be subtracted from
+//! P, times what is free of states; where P and M are proportional on the zeros of a factor q of Q,
+//! some combination αP − βM is divisible by q.
 
 use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
 use kahan_algebra::rational::Rational;
@@ -16,8 +18,8 @@ use crate::writing::{in_powers, state_factors};
 /// A point of a drawn map, and its image.
 pub(crate) type Step = (Draw, [Vec<u64>; 2]);
 
-/// The integral with factors of its denominator cancelled, as often as that is possible; `factors` are those of the integrals
-/// known.
+/// The integral with factors of its denominator cancelled, as often as that is possible; `factors`
+/// are those of the integrals known.
 pub(crate) fn reduced(
     setting: &Setting,
     step: &Step,
@@ -52,7 +54,8 @@ fn without_factor(
     let moves = moving_states(setting, step, factors);
     for pole in &poles {
         for variable in pole.variables().into_iter().filter(|&variable| symbols.is_state(variable)) {
-            // What is left of a polynomial where the pole is 0, and the factor that was multiplied by.
+            // What is left of a polynomial where the pole is 0, and the factor that was multiplied
+            // by.
             let rest = |polynomial: &Polynomial| {
                 let written = in_powers(symbols, polynomial, pole, variable)?;
                 let rest = written.sum.coefficients_in(written.fresh).remove(&0)?;
@@ -61,7 +64,8 @@ fn without_factor(
             let Some((own, own_scale)) = rest(numerator) else { continue };
             for product in &products {
                 let Some((other, other_scale)) = rest(product) else { continue };
-                // own = α t and other = β t, α and β integrals: then β own_scale P = α other_scale M where the pole is 0.
+                // own = α t and other = β t, α and β integrals: then β own_scale P = α other_scale
+                // M where the pole is 0.
                 let (alpha, beta) = (content_in(&moves, &own), content_in(&moves, &other));
                 let (shape, same) = (own.checked_div(&alpha)?, other.checked_div(&beta)?);
                 let beta = match (shape == same, shape == -&same) {

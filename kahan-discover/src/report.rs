@@ -129,7 +129,8 @@ pub struct Report {
     pub bases: Vec<Basis>,
     /// Invariant densities, proved; the first of least degree.
     pub densities: Vec<Formula>,
-    /// Invariant Poisson brackets from the density and the integrals, proved, each a claim of the language of `kahan!`.
+    /// Invariant Poisson brackets from the density and the integrals, proved, each a claim of the
+    /// language of `kahan!`.
     pub brackets: Vec<String>,
     /// How the search for densities ended.
     pub density_search: DensitySearch,

@@ -26,7 +26,8 @@ pub struct Reach {
     pub coefficients: usize,
     /// The most terms in the states of the shortest polynomial of a pencil.
     pub terms: usize,
-    /// The most orders of the variables in which entries of relations are looked at, where there are many monomials.
+    /// The most orders of the variables in which entries of relations are looked at, where there
+    /// are many monomials.
     pub orders: usize,
 }
 

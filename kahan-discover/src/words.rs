@@ -193,7 +193,8 @@ fn structure(report: &Report) -> Vec<String> {
     sentences
 }
 
-/// Linear and quadratic integrals of the flow, as far as they were looked for; their formulas stand in the table.
+/// Linear and quadratic integrals of the flow, as far as they were looked for; their formulas stand
+/// in the table.
 fn flow(report: &Report) -> String {
     let structure = &report.structure;
     let (linear, quadratic) = (structure.linear_integrals.len(), structure.quadratic_integrals.len());

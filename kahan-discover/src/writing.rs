@@ -1,7 +1,9 @@
-//! Formulas as text in the language of `kahan!`: in factors, and by powers of polynomials that are known already.
+//! Formulas as text in the language of `kahan!`: in factors, and by powers of polynomials that are
+//! known already.
 //!
-//! A long factor P is often short in another polynomial F: P = Σ dₖ Fᵏ, where F is linear in a variable v that the digits dₖ
-//! do not contain. The catalog's Lagrange top is such a case, and it is written so where that is shorter.
+//! A long factor P is often short in another polynomial F: P = Σ dₖ Fᵏ, where F is linear in a
+//! variable v that the digits dₖ do not contain. The catalog's Lagrange top is such a case, and it
+//! is written so where that is shorter.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -166,8 +168,8 @@ pub(crate) struct InPowers {
     pub(crate) scale: Polynomial,
 }
 
-/// The polynomial by powers of `base` that is linear in `variable` with a coefficient of one term without states; `None` where
-/// it is not, and beyond the budget.
+/// The polynomial by powers of `base` that is linear in `variable` with a coefficient of one term
+/// without states; `None` where it is not, and beyond the budget.
 pub(crate) fn in_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
@@ -197,7 +199,8 @@ pub(crate) fn in_powers(
     Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
 }
 
-/// The polynomial written by powers of `base`; `None` where that is not possible, or where nothing comes of it.
+/// The polynomial written by powers of `base`; `None` where that is not possible, or where nothing
+/// comes of it.
 fn by_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
@@ -214,7 +217,8 @@ fn by_powers(
     let sum = sum.div_monomial(&front)?;
     let content = sum.content();
     let sum = sum.primitive_part();
-    // The fresh variable may be part of the common monomial: then the base divides the polynomial, which is irreducible.
+    // The fresh variable may be part of the common monomial: then the base divides the polynomial,
+    // which is irreducible.
     if front.exponent(fresh) > 0 {
         return None;
     }
@@ -274,7 +278,8 @@ fn product_text(symbols: &Symbols, content: &Rational, front: &Monomial, sums: &
     parts.join("*")
 }
 
-/// Whether the first term in writing is negative: low degrees stand first, in the order of terms within a degree.
+/// Whether the first term in writing is negative: low degrees stand first, in the order of terms
+/// within a degree.
 fn begins_negative(polynomial: &Polynomial) -> bool {
     let lowest = polynomial.terms().map(|(monomial, _)| monomial.degree()).min();
     let first = polynomial.terms().find(|(monomial, _)| Some(monomial.degree()) == lowest);

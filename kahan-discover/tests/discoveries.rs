@@ -84,13 +84,15 @@ fn the_lagrange_top_has_four_integrals() {
     let report = report(LAGRANGE, &options());
     assert_eq!((report.independent_integrals(), report.integrals.len()), (4, 4));
     check_lines(LAGRANGE, &report);
-    // The third is a polynomial once the second is subtracted, as by hand in the catalog; the density is found besides.
+    // The third is a polynomial once the second is subtracted, as by hand in the catalog; the
+    // density is found besides.
     assert!(report.integrals[2].denominator.is_one() && report.densities.len() == 1);
     let lengths: Vec<usize> = report.integrals.iter().map(|formula| formula.text.len()).collect();
     assert!(lengths.iter().sum::<usize>() <= 2000, "{lengths:?}");
 }
 
-/// Nahm's system of octahedral monopoles (Hitchin, Manton and Murray 1995), its integral in linear factors.
+/// Nahm's system of octahedral monopoles (Hitchin, Manton and Murray 1995), its integral in linear
+/// factors.
 #[test]
 fn integrals_and_densities_stand_in_factors() {
     let nahm = report("xdot = 2*x^2 - 12*y^2; ydot = -6*x*y - 4*y^2;", &options());
@@ -101,7 +103,8 @@ fn integrals_and_densities_stand_in_factors() {
     assert_eq!(e2.integrals[0].text, "integral H1 = x*y/((1 + eps*x)*(1 - eps*x));");
 }
 
-/// A density and n − 2 integrals make a bracket, whichever n − 2 these are; without an integral only in the plane.
+/// A density and n − 2 integrals make a bracket, whichever n − 2 these are; without an integral
+/// only in the plane.
 #[test]
 fn brackets_come_from_a_density_and_integrals() {
     for (text, brackets) in
@@ -115,7 +118,8 @@ fn brackets_come_from_a_density_and_integrals() {
     assert_eq!(plane.brackets, ["bracket P1 { {x, y} = x*y; };"]);
 }
 
-/// Kirchhoff's case: beside m3 three integrals whose formulas have some thousand terms; one relation says them.
+/// Kirchhoff's case: beside m3 three integrals whose formulas have some thousand terms; one
+/// relation says them.
 #[test]
 fn what_is_too_long_to_be_written_is_given_by_a_basis() {
     let kirchhoff =

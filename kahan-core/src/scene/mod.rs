@@ -119,10 +119,10 @@ impl Scene {
     /// # How good
     /// Of 4000 seeded scenes of twenty fields, chaotic, stiff, escaping and beside equilibria, with
     /// tolerances from 3e-2 to 1e-15, 3791 were accepted, none of them beyond its tolerance, and 30
-    /// were refused though some setting serves whose three runs take no more than 10⁶ steps
-    /// (`cargo test --release -p kahan-systems --test scenes -- --ignored`, `KAHAN_SEED` 1 and 2).
-    /// Timed beside every other setting on twelve fields at six tolerances from 1e-2 to 1e-14, the
-    /// choice took at most 1.6 times the time of the cheapest one (the test `trade_sweep` beside it).
+    /// were refused though some setting serves whose three runs take no more than 10⁶ steps (`cargo
+    /// test --release -p kahan-systems --test scenes -- --ignored`, `KAHAN_SEED` 1 and 2). Timed
+    /// beside every other setting on twelve fields at six tolerances from 1e-2 to 1e-14, the choice
+    /// took at most 1.6 times the time of the cheapest one (the test `trade_sweep` beside it).
     ///
     /// # Cost
     /// As much as 10⁶ steps of the map at most, most often some 10⁴; a part of them in `Dd`, whose

@@ -1,4 +1,5 @@
-//! The integrals that a basis defines, from consecutive points of an orbit: exactly, or in floats with their condition.
+//! The integrals that a basis defines, from consecutive points of an orbit: exactly, or in floats
+//! with their condition.
 
 use std::error::Error;
 use std::fmt;
@@ -14,9 +15,10 @@ use crate::weights::reduce;
 pub struct BasisValues {
     /// The coefficients in the order of the monomials, that of the unit being 1.
     pub coefficients: Vec<f64>,
-    /// The condition number of the equations solved, each monomial divided by its largest value: what is off by a part u in
-    /// the points is off by up to about `condition`·u in the terms cₖ max |mₖ|, relative to the largest of these. It
-    /// grows where the points lie close together, as with small time steps.
+    /// The condition number of the equations solved, each monomial divided by its largest value:
+    /// what is off by a part u in the points is off by up to about `condition`·u in the terms cₖ
+    /// max |mₖ|, relative to the largest of these. It grows where the points lie close together, as
+    /// with small time steps.
     pub condition: f64,
 }
 
@@ -39,8 +41,8 @@ pub enum BasisError {
     },
     /// A point, or the value of a monomial there, is not finite.
     NotFinite,
-    /// The points do not determine the coefficients (in floats: to no digit): they repeat, lie too close together, or the
-    /// coefficient of the unit is 0 on this orbit.
+    /// The points do not determine the coefficients (in floats: to no digit): they repeat, lie too
+    /// close together, or the coefficient of the unit is 0 on this orbit.
     Undetermined,
 }
 
@@ -65,8 +67,8 @@ impl fmt::Display for BasisError {
 impl Error for BasisError {}
 
 impl Basis {
-    /// The coefficients along the orbit with these consecutive points, exactly, in the order of the monomials; that of the unit
-    /// is 1. The first [`points`](Self::points) are used.
+    /// The coefficients along the orbit with these consecutive points, exactly, in the order of the
+    /// monomials; that of the unit is 1. The first [`points`](Self::points) are used.
     ///
     /// # Errors
     /// See [`BasisError`].
@@ -97,8 +99,8 @@ impl Basis {
         Ok(coefficients)
     }
 
-    /// The coefficients along the orbit with these consecutive points, in the order of the monomials; that of the unit is 1. All
-    /// points are used, in the sense of least squares.
+    /// The coefficients along the orbit with these consecutive points, in the order of the
+    /// monomials; that of the unit is 1. All points are used, in the sense of least squares.
     ///
     /// # Errors
     /// See [`BasisError`].
@@ -122,7 +124,8 @@ impl Basis {
         for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
             column /= *scale;
         }
-        // The iteration that finds singular values stops some hundred roundings early: enough for them, not for a solution.
+        // The iteration that finds singular values stops some hundred roundings early: enough for
+        // them, not for a solution.
         let singular_values = matrix.singular_values();
         let condition = singular_values.max() / singular_values.min();
         // Beyond this not one digit would be right.

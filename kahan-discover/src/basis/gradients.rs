@@ -7,10 +7,11 @@ use crate::stepping::Stepping;
 
 use super::Basis;
 
-/// The gradient of every coefficient at a point, that of the unit being 0; `None` where the orbit ends at a pole, or where the
-/// monomials have more than one relation or none.
+/// The gradient of every coefficient at a point, that of the unit being 0; `None` where the orbit
+/// ends at a pole, or where the monomials have more than one relation or none.
 ///
-/// With M the values of the monomials along the orbit and c the coefficients, M c = 0, hence M dc = −dM c.
+/// With M the values of the monomials along the orbit and c the coefficients, M c = 0, hence M dc =
+/// −dM c.
 pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
     let n = start.len();

@@ -1,12 +1,13 @@
 //! Hirota–Kimura bases: sets of monomials with one linear relation along every orbit.
 //!
-//! The coefficients of the relation are constant along an orbit, so their quotients are integrals of the map (Petrera,
-//! Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations", 2011). They are known without a formula: the
-//! values of the monomials at as many consecutive points as there are coefficients to solve for give them. Where a formula
-//! of an integral has thousands of terms, the basis says the same in one line.
+//! The coefficients of the relation are constant along an orbit, so their quotients are integrals
+//! of the map (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations",
+//! 2011). They are known without a formula: the values of the monomials at as many consecutive
+//! points as there are coefficients to solve for give them. Where a formula of an integral has
+//! thousands of terms, the basis says the same in one line.
 //!
-//! `candidates` finds them, [`prove`] proves them, [`Basis::evaluate`] gives the integrals along an orbit in floats,
-//! [`Basis::evaluate_exact`] exactly.
+//! `candidates` finds them, [`prove`] proves them, [`Basis::evaluate`] gives the integrals along an
+//! orbit in floats, [`Basis::evaluate_exact`] exactly.
 
 mod evaluate;
 mod gradients;
@@ -28,7 +29,8 @@ use crate::stepping::Stepping;
 pub use evaluate::{BasisError, BasisValues};
 pub use proof::prove;
 
-/// Monomials m₀, …, m_r with one relation Σ cₖ mₖ(x) = 0 along every orbit; the cₖ differ from orbit to orbit.
+/// Monomials m₀, …, m_r with one relation Σ cₖ mₖ(x) = 0 along every orbit; the cₖ differ from
+/// orbit to orbit.
 ///
 /// Normalised by c_b = 1, b the place of the unit, each cₖ is an integral of the map.
 ///
@@ -52,10 +54,12 @@ pub struct Basis {
     pub monomials: Vec<Vec<u32>>,
     /// The place of the monomial whose coefficient is 1.
     pub unit: usize,
-    /// The places of coefficients that are functionally independent integrals, of each other and of what was known.
+    /// The places of coefficients that are functionally independent integrals, of each other and of
+    /// what was known.
     pub integrals: Vec<usize>,
-    /// The number of random points and primes at which the relation was checked so that the error is below 2⁻¹⁰⁰; `None`
-    /// where no such number is reasonable, and the basis is only what was seen.
+    /// The number of random points and primes at which the relation was checked so that the error
+    /// is below 2⁻¹⁰⁰; `None` where no such number is reasonable, and the basis is only what was
+    /// seen.
     pub proof: Option<u32>,
 }
 
@@ -66,7 +70,8 @@ impl Basis {
         self.monomials.iter().map(|exponents| monomial_text(states, exponents)).collect()
     }
 
-    /// The number of consecutive points of an orbit that determine the coefficients: one less than there are monomials.
+    /// The number of consecutive points of an orbit that determine the coefficients: one less than
+    /// there are monomials.
     #[must_use]
     pub fn points(&self) -> usize {
         self.monomials.len() - 1
@@ -83,8 +88,9 @@ fn monomial_text(states: &[String], exponents: &[u32]) -> String {
     if powers.is_empty() { "1".to_owned() } else { powers.join("*") }
 }
 
-/// Of bases found by [`candidates`] those that give, together with integrals whose gradients at `place` are `known`, as many
-/// independent integrals as are `wanted`, the shortest first, and none that brings nothing; fewer where they give fewer.
+/// Of bases found by [`candidates`] those that give, together with integrals whose gradients at
+/// `place` are `known`, as many independent integrals as are `wanted`, the shortest first, and none
+/// that brings nothing; fewer where they give fewer.
 pub(crate) fn completing(
     candidates: &[Basis],
     wanted: usize,
@@ -122,7 +128,8 @@ pub(crate) struct Place {
     pub(crate) point: Vec<u64>,
 }
 
-/// Sets of monomials up to a degree with one relation, the smallest first, each once; as many as the deadline allows.
+/// Sets of monomials up to a degree with one relation, the smallest first, each once; as many as
+/// the deadline allows.
 ///
 /// Cost: 2n + 1 echelon forms of N columns, N = C(n + degree, n).
 pub(crate) fn candidates(
@@ -154,7 +161,8 @@ pub(crate) fn candidates(
     found
 }
 
-/// Orders of the monomials: ascending by degree, with the variables in all rotations, and backwards.
+/// Orders of the monomials: ascending by degree, with the variables in all rotations, and
+/// backwards.
 fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     let mut orders = Vec::new();
     for shift in 0..n {
@@ -175,7 +183,8 @@ fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
     orders
 }
 
-/// The relations, each with its highest monomial in this order expressed by others that lead no relation.
+/// The relations, each with its highest monomial in this order expressed by others that lead no
+/// relation.
 fn reduced_in(modulus: &Modulus, relations: &Relations, order: &[usize]) -> Vec<NullVector> {
     // The highest monomials are to lead, so they stand first.
     let permuted = |vector: &NullVector| order.iter().rev().map(|&index| vector.entries[index]).collect();
@@ -191,7 +200,8 @@ fn reduced_in(modulus: &Modulus, relations: &Relations, order: &[usize]) -> Vec<
     echelon.rows.iter().zip(&echelon.pivots).map(restored).collect()
 }
 
-/// The candidate on these monomials, what divides all of them left out; the constant, else the lowest, is the unit.
+/// The candidate on these monomials, what divides all of them left out; the constant, else the
+/// lowest, is the unit.
 fn of_support(monomials: &Monomials, support: &[usize]) -> Option<Basis> {
     let n = monomials.variables();
     if support.len() < 2 {

@@ -1,10 +1,11 @@
 //! That the monomials of a basis have one relation along every orbit.
 //!
-//! Of r + 1 monomials at r + 1 consecutive points the determinant must vanish identically, while at r points they are
-//! independent. As the map is birational, r points further on are as generic as the first r, so all of an orbit has the
-//! relation of its first r points. The determinant is a rational function of states, parameters and ε; its degree and the
-//! size of its coefficients are bounded step by step, and it is evaluated modulo random primes at random points. Points on
-//! both sides of the start halve the number of steps, whose degrees multiply.
+//! Of r + 1 monomials at r + 1 consecutive points the determinant must vanish identically, while at
+//! r points they are independent. As the map is birational, r points further on are as generic as
+//! the first r, so all of an orbit has the relation of its first r points. The determinant is a
+//! rational function of states, parameters and ε; its degree and the size of its coefficients are
+//! bounded step by step, and it is evaluated modulo random primes at random points. Points on both
+//! sides of the start halve the number of steps, whose degrees multiply.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -25,15 +26,17 @@ const MOST_POINTS: u32 = 64;
 /// How often a point is drawn again where its orbit ends at a pole.
 const MOST_DRAWS: usize = 16;
 
-/// The number of points modulo random primes that prove the basis with an error below 2⁻¹⁰⁰, all of them passed; `None` where the
-/// relation fails at one, or the degrees are too high for 61-bit primes.
+/// The number of points modulo random primes that prove the basis with an error below 2⁻¹⁰⁰, all of
+/// them passed; `None` where the relation fails at one, or the degrees are too high for 61-bit
+/// primes.
 pub fn prove(basis: &Basis, setting: &Setting, field: &Field, random: &mut SplitMix64) -> Option<u32> {
     let size = determinant_size(basis, field, setting.eps())?;
     let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
     (0..points).all(|_| holds_somewhere(basis, setting, random)).then_some(points)
 }
 
-/// Whether r + 1 points have a relation and r of them none other, at a random point modulo a random prime.
+/// Whether r + 1 points have a relation and r of them none other, at a random point modulo a random
+/// prime.
 fn holds_somewhere(basis: &Basis, setting: &Setting, random: &mut SplitMix64) -> bool {
     for _ in 0..MOST_DRAWS {
         let modulus = Modulus::random(random);
@@ -77,7 +80,8 @@ impl Basis {
     }
 }
 
-/// A bound of the total degree in states, parameters and ε, and of log₂ of the sum of all coefficients in size.
+/// A bound of the total degree in states, parameters and ε, and of log₂ of the sum of all
+/// coefficients in size.
 #[derive(Clone, Copy)]
 struct Bound {
     degree: u64,
@@ -105,7 +109,8 @@ fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Opt
 
 /// The bound of x̃ = X̃/W̃ from that of x = X/W, numerators and denominator alike.
 ///
-/// Row i of A x̃ = b times qᵢW has entries that are of the first degree in X and W; Cramer's rule multiplies n of them.
+/// Row i of A x̃ = b times qᵢW has entries that are of the first degree in X and W; Cramer's rule
+/// multiplies n of them.
 fn image(point: Bound, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let n = field.dimension() as u64;
     let symbols = &field.symbols;

@@ -10,7 +10,8 @@ fn field(text: &str) -> Field {
     read(&lexer::lex(text).tokens).system.field
 }
 
-/// Clebsch's case of a rigid body in a fluid: four integrals in six variables, only one of them with few terms.
+/// Clebsch's case of a rigid body in a fluid: four integrals in six variables, only one of them
+/// with few terms.
 const CLEBSCH: &str = "m1dot = (w3 - w2)*p2*p3; m2dot = (w1 - w3)*p3*p1; m3dot = (w2 - w1)*p1*p2;
     p1dot = p2*m3 - p3*m2; p2dot = p3*m1 - p1*m3; p3dot = p1*m2 - p2*m1;";
 

@@ -22,13 +22,15 @@ use super::search::{Search, refused};
 use super::show::page::{Page, aligned};
 use super::sink::{Broken, Sink};
 
-/// Finds what the map of a field preserves, from its equations alone: integrals, invariant densities and Poisson brackets, structure, growth.
+/// Finds what the map of a field preserves, from its equations alone: integrals, invariant
+/// densities and Poisson brackets, structure, growth.
 ///
-/// What is given (--eps, --param) is fixed, the rest generic. Integrals, densities and brackets stand last, as lines of the
-/// language of `kahan!`, each of them proved; what stands behind `when` is fixed. An integral whose formula would fill pages
-/// is given by a Hirota-Kimura basis: monomials with one linear relation along every orbit, whose coefficients are integrals.
-/// Where nothing is found, a sentence says up to which degree it was looked for. Claims that the field brings along are not
-/// looked at.
+/// What is given (--eps, --param) is fixed, the rest generic. Integrals, densities and brackets
+/// stand last, as lines of the language of `kahan!`, each of them proved; what stands behind `when`
+/// is fixed. An integral whose formula would fill pages is given by a Hirota-Kimura basis:
+/// monomials with one linear relation along every orbit, whose coefficients are integrals. Where
+/// nothing is found, a sentence says up to which degree it was looked for. Claims that the field
+/// brings along are not looked at.
 #[derive(Args, Debug)]
 #[command(after_long_help = EXAMPLES)]
 pub(crate) struct Discover {

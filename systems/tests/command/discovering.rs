@@ -120,7 +120,8 @@ fn the_further_systems_claim_as_many_integrals_as_are_found() {
     }
 }
 
-/// The block that `--macro` prints compiles again with as many claims, `--latex` writes each, `--out` takes either.
+/// The block that `--macro` prints compiles again with as many claims, `--latex` writes each,
+/// `--out` takes either.
 #[test]
 fn what_is_found_is_printed_as_a_block_and_in_latex() {
     let found = object(&["discover", "euler"]);
