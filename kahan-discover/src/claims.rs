@@ -126,7 +126,7 @@ impl<'a> Claims<'a> {
         denominator: &Polynomial,
         by: &[Polynomial],
     ) -> Option<Formula> {
-        let value = quotient(symbols, from_ref(numerator), from_ref(denominator), by);
+        let value = unsigned(quotient(symbols, from_ref(numerator), from_ref(denominator), by));
         let text = format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition);
         self.proved(symbols, ClaimKind::Integral, text, numerator, denominator)
     }
@@ -146,9 +146,7 @@ impl<'a> Claims<'a> {
                 .collect()
         };
         let (above, below) = (side(1), side(-1));
-        let value = quotient(symbols, &above, &below, by);
-        // A density is one up to a factor.
-        let value = value.strip_prefix('-').filter(|_| is_product(&value)).unwrap_or(&value);
+        let value = unsigned(quotient(symbols, &above, &below, by));
         let text = format!("density {} = {value}{};", self.name(DENSITY, index), self.condition);
         let product =
             |side: &[Polynomial]| side.iter().fold(Polynomial::one(), |product, factor| &product * factor);
@@ -197,5 +195,13 @@ impl<'a> Claims<'a> {
             numerator: numerator.clone(),
             denominator: denominator.clone(),
         })
+    }
+}
+
+/// Without the sign in front of a product: what is conserved is so with the other sign, too.
+fn unsigned(value: String) -> String {
+    match value.strip_prefix('-') {
+        Some(positive) if is_product(&value) => positive.to_owned(),
+        _ => value,
     }
 }

@@ -141,3 +141,34 @@ fn products(
     }
     Some(found)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kahan_algebra::prime_field::SplitMix64;
+    use kahan_algebra::{lexer, read};
+
+    #[test]
+    fn what_other_integrals_add_to_a_pole_is_taken_away() {
+        // In the lattice of four sites xz/((1 + ε(y − w))(1 − ε(y − w))) and the sum of the states are integrals.
+        let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
+        let field = read(&lexer::lex(text).tokens).system.field;
+        let symbols = &field.symbols;
+        let [x, y, z, w] = [0, 1, 2, 3].map(|i| Polynomial::variable(symbols.state(i)));
+        let eps = Polynomial::variable(symbols.epsilon());
+        let sum = &(&x + &y) + &(&z + &w);
+        let difference = &eps * &(&y - &w);
+        let poles = [&Polynomial::one() + &difference, &Polynomial::one() - &difference];
+        let below = &poles[0] * &poles[1];
+        let product = &x * &z;
+        let mixed = &(&sum * &below) + &(&eps * &product).scale(&Rational::from(5));
+        let setting = Setting::new(&field, None);
+        let step = setting.step(&mut SplitMix64::new(1)).expect("the map has a value");
+        let factors = [x, z, poles[0].clone(), poles[1].clone()];
+        let found = reduced(&setting, &step, &factors, mixed.clone(), below.clone());
+        assert_eq!(found, (sum, Polynomial::one()));
+        // Without the factors of the other integral nothing cancels.
+        let alone = reduced(&setting, &step, &factors[2..], mixed.clone(), below.clone());
+        assert_eq!(alone, (mixed, below));
+    }
+}
