@@ -5,12 +5,19 @@
 //! variable v that the digits dₖ do not contain. The catalog's Lagrange top is such a case, and it
 //! is written so where that is shorter.
 
-use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
+mod powers;
+#[cfg(test)]
+mod tests;
+
+use kahan_algebra::poly::{Budget, Monomial, Polynomial};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Notation;
-use kahan_algebra::symbols::{Symbol, Symbols};
+use kahan_algebra::symbols::Symbols;
 
 use crate::claims::Formula;
+
+pub(crate) use powers::in_powers;
+use powers::{Scale, by_powers};
 
 /// What factoring one polynomial may cost: most take milliseconds, the worst a second.
 const MOST_TERMS: usize = 20_000;
@@ -151,108 +158,6 @@ impl Product {
     }
 }
 
-/// What a polynomial was divided by to be written.
-struct Scale {
-    content: Rational,
-    front: Monomial,
-    front_below: Monomial,
-}
-
-/// A polynomial by powers of a base.
-pub(crate) struct InPowers {
-    /// scale · P with the base replaced by `fresh`.
-    pub(crate) sum: Polynomial,
-    /// What stands for the base.
-    pub(crate) fresh: Variable,
-    /// One term without states.
-    pub(crate) scale: Polynomial,
-}
-
-/// The polynomial by powers of `base` that is linear in `variable` with a coefficient of one term
-/// without states; `None` where it is not, and beyond the budget.
-pub(crate) fn in_powers(
-    symbols: &Symbols,
-    polynomial: &Polynomial,
-    base: &Polynomial,
-    variable: Variable,
-) -> Option<InPowers> {
-    let fresh = symbols.variable(Symbol::SecondState(0));
-    if base.degree_in(variable) != 1 || polynomial.contains(fresh) {
-        return None;
-    }
-    let mut parts = base.coefficients_in(variable);
-    let slope = parts.remove(&1)?;
-    let rest = parts.remove(&0).unwrap_or_default();
-    if slope.len() > 1 || slope.variables().into_iter().any(|v| symbols.is_state(v)) {
-        return None;
-    }
-    // With F = μv + r: μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ, F being a variable of its own for a moment.
-    let highest = polynomial.degree_in(variable);
-    let shifted = Polynomial::variable(fresh) - rest;
-    let mut budget = Budget::new(MOST_TERMS, MOST_WORK / 10);
-    let mut sum = Polynomial::zero();
-    for (exponent, part) in polynomial.coefficients_in(variable) {
-        let power = shifted.pow_within(exponent, &mut budget).ok()?;
-        let scale = slope.pow_within(highest - exponent, &mut budget).ok()?;
-        sum = sum + part.mul_within(&power, &mut budget).ok()?.mul_within(&scale, &mut budget).ok()?;
-    }
-    Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
-}
-
-/// The polynomial written by powers of `base`; `None` where that is not possible, or where nothing
-/// comes of it.
-fn by_powers(
-    symbols: &Symbols,
-    polynomial: &Polynomial,
-    base: &Polynomial,
-    variable: Variable,
-) -> Option<(String, Scale)> {
-    let base = if begins_negative(base) { -base } else { base.clone() };
-    let InPowers { sum, fresh, scale } = in_powers(symbols, polynomial, &base, variable)?;
-    let (factor, coefficient) = scale.leading_term()?;
-    if !sum.contains(fresh) {
-        return None;
-    }
-    let front = sum.monomial_content();
-    let sum = sum.div_monomial(&front)?;
-    let content = sum.content();
-    let sum = sum.primitive_part();
-    // The fresh variable may be part of the common monomial: then the base divides the polynomial,
-    // which is irreducible.
-    if front.exponent(fresh) > 0 {
-        return None;
-    }
-    let content = content.checked_div(coefficient)?;
-    let scale = Scale { content, front, front_below: factor.clone() };
-    let base_text = Notation::Text.polynomial(symbols, &base);
-    let base_text = if base.len() > 1 { format!("({base_text})") } else { base_text };
-    let mut text = String::new();
-    let (mut is_first, mut is_negative) = (true, false);
-    for (exponent, digit) in sum.coefficients_in(fresh) {
-        let mut product = Product::of(&[digit]);
-        if is_first {
-            // The whole begins positive.
-            is_negative = product.content.is_negative();
-        }
-        if is_negative {
-            product.content = -&product.content;
-        }
-        let sign = match (product.content.is_negative(), is_first) {
-            (true, _) => " - ",
-            (false, true) => "",
-            (false, false) => " + ",
-        };
-        product.content = product.content.abs();
-        let power = Notation::Text.power(&base_text, i64::from(exponent));
-        product.sums.extend((exponent > 0).then_some((Sum::Written(power), 1)));
-        text.push_str(sign);
-        text.push_str(&product_text(symbols, &product.content, &product.front, &product.sums));
-        is_first = false;
-    }
-    let content = if is_negative { -&scale.content } else { scale.content };
-    Some((text, Scale { content, ..scale }))
-}
-
 /// content · front · ∏ sums; a sum stands alone without parentheses.
 fn product_text(symbols: &Symbols, content: &Rational, front: &Monomial, sums: &[(Sum, u32)]) -> String {
     let text = |sum: &Sum| match sum {
@@ -313,64 +218,4 @@ fn is_group(text: &str) -> bool {
         depth == 0 && place + 1 < inner.len()
     };
     inner.starts_with('(') && inner.ends_with(')') && !inner.char_indices().any(closes_early)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use kahan_algebra::{lexer, read};
-
-    /// The symbols of a field in x, y, z with the parameter a, and the numerator and denominator of an expression.
-    fn polynomials(expression: &str) -> (Symbols, [Polynomial; 2]) {
-        let text = format!("xdot = a*y*z; ydot = x; zdot = x^2; integral H = {expression};");
-        let tokens = lexer::lex(&text).tokens;
-        let mut diagnostics = kahan_algebra::diagnostics::Diagnostics::default();
-        let system = kahan_algebra::check::check(
-            kahan_algebra::parse::parse(&tokens, &mut diagnostics),
-            &mut diagnostics,
-        );
-        assert!(
-            read(&lexer::lex("xdot = x;").tokens).diagnostics.is_empty() && diagnostics.finish().is_empty()
-        );
-        let mut budget = kahan_algebra::poisson::default_budget();
-        let functions = kahan_algebra::poisson::claim_functions(&system.claims[0], &mut budget);
-        let function = functions.expect("within the budget").remove(0);
-        (system.field.symbols, [function.numerator().clone(), function.denominator().clone()])
-    }
-
-    /// Writes it, and reads it again.
-    fn written(expression: &str, by: &str) -> String {
-        let (symbols, [above, below]) = polynomials(expression);
-        let text = quotient(&symbols, &[above], &[below], &[polynomials(by).1[0].clone()]);
-        assert_eq!(polynomials(&text).1, polynomials(expression).1, "{text}");
-        text
-    }
-
-    #[test]
-    fn sums_stand_in_factors_their_first_terms_positive() {
-        let cases = [
-            ("x^2 - y^2", "(x + y)*(x - y)"),
-            ("-(x - y)^3/(2*eps^2*x)", "-(x - y)^3/(2*eps^2*x)"),
-            ("(2*x + 4*y)/(6 - 6*z)", "(x + 2*y)/(3*(1 - z))"),
-            ("(x + y)/z^2", "(x + y)/z^2"),
-            ("1/(eps^2*x^2 - 1)", "-1/((1 + eps*x)*(1 - eps*x))"),
-            ("(x + y)*(x + 2*y)/(x^2 + y^2)^2", "(x + 2*y)*(x + y)/(x^2 + y^2)^2"),
-            ("-3", "-3"),
-            ("x*y", "x*y"),
-        ];
-        for (expression, expected) in cases {
-            assert_eq!(written(expression, "x"), expected);
-        }
-    }
-
-    #[test]
-    fn long_factors_are_written_by_powers_of_known_ones() {
-        let base = "1 + y^2 - eps^2*a*x";
-        let digits = format!("(y - z)^2*({base})^3 + a*(1 + z*y)*({base}) - eps^2*(y + z^3)^2");
-        let text = written(&format!("({digits})/z"), base);
-        assert!(text.contains(&format!("({base})^3")) && text.len() < digits.len() + 12, "{text}");
-        // A base that does not fit makes nothing longer.
-        let plain = written(&format!("({digits})/z"), "z");
-        assert!(text.len() < plain.len(), "{plain}");
-    }
 }

@@ -1,0 +1,110 @@
+//! A polynomial P by powers of another, F, linear in a variable v: P = Σ dₖ Fᵏ with digits dₖ that do not contain v.
+
+use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::Notation;
+use kahan_algebra::symbols::{Symbol, Symbols};
+
+use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
+
+/// What a polynomial was divided by to be written.
+pub(super) struct Scale {
+    pub(super) content: Rational,
+    pub(super) front: Monomial,
+    pub(super) front_below: Monomial,
+}
+
+/// A polynomial by powers of a base.
+pub(crate) struct InPowers {
+    /// scale · P with the base replaced by `fresh`.
+    pub(crate) sum: Polynomial,
+    /// What stands for the base.
+    pub(crate) fresh: Variable,
+    /// One term without states.
+    pub(crate) scale: Polynomial,
+}
+
+/// The polynomial by powers of `base` that is linear in `variable` with a coefficient of one term
+/// without states; `None` where it is not, and beyond the budget.
+pub(crate) fn in_powers(
+    symbols: &Symbols,
+    polynomial: &Polynomial,
+    base: &Polynomial,
+    variable: Variable,
+) -> Option<InPowers> {
+    let fresh = symbols.variable(Symbol::SecondState(0));
+    if base.degree_in(variable) != 1 || polynomial.contains(fresh) {
+        return None;
+    }
+    let mut parts = base.coefficients_in(variable);
+    let slope = parts.remove(&1)?;
+    let rest = parts.remove(&0).unwrap_or_default();
+    if slope.len() > 1 || slope.variables().into_iter().any(|v| symbols.is_state(v)) {
+        return None;
+    }
+    // With F = μv + r: μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ, F being a variable of its own for a moment.
+    let highest = polynomial.degree_in(variable);
+    let shifted = Polynomial::variable(fresh) - rest;
+    let mut budget = Budget::new(MOST_TERMS, MOST_WORK / 10);
+    let mut sum = Polynomial::zero();
+    for (exponent, part) in polynomial.coefficients_in(variable) {
+        let power = shifted.pow_within(exponent, &mut budget).ok()?;
+        let scale = slope.pow_within(highest - exponent, &mut budget).ok()?;
+        sum = sum + part.mul_within(&power, &mut budget).ok()?.mul_within(&scale, &mut budget).ok()?;
+    }
+    Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
+}
+
+/// The polynomial written by powers of `base`; `None` where that is not possible, or where nothing
+/// comes of it.
+pub(super) fn by_powers(
+    symbols: &Symbols,
+    polynomial: &Polynomial,
+    base: &Polynomial,
+    variable: Variable,
+) -> Option<(String, Scale)> {
+    let base = if begins_negative(base) { -base } else { base.clone() };
+    let InPowers { sum, fresh, scale } = in_powers(symbols, polynomial, &base, variable)?;
+    let (factor, coefficient) = scale.leading_term()?;
+    if !sum.contains(fresh) {
+        return None;
+    }
+    let front = sum.monomial_content();
+    let sum = sum.div_monomial(&front)?;
+    let content = sum.content();
+    let sum = sum.primitive_part();
+    // The fresh variable may be part of the common monomial: then the base divides the polynomial,
+    // which is irreducible.
+    if front.exponent(fresh) > 0 {
+        return None;
+    }
+    let content = content.checked_div(coefficient)?;
+    let scale = Scale { content, front, front_below: factor.clone() };
+    let base_text = Notation::Text.polynomial(symbols, &base);
+    let base_text = if base.len() > 1 { format!("({base_text})") } else { base_text };
+    let mut text = String::new();
+    let (mut is_first, mut is_negative) = (true, false);
+    for (exponent, digit) in sum.coefficients_in(fresh) {
+        let mut product = Product::of(&[digit]);
+        if is_first {
+            // The whole begins positive.
+            is_negative = product.content.is_negative();
+        }
+        if is_negative {
+            product.content = -&product.content;
+        }
+        let sign = match (product.content.is_negative(), is_first) {
+            (true, _) => " - ",
+            (false, true) => "",
+            (false, false) => " + ",
+        };
+        product.content = product.content.abs();
+        let power = Notation::Text.power(&base_text, i64::from(exponent));
+        product.sums.extend((exponent > 0).then_some((Sum::Written(power), 1)));
+        text.push_str(sign);
+        text.push_str(&product_text(symbols, &product.content, &product.front, &product.sums));
+        is_first = false;
+    }
+    let content = if is_negative { -&scale.content } else { scale.content };
+    Some((text, Scale { content, ..scale }))
+}

@@ -1,0 +1,54 @@
+//! What is written reads back as what it was, and how it looks.
+
+use super::*;
+use kahan_algebra::{lexer, read};
+
+/// The symbols of a field in x, y, z with the parameter a, and the numerator and denominator of an expression.
+fn polynomials(expression: &str) -> (Symbols, [Polynomial; 2]) {
+    let text = format!("xdot = a*y*z; ydot = x; zdot = x^2; integral H = {expression};");
+    let tokens = lexer::lex(&text).tokens;
+    let mut diagnostics = kahan_algebra::diagnostics::Diagnostics::default();
+    let system =
+        kahan_algebra::check::check(kahan_algebra::parse::parse(&tokens, &mut diagnostics), &mut diagnostics);
+    assert!(read(&lexer::lex("xdot = x;").tokens).diagnostics.is_empty() && diagnostics.finish().is_empty());
+    let mut budget = kahan_algebra::poisson::default_budget();
+    let functions = kahan_algebra::poisson::claim_functions(&system.claims[0], &mut budget);
+    let function = functions.expect("within the budget").remove(0);
+    (system.field.symbols, [function.numerator().clone(), function.denominator().clone()])
+}
+
+/// Writes it, and reads it again.
+fn written(expression: &str, by: &str) -> String {
+    let (symbols, [above, below]) = polynomials(expression);
+    let text = quotient(&symbols, &[above], &[below], &[polynomials(by).1[0].clone()]);
+    assert_eq!(polynomials(&text).1, polynomials(expression).1, "{text}");
+    text
+}
+
+#[test]
+fn sums_stand_in_factors_their_first_terms_positive() {
+    let cases = [
+        ("x^2 - y^2", "(x + y)*(x - y)"),
+        ("-(x - y)^3/(2*eps^2*x)", "-(x - y)^3/(2*eps^2*x)"),
+        ("(2*x + 4*y)/(6 - 6*z)", "(x + 2*y)/(3*(1 - z))"),
+        ("(x + y)/z^2", "(x + y)/z^2"),
+        ("1/(eps^2*x^2 - 1)", "-1/((1 + eps*x)*(1 - eps*x))"),
+        ("(x + y)*(x + 2*y)/(x^2 + y^2)^2", "(x + 2*y)*(x + y)/(x^2 + y^2)^2"),
+        ("-3", "-3"),
+        ("x*y", "x*y"),
+    ];
+    for (expression, expected) in cases {
+        assert_eq!(written(expression, "x"), expected);
+    }
+}
+
+#[test]
+fn long_factors_are_written_by_powers_of_known_ones() {
+    let base = "1 + y^2 - eps^2*a*x";
+    let digits = format!("(y - z)^2*({base})^3 + a*(1 + z*y)*({base}) - eps^2*(y + z^3)^2");
+    let text = written(&format!("({digits})/z"), base);
+    assert!(text.contains(&format!("({base})^3")) && text.len() < digits.len() + 12, "{text}");
+    // A base that does not fit makes nothing longer.
+    let plain = written(&format!("({digits})/z"), "z");
+    assert!(text.len() < plain.len(), "{plain}");
+}
