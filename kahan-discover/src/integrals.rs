@@ -6,28 +6,23 @@ use kahan_algebra::symbols::Symbols;
 
 use crate::chart::Chart;
 use crate::claims::{Claims, Formula};
+use crate::collector::Collector;
 use crate::constrained::Constraint;
 use crate::deadline::Deadline;
 use crate::hilbert::Hilbert;
-use crate::independent::{Independent, quotient_gradient};
+use crate::independent::Independent;
 use crate::leaf::{Coordinate, Leaf};
 use crate::limit::with_a_limit;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::Pencil;
-use crate::reduction::{Step, reduced};
 use crate::search::{Reach, pencils_of_entries, spanned_pencils};
 use crate::setting::{Draw, Setting};
-use crate::space::{lift_space, tidy};
+use crate::space::lift_space;
 use crate::stepping::Stepping;
-use crate::writing::state_factors_of;
 
 /// Integrals P/Q are looked for up to this degree at least, as far as the number of their coefficients allows.
 const HIGHEST: u32 = 8;
-
-/// The most coefficients of P and Q together in a degree that is searched before an integral of higher degree is taken
-/// that is known already.
-const MOST_AHEAD: usize = 150;
 
 /// So few monomials are looked at in every order of the variables.
 const CHEAP: usize = 100;
@@ -71,84 +66,7 @@ pub fn integrals(
     collector.formulas
 }
 
-struct Collector<'a> {
-    setting: &'a Setting,
-    claims: &'a Claims<'a>,
-    wanted: usize,
-    known: Option<&'a (Polynomial, Polynomial)>,
-    /// A point and its image.
-    step: Option<Step>,
-    independent: Independent<'a>,
-    formulas: Vec<Formula>,
-}
-
 impl Collector<'_> {
-    fn is_done(&self) -> bool {
-        self.formulas.len() >= self.wanted
-    }
-
-    /// Whether the polynomial alone is an integral.
-    fn is_kept(&self, polynomial: &Polynomial) -> bool {
-        self.step.as_ref().is_some_and(|(draw, points)| {
-            let modulus = draw.map.modulus();
-            let [here, there] =
-                [0, 1].map(|index| self.setting.evaluate(modulus, polynomial, draw, &points[index]));
-            here.is_some() && here == there
-        })
-    }
-
-    /// Keeps P/Q, or P and Q where they are integrals each, if that is independent of what is known and is proved.
-    fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
-        if denominator.as_constant().is_none() && self.is_kept(&denominator) {
-            self.offer_one(denominator, Polynomial::one());
-            self.offer_one(numerator, Polynomial::one());
-        } else {
-            self.offer_one(numerator, denominator);
-        }
-    }
-
-    /// Keeps the integral that need not be looked for, if the search has come to its degree, or to one that costs more than
-    /// is to be gained.
-    fn offer_known(&mut self, degree: u32) {
-        let symbols = self.setting.family().symbols();
-        let own = |side: &Polynomial| side.degree_where(|variable| symbols.is_state(variable));
-        let Some((above, below)) = self.known else { return };
-        let is_expensive = 2 * Monomials::count(self.setting.dimension(), degree) > MOST_AHEAD;
-        if is_expensive || own(above).max(own(below)) <= degree {
-            self.offer(above.clone(), below.clone());
-        }
-    }
-
-    fn offer_one(&mut self, numerator: Polynomial, denominator: Polynomial) {
-        let symbols = self.setting.family().symbols();
-        if self.is_done() || !self.independent.admits(&numerator, &denominator) {
-            return;
-        }
-        let factors = state_factors_of(symbols, &self.formulas);
-        let (numerator, denominator) = (tidy(symbols, &numerator), tidy(symbols, &denominator));
-        let (numerator, denominator) = self.simplified(&factors, numerator, denominator);
-        let numerator = with_a_limit(symbols, numerator, &denominator);
-        let index = self.formulas.len() + 1;
-        let formula = self.claims.integral(symbols, index, &numerator, &denominator, &factors);
-        if let Some(formula) = formula {
-            self.independent.keep(&numerator, &denominator);
-            self.formulas.push(formula);
-        }
-    }
-
-    /// The integral combined with those known so that factors of its denominator cancel.
-    fn simplified(
-        &self,
-        factors: &[Polynomial],
-        numerator: Polynomial,
-        denominator: Polynomial,
-    ) -> (Polynomial, Polynomial) {
-        let Some(step) = &self.step else { return (numerator, denominator) };
-        let (above, below) = reduced(self.setting, step, factors, numerator.clone(), denominator.clone());
-        // A product of known factors over a new denominator may have been all that was new.
-        if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
-    }
-
     /// Looks on the leaves of linear relations, then in the whole space.
     fn search(
         &mut self,
@@ -206,24 +124,6 @@ impl Collector<'_> {
                 }
             }
         }
-    }
-
-    /// The gradients of what was found, in the coordinates of the whole space in their order on a leaf; none on a proper leaf,
-    /// where all that chooses it is constant.
-    fn known_gradients(&self, leaf: &Leaf, draw: &Draw, point: &[u64]) -> Vec<Vec<u64>> {
-        let order = leaf.order();
-        if order.len() < self.setting.dimension() {
-            return Vec::new();
-        }
-        let mut place = vec![0; order.len()];
-        for (&state, &value) in order.iter().zip(point) {
-            place[state] = value;
-        }
-        let gradients = self.formulas.iter().filter_map(|known| {
-            let own = quotient_gradient(self.setting, draw, &place, &known.numerator, &known.denominator)?;
-            Some(order.iter().map(|&state| own[state]).collect())
-        });
-        gradients.collect()
     }
 
     /// Lifts pencils and keeps their integrals; returns the bases.

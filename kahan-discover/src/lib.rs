@@ -12,7 +12,7 @@
 //! [`stepping`], [`family`], [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`],
 //! [`growth`]; [`relations`], [`hilbert`], [`basis`]; [`lift`], [`weights`], [`grading`], [`space`]
 //! (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`],
-//! [`independent`], `reduction`, [`integrals`]; [`darboux`], `brackets`; [`structure`],
+//! [`independent`], `reduction`, `collector`, [`integrals`]; [`darboux`], `brackets`; [`structure`],
 //! [`determinant`], [`hamiltonian`]; [`composition`]; `writing`, [`claims`], [`report`];
 //! [`mod@scan`] looks for special values on a grid.
 //!
@@ -30,6 +30,7 @@ pub mod basis;
 mod brackets;
 pub mod chart;
 pub mod claims;
+mod collector;
 pub mod composition;
 pub mod constrained;
 pub mod darboux;

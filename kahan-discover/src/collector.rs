@@ -1,0 +1,115 @@
+//! Integrals as they are found: made simpler, proved, and kept where they are independent of those before.
+
+use kahan_algebra::poly::Polynomial;
+
+use crate::claims::{Claims, Formula};
+use crate::independent::{Independent, quotient_gradient};
+use crate::leaf::Leaf;
+use crate::limit::with_a_limit;
+use crate::monomials::Monomials;
+use crate::reduction::{Step, reduced};
+use crate::setting::{Draw, Setting};
+use crate::space::tidy;
+use crate::stepping::Stepping;
+use crate::writing::state_factors_of;
+
+/// The most coefficients of P and Q together in a degree that is searched before an integral of higher degree is taken
+/// that is known already.
+const MOST_AHEAD: usize = 150;
+
+pub(crate) struct Collector<'a> {
+    pub(crate) setting: &'a Setting,
+    pub(crate) claims: &'a Claims<'a>,
+    pub(crate) wanted: usize,
+    pub(crate) known: Option<&'a (Polynomial, Polynomial)>,
+    /// A point and its image.
+    pub(crate) step: Option<Step>,
+    pub(crate) independent: Independent<'a>,
+    pub(crate) formulas: Vec<Formula>,
+}
+
+impl Collector<'_> {
+    pub(crate) fn is_done(&self) -> bool {
+        self.formulas.len() >= self.wanted
+    }
+
+    /// Whether the polynomial alone is an integral.
+    fn is_kept(&self, polynomial: &Polynomial) -> bool {
+        self.step.as_ref().is_some_and(|(draw, points)| {
+            let modulus = draw.map.modulus();
+            let [here, there] =
+                [0, 1].map(|index| self.setting.evaluate(modulus, polynomial, draw, &points[index]));
+            here.is_some() && here == there
+        })
+    }
+
+    /// Keeps P/Q, or P and Q where they are integrals each, if that is independent of what is known and is proved.
+    pub(crate) fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
+        if denominator.as_constant().is_none() && self.is_kept(&denominator) {
+            self.offer_one(denominator, Polynomial::one());
+            self.offer_one(numerator, Polynomial::one());
+        } else {
+            self.offer_one(numerator, denominator);
+        }
+    }
+
+    /// Keeps the integral that need not be looked for, if the search has come to its degree, or to one that costs more than
+    /// is to be gained.
+    pub(crate) fn offer_known(&mut self, degree: u32) {
+        let symbols = self.setting.family().symbols();
+        let own = |side: &Polynomial| side.degree_where(|variable| symbols.is_state(variable));
+        let Some((above, below)) = self.known else { return };
+        let is_expensive = 2 * Monomials::count(self.setting.dimension(), degree) > MOST_AHEAD;
+        if is_expensive || own(above).max(own(below)) <= degree {
+            self.offer(above.clone(), below.clone());
+        }
+    }
+
+    pub(crate) fn offer_one(&mut self, numerator: Polynomial, denominator: Polynomial) {
+        let symbols = self.setting.family().symbols();
+        if self.is_done() || !self.independent.admits(&numerator, &denominator) {
+            return;
+        }
+        let factors = state_factors_of(symbols, &self.formulas);
+        let (numerator, denominator) = (tidy(symbols, &numerator), tidy(symbols, &denominator));
+        let (numerator, denominator) = self.simplified(&factors, numerator, denominator);
+        let numerator = with_a_limit(symbols, numerator, &denominator);
+        let index = self.formulas.len() + 1;
+        let formula = self.claims.integral(symbols, index, &numerator, &denominator, &factors);
+        if let Some(formula) = formula {
+            self.independent.keep(&numerator, &denominator);
+            self.formulas.push(formula);
+        }
+    }
+
+    /// The integral combined with those known so that factors of its denominator cancel.
+    fn simplified(
+        &self,
+        factors: &[Polynomial],
+        numerator: Polynomial,
+        denominator: Polynomial,
+    ) -> (Polynomial, Polynomial) {
+        let Some(step) = &self.step else { return (numerator, denominator) };
+        let (above, below) = reduced(self.setting, step, factors, numerator.clone(), denominator.clone());
+        // A product of known factors over a new denominator may have been all that was new.
+        if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
+    }
+
+    /// The gradients of what was found, in the coordinates of the whole space in their order on a leaf; none on a proper leaf,
+    /// where all that chooses it is constant.
+    pub(crate) fn known_gradients(&self, leaf: &Leaf, draw: &Draw, point: &[u64]) -> Vec<Vec<u64>> {
+        let order = leaf.order();
+        if order.len() < self.setting.dimension() {
+            return Vec::new();
+        }
+        let mut place = vec![0; order.len()];
+        for (&state, &value) in order.iter().zip(point) {
+            place[state] = value;
+        }
+        let gradients = self.formulas.iter().filter_map(|known| {
+            let own = quotient_gradient(self.setting, draw, &place, &known.numerator, &known.denominator)?;
+            Some(order.iter().map(|&state| own[state]).collect())
+        });
+        gradients.collect()
+    }
+}
