@@ -201,9 +201,9 @@ fn flow(report: &Report) -> String {
     let found = linear + quadratic;
     match structure.flow_degree {
         0 => "Linear and quadratic integrals of the flow were not reached.".to_owned(),
-        1 if linear == 0 => "The flow has no linear integral; quadratic ones were not looked for.".to_owned(),
+        1 if linear == 0 => "The flow has no linear integral; quadratic ones were not reached.".to_owned(),
         1 => format!(
-            "The flow has {}, which the map keeps; quadratic ones were not looked for.",
+            "The flow has {}, which the map keeps; quadratic ones were not reached.",
             counted(linear, "independent linear integral")
         ),
         _ if found == 0 => "The flow has no linear integral and no quadratic one.".to_owned(),
