@@ -32,7 +32,7 @@ pub enum Obstacle {
     Contradiction,
     /// No name enters it linearly.
     NotLinear,
-    /// It is a name times something else, and holds where either vanishes.
+    /// It is a product, and holds where either factor vanishes.
     Product(Polynomial, Polynomial),
     /// It is too large to be solved.
     TooLarge,
@@ -72,6 +72,7 @@ impl Relations {
     /// # Errors
     /// The [`Obstacle`]; nothing is added then.
     pub fn add(&mut self, polynomial: &Polynomial, names: &[Variable]) -> Result<Variable, Obstacle> {
+        self.refuse_product(polynomial)?;
         // It vanishes where its numerator does.
         let mut relation = self.put_into(polynomial)?.ok_or(Obstacle::Contradiction)?.numerator().clone();
         if relation.is_zero() {
@@ -109,9 +110,29 @@ impl Relations {
         values.push((name, value));
         self.values = values;
         if coefficient.as_constant().is_none() {
-            self.nonzero.push(coefficient);
+            self.nonzero.push(coefficient.primitive_part());
         }
         Ok(name)
+    }
+
+    /// A relation that is a product as it is written does not say which factor is to vanish.
+    fn refuse_product(&mut self, polynomial: &Polynomial) -> Result<(), Obstacle> {
+        let mut own = polynomial.clone();
+        for index in 0..self.nonzero.len() {
+            let nonzero = self.nonzero[index].clone();
+            own = without(own, &nonzero, &mut self.budget)?;
+        }
+        // A polynomial that is linear in a name is a product where its two coefficients share a factor.
+        let Some(name) = own.variables().into_iter().find(|name| own.degree_in(*name) == 1) else {
+            return Ok(());
+        };
+        let (coefficient, rest) = linear_in(&own, name);
+        let factor = gcd_within(&coefficient, &rest, &mut self.budget)?;
+        if factor.as_constant().is_some() {
+            return Ok(());
+        }
+        let other = own.div_within(&factor, &mut self.budget)?.unwrap_or_default();
+        Err(Obstacle::Product(other.primitive_part(), factor))
     }
 
     fn rank(&mut self, relation: &Polynomial, name: Variable) -> Result<Rank, OverBudget> {
@@ -131,7 +152,7 @@ impl Relations {
     pub fn require(&mut self, polynomial: &Polynomial) -> Result<bool, OverBudget> {
         let vanishes = self.makes_vanish(polynomial)?;
         if !vanishes && polynomial.as_constant().is_none() {
-            self.nonzero.push(polynomial.clone());
+            self.nonzero.push(polynomial.primitive_part());
         }
         Ok(!vanishes)
     }

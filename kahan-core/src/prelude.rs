@@ -3,8 +3,8 @@
 #[cfg(feature = "std")]
 pub use crate::{Axis, Ensemble, Scene};
 pub use crate::{
-    Composition, Dd, Integrals, KahanAt, KahanMap, Named, Pivot, QuadraticField, Scalar, ThroughF64, kahan,
-    vector,
+    Composition, Dd, Integrals, KahanAt, KahanMap, Named, Pivot, QuadraticField, Scalar, SingularStep,
+    ThroughF64, eps_from_dt, kahan, vector,
 };
 
 pub use nalgebra::{SMatrix, SVector};

@@ -31,7 +31,8 @@ mod volterra;
 /// The lines of a file that are claims, and its block without them.
 fn parts(file: &str) -> (Vec<&str>, String) {
     let block = &file[block_range(file).expect("a block begins a line")];
-    let is_claim = |line: &&str| line.starts_with("integral ") || line.starts_with("density ");
+    let is_claim =
+        |line: &&str| ["integral ", "density ", "bracket "].iter().any(|word| line.starts_with(word));
     let lines = block.lines().map(str::trim);
     (
         lines.clone().filter(is_claim).collect(),
@@ -48,8 +49,8 @@ fn check(map: &impl Named, file: &str, eps: Option<Rational>) {
     let options = Options { eps, iterates: 6, iterate_degree: 50, seconds: 1e9, ..Options::default() };
     let report = discover(&system, &options, &mut |_| {}).expect("there is a map");
     assert_eq!(report.integrals.len(), report.independent_integrals(), "{equations}");
-    let found: Vec<&str> =
-        report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str()).collect();
+    let formulas = report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str());
+    let found: Vec<&str> = formulas.chain(report.brackets.iter().map(String::as_str)).collect();
     assert_eq!(found, lines, "{equations}");
 }
 

@@ -47,8 +47,13 @@ const PARAMETERS: [&str; 4] = ["parameter", "parameters", "param", "params"];
 fn meant(word: &str) -> Option<&'static str> {
     let word = word.to_lowercase().replace('_', "");
     let synonym = SYNONYMS.iter().find(|(_, words)| words.contains(&word.as_str()));
+    // `poison` means `poisson`.
+    let slip = || {
+        let is_near = |known: &&str| word.len() > 4 && strsim::levenshtein(&word, known) == 1;
+        SYNONYMS.iter().find(|(_, words)| words.iter().any(is_near)).map(|(keyword, _)| *keyword)
+    };
     let near = || KEYWORDS.iter().find(|keyword| word.len() > 3 && strsim::levenshtein(&word, keyword) <= 2);
-    synonym.map(|(keyword, _)| *keyword).or_else(|| near().copied())
+    synonym.map(|(keyword, _)| *keyword).or_else(|| near().copied()).or_else(slip)
 }
 
 /// The mistake of an item `WORD NAME …` whose word is none of the language; the name counts as

@@ -22,13 +22,13 @@ pub(super) fn emit_claims(context: &Context<'_>) -> TokenStream {
     let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
     let lacks = |kind: ClaimKind, marker: TokenStream| {
         let is_lacking = context.system.accessors(kind).next().is_none();
-        is_lacking.then(|| quote! { impl #generics __kahan::#marker for #this {} })
+        is_lacking.then(|| quote! { #[doc(hidden)] impl #generics __kahan::#marker for #this {} })
     };
     let lacking = [
         lacks(ClaimKind::Integral, quote!(WithoutIntegrals)),
         lacks(ClaimKind::Density, quote!(WithoutDensity)),
         context.has_parameters().then(|| {
-            quote! { impl<#scalar: __kahan::Integer> __kahan::IntegerParameters for #this {} }
+            quote! { #[doc(hidden)] impl<#scalar: __kahan::Integer> __kahan::IntegerParameters for #this {} }
         }),
     ];
     quote! { #integrals #(#density)* #(#brackets)* #(#lacking)* }

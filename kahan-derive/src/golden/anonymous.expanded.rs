@@ -355,8 +355,11 @@ fn scope() {
                     Field { mu: lift(&self.mu) }
                 }
             }
+            #[doc(hidden)]
             impl<T> __kahan::WithoutIntegrals for Field<T> {}
+            #[doc(hidden)]
             impl<T> __kahan::WithoutDensity for Field<T> {}
+            #[doc(hidden)]
             impl<T: __kahan::Integer> __kahan::IntegerParameters for Field<T> {}
         };
         Field {

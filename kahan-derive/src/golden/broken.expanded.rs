@@ -212,6 +212,8 @@ const _: () = {
             Self::integrals(self, x, eps)
         }
     }
+    #[doc(hidden)]
     impl<T> __kahan::WithoutDensity for Broken<T> {}
+    #[doc(hidden)]
     impl<T: __kahan::Integer> __kahan::IntegerParameters for Broken<T> {}
 };

@@ -1596,7 +1596,10 @@ const _: () = {
             }
         }
     }
+    #[doc(hidden)]
     impl<T> __kahan::WithoutIntegrals for Dense<T> {}
+    #[doc(hidden)]
     impl<T> __kahan::WithoutDensity for Dense<T> {}
+    #[doc(hidden)]
     impl<T: __kahan::Integer> __kahan::IntegerParameters for Dense<T> {}
 };

@@ -556,7 +556,10 @@ const _: () = {
             }
         }
     }
+    #[doc(hidden)]
     impl<T> __kahan::WithoutIntegrals for Pendulum<T> {}
+    #[doc(hidden)]
     impl<T> __kahan::WithoutDensity for Pendulum<T> {}
+    #[doc(hidden)]
     impl<T: __kahan::Integer> __kahan::IntegerParameters for Pendulum<T> {}
 };

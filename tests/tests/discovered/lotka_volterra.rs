@@ -8,4 +8,5 @@ kahan! {
     ydot = y*(x - 1);
     integral H1 = (4*x^2 - 8*x*y + 4*y^2 - 4*x^3 + 4*x^2*y + 4*x*y^2 - 4*y^3 + x^4 + y^4)/(x^2*y^2) when eps = 1;
     density rho = 1/(x*y) when eps = 1;
+    bracket P1 { {x, y} = x*y; } when eps = 1;
 }

@@ -7,5 +7,6 @@ kahan! {
     w1dot = -a*w1*w2 - b*w2^2;
     w2dot = a*w1^2 + b*w1*w2;
     integral H1 = (w1^2 + w2^2)/(1 + eps^2*a^2*w1^2 - eps^2*b^2*w1^2 + 2*eps^2*a*b*w1*w2);
-    density rho = 1/(a*w1^3 + b*w1^2*w2 + a*w1*w2^2 + b*w2^3);
+    density rho = 1/((w1^2 + w2^2)*(a*w1 + b*w2));
+    bracket P1 { {w1, w2} = (w1^2 + w2^2)*(a*w1 + b*w2); };
 }
