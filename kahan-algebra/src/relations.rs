@@ -122,7 +122,8 @@ impl Relations {
             let nonzero = self.nonzero[index].clone();
             own = without(own, &nonzero, &mut self.budget)?;
         }
-        // A polynomial that is linear in a name is a product where its two coefficients share a factor.
+        // A polynomial that is linear in a name is a product where its two coefficients share a
+        // factor.
         let Some(name) = own.variables().into_iter().find(|name| own.degree_in(*name) == 1) else {
             return Ok(());
         };

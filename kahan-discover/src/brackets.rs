@@ -18,7 +18,7 @@ const MOST_CHOICES: usize = 12;
 const MOST_BRACKETS: usize = 3;
 
 /// A bracket of more characters is not written.
-const MOST_CHARACTERS: usize = 1_000;
+const MOST_CHARACTERS: usize = 2_500;
 
 /// Proved brackets as claims of the language of `kahan!`, the shortest first; none where there are
 /// fewer than n − 2 integrals, and those that are too long left out.

@@ -1,4 +1,5 @@
-//! Integrals as they are found: made simpler, proved, and kept where they are independent of those before.
+//! Integrals as they are found: made simpler, proved, and kept where they are independent of those
+//! before.
 
 use kahan_algebra::poly::Polynomial;
 
@@ -13,8 +14,8 @@ use crate::space::tidy;
 use crate::stepping::Stepping;
 use crate::writing::state_factors_of;
 
-/// The most coefficients of P and Q together in a degree that is searched before an integral of higher degree is taken
-/// that is known already.
+/// The most coefficients of P and Q together in a degree that is searched before an integral of
+/// higher degree is taken that is known already.
 const MOST_AHEAD: usize = 150;
 
 pub(crate) struct Collector<'a> {
@@ -43,7 +44,8 @@ impl Collector<'_> {
         })
     }
 
-    /// Keeps P/Q, or P and Q where they are integrals each, if that is independent of what is known and is proved.
+    /// Keeps P/Q, or P and Q where they are integrals each, if that is independent of what is known
+    /// and is proved.
     pub(crate) fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
         if denominator.as_constant().is_none() && self.is_kept(&denominator) {
             self.offer_one(denominator, Polynomial::one());
@@ -53,8 +55,8 @@ impl Collector<'_> {
         }
     }
 
-    /// Keeps the integral that need not be looked for, if the search has come to its degree, or to one that costs more than
-    /// is to be gained.
+    /// Keeps the integral that need not be looked for, if the search has come to its degree, or to
+    /// one that costs more than is to be gained.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         let symbols = self.setting.family().symbols();
         let own = |side: &Polynomial| side.degree_where(|variable| symbols.is_state(variable));
@@ -95,8 +97,8 @@ impl Collector<'_> {
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
 
-    /// The gradients of what was found, in the coordinates of the whole space in their order on a leaf; none on a proper leaf,
-    /// where all that chooses it is constant.
+    /// The gradients of what was found, in the coordinates of the whole space in their order on a
+    /// leaf; none on a proper leaf, where all that chooses it is constant.
     pub(crate) fn known_gradients(&self, leaf: &Leaf, draw: &Draw, point: &[u64]) -> Vec<Vec<u64>> {
         let order = leaf.order();
         if order.len() < self.setting.dimension() {

@@ -7,6 +7,7 @@
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
 
 use crate::deadline::Deadline;
 use crate::map::{ModularMap, Step};
@@ -199,7 +200,16 @@ fn product(
         let each = exponents.iter().zip(factors);
         each.map(|(exponent, factor)| exponent.unsigned_abs() as usize * (factor.len() + 1)).sum()
     };
-    let best = candidates.into_iter().filter(has_cofactor).min_by_key(terms)?;
+    // Denominators of integrals become constants at ε = 0, as the density of the flow's volume is.
+    let is_of_flow = |exponents: &Vec<i32>| {
+        let mut used = exponents.iter().zip(factors).filter(|(exponent, _)| **exponent != 0);
+        used.all(|(_, factor)| {
+            let at_zero = factor.substitute(symbols.epsilon(), &Rational::zero());
+            !at_zero.variables().into_iter().any(|variable| symbols.is_state(variable))
+        })
+    };
+    let key = |exponents: &Vec<i32>| (!is_of_flow(exponents), terms(exponents));
+    let best = candidates.into_iter().filter(has_cofactor).min_by_key(key)?;
     let used = factors.iter().cloned().zip(best).filter(|(_, exponent)| *exponent != 0);
     Some(used.collect())
 }

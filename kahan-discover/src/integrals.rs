@@ -30,7 +30,7 @@ const CHEAP: usize = 100;
 /// What to look for.
 pub struct Aims<'a> {
     /// Integrals that are known beforehand.
-    pub linear: Vec<Polynomial>,
+    pub kept: Vec<Polynomial>,
     /// How many there are, and in which degrees orbits show them; without it nothing is looked for.
     pub hilbert: Option<&'a Hilbert>,
     /// An integral P/Q that need not be looked for, kept unless others are found below its degree.
@@ -51,14 +51,14 @@ pub fn integrals(
     let mut collector = Collector {
         setting,
         claims,
-        wanted: aims.hilbert.map_or(0, |hilbert| hilbert.integrals).max(aims.linear.len()),
+        wanted: aims.hilbert.map_or(0, |hilbert| hilbert.integrals).max(aims.kept.len()),
         known: aims.known,
         step: setting.step(random),
         independent: Independent::new(setting, random),
         formulas: Vec::new(),
     };
-    for linear in &aims.linear {
-        collector.offer_one(linear.clone(), Polynomial::one());
+    for kept in &aims.kept {
+        collector.offer_one(kept.clone(), Polynomial::one());
     }
     if let Some(hilbert) = aims.hilbert.filter(|_| !collector.is_done()) {
         collector.search(hilbert, aims.reach, random, deadline);

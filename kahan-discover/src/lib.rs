@@ -12,9 +12,9 @@
 //! [`stepping`], [`family`], [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`],
 //! [`growth`]; [`relations`], [`hilbert`], [`basis`]; [`lift`], [`weights`], [`grading`], [`space`]
 //! (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`],
-//! [`independent`], `reduction`, `collector`, [`integrals`]; [`darboux`], `brackets`; [`structure`],
-//! [`determinant`], [`hamiltonian`]; [`composition`]; `writing`, [`claims`], [`report`];
-//! [`mod@scan`] looks for special values on a grid.
+//! [`independent`], `reduction`, `collector`, [`integrals`]; [`darboux`], `brackets`;
+//! [`structure`], [`determinant`], [`hamiltonian`]; [`composition`]; `writing`, [`claims`],
+//! [`report`]; [`mod@scan`] looks for special values on a grid.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};

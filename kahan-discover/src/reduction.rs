@@ -150,7 +150,8 @@ mod tests {
 
     #[test]
     fn what_other_integrals_add_to_a_pole_is_taken_away() {
-        // In the lattice of four sites xz/((1 + ε(y − w))(1 − ε(y − w))) and the sum of the states are integrals.
+        // In the lattice of four sites xz/((1 + ε(y − w))(1 − ε(y − w))) and the sum of the states
+        // are integrals.
         let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
         let field = read(&lexer::lex(text).tokens).system.field;
         let symbols = &field.symbols;

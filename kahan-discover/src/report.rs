@@ -86,6 +86,8 @@ pub struct StructureReport {
     pub quadratic_integrals: Vec<String>,
     /// The degree up to which these are all: 2, or less where the time ran out or a formula was out of reach.
     pub flow_degree: u32,
+    /// How many of these the map keeps as they stand.
+    pub kept: usize,
     /// K and H with f = K∇H, where they were found.
     pub hamiltonian: Option<HamiltonianReport>,
 }

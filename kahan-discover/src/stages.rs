@@ -110,15 +110,16 @@ pub fn discover(
         .and_then(|hilbert| hilbert.defining_degree(&place.draw.map, random, &for_integrals))
         .map_or_else(Vec::new, |degree| candidates(&setting, degree, random, &for_integrals));
     // Where bases say all, formulas are worth looking for only where they are short.
-    let in_bases = completing(&candidates, shown, &place, Vec::new());
+    let in_bases = completing(&candidates, shown, &place, Vec::new(), &for_integrals);
     let are_enough = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>() >= shown;
     let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
     let modified = hamiltonian.as_ref().and_then(|found| {
         let (above, below) = found.modified(&setting, &fixed.field)?;
         Some((tidy(symbols, &above), tidy(symbols, &below)))
     });
-    let aims =
-        Aims { linear: of_flow.linear(symbols), hilbert: hilbert.as_ref(), known: modified.as_ref(), reach };
+    let kept = of_flow.kept(&setting, random);
+    structure.kept = kept.len();
+    let aims = Aims { kept, hilbert: hilbert.as_ref(), known: modified.as_ref(), reach };
     let mut integrals = integrals(&setting, &claims, &aims, random, &for_integrals);
     if let Some(found) = &hamiltonian {
         let proved = modified.as_ref().is_some_and(|(above, below)| {
@@ -152,9 +153,9 @@ pub fn discover(
         let Place { draw, point } = &place;
         quotient_gradient(&setting, draw, point, &formula.numerator, &formula.denominator)
     });
-    let mut bases = completing(&candidates, shown, &place, known.collect());
+    let mut bases = completing(&candidates, shown, &place, known.collect(), &for_densities);
     for basis in &mut bases {
-        basis.proof = prove(basis, &setting, &fixed.field, random);
+        basis.proof = prove(basis, &setting, &fixed.field, random, &for_densities);
     }
 
     progress(Stage::Densities);
@@ -228,6 +229,7 @@ fn structure(
         linear_integrals: written(1),
         quadratic_integrals: written(2),
         flow_degree: of_flow.degree,
+        kept: 0,
         hamiltonian: None,
     }
 }

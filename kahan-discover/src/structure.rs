@@ -4,7 +4,6 @@ use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::symbols::Symbols;
 
 use crate::deadline::Deadline;
 use crate::independent::Independent;
@@ -52,11 +51,15 @@ pub struct FlowIntegrals {
 }
 
 impl FlowIntegrals {
-    /// The linear ones, which Kahan's map keeps whatever ε is.
+    /// Those that the map keeps as they stand, as it is seen at one point modulo a prime: the
+    /// linear ones, and where the field is linear all.
     #[must_use]
-    pub fn linear(&self, symbols: &Symbols) -> Vec<Polynomial> {
-        let is_linear = |found: &&Polynomial| found.degree_where(|variable| symbols.is_state(variable)) == 1;
-        self.found.iter().filter(is_linear).cloned().collect()
+    pub fn kept(&self, setting: &Setting, random: &mut SplitMix64) -> Vec<Polynomial> {
+        let Some((draw, [here, there])) = setting.step(random) else { return Vec::new() };
+        let value =
+            |found: &Polynomial, point: &[u64]| setting.evaluate(draw.map.modulus(), found, &draw, point);
+        let is_kept = |found: &&Polynomial| value(found, &here) == value(found, &there);
+        self.found.iter().filter(is_kept).cloned().collect()
     }
 }
 

@@ -1,5 +1,6 @@
 //! Verdicts in words: each sentence says what was shown, and no more.
 
+use crate::basis::Basis;
 use crate::hamiltonian::is_within_reach;
 use crate::report::Report;
 
@@ -86,6 +87,9 @@ fn orbits(report: &Report) -> Vec<String> {
     sentences
 }
 
+/// A list of more characters is counted.
+const MOST_CHARACTERS: usize = 200;
+
 /// What stands below as claims, and what does not.
 fn formulas(report: &Report) -> Vec<String> {
     let shown = report.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
@@ -108,18 +112,24 @@ fn formulas(report: &Report) -> Vec<String> {
             }
         ));
     }
-    for basis in &report.bases {
-        let proof = match basis.proof {
-            Some(_) => "proved mod p (error < 2^-100)",
-            None => "seen modulo primes",
+    if in_bases > 0 {
+        let list = |basis: &Basis| {
+            let monomials = basis.monomial_texts(&report.variables);
+            let text = monomials.join(", ");
+            if text.len() <= MOST_CHARACTERS { text } else { format!("{} monomials", monomials.len()) }
+        };
+        let lists: Vec<String> = report.bases.iter().map(list).collect();
+        let proof = match report.bases.iter().all(|basis| basis.proof.is_some()) {
+            true => "proved mod p (error < 2^-100)",
+            false => "seen modulo primes",
         };
         sentences.push(format!(
             "{} no short formula, but a Hirota-Kimura basis: along every orbit {} satisfy one linear relation, whose coefficients are constant there, {proof}.",
-            match basis.integrals.len() {
+            match in_bases {
                 1 => "One more integral has".to_owned(),
                 count => format!("{count} more integrals have"),
             },
-            basis.monomial_texts(&report.variables).join(", ")
+            lists.join("; and so do ")
         ));
     }
     let missing = shown.saturating_sub(formulas + in_bases);
@@ -139,6 +149,9 @@ fn densities(report: &Report) -> String {
     match report.densities.first() {
         Some(density) if density.degree == 0 => "The map preserves volume, proved.".to_owned(),
         Some(_) => match report.brackets.len() {
+            0 if report.variables.len() >= 2 && report.integrals.len() + 2 >= report.variables.len() => {
+                "The invariant density below is proved; the Poisson brackets that it makes with integrals are too long to be written.".to_owned()
+            }
             0 => "The invariant density below is proved.".to_owned(),
             1 => "The invariant density below is proved, and so is the Poisson bracket that it makes with integrals.".to_owned(),
             count => format!(
@@ -213,12 +226,10 @@ fn flow(report: &Report) -> String {
                 (linear, 0) => counted(linear, "independent linear integral"),
                 _ => format!("{linear} linear and {quadratic} quadratic independent integrals"),
             };
-            let kept = if quadratic == 0 {
-                "which the map keeps"
-            } else if linear == 0 {
-                "which the map need not keep as they stand"
-            } else {
-                "of which the map keeps the linear ones as they stand"
+            let kept = match structure.kept {
+                0 => "which the map does not keep as they stand".to_owned(),
+                kept if kept == found => "which the map keeps as they stand".to_owned(),
+                kept => format!("of which the map keeps {kept} as they stand"),
             };
             format!("The flow has {of}, {kept}.")
         }

@@ -88,16 +88,6 @@ fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
 fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> {
     let span = left.span;
     if let Some(state) = left.text.strip_suffix("dot") {
-        // `x_dot` would quietly be the derivative of another state, `x_`.
-        if let Some(meant) = state.strip_suffix('_').filter(|meant| !meant.is_empty()) {
-            block.equations.push(Equation { state: Name { text: meant.to_owned(), span }, value: None });
-            return Err(Diagnostic::new(
-                Kind::Name,
-                span,
-                format!("`{state}dot` would be the derivative of a state `{state}`"),
-                format!("write `{meant}dot = …`"),
-            ));
-        }
         if !state.is_empty() {
             return Ok(Name { text: state.to_owned(), span });
         }

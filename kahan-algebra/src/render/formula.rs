@@ -42,7 +42,8 @@ impl Formulas<'_> {
 
     /// One line between whole numbers: (½ x y)/a is xy/(2a), and −x/a has its sign in front.
     fn fraction(&self, above: &Polynomial, below: &Polynomial) -> String {
-        let (numerator, denominator) = (above.content(), below.content());
+        // Both keep their signs: a denominator that begins with 1 does so here, too.
+        let (numerator, denominator) = (above.content().abs(), below.content().abs());
         let Some(factor) = numerator.checked_div(&denominator) else { return self.polynomial(above) };
         let is_negative = above.terms().all(|(_, coefficient)| coefficient.is_negative());
         let whole = |part: &Polynomial, content: &Rational, times: BigInt| {

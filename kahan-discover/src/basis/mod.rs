@@ -96,13 +96,14 @@ pub(crate) fn completing(
     wanted: usize,
     place: &Place,
     known: Vec<Vec<u64>>,
+    deadline: &Deadline,
 ) -> Vec<Basis> {
     let mut found = Vec::new();
     let mut gradients = known;
     let map = &place.draw.map;
     let rank = |rows: &[Vec<u64>]| Echelon::of(map.modulus(), rows.to_vec(), map.dimension()).rank();
     for candidate in candidates {
-        if rank(&gradients) >= wanted {
+        if rank(&gradients) >= wanted || deadline.passed() {
             break;
         }
         let Some(own) = gradients::of_coefficients(candidate, map, &place.point) else { continue };
@@ -121,6 +122,9 @@ pub(crate) fn completing(
     }
     found
 }
+
+/// So many monomials are reduced in two orders only.
+const MANY: usize = 250;
 
 /// Where independence is looked at: a map with random unknowns, and a point.
 pub(crate) struct Place {
@@ -144,7 +148,8 @@ pub(crate) fn candidates(
         return Vec::new();
     };
     let mut found: Vec<Basis> = Vec::new();
-    for order in orders(&monomials, setting.dimension()) {
+    let most = if monomials.len() > MANY { 2 } else { usize::MAX };
+    for order in orders(&monomials, setting.dimension()).into_iter().take(most) {
         if deadline.passed() {
             break;
         }

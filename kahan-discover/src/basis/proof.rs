@@ -13,6 +13,7 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::prove::points_needed;
 use kahan_algebra::rational::Rational;
 
+use crate::deadline::Deadline;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::setting::Setting;
@@ -27,12 +28,18 @@ const MOST_POINTS: u32 = 64;
 const MOST_DRAWS: usize = 16;
 
 /// The number of points modulo random primes that prove the basis with an error below 2⁻¹⁰⁰, all of
-/// them passed; `None` where the relation fails at one, or the degrees are too high for 61-bit
-/// primes.
-pub fn prove(basis: &Basis, setting: &Setting, field: &Field, random: &mut SplitMix64) -> Option<u32> {
+/// them passed; `None` where the relation fails at one, the degrees are too high for 61-bit
+/// primes, or the deadline passes.
+pub fn prove(
+    basis: &Basis,
+    setting: &Setting,
+    field: &Field,
+    random: &mut SplitMix64,
+    deadline: &Deadline,
+) -> Option<u32> {
     let size = determinant_size(basis, field, setting.eps())?;
     let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
-    (0..points).all(|_| holds_somewhere(basis, setting, random)).then_some(points)
+    (0..points).all(|_| !deadline.passed() && holds_somewhere(basis, setting, random)).then_some(points)
 }
 
 /// Whether r + 1 points have a relation and r of them none other, at a random point modulo a random

@@ -22,7 +22,7 @@ fn found(text: &str, degree: u32, wanted: usize) -> (Setting, Field, Vec<Basis>)
     let draw = setting.draw(Modulus::mersenne_61(), &mut random).unwrap();
     let place = Place { point: draw.map.point(&mut random), draw };
     let all = candidates(&setting, degree, &mut random, &Deadline::never());
-    let bases = completing(&all, wanted, &place, Vec::new());
+    let bases = completing(&all, wanted, &place, Vec::new(), &Deadline::never());
     (setting, field, bases)
 }
 
@@ -33,7 +33,7 @@ fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
     // The shortest is that of Petrera, Pfadler and Suris.
     assert_eq!(bases[0].monomial_texts(&field.symbols.states), ["1", "p3^2", "p2^2", "p1^2"]);
     for basis in &bases {
-        assert!(prove(basis, &setting, &field, &mut SplitMix64::new(3)).is_some());
+        assert!(prove(basis, &setting, &field, &mut SplitMix64::new(3), &Deadline::never()).is_some());
     }
 }
 
@@ -48,7 +48,7 @@ fn what_is_no_basis_is_not_proved() {
     joined.monomials.sort();
     joined.monomials.dedup();
     for other in [less, joined] {
-        assert_eq!(prove(&other, &setting, &field, &mut SplitMix64::new(3)), None);
+        assert_eq!(prove(&other, &setting, &field, &mut SplitMix64::new(3), &Deadline::never()), None);
     }
 }
 

@@ -1,4 +1,5 @@
-//! A polynomial P by powers of another, F, linear in a variable v: P = Σ dₖ Fᵏ with digits dₖ that do not contain v.
+//! A polynomial P by powers of another, F, linear in a variable v: P = Σ dₖ Fᵏ with digits dₖ that
+//! do not contain v.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -55,15 +56,26 @@ pub(crate) fn in_powers(
     Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
 }
 
-/// The polynomial written by powers of `base`; `None` where that is not possible, or where nothing
-/// comes of it.
+/// The base without its terms free of states, and without what the others have in common but
+/// states: x − ay for 1 − ε²(x − ay).
+fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
+    let has_states = |monomial: &Monomial| monomial.powers().iter().any(|&(v, _)| symbols.is_state(v));
+    let moving = base.terms().filter(|(monomial, _)| has_states(monomial));
+    let moving = Polynomial::from_terms(moving.map(|(monomial, value)| (monomial.clone(), value.clone())));
+    let (_, common) = moving.monomial_content().split(|variable| symbols.is_state(variable));
+    moving.div_monomial(&common).unwrap_or(moving).primitive_part()
+}
+
+/// The polynomial written by powers of `base`, but for its constant; `None` where that is not
+/// possible, or where nothing comes of it.
 pub(super) fn by_powers(
     symbols: &Symbols,
     polynomial: &Polynomial,
     base: &Polynomial,
     variable: Variable,
 ) -> Option<(String, Scale)> {
-    let base = if begins_negative(base) { -base } else { base.clone() };
+    let base = without_constant(symbols, base);
+    let base = if begins_negative(&base) { -&base } else { base };
     let InPowers { sum, fresh, scale } = in_powers(symbols, polynomial, &base, variable)?;
     let (factor, coefficient) = scale.leading_term()?;
     if !sum.contains(fresh) {
@@ -76,6 +88,10 @@ pub(super) fn by_powers(
     // The fresh variable may be part of the common monomial: then the base divides the polynomial,
     // which is irreducible.
     if front.exponent(fresh) > 0 {
+        return None;
+    }
+    // Terms of the sum would cancel where ε is small.
+    if factor.exponent(symbols.epsilon()) > front.exponent(symbols.epsilon()) {
         return None;
     }
     let content = content.checked_div(coefficient)?;
