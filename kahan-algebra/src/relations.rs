@@ -72,12 +72,12 @@ impl Relations {
     /// # Errors
     /// The [`Obstacle`]; nothing is added then.
     pub fn add(&mut self, polynomial: &Polynomial, names: &[Variable]) -> Result<Variable, Obstacle> {
-        self.refuse_product(polynomial)?;
         // It vanishes where its numerator does.
         let mut relation = self.put_into(polynomial)?.ok_or(Obstacle::Contradiction)?.numerator().clone();
         if relation.is_zero() {
             return Err(Obstacle::Identity);
         }
+        self.refuse_product(polynomial)?;
         for index in 0..self.nonzero.len() {
             let nonzero = self.nonzero[index].clone();
             let Some(nonzero) = self.put_into(&nonzero)? else { continue };
