@@ -124,7 +124,7 @@ pub fn measure(
         }
         looked_up_to = Some(degree);
     }
-    let quotient = (1..=HIGHEST_QUOTIENT).find_map(|degree| {
+    let quotient = (0..=HIGHEST_QUOTIENT).find_map(|degree| {
         let factors = product(setting, factors, degree, &[-1, 1], random)?;
         Some(Measure { factors, degree })
     });
