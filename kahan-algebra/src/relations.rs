@@ -66,8 +66,8 @@ impl Default for Relations {
 
 impl Relations {
     /// Adds the relation that `polynomial` vanishes and gives the name it was solved for: the best
-    /// by its [`Rank`], and the first of those in the order of `names` and then of what earlier
-    /// values brought in.
+    /// by its coefficient (a number, else one without a factor in common with the rest), and the
+    /// first of those in the order of `names` and then of what earlier values brought in.
     ///
     /// # Errors
     /// The [`Obstacle`]; nothing is added then.

@@ -271,7 +271,7 @@ fn hamiltonian_object(found: &HamiltonianReport) -> Value {
     json!({ "K": found.tensor, "H": found.hamiltonian, "modified_is_proved": found.modified_is_proved })
 }
 
-/// The integrals are quotients of coefficients c[m] of the relation Σ c[m] m = 0 along an orbit.
+/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an orbit.
 fn basis_object(basis: &Basis, variables: &[String]) -> Value {
     let monomials = basis.monomial_texts(variables);
     let unit = &monomials[basis.unit];
