@@ -53,6 +53,10 @@ fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
     }
+    // Without this the recursion would go through all sets, also where none is large enough.
+    if of < count {
+        return Vec::new();
+    }
     let with_last = |last: usize| {
         choices(last, count - 1).into_iter().map(move |mut chosen| {
             chosen.push(last);

@@ -186,8 +186,7 @@ fn product(
             .collect();
         samples.push((cofactors?, step.jacobian));
     }
-    let mut candidates: Vec<Vec<i32>> = Vec::new();
-    exponents(&degrees, degree, signs, &mut Vec::new(), &mut candidates);
+    let candidates = exponents(&degrees, degree, signs);
     let has_cofactor = |exponents: &Vec<i32>| {
         samples.iter().all(|(cofactors, jacobian)| {
             let powers = cofactors.iter().zip(exponents).map(|(bases, &exponent)| {
@@ -214,25 +213,36 @@ fn product(
     Some(used.collect())
 }
 
-/// All exponents of these signs with Σ |exponent|·degree = total, up to some thousand.
-pub(crate) fn exponents(
+/// Exponents of these signs with Σ |exponent|·degree = total: all, or as many as half a million steps
+/// reach. Many factors have more combinations than can be looked at.
+pub(crate) fn exponents(degrees: &[u32], total: u32, signs: &[i32]) -> Vec<Vec<i32>> {
+    const MOST_STEPS: usize = 500_000;
+    let mut found = Vec::new();
+    extend(degrees, total, signs, &mut Vec::new(), &mut found, &mut { MOST_STEPS });
+    found
+}
+
+fn extend(
     degrees: &[u32],
     total: u32,
     signs: &[i32],
     begun: &mut Vec<i32>,
     found: &mut Vec<Vec<i32>>,
+    steps: &mut usize,
 ) {
     const MOST: usize = 20_000;
+    if *steps == 0 || found.len() == MOST {
+        return;
+    }
+    *steps -= 1;
     let Some((&first, rest)) = degrees.split_first() else {
-        if total == 0 && found.len() < MOST {
-            found.push(begun.clone());
-        }
+        found.extend((total == 0).then(|| begun.clone()));
         return;
     };
     for size in 0..=total.checked_div(first).unwrap_or(0) {
         for &sign in if size == 0 { &signs[..1] } else { signs } {
             begun.push(sign * size as i32);
-            exponents(rest, total - size * first, signs, begun, found);
+            extend(rest, total - size * first, signs, begun, found, steps);
             begun.pop();
         }
     }

@@ -125,9 +125,7 @@ fn products(
     let wanted = cofactor(denominator)?;
     let mut found = Vec::new();
     for total in 1..=degree(numerator) {
-        let mut candidates = Vec::new();
-        exponents(&degrees, total, &[1], &mut Vec::new(), &mut candidates);
-        for candidate in candidates {
+        for candidate in exponents(&degrees, total, &[1]) {
             let own = cofactors.iter().zip(&candidate).fold(modulus.one(), |product, (base, &exponent)| {
                 modulus.times(product, modulus.power(*base, exponent.unsigned_abs()))
             });

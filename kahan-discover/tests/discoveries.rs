@@ -158,6 +158,15 @@ fn formulas_have_a_limit_at_small_steps() {
     }
 }
 
+/// Of 24 integrals there are 2^24 sets and many more products, which no search may go through.
+#[test]
+fn many_integrals_are_no_burden() {
+    let resting: String = (0..24).map(|i| format!("c{i}dot = 0; ")).collect();
+    let text = format!("{resting} xdot = x^2 + c0*y; ydot = y^2 + x + c1; zdot = z*x + y;");
+    let report = report(&text, &Options { degree: Some(1), ..options() });
+    assert_eq!(report.integrals.len(), 24);
+}
+
 #[test]
 fn linear_integrals_of_long_chains_come_first() {
     let n = 60;
