@@ -2,7 +2,7 @@
 //!
 //! Text or tokens of the language of `kahan!` go in; a checked quadratic vector field comes out, with the objects of
 //! Kahan's map derived from it, straight-line plans to evaluate them, and a verdict on every claim about it. Nothing here
-//! knows Rust: the macro (`kahan-derive`) and the command (`kahan-systems`) are two users of one pipeline, [`read`].
+//! knows Rust: the macro (`kahan-derive`) and the command (`kahan-cli`) are two users of one pipeline, [`read`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`], [`system`], [`kahan`],
 //! [`plan`], [`relations`], [`prove`], [`specialise`], [`interpret`], [`objects`], [`render`],

@@ -1,12 +1,7 @@
-//! The procedural macro behind `kahan_core::kahan!`: tokens to the front end, its result to Rust.
+//! The procedural macro behind `kahan_core::kahan!`.
 //!
-//! Reading, checking and proving are `kahan-algebra`'s; `emit` writes the Rust. A crate of this type can export only
-//! macros, so it holds nothing else.
-
-mod emit;
-#[cfg(test)]
-mod golden;
-mod tokens;
+//! In: the compiler's tokens. Out: those that `kahan-emit` makes of them. It must not know anything else: a crate of this type can
+//! export only macros.
 
 use std::time::Instant;
 
@@ -17,20 +12,12 @@ use proc_macro2::{Group, TokenStream, TokenTree};
 #[proc_macro]
 pub fn kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let start = Instant::now();
-    let (name, expansion) = expand(input.into());
+    let (core, block) = split_path(input.into());
+    let expansion = kahan_emit::rust::expand(&core, block);
     if std::env::var_os("KAHAN_TIMING").is_some() {
-        eprintln!("kahan!: {name} expanded in {:.2} ms", start.elapsed().as_secs_f64() * 1e3);
+        eprintln!("kahan!: {} expanded in {:.2} ms", expansion.name, start.elapsed().as_secs_f64() * 1e3);
     }
-    expansion.into()
-}
-
-/// The pipeline: tokens in, the system's name and its Rust out.
-fn expand(input: TokenStream) -> (String, TokenStream) {
-    let (core, block) = split_path(input);
-    let input = tokens::flatten(block.clone());
-    let reading = kahan_algebra::read(&input.tokens);
-    let expansion = emit::emit(&core, block, &reading, &input);
-    (reading.system.name().to_owned(), expansion)
+    expansion.tokens.into()
 }
 
 /// Splits off the leading `[path]`.

@@ -40,7 +40,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "e1",
     type_name: "E1",
     title: "two Lie-Poisson structures, A(3,3) and sl(2,R); solved by rational functions",

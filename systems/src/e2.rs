@@ -39,7 +39,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "e2",
     type_name: "E2",
     title: "two Lie-Poisson structures, e(1,1) and sl(2,R); solved by rational functions",

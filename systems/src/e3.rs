@@ -41,7 +41,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "e3",
     type_name: "E3",
     title: "two Lie-Poisson structures, A(3,3) and so(3); solved by hyperbolic functions",

@@ -42,7 +42,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "e4",
     type_name: "E4",
     title: "two Lie-Poisson structures, e(1,1) and so(3); solved by elliptic functions",

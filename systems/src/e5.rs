@@ -39,7 +39,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "e5",
     type_name: "E5",
     title: "two Lie-Poisson structures, e(2) and sl(2,R); solved by hyperbolic functions",

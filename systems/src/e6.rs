@@ -37,7 +37,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "e6",
     type_name: "E6",
     title: "two Lie-Poisson structures, sl(2,R) and so(3); elliptic curves",

@@ -76,7 +76,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "e7",
     type_name: "E7",
     title: "a family with parameter xi between E1 (xi = 1) and E2 (xi = -1); a Gamma-function integral",

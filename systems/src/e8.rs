@@ -31,7 +31,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "e8",
     type_name: "E8",
     title: "a Lie-Poisson pair with a digamma-function integral",

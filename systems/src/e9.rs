@@ -60,7 +60,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "e9",
     type_name: "E9",
     title: "a family with parameter xi between E3 (xi = 1) and E4 (xi = -1); not integrable between them",

@@ -45,7 +45,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "euler",
     type_name: "EulerTop",
     title: "the Euler top, a rigid body that turns freely about its centre of mass",

@@ -38,7 +38,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "henon-heiles",
     type_name: "HenonHeiles",
     title: "Hénon and Heiles' two coupled oscillators; chaos with an integral",

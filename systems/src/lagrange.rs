@@ -46,7 +46,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "lagrange",
     type_name: "LagrangeTop",
     title: "the Lagrange top, a heavy symmetric rigid body; four integrals in six variables",

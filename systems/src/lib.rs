@@ -5,18 +5,10 @@
 //! macro proves the claims while it compiles the block. An [`entry`] offers the same block as text with the place of each
 //! claim in the paper, [`registry`] lists the entries, and the `kahan` command proves them again from there. The half step ε is written `eps`.
 
-pub mod atlas;
 pub mod entry;
-pub mod extremes;
-pub mod heights;
-pub mod interpreted;
-pub mod paper;
-pub mod random_fields;
-pub mod reference;
 pub mod registry;
 pub mod solution;
 pub mod special;
-pub mod trade;
 
 pub mod e1;
 pub mod e2;
@@ -28,14 +20,14 @@ pub mod e7;
 pub mod e8;
 pub mod e9;
 pub mod euler;
-mod henon_heiles;
-mod lagrange;
-mod lorenz;
-mod lotka_volterra;
+pub mod henon_heiles;
+pub mod lagrange;
+pub mod lorenz;
+pub mod lotka_volterra;
 pub mod volterra;
-mod volterra4;
-mod weierstrass;
-mod zhukovsky;
+pub mod volterra4;
+pub mod weierstrass;
+pub mod zhukovsky;
 
 pub use e1::E1;
 pub use e2::E2;

@@ -24,7 +24,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "lorenz",
     type_name: "Lorenz",
     title: "the Lorenz system; nothing is conserved",

@@ -28,7 +28,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "lv",
     type_name: "LotkaVolterra",
     title: "the Lotka-Volterra system of prey and predators",

@@ -23,7 +23,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "volterra4",
     type_name: "VolterraFour",
     title: "the periodic Volterra lattice with four sites",

@@ -22,7 +22,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "weierstrass",
     type_name: "Weierstrass",
     title: "the equation of the Weierstrass function; elliptic curves in the plane",

@@ -36,7 +36,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub(crate) const ENTRY: Entry = Entry {
+pub const ENTRY: Entry = Entry {
     command: "zhukovsky",
     type_name: "ZhukovskyVolterra",
     title: "the Zhukovsky-Volterra gyrostat; integrable with two of its momenta zero",

@@ -2,7 +2,7 @@
 //!
 //! It is written anew by `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests --test back_ends`.
 
-pub use kahan_systems::random_fields::{RandomField, every_field};
+pub use kahan_measure::random_fields::{RandomField, every_field};
 
 /// The text of `random_systems.rs`.
 #[must_use]

@@ -25,8 +25,8 @@ const MODERATE: &str = "kahan-core/src/scalar/dd/moderate.rs";
 const DEGREES: &str = "-p kahan-discover --lib -- thiele";
 const RELATIONS: &str = "-p kahan-algebra --test relations";
 const SCANS: &str = "-p kahan-discover --test scans";
-const REFERENCES: &str = "-p kahan-systems --lib -- reference";
-const CERTIFICATE: &str = "systems/src/reference/certificate.rs";
+const REFERENCES: &str = "-p kahan-measure --lib -- reference";
+const CERTIFICATE: &str = "kahan-measure/src/reference/certificate.rs";
 
 const fn rule(name: &'static str, file: &'static str, text: &'static str, weaker: &'static str) -> Weakening {
     Weakening { name, file, text, weaker, tests: RULES }

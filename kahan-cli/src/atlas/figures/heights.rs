@@ -1,0 +1,253 @@
+//! Heights along exact orbits: how they grow, and what is left when the growth is divided out.
+
+use maud::{Markup, html};
+
+use super::super::found::Orbits;
+use super::super::plot::{Axis, Mark, Plot, SIZE, Series, Side};
+use super::super::words::{decimal, grouped};
+use super::Plate;
+use super::orbit::{Heights, Orbit, h, map_name};
+use kahan_paper::figures::{DE1, DE3, DE4, DE7, DE9, Figure, LV};
+
+fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
+    let all = || series.iter().flat_map(|series| &series.points);
+    Plot {
+        description: description.to_owned(),
+        size: SIZE,
+        x: Axis::around("log n", all().map(|point| point.0)),
+        y: Axis::around(&format!("log h({of})"), all().map(|point| point.1)),
+        levels: Vec::new(),
+        series,
+    }
+    .svg()
+}
+
+fn against_n(description: &str, label: &str, levels: Vec<(f64, String)>, series: Vec<Series>) -> Markup {
+    let all = || series.iter().flat_map(|series| &series.points);
+    let heights = all().map(|point| point.1).chain(levels.iter().map(|level| level.0));
+    Plot {
+        description: description.to_owned(),
+        size: SIZE,
+        x: Axis::around("n", all().map(|point| point.0)),
+        y: Axis::around(label, heights),
+        levels,
+        series,
+    }
+    .svg()
+}
+
+/// Every kind of growth in one drawing.
+pub(super) fn overview(orbits: &Orbits<'_>) -> Option<Plate> {
+    let chosen =
+        [(&DE1, "z", 6), (&DE3, "x", 2), (&DE4, "x", 3), (&DE7, "z", 4), (&DE9, "x", 5), (&LV, "x", 1)];
+    let mut series = Vec::new();
+    for (figure, variable, colour) in chosen {
+        let heights = Orbit::of(orbits, figure)?.heights(variable)?;
+        let mark = if heights.0.len() < 30 { Mark::Both } else { Mark::Line };
+        let name = if figure.system == "lv" { "LV".to_owned() } else { map_name(figure) };
+        let label = Series::new(&name, colour, mark, heights.log_log());
+        series.push(Series { side: if figure.system == "e9" { Side::Left } else { Side::Above }, ..label });
+    }
+    Some(Plate {
+        id: "figure-overview",
+        title: "Integrable or not: six orbits at a glance",
+        drawings: vec![log_log(
+            "Logarithms of heights against log n for six maps: three bend upwards or rise steeply, the others are straight",
+            "n-th iterate",
+            series,
+        )],
+        data: html! { "The orbits of the following figures and one of dE1 with the data of dE3." },
+        result: html! {
+            "A straight line is a power of " i { "n" } ": slope 1 for dE3 and dE7, slope 2 for dE4. dE1, whose solution is "
+            "rational in " i { "n" } ", stays almost flat: its heights grow like log " i { "n" } ". The Lotka–Volterra map "
+            "and dE9 curve upwards and leave every power behind. This drawing is not in the paper."
+        },
+        claims: &[],
+    })
+}
+
+pub(super) fn lotka_volterra(orbits: &Orbits<'_>) -> Option<Plate> {
+    let orbit = Orbit::of(orbits, &LV)?;
+    let x = orbit.heights("x")?;
+    let (n, last) = x.last();
+    Some(Plate {
+        id: "figure-lv",
+        title: "Lotka–Volterra: heights double",
+        drawings: vec![log_log(
+            "log h of x_n against log n for the Lotka–Volterra map: a curve that bends upwards",
+            "xₙ",
+            vec![Series::new("", 1, Mark::Both, x.log_log())],
+        )],
+        data: orbit.data(),
+        result: html! {
+            "The curve bends upwards: growth is " (orbit.measured.survey.growth) ". " (h("x", n)) " = " (decimal(last, 2))
+            ", a fraction of " (grouped(orbit.digits("x"))) " digits; the last step multiplied " i { "h" } "(" i { "x" }
+            ") by " (decimal(x.last_ratio(), 4)) ". This speaks against an algebraic integral behind the closed orbits of this map."
+        },
+        claims: &["section7.lv."],
+    })
+}
+
+pub(super) fn de3(orbits: &Orbits<'_>) -> Option<Plate> {
+    let orbit = Orbit::of(orbits, &DE3)?;
+    let x = orbit.heights("x")?;
+    let (n, last) = x.last();
+    let slope = x.slope();
+    Some(Plate {
+        id: "figure-de3",
+        title: "dE3: linear growth",
+        drawings: vec![
+            log_log(
+                "log h of x_n against log n for dE3: a straight line of slope 1",
+                "xₙ",
+                vec![Series::new("", 2, Mark::Line, x.log_log())],
+            ),
+            against_n(
+                "log of h over n against n for dE3: it settles on a constant",
+                "log(h(xₙ)/n)",
+                vec![(slope.ln(), format!("log {}", decimal(slope, 3)))],
+                vec![Series::new("", 2, Mark::Line, x.correction(1, n))],
+            ),
+        ],
+        data: orbit.data(),
+        result: html! {
+            "Growth is " (orbit.measured.survey.growth) ": " (h("x", n)) " = " (decimal(last, 1)) ", and the least squares "
+            "slope of " i { "h" } "(" i { "x" } sub { i { "n" } } ") is " (decimal(slope, 3)) " (dashed: its logarithm). "
+            "dE3 is solved by hyperbolic functions, so that 1/" i { "x" } sub { i { "n" } } " obeys a linear recurrence."
+        },
+        claims: &["section7.e3."],
+    })
+}
+
+pub(super) fn de4(orbits: &Orbits<'_>) -> Option<Plate> {
+    let orbit = Orbit::of(orbits, &DE4)?;
+    let x = orbit.heights("x")?;
+    let (n, last) = x.last();
+    let coefficient = x.half_second_difference();
+    Some(Plate {
+        id: "figure-de4",
+        title: "dE4: quadratic growth",
+        drawings: vec![
+            log_log(
+                "log h of x_n against log n for dE4: a straight line of slope 2",
+                "xₙ",
+                vec![Series::new("", 3, Mark::Line, x.log_log())],
+            ),
+            against_n(
+                "log of h over n squared against n for dE4: it settles on a constant",
+                "log(h(xₙ)/n²)",
+                vec![(coefficient.ln(), format!("log {}", decimal(coefficient, 2)))],
+                vec![Series::new("", 3, Mark::Line, x.correction(2, n))],
+            ),
+        ],
+        data: orbit.data(),
+        result: html! {
+            "Growth is " (orbit.measured.survey.growth) ", slope 2: " (h("x", n)) " = " (decimal(last, 1)) ", "
+            (grouped(orbit.digits("x"))) " digits. " i { "h" } "(" i { "x" } sub { i { "n" } } ")/" i { "n" } sup { "2" }
+            " tends to " (decimal(coefficient, 2)) ", half the second difference over the last half of the orbit (dashed). "
+            "The orbit lies on an elliptic curve, where heights grow like the square of the multiple of a point."
+        },
+        claims: &["section7.e4."],
+    })
+}
+
+pub(super) fn de7(orbits: &Orbits<'_>) -> Option<Plate> {
+    let orbit = Orbit::of(orbits, &DE7)?;
+    let (y, z) = (orbit.heights("y")?, orbit.heights("z")?);
+    let (slope_y, slope_z) = (y.slope(), z.slope());
+    let shown = orbit.steps().min(400);
+    let mean = |end: usize| {
+        let logs: Vec<f64> = y.correction(1, end).into_iter().map(|point| point.1).collect();
+        logs.iter().sum::<f64>() / logs.len() as f64
+    };
+    let first = orbit.steps().min(200);
+    Some(Plate {
+        id: "figure-de7",
+        title: "dE7: linear growth with arithmetic noise",
+        drawings: vec![
+            log_log(
+                "log h of y_n and of z_n against log n for dE7: two straight lines of slope 1",
+                "yₙ), log h(zₙ",
+                vec![
+                    Series { side: Side::Below, ..Series::new("yₙ", 1, Mark::Line, y.log_log()) },
+                    Series { side: Side::Left, ..Series::new("zₙ", 4, Mark::Line, z.log_log()) },
+                ],
+            ),
+            against_n(
+                "log of h over n against n for the first iterates of dE7: both curves fluctuate around constants",
+                "log(h/n)",
+                vec![
+                    (slope_y.ln(), format!("yₙ: log {}", decimal(slope_y, 3))),
+                    (slope_z.ln(), format!("zₙ: log {}", decimal(slope_z, 3))),
+                ],
+                vec![
+                    Series::new("", 1, Mark::Line, y.correction(1, shown)),
+                    Series::new("", 4, Mark::Line, z.correction(1, shown)),
+                ],
+            ),
+        ],
+        data: html! { (orbit.data()) "; right: the first " (shown) },
+        result: html! {
+            "Least squares slopes over " (orbit.steps()) " iterates: " (decimal(slope_y, 3)) " for " i { "y" } " (log "
+            (decimal(slope_y.ln(), 3)) ") and " (decimal(slope_z, 3)) " for " i { "z" } " (log " (decimal(slope_z.ln(), 3))
+            "), ratio " (decimal(slope_z / slope_y, 3)) ". The mean of log(" i { "h" } "/" i { "n" } ") over the first "
+            (first) " iterates of " i { "y" } " is " (decimal(mean(first), 4)) ". The fluctuations are those of prime "
+            "numbers: the solution is a ratio of Γ functions, products over an arithmetic progression."
+        },
+        claims: &["section7.e7."],
+    })
+}
+
+pub(super) fn de9(orbits: &Orbits<'_>) -> Option<Plate> {
+    let orbit = Orbit::of(orbits, &DE9)?;
+    let x = orbit.heights("x")?;
+    let (n, last) = x.last();
+    Some(Plate {
+        id: "figure-de9",
+        title: "dE9: heights treble",
+        drawings: vec![log_log(
+            "log h of x_n against log n for dE9: a curve that bends upwards",
+            "xₙ",
+            vec![Series::new("", 5, Mark::Both, x.log_log())],
+        )],
+        data: orbit.data(),
+        result: html! {
+            "Growth is " (orbit.measured.survey.growth) ": " (h("x", n)) " = " (decimal(last, 1)) ", "
+            (grouped(orbit.digits("x"))) " digits; the last step multiplied " i { "h" } "(" i { "x" } ") by "
+            (decimal(x.last_ratio(), 4)) ". The flow has two integrals at every ξ; these "
+            "heights speak against such a pair for its map at this one."
+        },
+        claims: &["section7.e9."],
+    })
+}
+
+/// Every orbit in a table.
+pub(super) fn summary(orbits: &Orbits<'_>) -> Markup {
+    let rows = Figure::all().filter_map(|figure| Orbit::of(orbits, figure));
+    html! {
+        h3 #orbits { "All orbits" }
+        div.scroll tabindex="0" {
+            table {
+                caption { "Every exact orbit computed for this page; growth and digits are those of its largest component" }
+                thead { tr {
+                    th scope="col" { "Orbit" } th scope="col" { "Largest" } th scope="col" { "Growth of " i { "h" } }
+                    th.number scope="col" { "last " i { "h" } } th.number scope="col" { "digits" }
+                    th.number scope="col" { "last ratio" }
+                } }
+                tbody {
+                    @for orbit in rows {
+                        @let heights = Heights(orbit.measured.survey.component(orbit.measured.survey.largest()));
+                        tr {
+                            th scope="row" { (orbit.data()) }
+                            td { i { (orbit.largest()) } }
+                            td { (orbit.measured.survey.growth) }
+                            td.number { (decimal(heights.last().1, 2)) }
+                            td.number { (grouped(orbit.digits(orbit.largest()))) }
+                            td.number { (decimal(heights.last_ratio(), 4)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

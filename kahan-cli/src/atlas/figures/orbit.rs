@@ -1,0 +1,114 @@
+//! An orbit of the paper with its heights, and what is measured on them.
+
+use maud::{Markup, html};
+
+use super::super::found::Orbits;
+use super::super::readable::readable;
+use super::super::systems;
+use kahan_paper::figures::{Figure, Measurement, slope};
+use kahan_systems::registry::find;
+
+/// A measured orbit with its data.
+pub(super) struct Orbit<'a> {
+    pub(super) figure: &'static Figure,
+    pub(super) measured: &'a Measurement,
+}
+
+/// One component's heights h₀, h₁, ….
+pub(super) struct Heights(pub(super) Vec<f64>);
+
+impl Heights {
+    /// (n, h) from n = 1 on.
+    pub(super) fn pairs(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.0.iter().enumerate().skip(1).map(|(n, h)| (n as f64, *h))
+    }
+
+    pub(super) fn log_log(&self) -> Vec<(f64, f64)> {
+        self.pairs().map(|(n, h)| (n.ln(), h.ln())).collect()
+    }
+
+    /// log(h/nᵖ) against n, as far as `end`.
+    pub(super) fn correction(&self, power: i32, end: usize) -> Vec<(f64, f64)> {
+        self.pairs().take(end).map(|(n, h)| (n, (h / n.powi(power)).ln())).collect()
+    }
+
+    pub(super) fn last(&self) -> (usize, f64) {
+        (self.0.len().saturating_sub(1), self.0.last().copied().unwrap_or(f64::NAN))
+    }
+
+    /// The factor of the last step.
+    pub(super) fn last_ratio(&self) -> f64 {
+        match self.0.as_slice() {
+            [.., before, last] => last / before,
+            _ => f64::NAN,
+        }
+    }
+
+    /// The least squares slope against n.
+    pub(super) fn slope(&self) -> f64 {
+        slope(self.pairs())
+    }
+
+    /// The leading coefficient of a quadratic through the first, middle and last heights of the second half.
+    pub(super) fn half_second_difference(&self) -> f64 {
+        let step = self.last().0 / 4;
+        let (end, middle, start) = (self.last().0, self.last().0 - step, self.last().0 - 2 * step);
+        (self.0[end] - 2.0 * self.0[middle] + self.0[start]) / (2.0 * (step * step) as f64)
+    }
+}
+
+impl<'a> Orbit<'a> {
+    pub(super) fn of(orbits: &Orbits<'a>, figure: &'static Figure) -> Option<Self> {
+        Some(Orbit { figure, measured: orbits.get(figure.name)? })
+    }
+
+    pub(super) fn heights(&self, variable: &str) -> Option<Heights> {
+        self.measured.log_heights(variable).map(Heights)
+    }
+
+    pub(super) fn steps(&self) -> usize {
+        self.measured.survey.heights.len().saturating_sub(1)
+    }
+
+    pub(super) fn largest(&self) -> &str {
+        &self.measured.variables[self.measured.survey.largest()]
+    }
+
+    /// The decimal digits of a component's last value.
+    pub(super) fn digits(&self, variable: &str) -> u64 {
+        let index = self.measured.variables.iter().position(|known| known == variable);
+        let last = self.measured.survey.heights.last();
+        last.zip(index).map_or(0, |(heights, index)| heights.digits[index])
+    }
+
+    /// What the orbit is: map, parameters, ε, initial point, iterates.
+    pub(super) fn data(&self) -> Markup {
+        let figure = self.figure;
+        let fraction = |(p, q): &(i64, i64)| {
+            if *q == 1 { p.to_string() } else { format!("{p}/{q}").replace('-', "−") }
+        };
+        let list = |values: &[(i64, i64)]| values.iter().map(fraction).collect::<Vec<_>>().join(", ");
+        let parameters = find(figure.system).map(|entry| systems::read(entry).field.symbols.parameters);
+        html! {
+            (map_name(figure))
+            @for (name, value) in parameters.iter().flatten().zip(figure.parameters) {
+                ", " (readable(name)) " = " (fraction(value))
+            }
+            ", ε = " (fraction(&figure.eps)) ", "
+            "(" (self.measured.variables.join(", ")) ")" sub { "0" } " = (" (list(figure.start)) "), "
+            (self.steps()) " iterates"
+        }
+    }
+}
+
+/// `dE3`; the Lotka–Volterra map by its name.
+pub(super) fn map_name(figure: &Figure) -> String {
+    match figure.system {
+        "lv" => "Lotka–Volterra map".to_owned(),
+        system => format!("d{}", system.to_uppercase()),
+    }
+}
+
+pub(super) fn h(variable: &str, n: usize) -> Markup {
+    html! { i { "h" } "(" i { (variable) } sub { (n) } ")" }
+}

@@ -1,0 +1,105 @@
+//! Closed orbits of Kahan's Lotka–Volterra map beside the spirals of Euler's explicit method.
+
+use kahan_core::prelude::*;
+use maud::{Markup, html};
+
+use super::super::plot::{Axis, Mark, Plot, Series};
+use super::super::words::{decimal, scientific};
+use super::Plate;
+use kahan_systems::LotkaVolterra;
+
+/// Half the time step: about twenty steps a cycle.
+const EPS: f64 = 0.147;
+const STEPS: usize = 360;
+/// The greatest x and y shown.
+const SHOWN: f64 = 4.2;
+
+type Point = SVector<f64, 2>;
+
+/// The initial points (1 − r, 1).
+const RADII: [f64; 5] = [0.15, 0.3, 0.5, 0.65, 0.75];
+
+/// log(xy) − (x + y), the integral of the flow.
+fn integral(point: &Point) -> f64 {
+    (point[0] * point[1]).ln() - (point[0] + point[1])
+}
+
+/// x + 2ε f(x), again and again, while it stays in the picture and off the axes.
+fn euler(start: Point) -> Vec<Point> {
+    let step = |point: &Point| Some(point + 2.0 * EPS * LotkaVolterra.field(point));
+    let inside = |point: &Point| point.iter().all(|value| (0.05..=SHOWN).contains(value));
+    std::iter::successors(Some(start), step).take_while(inside).take(STEPS).collect()
+}
+
+/// The largest change of the flow's integral along an orbit.
+fn change(orbit: &[Point]) -> f64 {
+    let first = orbit.first().map_or(0.0, integral);
+    orbit.iter().map(|point| (integral(point) - first).abs()).fold(0.0, f64::max)
+}
+
+pub(super) fn plate() -> Plate {
+    let starts = RADII.map(|radius| vector![1.0 - radius, 1.0]);
+    let kahan = starts.map(|start| LotkaVolterra.orbit(start, EPS).take(STEPS).collect::<Vec<_>>());
+    let euler = starts.map(euler);
+    let (inner_kahan, inner_euler) = (change(&kahan[0]), change(&euler[0]));
+    Plate {
+        id: "figure-portrait",
+        title: "No spirals: Lotka–Volterra by Kahan and by Euler",
+        drawings: vec![
+            portrait("Kahan’s map", "Five closed orbits around the point (1, 1)", Mark::Dots, &kahan),
+            portrait(
+                "Euler’s explicit method",
+                "The same five initial points: orbits that spiral outwards",
+                Mark::Both,
+                &euler[..2],
+            ),
+        ],
+        data: html! {
+            "x′ = x(1 − y), y′ = y(x − 1), time step 2ε = " (decimal(2.0 * EPS, 3)) ", from (1 − r, 1) with r = "
+            (RADII.map(|radius| decimal(radius, 2)).join(", ")) "; " (STEPS) " steps in double precision; Euler’s method from the "
+            "first two, until it leaves the picture or comes within 0.05 of an axis"
+        },
+        result: html! {
+            "This system made Kahan’s method known. Its orbits look closed, though their heights speak against an algebraic "
+            "integral; the map keeps the area d" i { "x" } " d" i { "y" } "/(" i { "xy" } "). Along the innermost orbit log(" i { "xy" }
+            ") − (" i { "x" } " + " i { "y" } "), the integral of the flow, stays within " (scientific(inner_kahan))
+            " of its first value in " (STEPS) " steps; by Euler’s method it is off by " (decimal(inner_euler, 2))
+            " after " (inner_euler_steps(&euler[0])) " steps. This drawing is not in the paper."
+        },
+        claims: &["lv."],
+    }
+}
+
+fn inner_euler_steps(orbit: &[Point]) -> usize {
+    orbit.len().saturating_sub(1)
+}
+
+fn portrait(title: &str, seen: &str, mark: Mark, orbits: &[Vec<Point>]) -> Markup {
+    let axis = |label: &str| Axis { label: label.to_owned(), low: 0.0, high: SHOWN };
+    let series = orbits.iter().enumerate().map(|(index, orbit)| {
+        let points = orbit.iter().map(|point| (point[0], point[1])).collect();
+        Series::new("", index + 1, mark, points)
+    });
+    let plot = Plot {
+        description: format!("{title}: {seen}"),
+        size: (400.0, 400.0),
+        x: axis("x"),
+        y: axis("y"),
+        levels: Vec::new(),
+        series: series.collect(),
+    };
+    html! { div.portrait { p.title { (title) } (plot.svg()) } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kahans_orbits_stay_and_eulers_leave() {
+        let start = vector![0.85, 1.0];
+        let kahan: Vec<Point> = LotkaVolterra.orbit(start, EPS).take(STEPS).collect();
+        let euler = euler(start);
+        assert!(change(&kahan) < 0.01 && euler.len() < STEPS && change(&euler) > 1.0);
+    }
+}

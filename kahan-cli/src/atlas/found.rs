@@ -1,0 +1,76 @@
+//! What the page shows: claims with their outcomes, and the heights of the paper's orbits.
+
+use std::collections::BTreeMap;
+
+use kahan_paper::figures::{Figure, Measurement};
+use kahan_paper::{Claim, Established, Outcome, Paper};
+
+/// A claim and how it came out.
+#[derive(Clone, Debug)]
+pub struct Checked<'a> {
+    /// What is claimed.
+    pub claim: &'a Claim,
+    /// How it came out.
+    pub established: Established,
+}
+
+/// The heights along orbits, by the [name](Figure::name) of the orbit.
+pub type Orbits<'a> = BTreeMap<&'static str, &'a Measurement>;
+
+/// Everything that the page shows.
+#[derive(Debug)]
+pub struct Found<'a> {
+    /// The registry, which writes statements in LaTeX.
+    pub paper: &'a Paper,
+    /// The claims in the order of the paper.
+    pub claims: Vec<Checked<'a>>,
+    /// The orbits of [`Figure::all`]; a drawing whose orbit is missing says so.
+    pub orbits: Orbits<'a>,
+}
+
+impl<'a> Found<'a> {
+    /// Establishes every claim and follows every orbit; `each` hears of every claim and of every orbit as it is done.
+    /// Costs half a minute on two cores.
+    #[must_use]
+    pub fn compute(paper: &'a Paper, each: impl Fn() + Sync) -> Self {
+        let claims: Vec<&Claim> = paper.claims().iter().collect();
+        // The claims measure the orbits, many at once; what is left is to look them up.
+        let established = paper.establish_all(&claims, &each);
+        let orbits = Figure::all().filter_map(|figure| {
+            let measurement = paper.measurement(figure).ok();
+            each();
+            Some((figure.name, measurement?))
+        });
+        let orbits = orbits.collect();
+        let claims = claims.into_iter().zip(established);
+        let claims = claims.map(|(claim, established)| Checked { claim, established }).collect();
+        Found { paper, claims, orbits }
+    }
+
+    /// How often [`compute`](Self::compute) calls `each`.
+    #[must_use]
+    pub fn steps(paper: &Paper) -> usize {
+        paper.claims().len() + Figure::all().count()
+    }
+
+    /// How many claims failed.
+    #[must_use]
+    pub fn failed(&self) -> usize {
+        self.count(|outcome| outcome == Outcome::Failed)
+    }
+
+    /// How many claims came out so.
+    pub(super) fn count(&self, which: impl Fn(Outcome) -> bool) -> usize {
+        self.claims.iter().filter(|checked| which(checked.established.outcome)).count()
+    }
+
+    /// The claim with this identifier.
+    pub(super) fn claim(&self, id: &str) -> Option<&Checked<'a>> {
+        self.claims.iter().find(|checked| checked.claim.id == id)
+    }
+
+    /// The claims whose identifiers begin so.
+    pub(super) fn claims_of(&self, prefix: &str) -> impl Iterator<Item = &Checked<'a>> {
+        self.claims.iter().filter(move |checked| checked.claim.id.starts_with(prefix))
+    }
+}

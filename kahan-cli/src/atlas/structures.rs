@@ -1,0 +1,142 @@
+//! Tables 1 to 4, from the text that the claims check.
+
+use maud::{Markup, html};
+
+use super::found::{Checked, Found};
+use super::math::cell;
+use super::readable::readable;
+use super::words::{anchor, badge};
+use kahan_paper::formula::latex_of;
+use kahan_paper::{Outcome, Structure, structure};
+
+/// An expression of the language of claims in LaTeX.
+fn latex(expression: &str) -> String {
+    // The right-hand side of a definition may be any expression.
+    let item = latex_of(&format!("value := {expression}")).ok().and_then(|items| items.into_iter().next());
+    item.map_or_else(|| format!("\\text{{{expression}}}"), |item| item.right)
+}
+
+/// A tensor by its entries {x,y}, {y,z}, {z,x}.
+fn triple(entries: &[&str; 3]) -> Markup {
+    html! {
+        div.triple { @for entry in entries { span { (cell(&latex(entry))) } } }
+    }
+}
+
+fn rows(wanted: impl Fn(&Structure) -> bool) -> Vec<&'static Structure> {
+    (1..=9).filter_map(|i| structure(&format!("e{i}"))).filter(|row| wanted(row)).collect()
+}
+
+/// How the claims of one row came out: the worst of them, with a link to the first.
+fn verdict(found: &Found<'_>, prefixes: &[String]) -> Markup {
+    let claims: Vec<&Checked<'_>> = prefixes.iter().flat_map(|prefix| found.claims_of(prefix)).collect();
+    let failed = claims.iter().find(|checked| checked.established.outcome == Outcome::Failed);
+    let misprint = claims.iter().find(|checked| checked.established.outcome == Outcome::Misprint);
+    let shown = failed.or(misprint).or(claims.first());
+    match shown {
+        None => html! { "not checked" },
+        Some(checked) => html! {
+            a href=(format!("#{}", anchor(&checked.claim.id))) {
+                @if misprint.is_some() && failed.is_none() { span.badge.misprint { "✎ corrected" } }
+                @else { (badge(checked.established.outcome)) }
+            }
+        },
+    }
+}
+
+fn name(row: &Structure) -> String {
+    row.system.to_uppercase()
+}
+
+/// The section.
+pub(super) fn section(found: &Found<'_>) -> Markup {
+    html! {
+        section #tables {
+            h2 { "Tables 1 to 4" }
+            p {
+                "Every entry is set from the text that its claim checks; the last column says how the row was "
+                "established and leads to its claims. A Poisson tensor is given by its brackets {x,y}, {y,z}, {z,x}, one "
+                "below the other."
+            }
+            (table1(found))
+            (table2(found))
+            (tensors(found, "table3", "Table 3. The tensors P(ε) of the maps", "P(ε)", |row| row.discrete.map(|map| map.p)))
+            (tensors(found, "table4", "Table 4. The tensors Q(ε) of the maps; the invariant pair is P(ε), Q(ε)/c", "Q(ε)", |row| row.discrete.map(|map| map.q)))
+        }
+    }
+}
+
+fn table(id: &str, caption: &str, head: &[&str], body: &Markup) -> Markup {
+    html! {
+        div.scroll tabindex="0" {
+            table.formulas id=(id) {
+                caption { (caption) }
+                thead { tr { @for title in head { th scope="col" { (title) } } } }
+                tbody { (body) }
+            }
+        }
+    }
+}
+
+fn table1(found: &Found<'_>) -> Markup {
+    let body = html! {
+        @for row in rows(|_| true) {
+            tr {
+                th scope="row" { (name(row)) }
+                td { (triple(&row.p)) }
+                td { (triple(&row.q)) }
+                @for entry in [row.h, row.k, row.c] { td { (cell(&latex(entry))) } }
+                td { @for algebra in row.algebras { div { (readable(algebra.name)) } } }
+                td { (verdict(found, &[format!("table1.{}.", row.system), format!("section3.{}.", row.system)])) }
+            }
+        }
+    };
+    let head = ["System", "P", "Q", "H", "K", "c", "Algebras of P and Q", "Checked"];
+    table(
+        "table1",
+        "Table 1. The Lie–Poisson pairs of the flows; E7 to E9 are those of section 6",
+        &head,
+        &body,
+    )
+}
+
+fn table2(found: &Found<'_>) -> Markup {
+    let body = html! {
+        @for row in rows(|row| row.discrete.is_some()) {
+            @if let Some(map) = &row.discrete {
+                tr {
+                    th scope="row" { "d" (name(row)) }
+                    @for entry in [map.h, map.k] { td { (cell(&latex(entry))) } }
+                    td { (verdict(found, &["H", "K"].map(|integral| format!("{}.{integral}", row.system)))) }
+                }
+            }
+        }
+    };
+    table("table2", "Table 2. The integrals of the maps", &["Map", "H(ε)", "K(ε)", "Checked"], &body)
+}
+
+fn tensors(
+    found: &Found<'_>,
+    id: &str,
+    caption: &str,
+    tensor: &str,
+    entries: impl Fn(&Structure) -> Option<[&'static str; 3]>,
+) -> Markup {
+    let body = html! {
+        @for row in rows(|row| row.discrete.is_some()) {
+            @if let Some(entries) = entries(row) {
+                tr {
+                    th scope="row" { "d" (name(row)) }
+                    @for entry in entries { td { (cell(&latex(entry))) } }
+                    td { (verdict(found, &[format!("{id}.{}.", row.system)])) }
+                }
+            }
+        }
+    };
+    let head = ["Map".to_owned()]
+        .into_iter()
+        .chain(["{x,y}", "{y,z}", "{z,x}"].map(|entry| format!("{tensor} {entry}")));
+    let head: Vec<String> = head.chain(["Checked".to_owned()]).collect();
+    let head: Vec<&str> = head.iter().map(String::as_str).collect();
+    table(id, caption, &head, &body)
+}

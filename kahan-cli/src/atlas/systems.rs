@@ -1,0 +1,151 @@
+//! The systems: field, A(x,ε) and map of each, as the library derives them from the blocks of the
+//! catalog, and what it preserves.
+
+use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::lexer::lex;
+use kahan_algebra::render::{Formulas, Notation, claim_statement, condition_text, latex_matrix};
+use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::{Claim, System};
+use maud::{Markup, html};
+
+use super::found::Found;
+use super::math::{LINE, display, displays, inline};
+use super::readable::readable;
+use super::words::{badge, link};
+use kahan_systems::entry::Entry;
+use kahan_systems::registry::{FURTHER, SYSTEMS};
+
+/// The system of an entry.
+pub(super) fn read(entry: &Entry) -> System {
+    kahan_algebra::read(&lex(entry.text()).tokens).system
+}
+
+/// The section.
+pub(super) fn section(found: &Found<'_>) -> Markup {
+    html! {
+        section #systems {
+            h2 { "The systems" }
+            p {
+                "A quadratic field " (inline("\\dot{x} = f(x)")) " has Kahan’s map "
+                (inline("\\widetilde{x} = x + 2\\varepsilon A(x,\\varepsilon)^{-1} f(x)")) " with "
+                (inline("A(x,\\varepsilon) = I - \\varepsilon f'(x)")) ". The time step is " (inline("2\\varepsilon"))
+                ", and the inverse map has " (inline("-\\varepsilon")) " in place of " (inline("\\varepsilon"))
+                ". Open a system for its formulas, and for what its map preserves; the maps are in lowest terms."
+            }
+            @for entry in &SYSTEMS { (sheet(entry, found)) }
+        }
+    }
+}
+
+/// The section on the systems that are not in the paper.
+pub(super) fn further(found: &Found<'_>) -> Markup {
+    html! {
+        section #further {
+            h2 { "Further systems" }
+            p {
+                "What is claimed of these fields was found from their equations alone, by " code { "kahan discover" } ", and is "
+                "proved with the other claims below. The Lorenz system is a control: nothing was found, so nothing is claimed."
+            }
+            @for entry in &FURTHER { (sheet(entry, found)) }
+        }
+    }
+}
+
+/// The name as people write it.
+fn name(entry: &Entry) -> &'static str {
+    match entry.command {
+        "euler" => "Euler top",
+        "lv" => "Lotka–Volterra",
+        "weierstrass" => "Weierstrass’ equation",
+        "volterra" => "Volterra lattice, three sites",
+        "volterra4" => "Volterra lattice, four sites",
+        "lagrange" => "Lagrange top",
+        "henon-heiles" => "Hénon–Heiles",
+        "zhukovsky" => "Zhukovsky–Volterra",
+        _ => entry.type_name,
+    }
+}
+
+fn sheet(entry: &Entry, found: &Found<'_>) -> Markup {
+    let system = read(entry);
+    let map = RationalMap::of(&system.field);
+    let formulas = Formulas { field: &system.field, map: map.as_ref(), notation: Notation::Latex };
+    let states: Vec<String> =
+        system.field.symbols.states.iter().map(|state| Notation::Latex.name(state)).collect();
+    let equations = |accent: &str, values: &[String]| -> Vec<String> {
+        states.iter().zip(values).map(|(state, value)| format!("\\{accent}{{{state}}} = {value}")).collect()
+    };
+    let field = formulas.field();
+    html! {
+        details.system id=(format!("system-{}", entry.command)) {
+            summary { h3 { (name(entry)) } " " span { (readable(entry.title)) } }
+            h4 { "Field" }
+            (displays(&equations("dot", &field), LINE))
+            h4 { "Matrix" }
+            (display(&format!("A(x,\\varepsilon) = {}", matrix(&formulas.matrix())), LINE))
+            @if system.field.components.iter().any(|component| component.numerator.terms().any(|(monomial, _)| monomial.degree() < 2)) {
+                (display(&format!("b(x,\\varepsilon) = {}", matrix(&column(formulas.rhs()))), LINE))
+            }
+            @if let Some(determinant) = formulas.determinant() {
+                (display(&format!("\\det A(x,\\varepsilon) = {determinant}"), LINE))
+            }
+            @if let Some(factor) = formulas.removed_factor() {
+                p { "The map has no pole where " (inline(&format!("{factor} = 0"))) ", a factor that cancels." }
+            }
+            @if let Some(map) = formulas.map() {
+                h4 { "Map" }
+                (displays(&equations("widetilde", &map), LINE))
+            }
+            @for (kind, title) in KINDS {
+                @let claims: Vec<&Claim> = system.claims.iter().filter(|claim| claim.kind == kind).collect();
+                @if !claims.is_empty() {
+                    h4 { (title[usize::from(claims.len() > 1)]) }
+                    @for claim in claims { (preserved(entry, &system, claim, found)) }
+                }
+            }
+            @if system.claims.is_empty() { p { "Nothing is claimed of this map." } }
+        }
+    }
+}
+
+/// What a map may preserve, with the words for one and for several.
+const KINDS: [(ClaimKind, [&str; 2]); 3] = [
+    (ClaimKind::Integral, ["Integral", "Integrals"]),
+    (ClaimKind::Density, ["Invariant density", "Invariant densities"]),
+    (ClaimKind::Bracket, ["Invariant Poisson bracket", "Invariant Poisson brackets"]),
+];
+
+/// One claim as formulas, with its condition, its source and its outcome.
+fn preserved(entry: &Entry, system: &System, claim: &Claim, found: &Found<'_>) -> Markup {
+    let index = match claim.kind {
+        ClaimKind::Bracket => format!("_{{{}}}", Notation::Latex.name(&claim.name.text)),
+        _ => String::new(),
+    };
+    let statements = claim_statement(claim, Notation::Latex).into_iter();
+    let formulas: Vec<String> = statements.map(|(left, right)| format!("{left}{index} = {right}")).collect();
+    let condition = condition_text(system, claim);
+    let id = format!("{}.{}", entry.command, claim.name.text);
+    html! {
+        div.preserved {
+            (displays(&formulas, LINE))
+            p.source {
+                @if !condition.is_empty() { "when " (readable(&condition)) "; " }
+                @if let Some(source) = entry.source(&claim.name.text) { (readable(source)) "; " }
+                @match found.claim(&id) {
+                    Some(checked) => { (badge(checked.established.outcome)) " (" (link(checked)) ")" },
+                    None => { "proved while compiling" },
+                }
+            }
+        }
+    }
+}
+
+fn column(entries: Vec<String>) -> Vec<Vec<String>> {
+    entries.into_iter().map(|entry| vec![entry]).collect()
+}
+
+fn matrix(rows: &[Vec<String>]) -> String {
+    /// The characters of what stands before a matrix.
+    const BEFORE: usize = 10;
+    latex_matrix("pmatrix", rows, LINE - BEFORE)
+}

@@ -1,0 +1,72 @@
+//! Numbers, links to claims and marks of outcomes, as they stand in the text of the page.
+
+use maud::{Markup, html};
+
+use super::found::Checked;
+use kahan_paper::Outcome;
+
+/// A number with this many decimals and a typographic minus sign.
+pub(super) fn decimal(value: f64, decimals: usize) -> String {
+    format!("{value:.decimals$}").replace('-', "−")
+}
+
+/// A small or large number as 1.2·10⁻¹⁶.
+pub(super) fn scientific(value: f64) -> Markup {
+    let text = format!("{value:.1e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    html! { (mantissa.replace('-', "−")) "·10" sup { (exponent.replace('-', "−")) } }
+}
+
+/// A whole number in groups of three digits, which may stand in one line only.
+pub(super) fn grouped(value: u64) -> String {
+    let digits = value.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push('\u{202f}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// Where a claim stands on the page.
+pub(super) fn anchor(id: &str) -> String {
+    format!("claim-{id}")
+}
+
+/// A link to a claim's row.
+pub(super) fn link(checked: &Checked<'_>) -> Markup {
+    let id = &checked.claim.id;
+    html! { a href=(format!("#{}", anchor(id))) { code { (id) } } }
+}
+
+/// The outcome as a mark with words.
+pub(super) fn badge(outcome: Outcome) -> Markup {
+    let (class, sign) = match outcome {
+        Outcome::Failed => ("failed", "✗"),
+        Outcome::Misprint => ("misprint", "✎"),
+        Outcome::Numerical(_) => ("numerical", "≈"),
+        Outcome::Exact(_) => ("exact", "="),
+        Outcome::Proved | Outcome::ProvedModP => ("proved", "✓"),
+    };
+    let words = match outcome {
+        Outcome::Numerical(decimals) => html! { "numerical, 10" sup { "−" (decimals) } },
+        Outcome::Misprint => html! { "misprint, corrected" },
+        _ => html! { (outcome.words()) },
+    };
+    html! { span.badge.(class) { span aria-hidden="true" { (sign) " " } (words) } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{decimal, grouped};
+
+    #[test]
+    fn numbers_are_rounded_and_grouped() {
+        assert_eq!(decimal(-1.005, 1), "−1.0");
+        assert_eq!(grouped(95_282).replace('\u{202f}', " "), "95 282");
+        assert_eq!(grouped(999), "999");
+        assert_eq!(grouped(1_000_000).replace('\u{202f}', " "), "1 000 000");
+    }
+}

@@ -1,0 +1,83 @@
+//! `kahan atlas`: the paper as one page.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Instant, SystemTime};
+
+use crate::atlas::{Found, Making, page};
+use clap::Args;
+use kahan_paper::Paper;
+
+use crate::printing::{Answer, Broken, Progress, Refusal, Sink};
+
+/// Writes the paper's tables, solutions, figures and claims into one page, DIR/index.html.
+///
+/// Everything on the page is computed when it is written, in about half a minute: every claim is established and every orbit
+/// followed. The page needs no network and no script. It appears whole or not at all, in place of an older one. The exit status
+/// is 1 if a claim does not hold; the page is written all the same, and says which.
+#[derive(Args, Debug)]
+#[command(after_long_help = EXAMPLES)]
+pub(crate) struct Atlas {
+    /// The folder for index.html; it is made if it is not there.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan atlas --out atlas
+  kahan atlas --out . && xdg-open index.html";
+
+impl Atlas {
+    /// Where the page is; a complaint if a claim failed.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let clock = Instant::now();
+        let path = self.page_path()?;
+        // Whether the file can be written shows before half a minute is spent; no trace is left if the work is interrupted.
+        drop(Sink::file(&path, "--out")?);
+        let paper = Paper::new();
+        let progress = Progress::new(Found::steps(&paper) as u64, "claims and orbits");
+        let found = Found::compute(&paper, || progress.advance(1));
+        progress.finish();
+        // The date alone: the time of day says nothing to a reader.
+        let date = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
+        let date = date.split('T').next().unwrap_or_default().to_owned();
+        let mut sink = Sink::file(&path, "--out")?;
+        let text = page(&found, &Making { date, seconds: clock.elapsed().as_secs_f64() });
+        sink.write(&text).and_then(|()| sink.finish()).map_err(|broken| match broken {
+            Broken::Failed(reason) => Refusal::new(reason),
+            Broken::ReaderGone => Refusal::new(format!("--out: cannot write {}", path.display())),
+        })?;
+        let written = Answer::text(format!(
+            "{} written: {} claims, {:.1} MB, {:.1} s\n",
+            path.display(),
+            found.claims.len(),
+            text.len() as f64 / 1e6,
+            clock.elapsed().as_secs_f64()
+        ));
+        let complaint = match found.failed() {
+            0 => None,
+            1 => Some("1 claim failed; the page says which".to_owned()),
+            failed => Some(format!("{failed} claims failed; the page says which")),
+        };
+        Ok(Answer { complaint, ..written })
+    }
+
+    /// DIR/index.html, in a folder that is there now.
+    fn page_path(&self) -> Result<PathBuf, Refusal> {
+        let refused = |path: &Path, reason: &str| {
+            Refusal::new(format!(
+                "--out: cannot use the folder {}: {reason}; name another one",
+                path.display()
+            ))
+        };
+        if self.out.as_os_str().is_empty() {
+            return Err(Refusal::new("--out: the name of the folder is empty; write `.` for this one"));
+        }
+        if self.out.exists() && !self.out.is_dir() {
+            return Err(refused(&self.out, "it is a file"));
+        }
+        fs::create_dir_all(&self.out).map_err(|error| refused(&self.out, &error.to_string()))?;
+        Ok(self.out.join("index.html"))
+    }
+}

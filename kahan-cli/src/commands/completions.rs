@@ -1,0 +1,65 @@
+//! `kahan completions`: what a shell needs to complete the command's words.
+
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Command};
+use clap_complete::{Shell, generate};
+use kahan_systems::registry::all;
+
+use crate::printing::{Answer, Refusal};
+
+/// Prints a script for a shell that completes commands, options, and the systems of the catalog.
+#[derive(Args, Debug)]
+#[command(after_long_help = EXAMPLES)]
+pub(crate) struct Completions {
+    /// The shell.
+    #[arg(value_enum)]
+    shell: Shell,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  source <(kahan completions bash)                  in ~/.bashrc
+  source <(kahan completions zsh)                   in ~/.zshrc, after compinit
+  kahan completions fish > ~/.config/fish/completions/kahan.fish";
+
+impl Completions {
+    /// The script for the command line `command`.
+    pub(crate) fn run(&self, command: Command) -> Result<Answer, Refusal> {
+        let mut command = naming_systems(command);
+        let mut script = Vec::new();
+        generate(self.shell, &mut command, "kahan", &mut script);
+        let script = String::from_utf8(script)
+            .map_err(|_| Refusal::new("the script cannot be written: a name is no text"))?;
+        let script = if self.shell == Shell::Fish { script + &fish_systems(&command) } else { script };
+        Ok(Answer::verbatim(script))
+    }
+}
+
+/// The command line with the systems' names as the values that a SYSTEM may have. (Others are
+/// refused with more than a list, so that they are not told to the parser itself.)
+fn naming_systems(command: Command) -> Command {
+    let names = || PossibleValuesParser::new(all().map(|entry| entry.command).chain(["general"]));
+    let subcommands: Vec<String> = command.get_subcommands().map(|one| one.get_name().to_owned()).collect();
+    subcommands.iter().fold(command, |command, name| {
+        command.mut_subcommand(name, |subcommand| {
+            subcommand.mut_args(|argument| match argument.get_id().as_str() {
+                "system" | "of" => argument.value_parser(names()),
+                _ => argument,
+            })
+        })
+    })
+}
+
+/// The systems for fish, whose generator leaves positional values out.
+fn fish_systems(command: &Command) -> String {
+    let taking = command
+        .get_subcommands()
+        .filter(|subcommand| subcommand.get_positionals().any(|argument| argument.get_id() == "system"));
+    let subcommands: Vec<&str> = taking.map(Command::get_name).collect();
+    let systems: Vec<&str> = all().map(|entry| entry.command).collect();
+    format!(
+        "complete -c kahan -n \"__fish_seen_subcommand_from {}\" -a \"{}\"\n",
+        subcommands.join(" "),
+        systems.join(" ")
+    )
+}

@@ -1,0 +1,259 @@
+//! `kahan extremes`: how far floats can be trusted, judged by exact arithmetic.
+
+use std::time::Instant;
+
+use clap::Args;
+use kahan_measure::extremes::{Cell, Place, Subject, Tally, Unjudged, survey, total};
+use kahan_measure::random_fields::{RandomField, numbered};
+use kahan_systems::registry::SYSTEMS;
+use kahan_systems::volterra;
+use serde_json::{Value, json};
+
+use crate::printing::layout::{labelled, table};
+use crate::printing::{Answer, Progress, Refusal};
+use crate::reading::{Block, Source, whole};
+
+/// Tries steps at the extremes and judges each by exact arithmetic from the very floats that it was given.
+///
+/// The points are seeded and stratified: a quarter each near poles, near removable poles, of mixed
+/// magnitudes, and ordinary; besides a few with subnormal, infinite and NaN inputs, and a few large
+/// steps, with |eps f'| from 1 to 1000, for which elimination with partial pivoting (lu) is judged
+/// besides the tiers. In f64 eps runs over 1e-300 to 1e300 and x over 1e-150 to 1e150, in f32 over
+/// the like part of its range. Poles are found by bisection in exact arithmetic and left by
+/// relative distances of 2^-k, down to the nearest float. A parameter that is not given is drawn
+/// for each trial: of ordinary size, but for some of the points of mixed magnitudes, and some below
+/// the normal range.
+///
+/// `step` is the fast tier, in dd the accurate one: silently wrong is a finite result that is off by more than 1e-3 of the exact one's largest component.
+/// `try_step` is the stable tier: silently wrong is an Ok that is off by more than 64 u of it (u = 2^-24 for f32, 2^-53 for f64, 2^-102 for dd), or
+/// not finite, or at a pole. A flag has no right where the condition number of the step in (x, eps) is below 1e12 (f32: 1e4) and no
+/// component of the exact result is below the normal range or above the largest float; of dd no such thing is promised.
+///
+/// A trial is one step, for which any eps is as good as another. In long runs it matters how many bits eps has: see `kahan trade --help`.
+///
+/// The exit status is 1 if the stable tier is silently wrong anywhere, or flags without right.
+#[derive(Args, Debug)]
+#[command(after_long_help = EXAMPLES)]
+pub(crate) struct Extremes {
+    #[command(flatten)]
+    source: Source,
+
+    /// The number of trials of each scalar, besides three thirty-second parts with special inputs.
+    #[arg(long, value_name = "N", default_value = "40000", allow_hyphen_values = true, value_parser = trials)]
+    trials: u64,
+
+    /// Besides, so many random fields of two to six variables, which the seed draws, too.
+    ///
+    /// Sparse ones, with constant and linear terms, with parameters and divisors of them, and dense
+    /// ones; interpreted, and listed below the table. Fields without a closed form within the
+    /// budget of terms are left out and drawn again.
+    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = fields)]
+    random_fields: usize,
+
+    /// Another seed draws other points; the same seed draws the same, on any number of threads.
+    #[arg(long, value_name = "S", default_value = "1", allow_hyphen_values = true, value_parser = seed)]
+    seed: u64,
+
+    /// Print one JSON object: system, systems, trials, seed, seconds, random_fields (name, text),
+    /// cells (regime, tier, scalar, trials, max_error_u, flagged, unjustified_flags,
+    /// silently_wrong), failures.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Without a SYSTEM it tries the systems of the paper and the Volterra lattice with three sites (volterra). A field of your own is
+interpreted, with the bits that its compiled code would have.
+
+Examples:
+  kahan extremes
+  kahan extremes e3 --trials 100000
+  kahan extremes volterra --seed 7 --json
+  kahan extremes e9 --param xi=1/2
+  kahan extremes --field 'xdot = x*y; ydot = mu - x^2;'
+  kahan extremes --trials 10000000 --random-fields 50";
+
+fn trials(text: &str) -> Result<u64, String> {
+    whole(text, 1, u64::MAX)
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    whole(text, 0, u64::MAX)
+}
+
+fn fields(text: &str) -> Result<usize, String> {
+    whole(text, 0, usize::MAX)
+}
+
+impl Extremes {
+    /// The table of all cells; a complaint if the stable tier breaks its promise.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let mut subjects = self.subjects()?;
+        let fields = self.random_fields(&mut subjects)?;
+        let clock = Instant::now();
+        let progress = Progress::new(total(self.trials), "trials");
+        let tally = survey(&subjects, self.trials, self.seed, None, &|done| progress.advance(done));
+        progress.finish();
+        let seconds = clock.elapsed().as_secs_f64();
+        let answer = if self.json {
+            Answer::json(&self.object(&subjects, &fields, &tally, seconds))
+        } else {
+            Answer::text(self.text(&subjects, &fields, &tally, seconds))
+        };
+        Ok(Answer { complaint: complaint(&tally), ..answer })
+    }
+
+    fn subjects(&self) -> Result<Vec<Subject>, Refusal> {
+        let blocks = if let Some(block) = self.source.block()? {
+            vec![block]
+        } else if self.source.has_parameters() {
+            return Err(Refusal::new(
+                "--param: of which system? name one before its parameters, as in e9 --param xi=1/2",
+            ));
+        } else {
+            SYSTEMS.iter().chain([&volterra::ENTRY]).map(Block::of_catalog).collect()
+        };
+        blocks.iter().map(|block| self.subject(block)).collect()
+    }
+
+    /// Adds the random fields that can be judged to the subjects.
+    fn random_fields(&self, subjects: &mut Vec<Subject>) -> Result<Vec<RandomField>, Refusal> {
+        let (mut fields, mut number) = (Vec::new(), 0);
+        while fields.len() < self.random_fields {
+            let field = numbered(self.seed, number);
+            number += 1;
+            let system = Block::of_text(field.block(), field.name.clone()).unproved_system()?;
+            let parameters = vec![None; system.field.symbols.parameters.len()];
+            match Subject::new(None, &system, parameters) {
+                Ok(subject) => {
+                    subjects.push(subject);
+                    fields.push(field);
+                }
+                Err(Unjudged::BeyondBudget) => {}
+                Err(why @ Unjudged::CannotRun(_)) => return Err(cannot_judge(&field.name, &why)),
+            }
+        }
+        Ok(fields)
+    }
+
+    fn subject(&self, block: &Block) -> Result<Subject, Refusal> {
+        let system = block.unproved_system()?;
+        let name = block.name(&system);
+        let parameters = self.source.known_parameters(&system, &name)?;
+        let command = block.entry.map(|entry| entry.command);
+        Subject::new(command, &system, parameters).map_err(|why| cannot_judge(&name, &why))
+    }
+
+    fn object(&self, subjects: &[Subject], fields: &[RandomField], tally: &Tally, seconds: f64) -> Value {
+        let cells = tally.cells.iter().map(|((regime, tier, scalar), cell)| {
+            json!({
+                "regime": regime.name(),
+                "tier": tier,
+                "scalar": scalar,
+                "trials": cell.trials,
+                // JSON has no infinity.
+                "max_error_u": cell.max_error_u.map(|error| error.min(f64::MAX)),
+                "flagged": cell.flagged,
+                "unjustified_flags": cell.unjustified,
+                "silently_wrong": cell.silently_wrong,
+            })
+        });
+        json!({
+            "system": if let [subject] = subjects { subject.name() } else { "catalog" },
+            "systems": subjects.iter().map(Subject::name).collect::<Value>(),
+            "random_fields": fields.iter().map(|field| json!([field.name, field.equations()])).collect::<Value>(),
+            "trials": self.trials,
+            "seed": self.seed,
+            "seconds": seconds,
+            "cells": cells.collect::<Value>(),
+            "failures": tally.failures.iter().map(|failure| failure.text.as_str()).collect::<Value>(),
+        })
+    }
+
+    fn text(&self, subjects: &[Subject], fields: &[RandomField], tally: &Tally, seconds: f64) -> String {
+        const HEADER: [&str; 8] = [
+            "regime",
+            "tier",
+            "scalar",
+            "trials",
+            "largest error",
+            "flagged",
+            "without right",
+            "silently wrong",
+        ];
+        let mut rows = vec![HEADER.map(str::to_owned).to_vec()];
+        rows.extend(tally.cells.iter().map(row));
+        let mut lines = table(&rows, 3);
+        lines.push(String::new());
+        let names = |has: fn(&Subject) -> bool| {
+            let names: Vec<&str> = subjects.iter().filter(|s| has(s)).map(Subject::name).collect();
+            names.join(", ")
+        };
+        lines.extend(labelled("systems", &names(|_| true), LABELS));
+        let removable = names(Subject::has_removable_poles);
+        let removable =
+            if removable.is_empty() { "none; their quarter went to the poles" } else { &removable };
+        lines.extend(labelled("removable poles", removable, LABELS));
+        lines.extend(fields.iter().map(|field| format!("{}: {}", field.name, field.equations())));
+        lines.push(format!("seed {}, {seconds:.1} seconds", self.seed));
+        lines.join("\n") + "\n"
+    }
+}
+
+/// The columns of the labels below the table.
+const LABELS: usize = 15;
+
+fn cannot_judge(name: &str, why: &Unjudged) -> Refusal {
+    Refusal::new(match why {
+        Unjudged::CannotRun(why) => format!("{name} cannot be judged: {why}"),
+        Unjudged::BeyondBudget => format!(
+            "the closed form of {name} is beyond the budget of terms, so that there is no exact map to judge by"
+        ),
+    })
+}
+
+fn row((place, cell): (&Place, &Cell)) -> Vec<String> {
+    let (regime, tier, scalar) = place;
+    let error = match cell.max_error_u {
+        None => "-".to_owned(),
+        Some(error) if error < 1000.0 => format!("{error:.2} u"),
+        Some(error) => format!("{error:.1e} u"),
+    };
+    let rate = 100.0 * cell.flagged as f64 / cell.trials as f64;
+    let without_right = if *tier == "stable" { cell.unjustified.to_string() } else { "-".to_owned() };
+    vec![
+        regime.name().to_owned(),
+        (*tier).to_owned(),
+        (*scalar).to_owned(),
+        cell.trials.to_string(),
+        error,
+        format!("{rate:.2} %"),
+        without_right,
+        silently_wrong(cell),
+    ]
+}
+
+/// The count; none among n trials bounds the rate by 3/n with a confidence of 95 %, as (1 − 3/n)ⁿ is about 1/20.
+fn silently_wrong(cell: &Cell) -> String {
+    match cell.silently_wrong {
+        0 => format!("0, < 3/{} at 95 %", cell.trials),
+        wrong => format!("{wrong}, {:.2} %", 100.0 * wrong as f64 / cell.trials as f64),
+    }
+}
+
+/// What the stable tier did against its promise.
+fn complaint(tally: &Tally) -> Option<String> {
+    let count = |of: fn(&Cell) -> u64| {
+        let stable = tally.cells.iter().filter(|((_, tier, _), _)| *tier == "stable");
+        stable.map(|(_, cell)| of(cell)).sum::<u64>()
+    };
+    let (wrong, flags) = (count(|cell| cell.silently_wrong), count(|cell| cell.unjustified));
+    if wrong + flags == 0 {
+        return None;
+    }
+    let examples: Vec<&str> = tally.failures.iter().map(|failure| failure.text.as_str()).collect();
+    Some(format!(
+        "the stable tier breaks its promise: {wrong} silently wrong, {flags} flagged without right. The first of each: {}",
+        examples.join("; ")
+    ))
+}

@@ -1,0 +1,254 @@
+//! `kahan heights`: the Diophantine test on one orbit, within bounds.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+use kahan_runtime::heights::{Bounds, Growth, HeightsOrbit, Stop, Survey};
+use serde_json::{Map, Value, json};
+
+use crate::printing::layout::table;
+use crate::printing::{Answer, Broken, Progress, Refusal, Sink};
+use crate::reading::{Start, coordinates, number, seconds, whole};
+
+/// Follows an exact orbit and measures how its heights grow: slowly where the map is integrable, exponentially where not.
+///
+/// The logarithmic height of p/q in lowest terms is log max(|p|, |q|), the natural logarithm; it is printed for every variable
+/// at every step. From the finite differences of the heights follows the growth: bounded, logarithmic, linear, quadratic,
+/// exponential or undecided; the entropy is log(h_n/h_{n-1}) at the last step for the largest variable, 0 unless growth is
+/// exponential. Parameters are put in after the map is reduced.
+///
+/// Exact orbits grow, so there are two bounds, --max-digits and --seconds. Where one of them ends the orbit, what is known is
+/// printed with a note, and the exit status is 0. At a pole of the map (det A = 0) what is known is printed too, the pole is
+/// reported, and the exit status is 1.
+#[derive(Args, Debug)]
+#[command(after_long_help = EXAMPLES)]
+pub(crate) struct Heights {
+    #[command(flatten)]
+    start: Start,
+
+    /// The number of steps.
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps)]
+    steps: usize,
+
+    /// The greatest number of decimal digits of a numerator or denominator.
+    #[arg(long, value_name = "D", default_value = "1000000", allow_hyphen_values = true, value_parser = digits)]
+    max_digits: u64,
+
+    /// The time that the orbit may take. A step that is likely to end later is not begun.
+    #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
+    seconds: f64,
+
+    /// Print one JSON object: steps, log_heights, growth, entropy, seconds, stopped (null, digits, seconds or pole).
+    #[arg(long)]
+    json: bool,
+
+    /// Write every height to this file too, a line a step; it appears when it is complete.
+    #[arg(long, value_name = "F.csv")]
+    csv: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan heights lv --eps 9/14 --at 1/2,5/3 --steps 17
+  kahan heights e4 --eps 1/2 --at 7/3,11/13,23/47 --steps 60 --csv e4.csv
+  kahan heights e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 400 --json
+  kahan heights --field 'xdot = y; ydot = 6*x^2 - a;' --param a=0.5 --eps 1/3 --at 0,1 --steps 30";
+
+fn steps(text: &str) -> Result<usize, String> {
+    whole(text, 0, usize::MAX)
+}
+
+fn digits(text: &str) -> Result<u64, String> {
+    whole(text, 1, u64::MAX)
+}
+
+/// What was found, and what it is about.
+struct Finding<'a> {
+    name: &'a str,
+    system: &'a System,
+    survey: Survey,
+    seconds: f64,
+}
+
+impl Heights {
+    /// The heights; a complaint at a pole.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let block = self.start.source.required_block()?;
+        let system = block.system()?;
+        let name = block.name(&system);
+        let start = coordinates(&self.start.at, &system.field.symbols.states)?;
+        let parameters = self.start.source.parameter_values(&system, &name)?;
+        let eps = number(&self.start.eps, "--eps")?;
+        let sink = self.csv.as_deref().map(|path| Sink::file(path, "--csv")).transpose()?;
+        let clock = std::time::Instant::now();
+        let orbit = HeightsOrbit::new(&system, &parameters, &eps, &start)
+            .map_err(|_| undefined_field(&name, &system, &parameters))?;
+        let mut orbit =
+            orbit.within(Bounds { max_digits: Some(self.max_digits), seconds: Some(self.seconds) });
+        let progress = Progress::new(self.steps as u64, "steps");
+        let survey =
+            Survey::of(&mut orbit, self.steps, |heights| progress.advance(u64::from(heights.step > 0)));
+        progress.finish();
+        let finding =
+            Finding { name: &name, system: &system, survey, seconds: clock.elapsed().as_secs_f64() };
+        if let Some(sink) = sink {
+            finding.write(sink).map_err(|broken| match broken {
+                Broken::Failed(reason) => Refusal::new(reason),
+                Broken::ReaderGone => Refusal::new("--csv: the file cannot be written"),
+            })?;
+        }
+        let answer =
+            if self.json { Answer::json(&finding.object()) } else { Answer::text(finding.text(self)) };
+        Ok(Answer { complaint: finding.complaint(), ..answer })
+    }
+}
+
+impl Finding<'_> {
+    fn variables(&self) -> &[String] {
+        &self.system.field.symbols.states
+    }
+
+    /// The number of steps that were made.
+    fn steps(&self) -> usize {
+        self.survey.heights.len().saturating_sub(1)
+    }
+
+    fn stopped(&self) -> Option<&'static str> {
+        self.survey.stopped.map(|stop| match stop {
+            Stop::Pole => "pole",
+            Stop::Digits => "digits",
+            Stop::Seconds => "seconds",
+        })
+    }
+
+    fn object(&self) -> Value {
+        let series =
+            |i: usize| self.survey.component(i).into_iter().skip(1).map(fifteen_digits).collect::<Value>();
+        let heights = self.variables().iter().enumerate().map(|(i, name)| (name.clone(), series(i)));
+        json!({
+            "system": self.name,
+            "steps": self.steps(),
+            "log_heights": heights.collect::<Map<_, _>>(),
+            "growth": self.survey.growth.to_string(),
+            "entropy": self.survey.entropy,
+            "seconds": self.seconds,
+            "stopped": self.stopped(),
+        })
+    }
+
+    /// A row of the initial point and of each step: n, the heights, the digits of the longest.
+    fn row(&self, index: usize) -> Option<Vec<String>> {
+        let heights = self.survey.heights.get(index)?;
+        let logarithms = heights.logarithms.iter().map(|h| fifteen_digits(*h).to_string());
+        let digits = [heights.longest().to_string()];
+        Some([heights.step.to_string()].into_iter().chain(logarithms).chain(digits).collect())
+    }
+
+    fn header(&self) -> Vec<String> {
+        let heights = self.variables().iter().map(|name| format!("h({name})"));
+        ["n".to_owned()].into_iter().chain(heights).chain(["digits".to_owned()]).collect()
+    }
+
+    fn write(&self, mut sink: Sink) -> Result<(), Broken> {
+        let names = self.variables().iter().map(|name| format!("h_{name}"));
+        let names: Vec<String> =
+            ["n".to_owned()].into_iter().chain(names).chain(["digits".to_owned()]).collect();
+        sink.write(&(names.join(",") + "\n"))?;
+        for row in (0..self.survey.heights.len()).filter_map(|index| self.row(index)) {
+            sink.write(&(row.join(",") + "\n"))?;
+        }
+        sink.finish()
+    }
+
+    fn text(&self, asked: &Heights) -> String {
+        let shown = shown_rows(self.survey.heights.len());
+        let is_cut = shown.len() < self.survey.heights.len();
+        let mut rows = vec![self.header()];
+        rows.extend(shown.into_iter().filter_map(|index| self.row(index)));
+        let mut lines = table(&rows, 1);
+        if is_cut {
+            lines.push("(--json and --csv have every step)".to_owned());
+        }
+        lines.push(String::new());
+        let Survey { growth, entropy, .. } = &self.survey;
+        lines.push(format!("growth    {growth}"));
+        lines.push(match growth {
+            Growth::Exponential => format!("entropy   {entropy:.6} = log {:.4}", entropy.exp()),
+            _ => "entropy   0".to_owned(),
+        });
+        lines.push(format!("seconds   {:.3}", self.seconds));
+        lines.extend(self.note(asked));
+        lines.join("\n") + "\n"
+    }
+
+    /// Which bound ended the orbit, and what to do about it.
+    fn note(&self, asked: &Heights) -> Option<String> {
+        let (bound, way_out) = match self.survey.stopped? {
+            Stop::Pole => return None,
+            Stop::Digits => (
+                format!(
+                    "the next point would have more than --max-digits {} decimal digits",
+                    asked.max_digits
+                ),
+                "a larger --max-digits",
+            ),
+            Stop::Seconds => (
+                format!("the next step would end later than --seconds {}", asked.seconds),
+                "a larger --seconds",
+            ),
+        };
+        let (done, wanted) = (self.steps(), asked.steps);
+        Some(format!("note      stopped after {done} of {wanted} steps: {bound}; {way_out} goes further"))
+    }
+
+    fn complaint(&self) -> Option<String> {
+        if self.survey.stopped != Some(Stop::Pole) {
+            return None;
+        }
+        let (step, name) = (self.steps(), self.name);
+        Some(if RationalMap::of(&self.system.field).is_none() {
+            format!(
+                "det A = 0 at step {step} of the orbit, which counts as a pole of the map of {name}: its closed form is beyond \
+                 the budget of {TERM_BUDGET} terms, so it is not reduced, and it may have a value there"
+            )
+        } else {
+            format!(
+                "the orbit ends at step {step} in a pole of the map of {name}: det A = 0 there, and the next point has no value"
+            )
+        })
+    }
+}
+
+/// A height to the 15 digits that are promised.
+fn fifteen_digits(height: f64) -> f64 {
+    format!("{height:.14e}").parse().unwrap_or(height)
+}
+
+/// The rows of a table that fits a screen: all of a short one; of a long one the first, then ever fewer, and the last.
+fn shown_rows(count: usize) -> Vec<usize> {
+    const ALL: usize = 26;
+    if count <= ALL {
+        return (0..count).collect();
+    }
+    let last = count - 1;
+    let mut rows: Vec<usize> = (0..=10).collect();
+    let mut step = 10;
+    while rows.last().is_some_and(|row| row + step < last) {
+        let row = rows.last().map_or(0, |row| row + step);
+        rows.push(row);
+        // 10, 20, …, 100, 200, …: nine rows a decade.
+        step = 10_usize.pow(row.ilog10());
+    }
+    rows.push(last);
+    rows
+}
+
+fn undefined_field(name: &str, system: &System, parameters: &[Rational]) -> Refusal {
+    let names = &system.field.symbols.parameters;
+    let values: Vec<String> =
+        names.iter().zip(parameters).map(|(name, value)| format!("{name} = {value}")).collect();
+    Refusal::new(format!("the field of {name} divides by zero at {}; choose other values", values.join(", ")))
+}

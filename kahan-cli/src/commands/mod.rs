@@ -1,0 +1,16 @@
+//! The commands, one file each: arguments in, an [`Answer`](crate::printing::Answer) or a
+//! [`Refusal`](crate::printing::Refusal) out.
+
+pub(crate) mod atlas;
+pub(crate) mod completions;
+pub(crate) mod discover;
+pub(crate) mod eval;
+pub(crate) mod extremes;
+pub(crate) mod heights;
+pub(crate) mod list;
+pub(crate) mod orbit;
+pub(crate) mod scan;
+mod search;
+pub(crate) mod show;
+pub(crate) mod trade;
+pub(crate) mod verify;

@@ -1,0 +1,246 @@
+//! `kahan orbit`: the points of an orbit with their integrals, row by row.
+//!
+//! Rows are written as they are computed and then forgotten, so the length of an orbit costs no memory. Floats
+//! step as the compiled library does, exact numbers as projective integers ([`exact`]). The table is plain text with
+//! commas: names are identifiers and numbers have no commas, so nothing in it ever needs quoting.
+
+mod exact;
+mod float;
+mod request;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use kahan_algebra::arithmetic::{Exact, Float32, Float64};
+use kahan_algebra::interpret::UndefinedField;
+use serde_json::{Map, Value, json};
+
+use crate::numbers::DoubleDouble;
+use crate::numbers::{Printable, ScalarKind};
+use crate::printing::{Answer, Broken, Format, Progress, Refusal, Sink, Table, has_room_for_progress};
+use crate::reading::{Start, coordinates, number, whole};
+use exact::ExactOrbit;
+use float::FloatOrbit;
+use request::Request;
+
+/// Prints an orbit x0, x1, … of a system's map as CSV: n, t = 2 eps n, the variables, the integrals.
+///
+/// The integrals are those of the block without `when`. A cell is empty where an integral is undefined, or beyond the range
+/// of the scalar. Floats are written so that they read back exactly, dd with 32 digits, and the steps are those of the compiled
+/// library, bit for bit; parameters are put in after the map is reduced. At a pole (det A = 0), or where floats overflow, the orbit ends:
+/// the rows up to there are kept, the place is reported, and the exit status is 1. A negative eps steps back.
+#[derive(Args, Debug)]
+#[command(after_long_help = EXAMPLES)]
+pub(crate) struct Orbit {
+    #[command(flatten)]
+    start: Start,
+
+    /// The number of steps; 0 prints the first point.
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = count)]
+    steps: i64,
+
+    /// The numbers to compute with.
+    #[arg(long, value_enum, default_value = "f64")]
+    scalar: ScalarKind,
+
+    /// The order of the method: 2 is Kahan's map; 4, 6 and 8 compose 5, 9 and 17 steps of it into one, over floats only. A
+    /// composition keeps no integral that depends on eps: its column then oscillates about a value.
+    #[arg(long, value_name = "P", default_value = "2", value_parser = PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse::<u32>().unwrap_or(2)))]
+    order: u32,
+
+    /// Print every K-th point only: n = 0, K, 2K, ….
+    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = positive_count)]
+    every: i64,
+
+    /// Write the table to this file, which appears when it is complete.
+    #[arg(long, value_name = "F.csv")]
+    out: Option<PathBuf>,
+
+    /// Print one JSON object; exact numbers are strings p/q, floats are numbers (dd: of 32 digits). With --out the rows are in the file only.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000
+  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8
+  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --scalar dd
+  kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
+  kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
+  kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
+  kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100";
+
+fn count(text: &str) -> Result<i64, String> {
+    whole(text, 0, i64::MAX)
+}
+
+fn positive_count(text: &str) -> Result<i64, String> {
+    whole(text, 1, i64::MAX)
+}
+
+impl Orbit {
+    /// Writes the rows; what is left to say is the answer.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let block = self.start.source.required_block()?;
+        let system = block.system()?;
+        let name = block.name(&system);
+        let request = Request {
+            name: &name,
+            system: &system,
+            start: coordinates(&self.start.at, &system.field.symbols.states)?,
+            parameters: self.start.source.parameter_values(&system, &name)?,
+            eps: number(&self.start.eps, "--eps")?,
+        };
+        match self.scalar {
+            ScalarKind::Exact if self.order != 2 => Err(Refusal::new(format!(
+                "--order {} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \
+                 --scalar f64, or --order 2, which is exact",
+                self.order
+            ))),
+            ScalarKind::Exact => self.exact(&request),
+            ScalarKind::F64 => self.floats(&Float64, &request),
+            ScalarKind::F32 => self.floats(&Float32, &request),
+            ScalarKind::Dd => self.floats(&DoubleDouble, &request),
+        }
+    }
+
+    /// Over the integers, without fractions between the rows.
+    fn exact(&self, request: &Request<'_>) -> Result<Answer, Refusal> {
+        let mut orbit = ExactOrbit::new(request)?;
+        let head = self.head::<Exact>(request, &request.parameters, &request.eps, orbit.integral_names());
+        self.write(head, |table, progress| {
+            let rows = Rows { steps: self.steps, every: self.every, progress };
+            rows.follow(&mut orbit, |orbit, n| table.texts(n, &orbit.row(n)), ExactOrbit::advance)
+        })
+    }
+
+    fn floats<A: Printable>(&self, arithmetic: &A, request: &Request<'_>) -> Result<Answer, Refusal> {
+        let (parameters, eps) = request.rounded::<A>()?;
+        let mut orbit = FloatOrbit::new(arithmetic, request, self.order, &parameters, &eps)
+            .map_err(|UndefinedField| request.undefined_field())?;
+        let head = self.head::<A>(request, &parameters, &eps, orbit.integral_names());
+        self.write(head, |table, progress| {
+            let rows = Rows { steps: self.steps, every: self.every, progress };
+            rows.follow(&mut orbit, |orbit, n| orbit.write(table, n), FloatOrbit::advance)
+        })
+    }
+
+    /// Opens the table, lets it be filled (why it ended early comes back), closes it.
+    fn write(
+        &self,
+        head: Map<String, Value>,
+        fill: impl FnOnce(&mut Table, Option<&Progress>) -> Result<Option<String>, Broken>,
+    ) -> Result<Answer, Refusal> {
+        let sink = match &self.out {
+            Some(path) => Sink::file(path, "--out")?,
+            None => Sink::standard(),
+        };
+        let format = if self.json && self.out.is_none() { Format::Json } else { Format::Csv };
+        let mut table = Table::new(sink, format);
+        let progress = has_room_for_progress(self.out.is_some())
+            .then(|| Progress::new(self.steps.unsigned_abs(), "steps"));
+        let written = table.begin(&head).and_then(|()| {
+            let stopped = fill(&mut table, progress.as_ref())?;
+            table.end(&json!(stopped))?;
+            Ok(stopped)
+        });
+        if let Some(progress) = progress {
+            progress.finish();
+        }
+        let stopped = match written {
+            Ok(stopped) => stopped,
+            // Nobody wants more rows, which is no error.
+            Err(Broken::ReaderGone) => None,
+            Err(Broken::Failed(why)) => {
+                return Ok(Answer { complaint: Some(why), ..Answer::text(String::new()) });
+            }
+        };
+        // With rows in a file, the object that describes them is the answer.
+        let answer = match &self.out {
+            Some(path) if self.json => {
+                let mut object = head;
+                object.insert("out".to_owned(), json!(path.display().to_string()));
+                object.insert("stopped".to_owned(), json!(stopped));
+                Answer::json(&Value::Object(object))
+            }
+            _ => Answer::text(String::new()),
+        };
+        Ok(Answer { complaint: stopped, ..answer })
+    }
+
+    /// What is known before the first row.
+    fn head<A: Printable>(
+        &self,
+        request: &Request<'_>,
+        parameters: &[A::Value],
+        eps: &A::Value,
+        integrals: &[String],
+    ) -> Map<String, Value> {
+        let symbols = &request.system.field.symbols;
+        let named = symbols.parameters.iter().cloned().zip(parameters.iter().map(A::json));
+        let columns = columns(&symbols.states, integrals);
+        let head = json!({
+            "system": request.name,
+            "variables": symbols.states,
+            "parameters": named.collect::<Map<_, _>>(),
+            "eps": A::json(eps),
+            "scalar": A::NAME,
+            "order": self.order,
+            "steps": self.steps,
+            "every": self.every,
+            "columns": columns,
+        });
+        match head {
+            Value::Object(head) => head,
+            _ => Map::new(),
+        }
+    }
+}
+
+/// Which points become rows.
+struct Rows<'a> {
+    steps: i64,
+    every: i64,
+    progress: Option<&'a Progress>,
+}
+
+impl Rows<'_> {
+    /// Steps from row to row; what to tell the user where a step has no value.
+    fn follow<O>(
+        &self,
+        orbit: &mut O,
+        mut row: impl FnMut(&mut O, i64) -> Result<(), Broken>,
+        mut advance: impl FnMut(&mut O, i64) -> Result<(), String>,
+    ) -> Result<Option<String>, Broken> {
+        for n in 0..=self.steps {
+            if n % self.every == 0 {
+                row(orbit, n)?;
+            }
+            if n == self.steps {
+                break;
+            }
+            if let Err(why) = advance(orbit, n) {
+                return Ok(Some(why));
+            }
+            if let Some(progress) = self.progress {
+                progress.advance(1);
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// The names of all columns: n and t, with a `_` behind them where a variable or an integral has that name.
+fn columns(states: &[String], integrals: &[String]) -> Vec<String> {
+    let named: Vec<String> = states.iter().chain(integrals).cloned().collect();
+    let free = |name: &str| {
+        let mut name = name.to_owned();
+        while named.contains(&name) {
+            name.push('_');
+        }
+        name
+    };
+    [vec![free("n"), free("t")], named.clone()].concat()
+}

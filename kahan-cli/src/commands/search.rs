@@ -1,0 +1,63 @@
+//! What `discover` and `scan` are asked: of which field, with what fixed, how far and for how long.
+
+use clap::Args;
+use kahan_algebra::system::System;
+use kahan_discover::DiscoverError;
+use kahan_discover::monomials::Monomials;
+
+use crate::printing::Refusal;
+use crate::reading::{Source, seconds, whole};
+
+/// A field, and the bounds of a search.
+#[derive(Args, Debug)]
+pub(crate) struct Search {
+    #[command(flatten)]
+    pub(crate) source: Source,
+
+    /// Half the time step, where it is fixed; generic otherwise. `scan` takes FROM:TO:STEP, too.
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    pub(crate) eps: Option<String>,
+
+    /// The degree up to which relations on orbits are looked for; chosen by the number of variables otherwise: as high as
+    /// some 200 monomials allow, in `scan` some 80.
+    #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = degree)]
+    degree: Option<u32>,
+
+    /// The time that the search may take, of which each stage has its share, orbits and their relations up to two fifths; what is
+    /// not finished then is left out, and the answer says so.
+    #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
+    pub(crate) seconds: f64,
+
+    /// Print one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// A whole number that is a degree.
+fn degree(text: &str) -> Result<u32, String> {
+    whole(text, 1, u32::MAX)
+}
+
+/// More monomials take minutes and gigabytes.
+const MOST_MONOMIALS: usize = 2000;
+
+impl Search {
+    /// The degree that was asked for, if relations of that degree are within reach.
+    pub(crate) fn degree_for(&self, system: &System) -> Result<Option<u32>, Refusal> {
+        let variables = system.field.dimension();
+        let is_within = |degree: u32| Monomials::count(variables, degree) <= MOST_MONOMIALS;
+        let Some(asked) = self.degree.filter(|&asked| !is_within(asked)) else { return Ok(self.degree) };
+        let way_out = match (1..asked).take_while(|&lower| is_within(lower)).last() {
+            Some(highest) => format!("ask for at most {highest}"),
+            None => "leave --degree out".to_owned(),
+        };
+        Err(Refusal::new(format!(
+            "--degree: {variables} variables have more than {MOST_MONOMIALS} monomials of degree {asked} or less; {way_out}"
+        )))
+    }
+}
+
+/// Why there is nothing to report on a field of this name.
+pub(crate) fn refused(name: &str, error: &DiscoverError) -> Refusal {
+    Refusal::new(format!("{name}: {error}"))
+}

@@ -1,0 +1,89 @@
+//! The work–precision picture: price against error, a line for each order in doubles, small dots for other scalars and for
+//! compensation, the front above all.
+
+use crate::atlas::plot::{Axis, Mark, Plot, Series, Side};
+
+use kahan_measure::trade::{Need, ScalarKind, Setting, Trade};
+
+/// Colours and type, which the atlas has from its page: light, and dark where the viewer is.
+const STYLE: &str = "\
+svg{--paper:#fdfcf9;--ink:#1d2126;--soft:#575e67;--rule:#d9d6cd;--c1:#2166ac;--c2:#1b7837;--c3:#c0392b;--c4:#b35806;--c5:#762a83;\
+--c6:#6b7280;background:var(--paper);color:var(--ink);font-family:system-ui,sans-serif}\
+@media(prefers-color-scheme:dark){svg{--paper:#14171b;--ink:#e4e6e8;--soft:#a3abb5;--rule:#353b43;--c1:#74add1;--c2:#7fcf8f;\
+--c3:#f4806f;--c4:#f0a45d;--c5:#c6a0dc;--c6:#9aa3af}}\
+text{fill:currentColor;font-size:13px}.grid line{stroke:var(--rule);stroke-width:.8}.axes line{stroke:var(--soft)}\
+.ticks text{fill:var(--soft);font-size:12px}.names text{font-style:italic}\
+.level line{stroke:var(--soft);stroke-dasharray:5 4}.level text{fill:var(--soft);font-size:12px}\
+.line,.dots{fill:none;stroke:var(--c);stroke-linejoin:round}.line{stroke-width:2}.line.thin{stroke-width:1}\
+.dots{stroke-width:4;stroke-linecap:round}.dots.small{stroke-width:2.4}\
+.label text{fill:var(--c);font-weight:600;font-size:11px;paint-order:stroke;stroke:var(--paper);stroke-width:3px}\
+.c1{--c:var(--c1)}.c2{--c:var(--c2)}.c3{--c:var(--c3)}.c4{--c:var(--c4)}.c5{--c:var(--c5)}.c6{--c:var(--c6)}";
+
+/// Width and height of the view box.
+const SIZE: (f64, f64) = (720.0, 480.0);
+
+/// The picture as a file of its own, in SVG; `title` says what was measured.
+pub(super) fn picture(trade: &Trade, title: &str, need: Need, tolerance: f64) -> String {
+    let what = match need {
+        Need::Trajectory => "trajectory error",
+        Need::Integrals => "drift of integrals",
+    };
+    let shown: Vec<&Setting> = trade.settings.iter().filter(|setting| is_shown(setting, need)).collect();
+    let points = |chosen: &dyn Fn(&Setting) -> bool| -> Vec<(f64, f64)> {
+        shown.iter().filter(|setting| chosen(setting)).map(|setting| place(setting, need)).collect()
+    };
+    let mut series = Vec::new();
+    let mut kinds: Vec<_> = shown.iter().map(|setting| setting.kind).collect();
+    kinds.sort_by_key(|kind| (kind.order, kind.scalar.name(), kind.compensated));
+    kinds.dedup();
+    for kind in kinds {
+        // One label an order, at the line of plain doubles; other scalars of the order share its colour.
+        let (label, mark) = match (kind.scalar, kind.compensated) {
+            (ScalarKind::F64, false) => (format!("order {}", kind.order), Mark::Both),
+            (ScalarKind::Dd, false) => (format!("order {}, dd", kind.order), Mark::Both),
+            _ => (String::new(), Mark::Points),
+        };
+        let colour = ORDER_COLOURS[kind.order as usize / 2 % ORDER_COLOURS.len()];
+        let mut points = points(&|setting| setting.kind == kind);
+        points.sort_by(|one, other| one.0.total_cmp(&other.0));
+        series.push(Series::new(&label, colour, mark, points));
+    }
+    series.push(Series::new("", 6, Mark::Line, points(&|setting| setting.on_front)));
+    if let Some(choice) = trade.choice.map(|choice| &trade.settings[choice]) {
+        let points = points(&|setting| setting == choice);
+        series.push(Series { side: Side::Left, ..Series::new("choice", 4, Mark::Dots, points) });
+    }
+    let level = (tolerance.log10(), "tolerance".to_owned());
+    let places = || shown.iter().map(|setting| place(setting, need));
+    let plot = Plot {
+        description: format!(
+            "{title}: {what} against nanoseconds per unit of simulated time, both as decimal logarithms"
+        ),
+        size: SIZE,
+        x: Axis::around(
+            "log10 of nanoseconds per unit of time; small dots: other scalars than f64",
+            places().map(|(x, _)| x),
+        ),
+        y: Axis::around(&format!("log10 of {what}"), places().map(|(_, y)| y).chain([level.0])),
+        levels: vec![level],
+        series,
+    };
+    let drawing = plot.svg().into_string();
+    let opening =
+        format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" ", SIZE.0, SIZE.1);
+    let drawing = drawing.replacen("<svg ", &opening, 1);
+    drawing.replacen('>', &format!("><style>{STYLE}</style>"), 1) + "\n"
+}
+
+/// The colour of each order: 2, 4, 6, 8.
+const ORDER_COLOURS: [usize; 5] = [6, 1, 2, 5, 3];
+
+fn place(setting: &Setting, need: Need) -> (f64, f64) {
+    (setting.nanoseconds_per_unit_time.log10(), setting.error(need).log10())
+}
+
+/// An error of 0 has no place on a logarithmic axis, nor has one that is infinite.
+fn is_shown(setting: &&Setting, need: Need) -> bool {
+    let (x, y) = place(setting, need);
+    x.is_finite() && y.is_finite()
+}

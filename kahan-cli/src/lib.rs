@@ -1,0 +1,112 @@
+//! The command `kahan`: proofs, formulas, orbits, searches, tables, pictures and pages at a prompt.
+//!
+//! In: arguments. Out: text, JSON or files. It must not know mathematics: each command reads its input, asks one of the
+//! libraries, and lays out the answer.
+//!
+//! Data flows one way: [`reading`] makes checked systems and numbers of arguments, a command of [`commands`] makes an
+//! [`Answer`] or a [`Refusal`] of them, and only [`run`] prints and chooses the exit status: 0, or 1 for a failed check or a
+//! pole, or 2 for bad usage or input. Nothing is printed before all of it is known, except the rows of a table that may be
+//! long: a [`Sink`](printing::Sink) takes those while they are made.
+
+pub mod atlas;
+mod commands;
+mod numbers;
+mod printing;
+mod reading;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand};
+
+use commands::{
+    atlas::Atlas, completions::Completions, discover::Discover, eval::Eval, extremes::Extremes,
+    heights::Heights, list::List, orbit::Orbit, scan::Scan, show::Show, trade::Trade, verify::Verify,
+};
+use printing::{Answer, Refusal, finish};
+
+/// Kahan's method for quadratic differential equations, exactly.
+///
+/// A quadratic vector field x' = f(x) has a birational map x ↦ x~ that approximates its flow over the time step 2 eps.
+/// This command proves what is claimed of the maps of the catalog, shows their formulas, evaluates them and follows
+/// their orbits. Every number is exact: 3/7, -2, 0.25, 1e-3. `eps` is half the time step. Without a command it runs
+/// `verify`.
+#[derive(Debug, Parser)]
+#[command(name = "kahan", version, after_long_help = EXAMPLES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan                                       prove every claim of the catalog
+  kahan show e6                               the formulas of E6
+  kahan eval e1 --eps 1/2 --at -2,1,1/3       every object at a point
+  kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
+  kahan trade e6 --at 1,1/2,1/3 --horizon 100   the cheapest step that is accurate enough
+  kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
+  kahan show --field 'xdot = y; ydot = x^2 - a;'";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Verify(Verify),
+    List(List),
+    Show(Show),
+    Eval(Eval),
+    Orbit(Orbit),
+    Heights(Heights),
+    Extremes(Extremes),
+    Trade(Trade),
+    Discover(Discover),
+    Scan(Scan),
+    Atlas(Atlas),
+    Completions(Completions),
+}
+
+/// Runs the command with these arguments, the program's name first; what it prints goes to standard output and standard error.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    finish(match Cli::try_parse_from(arguments) {
+        Ok(cli) => answer(&cli),
+        Err(error) => usage(&error),
+    })
+}
+
+fn answer(cli: &Cli) -> Result<Answer, Refusal> {
+    match &cli.command {
+        None => Verify::default().run(),
+        Some(Command::Verify(command)) => command.run(),
+        Some(Command::List(command)) => command.run(),
+        Some(Command::Show(command)) => command.run(),
+        Some(Command::Eval(command)) => command.run(),
+        Some(Command::Orbit(command)) => command.run(),
+        Some(Command::Heights(command)) => command.run(),
+        Some(Command::Extremes(command)) => command.run(),
+        Some(Command::Trade(command)) => command.run(),
+        Some(Command::Discover(command)) => command.run(),
+        Some(Command::Scan(command)) => command.run(),
+        Some(Command::Atlas(command)) => command.run(),
+        Some(Command::Completions(command)) => command.run(Cli::command()),
+    }
+}
+
+/// Help and version are answers; everything else that clap has to say becomes one paragraph.
+fn usage(error: &clap::Error) -> Result<Answer, Refusal> {
+    let text = error.render().to_string();
+    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        return Ok(Answer::verbatim(text));
+    }
+    let lines = text
+        .lines()
+        .map(str::trim)
+        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
+    // How to pass a flag as a value is never what was meant.
+    let said: Vec<&str> =
+        lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass")).collect();
+    let said = said.join(" ").replace(" tip: ", "; ");
+    Err(Refusal::new(format!(
+        "{}; `kahan COMMAND --help` shows examples",
+        said.trim_start_matches("error: ")
+    )))
+}

@@ -1,0 +1,7 @@
+//! The `kahan` command.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    kahan_cli::run(std::env::args_os())
+}

@@ -1,0 +1,96 @@
+//! Double-double numbers as the command computes with them and prints them.
+//!
+//! The operations are those of the library's [`Dd`], its multiply-adds included, so a step is the compiled one bit for bit.
+//! Numbers are written with 32 significant digits, in JSON too, where a number may have as many digits as it likes.
+
+use kahan_algebra::arithmetic::Arithmetic;
+use kahan_algebra::rational::Rational;
+use kahan_core::num_rational::BigRational;
+use kahan_core::{Dd, Scalar};
+use serde_json::{Number, Value};
+
+use super::scalar::{Printable, append};
+
+/// [`Dd`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DoubleDouble;
+
+impl Arithmetic for DoubleDouble {
+    type Value = Dd;
+
+    fn constant(&self, value: &Rational) -> Option<Dd> {
+        Some(Self::round(value))
+    }
+
+    fn add(&self, a: &Dd, b: &Dd) -> Dd {
+        *a + *b
+    }
+
+    fn subtract(&self, a: &Dd, b: &Dd) -> Dd {
+        *a - *b
+    }
+
+    fn multiply(&self, a: &Dd, b: &Dd) -> Dd {
+        *a * *b
+    }
+
+    fn negate(&self, a: &Dd) -> Dd {
+        -*a
+    }
+
+    fn divide(&self, a: &Dd, b: &Dd) -> Option<Dd> {
+        Some(*a / *b)
+    }
+
+    fn multiply_add(&self, a: &Dd, b: &Dd, c: &Dd) -> Dd {
+        a.multiply_add(*b, *c)
+    }
+
+    fn multiply_subtract(&self, a: &Dd, b: &Dd, c: &Dd) -> Dd {
+        a.multiply_subtract(*b, *c)
+    }
+
+    fn subtract_product(&self, a: &Dd, b: &Dd, c: &Dd) -> Dd {
+        a.subtract_product(*b, *c)
+    }
+
+    fn is_zero(&self, a: &Dd) -> bool {
+        a.high() == 0.0
+    }
+
+    fn is_better_pivot(&self, a: &Dd, than: &Dd) -> bool {
+        Scalar::is_better_pivot(a, than)
+    }
+}
+
+impl Printable for DoubleDouble {
+    const NAME: &'static str = "dd";
+
+    /// The nearest `f64`, and the one nearest to what it leaves.
+    fn round(value: &Rational) -> Dd {
+        let high = value.to_f64();
+        match BigRational::from_float(high) {
+            Some(leading) => Dd::new(high, (value - &Rational::from(leading)).to_f64()),
+            None => Dd::from(high),
+        }
+    }
+
+    fn json(value: &Dd) -> Value {
+        let mut text = String::new();
+        Self::append(value, &mut text);
+        text.parse::<Number>().map_or(Value::Null, Value::Number)
+    }
+
+    /// A whole number keeps a `.0`, as floats do.
+    fn append(value: &Dd, text: &mut String) {
+        let start = text.len();
+        append(format_args!("{value}"), text);
+        if value.is_finite() && !text[start..].contains(['.', 'e']) {
+            text.push_str(".0");
+        }
+    }
+
+    fn is_finite(value: &Dd) -> bool {
+        value.is_finite()
+    }
+}

@@ -1,0 +1,13 @@
+//! What the commands print: answers and refusals, tables and lines that fit the screen, files that appear whole or not at all.
+
+mod interrupt;
+pub(crate) mod layout;
+mod output;
+mod progress;
+mod sink;
+mod table;
+
+pub(crate) use output::{Answer, Refusal, columns, finish, shorten, widths};
+pub(crate) use progress::Progress;
+pub(crate) use sink::{Broken, Sink, has_room_for_progress};
+pub(crate) use table::{Format, Table};

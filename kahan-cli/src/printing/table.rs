@@ -1,0 +1,120 @@
+//! A table of numbers while it grows: CSV, or the rows of a JSON object.
+
+use serde_json::{Map, Value};
+
+use super::layout::{after_commas, terminal_width};
+use super::sink::{Broken, Sink};
+use crate::numbers::Printable;
+
+/// How a table is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Format {
+    /// A line of column names, then a line a row; what is undefined is empty. A terminal breaks a
+    /// long line after commas.
+    Csv,
+    /// One object: what is known beforehand, `rows`, and `stopped`; what is undefined is null.
+    Json,
+}
+
+/// A table on its way into a sink.
+pub(crate) struct Table {
+    sink: Sink,
+    format: Format,
+    /// The row being written, kept so that its memory is.
+    line: String,
+    has_rows: bool,
+    /// The columns of the terminal that shows the rows.
+    width: Option<usize>,
+}
+
+impl Table {
+    /// A table without anything in it.
+    pub(crate) fn new(sink: Sink, format: Format) -> Self {
+        let width = terminal_width().filter(|_| sink.is_standard() && format == Format::Csv);
+        Table { sink, format, line: String::new(), has_rows: false, width }
+    }
+
+    /// Writes what stands before the rows; `head` has the names of the columns under `columns`.
+    pub(crate) fn begin(&mut self, head: &Map<String, Value>) -> Result<(), Broken> {
+        let text = match self.format {
+            Format::Csv => {
+                let columns = head.get("columns").and_then(Value::as_array).into_iter().flatten();
+                let line = columns.filter_map(Value::as_str).collect::<Vec<_>>().join(",") + "\n";
+                self.width.map_or_else(|| line.clone(), |width| after_commas(&line, width))
+            }
+            Format::Json => {
+                let entries =
+                    head.iter().map(|(key, value)| format!("  {}: {value},\n", Value::from(key.as_str())));
+                format!("{{\n{}  \"rows\": [", entries.collect::<String>())
+            }
+        };
+        self.sink.write(&text)
+    }
+
+    /// Writes a row: an index, and the values behind it, `None` for what is undefined.
+    pub(crate) fn row<'a, A: Printable>(
+        &mut self,
+        index: i64,
+        values: impl Iterator<Item = Option<&'a A::Value>>,
+    ) -> Result<(), Broken>
+    where
+        A::Value: 'a,
+    {
+        self.line.clear();
+        match self.format {
+            Format::Csv => {
+                self.line.push_str(&index.to_string());
+                for value in values {
+                    self.line.push(',');
+                    if let Some(value) = value.filter(|value| A::is_finite(value)) {
+                        A::append(value, &mut self.line);
+                    }
+                }
+                self.line.push('\n');
+            }
+            Format::Json => {
+                self.json_row(index, values.map(|value| value.map_or(Value::Null, A::json)));
+            }
+        }
+        self.finish_row()
+    }
+
+    /// Writes a row of exact numbers that are text already.
+    pub(crate) fn texts(&mut self, index: i64, values: &[Option<String>]) -> Result<(), Broken> {
+        self.line.clear();
+        match self.format {
+            Format::Csv => {
+                self.line.push_str(&index.to_string());
+                for value in values {
+                    self.line.push(',');
+                    self.line.push_str(value.as_deref().unwrap_or_default());
+                }
+                self.line.push('\n');
+            }
+            Format::Json => self.json_row(index, values.iter().map(|value| value.as_deref().into())),
+        }
+        self.finish_row()
+    }
+
+    fn json_row(&mut self, index: i64, cells: impl Iterator<Item = Value>) {
+        self.line.push_str(if self.has_rows { ",\n    " } else { "\n    " });
+        let row: Value = std::iter::once(Value::from(index)).chain(cells).collect();
+        self.line.push_str(&row.to_string());
+    }
+
+    fn finish_row(&mut self) -> Result<(), Broken> {
+        self.has_rows = true;
+        match self.width {
+            Some(width) if self.line.len() > width => self.sink.write(&after_commas(&self.line, width)),
+            _ => self.sink.write(&self.line),
+        }
+    }
+
+    /// Writes what stands behind the rows, and closes the sink; `stopped` says why the rows ended early, or is null.
+    pub(crate) fn end(mut self, stopped: &Value) -> Result<(), Broken> {
+        if self.format == Format::Json {
+            self.sink.write(&format!("\n  ],\n  \"stopped\": {stopped}\n}}\n"))?;
+        }
+        self.sink.finish()
+    }
+}

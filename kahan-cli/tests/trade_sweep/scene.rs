@@ -1,0 +1,164 @@
+//! One scene, compiled: the error of a setting, and what it costs.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use kahan_core::prelude::*;
+use kahan_core::{Composition, Dd, FloatScalar, Lift, ThroughF64};
+use kahan_measure::reference::Reference;
+use kahan_runtime::interpreted::constant;
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Setting {
+    pub(crate) scalar: &'static str,
+    pub(crate) order: u32,
+    pub(crate) compensated: bool,
+    pub(crate) eps: f64,
+}
+
+/// The scalars by the command's names.
+pub(crate) const SCALARS: [&str; 4] = ["f32", "f32-through-f64", "f64", "dd"];
+
+pub(crate) fn to<T: Scalar>(value: &BigRational) -> T {
+    T::constant(&constant(&value.clone().into()))
+}
+
+pub(crate) struct Scene<M, const N: usize> {
+    pub(crate) map: M,
+    pub(crate) start: SVector<BigRational, N>,
+    pub(crate) horizon: f64,
+    pub(crate) reference: Reference,
+}
+
+macro_rules! with_orbit {
+    ($map:expr, $start:expr, $eps:expr, $setting:expr, |$orbit:ident| $body:expr) => {
+        match (Composition::of_order($setting.order).filter(|_| $setting.order > 2), $setting.compensated) {
+            (None, false) => {
+                let $orbit = $map.orbit($start, $eps);
+                $body
+            }
+            (None, true) => {
+                let $orbit = $map.orbit($start, $eps).compensated();
+                $body
+            }
+            (Some(composition), false) => {
+                let $orbit = $map.orbit($start, $eps).composed(composition);
+                $body
+            }
+            (Some(composition), true) => {
+                let $orbit = $map.orbit($start, $eps).composed(composition).compensated();
+                $body
+            }
+        }
+    };
+}
+
+macro_rules! with_scalar {
+    ($scene:expr, $setting:expr, |$map:ident, $start:ident, $eps:ident| $body:expr) => {
+        match $setting.scalar {
+            "f32" => {
+                let ($map, $start, $eps) = $scene.parts::<f32>($setting.eps);
+                $body
+            }
+            "f32-through-f64" => {
+                let (map, $start, $eps) = $scene.parts::<f32>($setting.eps);
+                let $map = ThroughF64(map);
+                $body
+            }
+            "f64" => {
+                let ($map, $start, $eps) = $scene.parts::<f64>($setting.eps);
+                $body
+            }
+            _ => {
+                let ($map, $start, $eps) = $scene.parts::<Dd>($setting.eps);
+                $body
+            }
+        }
+    };
+}
+
+/// The nearest ε of a scalar.
+pub(crate) fn eps_near(scalar: &str, eps: f64) -> f64 {
+    if scalar.starts_with("f32") { f64::from(eps as f32) } else { eps }
+}
+
+impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
+    fn parts<T: FloatScalar>(&self, eps: f64) -> (M::Lifted<T>, SVector<T, N>, T) {
+        let eps = BigRational::from_float(eps).expect("finite");
+        (self.map.lift(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
+    }
+
+    /// The largest distance from the reference over every step, the last standing for the horizon;
+    /// as soon as it is beyond `enough`, that.
+    pub(crate) fn error(&self, setting: &Setting, enough: f64) -> f64 {
+        let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
+        let dt = Dd::from(2.0 * setting.eps);
+        let mut worst = 0.0_f64;
+        with_scalar!(self, setting, |map, start, eps| with_orbit!(map, start, eps, setting, |orbit| {
+            for (n, x) in orbit.take(steps + 1).enumerate() {
+                let x = x.map(Dd::from);
+                worst = worst.max(self.reference.distance(dt * Dd::from(n as f64), x.as_slice()));
+                if n == steps {
+                    worst = worst.max(self.reference.distance(Dd::from(self.horizon), x.as_slice()));
+                }
+                if worst > enough {
+                    break;
+                }
+            }
+        }));
+        worst
+    }
+
+    /// Nanoseconds a unit of time, once.
+    pub(crate) fn price(&self, setting: &Setting) -> f64 {
+        /// As many steps, at least, as are timed, and as are timed in one piece: a start takes time, too.
+        const STEPS: usize = 400;
+        const PIECE: usize = 64;
+        // Far beyond the horizon a state may come where arithmetic takes longer: an epidemic's end is subnormal in `f32`.
+        let steps = ((self.horizon / (2.0 * setting.eps)).round() as usize).clamp(PIECE, STEPS);
+        let repeats = STEPS.div_ceil(steps);
+        /// A function of its own for each kind of orbit: one that holds them all is too large to be compiled well.
+        #[inline(never)]
+        fn seconds<X>(orbit: impl Iterator<Item = X> + Clone, steps: usize, repeats: usize) -> f64 {
+            let clock = Instant::now();
+            for _ in 0..repeats {
+                let mut orbit = black_box(orbit.clone());
+                orbit.next();
+                black_box(orbit.nth(black_box(steps - 1)));
+            }
+            clock.elapsed().as_secs_f64()
+        }
+        let seconds = with_scalar!(self, setting, |map, start, eps| {
+            let (start, eps) = (black_box(start), black_box(eps));
+            with_orbit!(map, start, eps, setting, |orbit| seconds(orbit, steps, repeats))
+        });
+        1e9 * seconds / ((steps * repeats) as f64 * 2.0 * setting.eps)
+    }
+
+    /// The coarsest eps of each kind that does, on a grid of a tenth, as far as it may cost less than `dearest`: what costs more
+    /// is not the best.
+    pub(crate) fn sweep(&self, tolerance: f64, dearest: f64) -> Vec<Setting> {
+        let mut found = Vec::new();
+        for scalar in SCALARS {
+            for (order, compensated) in [2, 4, 6, 8].into_iter().flat_map(|p| [(p, false), (p, true)]) {
+                let at = |steps: f64| {
+                    let eps = self.horizon / (2.0 * steps);
+                    Setting { scalar, order, compensated, eps: eps_near(scalar, eps) }
+                };
+                let unit = at(1e4 * self.horizon);
+                let price = (0..10).map(|_| self.price(&unit)).fold(f64::INFINITY, f64::min);
+                let most = self.horizon * dearest / (price * 2.0 * unit.eps);
+                let mut steps = 1.0;
+                while steps < most {
+                    let setting = at(steps);
+                    if self.error(&setting, tolerance) <= tolerance {
+                        found.push(setting);
+                        break;
+                    }
+                    steps = (1.1_f64 * steps).ceil();
+                }
+            }
+        }
+        found
+    }
+}

@@ -1,0 +1,99 @@
+//! The type itself, its names, and the value of a block without a header.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+
+use super::tokens::Flat;
+
+use super::Context;
+use super::docs;
+use super::header::{RustHeader, has_docs};
+
+/// An identifier of the user's; `_` is what the front end has refused already.
+pub(super) fn identifier(name: &str, span: Span) -> Ident {
+    match syn::parse_str::<Ident>(name) {
+        Ok(_) => Ident::new(name, span),
+        Err(_) => Ident::new("refused_name", span),
+    }
+}
+
+/// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`.
+pub(super) fn emit_struct(context: &Context<'_>, header: Option<&RustHeader>) -> TokenStream {
+    let name = &context.name;
+    let nothing = RustHeader::default();
+    let header = header.unwrap_or(&nothing);
+    let (attributes, visibility) = (&header.attributes, &header.visibility);
+    let formulas = docs::system(context, has_docs(attributes));
+    let derives = quote! {
+        #[::core::prelude::v1::derive(
+            ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq
+        )]
+    };
+    if !context.has_parameters() {
+        return quote! { #(#attributes)* #formulas #derives #visibility struct #name; };
+    }
+    let fields = context.system.field.symbols.parameters.iter().map(|parameter| {
+        let attributes = header.attributes_of(parameter);
+        let field = identifier(parameter, Span::call_site());
+        let docs = (!has_docs(attributes)).then(|| {
+            let text = format!(" The parameter `{parameter}`.");
+            quote!(#[doc = #text])
+        });
+        let scalar = &context.scalar;
+        quote! { #(#attributes)* #docs pub #field: #scalar }
+    });
+    let scalar = &context.scalar;
+    quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
+}
+
+/// Expands to `impl<T> E7<T> { pub const VARIABLES … }` and `impl<T> Named for E7<T> { … }`.
+pub(super) fn emit_names(context: &Context<'_>) -> TokenStream {
+    let symbols = &context.system.field.symbols;
+    let this = context.self_type();
+    let scalar = &context.scalar;
+    let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
+    let variables = emit_list("VARIABLES", "The state variables, in order.", &symbols.states);
+    let parameters = emit_list("PARAMETERS", "The parameters, in order.", &symbols.parameters);
+    let text = quote!(&'static [&'static __kahan::core::primitive::str]);
+    quote! {
+        impl #generics #this {
+            #variables
+            #parameters
+        }
+        impl #generics __kahan::Named for #this {
+            fn variables(&self) -> #text {
+                &Self::VARIABLES
+            }
+            fn parameters(&self) -> #text {
+                &Self::PARAMETERS
+            }
+        }
+    }
+}
+
+/// `pub const VARIABLES: [&'static str; 2] = ["x", "y"];`
+pub(super) fn emit_list(constant: &str, documentation: &str, names: &[String]) -> TokenStream {
+    let constant = Ident::new(constant, Span::call_site());
+    let length = Literal::usize_unsuffixed(names.len());
+    let documentation = format!(" {documentation}");
+    quote! {
+        #[doc = #documentation]
+        pub const #constant: [&'static __kahan::core::primitive::str; #length] = [#(#names),*];
+    }
+}
+
+/// Expands to `Field { mu: Clone::clone(&mu) }`: the value of a block without a header. The names of the parameters are
+/// the user's own tokens, so that they mean what they mean there.
+pub(super) fn emit_captured_value(context: &Context<'_>, input: &Flat) -> TokenStream {
+    let name = &context.name;
+    if !context.has_parameters() {
+        return quote!(#name);
+    }
+    let fields = context.system.field.symbols.parameters.iter().map(|parameter| {
+        let field = identifier(parameter, Span::call_site());
+        let place = input.tokens.iter().position(|token| token.text == *parameter);
+        let captured = identifier(parameter, place.map_or_else(Span::call_site, |place| input.spans[place]));
+        quote!(#field: ::core::clone::Clone::clone(&#captured))
+    });
+    quote!(#name { #(#fields),* })
+}

@@ -1,0 +1,136 @@
+//! A trajectory to measure others by: a solution of the flow, with an error bound that a second, independent method has earned.
+//!
+//! In: a field, a point, a time. Out: a function of time in double-double numbers, and by how much the second method differs. The
+//! first method is a Taylor series in time, the second the closed solution, where the catalog has one, or Kahan's map
+//! composed to order 8: a composition knows nothing of derivatives in time, a series nothing of the map. Two settings of one method
+//! could share a mistake.
+//! Deliberately absent: interval arithmetic. The difference of two methods is evidence, not a proof.
+
+mod certificate;
+mod closed;
+mod path;
+mod refusal;
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::num_rational::BigRational;
+use kahan_core::{Dd, Flow, KahanMap, Scalar};
+
+use kahan_runtime::interpreted::constant;
+
+use path::path;
+
+pub use certificate::{Certificate, Method};
+pub use path::Limits;
+pub use refusal::NoReference;
+
+/// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Self::end).
+#[derive(Clone, Debug)]
+pub struct Reference {
+    flow: Flow<Dd>,
+    certificate: Certificate,
+}
+
+/// What a reference is made for.
+#[derive(Clone, Copy, Debug)]
+pub struct Trajectory<'a> {
+    /// The system's name in the catalog, or anything else for a field that is not in it.
+    pub command: &'a str,
+    /// The parameters.
+    pub parameters: &'a [BigRational],
+    /// x(0).
+    pub start: &'a [BigRational],
+    /// The last time, above 0.
+    pub end: f64,
+    /// The largest difference between the methods that is accepted, relative to the scale.
+    pub allowed: f64,
+}
+
+impl Reference {
+    /// The trajectory of a field (the catalog's system, at its parameters, over double-double numbers).
+    ///
+    /// Cost: about 250 evaluations of the bilinear form a step of the series, whose length is a tenth of the distance to the
+    /// nearest singularity in complex time, and the composition's steps.
+    ///
+    /// # Errors
+    /// [`NoReference`].
+    ///
+    /// # Panics
+    /// If the start has not N coordinates.
+    pub fn of<M, const N: usize>(map: &M, asked: &Trajectory<'_>) -> Result<Self, NoReference>
+    where
+        M: KahanMap<Dd, N>,
+    {
+        Self::within(map, asked, &Limits::default())
+    }
+
+    /// The same within limits.
+    ///
+    /// # Errors
+    /// [`NoReference`].
+    ///
+    /// # Panics
+    /// If the start has not N coordinates.
+    pub fn within<M, const N: usize>(
+        map: &M,
+        asked: &Trajectory<'_>,
+        limits: &Limits,
+    ) -> Result<Self, NoReference>
+    where
+        M: KahanMap<Dd, N>,
+    {
+        let start = SVector::from_fn(|i, _| Dd::constant(&constant(&asked.start[i].clone().into())));
+        let flow = path(map, start, asked.end, limits)?;
+        let certificate = match closed::closed_solution(asked.command, asked.parameters, asked.start) {
+            Some(solution) => Certificate::by_solution(&flow, &solution, asked.allowed),
+            None => Certificate::by_composition(&flow, map, start, asked.allowed, limits)?,
+        };
+        let Certificate { difference, agreed_until: until, .. } = certificate;
+        if difference <= asked.allowed {
+            Ok(Reference { flow, certificate })
+        } else {
+            Err(NoReference::Disagree { difference, allowed: asked.allowed, until })
+        }
+    }
+
+    /// x(t), the nearest end's polynomial beyond the ends. Cost: about 60 operations a component.
+    pub fn at(&self, t: Dd) -> Vec<Dd> {
+        self.flow.at(t)
+    }
+
+    /// The last time.
+    pub fn end(&self) -> f64 {
+        self.flow.end()
+    }
+
+    /// The largest |xᵢ(t)|, over all components and times up to [`Trajectory::end`]: what errors are relative to.
+    pub fn scale(&self) -> f64 {
+        self.flow.scale()
+    }
+
+    /// The largest ‖f′(x(t))‖ in the maximum norm: ε times this tells how coarse a step is.
+    pub fn slope(&self) -> f64 {
+        self.flow.slope()
+    }
+
+    /// The integral of ‖ẍ‖/‖ẋ‖ over the time, in the maximum norm: by what angle, so to say, the motion turns. Unlike the slope it says
+    /// nothing of directions in which nothing moves.
+    pub fn turning(&self) -> f64 {
+        self.flow.turning()
+    }
+
+    /// The times at which the polynomials begin, the first of them 0: they lie close where the
+    /// solution moves fast.
+    pub fn breaks(&self) -> impl ExactSizeIterator<Item = f64> {
+        self.flow.breaks()
+    }
+
+    /// What stands behind it.
+    pub fn certificate(&self) -> Certificate {
+        self.certificate
+    }
+
+    /// The distance of a point from x(t) in the maximum norm, relative to the scale; what is not a number is infinitely far.
+    pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
+        self.flow.distance(t, x)
+    }
+}

@@ -1,0 +1,221 @@
+//! The orbits of the paper's figures, and what is measured on them.
+
+use std::collections::BTreeMap;
+
+use kahan_algebra::rational::Rational;
+
+use kahan_runtime::heights::{Growth, HeightsOrbit, Survey};
+
+use super::formula::Formula;
+use super::model::Model;
+use kahan_systems::registry::find;
+
+/// An exact orbit of the paper.
+#[derive(Debug)]
+pub struct Figure {
+    /// Its name here: `dE3`.
+    pub name: &'static str,
+    /// The system.
+    pub system: &'static str,
+    /// The parameters' values, in order.
+    pub parameters: &'static [(i64, i64)],
+    /// ε, half the time step.
+    pub eps: (i64, i64),
+    /// x₀
+    pub start: &'static [(i64, i64)],
+    /// How many iterates.
+    pub steps: usize,
+    /// What the paper says of it.
+    pub caption: &'static str,
+}
+
+/// The usual initial point of the paper's figures.
+const START: &[(i64, i64)] = &[(3, 7), (11, 13), (23, 47)];
+/// That of dE4.
+const START_4: &[(i64, i64)] = &[(7, 3), (11, 13), (23, 47)];
+const HALF: (i64, i64) = (1, 2);
+
+macro_rules! figure {
+    ($name:ident, $system:literal, $parameters:expr, $eps:expr, $start:expr, $steps:literal, $caption:literal) => {
+        #[doc = concat!("The orbit of d", $system, ".")]
+        pub static $name: Figure = Figure {
+            name: stringify!($name),
+            system: $system,
+            parameters: $parameters,
+            eps: $eps,
+            start: $start,
+            steps: $steps,
+            caption: $caption,
+        };
+    };
+}
+
+figure!(DE1, "e1", &[], HALF, START, 1000, "no figure; the data of dE3");
+figure!(DE2, "e2", &[], HALF, START, 1000, "no figure; the data of dE3");
+figure!(DE3, "e3", &[], HALF, START, 200, "the first 200 iterates of dE3");
+figure!(DE4, "e4", &[], HALF, START_4, 125, "the first 125 iterates of dE4");
+figure!(DE5, "e5", &[], HALF, START, 200, "no figure; the data of dE3");
+figure!(DE6, "e6", &[], HALF, START_4, 125, "no figure; the data of dE4");
+figure!(DE7, "e7", &[(19, 17)], HALF, START, 2000, "the first 2000 iterates of dE7, xi = 19/17");
+figure!(
+    DE7_1_5,
+    "e7",
+    &[(19, 17)],
+    HALF,
+    &[(1, 5), (11, 13), (23, 47)],
+    2000,
+    "no figure; dE7 from x0 = 1/5"
+);
+figure!(
+    DE7_2_9,
+    "e7",
+    &[(19, 17)],
+    HALF,
+    &[(2, 9), (11, 13), (23, 47)],
+    2000,
+    "no figure; dE7 from x0 = 2/9"
+);
+figure!(DE8, "e8", &[], HALF, START, 2000, "no figure; the data of dE7");
+figure!(
+    DE9,
+    "e9",
+    &[(-1, 2)],
+    HALF,
+    &[(2, 5), (7, 3), (11, 13)],
+    11,
+    "the first 11 iterates of dE9, xi = -1/2"
+);
+figure!(LV, "lv", &[], (9, 14), &[(1, 2), (5, 3)], 17, "the first 17 iterates of Kahan's Lotka-Volterra map");
+
+static ALL: [&Figure; 12] = [&DE1, &DE2, &DE3, &DE4, &DE5, &DE6, &DE7, &DE7_1_5, &DE7_2_9, &DE8, &DE9, &LV];
+
+/// Heights along an orbit.
+#[derive(Clone, Debug)]
+pub struct Measurement {
+    /// The variables.
+    pub variables: Vec<String>,
+    /// The heights, index 0 at the initial point.
+    pub survey: Survey,
+}
+
+impl Figure {
+    /// Every orbit.
+    pub fn all() -> impl Iterator<Item = &'static Figure> {
+        ALL.into_iter()
+    }
+
+    /// Follows the orbit exactly. Costs up to a few seconds.
+    ///
+    /// # Panics
+    /// If the orbit is not one of a system of the catalog.
+    #[must_use]
+    pub fn measure(&self) -> Measurement {
+        let entry = find(self.system).expect("a figure is about a system of the catalog");
+        let system = Model::of_catalog(entry).system;
+        let exact = |&(p, q): &(i64, i64)| Rational::new(p, q);
+        let parameters: Vec<Rational> = self.parameters.iter().map(exact).collect();
+        let start: Vec<Rational> = self.start.iter().map(exact).collect();
+        let mut orbit = HeightsOrbit::new(&system, &parameters, &exact(&self.eps), &start)
+            .expect("the field has a value at these parameters");
+        let survey = Survey::of(&mut orbit, self.steps, |_| ());
+        Measurement { variables: system.field.symbols.states, survey }
+    }
+}
+
+impl Measurement {
+    /// h₀, h₁, … of a variable.
+    #[must_use]
+    pub fn log_heights(&self, variable: &str) -> Option<Vec<f64>> {
+        let index = self.variables.iter().position(|known| known == variable)?;
+        Some(self.survey.heights.iter().map(|heights| heights.logarithms[index]).collect())
+    }
+
+    /// The formula with every measured quantity replaced by its value:
+    ///
+    /// | call | meaning |
+    /// |---|---|
+    /// | `h(v, n)`, `digits(v, n)` | the logarithmic height of v after n steps, and its decimal digits |
+    /// | `slope(v, a, b)` | the least squares slope of h against n, n = a, …, b |
+    /// | `logslope(v, a, b)` | the same of h against log n |
+    /// | `mean(v, a, b)` | the mean of log(h/n) |
+    /// | `growth(v)` | the growth class, to be compared with `linear`, `quadratic`, … |
+    ///
+    /// # Errors
+    /// Where something was not measured.
+    pub(super) fn put_into(&self, formula: &Formula) -> Result<Formula, String> {
+        formula.replaced(&|name, arguments| match class(name) {
+            Some(class) if arguments.is_empty() => Ok(Some(Rational::from(class))),
+            _ => self.quantity(name, arguments),
+        })
+    }
+
+    /// A measured quantity; `None` for another call.
+    fn quantity(&self, name: &str, arguments: &[Formula]) -> Result<Option<Rational>, String> {
+        let numbers: Vec<Rational> = arguments.iter().filter_map(Formula::as_number).collect();
+        if !matches!(name, "h" | "digits" | "slope" | "logslope" | "mean" | "growth") {
+            return Ok(None);
+        }
+        let Some(Formula::Name(variable)) = arguments.first() else {
+            return Err(format!("`{name}` takes a variable first"));
+        };
+        let heights = self.log_heights(variable).ok_or_else(|| format!("`{variable}` is no variable"))?;
+        let index = |position: usize| {
+            let n = numbers.get(position).and_then(Rational::as_i64).and_then(|n| usize::try_from(n).ok());
+            n.filter(|&n| n < heights.len()).ok_or_else(|| format!("`{name}`: no such iterate"))
+        };
+        let value = match name {
+            "h" => heights[index(0)?],
+            "digits" => {
+                let column = self.variables.iter().position(|known| known == variable).unwrap_or(0);
+                return Ok(i64::try_from(self.survey.heights[index(0)?].digits[column])
+                    .ok()
+                    .map(Rational::from));
+            }
+            "growth" => {
+                let class = self.growth(variable).and_then(|growth| class(&growth.to_string()));
+                return Ok(class.map(Rational::from));
+            }
+            _ => {
+                let points = (index(0)?..=index(1)?).map(|n| (n as f64, heights[n]));
+                match name {
+                    "slope" => slope(points),
+                    "logslope" => slope(points.map(|(n, h)| (n.ln(), h))),
+                    _ => {
+                        let logarithms: Vec<f64> = points.map(|(n, h)| (h / n).ln()).collect();
+                        logarithms.iter().sum::<f64>() / logarithms.len() as f64
+                    }
+                }
+            }
+        };
+        Rational::from_f64(value).map(Some).ok_or_else(|| format!("`{name}` has no value"))
+    }
+
+    /// The growth class of one variable's heights.
+    #[must_use]
+    pub fn growth(&self, variable: &str) -> Option<Growth> {
+        Some(Growth::of(&self.log_heights(variable)?[1..]))
+    }
+}
+
+/// Growth classes as numbers, for comparison.
+fn class(name: &str) -> Option<i64> {
+    ["undecided", "bounded", "logarithmic", "linear", "quadratic", "exponential"]
+        .iter()
+        .position(|known| *known == name)
+        .and_then(|index| i64::try_from(index).ok())
+}
+
+/// The least squares slope through points.
+#[must_use]
+pub fn slope(points: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let points: Vec<(f64, f64)> = points.collect();
+    let count = points.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
+    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
+    let above: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    let below: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
+    above / below
+}
+
+/// Measurements by the name of their orbit, each made once.
+pub(super) type Measurements = BTreeMap<&'static str, std::sync::OnceLock<Measurement>>;

@@ -1,0 +1,66 @@
+//! The limits C₁ of h(yₙ)/n for dE7 and dE8, which follow from the closed solutions by the prime number theorem.
+
+use kahan_algebra::rational::Rational;
+
+use kahan_systems::special::{Precise, Real, digamma};
+
+use super::formula::Formula;
+
+/// The formula with `C1_e7(xi, tau)` and `C1_e8(tau)` replaced by their values.
+pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
+    formula.replaced(&|name, arguments| {
+        let numbers: Vec<Rational> = arguments.iter().filter_map(Formula::as_number).collect();
+        Ok(match (name, numbers.as_slice()) {
+            ("C1_e7", [xi, tau]) => c1_of_de7(xi, tau),
+            ("C1_e8", [tau]) => c1_of_de8(tau),
+            _ => None,
+        })
+    })
+}
+
+/// dE7: with a = τ + 1 − ξ/2 and b = τ + ξ/2 of one denominator M, the mean over the units r modulo M of
+/// max(0, ψ(b_r) − ψ(a_r)), where M a_r is M a / r modulo M, and b_r likewise. `None` if the denominators differ.
+///
+/// The product ∏ (j + a)/(j + b) loses a prime p of the residue class r exactly where its numerators meet p before its
+/// denominators do; log p summed over such p gives the differences of digamma functions.
+fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
+    let half = Rational::new(1, 2);
+    let b = tau + &(xi * &half);
+    let a = &(tau + &Rational::from(1)) - &(xi * &half);
+    let (modulus, above_a, above_b) =
+        (integer(&b.denominator())?, integer(&a.numerator())?, integer(&b.numerator())?);
+    if integer(&a.denominator())? != modulus {
+        return None;
+    }
+    let mut sum = Precise::from(0);
+    let units: Vec<i64> = (1..=modulus).filter(|&r| gcd(r, modulus) == 1).collect();
+    for &r in &units {
+        let inverse = (1..=modulus).find(|&s| (r * s).rem_euclid(modulus) == 1 % modulus)?;
+        let residue = |above: i64| {
+            let residue = (above.rem_euclid(modulus) * inverse).rem_euclid(modulus);
+            Precise::from_ratio(if residue == 0 { modulus } else { residue }, modulus)
+        };
+        let difference = digamma(&residue(above_b)) - digamma(&residue(above_a));
+        if difference.is_positive() {
+            sum += difference;
+        }
+    }
+    let mean = sum / Precise::from(i64::try_from(units.len()).ok()?);
+    Rational::parse(&mean.to_digits(50))
+}
+
+/// dE8: (M/φ(M)) Σ 1/m over 0 < m < M prime to M, M the denominator of τ + 1/2; 1 for M = 1.
+fn c1_of_de8(tau: &Rational) -> Option<Rational> {
+    let modulus = integer(&(tau + &Rational::new(1, 2)).denominator())?;
+    let units: Vec<i64> = (1..=modulus).filter(|&m| gcd(m, modulus) == 1).collect();
+    let sum = units.iter().fold(Rational::zero(), |sum, &m| &sum + &Rational::new(1, m));
+    Some(&Rational::new(modulus, i64::try_from(units.len()).ok()?) * &sum)
+}
+
+fn integer(value: &impl ToString) -> Option<i64> {
+    value.to_string().parse().ok()
+}
+
+fn gcd(a: i64, b: i64) -> i64 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}

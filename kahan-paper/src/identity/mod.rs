@@ -1,0 +1,128 @@
+//! Does a relation hold? By normal forms over ℚ, modulo primes, at exact points, or in 256-bit arithmetic.
+
+mod names;
+mod numerical;
+mod rational;
+
+use std::collections::BTreeMap;
+
+use kahan_algebra::arithmetic::{Bounds, Exact, Functions, Modular};
+use kahan_algebra::rational::Rational;
+
+use kahan_systems::special::{Precise, Real};
+
+use super::evaluate::{Calculus, Evaluator, Frame, Models, Trouble};
+use super::formula::{Formula, Relation, has_functions, rationalise};
+use super::model::Model;
+use super::numeric::Decimals;
+use numerical::{agreement, decimal};
+
+/// How often a point is drawn again where a formula has no value.
+const MOST_DRAWS: usize = 16;
+
+/// The decimals in which both sides must agree, relative to the larger of them and 1.
+pub(super) const DECIMALS: u32 = 40;
+
+/// How a relation was established.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Evidence {
+    /// Both sides agree expanded over ℚ, and modulo primes.
+    NormalForm,
+    /// Both sides agree at so many random points modulo primes, with an error below 2⁻¹⁰⁰.
+    Modular(u32),
+    /// Both sides agree at so many exact points.
+    Exact(u32),
+    /// Both sides agree in so many decimals at random points.
+    Numerical(u32),
+}
+
+impl Calculus for Functions {}
+impl Calculus for Modular {}
+impl Calculus for Exact {}
+impl Calculus for Bounds {}
+
+/// A relation between two formulas without definitions, about one system.
+pub(super) struct Identity<'a> {
+    pub(super) models: &'a Models,
+    pub(super) model: &'a Model,
+    pub(super) left: &'a Formula,
+    pub(super) relation: Relation,
+    pub(super) right: &'a Formula,
+    /// The unit of the last digit of an approximate value.
+    pub(super) digit: Option<&'a Rational>,
+    /// Where names are drawn from for a numerical test; (1/5, 4/5) for those not listed.
+    pub(super) domain: &'a [(String, Rational, Rational)],
+    pub(super) seed: u64,
+}
+
+impl Identity<'_> {
+    /// Whether the relation holds, and how that is known.
+    ///
+    /// # Errors
+    /// Why it does not.
+    pub(super) fn establish(&self) -> Result<Evidence, String> {
+        let has_functions = has_functions(self.left) || has_functions(self.right);
+        // Functions become names that need not be independent: names that differ then say nothing of the functions.
+        let is_decided_by_names = match self.relation {
+            Relation::Equal => true,
+            Relation::Different => !has_functions,
+            Relation::Approximate => false,
+        };
+        if is_decided_by_names
+            && let (Some(left), Some(right)) = (rationalise(self.left), rationalise(self.right))
+        {
+            let evidence = self.rational(&left, &right);
+            if evidence.is_ok() || !has_functions {
+                return evidence;
+            }
+        }
+        self.numerical()
+    }
+
+    /// The values of both sides at given exact values of the names, and whether the relation holds there.
+    ///
+    /// # Errors
+    /// Where a side has no value.
+    pub(super) fn at_point(
+        &self,
+        point: &BTreeMap<String, Rational>,
+    ) -> Result<(String, String, bool), String> {
+        if self.relation != Relation::Approximate
+            && rationalise(self.left).as_ref() == Some(self.left)
+            && rationalise(self.right).as_ref() == Some(self.right)
+        {
+            let [left, right] =
+                self.sides(&Exact, self.left, self.right, point.clone()).map_err(|t| words(&t))?;
+            let holds = (left == right) != (self.relation == Relation::Different);
+            return Ok((left.to_string(), right.to_string(), holds));
+        }
+        let frame: BTreeMap<String, Precise> =
+            point.iter().map(|(name, value)| (name.clone(), decimal(value))).collect();
+        let [left, right] = self.sides(&Decimals, self.left, self.right, frame).map_err(|t| words(&t))?;
+        let holds = match (self.relation, self.digit) {
+            (Relation::Approximate, Some(unit)) => (left.clone() - right.clone()).abs() < decimal(unit),
+            (Relation::Different, _) => agreement(&left, &right) < DECIMALS,
+            _ => agreement(&left, &right) >= DECIMALS,
+        };
+        Ok((left.to_digits(12), right.to_digits(12), holds))
+    }
+
+    fn sides<A: Calculus>(
+        &self,
+        arithmetic: &A,
+        left: &Formula,
+        right: &Formula,
+        values: BTreeMap<String, A::Value>,
+    ) -> Result<[A::Value; 2], Trouble> {
+        let evaluator = Evaluator { arithmetic, models: self.models, model: self.model };
+        let frame = Frame::new(values);
+        Ok([evaluator.value(left, &frame)?, evaluator.value(right, &frame)?])
+    }
+}
+
+fn words(trouble: &Trouble) -> String {
+    match trouble {
+        Trouble::Undefined => "it divides by zero identically, or leaves a function's domain".to_owned(),
+        Trouble::Unknown(name) => format!("`{name}` has no meaning here"),
+    }
+}

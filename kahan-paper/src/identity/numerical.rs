@@ -1,0 +1,97 @@
+//! Relations in 256-bit arithmetic, at random points.
+
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+
+use kahan_systems::special::{Precise, Real};
+
+use super::super::evaluate::Trouble;
+use super::super::formula::Relation;
+use super::super::numeric::Decimals;
+use super::{DECIMALS, Evidence, Identity, MOST_DRAWS, words};
+
+/// The points of a numerical test.
+const NUMERICAL_POINTS: usize = 3;
+
+impl Identity<'_> {
+    pub(super) fn numerical(&self) -> Result<Evidence, String> {
+        let names = self.names([self.left, self.right]);
+        let mut random = SplitMix64::new(self.seed);
+        let mut worst = u32::MAX;
+        let mut differs = false;
+        for _ in 0..NUMERICAL_POINTS {
+            let [left, right] = self.numerical_point(&names, &mut random)?;
+            if self.relation == Relation::Approximate {
+                let unit = self.digit.ok_or("an approximate value is one number")?;
+                let difference = (left.clone() - right.clone()).abs();
+                return if difference < decimal(unit) {
+                    Ok(Evidence::Numerical(decimals_of(unit)))
+                } else {
+                    Err(format!("the value is {}", left.to_digits(12)))
+                };
+            }
+            let decimals = agreement(&left, &right);
+            if self.relation == Relation::Equal && decimals < DECIMALS {
+                return Err(format!(
+                    "{} on the left, {} on the right",
+                    left.to_digits(12),
+                    right.to_digits(12)
+                ));
+            }
+            differs |= decimals < DECIMALS;
+            worst = worst.min(decimals);
+        }
+        match self.relation {
+            Relation::Different if differs => Ok(Evidence::Numerical(DECIMALS)),
+            Relation::Different => Err("the two sides are equal".to_owned()),
+            _ => Ok(Evidence::Numerical(worst)),
+        }
+    }
+
+    fn numerical_point(&self, names: &[String], random: &mut SplitMix64) -> Result<[Precise; 2], String> {
+        const GRID: u64 = 10_007;
+        let mut trouble = Trouble::Undefined;
+        for _ in 0..MOST_DRAWS {
+            let mut draw = |name: &String| {
+                let listed = self.domain.iter().find(|(listed, ..)| listed == name);
+                let (low, high) = listed.map_or_else(
+                    || (Rational::new(1, 5), Rational::new(4, 5)),
+                    |(_, low, high)| (low.clone(), high.clone()),
+                );
+                let share = Rational::new(1 + random.below(GRID - 1) as i64, GRID as i64);
+                decimal(&(&low + &(&share * &(&high - &low))))
+            };
+            let values = names.iter().map(|name| (name.clone(), draw(name))).collect();
+            match self.sides(&Decimals, self.left, self.right, values) {
+                Ok(sides) => return Ok(sides),
+                Err(why) => trouble = why,
+            }
+        }
+        Err(words(&trouble))
+    }
+}
+
+pub(super) fn decimal(value: &Rational) -> Precise {
+    Real::from_rational(&value.to_big())
+}
+
+/// The decimals in which two numbers agree, relative to the larger of them and 1; at most 70.
+pub(super) fn agreement(left: &Precise, right: &Precise) -> u32 {
+    let one = Precise::from(1);
+    let scale = [left.abs(), right.abs()].into_iter().fold(one, |a, b| if b > a { b } else { a });
+    let error = (left.clone() - right.clone()).abs() / scale;
+    let mut unit = Precise::from(1);
+    let tenth = Precise::from_ratio(1, 10);
+    let mut decimals = 0;
+    while decimals < 70 && error < unit {
+        unit *= tenth.clone();
+        decimals += u32::from(error < unit);
+    }
+    decimals
+}
+
+/// The decimals of a power of ten: 2 for 1/100.
+fn decimals_of(unit: &Rational) -> u32 {
+    let digits = unit.denominator().to_string().len();
+    u32::try_from(digits).unwrap_or(u32::MAX) - 1
+}

@@ -1,0 +1,259 @@
+//! The registry: every claim, and how each is established.
+
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+use std::time::Instant;
+
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::prove::ERROR_EXPONENT;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::{Notation, claim_statement};
+
+use kahan_systems::registry::{all, find};
+
+use super::block::establish_statement;
+use super::claim::{Basis, Claim, Established, Outcome};
+use super::evaluate::Models;
+use super::figures::{Figure, Measurement, Measurements};
+use super::formula::{Definition, Formula, Item, Relation, inline, parse, statement_latex};
+use super::growth_constants;
+use super::identity::{Evidence, Identity};
+use super::model::Model;
+use super::sections;
+
+/// The systems and claims of the paper, and those of the catalog's further systems.
+#[derive(Debug)]
+pub struct Paper {
+    models: Models,
+    claims: Vec<Claim>,
+    measurements: Measurements,
+}
+
+impl Default for Paper {
+    fn default() -> Self {
+        Paper::new()
+    }
+}
+
+impl Paper {
+    /// Reads the catalog and lists the claims. Costs a few milliseconds; nothing is checked yet.
+    ///
+    /// # Panics
+    /// If a block of the catalog is wrong, which the compiler excludes.
+    #[must_use]
+    pub fn new() -> Self {
+        let mut models: Models = all().map(|entry| (entry.command, Model::of_catalog(entry))).collect();
+        models.insert("general", Model::new("general", sections::GENERAL_FIELD));
+        models.insert("homogeneous", Model::new("homogeneous", sections::HOMOGENEOUS_FIELD));
+        let claims = sections::claims(&models);
+        let measurements = Figure::all().map(|figure| (figure.name, OnceLock::new())).collect();
+        Paper { models, claims, measurements }
+    }
+
+    /// Every claim, in the order of the paper; then those of the catalog's further systems.
+    #[must_use]
+    pub fn claims(&self) -> &[Claim] {
+        &self.claims
+    }
+
+    /// A claim's statement in LaTeX, one formula an item; definitions first where it has any.
+    #[must_use]
+    pub fn latex(&self, claim: &Claim) -> Vec<String> {
+        match &claim.basis {
+            Basis::Formula { .. } => {
+                parse(&claim.statement).map_or_else(|why| vec![why], |statement| statement_latex(&statement))
+            }
+            Basis::Block => {
+                let system = self.models.get(claim.system).map(|model| &model.system);
+                let found = system.and_then(|system| {
+                    let name = claim.id.rsplit('.').next()?;
+                    system.claims.iter().find(|declared| declared.name.text == name)
+                });
+                let statements =
+                    found.map(|declared| claim_statement(declared, Notation::Latex)).unwrap_or_default();
+                statements.into_iter().map(|(left, right)| format!("{left} = {right}")).collect()
+            }
+        }
+    }
+
+    /// Establishes a claim.
+    #[must_use]
+    pub fn establish(&self, claim: &Claim) -> Established {
+        self.establish_as(claim, &claim.statement)
+    }
+
+    /// Establishes many claims, on as many threads as the machine has cores; `each` hears of every one as it is done.
+    #[must_use]
+    pub fn establish_all(&self, claims: &[&Claim], each: impl Fn() + Sync) -> Vec<Established> {
+        self.for_all(claims, |claim| {
+            let established = self.establish(claim);
+            each();
+            established
+        })
+    }
+
+    /// `work` on every claim, in parallel; the results in the order of the claims.
+    pub fn for_all<R: Send + Sync>(&self, claims: &[&Claim], work: impl Fn(&Claim) -> R + Sync) -> Vec<R> {
+        let results: Vec<OnceLock<R>> = claims.iter().map(|_| OnceLock::new()).collect();
+        let next = AtomicUsize::new(0);
+        // What is measured on a long orbit comes first, so that no thread is left alone with it at the end.
+        let mut order: Vec<usize> = (0..claims.len()).collect();
+        order.sort_by_key(|&index| !claims[index].is_measured());
+        thread::scope(|scope| {
+            for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
+                scope.spawn(|| {
+                    while let Some(&index) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
+                        let _ = results[index].set(work(claims[index]));
+                    }
+                });
+            }
+        });
+        results.into_iter().filter_map(OnceLock::into_inner).collect()
+    }
+
+    /// Establishes a claim with another statement in the place of its own: a mutation of it.
+    #[must_use]
+    pub fn establish_as(&self, claim: &Claim, statement: &str) -> Established {
+        let start = Instant::now();
+        let (outcome, detail) = match &claim.basis {
+            Basis::Block => {
+                let block = find(claim.system).map_or("", kahan_systems::entry::Entry::text);
+                establish_statement(block, statement)
+            }
+            Basis::Formula { misprint, orbit, .. } => match self.relations(claim, statement) {
+                Err(why) => (Outcome::Failed, why),
+                Ok(evidence) => match (misprint, orbit) {
+                    (Some(misprint), _) => self.misprint(claim, misprint, &evidence),
+                    (None, Some(figure)) => measured(&evidence, figure),
+                    (None, None) => outcome(&evidence),
+                },
+            },
+        };
+        Established { outcome, detail, elapsed: start.elapsed() }
+    }
+
+    /// The definitions that are in force in a claim: those of every statement, those given, its own.
+    pub(super) fn definitions(
+        &self,
+        claim: &Claim,
+        own: &str,
+    ) -> Result<(BTreeMap<String, Definition>, Vec<Item>), String> {
+        let Basis::Formula { given, .. } = &claim.basis else { return Ok((BTreeMap::new(), Vec::new())) };
+        let mut definitions = BTreeMap::new();
+        let mut relations = Vec::new();
+        let field = self.model(claim)?.field_definitions();
+        for text in [field.as_str(), sections::DEFINITIONS, given.as_str(), own] {
+            for item in parse(text)?.items {
+                match item {
+                    Item::Definition(definition) => {
+                        definitions.insert(definition.name.clone(), definition);
+                    }
+                    relation @ Item::Relation { .. } => relations.push(relation),
+                }
+            }
+        }
+        Ok((definitions, relations))
+    }
+
+    /// Establishes every relation of a statement; the evidence is the weakest.
+    fn relations(&self, claim: &Claim, statement: &str) -> Result<Evidence, String> {
+        let Basis::Formula { domain, .. } = &claim.basis else {
+            return Err("a claim of a block".to_owned());
+        };
+        let (definitions, relations) = self.definitions(claim, statement)?;
+        let mut weakest = None;
+        for item in &relations {
+            let Item::Relation { left, relation, right, digit } = item else { continue };
+            let [left, right] = self.sides(claim, left, right, &definitions)?;
+            let identity = Identity {
+                domain,
+                seed: SplitMix64::from_bytes(claim.id.as_bytes()).next_u64(),
+                ..self.identity(claim, [&left, &right], *relation, digit.as_ref())?
+            };
+            let evidence = identity.establish()?;
+            weakest = Some(weakest.map_or(evidence.clone(), |weakest: Evidence| weakest.weaker(evidence)));
+        }
+        weakest.ok_or_else(|| "it says nothing".to_owned())
+    }
+
+    /// A relation in a claim, tested at generic points.
+    pub(super) fn identity<'a>(
+        &'a self,
+        claim: &Claim,
+        [left, right]: [&'a Formula; 2],
+        relation: Relation,
+        digit: Option<&'a Rational>,
+    ) -> Result<Identity<'a>, String> {
+        let model = self.model(claim)?;
+        Ok(Identity { models: &self.models, model, left, relation, right, digit, domain: &[], seed: 0 })
+    }
+
+    fn model(&self, claim: &Claim) -> Result<&Model, String> {
+        self.models.get(claim.system).ok_or_else(|| format!("there is no system {}", claim.system))
+    }
+
+    /// Both sides with definitions and measured quantities put in.
+    pub(super) fn sides(
+        &self,
+        claim: &Claim,
+        left: &Formula,
+        right: &Formula,
+        definitions: &BTreeMap<String, Definition>,
+    ) -> Result<[Formula; 2], String> {
+        let mut sides = [
+            growth_constants::put_into(&inline(left, definitions)?)?,
+            growth_constants::put_into(&inline(right, definitions)?)?,
+        ];
+        if let Basis::Formula { orbit: Some(figure), .. } = &claim.basis {
+            let measurement = self.measurement(figure)?;
+            for side in &mut sides {
+                *side = measurement.put_into(side)?;
+            }
+        }
+        Ok(sides)
+    }
+
+    /// The heights along an orbit of the paper, computed once.
+    ///
+    /// # Errors
+    /// If the orbit is none of [`Figure::all`].
+    pub fn measurement(&self, figure: &'static Figure) -> Result<&Measurement, String> {
+        let cell = self.measurements.get(figure.name).ok_or("no such figure")?;
+        Ok(cell.get_or_init(|| figure.measure()))
+    }
+}
+
+pub(super) fn outcome(evidence: &Evidence) -> (Outcome, String) {
+    match evidence {
+        Evidence::NormalForm => (Outcome::Proved, "by normal forms over Q, and modulo primes".to_owned()),
+        Evidence::Modular(points) => (
+            Outcome::ProvedModP,
+            format!("at {points} random points modulo primes, error < 2^-{ERROR_EXPONENT}"),
+        ),
+        Evidence::Exact(points) => (Outcome::Exact(*points), format!("at {points} exact points")),
+        Evidence::Numerical(decimals) => {
+            (Outcome::Numerical(*decimals), "both sides in 256-bit arithmetic".to_owned())
+        }
+    }
+}
+
+/// What was measured on an orbit is known at the points of that orbit.
+fn measured(evidence: &Evidence, figure: &Figure) -> (Outcome, String) {
+    let detail = format!("measured on the exact orbit {} of {} iterates", figure.name, figure.steps);
+    match evidence {
+        Evidence::Numerical(decimals) => (Outcome::Numerical(*decimals), detail),
+        _ => (Outcome::Exact(u32::try_from(figure.steps).unwrap_or(u32::MAX)), detail),
+    }
+}
+
+impl Evidence {
+    /// The weaker of two.
+    fn weaker(self, other: Evidence) -> Evidence {
+        match (&self, &other) {
+            (Evidence::Numerical(a), Evidence::Numerical(b)) => Evidence::Numerical(*a.min(b)),
+            _ => self.max(other),
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The claims, section by section.
+
+mod appendix;
+mod diophantine;
+mod e7_e8_e9;
+mod flows;
+mod general;
+mod lotka_volterra;
+mod maps;
+mod solutions;
+mod structures;
+mod tables;
+
+use super::claim::{Basis, Claim};
+use super::evaluate::Models;
+
+use kahan_algebra::render::claim_text;
+
+use kahan_systems::entry::Entry;
+use kahan_systems::registry::{FURTHER, SYSTEMS};
+
+pub use structures::{Structure, structure};
+
+/// Definitions that every statement about a system with states x, y, z may use.
+pub(super) const DEFINITIONS: &str = "
+    dot(F) := f1*d(F, x) + f2*d(F, y) + f3*d(F, z);
+    divergence(F) := d(F*f1, x) + d(F*f2, y) + d(F*f3, z);
+    bracket(a, b, c, F, G) := a*(d(F, x)*d(G, y) - d(F, y)*d(G, x)) + b*(d(F, y)*d(G, z) - d(F, z)*d(G, y))
+        + c*(d(F, z)*d(G, x) - d(F, x)*d(G, z));
+    jacobi(a, b, c) := b*(d(a, y) - d(c, z)) + c*(d(b, z) - d(a, x)) + a*(d(c, x) - d(b, y));
+";
+
+/// A field in three dimensions with generic coefficients.
+pub(super) const GENERAL_FIELD: &str = "
+    xdot = a1*x^2 + a2*x*y + a3*x*z + a4*y^2 + a5*y*z + a6*z^2 + a7*x + a8*y + a9*z + a0;
+    ydot = b1*x^2 + b2*x*y + b3*x*z + b4*y^2 + b5*y*z + b6*z^2 + b7*x + b8*y + b9*z + b0;
+    zdot = c1*x^2 + c2*x*y + c3*x*z + c4*y^2 + c5*y*z + c6*z^2 + c7*x + c8*y + c9*z + c0;
+";
+
+/// The same without linear and constant terms.
+pub(super) const HOMOGENEOUS_FIELD: &str = "
+    xdot = a1*x^2 + a2*x*y + a3*x*z + a4*y^2 + a5*y*z + a6*z^2;
+    ydot = b1*x^2 + b2*x*y + b3*x*z + b4*y^2 + b5*y*z + b6*z^2;
+    zdot = c1*x^2 + c2*x*y + c3*x*z + c4*y^2 + c5*y*z + c6*z^2;
+";
+
+/// What the paper leaves open.
+pub const OPEN: &[(&str, &str)] = &[
+    ("Lax pairs", "none is known for the maps dE1 to dE6, though they are integrable"),
+    (
+        "The three other flows",
+        "Kahan's map of the three remaining pairs of compatible Lie-Poisson brackets of the classification, whose flows have \
+         transcendental solutions, is not treated",
+    ),
+    (
+        "Mickens' scheme",
+        "his discretisation of the Lotka-Volterra flow keeps the same symplectic form and closed level sets; why it and \
+         Kahan's do so for every step is not explained by an integral",
+    ),
+    ("The growth constant C2 of dE7", "13.4395 by p-adic bookkeeping that matches the orbit; not proved"),
+];
+
+/// Every claim, in the order of the paper; last those of systems that are not in it.
+pub(super) fn claims(models: &Models) -> Vec<Claim> {
+    [
+        general::claims(),
+        lotka_volterra::claims(),
+        maps::claims(),
+        tables::claims(),
+        block_claims(models, &SYSTEMS),
+        flows::claims(),
+        solutions::claims(),
+        e7_e8_e9::claims(),
+        diophantine::claims(),
+        appendix::claims(),
+        block_claims(models, &FURTHER),
+    ]
+    .concat()
+}
+
+/// The claims of the systems' own blocks.
+fn block_claims(models: &Models, systems: &[Entry]) -> Vec<Claim> {
+    let mut claims = Vec::new();
+    for entry in systems {
+        let system = &models[entry.command].system;
+        claims.extend(system.claims.iter().map(|claim| Claim {
+            id: format!("{}.{}", entry.command, claim.name.text),
+            system: entry.command,
+            source: entry.source(&claim.name.text).unwrap_or_default().to_owned(),
+            statement: claim_text(system, claim),
+            basis: Basis::Block,
+        }));
+    }
+    claims
+}

@@ -1,0 +1,133 @@
+//! The registry of claims: complete, established, and none of it vacuous.
+
+use std::collections::BTreeSet;
+
+use kahan_paper::formula::mutations;
+use kahan_paper::{Claim, OPEN, Outcome, Paper};
+
+fn ids(paper: &Paper) -> BTreeSet<&str> {
+    paper.claims().iter().map(|claim| claim.id.as_str()).collect()
+}
+
+#[test]
+fn every_claim_is_established_and_fails_under_a_mutation() {
+    let paper = Paper::new();
+    let claims: Vec<&Claim> = paper.claims().iter().collect();
+    let failed: Vec<String> = claims
+        .iter()
+        .zip(paper.establish_all(&claims, || ()))
+        .filter(|(_, established)| established.outcome == Outcome::Failed)
+        .map(|(claim, established)| format!("{}: {}", claim.id, established.detail))
+        .collect();
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+    let is_vacuous = |claim: &Claim| {
+        !mutations(&claim.statement)
+            .iter()
+            .any(|mutation| paper.establish_as(claim, mutation).outcome == Outcome::Failed)
+    };
+    let vacuous: Vec<&str> = claims
+        .iter()
+        .zip(paper.for_all(&claims, is_vacuous))
+        .filter(|(_, vacuous)| *vacuous)
+        .map(|(claim, _)| claim.id.as_str())
+        .collect();
+    assert!(vacuous.is_empty(), "these survive every mutation: {vacuous:?}");
+}
+
+#[test]
+fn every_claim_has_a_name_of_its_own_a_place_and_a_statement() {
+    let paper = Paper::new();
+    assert!(paper.claims().len() >= 200);
+    assert_eq!(ids(&paper).len(), paper.claims().len());
+    for claim in paper.claims() {
+        assert!(!claim.source.is_empty() && !claim.statement.is_empty(), "{}", claim.id);
+        assert!(!paper.latex(claim).is_empty(), "{} has no formula to show", claim.id);
+    }
+    assert!(!OPEN.is_empty());
+}
+
+#[test]
+fn no_cell_of_a_table_is_missing() {
+    let paper = Paper::new();
+    let ids = ids(&paper);
+    let has = |id: String| assert!(ids.contains(id.as_str()), "{id} is missing");
+    for i in 1..=9 {
+        for cell in ["P", "Q", "H", "K", "c"] {
+            has(format!("table1.e{i}.{cell}"));
+        }
+        for system in ["field", "matrix", "determinant"] {
+            has(format!("{system}.e{i}"));
+        }
+    }
+    for i in 1..=6 {
+        for id in ["H", "K", "rho", "P", "Q"] {
+            has(format!("e{i}.{id}"));
+        }
+        for entry in ["12", "23", "31"] {
+            has(format!("table3.e{i}.P{entry}"));
+            has(format!("table4.e{i}.Q{entry}"));
+        }
+    }
+    for i in [1, 2, 3, 4, 5, 7, 8] {
+        for cell in ["x", "y", "z"] {
+            has(format!("table5.e{i}.{cell}"));
+        }
+    }
+    for i in 1..=5 {
+        for cell in ["x", "y", "z", "H", "K"] {
+            has(format!("theorem3.e{i}.{cell}"));
+        }
+    }
+}
+
+#[test]
+fn every_erratum_of_a_formula_is_refuted_as_printed() {
+    let paper = Paper::new();
+    let numbers = (1..=10).map(|number| format!("A{number}")).chain(["B1".to_owned(), "B2".to_owned()]);
+    for number in numbers {
+        let corrected: Vec<&Claim> = paper
+            .claims()
+            .iter()
+            .filter(|claim| claim.misprint().is_some_and(|(erratum, _)| erratum == number))
+            .collect();
+        assert!(!corrected.is_empty(), "no claim corrects {number}");
+        for claim in corrected {
+            assert_eq!(paper.establish(claim).outcome, Outcome::Misprint, "{}", claim.id);
+        }
+    }
+}
+
+#[test]
+fn what_is_false_fails() {
+    let paper = Paper::new();
+    let claim = |id: &str| {
+        paper.claims().iter().find(|claim| claim.id == id).unwrap_or_else(|| panic!("{id} is missing"))
+    };
+    let fails = |id: &str, statement: &str| {
+        let established = paper.establish_as(claim(id), statement);
+        assert_eq!(established.outcome, Outcome::Failed, "{statement}");
+        established.detail
+    };
+    // Equal at no generic point, equal at one point only, equal as functions though told to differ.
+    assert!(fails("field.e1", "f1 = x^2").contains("on the left"));
+    fails("field.e1", "f1 = -x^2 + eps*x");
+    fails("field.e1", "f1 != -x^2");
+    // Not rational: exponentials, and functions that are compared in 256 bits.
+    fails("table1.e8.H", "exp(x + y) = exp(x)*exp(2*y)");
+    fails("table1.e8.H", "gamma(x + 1) = gamma(x)");
+    // Measured: the last digit counts.
+    fails("table1.e8.H", "sqrt(2) ~ 1.416");
+    // Nothing is said, or not in this language.
+    assert!(fails("field.e1", "u := 1").contains("says nothing"));
+    assert!(fails("field.e1", "f1 + = 1").contains("operand"));
+    assert!(fails("field.e1", "f1 - frobnicate(x) = f1").contains("frobnicate"));
+    assert!(fails("field.e1", "u := u + 1; u = 1").contains("uses itself"));
+    assert!(fails("field.e1", "1/(x - x) = 1").contains("divides by zero"));
+}
+
+#[test]
+fn mutations_change_one_number_or_one_sign() {
+    assert_eq!(mutations("x = 19*y"), ["x = 20*y", "x = 2* 19*y", "x = 19/y"]);
+    assert_eq!(mutations("h ~ 9.99"), ["h ~ 10.00", "h ~ 2* 9.99"]);
+    assert_eq!(mutations("a := -b; a != b"), ["a := b; a != b", "a := 2* -b; a != b"]);
+}

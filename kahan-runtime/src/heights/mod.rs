@@ -1,0 +1,37 @@
+//! The Diophantine test: exact orbits and the growth of their heights (section 7 of the paper).
+//!
+//! The logarithmic height of p/q in lowest terms is h(p/q) = log max(|p|, |q|). Along an orbit of an integrable map over ℚ it grows
+//! polynomially, otherwise in general exponentially. [`HeightsOrbit`] yields the heights of any quadratic field's Kahan map, from any
+//! rational initial data, within [`Bounds`]; [`Growth`] classifies a sequence of them; [`Survey`] is the whole test in one call.
+//!
+//! ```
+//! use kahan_algebra::rational::Rational;
+//! use crate::heights::{Growth, HeightsOrbit, Survey};
+//!
+//! let text = kahan_systems::registry::find("lv").unwrap().text();
+//! let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system;
+//! let start = [Rational::new(1, 2), Rational::new(5, 3)];
+//! let mut orbit = HeightsOrbit::new(&system, &[], &Rational::new(9, 14), &start).unwrap();
+//! let survey = Survey::of(&mut orbit, 12, |_| ());
+//! assert_eq!(survey.growth, Growth::Exponential);
+//! assert!((survey.entropy - 2.0_f64.ln()).abs() < 0.01);
+//! ```
+//!
+//! Inside: [`map`](ProjectiveMap) puts numbers into the reduced map and clears denominators once; the content of each step
+//! is divided out; the gcds that heights need are taken; logarithms come from leading bits.
+
+mod content;
+mod elimination;
+mod growth;
+mod integers;
+mod logarithm;
+mod map;
+mod orbit;
+mod reduction;
+mod split;
+mod survey;
+
+pub use growth::Growth;
+pub use map::{ProjectiveMap, UndefinedField};
+pub use orbit::{Bounds, Heights, HeightsOrbit, Stop};
+pub use survey::Survey;

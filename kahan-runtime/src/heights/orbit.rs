@@ -1,0 +1,269 @@
+//! An exact orbit in projective integers, with the heights of every point.
+
+use std::time::{Duration, Instant};
+
+use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
+use dashu_int::{IBig, UBig};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+
+use super::content::{Content, Primitive, longest};
+use super::integers::{denominator, numerator};
+use super::logarithm::{decimal_digits, natural_logarithm};
+use super::map::{ProjectiveMap, UndefinedField};
+use super::reduction::common_factors;
+
+/// The logarithmic heights of one point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heights {
+    /// n, the number of steps from the initial point.
+    pub step: usize,
+    /// h(xᵢ) = log max(|p|, |q|) of each component p/q in lowest terms: natural logarithms, right to 15 digits; h(0) = 0.
+    pub logarithms: Vec<f64>,
+    /// The number of decimal digits of max(|p|, |q|) of each component.
+    pub digits: Vec<u64>,
+}
+
+impl Heights {
+    /// The number of decimal digits of the longest component.
+    #[must_use]
+    pub fn longest(&self) -> u64 {
+        self.digits.iter().copied().max().unwrap_or(0)
+    }
+}
+
+/// Why an orbit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// The last point is a pole: the reduced map has no value there (W = 0), or det A = 0 where the map is not reduced.
+    Pole,
+    /// The next point is longer than [`Bounds::max_digits`], or would be more than twice as long if it grew like the last.
+    Digits,
+    /// The next point would be later than [`Bounds::seconds`].
+    Seconds,
+}
+
+/// What an orbit may cost; the default is anything.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Bounds {
+    /// The greatest number of decimal digits of a height's integer.
+    pub max_digits: Option<u64>,
+    /// The wall-clock time since the orbit was made. Before each step its time is estimated from the last one's, so that no
+    /// step begins that is likely to end late.
+    pub seconds: Option<f64>,
+}
+
+/// The heights h(x₀), h(x₁), … of an exact orbit of Kahan's map; x₀ first.
+///
+/// The orbit goes over projective integers without a common factor. It ends at a pole or at a bound, and
+/// [`stopped`](Self::stopped) says which; nothing panics on the way.
+///
+/// ```
+/// use kahan_algebra::rational::Rational;
+/// use crate::heights::{Growth, HeightsOrbit};
+///
+/// let text = kahan_systems::registry::find("e3").unwrap().text();
+/// let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system;
+/// let start = [Rational::new(3, 7), Rational::new(11, 13), Rational::new(23, 47)];
+/// let mut orbit = HeightsOrbit::new(&system, &[], &Rational::new(1, 2), &start).unwrap();
+/// let heights_of_x: Vec<f64> = orbit.by_ref().skip(1).take(50).map(|heights| heights.logarithms[0]).collect();
+/// assert_eq!(Growth::of(&heights_of_x), Growth::Linear);
+/// assert_eq!(orbit.point().len(), 3);
+/// ```
+#[derive(Clone, Debug)]
+pub struct HeightsOrbit {
+    map: ProjectiveMap,
+    /// The current point, its gcd(Xᵢ, W), and the point before.
+    point: Vec<IBig>,
+    factors: Vec<UBig>,
+    before: Option<Vec<IBig>>,
+    content: Content,
+    bounds: Bounds,
+    step: Option<usize>,
+    stopped: Option<Stop>,
+    started: Instant,
+    pace: Pace,
+}
+
+/// What the last step cost.
+#[derive(Clone, Copy, Debug, Default)]
+struct Pace {
+    time: Duration,
+    /// The bits of the point that was stepped.
+    bits: usize,
+    /// The bits of its image.
+    image: usize,
+}
+
+impl HeightsOrbit {
+    /// The orbit of `system` from `start` at these parameters (in their order) and ε, half the time step. Parameters are put in
+    /// after the map is reduced. The clock of [`Bounds::seconds`] starts here.
+    ///
+    /// # Errors
+    /// Where a parameter makes the field divide by zero.
+    ///
+    /// # Panics
+    /// If the number of coordinates or of parameters is not that of the system.
+    pub fn new(
+        system: &System,
+        parameters: &[Rational],
+        eps: &Rational,
+        start: &[Rational],
+    ) -> Result<Self, UndefinedField> {
+        let started = Instant::now();
+        assert_eq!(start.len(), system.field.dimension(), "one coordinate a state");
+        let map = ProjectiveMap::new(system, parameters, eps)?;
+        Ok(HeightsOrbit {
+            point: map.point(start),
+            factors: Vec::new(),
+            map,
+            before: None,
+            content: Content::default(),
+            bounds: Bounds::default(),
+            step: None,
+            stopped: None,
+            started,
+            pace: Pace::default(),
+        })
+    }
+
+    /// The same orbit within bounds.
+    #[must_use]
+    pub fn within(self, bounds: Bounds) -> Self {
+        HeightsOrbit { bounds, ..self }
+    }
+
+    /// Why the orbit ended; `None` while it has not.
+    #[must_use]
+    pub fn stopped(&self) -> Option<Stop> {
+        self.stopped
+    }
+
+    /// The map.
+    #[must_use]
+    pub fn projective_map(&self) -> &ProjectiveMap {
+        &self.map
+    }
+
+    /// The point whose heights were yielded last (x₀ before any), in lowest terms. Costs a gcd and two divisions a component, and a
+    /// conversion to the integers of [`Rational`].
+    #[must_use]
+    pub fn point(&self) -> Vec<Rational> {
+        self.map.coordinates(&self.point)
+    }
+
+    /// The same point as integers (X₁, …, X_n, W) without a common factor: xᵢ = σXᵢ/W with σ = [`ProjectiveMap::unit`].
+    #[must_use]
+    pub fn projective_point(&self) -> &[IBig] {
+        &self.point
+    }
+
+    /// The next point; the reason if there is none within the bounds.
+    fn advance(&mut self) -> Result<Heights, Stop> {
+        let begun = Instant::now();
+        let Some(step) = self.step else {
+            let (weight, x) = self.point.split_last().ok_or(Stop::Pole)?;
+            self.factors = common_factors(x, &weight.unsigned_abs(), &[], &[]);
+            let heights = heights(0, &self.map, &self.point, &self.factors);
+            return if self.is_too_long(&heights) { Err(Stop::Digits) } else { Ok(heights) };
+        };
+        let bits = longest(&self.point);
+        self.foresee(bits)?;
+        let image = self.map.apply(&self.point, &self.factors);
+        if image.point.last().is_none_or(IBig::is_zero) {
+            return Err(Stop::Pole);
+        }
+        let size = longest(&image.point);
+        let Primitive { mut point, weight_parts } = self.content.divide_out(image, self.before.as_deref());
+        let (weight, x) = point.split_last().ok_or(Stop::Pole)?;
+        let mut factors = common_factors(x, &weight.unsigned_abs(), &weight_parts, &self.factors);
+        let rest = common_of(&factors);
+        self.content.left(&rest, size);
+        if rest > UBig::ONE {
+            point.iter_mut().for_each(|x| *x /= &rest);
+            factors.iter_mut().for_each(|factor| *factor /= &rest);
+        }
+        let heights = heights(step + 1, &self.map, &point, &factors);
+        if self.is_too_long(&heights) {
+            return Err(Stop::Digits);
+        }
+        self.pace = Pace { time: begun.elapsed(), bits, image: longest(&point) };
+        self.before = Some(std::mem::replace(&mut self.point, point));
+        self.factors = factors;
+        Ok(heights)
+    }
+
+    /// Whether the bounds leave room for a step from a point of so many bits. The image is expected to grow as the last one
+    /// did, and the time with the square of the digits, which is what the longest gcds take.
+    fn foresee(&self, bits: usize) -> Result<(), Stop> {
+        let ratio = |a: usize, b: usize| a as f64 / b.max(1) as f64;
+        let Pace { time, bits: bits_then, image } = self.pace;
+        if let Some(max_digits) = self.bounds.max_digits {
+            let expected = bits as f64 * ratio(image, bits_then) * std::f64::consts::LOG10_2;
+            if expected > 2.0 * max_digits as f64 {
+                return Err(Stop::Digits);
+            }
+        }
+        if let Some(seconds) = self.bounds.seconds {
+            let expected = time.as_secs_f64() * ratio(bits, bits_then).powi(2);
+            if self.started.elapsed().as_secs_f64() + expected > seconds {
+                return Err(Stop::Seconds);
+            }
+        }
+        Ok(())
+    }
+
+    fn is_too_long(&self, heights: &Heights) -> bool {
+        self.bounds.max_digits.is_some_and(|max_digits| heights.longest() > max_digits)
+    }
+}
+
+impl Iterator for HeightsOrbit {
+    type Item = Heights;
+
+    fn next(&mut self) -> Option<Heights> {
+        if self.stopped.is_some() {
+            return None;
+        }
+        match self.advance() {
+            Ok(heights) => {
+                self.step = Some(heights.step);
+                Some(heights)
+            }
+            Err(stop) => {
+                self.stopped = Some(stop);
+                None
+            }
+        }
+    }
+}
+
+/// The heights of a point with W ≠ 0, from the gcd(Xᵢ, W).
+fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -> Heights {
+    let weight = point.last().map(UnsignedAbs::unsigned_abs).unwrap_or_default();
+    let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));
+    let logarithm = |(x, factor): (&IBig, &UBig)| {
+        let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);
+        // With X/W in lowest terms, σX/W with σ = s/t still shares gcd(s, W)·gcd(t, X).
+        let lost = shared(&above, &weight) * shared(&below, &x);
+        let larger = (&above * x).max(&below * weight) / lost;
+        let logarithm = natural_logarithm(&larger);
+        (logarithm, decimal_digits(&larger, logarithm))
+    };
+    let (logarithms, digits) = point.iter().zip(factors).map(logarithm).unzip();
+    Heights { step, logarithms, digits }
+}
+
+/// The common divisor of the gcd(Xᵢ, W), the shortest first.
+fn common_of(factors: &[UBig]) -> UBig {
+    let mut factors: Vec<&UBig> = factors.iter().collect();
+    factors.sort_by_key(|factor| factor.bit_len());
+    let mut factors = factors.into_iter();
+    let shortest = factors.next().cloned().unwrap_or(UBig::ONE);
+    factors.fold(shortest, |common, factor| shared(&common, factor))
+}
+
+/// gcd(number, long) for a number ≠ 0 that is the shorter one.
+fn shared(number: &UBig, long: &UBig) -> UBig {
+    if number.is_one() { UBig::ONE } else { number.gcd(long % number) }
+}

@@ -1,0 +1,276 @@
+//! A system read at run time as a map over any scalar: the traits of generated code, without generated code.
+//!
+//! In: a checked [`System`] and exact parameter values. Out: a [`KahanMap`] with the bits of the code that the macro would have
+//! written for it, so that everything that is generic over maps (orbits, compositions, the step with a promise) takes fields from
+//! the command line too. It runs the same plans in the same order, ten to fifty times as slowly.
+
+mod code;
+mod constant;
+mod dimension;
+mod program;
+mod step;
+mod unplanned;
+
+use std::marker::PhantomData;
+use std::sync::Arc;
+
+use kahan_algebra::arithmetic::Exact;
+use kahan_algebra::plan::Plan;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::Symbol;
+use kahan_algebra::system::System;
+use kahan_core::__private::{jacobian_by_duals, stable_step};
+use kahan_core::nalgebra::{SMatrix, SVector};
+use kahan_core::num_rational::BigRational;
+use kahan_core::{KahanMap, Lift, Pivot, QuadraticField, Scalar, SingularStep, StepCost};
+
+use code::Code;
+use program::{Inputs, Program};
+use unplanned::Unplanned;
+
+pub use constant::constant;
+pub use dimension::{LARGEST_DIMENSION, UnsupportedDimension, VisitDimension, visit_dimension};
+pub use step::InterpretedStep;
+
+/// A system read at run time, over the scalar T in N variables.
+///
+/// Copies share their programs. Two are equal where they share programs and have equal parameters.
+///
+/// ```
+/// use kahan_algebra::lexer::lex;
+/// use kahan_core::prelude::*;
+/// use crate::interpreted::Interpreted;
+///
+/// let reading = kahan_algebra::read(&lex("xdot = mu*x*y; ydot = x - y;").tokens);
+/// let exact = Interpreted::<BigRational, 2>::new(&reading.system, &["1/3".parse::<BigRational>().unwrap()]).unwrap();
+/// let map = exact.rounded::<f64>();
+///
+/// let mu = 1.0 / 3.0;
+/// let compiled = kahan! { xdot = mu*x*y; ydot = x - y; };
+/// let x = vector![0.5, -0.25];
+/// assert_eq!(map.step(&x, 0.1), compiled.step(&x, 0.1));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Interpreted<T, const N: usize> {
+    code: Arc<Code>,
+    parameters: Arc<[T]>,
+    dimension: PhantomData<[(); N]>,
+}
+
+/// Why a system cannot be interpreted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CannotInterpret {
+    /// It has another number of variables.
+    Dimension {
+        /// The system's.
+        found: usize,
+        /// The type's.
+        expected: usize,
+    },
+    /// It has another number of parameters than there are values.
+    Parameters {
+        /// The system's.
+        found: usize,
+        /// The values.
+        given: usize,
+    },
+    /// At these parameter values the field divides by zero.
+    Undefined,
+}
+
+impl core::fmt::Display for CannotInterpret {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Dimension { found, expected } => {
+                write!(f, "the system has {found} variables where {expected} were expected")
+            }
+            Self::Parameters { found, given } => {
+                write!(f, "the system has {found} parameters, but {given} values were given")
+            }
+            Self::Undefined => write!(f, "the field divides by zero at these parameter values"),
+        }
+    }
+}
+
+impl core::error::Error for CannotInterpret {}
+
+impl<const N: usize> Interpreted<BigRational, N> {
+    /// The system at these parameter values, in their order; over any other scalar by [`rounded`](Self::rounded).
+    ///
+    /// Cost: deriving and planning the map, some milliseconds for a system of the catalog.
+    ///
+    /// # Errors
+    /// [`CannotInterpret`].
+    pub fn new(system: &System, parameters: &[BigRational]) -> Result<Self, CannotInterpret> {
+        let (found, symbols) = (system.field.dimension(), &system.field.symbols);
+        if found != N {
+            return Err(CannotInterpret::Dimension { found, expected: N });
+        }
+        if symbols.parameters.len() != parameters.len() {
+            return Err(CannotInterpret::Parameters {
+                found: symbols.parameters.len(),
+                given: parameters.len(),
+            });
+        }
+        let denominators = Plan::of(system.field.components.iter().map(|component| &component.denominator));
+        let denominators = denominators.evaluate(&Exact, |variable| match symbols.symbol(variable) {
+            Symbol::Parameter(k) => Rational::from(parameters[k].clone()),
+            // Denominators are free of everything else.
+            _ => Rational::zero(),
+        });
+        if denominators.iter().any(|value| value.as_ref().is_none_or(Rational::is_zero)) {
+            return Err(CannotInterpret::Undefined);
+        }
+        Ok(Interpreted {
+            code: Arc::new(Code::of(system)),
+            parameters: parameters.into(),
+            dimension: PhantomData,
+        })
+    }
+
+    /// The system over another scalar, each parameter rounded once from its exact value.
+    #[must_use]
+    pub fn rounded<T: Scalar>(&self) -> Interpreted<T, N> {
+        self.over(&|parameter: &BigRational| T::constant(&constant(&Rational::from(parameter.clone()))))
+    }
+}
+
+impl<T: Scalar, const N: usize> Interpreted<T, N> {
+    /// What a step of the generated code costs.
+    #[must_use]
+    pub fn cost(&self) -> StepCost {
+        self.code.cost
+    }
+
+    /// The same system at other parameters, in their order. Where the field divides by zero at them, a float step is not finite and an exact one panics.
+    ///
+    /// # Panics
+    /// If they are not as many as before.
+    #[must_use]
+    pub fn with_parameters(&self, parameters: &[T]) -> Self {
+        assert_eq!(parameters.len(), self.parameters.len(), "a system has as many parameters as it declares");
+        Interpreted { code: Arc::clone(&self.code), parameters: parameters.into(), dimension: PhantomData }
+    }
+
+    /// The names of the state variables, in order.
+    #[must_use]
+    pub fn variables(&self) -> &[String] {
+        &self.code.states
+    }
+
+    /// The names of the integrals that the block claims without `when`, in order.
+    pub fn integral_names(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.code.integrals.iter().map(|integral| integral.name.as_str())
+    }
+
+    /// The integrals at x; ε, half the time step, is `eps`. `None` for one that divides by zero there in an exact scalar.
+    pub fn integrals(&self, x: &SVector<T, N>, eps: &T) -> Vec<Option<T>> {
+        let inputs =
+            Inputs { state: x.as_slice(), parameters: &self.parameters, eps: Some(eps), ..Inputs::default() };
+        let value = |program: &Program| program.run(&inputs).and_then(|mut values| values.pop());
+        self.code.integrals.iter().map(|integral| value(&integral.program)).collect()
+    }
+
+    /// The same programs with other parameters.
+    fn over<U>(&self, lift: &impl Fn(&T) -> U) -> Interpreted<U, N> {
+        let parameters = self.parameters.iter().map(lift).collect();
+        Interpreted { code: Arc::clone(&self.code), parameters, dimension: PhantomData }
+    }
+
+    /// A program of the states, the parameters and ε.
+    fn values(&self, program: &Program, x: &SVector<T, N>, other: &[T], eps: Option<&T>) -> Vec<T> {
+        let inputs = Inputs { state: x.as_slice(), other, parameters: &self.parameters, eps, prepared: &[] };
+        program.values(&inputs)
+    }
+}
+
+impl<T: PartialEq, const N: usize> PartialEq for Interpreted<T, N> {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.code, &other.code) && self.parameters == other.parameters
+    }
+}
+
+fn vector<T: Scalar, const N: usize>(values: &[T]) -> SVector<T, N> {
+    SVector::from_fn(|i, _| values[i].clone())
+}
+
+impl<T: Scalar, const N: usize> QuadraticField<T, N> for Interpreted<T, N> {
+    fn field(&self, x: &SVector<T, N>) -> SVector<T, N> {
+        vector(&self.values(&self.code.field, x, &[], None))
+    }
+
+    fn field_jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        let entries = self.values(&self.code.field_jacobian, x, &[], None);
+        SMatrix::from_fn(|i, j| entries[i * N + j].clone())
+    }
+
+    fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
+        vector(&self.values(&self.code.bilinear, x, y.as_slice(), None))
+    }
+
+    fn polarized(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
+        vector(&self.values(&self.code.polarized, x, y.as_slice(), None))
+    }
+}
+
+impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
+    type Prepared = InterpretedStep<T, N>;
+
+    fn prepare(&self, eps: &T) -> Self::Prepared {
+        InterpretedStep::new(self.clone(), eps.clone())
+    }
+
+    fn try_prepared(
+        &self,
+        prepared: &Self::Prepared,
+        x: &SVector<T, N>,
+        eps: &T,
+    ) -> Result<SVector<T, N>, SingularStep>
+    where
+        T: Pivot,
+    {
+        stable_step(self, prepared, x, eps)
+    }
+
+    fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
+        match &self.code.step {
+            Some(_) => jacobian_by_duals(self, x, &eps),
+            None => Unplanned(self.clone()).jacobian(x, eps),
+        }
+    }
+
+    fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
+        match &self.code.closed_forms {
+            Some(forms) => self.values(&forms.det_matrix, x, &[], Some(&eps)).swap_remove(0),
+            None => Unplanned(self.clone()).det_matrix(x, eps),
+        }
+    }
+
+    fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
+        match &self.code.closed_forms {
+            Some(forms) => {
+                let values = self.values(&forms.rational_map, x, &[], Some(&eps));
+                (vector(&values), values[N].clone())
+            }
+            None => Unplanned(self.clone()).rational_map(x, eps),
+        }
+    }
+
+    fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
+        match self.code.closed_forms.as_ref().and_then(|forms| forms.reduced_map.as_ref()) {
+            Some(program) => {
+                let values = self.values(program, x, &[], Some(&eps));
+                (vector(&values), values[N].clone())
+            }
+            None => self.rational_map(x, eps),
+        }
+    }
+}
+
+impl<T: Scalar, const N: usize> Lift<T, N> for Interpreted<T, N> {
+    type Lifted<U: Scalar> = Interpreted<U, N>;
+
+    fn lift<U: Scalar>(&self, lift: impl Fn(&T) -> U) -> Interpreted<U, N> {
+        self.over(&lift)
+    }
+}

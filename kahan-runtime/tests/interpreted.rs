@@ -1,0 +1,247 @@
+//! A system read at run time is the system that the macro compiled: the same bits in floats, the same numbers over ℚ.
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+use kahan_core::nalgebra::SVector;
+use kahan_core::prelude::*;
+use kahan_core::{KahanMap, Lift, Pivot, PreparedStep, Scalar, WideStep};
+use kahan_runtime::interpreted::{
+    CannotInterpret, Interpreted, LARGEST_DIMENSION, VisitDimension, constant, visit_dimension,
+};
+use kahan_systems::registry::find;
+use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
+
+fn system(text: &str) -> System {
+    let reading = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens);
+    assert!(reading.diagnostics.is_empty(), "{:?}", reading.diagnostics);
+    reading.system
+}
+
+fn q(text: &str) -> BigRational {
+    Rational::parse(text).expect("a number").to_big()
+}
+
+fn number<T: Scalar>(value: &Rational) -> T {
+    T::constant(&constant(value))
+}
+
+/// Points and steps of ordinary size whose coordinates are no short floats: sevenths and elevenths from a fixed sequence.
+fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
+    let mut state = 20_260_801_u64;
+    let mut next = |modulus: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        i64::try_from((state >> 33) % modulus).expect("small")
+    };
+    (0..count)
+        .map(|_| {
+            let point = SVector::from_fn(|_, _| number(&Rational::new(next(41) - 20, 7)));
+            (point, number(&Rational::new(2 * next(20) + 1, 11 * 23)))
+        })
+        .collect()
+}
+
+/// Whether two floats are the same, NaN being itself, or two exact numbers are equal.
+fn same<T: Scalar>(a: &T, b: &T) -> bool {
+    let is_number = |value: &T| *value == value.clone();
+    a == b || (!is_number(a) && !is_number(b))
+}
+
+fn agree<C, T, const N: usize>(name: &str, compiled: &C, interpreted: &Interpreted<T, N>)
+where
+    C: Lift<T, N>,
+    T: Pivot,
+{
+    assert_eq!(C::Prepared::COST, interpreted.cost(), "{name}");
+    for (x, eps) in samples::<T, N>(60) {
+        let (left, right) = (compiled.at(eps.clone()), interpreted.at(eps.clone()));
+        let quotients = (left.prepared().quotients(&x), right.prepared().quotients(&x));
+        let (Some(one), Some(other)) = &quotients else {
+            assert!(quotients.0.is_none() && quotients.1.is_none(), "{name}: a pole of one at {x:?}");
+            continue;
+        };
+        for i in 0..N {
+            assert!(same(&one.numerators[i], &other.numerators[i]), "{name} at {x:?}, {eps:?}");
+            let same_reciprocals = match (&one.reciprocals[i], &other.reciprocals[i]) {
+                (Some(one), Some(other)) => same(one, other),
+                (one, other) => one.is_none() && other.is_none(),
+            };
+            assert!(same_reciprocals, "{name} at {x:?}, {eps:?}");
+        }
+        let (next, back) = (left.step(&x), compiled.step_back(&x, eps.clone()));
+        assert!(next.iter().zip(right.step(&x).iter()).all(|(a, b)| same(a, b)), "{name}");
+        assert!(
+            back.iter().zip(interpreted.step_back(&x, eps.clone()).iter()).all(|(a, b)| same(a, b)),
+            "{name}"
+        );
+        assert_eq!(left.try_step(&x).ok(), right.try_step(&x).ok(), "{name}");
+        assert_eq!(compiled.field(&x), interpreted.field(&x), "{name}");
+        assert_eq!(compiled.field_jacobian(&x), interpreted.field_jacobian(&x), "{name}");
+        assert_eq!(compiled.bilinear(&x, &next), interpreted.bilinear(&x, &next), "{name}");
+        assert_eq!(compiled.polarized(&x, &next), interpreted.polarized(&x, &next), "{name}");
+        assert_eq!(compiled.det_matrix(&x, eps.clone()), interpreted.det_matrix(&x, eps.clone()), "{name}");
+        assert_eq!(
+            compiled.rational_map(&x, eps.clone()),
+            interpreted.rational_map(&x, eps.clone()),
+            "{name}"
+        );
+        let jacobians = (compiled.jacobian(&x, eps.clone()), interpreted.jacobian(&x, eps.clone()));
+        assert!(jacobians.0.iter().zip(jacobians.1.iter()).all(|(a, b)| same(a, b)), "{name}");
+    }
+}
+
+/// Over ℚ, f64 and f32.
+fn agree_everywhere<C, const N: usize>(command: &str, parameters: &[&str], exact: &C)
+where
+    C: Lift<BigRational, N>,
+{
+    let system = system(find(command).expect("in the catalog").text());
+    let parameters: Vec<BigRational> = parameters.iter().map(|text| q(text)).collect();
+    let interpreted = Interpreted::<BigRational, N>::new(&system, &parameters).expect("a system");
+    agree(command, exact, &interpreted);
+    let double = exact.lift(|p| number::<f64>(&p.clone().into()));
+    agree(command, &double, &interpreted.rounded());
+    agree(command, &double, &interpreted.lift(|p| number::<f64>(&p.clone().into())));
+    agree(command, &exact.lift(|p| number::<f32>(&p.clone().into())), &interpreted.rounded());
+}
+
+#[test]
+fn the_catalog_read_at_run_time_is_the_catalog_compiled() {
+    agree_everywhere("euler", &["1/3", "-1.7", "2"], &EulerTop { a1: q("1/3"), a2: q("-1.7"), a3: q("2") });
+    agree_everywhere("lv", &[], &LotkaVolterra);
+    agree_everywhere("e1", &[], &E1);
+    agree_everywhere("e2", &[], &E2);
+    agree_everywhere("e3", &[], &E3);
+    agree_everywhere("e4", &[], &E4);
+    agree_everywhere("e5", &[], &E5);
+    agree_everywhere("e6", &[], &E6);
+    agree_everywhere("e7", &["19/17"], &E7 { xi: q("19/17") });
+    agree_everywhere("e8", &[], &E8);
+    agree_everywhere("e9", &["0.1"], &E9 { xi: q("0.1") });
+}
+
+#[test]
+fn long_constants_are_rounded_once_for_each_scalar() {
+    let third = Rational::parse("0.33333333333333333333333333333333333").expect("a number");
+    assert_eq!(number::<f64>(&third), 1.0 / 3.0);
+    assert_eq!(number::<f32>(&third), 1.0_f32 / 3.0);
+    assert_eq!(number::<BigRational>(&third), third.to_big());
+    assert_eq!(number::<BigRational>(&Rational::parse("-1e40").expect("a number")), q("-1e40"));
+
+    let field = "xdot = 0.33333333333333333333333333333333333*x*y - 1e-20; ydot = 123456789.987654321*x;";
+    let compiled =
+        kahan! { xdot = 0.33333333333333333333333333333333333*x*y - 1e-20; ydot = 123456789.987654321*x; };
+    let exact = Interpreted::<BigRational, 2>::new(&system(field), &[]).expect("a system");
+    agree::<_, f64, 2>("long constants", &compiled, &exact.rounded());
+    let compiled =
+        kahan! { xdot = 0.33333333333333333333333333333333333*x*y - 1e-20; ydot = 123456789.987654321*x; };
+    agree::<_, BigRational, 2>("long constants", &compiled, &exact);
+}
+
+/// A field in seven variables, dense enough that its step eliminates.
+fn beyond_the_budget() -> String {
+    let names = ["a", "b", "c", "d", "e", "f", "g"];
+    let equation = |i: usize| {
+        let terms = (0..7).flat_map(|j| (j..7).map(move |k| (j, k)));
+        let terms = terms.map(|(j, k)| format!("{}*{}*{}", (i * 5 + j * 3 + k) % 7 + 1, names[j], names[k]));
+        format!("{}dot = {};", names[i], terms.collect::<Vec<_>>().join(" + "))
+    };
+    (0..7).map(equation).collect()
+}
+
+#[test]
+fn a_field_beyond_the_budget_obeys_the_defining_equation() {
+    let map = Interpreted::<BigRational, 7>::new(&system(&beyond_the_budget()), &[]).expect("a system");
+    let (x, eps) = (SVector::from_fn(|i, _| q("1/7") * q(&format!("{}", i + 1))), q("1/100"));
+    let next = map.step(&x, eps.clone());
+    let increment = map.polarized(&x, &next) * (eps.clone() + eps.clone());
+    assert_eq!(next.clone() - x.clone(), increment);
+    let (numerators, denominator) = map.rational_map(&x, eps.clone());
+    assert_eq!(denominator, map.det_matrix(&x, eps.clone()));
+    assert_eq!(numerators, next.clone() * denominator);
+    let slopes = map.matrix(&x, eps.clone()) * map.jacobian(&x, eps.clone());
+    assert_eq!(slopes, map.matrix(&next, -eps));
+}
+
+#[test]
+fn integrals_are_the_generated_ones_and_stay() {
+    let exact = Interpreted::<BigRational, 3>::new(&system(find("e6").expect("e6").text()), &[]).expect("e6");
+    assert_eq!(exact.integral_names().collect::<Vec<_>>(), E6::INTEGRALS);
+    assert_eq!(exact.variables(), E6::VARIABLES);
+    for (x, eps) in samples::<BigRational, 3>(20) {
+        let values: Vec<BigRational> = exact.integrals(&x, &eps).into_iter().flatten().collect();
+        assert_eq!(values, E6.integrals(&x, eps.clone()).as_slice());
+        let next: Vec<BigRational> =
+            exact.integrals(&exact.step(&x, eps.clone()), &eps).into_iter().flatten().collect();
+        assert_eq!(values, next);
+    }
+    let undefined = Interpreted::<BigRational, 3>::new(&system(find("e3").expect("e3").text()), &[]);
+    let x = vector![q("0"), q("1"), q("1")];
+    assert_eq!(undefined.expect("e3").integrals(&x, &q("1/2"))[0], None, "H = y/x at x = 0");
+}
+
+#[test]
+fn a_widened_step_is_the_step_over_the_wider_scalar() {
+    let exact = Interpreted::<BigRational, 3>::new(&system(find("e9").expect("e9").text()), &[q("0.75")]);
+    let map = exact.expect("e9").rounded::<f32>();
+    let (x, eps) = (vector![0.5_f32, -0.25, 0.75], 0.125_f32);
+    let wide = map.at(eps).prepared().widen(|value| f64::from(*value));
+    let wider = map.lift(|value| f64::from(*value)).at(f64::from(eps));
+    assert_eq!(wide.next(&x.map(f64::from)), Some(wider.step(&x.map(f64::from))));
+}
+
+#[test]
+fn what_cannot_be_interpreted_is_told() {
+    let field = system("xdot = x*y/a; ydot = x;");
+    let new = |parameters: &[BigRational]| Interpreted::<BigRational, 2>::new(&field, parameters).map(|_| ());
+    assert_eq!(new(&[q("2")]), Ok(()));
+    assert_eq!(new(&[q("0")]), Err(CannotInterpret::Undefined));
+    assert_eq!(new(&[]), Err(CannotInterpret::Parameters { found: 1, given: 0 }));
+    let three = Interpreted::<BigRational, 3>::new(&field, &[q("1")]).map(|_| ());
+    assert_eq!(three, Err(CannotInterpret::Dimension { found: 2, expected: 3 }));
+}
+
+#[test]
+fn a_dimension_known_at_run_time_becomes_a_type() {
+    struct Dimension;
+    impl VisitDimension for Dimension {
+        type Output = usize;
+        fn visit<const N: usize>(self) -> usize {
+            N
+        }
+    }
+    for n in 1..=LARGEST_DIMENSION {
+        assert_eq!(visit_dimension(n, Dimension), Ok(n));
+    }
+    for n in [0, LARGEST_DIMENSION + 1] {
+        let refusal = visit_dimension(n, Dimension).expect_err("no such type");
+        assert!(refusal.to_string().contains(&format!("{n} variables")), "{refusal}");
+    }
+}
+
+/// 1 + εx = 0 is a removable pole of E1; a field read at run time has the value there as well.
+#[test]
+fn a_removable_pole_has_its_value() {
+    let entry = find("e1").expect("the catalog has E1");
+    let read = Interpreted::<BigRational, 3>::new(&system(entry.text()), &[]).expect("E1").rounded::<f64>();
+    for size in [1.0, 1e-140, 1e140] {
+        for x in [-2.0, -2.0_f64.next_up(), -3.0] {
+            let (x, eps) = (vector![x * size, 0.75 * size, 0.5], 0.5 / size);
+            let compiled = E1.try_step(&x, eps).expect("the reduced map has a value");
+            let next = read.try_step(&x, eps).expect("the same for the field that was read");
+            assert!((next - compiled).amax() <= 1e-14 * compiled.amax(), "{next:?}, {compiled:?}");
+        }
+    }
+}
+
+/// Parameters at which the field divides by zero end in an error where the reduced map has no value
+/// there, and not in a panic.
+#[test]
+fn a_field_that_divides_by_zero_has_no_step() {
+    let text = "struct Divided { a, b } xdot = x*y + 1/(a - b); ydot = x - y;";
+    let read = Interpreted::<BigRational, 2>::new(&system(text), &[q("2"), q("1")]).expect("a field");
+    let step =
+        |a: f64, b: f64| read.rounded::<f64>().with_parameters(&[a, b]).try_step(&vector![0.5, 0.25], 0.125);
+    assert!(step(2.0, 1.0).is_ok());
+    let why = step(1.0, 1.0).expect_err("no field").to_string();
+    assert!(why.contains("divides by zero") || why.contains("pole"), "{why}");
+}
