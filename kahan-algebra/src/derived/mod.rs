@@ -1,229 +1,174 @@
-//! The plans of everything that is generated for a system: one object a row of what `kahan show --plan` prints.
+//! Everything of a system that is evaluated, as straight-line plans: they are assembled here and nowhere else.
 //!
-//! In: a checked system. Out: for each object its straight-line plan, as generated code computes it, so that what it
-//! costs can be counted, printed and estimated before anything is compiled.
+//! In: a checked system. Out: a [`Derived`], in which each plan has a name. Whoever writes code, runs a map, proves
+//! or prints reads it from there, so that all of them compute the same operations in the same order.
 
-mod dual;
-mod estimate;
 mod listing;
 mod names;
 
-pub use estimate::Estimate;
+use std::sync::OnceLock;
+
 pub use listing::StepListing;
+pub use names::{StepName, StepNames, constant_names};
 
 use crate::field::Field;
-use crate::kahan::{RationalMap, bilinear_form, field_jacobian, polarization};
-use crate::plan::{Cost, Node, Operation, Plan, PlanBuilder, StepPlan};
+use crate::kahan::{
+    RationalMap, Reduced, bilinear_form, field_jacobian, polarization, scaled_matrix, scaled_rhs,
+};
+use crate::plan::{Node, Plan, PlanBuilder, StepPlan};
 use crate::poly::Polynomial;
-use crate::rational::Rational;
+use crate::symbols::Symbols;
 use crate::syntax::ClaimKind;
-use crate::system::{Claim, System};
+use crate::system::System;
 
-/// One function that is generated for a system.
+/// The plans of a system. Their inputs are states, parameters and ε, which is half the time step.
 #[derive(Clone, Debug)]
-pub struct Object {
-    /// What it is called: `field f`, `det A`, `bracket P`.
-    pub name: String,
-    /// How it is written.
-    pub style: Style,
-    /// What it computes; `None` where it is elimination in a loop.
-    pub plan: Option<Plan>,
-}
-
-/// How an object's code is written: what its size depends on beside its operations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Style {
-    /// A function of one point.
-    Plain,
-    /// A function of two points.
-    TwoPoints,
-    /// A function of one point over dual numbers.
-    Dual,
-}
-
-/// Everything that is generated for a system.
-#[derive(Clone, Debug)]
-pub struct Objects {
-    /// The map in closed form; `None` beyond the budget.
+pub struct Derived {
+    /// The system itself.
+    pub system: System,
+    /// What each component of the field divides by, free of states: where one is zero there is no field.
+    pub divisors: Plan,
+    /// f(x), a component a result.
+    pub field: Plan,
+    /// f′(x), row by row.
+    pub field_jacobian: Plan,
+    /// Q(x,y), a component a result; y are the second states.
+    pub bilinear: Plan,
+    /// Q(x,y) + ½B(x+y) + c, a component a result.
+    pub polarized: Plan,
+    /// A(x,ε), row by row.
+    pub matrix: Plan,
+    /// b(x,ε), a component a result.
+    pub rhs: Plan,
+    /// The map as polynomials; `None` beyond the budget of terms.
     pub map: Option<RationalMap>,
-    /// The step in straight lines; `None` where it eliminates with pivoting.
-    pub step: Option<StepPlan>,
-    /// The objects in the order of the generated code.
-    pub list: Vec<Object>,
+    /// det A(x,ε), expanded; `None` beyond the budget.
+    pub det_matrix: Option<Plan>,
+    /// (N, D), the numerators before the denominator, unreduced; `None` beyond the budget.
+    pub rational_map: Option<Plan>,
+    /// The numerators of the reduced map before its denominator; `None` where nothing that depends on a state was
+    /// divided out, so that they are (N, D) up to a factor without poles.
+    pub reduced_map: Option<Plan>,
+    /// The integrals that are claimed without `when`, together.
+    pub integrals: Plan,
+    /// Their names, in order.
+    pub integral_names: Vec<String>,
+    /// The density that is claimed without `when`.
+    pub density: Option<Plan>,
+    /// The brackets that are claimed without `when`: name, and the entries above the diagonal row by row.
+    pub brackets: Vec<(String, Plan)>,
+    step: OnceLock<Option<StepPlan>>,
 }
 
-impl Object {
-    fn new(name: impl Into<String>, plan: impl Into<Option<Plan>>) -> Self {
-        Object { name: name.into(), style: Style::Plain, plan: plan.into() }
-    }
-
-    fn styled(self, style: Style) -> Self {
-        Object { style, ..self }
-    }
-
-    /// The operations of the object and its chain; `None` where it is elimination.
-    #[must_use]
-    pub fn cost(&self) -> Option<Cost> {
-        self.plan.as_ref().map(Plan::cost)
-    }
-
-    /// The machine code and the time to compile it, estimated; `None` where the object is elimination.
-    #[must_use]
-    pub fn estimate(&self) -> Option<Estimate> {
-        self.plan.as_ref().map(|plan| Estimate::of(plan, self.style))
-    }
-}
-
-impl Objects {
-    /// Derives the map of a system, plans its step, and the plans of all else.
-    ///
-    /// Cost: that of [`RationalMap::of`] and [`StepPlan::of_map`], some milliseconds for a system of the catalog.
-    #[must_use]
-    pub fn of(system: &System) -> Self {
-        let map = RationalMap::of(&system.field);
-        let step = StepPlan::of_map(&system.field, map.as_ref());
-        Self::from_parts(system, map, step)
-    }
-
-    /// The same from a map and a step that are known already.
-    #[must_use]
-    pub fn from_parts(system: &System, map: Option<RationalMap>, step: Option<StepPlan>) -> Self {
-        let field = &system.field;
-        let mut list = vec![
-            Object::new("field f", field_plan(field)),
-            Object::new("f'(x)", field_jacobian_plan(field)),
-            Object::new("Q(x,x')", bilinear_plan(field)).styled(Style::TwoPoints),
-            Object::new("polarised field", polarized_plan(field)).styled(Style::TwoPoints),
-            Object::new("prepared constants", step.as_ref().map(|step| step.constants.clone())),
-            Object::new("step", step.as_ref().map(|step| next_plan(field, step))),
-            Object::new("Jacobian", step.as_ref().map(|step| dual::jacobian_plan(field, step)))
-                .styled(Style::Dual),
-            Object::new("det A", map.as_ref().map(det_matrix_plan)),
-            Object::new("(N, D)", map.as_ref().map(rational_map_plan)),
-        ];
-        let integrals: Vec<&Claim> = system.accessors(ClaimKind::Integral).collect();
-        if !integrals.is_empty() {
-            list.push(Object::new("integrals", Plan::together(integrals.iter().map(|claim| &claim.plan))));
-        }
-        let densities = system.accessors(ClaimKind::Density).take(1);
-        list.extend(densities.map(|claim| Object::new("density", claim.plan.clone())));
-        list.extend(system.accessors(ClaimKind::Bracket).map(|claim| {
-            let name = format!("bracket {}", claim.name.text);
-            Object::new(name, claim.plan.clone())
-        }));
-        Objects { map, step, list }
-    }
-}
-
-/// f(x), a component a result.
-#[must_use]
-pub fn field_plan(field: &Field) -> Plan {
-    let numerators: Vec<Polynomial> =
-        field.components.iter().map(|component| component.numerator.clone()).collect();
-    over_denominators(field, &numerators, 1)
-}
-
-/// f′(x), row by row.
-#[must_use]
-pub fn field_jacobian_plan(field: &Field) -> Plan {
-    let entries: Vec<Polynomial> = field_jacobian(field).into_iter().flatten().collect();
-    over_denominators(field, &entries, field.dimension())
-}
-
-/// Q(x, y), a component a result; y are the second states.
-#[must_use]
-pub fn bilinear_plan(field: &Field) -> Plan {
-    over_denominators(field, &bilinear_form(field), 1)
-}
-
-/// Q(x,y) + ½B(x+y) + c, a component a result.
-#[must_use]
-pub fn polarized_plan(field: &Field) -> Plan {
-    over_denominators(field, &polarization(field), 1)
-}
-
-/// det A(x,ε), expanded.
-#[must_use]
-pub fn det_matrix_plan(map: &RationalMap) -> Plan {
-    over_divisor(map, [&map.denominator])
-}
-
-/// (N, D), the numerators before the denominator, unreduced.
-#[must_use]
-pub fn rational_map_plan(map: &RationalMap) -> Plan {
-    over_divisor(map, map.numerators.iter().chain([&map.denominator]))
-}
-
-/// The numerators x·d + 2εn of the reduced map, expanded, before its denominator d; `None` where nothing that depends on a
-/// state was divided out, so that they are (N, D) up to a factor without poles.
-#[must_use]
-pub fn reduced_map_plan(field: &Field, map: &RationalMap) -> Option<Plan> {
-    let symbols = &field.symbols;
-    if !map.reduced.common_factor.variables().into_iter().any(|variable| symbols.is_state(variable)) {
-        return None;
-    }
-    let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
-    let denominator = &map.reduced.denominator;
-    let numerator = |(i, increment): (usize, &Polynomial)| {
-        &(&Polynomial::variable(symbols.state(i)) * denominator) + &(&two_eps * increment)
-    };
-    let numerators: Vec<Polynomial> = map.reduced.increments.iter().enumerate().map(numerator).collect();
-    Some(Plan::of(numerators.iter().chain([denominator])))
-}
-
-/// x̃ from x and the prepared constants: the kernel of a step, and its last multiply-add a component.
+/// Derives the plans of a system.
 ///
-/// A numerator −n is subtracted rather than negated, as every compiler does it.
+/// Cost: that of [`RationalMap::of`], some milliseconds for a system of the catalog; the step is planned when it is
+/// first asked for.
 #[must_use]
-pub fn next_plan(field: &Field, step: &StepPlan) -> Plan {
-    let mut operations = step.kernel.operations.clone();
-    let mut push = |operation: Operation| {
-        operations.push(operation);
-        Node(operations.len() - 1)
-    };
-    let (numerators, reciprocals) = step.kernel.outputs.split_at(field.dimension());
-    let mut outputs = Vec::with_capacity(numerators.len());
-    for (i, (&numerator, reciprocal)) in numerators.iter().zip(&step.reciprocals).enumerate() {
-        let state = push(Operation::Input(field.symbols.state(i)));
-        let negated = match step.kernel.operations[numerator.0] {
-            Operation::Negate(inner) => Some(inner),
-            _ => None,
-        };
-        outputs.push(push(match (negated, reciprocal.map(|index| reciprocals[index])) {
-            (Some(inner), Some(reciprocal)) => Operation::SubtractProduct(state, inner, reciprocal),
-            (Some(inner), None) => Operation::Subtract(state, inner),
-            (None, Some(reciprocal)) => Operation::MultiplyAdd(numerator, reciprocal, state),
-            (None, None) => Operation::Add(state, numerator),
-        }));
+pub fn derive(system: &System) -> Derived {
+    let field = &system.field;
+    let n = field.dimension();
+    let map = RationalMap::of(field);
+    let claims = |kind| system.accessors(kind).map(|claim| (claim.name.text.clone(), &claim.plan));
+    let alone = |plan: &Plan| Plan::together([plan]);
+    Derived {
+        divisors: Plan::of(field.components.iter().map(|component| &component.denominator)),
+        field: over_divisors(field, field.components.iter().map(|component| &component.numerator), 1),
+        field_jacobian: over_divisors(field, field_jacobian(field).iter().flatten(), n),
+        bilinear: over_divisors(field, &bilinear_form(field), 1),
+        polarized: over_divisors(field, &polarization(field), 1),
+        matrix: over_divisors(field, scaled_matrix(field).iter().flatten(), n),
+        rhs: over_divisors(field, &scaled_rhs(field), 1),
+        det_matrix: map.as_ref().map(|map| over_product(map, [&map.denominator])),
+        rational_map: map
+            .as_ref()
+            .map(|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
+        reduced_map: map.as_ref().and_then(|map| reduced_map(&field.symbols, &map.reduced)),
+        map,
+        integrals: Plan::together(claims(ClaimKind::Integral).map(|(_, plan)| plan)),
+        integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
+        density: claims(ClaimKind::Density).next().map(|(_, plan)| alone(plan)),
+        brackets: claims(ClaimKind::Bracket).map(|(name, plan)| (name, alone(plan))).collect(),
+        step: OnceLock::new(),
+        system: system.clone(),
     }
-    // Each step once, and none that no result needs.
-    Plan::together([&Plan { operations, outputs }])
 }
 
-/// These numerators, `width` of them over each component's denominator.
-fn over_denominators(field: &Field, numerators: &[Polynomial], width: usize) -> Plan {
-    let mut builder = PlanBuilder::default();
-    let mut outputs = Vec::with_capacity(numerators.len());
-    for (row, component) in numerators.chunks(width).zip(&field.components) {
-        for numerator in row {
-            let above = builder.polynomial(numerator);
-            let below = builder.polynomial(&component.denominator);
-            outputs.push(builder.divide(above, below));
+impl Derived {
+    /// The step in straight lines; `None` where every step eliminates.
+    ///
+    /// Cost: the first call plans it, which takes some milliseconds for a system of the catalog.
+    pub fn step(&self) -> Option<&StepPlan> {
+        self.step.get_or_init(|| StepPlan::of_map(&self.system.field, self.map.as_ref())).as_ref()
+    }
+
+    /// The plan of each function that generated code has, with the words for it: `det A`, `bracket P`. `None` stands
+    /// for elimination in a loop.
+    #[must_use]
+    pub fn functions(&self) -> Vec<(String, Option<Plan>)> {
+        let symbols = &self.system.field.symbols;
+        let some = |name: &str, plan: &Plan| (name.to_owned(), Some(plan.clone()));
+        let perhaps = |name: &str, plan: Option<&Plan>| (name.to_owned(), plan.cloned());
+        let step = self.step();
+        let general = step.and_then(|step| step.general.as_deref());
+        let constants = |step: &StepPlan| step.constants.clone();
+        let next = |step: &StepPlan| step.next(symbols);
+        let mut functions = vec![
+            some("field f", &self.field),
+            some("f'(x)", &self.field_jacobian),
+            some("Q(x,x')", &self.bilinear),
+            some("polarised field", &self.polarized),
+            ("prepared constants".to_owned(), step.map(constants)),
+            ("step".to_owned(), step.map(next)),
+        ];
+        functions.extend(general.into_iter().flat_map(|general| {
+            [
+                ("general constants".to_owned(), Some(constants(general))),
+                ("general step".to_owned(), Some(next(general))),
+            ]
+        }));
+        functions.push(perhaps("det A", self.det_matrix.as_ref()));
+        functions.push(perhaps("(N, D)", self.rational_map.as_ref()));
+        functions.extend(self.reduced_map.iter().map(|plan| some("(N, D) reduced", plan)));
+        if !self.integral_names.is_empty() {
+            functions.push(some("integrals", &self.integrals));
         }
+        functions.extend(self.density.iter().map(|plan| some("density", plan)));
+        functions.extend(self.brackets.iter().map(|(name, plan)| some(&format!("bracket {name}"), plan)));
+        functions
+    }
+}
+
+/// These numerators, `width` of them over what each component of the field divides by.
+fn over_divisors<'a>(
+    field: &Field,
+    numerators: impl IntoIterator<Item = &'a Polynomial>,
+    width: usize,
+) -> Plan {
+    let mut builder = PlanBuilder::default();
+    let mut outputs: Vec<Node> = Vec::new();
+    for (index, numerator) in numerators.into_iter().enumerate() {
+        let above = builder.polynomial(numerator);
+        let below = builder.polynomial(&field.components[index / width].denominator);
+        outputs.push(builder.divide(above, below));
     }
     builder.finish(&outputs)
 }
 
 /// These polynomials over ∏q.
-fn over_divisor<'a>(map: &RationalMap, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
+fn over_product<'a>(map: &RationalMap, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
     let mut builder = PlanBuilder::default();
     let below = builder.polynomial(&map.divisor);
-    let outputs: Vec<Node> = polynomials
-        .into_iter()
-        .map(|polynomial| {
-            let above = builder.polynomial(polynomial);
-            builder.divide(above, below)
-        })
-        .collect();
+    let mut outputs: Vec<Node> = Vec::new();
+    for polynomial in polynomials {
+        let above = builder.polynomial(polynomial);
+        outputs.push(builder.divide(above, below));
+    }
     builder.finish(&outputs)
+}
+
+/// The numerators of the reduced map and its denominator, where a factor that depends on states was divided out.
+fn reduced_map(symbols: &Symbols, reduced: &Reduced) -> Option<Plan> {
+    let is_shorter = reduced.common_factor.variables().into_iter().any(|variable| symbols.is_state(variable));
+    is_shorter.then(|| Plan::of(reduced.numerators(symbols).iter().chain([&reduced.denominator])))
 }
