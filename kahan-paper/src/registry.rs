@@ -66,7 +66,7 @@ impl Paper {
                 parse(&claim.statement).map_or_else(|why| vec![why], |statement| statement_latex(&statement))
             }
             Basis::Block => {
-                let system = self.models.get(claim.system).map(|model| &model.system);
+                let system = self.models.get(claim.system).map(Model::system);
                 let found = system.and_then(|system| {
                     let name = claim.id.rsplit('.').next()?;
                     system.claims.iter().find(|declared| declared.name.text == name)

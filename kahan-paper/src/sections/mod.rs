@@ -82,7 +82,7 @@ pub(super) fn claims(models: &Models) -> Vec<Claim> {
 fn block_claims(models: &Models, systems: &[Entry]) -> Vec<Claim> {
     let mut claims = Vec::new();
     for entry in systems {
-        let system = &models[entry.command].system;
+        let system = models[entry.command].system();
         claims.extend(system.claims.iter().map(|claim| Claim {
             id: format!("{}.{}", entry.command, claim.name.text),
             system: entry.command,

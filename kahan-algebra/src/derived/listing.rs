@@ -3,7 +3,7 @@
 use crate::plan::{Node, Operation, Plan, StepPlan};
 use crate::symbols::Symbols;
 
-use super::names::{constant_names, kernel_names};
+use super::names::{constant_names, listed_constants, listed_kernel};
 
 /// A step's plan in lines `name = left + right`; a line with a product and a sum is one multiply-add.
 ///
@@ -26,10 +26,9 @@ impl StepListing {
     /// The listing of a step; `symbols` are those of its field.
     #[must_use]
     pub fn of(step: &StepPlan, symbols: &Symbols) -> Self {
-        let fixed = constant_names(&step.constants, symbols);
-        let prepared: Vec<String> =
-            step.constants.outputs.iter().map(|output| fixed[output.0].clone()).collect();
-        let named = kernel_names(&step.kernel, symbols, &prepared, &fixed);
+        let prepared = constant_names(&step.constants, symbols);
+        let fixed = listed_constants(&step.constants, symbols, &prepared);
+        let named = listed_kernel(&step.kernel, symbols, &prepared, &fixed);
         let name = |node: Node| named[node.0].as_str();
         let (numerators, quotients) = step.kernel.outputs.split_at(symbols.dimension());
         let reciprocals: Vec<Option<String>> = step
