@@ -67,13 +67,13 @@ pub(super) fn claims(models: &Models) -> Vec<Claim> {
         lotka_volterra::claims(),
         maps::claims(),
         tables::claims(),
-        block_claims(models, &SYSTEMS),
+        block_claims(models, SYSTEMS),
         flows::claims(),
         solutions::claims(),
         e7_e8_e9::claims(),
         diophantine::claims(),
         appendix::claims(),
-        block_claims(models, &FURTHER),
+        block_claims(models, FURTHER),
     ]
     .concat()
 }

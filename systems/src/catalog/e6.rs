@@ -10,6 +10,7 @@ mod solution;
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+use crate::solution::{point, trajectory};
 
 pub use solution::{FlowSolution, Solution};
 
@@ -40,8 +41,11 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "e6",
     type_name: "E6",
+    name: "E6",
     title: "two Lie-Poisson structures, sl(2,R) and so(3); elliptic curves",
     file: include_str!("e6.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
     sources: &[
         ("H", "Table 2, i = 6"),
         ("K", "Table 2, i = 6"),

@@ -49,8 +49,11 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "lagrange",
     type_name: "LagrangeTop",
+    name: "Lagrange top",
     title: "the Lagrange top, a heavy symmetric rigid body; four integrals in six variables",
     file: include_str!("lagrange.rs"),
+    parameters: &[(3, 2), (5, 8)],
+    flow: None,
     sources: &[
         ("H", FOUND_TIDIED),
         ("J", FOUND),

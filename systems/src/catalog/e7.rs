@@ -16,6 +16,7 @@ mod solution;
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
 pub use integrals::{bracket_of_h, integral_h, integral_k};
@@ -79,8 +80,13 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "e7",
     type_name: "E7",
+    name: "E7",
     title: "a family with parameter xi between E1 (xi = 1) and E2 (xi = -1); a Gamma-function integral",
     file: include_str!("e7.rs"),
+    parameters: &[(-5, 4)],
+    flow: Some(|parameters, start| {
+        trajectory(FlowSolution::through(parameters.first()?, &point(start)?), FlowSolution::at)
+    }),
     sources: &[
         ("rho", "Section 6 (dE7), volume form"),
         ("H1", "Section 6 (dE7), xi = 1; Table 2, i = 1"),

@@ -39,8 +39,11 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "zhukovsky",
     type_name: "ZhukovskyVolterra",
+    name: "Zhukovsky–Volterra",
     title: "the Zhukovsky-Volterra gyrostat; integrable with two of its momenta zero",
     file: include_str!("zhukovsky.rs"),
+    parameters: &[(3, 2), (-5, 8), (7, 4), (1, 4), (-3, 8), (1, 2)],
+    flow: None,
     sources: &[
         ("G", "found by kahan discover at b3 = 0"),
         ("H", "found by kahan discover at b2 = b3 = 0"),

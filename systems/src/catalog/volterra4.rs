@@ -26,7 +26,10 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "volterra4",
     type_name: "VolterraFour",
+    name: "Volterra lattice, four sites",
     title: "the periodic Volterra lattice with four sites",
     file: include_str!("volterra4.rs"),
+    parameters: &[],
+    flow: None,
     sources: &[("S", FOUND), ("H", FOUND), ("K", FOUND), ("rho", FOUND)],
 };

@@ -13,6 +13,7 @@ mod solution;
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
 pub use solution::Solution;
@@ -43,8 +44,11 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "e1",
     type_name: "E1",
+    name: "E1",
     title: "two Lie-Poisson structures, A(3,3) and sl(2,R); solved by rational functions",
     file: include_str!("e1.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
     sources: &[
         ("H", "Table 2, i = 1"),
         ("K", "Table 2, i = 1"),

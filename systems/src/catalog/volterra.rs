@@ -25,7 +25,10 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "volterra",
     type_name: "VolterraLattice",
+    name: "Volterra lattice, three sites",
     title: "the periodic Volterra lattice with three sites",
     file: include_str!("volterra.rs"),
+    parameters: &[],
+    flow: None,
     sources: &[("rho", "from kahan discover's density 1/D and integral K"), ("S", FOUND), ("K", FOUND)],
 };

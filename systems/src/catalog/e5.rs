@@ -12,6 +12,7 @@ mod solution;
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
 pub use solution::Solution;
@@ -42,8 +43,11 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "e5",
     type_name: "E5",
+    name: "E5",
     title: "two Lie-Poisson structures, e(2) and sl(2,R); solved by hyperbolic functions",
     file: include_str!("e5.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
     sources: &[
         ("H", "Table 2, i = 5"),
         ("K", "Table 2, i = 5"),

@@ -27,7 +27,10 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "lorenz",
     type_name: "Lorenz",
+    name: "Lorenz",
     title: "the Lorenz system; nothing is conserved",
     file: include_str!("lorenz.rs"),
+    parameters: &[(10, 1), (28, 1), (11, 4)],
+    flow: None,
     sources: &[],
 };

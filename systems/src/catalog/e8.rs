@@ -13,6 +13,7 @@ mod solution;
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
 pub use integrals::{integral_h, integral_k};
@@ -34,7 +35,10 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "e8",
     type_name: "E8",
+    name: "E8",
     title: "a Lie-Poisson pair with a digamma-function integral",
     file: include_str!("e8.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
     sources: &[("rho", "Section 6 (dE8), not stated there")],
 };

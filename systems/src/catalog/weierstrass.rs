@@ -25,7 +25,10 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "weierstrass",
     type_name: "Weierstrass",
+    name: "Weierstrass’ equation",
     title: "the equation of the Weierstrass function; elliptic curves in the plane",
     file: include_str!("weierstrass.rs"),
+    parameters: &[(5, 4)],
+    flow: None,
     sources: &[("H", FOUND), ("rho", FOUND)],
 };

@@ -31,8 +31,11 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "lv",
     type_name: "LotkaVolterra",
+    name: "Lotka–Volterra",
     title: "the Lotka-Volterra system of prey and predators",
     file: include_str!("lotka_volterra.rs"),
+    parameters: &[],
+    flow: None,
     sources: &[
         ("rho", "Section 1, symplectic form"),
         ("P", "Section 1, Poisson bracket"),

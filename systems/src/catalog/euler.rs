@@ -13,6 +13,7 @@ mod solution;
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+use crate::solution::{point, trajectory};
 
 pub use solution::{FlowSolution, Reduction, Solution};
 
@@ -48,8 +49,13 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "euler",
     type_name: "EulerTop",
+    name: "Euler top",
     title: "the Euler top, a rigid body that turns freely about its centre of mass",
     file: include_str!("euler.rs"),
+    parameters: &[(3, 2), (-5, 8), (7, 4)],
+    flow: Some(|parameters, start| {
+        trajectory(FlowSolution::through(parameters.try_into().ok()?, &point(start)?), FlowSolution::at)
+    }),
     sources: &[
         ("H", "Section 2, Euler top, not stated there"),
         ("K", "Section 2, Euler top, not stated there"),

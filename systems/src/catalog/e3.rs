@@ -14,6 +14,7 @@ mod solution;
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
 pub use solution::Solution;
@@ -44,8 +45,11 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "e3",
     type_name: "E3",
+    name: "E3",
     title: "two Lie-Poisson structures, A(3,3) and so(3); solved by hyperbolic functions",
     file: include_str!("e3.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
     sources: &[
         ("H", "Table 2, i = 3"),
         ("K", "Table 2, i = 3"),

@@ -14,6 +14,7 @@ mod solution;
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
 pub use normal_form::Symmetry;
@@ -45,8 +46,11 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "e4",
     type_name: "E4",
+    name: "E4",
     title: "two Lie-Poisson structures, e(1,1) and so(3); solved by elliptic functions",
     file: include_str!("e4.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
     sources: &[
         ("H", "Table 2, i = 4"),
         ("K", "Table 2, i = 4"),

@@ -41,7 +41,10 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "henon-heiles",
     type_name: "HenonHeiles",
+    name: "Hénon–Heiles",
     title: "Hénon and Heiles' two coupled oscillators; chaos with an integral",
     file: include_str!("henon_heiles.rs"),
+    parameters: &[(1, 1), (5, 4), (3, 4)],
+    flow: None,
     sources: &[("H", FOUND), ("rho", FOUND)],
 };

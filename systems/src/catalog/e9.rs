@@ -14,6 +14,7 @@ mod solution;
 use kahan_core::prelude::*;
 
 use crate::entry::Entry;
+use crate::solution::{point, trajectory};
 
 pub use flow::{Elementary, FlowSolution};
 pub use quadrature::{Quadrature, fixed_points, sphere_radius};
@@ -63,8 +64,13 @@ kahan! {
 pub const ENTRY: Entry = Entry {
     command: "e9",
     type_name: "E9",
+    name: "E9",
     title: "a family with parameter xi between E3 (xi = 1) and E4 (xi = -1); not integrable between them",
     file: include_str!("e9.rs"),
+    parameters: &[(-5, 4)],
+    flow: Some(|parameters, start| {
+        trajectory(FlowSolution::through(parameters.first()?, &point(start)?), FlowSolution::at)
+    }),
     sources: &[
         ("rho", "Section 6.3, not stated there"),
         ("H3", "Section 6.3, xi = 1; Table 2, i = 3"),
