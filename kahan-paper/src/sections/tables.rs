@@ -1,6 +1,8 @@
 //! Tables 1 to 4 and Theorems 1 and 2, cell by cell.
 
 use super::super::claim::Claim;
+use super::super::erratum::Erratum::A;
+use super::super::section::Section;
 use super::structures::{ENTRIES, STRUCTURES, Structure, triple};
 
 /// P dF for the tensor with this name and suffix, as three formulas.
@@ -25,10 +27,16 @@ pub(super) fn claims() -> Vec<Claim> {
 
 fn place(structure: &Structure) -> String {
     let index = &structure.system[1..];
-    match index {
-        "7" | "8" | "9" => format!("Section 6, E{index}"),
-        _ => format!("Table 1, i = {index}"),
+    if structure.discrete.is_some() {
+        format!("Table 1, i = {index}")
+    } else {
+        format!("Section 6, E{index}")
     }
+}
+
+/// Where the paper has the Lie-Poisson pair of a flow.
+fn section(structure: &Structure) -> Section {
+    if structure.discrete.is_some() { Section::FlowPairs } else { Section::Transcendental }
 }
 
 const ZERO: [&str; 3] = ["0"; 3];
@@ -39,7 +47,8 @@ const MINUS_C_FIELD: [&str; 3] = ["-c*f1", "-c*f2", "-c*f3"];
 fn table1(s: &Structure) -> Vec<Claim> {
     let cell = |name: &str, statement: String| {
         Claim::new(
-            format!("table1.{}.{name}", s.system),
+            section(s),
+            ["table1", s.system, name],
             s.system,
             format!("{}, {name}", place(s)),
             statement,
@@ -85,7 +94,7 @@ fn table1(s: &Structure) -> Vec<Claim> {
 /// Erratum A2: without its sign, c does not link the two forms of the field.
 fn erratum_a2(claim: Claim) -> Claim {
     claim.misprinted(
-        "A2",
+        A(2),
         "c := exp(-y/x)/x; P12*d(K, y) - P31*d(K, z) = (Q12*d(H, y) - Q31*d(H, z))/c",
         "eps := 1; x := 1; y := 0; z := 0; P12*d(K, y) - P31*d(K, z) = 1; P23*d(K, z) - P12*d(K, x) = 1;
          P31*d(K, x) - P23*d(K, y) = 0; Q12*d(H, y) - Q31*d(H, z) = -1; Q23*d(H, z) - Q12*d(H, x) = -1; 1/c = -1",
@@ -95,19 +104,19 @@ fn erratum_a2(claim: Claim) -> Claim {
 /// What section 3 says of the pair of one flow, and Lie algebras.
 fn pair(s: &Structure) -> Vec<Claim> {
     let claim = |name: &str, place: String, statement: String| {
-        Claim::new(format!("section3.{}.{name}", s.system), s.system, place, statement)
+        Claim::new(section(s), ["section3", s.system, name], s.system, place, statement)
             .given(&s.definitions())
     };
-    let section =
+    let in_section =
         |what: &str| format!("{}, {what}", if s.discrete.is_some() { "Section 3" } else { "Section 6" });
     let right = applied("Q", "", "H").map(|entry| format!("({entry})/c"));
     let chain: Vec<String> =
         applied("P", "", "K").iter().zip(&right).map(|(a, b)| format!("{a} = {b}")).collect();
     let mut claims = vec![
-        claim("chain", section("Lenard-Magri chain"), chain.join("; ")),
+        claim("chain", in_section("Lenard-Magri chain"), chain.join("; ")),
         claim(
             "compatible",
-            section("compatibility"),
+            in_section("compatibility"),
             "jacobi(P12 + lambda*Q12/c, P23 + lambda*Q23/c, P31 + lambda*Q31/c) = 0".to_owned(),
         ),
     ];
@@ -131,22 +140,28 @@ fn map(s: &Structure) -> Vec<Claim> {
     let Some(map) = &s.discrete else { return Vec::new() };
     let index = &s.system[1..];
     let definitions = s.definitions();
-    let claim = |id: String, place: String, statement: String| {
-        Claim::new(id, s.system, place, statement).given(&definitions)
+    let claim = |section: Section, table: &str, name: &str, place: String, statement: String| {
+        Claim::new(section, [table, s.system, name], s.system, place, statement).given(&definitions)
     };
     let mut claims = vec![
         claim(
-            format!("table2.{}.limit", s.system),
+            Section::Maps,
+            "table2",
+            "limit",
             format!("Table 2, i = {index}, at eps = 0"),
             "at(H_eps, eps, 0) = H; at(K_eps, eps, 0) = K".to_owned(),
         ),
         claim(
-            format!("theorem1.{}.flow", s.system),
+            Section::Maps,
+            "theorem1",
+            "flow",
             format!("Theorem 1, the volume form of the flow, i = {index}"),
             "divergence(c/(H*K)) = 0".to_owned(),
         ),
         claim(
-            format!("theorem1.{}.map", s.system),
+            Section::Maps,
+            "theorem1",
+            "map",
             format!("Theorem 1, (form), the volume form of the map, i = {index}"),
             "detJ*next(c/(H*K)) = c/(H*K)".to_owned(),
         ),
@@ -154,21 +169,25 @@ fn map(s: &Structure) -> Vec<Claim> {
     let directions = ["z", "x", "y"];
     for (cell, (entry, direction)) in map.p.iter().zip(ENTRIES.iter().zip(directions)) {
         claims.push(claim(
-            format!("table3.{}.P{entry}", s.system),
+            Section::MapPairs,
+            "table3",
+            &format!("P{entry}"),
             format!("Table 3, i = {index}, P{entry}, from (p1)"),
             format!("P{entry}_eps := {cell}; -1/c*H*K/(H_eps*K_eps)*d(H_eps, {direction}) = P{entry}_eps"),
         ));
     }
     for (cell, (entry, direction)) in map.q.iter().zip(ENTRIES.iter().zip(directions)) {
         let cell = claim(
-            format!("table4.{}.Q{entry}", s.system),
+            Section::MapPairs,
+            "table4",
+            &format!("Q{entry}"),
             format!("Table 4, i = {index}, Q{entry}, from (q3)"),
             format!("Q{entry}_eps := {cell}; H*K/(H_eps*K_eps)*d(K_eps, {direction}) = Q{entry}_eps"),
         );
         claims.push(match (s.system, *entry) {
             ("e3", "23") => erratum_a1(cell),
             ("e3", "31") => cell.misprinted(
-                "A1",
+                A(1),
                 "Q31_eps := y*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2)); H*K/(H_eps*K_eps)*d(K_eps, y) = Q31_eps",
                 "eps := 1/2; x := 1; y := 2; z := 3; H*K/(H_eps*K_eps)*d(K_eps, y) = -10/9",
             ),
@@ -181,11 +200,11 @@ fn map(s: &Structure) -> Vec<Claim> {
     let sum = ENTRIES.map(|entry| format!("P{entry}_eps + lambda*Q{entry}_eps/c")).join(", ");
     let poisson = |t: &str| format!("{t}12_eps, {t}23_eps, {t}31_eps");
     let theorem2 = |name: &str, what: &str, statement: String| {
-        claim(format!("theorem2.{}.{name}", s.system), format!("Theorem 2, i = {index}, {what}"), statement)
+        claim(Section::MapPairs, "theorem2", name, format!("Theorem 2, i = {index}, {what}"), statement)
     };
     claims.extend([
-        claim(format!("table3.{}.limit", s.system), format!("Table 3, i = {index}, at eps = 0"), limits("P")),
-        claim(format!("table4.{}.limit", s.system), format!("Table 4, i = {index}, at eps = 0"), limits("Q")),
+        claim(Section::MapPairs, "table3", "limit", format!("Table 3, i = {index}, at eps = 0"), limits("P")),
+        claim(Section::MapPairs, "table4", "limit", format!("Table 4, i = {index}, at eps = 0"), limits("Q")),
         theorem2("jacobi_P", "Jacobi identity of P(eps)", format!("jacobi({}) = 0", poisson("P"))),
         theorem2(
             "jacobi_Q",
@@ -227,7 +246,7 @@ fn map(s: &Structure) -> Vec<Claim> {
 /// Erratum A1: the printed Q(eps)/c of i = 3 is a Poisson tensor, but the map does not preserve it.
 fn erratum_a1(claim: Claim) -> Claim {
     claim.misprinted(
-        "A1",
+        A(1),
         "Q23_eps := x*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2)); Q31_eps := y*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2));
          Q12_eps/c*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps/c*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
          + Q31_eps/c*(J(1,3)*J(2,1) - J(1,1)*J(2,3)) = next(Q12_eps/c);
