@@ -43,7 +43,7 @@ fn page_with(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
 
 /// Every claim taken for proved, misprints for corrected.
 fn good(claim: &Claim) -> Outcome {
-    if claim.misprint().is_some() { Outcome::Misprint } else { Outcome::Proved }
+    if claim.printed().is_some() { Outcome::Misprint } else { Outcome::Proved }
 }
 
 /// The attributes with this name, wherever they stand.
@@ -179,7 +179,8 @@ fn what_is_shown_is_what_was_measured() {
 #[test]
 fn a_claim_that_failed_is_told_at_the_top_and_shown_open() {
     let paper = Paper::new();
-    let bad = |claim: &Claim| if claim.id == "table2.e1.limit" { Outcome::Failed } else { good(claim) };
+    let bad =
+        |claim: &Claim| if claim.id.to_string() == "table2.e1.limit" { Outcome::Failed } else { good(claim) };
     let page = page_with(&paper, bad);
     assert!(page.contains("<b>1 of the claims failed.</b>"));
     let (before, row) = page.split_once("<tr id=\"claim-table2.e1.limit\"").expect("its row");

@@ -4,18 +4,25 @@ use std::time::Duration;
 
 use kahan_algebra::rational::Rational;
 
+use super::erratum::Erratum;
 use super::figures::Figure;
 use super::formula::with_definitions;
+use super::id::Id;
+use super::section::Section;
 
 /// One formula of the paper (an equation, a cell of a table, a statement with a number in it).
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// A stable name: `table3.e4.P23`.
-    pub id: String,
+    /// Its stable name: `table3.e4.P23`.
+    pub id: Id,
+    /// The part of the paper in which it stands.
+    pub section: Section,
     /// The command name of the system it is about, or `general`.
     pub system: &'static str,
-    /// Its place in the paper.
-    pub source: String,
+    /// Where in the paper, in words: `Table 3, i = 4, P23`.
+    pub place: String,
+    /// The erratum that it corrects or explains.
+    pub erratum: Option<Erratum>,
     /// What it says: a statement of the language of [`formula`](super::formula), or a claim of `kahan!`.
     pub statement: String,
     pub(super) basis: Basis,
@@ -25,7 +32,10 @@ pub struct Claim {
 #[derive(Clone, Debug)]
 pub(super) enum Basis {
     /// A claim of the system's own `kahan!` block: invariance, proved by the macro's prover.
-    Block,
+    Block {
+        /// Which claim of the block it is.
+        index: usize,
+    },
     /// Relations between formulas.
     Formula {
         /// Definitions that the statement uses: what other claims establish.
@@ -42,8 +52,6 @@ pub(super) enum Basis {
 /// A formula as printed, and an exact point that refutes it.
 #[derive(Clone, Debug)]
 pub(super) struct Misprint {
-    /// Its number in the list of errata: `A1`.
-    pub(super) erratum: &'static str,
     /// The printed relation, in the language of formulas.
     pub(super) printed: &'static str,
     /// Definitions of all names (the point), and the values of both sides there.
@@ -114,14 +122,16 @@ impl Claim {
     }
 
     /// A claim about formulas.
-    pub(super) fn new(
-        id: impl Into<String>,
+    pub(super) fn new<'a>(
+        section: Section,
+        id: impl IntoIterator<Item = &'a str>,
         system: &'static str,
-        source: impl Into<String>,
+        place: impl Into<String>,
         statement: impl Into<String>,
     ) -> Self {
         let basis = Basis::Formula { given: String::new(), domain: Vec::new(), orbit: None, misprint: None };
-        Claim { id: id.into(), system, source: source.into(), statement: statement.into(), basis }
+        let (place, statement) = (place.into(), statement.into());
+        Claim { id: Id::of(id), section, system, place, erratum: None, statement, basis }
     }
 
     /// Adds definitions that the statement uses.
@@ -157,26 +167,37 @@ impl Claim {
         self
     }
 
-    /// Adds the printed form, its counterexample and its number in the list of errata (which the source then names).
+    /// Says which erratum the claim explains.
+    pub(super) fn explaining(self, erratum: Erratum) -> Self {
+        Claim { erratum: Some(erratum), ..self }
+    }
+
+    /// Adds the erratum that the claim corrects: what is printed, and what refutes that.
     pub(super) fn misprinted(
         mut self,
-        erratum: &'static str,
+        erratum: Erratum,
         printed: &'static str,
         counterexample: &'static str,
     ) -> Self {
-        self.source.push_str(&format!(" (erratum {erratum})"));
         if let Basis::Formula { misprint, .. } = &mut self.basis {
-            *misprint = Some(Misprint { erratum, printed, counterexample });
+            *misprint = Some(Misprint { printed, counterexample });
         }
-        self
+        self.explaining(erratum)
     }
 
-    /// The erratum that the claim corrects, and what is printed there.
+    /// What is printed instead, where the claim corrects a misprint.
     #[must_use]
-    pub fn misprint(&self) -> Option<(&'static str, &'static str)> {
+    pub fn printed(&self) -> Option<&'static str> {
         match &self.basis {
-            Basis::Formula { misprint: Some(misprint), .. } => Some((misprint.erratum, misprint.printed)),
+            Basis::Formula { misprint: Some(misprint), .. } => Some(misprint.printed),
             _ => None,
         }
+    }
+
+    /// Its place in the paper, with its erratum.
+    #[must_use]
+    pub fn source(&self) -> String {
+        let place = &self.place;
+        self.erratum.map_or_else(|| place.clone(), |erratum| format!("{place} (erratum {erratum})"))
     }
 }

@@ -7,18 +7,24 @@
 
 mod block;
 mod claim;
+mod erratum;
 mod evaluate;
 pub mod figures;
 pub mod formula;
 mod growth_constants;
+mod id;
 mod identity;
 mod misprint;
 mod model;
 mod numeric;
 mod registry;
+mod section;
 mod sections;
 
 pub use block::{establish_block_claim, failing_mutation};
 pub use claim::{Claim, Established, Outcome};
+pub use erratum::Erratum;
+pub use id::Id;
 pub use registry::Paper;
+pub use section::Section;
 pub use sections::{OPEN, Structure, structure};

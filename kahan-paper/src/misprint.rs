@@ -1,5 +1,6 @@
 //! Misprints: the printed form refuted at an exact point.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use kahan_algebra::rational::Rational;
@@ -8,6 +9,33 @@ use super::claim::{Claim, Misprint, Outcome};
 use super::formula::{Definition, Item, Relation, parse};
 use super::identity::Evidence;
 use super::registry::{Paper, outcome};
+
+impl Claim {
+    /// The item that is misprinted, and the one that is right in its place.
+    ///
+    /// They are the two, of those that are only printed and those that only hold, which have most words in common.
+    #[must_use]
+    pub fn correction(&self) -> Option<(String, String)> {
+        let (printed, right) = (items(self.printed()?), items(&self.statement));
+        let only_printed = printed.iter().filter(|item| !right.contains(item));
+        let only_right: Vec<&String> = right.iter().filter(|item| !printed.contains(item)).collect();
+        let pairs = only_printed.flat_map(|item| only_right.iter().map(move |right| (item, *right)));
+        let (printed, right) = pairs.min_by_key(|(printed, right)| Reverse(in_common(printed, right)))?;
+        Some((printed.clone(), right.clone()))
+    }
+}
+
+/// The items of a statement, their words one space apart.
+fn items(statement: &str) -> Vec<String> {
+    statement.split(';').map(|item| item.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
+}
+
+/// How many words two items have in common at their beginnings and ends.
+fn in_common(a: &str, b: &str) -> usize {
+    let pairs = a.split(' ').zip(b.split(' '));
+    let reversed = a.rsplit(' ').zip(b.rsplit(' '));
+    pairs.take_while(|(a, b)| a == b).count() + reversed.take_while(|(a, b)| a == b).count()
+}
 
 impl Paper {
     /// Shows that the printed form is wrong at its counterexample, with the values that are stated there.
@@ -20,11 +48,7 @@ impl Paper {
         match self.refute(claim, misprint) {
             Ok(shown) => (
                 Outcome::Misprint,
-                format!(
-                    "printed: {}; {shown}; the corrected form is {}",
-                    misprint.printed.split_whitespace().collect::<Vec<_>>().join(" "),
-                    outcome(corrected).0.words()
-                ),
+                format!("{shown}; the corrected form is {}", outcome(corrected).0.words()),
             ),
             Err(why) => (Outcome::Failed, format!("the printed form is not refuted: {why}")),
         }

@@ -65,14 +65,11 @@ impl Paper {
             Basis::Formula { .. } => {
                 parse(&claim.statement).map_or_else(|why| vec![why], |statement| statement_latex(&statement))
             }
-            Basis::Block => {
+            Basis::Block { index } => {
                 let system = self.models.get(claim.system).map(Model::system);
-                let found = system.and_then(|system| {
-                    let name = claim.id.rsplit('.').next()?;
-                    system.claims.iter().find(|declared| declared.name.text == name)
-                });
+                let declared = system.and_then(|system| system.claims.get(*index));
                 let statements =
-                    found.map(|declared| claim_statement(declared, Notation::Latex)).unwrap_or_default();
+                    declared.map(|declared| claim_statement(declared, Notation::Latex)).unwrap_or_default();
                 statements.into_iter().map(|(left, right)| format!("{left} = {right}")).collect()
             }
         }
@@ -118,7 +115,7 @@ impl Paper {
     pub fn establish_as(&self, claim: &Claim, statement: &str) -> Established {
         let start = Instant::now();
         let (outcome, detail) = match &claim.basis {
-            Basis::Block => {
+            Basis::Block { .. } => {
                 let block = find(claim.system).map_or("", kahan_systems::entry::Entry::text);
                 establish_statement(block, statement)
             }
@@ -169,7 +166,7 @@ impl Paper {
             let [left, right] = self.sides(claim, left, right, &definitions)?;
             let identity = Identity {
                 domain,
-                seed: SplitMix64::from_bytes(claim.id.as_bytes()).next_u64(),
+                seed: SplitMix64::from_bytes(claim.id.to_string().as_bytes()).next_u64(),
                 ..self.identity(claim, [&left, &right], *relation, digit.as_ref())?
             };
             let evidence = identity.establish()?;

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use kahan_paper::formula::mutations;
-use kahan_paper::{Claim, OPEN, Outcome, Paper};
+use kahan_paper::{Claim, Erratum, OPEN, Outcome, Paper, Section};
 
-fn ids(paper: &Paper) -> BTreeSet<&str> {
-    paper.claims().iter().map(|claim| claim.id.as_str()).collect()
+fn ids(paper: &Paper) -> BTreeSet<String> {
+    paper.claims().iter().map(|claim| claim.id.to_string()).collect()
 }
 
 #[test]
@@ -25,11 +25,11 @@ fn every_claim_is_established_and_fails_under_a_mutation() {
             .iter()
             .any(|mutation| paper.establish_as(claim, mutation).outcome == Outcome::Failed)
     };
-    let vacuous: Vec<&str> = claims
+    let vacuous: Vec<String> = claims
         .iter()
         .zip(paper.for_all(&claims, is_vacuous))
         .filter(|(_, vacuous)| *vacuous)
-        .map(|(claim, _)| claim.id.as_str())
+        .map(|(claim, _)| claim.id.to_string())
         .collect();
     assert!(vacuous.is_empty(), "these survive every mutation: {vacuous:?}");
 }
@@ -40,7 +40,7 @@ fn every_claim_has_a_name_of_its_own_a_place_and_a_statement() {
     assert!(paper.claims().len() >= 200);
     assert_eq!(ids(&paper).len(), paper.claims().len());
     for claim in paper.claims() {
-        assert!(!claim.source.is_empty() && !claim.statement.is_empty(), "{}", claim.id);
+        assert!(!claim.source().is_empty() && !claim.statement.is_empty(), "{}", claim.id);
         assert!(!paper.latex(claim).is_empty(), "{} has no formula to show", claim.id);
     }
     assert!(!OPEN.is_empty());
@@ -50,7 +50,7 @@ fn every_claim_has_a_name_of_its_own_a_place_and_a_statement() {
 fn no_cell_of_a_table_is_missing() {
     let paper = Paper::new();
     let ids = ids(&paper);
-    let has = |id: String| assert!(ids.contains(id.as_str()), "{id} is missing");
+    let has = |id: String| assert!(ids.contains(&id), "{id} is missing");
     for i in 1..=9 {
         for cell in ["P", "Q", "H", "K", "c"] {
             has(format!("table1.e{i}.{cell}"));
@@ -83,13 +83,9 @@ fn no_cell_of_a_table_is_missing() {
 #[test]
 fn every_erratum_of_a_formula_is_refuted_as_printed() {
     let paper = Paper::new();
-    let numbers = (1..=10).map(|number| format!("A{number}")).chain(["B1".to_owned(), "B2".to_owned()]);
-    for number in numbers {
-        let corrected: Vec<&Claim> = paper
-            .claims()
-            .iter()
-            .filter(|claim| claim.misprint().is_some_and(|(erratum, _)| erratum == number))
-            .collect();
+    for number in (1..=10).map(Erratum::A).chain([Erratum::B(1), Erratum::B(2)]) {
+        let about = paper.claims().iter().filter(|claim| claim.erratum == Some(number));
+        let corrected: Vec<&Claim> = about.filter(|claim| claim.printed().is_some()).collect();
         assert!(!corrected.is_empty(), "no claim corrects {number}");
         for claim in corrected {
             assert_eq!(paper.establish(claim).outcome, Outcome::Misprint, "{}", claim.id);
@@ -97,11 +93,41 @@ fn every_erratum_of_a_formula_is_refuted_as_printed() {
     }
 }
 
+/// The printed item and the one in its place, of the first claim that corrects an erratum.
+#[test]
+fn a_correction_sets_what_is_printed_beside_what_is_right() {
+    let paper = Paper::new();
+    let correction = |number| {
+        let corrects = |claim: &&Claim| claim.erratum == Some(number) && claim.printed().is_some();
+        paper.claims().iter().find(corrects).and_then(Claim::correction).expect("a correction")
+    };
+    let pair = |printed: &str, right: &str| (printed.to_owned(), right.to_owned());
+    // The definition of the same name; the equation that differs in one number; the same number at the end.
+    assert_eq!(correction(Erratum::A(3)), pair("Z(n) := solution(n, 2)", "Z(n) := solution(n, 4)"));
+    assert_eq!(
+        correction(Erratum::A(6)),
+        pair("(1 - 2*K*eps^2)*(s^2 + d^2) + 4*z^2 = 4*K", "(1 - 2*K*eps^2)*(s^2 + d^2) + 2*z^2 = 4*K")
+    );
+    assert_eq!(correction(Erratum::A(10)), pair("log(h(x, 17))/log(10) ~ 325009", "digits(x, 17) = 325009"));
+}
+
+#[test]
+fn no_section_is_without_claims() {
+    let paper = Paper::new();
+    for section in Section::ALL {
+        assert!(paper.claims().iter().any(|claim| claim.section == section), "{section:?}");
+    }
+}
+
 #[test]
 fn what_is_false_fails() {
     let paper = Paper::new();
     let claim = |id: &str| {
-        paper.claims().iter().find(|claim| claim.id == id).unwrap_or_else(|| panic!("{id} is missing"))
+        paper
+            .claims()
+            .iter()
+            .find(|claim| claim.id.to_string() == id)
+            .unwrap_or_else(|| panic!("{id} is missing"))
     };
     let fails = |id: &str, statement: &str| {
         let established = paper.establish_as(claim(id), statement);

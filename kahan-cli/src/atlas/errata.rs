@@ -8,16 +8,13 @@ use super::readable::readable;
 use super::words::{badge, decimal, link};
 use kahan_paper::figures::{DE1, DE2, DE7, DE7_1_5, DE7_2_9, Figure, slope};
 use kahan_paper::formula::latex_of;
-use kahan_paper::{OPEN, Outcome};
+use kahan_paper::{Erratum, OPEN, Outcome};
 
 /// The section.
 pub(super) fn section(found: &Found<'_>) -> Markup {
-    let mut misprints: Vec<(u32, &Checked<'_>)> = found
-        .claims
-        .iter()
-        .filter_map(|checked| Some((checked.claim.misprint()?.0.strip_prefix('A')?.parse().ok()?, checked)))
-        .collect();
-    misprints.sort_by_key(|(number, _)| *number);
+    let is_formula = |checked: &&Checked<'_>| matches!(checked.claim.erratum, Some(Erratum::A(_)));
+    let mut misprints: Vec<&Checked<'_>> = found.claims.iter().filter(is_formula).collect();
+    misprints.sort_by_key(|checked| checked.claim.erratum);
     html! {
         section #errata {
             h2 { "Errata" }
@@ -26,40 +23,28 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
                 "value) and the corrected form is established, both while this page was made."
             }
             h3 #errata-formulas { "A. Formulas" }
-            @for (_, checked) in misprints { (misprint(found, checked)) }
+            @for checked in misprints { (misprint(found, checked)) }
             h3 #errata-statements { "B. Statements" }
             (statements(found))
         }
     }
 }
 
-/// The number of an erratum in a source: `A4` of `…, value of K (erratum A4)`.
-fn number(source: &str) -> Option<&str> {
-    let (_, after) = source.split_once("(erratum ")?;
-    after.split_once(')').map(|(number, _)| number)
-}
-
 fn misprint(found: &Found<'_>, checked: &Checked<'_>) -> Markup {
     let Checked { claim, established } = checked;
-    let (number, printed) = claim.misprint().unwrap_or_default();
-    let lines = latex_of(printed).unwrap_or_default();
+    let lines = latex_of(claim.printed().unwrap_or_default()).unwrap_or_default();
     let lines: Vec<String> =
         lines.iter().map(|item| format!("{} {} {}", item.left, item.sign, item.right)).collect();
-    // The detail repeats the printed text, which stands above it already.
-    let words = printed.split_whitespace().collect::<Vec<_>>().join(" ");
-    let shown =
-        established.detail.strip_prefix(&format!("printed: {words}; ")).unwrap_or(&established.detail);
-    let place = claim.source.split(" (erratum").next().unwrap_or_default();
     html! {
         article.erratum {
             h4 {
-                span.number { (number) } " "
-                (readable(place)) " " (badge(established.outcome))
+                @if let Some(number) = claim.erratum { span.number { (number) } " " }
+                (readable(&claim.place)) " " (badge(established.outcome))
             }
             dl {
                 dt { "Printed" } dd.printed { (displays(&lines, COLUMN)) }
                 dt { "Correct" } dd { (displays(&found.paper.latex(claim), COLUMN)) }
-                dt { "Shown" } dd { (readable(shown)) " (" (link(checked)) ")" }
+                dt { "Shown" } dd { (readable(&established.detail)) " (" (link(checked)) ")" }
             }
         }
     }
@@ -78,9 +63,9 @@ fn statements(found: &Found<'_>) -> Markup {
     let linear = |figure: &'static Figure, variable: &str| measured(found, figure, variable, 1, |n| n);
     let logarithmic =
         |figure: &'static Figure, variable: &str| measured(found, figure, variable, 100, f64::ln);
-    let rows: [(&str, &str, Markup); 12] = [
+    let rows: [(u8, &str, Markup); 12] = [
         (
-            "B1",
+            1,
             "Section 7, dE7",
             html! {
                 "The growth constants are conjectured to be independent of the initial point, with a ratio of e. Measured slopes of h(y"
@@ -90,7 +75,7 @@ fn statements(found: &Found<'_>) -> Markup {
             },
         ),
         (
-            "B2",
+            2,
             "Proof of Theorem 4",
             html! {
                 "h = log n + O(1) holds for x" sub { "n" } ", not for z" sub { "n" } ": measured slopes of h(z" sub { "n" } ") against "
@@ -98,16 +83,16 @@ fn statements(found: &Found<'_>) -> Markup {
             },
         ),
         (
-            "B3",
+            3,
             "Proof of Theorem 4",
             html! {
                 "The argument bounds the heights of dE7 by 2n log n and n² log n, twice what is printed; growth slower than cubic "
                 "follows all the same."
             },
         ),
-        ("B4", "Section 7", html! { "The figure of slope 2 is the one of dE4, not of dE3." }),
+        (4, "Section 7", html! { "The figure of slope 2 is the one of dE4, not of dE3." }),
         (
-            "B5",
+            5,
             "Section 7, caption",
             html! {
                 "The figure of 400 iterates of dE7 shows log(h/n) of y" sub { "n" } " or z" sub { "n" } "; for x" sub { "n" }
@@ -115,12 +100,12 @@ fn statements(found: &Found<'_>) -> Markup {
             },
         ),
         (
-            "B6",
+            6,
             "Section 7",
             html! { "τ, not α, stands in the quotient of the recurrence of dE7 and in the solutions of dE1 and dE2." },
         ),
         (
-            "B7",
+            7,
             "Section 6",
             html! {
                 "K₇ and K₈ as printed depend on n. As functions of the point alone they are convergent series: see the claims "
@@ -128,7 +113,7 @@ fn statements(found: &Found<'_>) -> Markup {
             },
         ),
         (
-            "B8",
+            8,
             "Section 1",
             html! {
                 "At ε = ±1 a level set of the Lotka–Volterra map’s integral is no quartic of genus zero but a pair of conics that the "
@@ -136,18 +121,18 @@ fn statements(found: &Found<'_>) -> Markup {
             },
         ),
         (
-            "B9",
+            9,
             "Section 6.3",
             html! { "The flow E9 has the Painlevé property at ξ = 0 too, not only at ξ = ±1." },
         ),
         (
-            "B10",
+            10,
             "Section 4",
             html! { "The last factor of the wedge product is the differential of I" sub { "n−2" } ", not the function." },
         ),
-        ("B11", "Section 5", html! { "x, y and z are functions on 2εℤ, as the time step is 2ε." }),
+        (11, "Section 5", html! { "x, y and z are functions on 2εℤ, as the time step is 2ε." }),
         (
-            "B12",
+            12,
             "Section 3",
             html! { "Three further examples have one transcendental invariant, not two: E7, E8 and E9." },
         ),
@@ -155,10 +140,10 @@ fn statements(found: &Found<'_>) -> Markup {
     html! {
         dl.statements {
             @for (number, place, text) in rows {
-                dt { span.number { (number) } " " (place) }
+                dt { span.number { (Erratum::B(number)) } " " (place) }
                 dd {
                     (text)
-                    @for checked in about(found, number) {
+                    @for checked in about(found, Erratum::B(number)) {
                         @if checked.established.outcome == Outcome::Failed { " " (badge(Outcome::Failed)) }
                         " " (link(checked))
                     }
@@ -169,8 +154,8 @@ fn statements(found: &Found<'_>) -> Markup {
 }
 
 /// The claims that show an erratum.
-fn about<'f, 'a>(found: &'f Found<'a>, erratum: &str) -> impl Iterator<Item = &'f Checked<'a>> {
-    found.claims.iter().filter(move |checked| number(&checked.claim.source) == Some(erratum))
+fn about<'f, 'a>(found: &'f Found<'a>, erratum: Erratum) -> impl Iterator<Item = &'f Checked<'a>> {
+    found.claims.iter().filter(move |checked| checked.claim.erratum == Some(erratum))
 }
 
 /// What the paper leaves open.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use kahan_paper::figures::{Figure, Measurement};
-use kahan_paper::{Claim, Established, Outcome, Paper};
+use kahan_paper::{Claim, Established, Id, Outcome, Paper};
 
 /// A claim and how it came out.
 #[derive(Clone, Debug)]
@@ -64,13 +64,13 @@ impl<'a> Found<'a> {
         self.claims.iter().filter(|checked| which(checked.established.outcome)).count()
     }
 
-    /// The claim with this identifier.
-    pub(super) fn claim(&self, id: &str) -> Option<&Checked<'a>> {
-        self.claims.iter().find(|checked| checked.claim.id == id)
+    /// The claim of this name.
+    pub(super) fn claim(&self, id: &Id) -> Option<&Checked<'a>> {
+        self.claims.iter().find(|checked| checked.claim.id == *id)
     }
 
-    /// The claims whose identifiers begin so.
-    pub(super) fn claims_of(&self, prefix: &str) -> impl Iterator<Item = &Checked<'a>> {
-        self.claims.iter().filter(move |checked| checked.claim.id.starts_with(prefix))
+    /// The claims whose names begin with these parts.
+    pub(super) fn claims_of(&self, parts: &[&str]) -> impl Iterator<Item = &Checked<'a>> {
+        self.claims.iter().filter(move |checked| checked.claim.id.begins_with(parts))
     }
 }

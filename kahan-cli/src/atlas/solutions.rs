@@ -5,12 +5,13 @@ use maud::{Markup, html};
 use super::found::Found;
 use super::math::{cell, inline};
 use super::words::{anchor, badge};
-use kahan_paper::Outcome;
 use kahan_paper::formula::{LatexItem, latex_of};
+use kahan_paper::{Id, Outcome};
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::SYSTEMS;
 
-const CELLS: [&str; 5] = ["x", "y", "z", "H", "K"];
+const STATES: [&str; 3] = ["x", "y", "z"];
+const INTEGRALS: [&str; 2] = ["H", "K"];
 
 /// The section.
 pub(super) fn section(found: &Found<'_>) -> Markup {
@@ -30,21 +31,21 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
 }
 
 fn table(found: &Found<'_>, id: &str, caption: &str, prefix: &str) -> Markup {
-    let solved = |system: &&Entry| found.claim(&format!("{id}.{}.x", system.command)).is_some();
-    let integrals = if prefix.is_empty() { ["H", "K"] } else { ["H(ε)", "K(ε)"] };
+    let solved = |system: &&Entry| found.claim(&Id::of([id, system.command, "x"])).is_some();
+    let integrals = if prefix.is_empty() { INTEGRALS } else { ["H(ε)", "K(ε)"] };
     html! {
         div.scroll tabindex="0" {
             table.formulas id=(id) {
                 caption { (caption) }
                 thead { tr {
                     th scope="col" { "System" }
-                    @for title in ["x", "y", "z"].iter().chain(&integrals) { th scope="col" { (title) } }
+                    @for title in STATES.iter().chain(&integrals) { th scope="col" { (title) } }
                 } }
                 tbody {
                     @for system in SYSTEMS.iter().filter(solved) {
                         tr {
                             th scope="row" { (prefix) (system.name) }
-                            @for name in CELLS { td { (entry(found, &format!("{id}.{}.{name}", system.command))) } }
+                            @for name in STATES.into_iter().chain(INTEGRALS) { td { (entry(found, [id, system.command, name])) } }
                         }
                     }
                 }
@@ -53,18 +54,18 @@ fn table(found: &Found<'_>, id: &str, caption: &str, prefix: &str) -> Markup {
     }
 }
 
-/// What a claim says of one cell, linked to the claim.
-fn entry(found: &Found<'_>, id: &str) -> Markup {
-    let Some(checked) = found.claim(id) else { return html! { "not checked" } };
+/// What a claim says of one cell (table, system, column), linked to the claim.
+fn entry(found: &Found<'_>, cell_of: [&str; 3]) -> Markup {
+    let Some(checked) = found.claim(&Id::of(cell_of)) else { return html! { "not checked" } };
     let items = latex_of(&checked.claim.statement).unwrap_or_default();
     // A solution is defined first; a value is the right-hand side of the last relation.
     let formula = match items.first() {
-        Some(LatexItem { sign: "\\coloneqq", right, .. }) if !id.ends_with(['H', 'K']) => Some(right),
+        Some(LatexItem { sign: "\\coloneqq", right, .. }) if !INTEGRALS.contains(&cell_of[2]) => Some(right),
         _ => items.last().map(|item| &item.right),
     };
     html! {
         @if let Some(formula) = formula {
-            a.quiet href=(format!("#{}", anchor(id))) { (cell(formula)) }
+            a.quiet href=(format!("#{}", anchor(&checked.claim.id))) { (cell(formula)) }
         }
         @if checked.established.outcome == Outcome::Failed { (badge(Outcome::Failed)) }
     }

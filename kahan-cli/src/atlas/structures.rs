@@ -28,9 +28,9 @@ fn rows(wanted: impl Fn(&Structure) -> bool) -> Vec<&'static Structure> {
     SYSTEMS.iter().filter_map(|entry| structure(entry.command)).filter(|row| wanted(row)).collect()
 }
 
-/// How the claims of one row came out: the worst of them, with a link to the first.
-fn verdict(found: &Found<'_>, prefixes: &[String]) -> Markup {
-    let claims: Vec<&Checked<'_>> = prefixes.iter().flat_map(|prefix| found.claims_of(prefix)).collect();
+/// How the claims whose names begin so came out: the worst of them, with a link to the first.
+fn verdict(found: &Found<'_>, names: &[[&str; 2]]) -> Markup {
+    let claims: Vec<&Checked<'_>> = names.iter().flat_map(|parts| found.claims_of(parts)).collect();
     let failed = claims.iter().find(|checked| checked.established.outcome == Outcome::Failed);
     let misprint = claims.iter().find(|checked| checked.established.outcome == Outcome::Misprint);
     let shown = failed.or(misprint).or(claims.first());
@@ -88,7 +88,7 @@ fn table1(found: &Found<'_>) -> Markup {
                 td { (triple(&row.q)) }
                 @for entry in [row.h, row.k, row.c] { td { (cell(&latex(entry))) } }
                 td { @for algebra in row.algebras { div { (readable(algebra.name)) } } }
-                td { (verdict(found, &[format!("table1.{}.", row.system), format!("section3.{}.", row.system)])) }
+                td { (verdict(found, &[["table1", row.system], ["section3", row.system]])) }
             }
         }
     };
@@ -108,7 +108,7 @@ fn table2(found: &Found<'_>) -> Markup {
                 tr {
                     th scope="row" { "d" (name(row)) }
                     @for entry in [map.h, map.k] { td { (cell(&latex(entry))) } }
-                    td { (verdict(found, &["H", "K"].map(|integral| format!("{}.{integral}", row.system)))) }
+                    td { (verdict(found, &[[row.system, "H"], [row.system, "K"]])) }
                 }
             }
         }
@@ -129,7 +129,7 @@ fn tensors(
                 tr {
                     th scope="row" { "d" (name(row)) }
                     @for entry in entries { td { (cell(&latex(entry))) } }
-                    td { (verdict(found, &[format!("{id}.{}.", row.system)])) }
+                    td { (verdict(found, &[[id, row.system]])) }
                 }
             }
         }

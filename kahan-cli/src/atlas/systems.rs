@@ -12,6 +12,7 @@ use super::found::Found;
 use super::math::{LINE, display, displays, inline};
 use super::readable::readable;
 use super::words::{badge, link};
+use kahan_paper::Id;
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::{FURTHER, SYSTEMS};
 
@@ -109,7 +110,7 @@ fn preserved(entry: &Entry, system: &System, claim: &Claim, found: &Found<'_>) -
     let statements = claim_statement(claim, Notation::Latex).into_iter();
     let formulas: Vec<String> = statements.map(|(left, right)| format!("{left}{index} = {right}")).collect();
     let condition = condition_text(system, claim);
-    let id = format!("{}.{}", entry.command, claim.name.text);
+    let id = Id::of([entry.command, &claim.name.text]);
     html! {
         div.preserved {
             (displays(&formulas, LINE))

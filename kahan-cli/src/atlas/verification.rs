@@ -6,23 +6,7 @@ use super::found::{Checked, Found};
 use super::math::{COLUMN, displays};
 use super::readable::readable;
 use super::words::{anchor, badge};
-use kahan_paper::Outcome;
-
-/// A group of claims: its title, and what the sources of its claims begin with.
-const GROUPS: [(&str, &[&str]); 12] = [
-    ("Section 1: Kahan’s method and the Lotka–Volterra map", &["Section 1"]),
-    ("Section 2: Poisson structures and the Euler top", &["Section 2"]),
-    ("Section 3 and Table 1: Lie–Poisson pairs", &["Section 3", "Table 1"]),
-    ("Section 4: invariant brackets from integrals", &["Section 4"]),
-    ("Section 5: the maps, Table 2 and Theorem 1", &["Section 5", "Table 2", "Theorem 1"]),
-    ("Tables 3 and 4, Theorem 2: Poisson pairs of the maps", &["Table 3", "Table 4", "Theorem 2"]),
-    ("Table 5: solutions of the flows", &["Table 5"]),
-    ("Theorem 3: solutions of the maps", &["Theorem 3"]),
-    ("Section 6: dE7, dE8 and dE9", &["Section 6"]),
-    ("Section 7 and Theorem 4: the Diophantine test", &["Section 7", "Theorem 4"]),
-    ("Appendix: elliptic curves and theta functions", &["Appendix"]),
-    ("Beyond the paper: further systems", &["found by kahan discover", "from kahan discover"]),
-];
+use kahan_paper::{Outcome, Section};
 
 /// The section.
 pub(super) fn section(found: &Found<'_>) -> Markup {
@@ -37,23 +21,9 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
                 "2" sup { "−100" } "; “exact at points” that they agree exactly there; “numerical” that they agree in 256-bit "
                 "arithmetic, or that measured values agree, to the power of ten that is given."
             }
-            @for (title, claims) in groups(found) { @if !claims.is_empty() { (group(&title, &claims, found)) } }
+            @for part in Section::ALL { (group(part, found)) }
         }
     }
-}
-
-/// The claims by section; what belongs to none comes last.
-fn groups<'f, 'a>(found: &'f Found<'a>) -> Vec<(String, Vec<&'f Checked<'a>>)> {
-    let mut groups: Vec<(String, Vec<&Checked<'_>>)> =
-        GROUPS.iter().map(|(title, _)| ((*title).to_owned(), Vec::new())).collect();
-    groups.push(("Others".to_owned(), Vec::new()));
-    for checked in &found.claims {
-        let belongs =
-            |prefixes: &[&str]| prefixes.iter().any(|prefix| checked.claim.source.starts_with(prefix));
-        let index = GROUPS.iter().position(|(_, prefixes)| belongs(prefixes)).unwrap_or(GROUPS.len());
-        groups[index].1.push(checked);
-    }
-    groups
 }
 
 /// How many claims came out how.
@@ -75,14 +45,17 @@ pub(super) fn counts(found: &Found<'_>) -> Markup {
     }
 }
 
-fn group(title: &str, claims: &[&Checked<'_>], found: &Found<'_>) -> Markup {
+/// The claims of one part of the paper.
+fn group(part: Section, found: &Found<'_>) -> Markup {
+    let claims: Vec<&Checked<'_>> =
+        found.claims.iter().filter(|checked| checked.claim.section == part).collect();
     let failed = claims.iter().any(|checked| checked.established.outcome == Outcome::Failed);
     html! {
         details.group open[failed] {
-            summary { h3 { (title) } " " span { (claims.len()) @if claims.len() == 1 { " claim" } @else { " claims" } } }
+            summary { h3 { (part.place()) ": " (part.subject()) } " " span { (claims.len()) @if claims.len() == 1 { " claim" } @else { " claims" } } }
             table.claims {
                 thead { tr { th scope="col" { "Claim" } th scope="col" { "Statement" } th scope="col" { "Outcome" } } }
-                tbody { @for checked in claims { (row(checked, found)) } }
+                tbody { @for checked in &claims { (row(checked, found)) } }
             }
         }
     }
@@ -92,7 +65,7 @@ fn row(checked: &Checked<'_>, found: &Found<'_>) -> Markup {
     let Checked { claim, established } = checked;
     html! {
         tr id=(anchor(&claim.id)) {
-            th scope="row" { code { (claim.id) } div.source { (readable(&claim.source)) } }
+            th scope="row" { code { (claim.id) } div.source { (readable(&claim.source())) } }
             td { (displays(&found.paper.latex(claim), COLUMN)) }
             td {
                 (badge(established.outcome))

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::found::Checked;
-use kahan_paper::Outcome;
+use kahan_paper::{Id, Outcome};
 
 /// A number with this many decimals and a typographic minus sign.
 pub(super) fn decimal(value: f64, decimals: usize) -> String {
@@ -31,7 +31,7 @@ pub(super) fn grouped(value: u64) -> String {
 }
 
 /// Where a claim stands on the page.
-pub(super) fn anchor(id: &str) -> String {
+pub(super) fn anchor(id: &Id) -> String {
     format!("claim-{id}")
 }
 

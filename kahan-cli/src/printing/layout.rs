@@ -24,6 +24,12 @@ pub(crate) fn screen_width() -> usize {
     terminal_width().unwrap_or(USUAL_WIDTH)
 }
 
+/// The columns of a line that is cut off where it is longer.
+pub(crate) fn page_width() -> usize {
+    const WIDEST: usize = 100;
+    terminal_width().map_or(WIDEST, |width| width.min(WIDEST))
+}
+
 /// The columns of the terminal that is standard output; `None` where it is none.
 pub(crate) fn terminal_width() -> Option<usize> {
     if !stdout().is_terminal() {

@@ -18,6 +18,7 @@ fn tables() -> Vec<(Vec<String>, String)> {
     }
     runs.push(vec!["extremes", "--field", WIDE, "--trials", "32", "--random-fields", "2"]);
     runs.extend(["euler", "lv", "e3", "e8"].map(|system| vec!["verify", system]));
+    runs.push(vec!["verify", "e4", "--all"]);
     runs.push(vec!["verify", "--field", WIDE]);
     runs.push(vec!["show", "--field", WIDE, "--plan"]);
     let long = format!("{LONG},2,3,1/2,1/3,1/5");
@@ -102,7 +103,7 @@ fn piped_formulas_are_whole() {
         assert!(line.len() > 200 && page.lines().any(|shown| shown == line), "{line}");
     }
     let claims = crate::running::object(&["verify", "e4", "--json"]);
-    let table = answer(&["verify", "e4"]);
+    let table = answer(&["verify", "e4", "--all"]);
     for claim in claims["claims"].as_array().expect("a list") {
         let (statement, source) =
             (claim["statement"].as_str().expect("text"), claim["source"].as_str().expect("text"));
@@ -153,7 +154,8 @@ mod on_a_terminal {
             for arguments in [
                 &["show", "zhukovsky"][..],
                 &["show", "--field", WIDE],
-                &["verify", "e4"],
+                &["verify", "e4", "--all"],
+                &["verify", "e9"],
                 &["discover", "e6", "--seconds", "5"],
                 &["show", "e3", "--plan"],
                 &["list"],

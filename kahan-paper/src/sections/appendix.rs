@@ -2,6 +2,8 @@
 //! functions.
 
 use super::super::claim::Claim;
+use super::super::erratum::Erratum::A;
+use super::super::section::Section;
 use super::structures::structure;
 
 /// The claims, in the order of the paper.
@@ -16,8 +18,14 @@ fn linearisation() -> Vec<Claim> {
         s := 1 + y^2/x^2; K := at(1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2)), eps, 1/2);
         L := (2*(w0^2 + w1^2) + s)/(4*w0*w1 - s)";
     let claim = |id: &str, place: &str, statement: &str| {
-        Claim::new(format!("section7.e3.{id}"), "e3", format!("Section 7, {place}"), statement)
-            .spelling(given)
+        Claim::new(
+            Section::Diophantine,
+            ["section7", "e3", id],
+            "e3",
+            format!("Section 7, {place}"),
+            statement,
+        )
+        .spelling(given)
     };
     vec![
         claim(
@@ -37,7 +45,7 @@ fn linearisation() -> Vec<Claim> {
 }
 
 fn appendix(id: &str, place: &str, statement: &str) -> Claim {
-    Claim::new(format!("appendix.{id}"), "e4", format!("Appendix, {place}"), statement)
+    Claim::new(Section::Appendix, ["appendix", id], "e4", format!("Appendix, {place}"), statement)
 }
 
 /// The level set of H(ε), K(ε) in s = x + y, d = x − y, z: two quadrics.
@@ -62,7 +70,7 @@ fn curve() -> Vec<Claim> {
         )
         .given(&integrals)
         .misprinted(
-            "A6",
+            A(6),
             "s := x + y; d := x - y; (1 - 2*K*eps^2)*(s^2 + d^2) + 4*z^2 = 4*K",
             "eps := 1/2; x := 1; y := 1; z := 1; K = 1; (1 - 2*K*eps^2)*(s^2 + d^2) + 4*z^2 = 6",
         ),
@@ -181,7 +189,7 @@ fn theta() -> Vec<Claim> {
         claim("cn", "theta form of cn", "cn(zeta*t3^2, k) = t4/t2*theta2(zeta, q)/theta4(zeta, q)")
             .spelling(constants)
             .misprinted(
-                "A7",
+                A(7),
                 "cn(zeta*t3^2, k) = t4/t2*theta3(zeta, q)/theta4(zeta, q)",
                 "q := 1/10; zeta := 0; cn(zeta*t3^2, k) = 1; theta3(0, 1/10)/theta2(0, 1/10) ~ 1.05658",
             ),

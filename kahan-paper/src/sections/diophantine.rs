@@ -1,12 +1,15 @@
 //! Section 7: the Diophantine test. What is measured here is measured on exact orbits.
 
 use super::super::claim::Claim;
+use super::super::erratum::Erratum::{A, B};
 use super::super::figures::{DE1, DE2, DE3, DE4, DE5, DE6, DE7, DE7_1_5, DE7_2_9, DE8, DE9, Figure, LV};
+use super::super::section::Section;
 
 /// A measured statement on an orbit.
 fn on(figure: &'static Figure, id: &str, place: &str, statement: &str) -> Claim {
     Claim::new(
-        format!("section7.{}.{id}", figure.system),
+        Section::Diophantine,
+        ["section7", figure.system, id],
         figure.system,
         format!("Section 7, {place}"),
         statement,
@@ -41,12 +44,12 @@ fn integrable_maps() -> Vec<Claim> {
     vec![
         on(&DE1, "log_height_x", "dE1: h(x_n) = log n + O(1)", "logslope(x, 500, 1000) ~ 1.0"),
         on(&DE1, "log_height_z", "dE1: h(z_n) = 2 log n + O(1)", "logslope(z, 100, 1000) ~ 2.0").misprinted(
-            "B2",
+            B(2),
             "logslope(z, 100, 1000) ~ 1.0",
             "",
         ),
         on(&DE2, "log_height_z", "dE2: h(z_n) = 4 log n + O(1)", "logslope(z, 100, 1000) ~ 4.0").misprinted(
-            "B2",
+            B(2),
             "logslope(z, 100, 1000) ~ 1.0",
             "",
         ),
@@ -71,12 +74,19 @@ fn integrable_maps() -> Vec<Claim> {
 
 fn transcendental_maps() -> Vec<Claim> {
     let constant = |system: &'static str, id: &str, place: &str, statement: &str| {
-        Claim::new(format!("section7.{system}.{id}"), system, format!("Section 7, {place}"), statement)
+        Claim::new(
+            Section::Diophantine,
+            ["section7", system, id],
+            system,
+            format!("Section 7, {place}"),
+            statement,
+        )
     };
     vec![
-        on(&DE7, "height_x", "figure of 400 iterates: h(x_n) grows like log n only (erratum B5)", {
+        on(&DE7, "height_x", "figure of 400 iterates: h(x_n) grows like log n only", {
             "logslope(x, 500, 1000) ~ 1.0"
-        }),
+        })
+        .explaining(B(5)),
         on(&DE7, "slope_y", "figure dE7, slope of h(y_n)", "slope(y, 1, 2000) ~ 4.955"),
         on(
             &DE7,
@@ -84,20 +94,16 @@ fn transcendental_maps() -> Vec<Claim> {
             "figure dE7, slope of h(z_n)",
             "slope(z, 1, 2000) ~ 13.470; log(slope(z, 1, 2000)) ~ 2.600",
         )
-        .misprinted("B1", "log(slope(z, 1, 2000)) ~ 2.64", ""),
-        on(
-            &DE7,
-            "mean",
-            "1.64 is the mean over 200 iterates, not a limit (erratum B1)",
-            "mean(y, 1, 200) ~ 1.6406",
-        ),
+        .misprinted(B(1), "log(slope(z, 1, 2000)) ~ 2.64", ""),
+        on(&DE7, "mean", "1.64 is the mean over 200 iterates, not a limit", "mean(y, 1, 200) ~ 1.6406")
+            .explaining(B(1)),
         constant(
             "e7",
             "C1",
             "the limit C1 of h(y_n)/n",
             "C1_e7(19/17, 7/3) ~ 4.923275; log(C1_e7(19/17, 7/3)) ~ 1.5940",
         )
-        .misprinted("B1", "log(C1_e7(19/17, 7/3)) ~ 1.64", ""),
+        .misprinted(B(1), "log(C1_e7(19/17, 7/3)) ~ 1.64", ""),
         constant(
             "e7",
             "C1.dependence",
@@ -105,7 +111,7 @@ fn transcendental_maps() -> Vec<Claim> {
             "C1_e7(19/17, 5) ~ 3.8767; C1_e7(19/17, 9/2) ~ 2.4098",
         )
         .misprinted(
-            "B1",
+            B(1),
             "C1_e7(19/17, 5) - C1_e7(19/17, 7/3) ~ 0.00; C1_e7(19/17, 9/2) - C1_e7(19/17, 7/3) ~ 0.00",
             "",
         ),
@@ -115,14 +121,14 @@ fn transcendental_maps() -> Vec<Claim> {
             "the slopes from x0 = 1/5: their ratio is not e",
             "slope(y, 1, 2000) ~ 3.87; slope(z, 1, 2000) ~ 9.62; slope(z, 1, 2000)/slope(y, 1, 2000) ~ 2.49",
         )
-        .misprinted("B1", "slope(z, 1, 2000)/slope(y, 1, 2000) ~ 2.718", ""),
+        .misprinted(B(1), "slope(z, 1, 2000)/slope(y, 1, 2000) ~ 2.718", ""),
         on(
             &DE7_2_9,
             "dependence.2_9",
             "the slopes from x0 = 2/9: their ratio is not e",
             "slope(y, 1, 2000) ~ 2.40; slope(z, 1, 2000) ~ 5.77; slope(z, 1, 2000)/slope(y, 1, 2000) ~ 2.40",
         )
-        .misprinted("B1", "slope(z, 1, 2000)/slope(y, 1, 2000) ~ 2.718", ""),
+        .misprinted(B(1), "slope(z, 1, 2000)/slope(y, 1, 2000) ~ 2.718", ""),
         on(&DE8, "slope_y", "dE8, slope of h(y_n), addition", "slope(y, 1, 2000) ~ 3.596"),
         on(&DE8, "slope_z", "dE8, slope of h(z_n), addition", "slope(z, 1, 2000) ~ 10.781"),
         on(&DE8, "ratio", "dE8: h(z_n) grows three times as fast as h(y_n), addition", {
@@ -140,7 +146,7 @@ fn transcendental_maps() -> Vec<Claim> {
 fn chaotic_maps() -> Vec<Claim> {
     vec![
         on(&LV, "height", "figure of the Lotka-Volterra map", "h(x, 17) ~ 748359.97; digits(x, 17) = 325009")
-            .misprinted("A10", "log(h(x, 17))/log(10) ~ 325009", ""),
+            .misprinted(A(10), "log(h(x, 17))/log(10) ~ 325009", ""),
         on(
             &LV,
             "ratio",

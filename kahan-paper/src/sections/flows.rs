@@ -1,6 +1,7 @@
 //! Table 5: the solutions of the flows.
 
 use super::super::claim::Claim;
+use super::super::section::Section;
 use super::structures::structure;
 
 /// One row of Table 5, with T = t + α.
@@ -68,7 +69,7 @@ fn row(row: &Row) -> Vec<Claim> {
         STATES.iter().zip(solution).map(|(state, value)| format!("{state} := {value}; ")).collect();
     let claim = |cell: &str, statement: String| {
         let source = format!("Table 5, i = {}, {cell}", &system[1..]);
-        Claim::new(format!("table5.{system}.{cell}"), system, source, statement).given(&orbit)
+        Claim::new(Section::FlowSolutions, ["table5", system, cell], system, source, statement).given(&orbit)
     };
     let table1 = structure(system).map_or(["", ""], |structure| [structure.h, structure.k]);
     let components = (0..3).map(|i| {
@@ -88,7 +89,8 @@ fn other_tops() -> Vec<Claim> {
     let p = "p := lambda*k*cn(lambda*T, k); q := lambda*dn(lambda*T, k); r := lambda*k*sn(lambda*T, k)";
     vec![
         Claim::new(
-            "table5.e6.solution",
+            Section::FlowSolutions,
+            ["table5", "e6", "solution"],
             "e6",
             "Table 5, addition: E6 is E4 with the time reversed, by two Euler tops",
             "x := (p/sqrt(3) + r)/2; y := q/sqrt(3); z := (r - p/sqrt(3))/2;
@@ -96,7 +98,8 @@ fn other_tops() -> Vec<Claim> {
         )
         .spelling(p),
         Claim::new(
-            "table5.euler.solution",
+            Section::FlowSolutions,
+            ["table5", "euler", "solution"],
             "euler",
             "Table 5, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3",
             "x := s1*p; y := s2*q; z := s3*r;

@@ -1,6 +1,7 @@
 //! Section 1: what holds for Kahan's map of every quadratic field; section 2: brackets in three dimensions.
 
 use super::super::claim::Claim;
+use super::super::section::Section;
 
 /// Φᵢ(u,v,w): component i at another point; Qᵢ and Bᵢ: its quadratic and linear part.
 const PARTS: &str = "
@@ -32,21 +33,21 @@ fn generic_function(name: &str) -> String {
 /// The claims, in the order of the paper.
 pub(super) fn claims() -> Vec<Claim> {
     let claim = |id: &str, place: &str, statement: String| {
-        Claim::new(format!("section1.{id}"), "general", format!("Section 1, {place}"), statement).given(PARTS)
+        Claim::new(Section::Method, ["section1", id], "general", format!("Section 1, {place}"), statement)
+            .given(PARTS)
     };
     let homogeneous = |id: &str, place: &str, statement: String| {
-        Claim::new(format!("section1.{id}"), "homogeneous", format!("Section 1, {place}"), statement)
+        Claim::new(Section::Method, ["section1", id], "homogeneous", format!("Section 1, {place}"), statement)
             .given(PARTS)
     };
     let bracket = |id: &str, place: &str, statement: &str| {
-        Claim::new(format!("section2.{id}"), "general", format!("Section 2, {place}"), statement).given(
-            &format!(
+        Claim::new(Section::Brackets, ["section2", id], "general", format!("Section 2, {place}"), statement)
+            .given(&format!(
                 "phi := {}; I := {}; L := {}; P12 := phi*d(I, z); P23 := phi*d(I, x); P31 := phi*d(I, y)",
                 generic_function("p"),
                 generic_function("i"),
                 generic_function("l")
-            ),
-        )
+            ))
     };
     vec![
         claim(
@@ -107,7 +108,8 @@ pub(super) fn claims() -> Vec<Claim> {
             each("at({X}, x, lambda*x, y, lambda*y, z, lambda*z, eps, eps/lambda) = lambda*{X}")
         }),
         Claim::new(
-            "section4.proposition",
+            Section::Construction,
+            ["section4", "proposition"],
             "general",
             "Section 4, proposition (n = 3): an invariant I and an invariant volume (1/phi) dx dy dz give an invariant bracket; \
              m is the Jacobian matrix, g the gradient of I at the next point, v that of I at this point",

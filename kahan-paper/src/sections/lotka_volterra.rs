@@ -1,6 +1,8 @@
 //! Section 1: the Lotka-Volterra system and its map.
 
 use super::super::claim::Claim;
+use super::super::erratum::Erratum::B;
+use super::super::section::Section;
 
 /// What the map preserves at ε = ±1, and the function that changes its sign there.
 const INTEGRAL: &str = "
@@ -20,7 +22,7 @@ pub(super) fn claims() -> Vec<Claim> {
 }
 
 fn claim(id: &str, place: &str, statement: &str) -> Claim {
-    Claim::new(format!("section1.lv.{id}"), "lv", format!("Section 1, {place}"), statement)
+    Claim::new(Section::Method, ["section1", "lv", id], "lv", format!("Section 1, {place}"), statement)
 }
 
 fn flow() -> Vec<Claim> {
@@ -72,22 +74,21 @@ fn at_unit_steps() -> Vec<Claim> {
         claim("recurrence", "eps = 1: the recurrence of second order", "at(next(x), eps, 1)*y = x*(2 - x)"),
         claim(
             "square",
-            "H at eps = 1 is 2 + I^2: a pair of conics (erratum B8)",
+            "H at eps = 1 is 2 + I^2: a pair of conics",
             "H_hat = 2 + I^2; H_hat - 2 - k^2 = (I - k)*(I + k)",
         )
-        .spelling(INTEGRAL),
+        .spelling(INTEGRAL)
+        .explaining(B(8)),
         claim(
             "exchange",
-            "the map exchanges the two conics (erratum B8)",
+            "the map exchanges the two conics",
             "at(next(I), eps, 1) = -I; at(next(I), eps, -1) = -I",
         )
-        .spelling(INTEGRAL),
-        claim(
-            "conics",
-            "each conic I = k is rational (erratum B8)",
-            "X := 2*(1 - m)/(1 - m^2 - k*m); on(I, X, m*X) = k",
-        )
-        .spelling(INTEGRAL),
+        .spelling(INTEGRAL)
+        .explaining(B(8)),
+        claim("conics", "each conic I = k is rational", "X := 2*(1 - m)/(1 - m^2 - k*m); on(I, X, m*X) = k")
+            .spelling(INTEGRAL)
+            .explaining(B(8)),
         claim(
             "sum",
             "I(x~) + I(x) has the factor 1 - eps^2, addition",

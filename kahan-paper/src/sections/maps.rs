@@ -2,12 +2,14 @@
 //! one system to another, and changes of variables.
 
 use super::super::claim::Claim;
+use super::super::erratum::Erratum::A;
+use super::super::section::Section;
 
 /// A field and its matrix A, row by row, with the sections of the paper that they are in.
 struct Matrix {
     system: &'static str,
-    section_of_field: &'static str,
-    section_of_matrix: &'static str,
+    section_of_field: Section,
+    section_of_matrix: Section,
     field: [&'static str; 3],
     rows: [[&'static str; 3]; 3],
     determinant: &'static str,
@@ -18,8 +20,8 @@ struct Matrix {
 const MATRICES: [Matrix; 10] = [
     Matrix {
         system: "euler",
-        section_of_field: "Section 2",
-        section_of_matrix: "Section 2",
+        section_of_field: Section::Brackets,
+        section_of_matrix: Section::Brackets,
         field: ["a1*y*z", "a2*z*x", "a3*x*y"],
         rows: [
             ["1", "-eps*a1*z", "-eps*a1*y"],
@@ -31,8 +33,8 @@ const MATRICES: [Matrix; 10] = [
     },
     Matrix {
         system: "e1",
-        section_of_field: "Section 3",
-        section_of_matrix: "Section 5",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["-x^2", "-x*y", "2*y^2 + x*z"],
         rows: [["1 + 2*eps*x", "0", "0"], ["eps*y", "1 + eps*x", "0"], ["-eps*z", "-4*eps*y", "1 - eps*x"]],
         determinant: "(1 + 2*eps*x)*(1 - eps^2*x^2)",
@@ -40,8 +42,8 @@ const MATRICES: [Matrix; 10] = [
     },
     Matrix {
         system: "e2",
-        section_of_field: "Section 3",
-        section_of_matrix: "Section 5",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["-x^2", "x*y", "-2*y^2 + x*z"],
         rows: [["1 + 2*eps*x", "0", "0"], ["-eps*y", "1 - eps*x", "0"], ["-eps*z", "4*eps*y", "1 - eps*x"]],
         determinant: "(1 + 2*eps*x)*(1 - eps*x)^2",
@@ -49,8 +51,8 @@ const MATRICES: [Matrix; 10] = [
     },
     Matrix {
         system: "e3",
-        section_of_field: "Section 3",
-        section_of_matrix: "Section 5",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["-x*z", "-y*z", "x^2 + y^2"],
         rows: [["1 + eps*z", "0", "eps*x"], ["0", "1 + eps*z", "eps*y"], ["-2*eps*x", "-2*eps*y", "1"]],
         determinant: "(1 + eps*z)*(1 + eps*z + 2*eps^2*(x^2 + y^2))",
@@ -58,8 +60,8 @@ const MATRICES: [Matrix; 10] = [
     },
     Matrix {
         system: "e4",
-        section_of_field: "Section 3",
-        section_of_matrix: "Section 5",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["-x*z", "y*z", "x^2 - y^2"],
         rows: [["1 + eps*z", "0", "eps*x"], ["0", "1 - eps*z", "-eps*y"], ["-2*eps*x", "2*eps*y", "1"]],
         determinant: "1 - eps^2*z^2 + 2*eps^2*x^2*(1 - eps*z) + 2*eps^2*y^2*(1 + eps*z)",
@@ -67,8 +69,8 @@ const MATRICES: [Matrix; 10] = [
     },
     Matrix {
         system: "e5",
-        section_of_field: "Section 3",
-        section_of_matrix: "Section 5",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["x*y", "-x^2", "y*(2*x - z)"],
         rows: [
             ["1 - eps*y", "-eps*x", "0"],
@@ -80,8 +82,8 @@ const MATRICES: [Matrix; 10] = [
     },
     Matrix {
         system: "e6",
-        section_of_field: "Section 3",
-        section_of_matrix: "Section 5",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["y*(2*z - x)", "x^2 - z^2", "y*(z - 2*x)"],
         rows: [
             ["1 + eps*y", "eps*(x - 2*z)", "-2*eps*y"],
@@ -93,8 +95,8 @@ const MATRICES: [Matrix; 10] = [
     },
     Matrix {
         system: "e7",
-        section_of_field: "Section 6",
-        section_of_matrix: "Section 6",
+        section_of_field: Section::Transcendental,
+        section_of_matrix: Section::Transcendental,
         field: ["-x^2", "-xi*x*y", "2*xi*y^2 + x*z"],
         rows: [
             ["1 + 2*eps*x", "0", "0"],
@@ -106,8 +108,8 @@ const MATRICES: [Matrix; 10] = [
     },
     Matrix {
         system: "e8",
-        section_of_field: "Section 6",
-        section_of_matrix: "Section 6",
+        section_of_field: Section::Transcendental,
+        section_of_matrix: Section::Transcendental,
         field: ["-x^2", "-x*(x + y)", "2*y*(x + y) + x*z"],
         rows: [
             ["1 + 2*eps*x", "0", "0"],
@@ -119,8 +121,8 @@ const MATRICES: [Matrix; 10] = [
     },
     Matrix {
         system: "e9",
-        section_of_field: "Section 6",
-        section_of_matrix: "Section 6",
+        section_of_field: Section::Transcendental,
+        section_of_matrix: Section::Transcendental,
         field: ["-x*z", "-xi*y*z", "x^2 + xi*y^2"],
         rows: [
             ["1 + eps*z", "0", "eps*x"],
@@ -133,25 +135,57 @@ const MATRICES: [Matrix; 10] = [
 ];
 
 /// x̃ − x, ỹ − y, z̃ − z, with X, Y, Z for the next point.
-const DIFFERENCES: [(&str, &str, [&str; 3]); 10] = [
-    ("euler", "Section 2", ["eps*a1*(Y*z + y*Z)", "eps*a2*(Z*x + z*X)", "eps*a3*(X*y + x*Y)"]),
-    ("e1", "Section 5, dE1", ["-2*eps*x*X", "-eps*(Y*x + y*X)", "eps*(X*z + x*Z) + 4*eps*y*Y"]),
-    ("e2", "Section 5, dE2", ["-2*eps*x*X", "eps*(Y*x + y*X)", "eps*(X*z + x*Z) - 4*eps*y*Y"]),
-    ("e3", "Section 5, dE3", ["-eps*(x*Z + X*z)", "-eps*(y*Z + Y*z)", "2*eps*x*X + 2*eps*y*Y"]),
-    ("e4", "Section 5, dE4", ["-eps*(x*Z + X*z)", "eps*(y*Z + Y*z)", "2*eps*x*X - 2*eps*y*Y"]),
-    ("e5", "Section 5, dE5", ["eps*(x*Y + X*y)", "-2*eps*x*X", "eps*(2*x*Y + 2*X*y - y*Z - Y*z)"]),
+const DIFFERENCES: [(Section, &str, &str, [&str; 3]); 10] = [
     (
+        Section::Brackets,
+        "euler",
+        "Section 2",
+        ["eps*a1*(Y*z + y*Z)", "eps*a2*(Z*x + z*X)", "eps*a3*(X*y + x*Y)"],
+    ),
+    (
+        Section::Maps,
+        "e1",
+        "Section 5, dE1",
+        ["-2*eps*x*X", "-eps*(Y*x + y*X)", "eps*(X*z + x*Z) + 4*eps*y*Y"],
+    ),
+    (Section::Maps, "e2", "Section 5, dE2", ["-2*eps*x*X", "eps*(Y*x + y*X)", "eps*(X*z + x*Z) - 4*eps*y*Y"]),
+    (
+        Section::Maps,
+        "e3",
+        "Section 5, dE3",
+        ["-eps*(x*Z + X*z)", "-eps*(y*Z + Y*z)", "2*eps*x*X + 2*eps*y*Y"],
+    ),
+    (Section::Maps, "e4", "Section 5, dE4", ["-eps*(x*Z + X*z)", "eps*(y*Z + Y*z)", "2*eps*x*X - 2*eps*y*Y"]),
+    (
+        Section::Maps,
+        "e5",
+        "Section 5, dE5",
+        ["eps*(x*Y + X*y)", "-2*eps*x*X", "eps*(2*x*Y + 2*X*y - y*Z - Y*z)"],
+    ),
+    (
+        Section::Maps,
         "e6",
         "Section 5, dE6",
         ["eps*(2*(y*Z + Y*z) - (x*Y + X*y))", "2*eps*(x*X - z*Z)", "eps*((y*Z + Y*z) - 2*(x*Y + X*y))"],
     ),
-    ("e7", "Section 6, (e1)-(e3)", ["-2*eps*x*X", "-eps*xi*(Y*x + y*X)", "eps*(X*z + x*Z) + 4*eps*xi*y*Y"]),
     (
+        Section::Transcendental,
+        "e7",
+        "Section 6, (e1)-(e3)",
+        ["-2*eps*x*X", "-eps*xi*(Y*x + y*X)", "eps*(X*z + x*Z) + 4*eps*xi*y*Y"],
+    ),
+    (
+        Section::Transcendental,
         "e8",
         "Section 6, (e12)-(e32)",
         ["-2*eps*x*X", "-eps*(Y*x + y*X) - 2*eps*x*X", "eps*(X*z + x*Z) + 2*eps*(Y*x + y*X) + 4*eps*y*Y"],
     ),
-    ("e9", "Section 6, dE9", ["-eps*(x*Z + X*z)", "-eps*xi*(Y*z + y*Z)", "2*eps*x*X + 2*eps*xi*y*Y"]),
+    (
+        Section::Transcendental,
+        "e9",
+        "Section 6, dE9",
+        ["-eps*(x*Z + X*z)", "-eps*xi*(Y*z + y*Z)", "2*eps*x*X + 2*eps*xi*y*Y"],
+    ),
 ];
 
 /// The claims, in the order of the paper.
@@ -174,9 +208,10 @@ fn fields_and_matrices() -> Vec<Claim> {
         let field: Vec<String> =
             matrix.field.iter().enumerate().map(|(i, value)| format!("f{} = {value}", i + 1)).collect();
         claims.push(Claim::new(
-            format!("field.{system}"),
+            section_of_field,
+            ["field", system],
             system,
-            format!("{section_of_field}, the vector field"),
+            format!("{}, the vector field", section_of_field.place()),
             field.join("; "),
         ));
         let mut entries = Vec::new();
@@ -186,16 +221,18 @@ fn fields_and_matrices() -> Vec<Claim> {
             }
         }
         claims.push(Claim::new(
-            format!("matrix.{system}"),
+            section_of_matrix,
+            ["matrix", system],
             system,
-            format!("{section_of_matrix}, A(x, eps)"),
+            format!("{}, A(x, eps)", section_of_matrix.place()),
             entries.join("; "),
         ));
         let of_determinant = matrix
             .place_of_determinant
-            .map_or_else(|| format!("{section_of_matrix}, det A, addition"), str::to_owned);
+            .map_or_else(|| format!("{}, det A, addition", section_of_matrix.place()), str::to_owned);
         claims.push(Claim::new(
-            format!("determinant.{system}"),
+            section_of_matrix,
+            ["determinant", system],
             system,
             of_determinant,
             format!("detA = {}", matrix.determinant),
@@ -206,11 +243,12 @@ fn fields_and_matrices() -> Vec<Claim> {
 
 fn difference_equations() -> Vec<Claim> {
     let mut claims = Vec::new();
-    for (system, place, increments) in DIFFERENCES {
+    for (section, system, place, increments) in DIFFERENCES {
         for (state, increment) in ["x", "y", "z"].iter().zip(increments) {
             claims.push(
                 Claim::new(
-                    format!("difference.{system}.{state}"),
+                    section,
+                    ["difference", system, state],
                     system,
                     format!("{place}, equation of {state}"),
                     format!("next({state}) - {state} = {increment}"),
@@ -224,8 +262,14 @@ fn difference_equations() -> Vec<Claim> {
 
 fn euler_top() -> Vec<Claim> {
     let claim = |id: &str, what: &str, statement: &str| {
-        Claim::new(format!("section2.euler.{id}"), "euler", format!("Section 2, {what}"), statement)
-            .spelling("H1 := a3*y^2 - a2*z^2; H2 := a1*z^2 - a3*x^2; H3 := a2*x^2 - a1*y^2")
+        Claim::new(
+            Section::Brackets,
+            ["section2", "euler", id],
+            "euler",
+            format!("Section 2, {what}"),
+            statement,
+        )
+        .spelling("H1 := a3*y^2 - a2*z^2; H2 := a1*z^2 - a3*x^2; H3 := a2*x^2 - a1*y^2")
     };
     vec![
         claim(
@@ -234,7 +278,7 @@ fn euler_top() -> Vec<Claim> {
             "dot(gamma1*x^2 + gamma2*y^2 + gamma3*z^2) = 2*(gamma1*a1 + gamma2*a2 + gamma3*a3)*x*y*z",
         )
         .misprinted(
-            "A5",
+            A(5),
             "dot(gamma1*x^2 + gamma2*y^2 + gamma3*z^2) = 2*(gamma1*a1 + gamma2*a2 + gamma2*a2)*x*y*z",
             "a1 := 1; a2 := 1; a3 := 1; gamma1 := -2; gamma2 := 1; gamma3 := 0; x := 1; y := 1; z := 1; eps := 1;
              gamma1*a1 + gamma2*a2 + gamma2*a2 = 0; dot(gamma1*x^2 + gamma2*y^2 + gamma3*z^2) = -2",
@@ -256,7 +300,8 @@ fn reductions() -> Vec<Claim> {
             .map(|state| format!("at(next({general}, {state}), xi, {xi}) = next({special}, {state})"));
         let fields = ["1", "2", "3"].map(|i| format!("at(f({general}, {i}), xi, {xi}) = f({special}, {i})"));
         claims.push(Claim::new(
-            format!("reduction.{general}.{special}"),
+            Section::Transcendental,
+            ["reduction", general, special],
             general,
             format!("Section 6, d{} at xi = {xi} is d{}", general.to_uppercase(), special.to_uppercase()),
             [fields.join("; "), equations.join("; ")].join("; "),
@@ -267,7 +312,7 @@ fn reductions() -> Vec<Claim> {
 
 /// Kahan's map commutes with linear changes of variables.
 fn changes_of_variables() -> Vec<Claim> {
-    let top = |id: &str, system: &'static str, u: [&str; 3], a: [&str; 3]| {
+    let top = |system: &'static str, u: [&str; 3], a: [&str; 3]| {
         let (names, place) =
             (["x", "y", "z"], format!("Section 3, {} is an Euler top", system.to_uppercase()));
         let point =
@@ -277,9 +322,16 @@ fn changes_of_variables() -> Vec<Claim> {
         let flow: Vec<String> =
             (1..=3).zip(u).map(|(i, u)| format!("dot({u}) = at(f(euler, {i}), {point})")).collect();
         [
-            Claim::new(format!("change.{id}.flow"), system, place.clone(), flow.join("; ")),
             Claim::new(
-                format!("change.{id}.map"),
+                Section::FlowPairs,
+                ["change", system, "euler", "flow"],
+                system,
+                place.clone(),
+                flow.join("; "),
+            ),
+            Claim::new(
+                Section::FlowPairs,
+                ["change", system, "euler", "map"],
                 system,
                 format!("{place}, the maps (addition)"),
                 map.collect::<Vec<_>>().join("; "),
@@ -287,23 +339,26 @@ fn changes_of_variables() -> Vec<Claim> {
         ]
     };
     let mut claims = Vec::new();
-    claims.extend(top("e4.euler", "e4", ["x - y", "x + y", "z"], ["-1", "-1", "1"]));
-    claims.extend(top("e6.euler", "e6", ["x - z", "x + z", "y"], ["1", "-3", "1"]));
+    claims.extend(top("e4", ["x - y", "x + y", "z"], ["-1", "-1", "1"]));
+    claims.extend(top("e6", ["x - z", "x + z", "y"], ["1", "-3", "1"]));
     claims.push(Claim::new(
-        "change.e4.sign",
+        Section::Maps,
+        ["change", "e4", "sign"],
         "e4",
         "Section 8, the symmetry (x, y, z) to (-x, -y, z) of dE4, addition",
         "on(next(x), -x, -y, z) = -next(x); on(next(y), -x, -y, z) = -next(y); on(next(z), -x, -y, z) = next(z)",
     ));
     claims.push(Claim::new(
-        "change.e9.inverse.flow",
+        Section::Transcendental,
+        ["change", "e9", "inverse", "flow"],
         "e9",
         "Section 6, E9 with x and y exchanged and time multiplied by xi is E9 at 1/xi, the flow, addition",
         "f1 = xi*at(f2, x, y, y, x, xi, 1/xi); f2 = xi*at(f1, x, y, y, x, xi, 1/xi); f3 = xi*at(f3, x, y, y, x, xi, 1/xi)",
     ));
     let swapped = "x, y, y, x, xi, 1/xi, eps, xi*eps";
     claims.push(Claim::new(
-        "change.e9.inverse",
+        Section::Transcendental,
+        ["change", "e9", "inverse"],
         "e9",
         "Section 6, E9 with x and y exchanged and time multiplied by xi is E9 at 1/xi, addition",
         format!(
@@ -317,21 +372,24 @@ fn changes_of_variables() -> Vec<Claim> {
 fn poles() -> Vec<Claim> {
     vec![
         Claim::new(
-            "removable.e1",
+            Section::Maps,
+            ["removable", "e1"],
             "e1",
             "Section 5, dE1 on the whole of 1 + eps x = 0, addition",
             "at(detA, x, -1/eps) = 0; on(next(x), -1/eps, y, z) = 1/eps; on(next(y), -1/eps, y, z) = -y;
              on(next(z), -1/eps, y, z) = z - 2*eps*y^2",
         ),
         Claim::new(
-            "removable.e3",
+            Section::Maps,
+            ["removable", "e3"],
             "e3",
             "Section 5, dE3 on the whole of 1 + eps z = 0, addition",
             "at(detA, z, -1/eps) = 0; on(next(x), x, y, -1/eps) = x/(eps^2*(x^2 + y^2));
              on(next(y), x, y, -1/eps) = y/(eps^2*(x^2 + y^2)); on(next(z), x, y, -1/eps) = 1/eps",
         ),
         Claim::new(
-            "pole.e1",
+            Section::Maps,
+            ["pole", "e1"],
             "e1",
             "Section 5, removable pole of dE1 on 1 + eps x = 0, addition",
             "at(detA, eps, 1/2, x, -2) = 0; at(on(next(x), -2, 1, 1/3), eps, 1/2) = 2;
@@ -339,7 +397,8 @@ fn poles() -> Vec<Claim> {
              at(on(detJ, -2, 1, 1/3), eps, 1/2) = -1",
         ),
         Claim::new(
-            "pole.e3",
+            Section::Maps,
+            ["pole", "e3"],
             "e3",
             "Section 5, removable pole of dE3 on 1 + eps z = 0, addition",
             "at(detA, eps, 1/2, z, -2) = 0; at(on(next(x), 3/2, 1, -2), eps, 1/2) = 24/13;

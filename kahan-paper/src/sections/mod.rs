@@ -13,8 +13,11 @@ mod tables;
 
 use super::claim::{Basis, Claim};
 use super::evaluate::Models;
+use super::id::Id;
+use super::section::Section;
 
 use kahan_algebra::render::claim_text;
+use kahan_algebra::syntax::ClaimKind;
 
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::{FURTHER, SYSTEMS};
@@ -67,28 +70,52 @@ pub(super) fn claims(models: &Models) -> Vec<Claim> {
         lotka_volterra::claims(),
         maps::claims(),
         tables::claims(),
-        block_claims(models, SYSTEMS),
+        block_claims(models, SYSTEMS, in_the_paper),
         flows::claims(),
         solutions::claims(),
         e7_e8_e9::claims(),
         diophantine::claims(),
         appendix::claims(),
-        block_claims(models, FURTHER),
+        block_claims(models, FURTHER, |_, _| Section::Beyond),
     ]
     .concat()
 }
 
+/// The systems whose maps the paper treats as a whole in one section.
+const TREATED_AS_A_WHOLE: [(&str, Section); 5] = [
+    ("lv", Section::Method),
+    ("euler", Section::Brackets),
+    ("e7", Section::Transcendental),
+    ("e8", Section::Transcendental),
+    ("e9", Section::Transcendental),
+];
+
+/// Where the paper states what a system's block claims.
+fn in_the_paper(system: &str, kind: ClaimKind) -> Section {
+    let whole = TREATED_AS_A_WHOLE.iter().find(|(treated, _)| *treated == system);
+    whole.map_or_else(
+        || if kind == ClaimKind::Bracket { Section::MapPairs } else { Section::Maps },
+        |(_, section)| *section,
+    )
+}
+
 /// The claims of the systems' own blocks.
-fn block_claims(models: &Models, systems: &[Entry]) -> Vec<Claim> {
+fn block_claims(
+    models: &Models,
+    systems: &[Entry],
+    section: impl Fn(&str, ClaimKind) -> Section,
+) -> Vec<Claim> {
     let mut claims = Vec::new();
     for entry in systems {
         let system = models[entry.command].system();
-        claims.extend(system.claims.iter().map(|claim| Claim {
-            id: format!("{}.{}", entry.command, claim.name.text),
+        claims.extend(system.claims.iter().enumerate().map(|(index, claim)| Claim {
+            id: Id::of([entry.command, &claim.name.text]),
+            section: section(entry.command, claim.kind),
             system: entry.command,
-            source: entry.source(&claim.name.text).unwrap_or_default().to_owned(),
+            place: entry.source(&claim.name.text).unwrap_or_default().to_owned(),
+            erratum: None,
             statement: claim_text(system, claim),
-            basis: Basis::Block,
+            basis: Basis::Block { index },
         }));
     }
     claims

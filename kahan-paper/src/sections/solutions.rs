@@ -4,6 +4,8 @@ mod branches;
 mod initial_data;
 
 use super::super::claim::Claim;
+use super::super::erratum::Erratum::A;
+use super::super::section::Section;
 use super::structures::structure;
 
 /// A solution of a map: one step is n → n + 1.
@@ -100,8 +102,14 @@ impl Solution {
         let system = self.system;
         let claim = |cell: &str, statement: String| {
             let source = format!("Theorem 3, i = {}, {cell}{place}", &system[1..]);
-            Claim::new(format!("theorem3.{system}.{id}{cell}"), system, source, statement)
-                .given(&self.definitions())
+            Claim::new(
+                Section::MapSolutions,
+                ["theorem3", system, &format!("{id}{cell}")],
+                system,
+                source,
+                statement,
+            )
+            .given(&self.definitions())
         };
         let steps = (0..3).map(|i| {
             let (state, name, value, sign) = (STATES[i], FUNCTIONS[i], self.components[i], signs[i]);
@@ -128,17 +136,24 @@ fn proof() -> Vec<Claim> {
     let value = "delta := log(u); on(K_eps, X(n), Y(n), Z(n)) = tanh(delta)^2/(2*eps^2);
     on(H_eps, X(n), Y(n), Z(n)) = tan(theta)";
     vec![
-        Claim::new("theorem3.e3.proof.K", "e3", "Theorem 3, proof, i = 3, value of K(eps)", value)
-            .given(&solution.definitions())
-            .within("u", (2, 1), (4, 1))
-            .misprinted(
-                "A4",
-                "on(K_eps, X(n), Y(n), Z(n)) = sinh(delta)^2/(2*eps^2)",
-                "eps := 1; u := 3; kappa := 0; theta := 0; n := 0;
-                X(n) = 4/3; Y(n) = 0; Z(n) = 0; on(K_eps, 4/3, 0, 0) = 8/25; sinh(delta)^2/(2*eps^2) = 8/9",
-            ),
         Claim::new(
-            "theorem3.e4.symmetries",
+            Section::MapSolutions,
+            ["theorem3", "e3", "proof", "K"],
+            "e3",
+            "Theorem 3, proof, i = 3, value of K(eps)",
+            value,
+        )
+        .given(&solution.definitions())
+        .within("u", (2, 1), (4, 1))
+        .misprinted(
+            A(4),
+            "on(K_eps, X(n), Y(n), Z(n)) = sinh(delta)^2/(2*eps^2)",
+            "eps := 1; u := 3; kappa := 0; theta := 0; n := 0;
+                X(n) = 4/3; Y(n) = 0; Z(n) = 0; on(K_eps, 4/3, 0, 0) = 8/25; sinh(delta)^2/(2*eps^2) = 8/9",
+        ),
+        Claim::new(
+            Section::MapSolutions,
+            ["theorem3", "e4", "symmetries"],
             "e4",
             "Theorem 3, i = 4, addition: the symmetries (x,y,z) -> (x,-y,z) and (y,x,-z)",
             "on(next(x), x, -y, z) = next(x); on(next(y), x, -y, z) = -next(y);
@@ -158,7 +173,8 @@ fn other_tops() -> Vec<Claim> {
         r(n) := k*sn(delta, k)*sn(v(n), k)/eps";
     vec![
         Claim::new(
-            "theorem3.euler.scaling",
+            Section::MapSolutions,
+            ["theorem3", "euler", "scaling"],
             "euler",
             "Theorem 3, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3 is dE4",
             "step(w) := at(on(next(w), s1*(x - y), s2*(x + y), s3*z),
@@ -166,7 +182,8 @@ fn other_tops() -> Vec<Claim> {
             step(x) = s1*next(e4, x - y); step(y) = s2*next(e4, x + y); step(z) = s3*next(e4, z)",
         ),
         Claim::new(
-            "theorem3.euler.solution",
+            Section::MapSolutions,
+            ["theorem3", "euler", "solution"],
             "euler",
             "Theorem 3, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3",
             "X(n) := s1*p(n); Y(n) := s2*q(n); Z(n) := s3*r(n);
@@ -175,7 +192,8 @@ fn other_tops() -> Vec<Claim> {
         )
         .spelling(elliptic),
         Claim::new(
-            "theorem3.e6.change",
+            Section::MapSolutions,
+            ["theorem3", "e6", "change"],
             "e6",
             "Theorem 3, addition: dE6 is dE4 with eps -> -eps after a swap of two axes and a scaling",
             "x4 := sqrt(3)/2*(x - z + y); y4 := sqrt(3)/2*(y - x + z); z4 := x + z;
@@ -183,7 +201,8 @@ fn other_tops() -> Vec<Claim> {
             step(x) = next(x4); step(y) = next(y4); step(z) = next(z4)",
         ),
         Claim::new(
-            "theorem3.e6.solution",
+            Section::MapSolutions,
+            ["theorem3", "e6", "solution"],
             "e6",
             "Theorem 3, addition: the solution of dE6",
             "X(n) := (r(n) + p(n)/sqrt(3))/2; Y(n) := q(n)/sqrt(3); Z(n) := (r(n) - p(n)/sqrt(3))/2;

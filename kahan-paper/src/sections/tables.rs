@@ -1,6 +1,9 @@
 //! Tables 1 to 4 and Theorems 1 and 2, cell by cell.
 
 use super::super::claim::Claim;
+use super::super::erratum::Erratum;
+use super::super::id::Id;
+use super::super::section::Section;
 use super::structures::{ENTRIES, STRUCTURES, Structure, triple};
 
 /// P dF for the tensor with this name and suffix, as three formulas.
@@ -26,8 +29,8 @@ pub(super) fn claims() -> Vec<Claim> {
 
 /// A cell that is printed wrongly.
 struct Misprinted {
-    claim: &'static str,
-    erratum: &'static str,
+    claim: [&'static str; 3],
+    erratum: Erratum,
     printed: &'static str,
     counterexample: &'static str,
 }
@@ -35,16 +38,16 @@ struct Misprinted {
 const MISPRINTED: [Misprinted; 3] = [
     // Without its sign, c does not link the two forms of the field.
     Misprinted {
-        claim: "table1.e8.c",
-        erratum: "A2",
+        claim: ["table1", "e8", "c"],
+        erratum: Erratum::A(2),
         printed: "c := exp(-y/x)/x; P12*d(K, y) - P31*d(K, z) = (Q12*d(H, y) - Q31*d(H, z))/c",
         counterexample: "eps := 1; x := 1; y := 0; z := 0; P12*d(K, y) - P31*d(K, z) = 1; P23*d(K, z) - P12*d(K, x) = 1;
          P31*d(K, x) - P23*d(K, y) = 0; Q12*d(H, y) - Q31*d(H, z) = -1; Q23*d(H, z) - Q12*d(H, x) = -1; 1/c = -1",
     },
     // As printed the tensor is Poisson, but the map does not keep it.
     Misprinted {
-        claim: "table4.e3.Q23",
-        erratum: "A1",
+        claim: ["table4", "e3", "Q23"],
+        erratum: Erratum::A(1),
         printed: "Q23_eps := x*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2)); Q31_eps := y*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2));
          Q12_eps/c*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps/c*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
          + Q31_eps/c*(J(1,3)*J(2,1) - J(1,1)*J(2,3)) = next(Q12_eps/c);
@@ -55,15 +58,15 @@ const MISPRINTED: [Misprinted; 3] = [
          H*K/(H_eps*K_eps)*d(K_eps, x) = -5/9",
     },
     Misprinted {
-        claim: "table4.e3.Q31",
-        erratum: "A1",
+        claim: ["table4", "e3", "Q31"],
+        erratum: Erratum::A(1),
         printed: "Q31_eps := y*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2)); H*K/(H_eps*K_eps)*d(K_eps, y) = Q31_eps",
         counterexample: "eps := 1/2; x := 1; y := 2; z := 3; H*K/(H_eps*K_eps)*d(K_eps, y) = -10/9",
     },
 ];
 
 fn with_misprint(claim: Claim) -> Claim {
-    match MISPRINTED.iter().find(|misprinted| misprinted.claim == claim.id) {
+    match MISPRINTED.iter().find(|misprinted| claim.id == Id::of(misprinted.claim)) {
         Some(m) => claim.misprinted(m.erratum, m.printed, m.counterexample),
         None => claim,
     }
@@ -79,6 +82,11 @@ fn place(structure: &Structure) -> String {
     }
 }
 
+/// Where the paper has the Lie-Poisson pair of a flow.
+fn section(structure: &Structure) -> Section {
+    if structure.discrete.is_some() { Section::FlowPairs } else { Section::Transcendental }
+}
+
 const ZERO: [&str; 3] = ["0"; 3];
 const MINUS_FIELD: [&str; 3] = ["-f1", "-f2", "-f3"];
 const MINUS_C_FIELD: [&str; 3] = ["-c*f1", "-c*f2", "-c*f3"];
@@ -87,7 +95,8 @@ const MINUS_C_FIELD: [&str; 3] = ["-c*f1", "-c*f2", "-c*f3"];
 fn table1(s: &Structure) -> Vec<Claim> {
     let cell = |name: &str, statement: String| {
         Claim::new(
-            format!("table1.{}.{name}", s.system),
+            section(s),
+            ["table1", s.system, name],
             s.system,
             format!("{}, {name}", place(s)),
             statement,
@@ -130,19 +139,19 @@ fn table1(s: &Structure) -> Vec<Claim> {
 /// What section 3 says of the pair of one flow, and Lie algebras.
 fn pair(s: &Structure) -> Vec<Claim> {
     let claim = |name: &str, place: String, statement: String| {
-        Claim::new(format!("section3.{}.{name}", s.system), s.system, place, statement)
+        Claim::new(section(s), ["section3", s.system, name], s.system, place, statement)
             .given(&s.definitions())
     };
-    let section =
+    let in_section =
         |what: &str| format!("{}, {what}", if s.discrete.is_some() { "Section 3" } else { "Section 6" });
     let right = applied("Q", "", "H").map(|entry| format!("({entry})/c"));
     let chain: Vec<String> =
         applied("P", "", "K").iter().zip(&right).map(|(a, b)| format!("{a} = {b}")).collect();
     let mut claims = vec![
-        claim("chain", section("Lenard-Magri chain"), chain.join("; ")),
+        claim("chain", in_section("Lenard-Magri chain"), chain.join("; ")),
         claim(
             "compatible",
-            section("compatibility"),
+            in_section("compatibility"),
             "jacobi(P12 + lambda*Q12/c, P23 + lambda*Q23/c, P31 + lambda*Q31/c) = 0".to_owned(),
         ),
     ];
@@ -166,22 +175,28 @@ fn map(s: &Structure) -> Vec<Claim> {
     let Some(map) = &s.discrete else { return Vec::new() };
     let index = &s.system[1..];
     let definitions = s.definitions();
-    let claim = |id: String, place: String, statement: String| {
-        Claim::new(id, s.system, place, statement).given(&definitions)
+    let claim = |section: Section, table: &str, name: &str, place: String, statement: String| {
+        Claim::new(section, [table, s.system, name], s.system, place, statement).given(&definitions)
     };
     let mut claims = vec![
         claim(
-            format!("table2.{}.limit", s.system),
+            Section::Maps,
+            "table2",
+            "limit",
             format!("Table 2, i = {index}, at eps = 0"),
             "at(H_eps, eps, 0) = H; at(K_eps, eps, 0) = K".to_owned(),
         ),
         claim(
-            format!("theorem1.{}.flow", s.system),
+            Section::Maps,
+            "theorem1",
+            "flow",
             format!("Theorem 1, the volume form of the flow, i = {index}"),
             "divergence(c/(H*K)) = 0".to_owned(),
         ),
         claim(
-            format!("theorem1.{}.map", s.system),
+            Section::Maps,
+            "theorem1",
+            "map",
             format!("Theorem 1, (form), the volume form of the map, i = {index}"),
             "detJ*next(c/(H*K)) = c/(H*K)".to_owned(),
         ),
@@ -189,14 +204,18 @@ fn map(s: &Structure) -> Vec<Claim> {
     let directions = ["z", "x", "y"];
     for (cell, (entry, direction)) in map.p.iter().zip(ENTRIES.iter().zip(directions)) {
         claims.push(claim(
-            format!("table3.{}.P{entry}", s.system),
+            Section::MapPairs,
+            "table3",
+            &format!("P{entry}"),
             format!("Table 3, i = {index}, P{entry}, from (p1)"),
             format!("P{entry}_eps := {cell}; -1/c*H*K/(H_eps*K_eps)*d(H_eps, {direction}) = P{entry}_eps"),
         ));
     }
     for (cell, (entry, direction)) in map.q.iter().zip(ENTRIES.iter().zip(directions)) {
         claims.push(claim(
-            format!("table4.{}.Q{entry}", s.system),
+            Section::MapPairs,
+            "table4",
+            &format!("Q{entry}"),
             format!("Table 4, i = {index}, Q{entry}, from (q3)"),
             format!("Q{entry}_eps := {cell}; H*K/(H_eps*K_eps)*d(K_eps, {direction}) = Q{entry}_eps"),
         ));
@@ -207,11 +226,11 @@ fn map(s: &Structure) -> Vec<Claim> {
     let sum = ENTRIES.map(|entry| format!("P{entry}_eps + lambda*Q{entry}_eps/c")).join(", ");
     let poisson = |t: &str| format!("{t}12_eps, {t}23_eps, {t}31_eps");
     let theorem2 = |name: &str, what: &str, statement: String| {
-        claim(format!("theorem2.{}.{name}", s.system), format!("Theorem 2, i = {index}, {what}"), statement)
+        claim(Section::MapPairs, "theorem2", name, format!("Theorem 2, i = {index}, {what}"), statement)
     };
     claims.extend([
-        claim(format!("table3.{}.limit", s.system), format!("Table 3, i = {index}, at eps = 0"), limits("P")),
-        claim(format!("table4.{}.limit", s.system), format!("Table 4, i = {index}, at eps = 0"), limits("Q")),
+        claim(Section::MapPairs, "table3", "limit", format!("Table 3, i = {index}, at eps = 0"), limits("P")),
+        claim(Section::MapPairs, "table4", "limit", format!("Table 4, i = {index}, at eps = 0"), limits("Q")),
         theorem2("jacobi_P", "Jacobi identity of P(eps)", format!("jacobi({}) = 0", poisson("P"))),
         theorem2(
             "jacobi_Q",

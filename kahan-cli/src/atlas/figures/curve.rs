@@ -75,7 +75,7 @@ pub(super) fn plate() -> Option<Plate> {
             (decimal(solution.delta, 5)) "; a step goes " (decimal(rotation, 5)) " of the way around the curve, and each of the "
             (orbit.len()) " points is within " (scientific(farthest)) " of the value of the solution at its " i { "n" } "."
         },
-        claims: &["theorem3.e4."],
+        claims: &["theorem3", "e4"],
     })
 }
 

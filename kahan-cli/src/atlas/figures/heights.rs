@@ -88,7 +88,7 @@ pub(super) fn lotka_volterra(orbits: &Orbits<'_>) -> Option<Plate> {
             ", a fraction of " (grouped(orbit.digits("x"))) " digits; the last step multiplied " i { "h" } "(" i { "x" }
             ") by " (decimal(x.last_ratio(), 4)) ". This speaks against an algebraic integral behind the closed orbits of this map."
         },
-        claims: &["section7.lv."],
+        claims: &["section7", "lv"],
     })
 }
 
@@ -119,7 +119,7 @@ pub(super) fn de3(orbits: &Orbits<'_>) -> Option<Plate> {
             "slope of " i { "h" } "(" i { "x" } sub { i { "n" } } ") is " (decimal(slope, 3)) " (dashed: its logarithm). "
             "dE3 is solved by hyperbolic functions, so that 1/" i { "x" } sub { i { "n" } } " obeys a linear recurrence."
         },
-        claims: &["section7.e3."],
+        claims: &["section7", "e3"],
     })
 }
 
@@ -151,7 +151,7 @@ pub(super) fn de4(orbits: &Orbits<'_>) -> Option<Plate> {
             " tends to " (decimal(coefficient, 2)) ", half the second difference over the last half of the orbit (dashed). "
             "The orbit lies on an elliptic curve, where heights grow like the square of the multiple of a point."
         },
-        claims: &["section7.e4."],
+        claims: &["section7", "e4"],
     })
 }
 
@@ -198,7 +198,7 @@ pub(super) fn de7(orbits: &Orbits<'_>) -> Option<Plate> {
             (first) " iterates of " i { "y" } " is " (decimal(mean(first), 4)) ". The fluctuations are those of prime "
             "numbers: the solution is a ratio of Γ functions, products over an arithmetic progression."
         },
-        claims: &["section7.e7."],
+        claims: &["section7", "e7"],
     })
 }
 
@@ -221,7 +221,7 @@ pub(super) fn de9(orbits: &Orbits<'_>) -> Option<Plate> {
             (decimal(x.last_ratio(), 4)) ". The flow has two integrals at every ξ; these "
             "heights speak against such a pair for its map at this one."
         },
-        claims: &["section7.e9."],
+        claims: &["section7", "e9"],
     })
 }
 

@@ -22,7 +22,7 @@ pub(super) struct Plate {
     pub(super) data: Markup,
     /// What is seen and what was measured.
     pub(super) result: Markup,
-    /// The claims about it: what their identifiers begin with.
+    /// The parts with which the names of the claims about it begin; empty where there is none.
     pub(super) claims: &'static [&'static str],
 }
 
@@ -66,8 +66,8 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
 }
 
 fn figure(found: &Found<'_>, number: usize, plate: &Plate) -> Markup {
-    let claims = plate.claims.iter().flat_map(|prefix| found.claims_of(prefix));
-    let claims: Vec<_> = claims.collect();
+    let claims: Vec<_> =
+        if plate.claims.is_empty() { Vec::new() } else { found.claims_of(plate.claims).collect() };
     html! {
         figure.single[plate.drawings.len() == 1] id=(plate.id) {
             h3 { "Figure " (number) ". " (plate.title) }
@@ -81,7 +81,7 @@ fn figure(found: &Found<'_>, number: usize, plate: &Plate) -> Markup {
                         ul.claims {
                             @for checked in claims {
                                 li {
-                                    (link(checked)) " " (readable(&checked.claim.source)) " "
+                                    (link(checked)) " " (readable(&checked.claim.source())) " "
                                     (badge(checked.established.outcome))
                                 }
                             }

@@ -66,7 +66,7 @@ pub(super) fn plate() -> Plate {
             " of its first value in " (STEPS) " steps; by Euler’s method it is off by " (decimal(inner_euler, 2))
             " after " (inner_euler_steps(&euler[0])) " steps. This drawing is not in the paper."
         },
-        claims: &["lv."],
+        claims: &["lv"],
     }
 }
 

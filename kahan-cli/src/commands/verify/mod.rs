@@ -1,7 +1,10 @@
 //! `kahan verify`: every formula of the paper established again, or the claims of a field of one's own.
 
+mod lines;
 mod mutate;
 mod report;
+mod summary;
+mod table;
 
 use std::time::Instant;
 
@@ -11,7 +14,7 @@ use kahan_paper::{Established, Paper, establish_block_claim};
 
 use crate::printing::{Answer, Progress, Refusal};
 use crate::reading::{Block, Source};
-use report::{Report, Row};
+use report::{Form, Report, Row, in_one_line};
 
 /// Proves every formula of the paper, those of one system, or the claims of a field of your own.
 ///
@@ -28,6 +31,10 @@ pub(crate) struct Verify {
     #[arg(long = "system", value_name = "SYSTEM", conflicts_with_all = ["system", "field", "file"])]
     of: Option<String>,
 
+    /// Show every claim with its statement, its source and its time.
+    #[arg(long, conflicts_with = "mutate")]
+    all: bool,
+
     /// Change one coefficient or sign of every claim: each must then fail. The exit status is 1 if
     /// one survives. Of a field of your own the claims must hold to begin with.
     #[arg(long)]
@@ -41,6 +48,8 @@ pub(crate) struct Verify {
 const EXAMPLES: &str = "\
 Examples:
   kahan verify
+  kahan verify --all
+  kahan verify e6
   kahan verify e6 --json
   kahan verify --system general
   kahan verify --mutate
@@ -49,7 +58,7 @@ Examples:
   kahan verify --file field.txt --mutate";
 
 impl Verify {
-    /// The table, or `claims` and `failed`; a complaint if a claim fails.
+    /// One screen, a line a claim, the table, or one object; a complaint if a claim fails.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let start = Instant::now();
         let source = self.of.clone().map_or_else(|| self.source.clone(), Source::of_system);
@@ -63,7 +72,8 @@ impl Verify {
                 return Ok(mutate::run_block(&name, &system, self.json));
             }
             let rows = verify_block(&block, &source)?;
-            return Ok(Report { rows, open: &[], elapsed: start.elapsed() }.answer(self.json));
+            let report = Report { rows, open: &[], elapsed: start.elapsed() };
+            return Ok(report.answer(self.form(Form::Lines)));
         }
         let paper = Paper::new();
         let system = source.system_of_the_paper()?;
@@ -79,19 +89,33 @@ impl Verify {
         let established = paper.establish_all(&claims, || progress.advance(1));
         progress.finish();
         let rows = claims.iter().zip(established).map(|(claim, established)| Row {
-            id: claim.id.clone(),
+            id: claim.id.to_string(),
             system: claim.system.to_owned(),
-            source: claim.source.clone(),
-            statement: claim.statement.clone(),
+            source: claim.source(),
+            statement: in_one_line(&claim.statement),
+            claim: Some(claim),
             established,
         });
-        let open = if system.is_none() { kahan_paper::OPEN } else { &[] };
-        Ok(Report { rows: rows.collect(), open, elapsed: start.elapsed() }.answer(self.json))
+        let (open, short) =
+            if system.is_none() { (kahan_paper::OPEN, Form::Summary) } else { (&[][..], Form::Lines) };
+        let report = Report { rows: rows.collect(), open, elapsed: start.elapsed() };
+        Ok(report.answer(self.form(short)))
+    }
+
+    /// What was asked for, or else the short form.
+    fn form(&self, short: Form) -> Form {
+        if self.json {
+            Form::Json
+        } else if self.all {
+            Form::Table
+        } else {
+            short
+        }
     }
 }
 
 /// The claims of a block that is not the catalog's, or is specialised.
-fn verify_block(block: &Block, source: &Source) -> Result<Vec<Row>, Refusal> {
+fn verify_block(block: &Block, source: &Source) -> Result<Vec<Row<'static>>, Refusal> {
     let system = block.unproved_system()?;
     let name = block.name(&system);
     let system = source.specialised(system, &name)?;
@@ -103,7 +127,8 @@ fn verify_block(block: &Block, source: &Source) -> Result<Vec<Row>, Refusal> {
             id: format!("{name}.{}", claim.name.text),
             system: name.clone(),
             source: place.to_owned(),
-            statement: claim_text(&system, claim),
+            statement: in_one_line(&claim_text(&system, claim)),
+            claim: None,
             established: Established { outcome, detail, elapsed: start.elapsed() },
         }
     });

@@ -30,7 +30,7 @@ pub(super) fn run(paper: &Paper, claims: &[&Claim], as_json: bool) -> Answer {
             paper.establish_as(claim, mutation).outcome == Outcome::Failed
         });
         progress.advance(1);
-        Trial { id: claim.id.clone(), tried, failed }
+        Trial { id: claim.id.to_string(), tried, failed }
     });
     progress.finish();
     answer(&trials, start, as_json)

@@ -1,126 +1,109 @@
-//! The table of `kahan verify`, and its JSON.
+//! What `kahan verify` found: each claim with its outcome, and the forms in which that is shown.
 
 use std::time::Duration;
 
-use kahan_algebra::render::lines;
-use kahan_paper::{Established, Outcome};
-use kahan_systems::registry::find;
+use kahan_paper::{Claim, Established, Outcome};
 use serde_json::{Value, json};
 
-use crate::printing::layout::screen_width;
-use crate::printing::{Answer, columns, widths};
-
-/// The columns by which the lines of a system are indented.
-const INDENT: usize = 2;
+use super::{lines, summary, table};
+use crate::printing::Answer;
 
 /// What there is to say of a block without claims.
 pub(super) const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME = …;`, `density NAME = …;` or `bracket NAME { … }`";
 
 /// A claim with its outcome.
-pub(super) struct Row {
+pub(super) struct Row<'a> {
     pub(super) id: String,
     pub(super) system: String,
     pub(super) source: String,
+    /// What is claimed, in one line.
     pub(super) statement: String,
+    /// The claim of the paper; none of a field of one's own has one.
+    pub(super) claim: Option<&'a Claim>,
     pub(super) established: Established,
 }
 
 /// All of them.
 pub(super) struct Report<'a> {
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<Row<'a>>,
     /// What the paper leaves open.
     pub(super) open: &'a [(&'a str, &'a str)],
     pub(super) elapsed: Duration,
 }
 
+/// How much is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// One screen: a line a section.
+    Summary,
+    /// A line a claim.
+    Lines,
+    /// Every claim with its statement, its source and its time.
+    Table,
+    /// One JSON object.
+    Json,
+}
+
 impl Report<'_> {
-    /// As text or as one JSON object; a complaint if a claim failed.
-    pub(super) fn answer(&self, as_json: bool) -> Answer {
-        let failed: Vec<&str> = self
-            .rows
-            .iter()
-            .filter(|row| row.established.outcome == Outcome::Failed)
-            .map(|row| row.id.as_str())
-            .collect();
+    /// In one of its forms; a complaint if a claim failed.
+    pub(super) fn answer(&self, form: Form) -> Answer {
+        let failed: Vec<&str> = self.failed().map(|row| row.id.as_str()).collect();
         let complaint = (!failed.is_empty())
             .then(|| format!("{} of {} claims failed: {}", failed.len(), self.rows.len(), failed.join(", ")));
-        let answer = if as_json {
-            let claims: Vec<Value> = self.rows.iter().map(Row::json).collect();
-            let open: Vec<Value> =
-                self.open.iter().map(|(title, why)| json!({ "statement": title, "detail": why })).collect();
-            Answer::json(&json!({ "claims": claims, "failed": failed.len(), "open": open }))
-        } else {
-            Answer::text(self.table() + &self.open_problems() + &self.totals())
+        let answer = match form {
+            Form::Json => Answer::json(&self.json()),
+            _ if self.rows.is_empty() => Answer::text(format!("{NO_CLAIMS}\n")),
+            Form::Summary => Answer::text(summary::text(self)),
+            Form::Lines => Answer::text(lines::text(self)),
+            Form::Table => Answer::text(table::text(self)),
         };
         Answer { complaint, ..answer }
     }
 
-    fn table(&self) -> String {
-        let cells: Vec<Vec<String>> = self.rows.iter().map(Row::cells).collect();
-        let widths = widths(&cells);
-        let room = screen_width().saturating_sub(INDENT);
-        let mut text = String::new();
-        let mut system = None;
-        for (row, cells) in self.rows.iter().zip(&cells) {
-            if system != Some(&row.system) {
-                text.push_str(if system.is_some() { "\n" } else { "" });
-                text.push_str(&(lines(&title(&row.system), screen_width()).join("\n") + "\n"));
-                system = Some(&row.system);
-            }
-            let line = columns(cells, &widths);
-            if line.chars().count() <= room {
-                text.push_str(&format!("{:INDENT$}{line}\n", ""));
-            } else {
-                text.push_str(&format!("{:INDENT$}{}\n", "", row.id));
-                text.push_str(&format!("{:INDENT$}  {}\n", "", columns(&cells[1..], &widths[1..])));
-            }
-            text.push_str(&format!("    {}\n", row.statement_and_source()));
-            if matches!(row.established.outcome, Outcome::Failed | Outcome::Misprint) {
-                text.push_str(&format!("    {}\n", row.established.detail));
-            }
-        }
-        if self.rows.is_empty() { text } else { text + "\n" }
+    /// The claims that do not hold.
+    pub(super) fn failed(&self) -> impl Iterator<Item = &Row<'_>> {
+        self.rows.iter().filter(|row| row.established.outcome == Outcome::Failed)
     }
 
-    fn open_problems(&self) -> String {
-        if self.open.is_empty() {
-            return String::new();
-        }
-        let lines = self.open.iter().map(|(title, why)| format!("  {title}: {why}\n"));
-        format!("Left open by the paper\n{}\n", lines.collect::<String>())
-    }
-
-    fn totals(&self) -> String {
-        if self.rows.is_empty() {
-            return format!("{NO_CLAIMS}\n");
-        }
+    /// How many claims came out how, in one line without its end.
+    pub(super) fn totals(&self) -> String {
         let count =
             |keep: fn(Outcome) -> bool| self.rows.iter().filter(|row| keep(row.established.outcome)).count();
-        let parts = [
+        let kinds = [
             (count(|o| o == Outcome::Proved), "proved by normal forms over Q"),
             (count(|o| o == Outcome::ProvedModP), "proved mod p (error < 2^-100)"),
             (count(|o| matches!(o, Outcome::Exact(_))), "exact at points"),
             (count(|o| matches!(o, Outcome::Numerical(_))), "numerical"),
-            (count(|o| o == Outcome::Misprint), "misprints corrected"),
+            (count(|o| o == Outcome::Misprint), "misprinted and corrected"),
         ];
-        let found: Vec<String> =
-            parts.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!("{n} {what}")).collect();
-        let failed = count(|o| o == Outcome::Failed);
+        let found = kinds.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!("{n} {what}, "));
         let claims = if self.rows.len() == 1 { "claim" } else { "claims" };
-        let found = if found.is_empty() { String::new() } else { found.join(", ") + ", " };
-        format!("{} {claims}: {found}{failed} failed; {:.2} s\n", self.rows.len(), self.elapsed.as_secs_f64())
+        let failed = self.failed().count();
+        format!("{} {claims}: {}{failed} failed", self.rows.len(), found.collect::<String>())
+    }
+
+    fn json(&self) -> Value {
+        let claims: Vec<Value> = self.rows.iter().map(Row::json).collect();
+        let open: Vec<Value> =
+            self.open.iter().map(|(title, why)| json!({ "statement": title, "detail": why })).collect();
+        json!({ "claims": claims, "failed": self.failed().count(), "open": open })
     }
 }
 
-impl Row {
-    fn cells(&self) -> Vec<String> {
-        vec![self.id.clone(), self.established.outcome.words(), format!("{:>7.1} ms", self.milliseconds())]
+impl Row<'_> {
+    /// What the outcome rests on, or what is wrong; of a misprint also what is printed.
+    pub(super) fn detail(&self) -> String {
+        let detail = &self.established.detail;
+        match self.claim.and_then(Claim::printed) {
+            Some(printed) if self.established.outcome == Outcome::Misprint => {
+                format!("printed: {}; {detail}", in_one_line(printed))
+            }
+            _ => detail.clone(),
+        }
     }
 
-    /// The statement in one line, and where it is from.
-    fn statement_and_source(&self) -> String {
-        let statement = self.statement.split_whitespace().collect::<Vec<_>>().join(" ");
-        if self.source.is_empty() { statement } else { format!("{statement}    // {}", self.source) }
+    pub(super) fn milliseconds(&self) -> f64 {
+        self.established.elapsed.as_secs_f64() * 1000.0
     }
 
     fn json(&self) -> Value {
@@ -128,21 +111,14 @@ impl Row {
             "id": self.id,
             "system": self.system,
             "source": self.source,
-            "statement": self.statement.split_whitespace().collect::<Vec<_>>().join(" "),
+            "statement": self.statement,
             "outcome": self.established.outcome.key(),
-            "detail": format!("{} ({:.1} ms)", self.established.detail, self.milliseconds()),
+            "detail": format!("{} ({:.1} ms)", self.detail(), self.milliseconds()),
         })
-    }
-
-    fn milliseconds(&self) -> f64 {
-        self.established.elapsed.as_secs_f64() * 1000.0
     }
 }
 
-fn title(system: &str) -> String {
-    match find(system) {
-        Some(entry) if entry.command == system => format!("{system}: {}", entry.title),
-        _ if system == "general" => "general: what holds for every quadratic field".to_owned(),
-        _ => system.to_owned(),
-    }
+/// The words of a statement, one space apart.
+pub(super) fn in_one_line(statement: &str) -> String {
+    statement.split_whitespace().collect::<Vec<_>>().join(" ")
 }

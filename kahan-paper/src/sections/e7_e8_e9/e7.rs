@@ -1,6 +1,8 @@
 //! dE7: solution with Γ, the integral Ĥ₇, the bracket with ψ, the series for K̂₇.
 
 use super::super::super::claim::Claim;
+use super::super::super::erratum::Erratum::B;
+use super::super::super::section::Section;
 
 /// N = u = 1/(2εx) and the ratios Y = y/x, Z = z/x in which the map is linear.
 const RATIOS: &str = "N := 1/(2*eps*x); Y := y/x; Z := z/x";
@@ -33,8 +35,14 @@ const BRACKET: &str = "
     P31 := x*(1 - eps^2*x^2)";
 
 fn claim(id: &str, place: &str, statement: &str, given: &str) -> Claim {
-    Claim::new(format!("section6.e7.{id}"), "e7", format!("Section 6 (dE7), {place}"), statement)
-        .spelling(given)
+    Claim::new(
+        Section::Transcendental,
+        ["section6", "e7", id],
+        "e7",
+        format!("Section 6 (dE7), {place}"),
+        statement,
+    )
+    .spelling(given)
 }
 
 /// The claims, in the order of the paper.
@@ -168,10 +176,11 @@ fn second_integral() -> Vec<Claim> {
     vec![
         claim(
             "K.telescope",
-            "the series for K_7, addition (erratum B7): a step takes its first term away",
+            "the series for K_7, addition: a step takes its first term away",
             "t := 4*xi*Y*next(Y)/((4*N^2 - 1)*(2*N + 3)); next(Z/(4*N^2 - 1)) = Z/(4*N^2 - 1) + t",
             RATIOS,
-        ),
+        )
+        .explaining(B(7)),
         claim(
             "K.ratio",
             "the series for K_7, addition: the ratio of its terms, that of 4F3",
@@ -180,12 +189,13 @@ fn second_integral() -> Vec<Claim> {
         ),
         claim(
             "K",
-            "the integral K_7, addition (erratum B7)",
+            "the integral K_7, addition",
             "next(K7(x, y, z, eps, xi)) = K7(x, y, z, eps, xi);
             eps^2*K7(x, y, z, eps, xi)
                 = Z/(4*N^2 - 1) + t + next(eps^2*K7(x, y, z, eps, xi) - Z/(4*N^2 - 1))",
             series,
-        ),
+        )
+        .explaining(B(7)),
         claim(
             "K.at_1",
             "K_7 at xi = 1 is K_1, addition",

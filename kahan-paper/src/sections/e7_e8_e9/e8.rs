@@ -1,6 +1,8 @@
 //! dE8: solution with ψ, the integral Ĥ₈, the series for K̂₈.
 
 use super::super::super::claim::Claim;
+use super::super::super::erratum::Erratum::A;
+use super::super::super::section::Section;
 
 /// N = u = 1/(2εx) and the ratios Y = y/x, Z = z/x.
 const RATIOS: &str = "N := 1/(2*eps*x); Y := y/x; Z := z/x";
@@ -28,8 +30,14 @@ const STEP: &str = "
             /((2*N + 3)*(2*N + 1)*(4*N^2 - 1)))";
 
 fn claim(id: &str, place: &str, statement: &str, given: &str) -> Claim {
-    Claim::new(format!("section6.e8.{id}"), "e8", format!("Section 6 (dE8), {place}"), statement)
-        .spelling(given)
+    Claim::new(
+        Section::Transcendental,
+        ["section6", "e8", id],
+        "e8",
+        format!("Section 6 (dE8), {place}"),
+        statement,
+    )
+    .spelling(given)
 }
 
 /// The claims, in the order of the paper.
@@ -84,7 +92,7 @@ fn solution() -> Vec<Claim> {
         )
         .within("tau", (6, 10), (2, 1))
         .misprinted(
-            "A3",
+            A(3),
             "Z(n) := solution(n, 2); on(next(z), X(0), Y(0), Z(0)) = Z(1)",
             "eps := 1/2; tau := 1; beta := 0; gamma := 0;
             X(0) = 1; Y(0) = 0; Z(0) = 0; on(next(z), 1, 0, 0) = -2/3; solution(1, 2) = -1/3",

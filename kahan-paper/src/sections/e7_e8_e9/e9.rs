@@ -1,6 +1,8 @@
 //! E9: the quadrature of its flow, its closed cases and fixed points. (Its map is in `maps`.)
 
 use super::super::super::claim::Claim;
+use super::super::super::erratum::Erratum::A;
+use super::super::super::section::Section;
 
 /// The claims, in the order of the paper.
 pub(super) fn claims() -> Vec<Claim> {
@@ -8,7 +10,13 @@ pub(super) fn claims() -> Vec<Claim> {
 }
 
 fn claim(id: &str, place: &str, statement: &str) -> Claim {
-    Claim::new(format!("section6.e9.{id}"), "e9", format!("Section 6.3, {place}"), statement)
+    Claim::new(
+        Section::Transcendental,
+        ["section6", "e9", id],
+        "e9",
+        format!("Section 6.3, {place}"),
+        statement,
+    )
 }
 
 /// The orbits of E9 on the intersection of a sphere and a cylinder, and the time along them.
@@ -25,7 +33,7 @@ fn quadrature() -> Vec<Claim> {
         claim("quadrature.y", "y on the orbit; H and K mean K_9 and H_9", "y = K*x^xi")
             .spelling(integrals)
             .misprinted(
-                "A8",
+                A(8),
                 "H := y*x^(-xi); K := 1/2*(x^2 + y^2 + z^2); y = K*x^xi",
                 "xi := 1; x := 1; y := 2; z := 0; y*x^(-xi) = 2; 1/2*(x^2 + y^2 + z^2) = 5/2",
             ),
@@ -53,7 +61,7 @@ fn quadrature() -> Vec<Claim> {
         .spelling(antiderivative)
         .within("H", (2, 1), (3, 1))
         .misprinted(
-            "A9",
+            A(9),
             "L := -log((2*root*sqrt(R) + 2*root^2 - s^2)/s^2)/(2*root); d(L, s) != 1/(s*sqrt(R))",
             "",
         ),

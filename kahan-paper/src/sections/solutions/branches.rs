@@ -1,6 +1,7 @@
 //! The second real branches of the solutions of dE3 (|εz| > 1) and dE5 (|εy| > 1), and what separates them.
 
 use super::super::super::claim::Claim;
+use super::super::super::section::Section;
 use super::{SOLUTIONS, Solution};
 
 /// δ and κ of Theorem 3 moved by πi/2, with ν = iμ: (−1)ⁿ comes with some components.
@@ -47,7 +48,7 @@ fn separation() -> Vec<Claim> {
         let source = format!("Theorem 3, i = {}, addition: {place}", &system[1..]);
         let integrals =
             SOLUTIONS.iter().find(|solution| solution.system == system).map(Solution::definitions);
-        Claim::new(format!("theorem3.{system}.{id}"), system, source, statement)
+        Claim::new(Section::MapSolutions, ["theorem3", system, id], system, source, statement)
             .given(&integrals.unwrap_or_default())
     };
     vec![

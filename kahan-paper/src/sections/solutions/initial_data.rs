@@ -1,6 +1,7 @@
 //! The parameters of each solution from a point: the solution with these parameters passes through it.
 
 use super::super::super::claim::Claim;
+use super::super::super::section::Section;
 use super::branches::BRANCHES;
 use super::{SOLUTIONS, Solution};
 
@@ -88,9 +89,15 @@ pub(super) fn claims() -> Vec<Claim> {
         let system = solution.system;
         let source =
             format!("Theorem 3, i = {}, addition: the parameters from initial data{place}", &system[1..]);
-        let id = format!("theorem3.{system}.{id}through");
-        let claim = Claim::new(id, system, source, format!("{parameters}; X(0) = x; Y(0) = y; Z(0) = z"))
-            .given(&solution.definitions());
+        let id = ["theorem3", system, &format!("{id}through")];
+        let claim = Claim::new(
+            Section::MapSolutions,
+            id,
+            system,
+            source,
+            format!("{parameters}; X(0) = x; Y(0) = y; Z(0) = z"),
+        )
+        .given(&solution.definitions());
         domain.iter().fold(claim, |claim, (name, low, high)| claim.within(name, *low, *high))
     });
     through.chain(tau()).chain(elliptic()).collect()
@@ -101,7 +108,7 @@ fn tau() -> impl Iterator<Item = Claim> {
     SOLUTIONS[..2].iter().map(|solution| {
         let system = solution.system;
         let source = format!("Theorem 3, i = {}, tau", &system[1..]);
-        Claim::new(format!("theorem3.{system}.tau"), system, source, "tau = 1/(2*eps*X(0))")
+        Claim::new(Section::MapSolutions, ["theorem3", system, "tau"], system, source, "tau = 1/(2*eps*X(0))")
             .given(&solution.definitions())
     })
 }
@@ -111,7 +118,8 @@ fn tau() -> impl Iterator<Item = Claim> {
 fn elliptic() -> Vec<Claim> {
     let claim = |id: &str, place: &str, statement: &str, given: &str| {
         Claim::new(
-            format!("theorem3.e4.{id}"),
+            Section::MapSolutions,
+            ["theorem3", "e4", id],
             "e4",
             format!("Theorem 3, i = 4, addition: {place}"),
             statement,

@@ -1,0 +1,213 @@
+//! `kahan`: what came of all claims, on one screen.
+
+use kahan_algebra::render::lines;
+use kahan_paper::{Claim, Outcome, Section};
+
+use super::report::{Report, Row};
+use crate::printing::layout::page_width;
+use crate::printing::{columns, shorten, widths};
+
+/// The most lines of it.
+const MOST_LINES: usize = 40;
+
+/// The headings of the outcomes, in the order in which they are counted.
+const OUTCOMES: [&str; 6] = ["proved", "mod p", "exact", "numerical", "misprint", "failed"];
+
+const MORE: &str = "\
+kahan verify --all      every claim with its statement, its place in the paper and its time
+kahan verify SYSTEM     the claims about one system, a line each
+kahan atlas --out DIR   the same as a page with formulas and figures";
+
+/// A line a section, what failed or else the misprints, and how to see more.
+pub(super) fn text(report: &Report<'_>) -> String {
+    let mut text = sections(report);
+    text.push(String::new());
+    let more: Vec<String> = MORE.lines().map(str::to_owned).collect();
+    let room = MOST_LINES - text.len() - more.len() - 1;
+    text.extend(if report.failed().next().is_some() { failures(report, room) } else { misprints(report) });
+    text.push(String::new());
+    [text, more].concat().join("\n") + "\n"
+}
+
+/// The place of an outcome in the table.
+fn column(outcome: Outcome) -> usize {
+    match outcome {
+        Outcome::Proved => 0,
+        Outcome::ProvedModP => 1,
+        Outcome::Exact(_) => 2,
+        Outcome::Numerical(_) => 3,
+        Outcome::Misprint => 4,
+        Outcome::Failed => 5,
+    }
+}
+
+/// The counts by section and outcome; nobody misses a column of failures where there are none.
+fn sections(report: &Report<'_>) -> Vec<String> {
+    let count = |keep: &dyn Fn(&Claim) -> bool| {
+        let mut counts = [0; OUTCOMES.len()];
+        for row in report.rows.iter().filter(|row| row.claim.is_some_and(keep)) {
+            counts[column(row.established.outcome)] += 1;
+        }
+        counts
+    };
+    let total = count(&|_| true);
+    let shown = OUTCOMES.len() - usize::from(total[column(Outcome::Failed)] == 0);
+    let row = |place: &str, subject: &str, counts: [usize; OUTCOMES.len()]| {
+        let numbers = counts.iter().zip(OUTCOMES).map(|(count, heading)| {
+            let count = if *count == 0 { "·".to_owned() } else { count.to_string() };
+            format!("{count:>width$}", width = heading.len())
+        });
+        [place.to_owned(), subject.to_owned()].into_iter().chain(numbers).take(2 + shown).collect()
+    };
+    let mut rows: Vec<Vec<String>> =
+        vec![["", ""].iter().chain(&OUTCOMES[..shown]).map(|heading| (*heading).to_owned()).collect()];
+    rows.extend(
+        Section::ALL
+            .map(|section| row(section.place(), section.subject(), count(&|claim| claim.section == section))),
+    );
+    rows.push(row("All", &format!("{} claims", report.rows.len()), total));
+    let widths = widths(&rows);
+    rows.iter().map(|row| columns(row, &widths)).collect()
+}
+
+/// What failed, in full as far as there is room for it.
+fn failures(report: &Report<'_>, room: usize) -> Vec<String> {
+    let width = page_width();
+    let mut text = vec!["What failed".to_owned()];
+    let failed: Vec<&Row<'_>> = report.failed().collect();
+    for (index, row) in failed.iter().enumerate() {
+        let said = [format!("{}: {}", row.source, row.statement), row.detail()];
+        let said = said.iter().flat_map(|line| lines(line, width - 2)).map(|line| format!("  {line}"));
+        let full: Vec<String> = std::iter::once(row.id.clone()).chain(said).collect();
+        // One line is kept for how many there are besides.
+        if text.len() + full.len() + 1 > room {
+            text.push(format!("and {} more, which --all shows", failed.len() - index));
+            break;
+        }
+        text.extend(full);
+    }
+    text
+}
+
+/// The misprints by their numbers, a line each: what is printed and what is right.
+fn misprints(report: &Report<'_>) -> Vec<String> {
+    let corrected = report.rows.iter().filter(|row| row.established.outcome == Outcome::Misprint);
+    let mut corrected: Vec<&Claim> = corrected.filter_map(|row| row.claim).collect();
+    corrected.sort_by_key(|claim| claim.erratum);
+    let rows: Vec<Vec<String>> = corrected
+        .iter()
+        .map(|claim| {
+            let number = claim.erratum.map_or_else(String::new, |erratum| erratum.to_string());
+            vec![number, claim.section.place().to_owned()]
+        })
+        .collect();
+    let mut widths = widths(&rows);
+    let room = page_width().saturating_sub(widths.iter().map(|width| width + 2).sum());
+    widths.push(room);
+    let rows = corrected.iter().zip(rows).map(|(claim, mut row)| {
+        let (printed, right) = claim.correction().unwrap_or_default();
+        row.push(replaced(&printed, &right, room));
+        columns(&row, &widths)
+    });
+    std::iter::once("Misprints: what is printed → what is right".to_owned()).chain(rows).collect()
+}
+
+/// `printed → right` in at most `room` characters: where that is too long, without the words that both have in common.
+fn replaced(printed: &str, right: &str, room: usize) -> String {
+    let (printed, right): (Vec<&str>, Vec<&str>) = (printed.split(' ').collect(), right.split(' ').collect());
+    let first = printed.iter().zip(&right).take_while(|(a, b)| a == b).count();
+    let least = printed.len().min(right.len()) - first;
+    let last = printed.iter().rev().zip(right.iter().rev()).take(least).take_while(|(a, b)| a == b).count();
+    // What both define or equate need not be said twice.
+    let left_side = printed[..first].iter().rposition(|word| is_relation(word)).map_or(0, |at| at + 1);
+    let cut = |words: &[&str], first: usize, last: usize, before: bool| {
+        let before = if before && first > 0 { "… " } else { "" };
+        let after = if last > 0 { " …" } else { "" };
+        format!("{before}{}{after}", words[first..words.len() - last].join(" "))
+    };
+    let shown = [
+        (cut(&printed, 0, 0, true), cut(&right, left_side, 0, false)),
+        (cut(&printed, 0, last, true), cut(&right, left_side, last, false)),
+        (cut(&printed, first, last, true), cut(&right, first, last, true)),
+    ];
+    let shown = shown.map(|(printed, right)| format!("{printed} → {right}"));
+    let fits = shown.iter().find(|shown| shown.chars().count() <= room);
+    shorten(fits.unwrap_or(&shown[2]), room)
+}
+
+fn is_relation(word: &str) -> bool {
+    [":=", "=", "~", "!="].contains(&word)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use kahan_paper::{Claim, Established, Outcome, Paper};
+
+    use super::super::report::{Report, Row};
+    use super::{MOST_LINES, replaced, text};
+
+    /// The screen when the claims of the paper come out so.
+    fn screen(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
+        let rows = paper.claims().iter().map(|claim| Row {
+            id: claim.id.to_string(),
+            system: claim.system.to_owned(),
+            source: claim.source(),
+            statement: claim.statement.clone(),
+            claim: Some(claim),
+            established: Established {
+                outcome: outcome(claim),
+                detail: "given".to_owned(),
+                elapsed: Duration::ZERO,
+            },
+        });
+        let screen = text(&Report { rows: rows.collect(), open: &[], elapsed: Duration::ZERO });
+        assert!(screen.lines().count() <= MOST_LINES, "{screen}");
+        assert!(screen.lines().all(|line| line.chars().count() <= 100), "{screen}");
+        screen
+    }
+
+    fn good(claim: &Claim) -> Outcome {
+        if claim.printed().is_some() { Outcome::Misprint } else { Outcome::Proved }
+    }
+
+    #[test]
+    fn all_is_said_on_one_screen() {
+        let paper = Paper::new();
+        let screen = screen(&paper, good);
+        for line in [
+            "A3   Section 6   Z(n) := solution(n, 2) → solution(n, 4)",
+            "A9   Section 6   d(L, s) != 1/(s*sqrt(R)) → d(L, s) = 1/(s*sqrt(R))",
+            "Section 4   brackets from integrals        1      ·      ·          ·         ·",
+        ] {
+            assert!(screen.lines().any(|shown| shown == line), "{line} is not in\n{screen}");
+        }
+        assert!(!screen.contains("failed") && screen.contains("kahan verify --all"));
+    }
+
+    #[test]
+    fn failures_are_shown_in_full_while_there_is_room() {
+        let paper = Paper::new();
+        let limit = |claim: &Claim| claim.id.to_string() == "table2.e1.limit";
+        let one = screen(&paper, |claim| if limit(claim) { Outcome::Failed } else { good(claim) });
+        let in_full = "table2.e1.limit\n  Table 2, i = 1, at eps = 0: at(H_eps, eps, 0) = H; at(K_eps, eps, 0) = K\n  given\n";
+        assert!(one.contains(in_full) && !one.contains(" more,"), "{one}");
+        let all = screen(&paper, |_| Outcome::Failed);
+        let shown = all.lines().filter(|line| *line == "  given").count();
+        assert!(all.contains(&format!("and {} more, which", paper.claims().len() - shown)), "{all}");
+    }
+
+    #[test]
+    fn what_is_long_loses_what_both_have_in_common() {
+        let (printed, right) = ("aaaa := bbbb + cccc + dddd", "aaaa := bbbb + 2*cccc + dddd");
+        for (room, shown) in [
+            (60, "aaaa := bbbb + cccc + dddd → bbbb + 2*cccc + dddd"),
+            (40, "aaaa := bbbb + cccc … → bbbb + 2*cccc …"),
+            (30, "… cccc … → … 2*cccc …"),
+            (12, "… cccc … →…"),
+        ] {
+            assert_eq!(replaced(printed, right, room), shown);
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! The parts of the paper, in its order.
+
+/// A part of the paper whose claims are listed together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Section {
+    /// Section 1: Kahan's method, and the Lotka-Volterra map.
+    Method,
+    /// Section 2: brackets in three dimensions, and the Euler top.
+    Brackets,
+    /// Section 3 with Table 1: the Lie-Poisson pairs of the flows.
+    FlowPairs,
+    /// Section 4: a bracket from an integral and a volume.
+    Construction,
+    /// Section 5 with Table 2 and Theorem 1: the maps and their integrals.
+    Maps,
+    /// Tables 3 and 4 with Theorem 2: the Poisson pairs of the maps.
+    MapPairs,
+    /// Table 5: the solutions of the flows.
+    FlowSolutions,
+    /// Theorem 3: the solutions of the maps.
+    MapSolutions,
+    /// Section 6: dE7, dE8 and dE9.
+    Transcendental,
+    /// Section 7 with Theorem 4: the Diophantine test.
+    Diophantine,
+    /// The appendix: elliptic curves and theta functions.
+    Appendix,
+    /// The systems of the catalog that are not in the paper.
+    Beyond,
+}
+
+impl Section {
+    /// All of them, in the order of the paper.
+    pub const ALL: [Section; 12] = [
+        Section::Method,
+        Section::Brackets,
+        Section::FlowPairs,
+        Section::Construction,
+        Section::Maps,
+        Section::MapPairs,
+        Section::FlowSolutions,
+        Section::MapSolutions,
+        Section::Transcendental,
+        Section::Diophantine,
+        Section::Appendix,
+        Section::Beyond,
+    ];
+
+    /// Where it stands in the paper, in a word or two.
+    #[must_use]
+    pub fn place(self) -> &'static str {
+        self.words().0
+    }
+
+    /// What it is about, in a few words.
+    #[must_use]
+    pub fn subject(self) -> &'static str {
+        self.words().1
+    }
+
+    fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Section::Method => ("Section 1", "Kahan’s method"),
+            Section::Brackets => ("Section 2", "brackets, the Euler top"),
+            Section::FlowPairs => ("Section 3", "Lie–Poisson pairs"),
+            Section::Construction => ("Section 4", "brackets from integrals"),
+            Section::Maps => ("Section 5", "maps and their integrals"),
+            Section::MapPairs => ("Tables 3–4", "Poisson pairs of maps"),
+            Section::FlowSolutions => ("Table 5", "solutions of the flows"),
+            Section::MapSolutions => ("Theorem 3", "solutions of the maps"),
+            Section::Transcendental => ("Section 6", "dE7, dE8 and dE9"),
+            Section::Diophantine => ("Section 7", "the Diophantine test"),
+            Section::Appendix => ("Appendix", "theta functions of dE4"),
+            Section::Beyond => ("Beyond", "further systems"),
+        }
+    }
+}
