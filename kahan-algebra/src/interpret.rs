@@ -9,27 +9,17 @@ mod stepper;
 pub use stepper::{Pole, Stepper};
 
 use crate::arithmetic::{Arithmetic, determinant};
-use crate::kahan::{bilinear_form, field_jacobian, polarization, scaled_matrix, scaled_rhs};
-use crate::plan::{Plan, StepPlan};
+use crate::derived::{Derived, derive};
+use crate::plan::Plan;
 use crate::poly::Variable;
+use crate::rational::Rational;
 use crate::symbols::Symbol;
-use crate::syntax::ClaimKind;
 use crate::system::{System, upper_index};
 
 /// A system made ready for evaluation.
 #[derive(Clone, Debug)]
-pub struct Interpreter<'a> {
-    system: &'a System,
-    /// The qᵢ.
-    denominators: Plan,
-    field: Plan,
-    field_jacobian: Plan,
-    matrix: Plan,
-    rhs: Plan,
-    bilinear: Plan,
-    polarized: Plan,
-    /// The step in straight lines, within the budget.
-    step: Option<StepPlan>,
+pub struct Interpreter {
+    derived: Derived,
 }
 
 /// Where to evaluate.
@@ -77,22 +67,11 @@ pub struct Evaluation<V> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UndefinedField;
 
-impl<'a> Interpreter<'a> {
+impl Interpreter {
     /// Derives and plans everything once.
     #[must_use]
-    pub fn new(system: &'a System) -> Self {
-        let field = &system.field;
-        Interpreter {
-            system,
-            denominators: Plan::of(field.components.iter().map(|component| &component.denominator)),
-            field: Plan::of(field.components.iter().map(|component| &component.numerator)),
-            field_jacobian: Plan::of(field_jacobian(field).iter().flatten()),
-            matrix: Plan::of(scaled_matrix(field).iter().flatten()),
-            rhs: Plan::of(scaled_rhs(field).iter()),
-            bilinear: Plan::of(bilinear_form(field).iter()),
-            polarized: Plan::of(polarization(field).iter()),
-            step: StepPlan::of(field),
-        }
+    pub fn new(system: &System) -> Self {
+        Interpreter { derived: derive(system) }
     }
 
     /// Everything at one point.
@@ -104,36 +83,35 @@ impl<'a> Interpreter<'a> {
         arithmetic: &A,
         point: &Point<A::Value>,
     ) -> Result<Evaluation<A::Value>, UndefinedField> {
-        let n = self.system.field.dimension();
-        let divisors = self.divisors(arithmetic, point)?;
-        let over_divisors = |values: Vec<A::Value>, width: usize| -> Option<Vec<A::Value>> {
-            let quotients = values
-                .iter()
-                .enumerate()
-                .map(|(index, value)| arithmetic.divide(value, &divisors[index / width]));
-            quotients.collect()
+        let derived = &self.derived;
+        let divisors = self.run(arithmetic, &derived.divisors, point, None).ok_or(UndefinedField)?;
+        if divisors.iter().any(|divisor| arithmetic.is_zero(divisor)) {
+            return Err(UndefinedField);
+        }
+        let vector = |plan: &Plan| self.run(arithmetic, plan, point, None).ok_or(UndefinedField);
+        let rows = |entries: Vec<A::Value>| -> Vec<Vec<A::Value>> {
+            entries.chunks(point.state.len()).map(<[A::Value]>::to_vec).collect()
         };
-        let vector = |plan: &Plan, width: usize| {
-            self.run(arithmetic, plan, point, None)
-                .and_then(|values| over_divisors(values, width))
-                .ok_or(UndefinedField)
+        let matrix = rows(vector(&derived.matrix)?);
+        let det_matrix = match &derived.det_matrix {
+            Some(plan) => vector(plan)?.pop(),
+            None => determinant(arithmetic, &matrix),
         };
-        let rows = |entries: Vec<A::Value>| entries.chunks(n).map(<[A::Value]>::to_vec).collect::<Vec<_>>();
-        let matrix = rows(vector(&self.matrix, n)?);
         let next = self.next(arithmetic, point);
         let jacobian = next.as_ref().and_then(|next| self.jacobian(arithmetic, point, next));
         let det_jacobian = jacobian.as_ref().and_then(|jacobian| determinant(arithmetic, jacobian));
+        let integrals = self.run_partly(arithmetic, &derived.integrals, point, None);
         Ok(Evaluation {
-            field: vector(&self.field, 1)?,
-            field_jacobian: rows(vector(&self.field_jacobian, n)?),
-            det_matrix: determinant(arithmetic, &matrix).ok_or(UndefinedField)?,
+            field: vector(&derived.field)?,
+            field_jacobian: rows(vector(&derived.field_jacobian)?),
             matrix,
-            rhs: vector(&self.rhs, 1)?,
+            rhs: vector(&derived.rhs)?,
+            det_matrix: det_matrix.ok_or(UndefinedField)?,
             next,
             jacobian,
             det_jacobian,
-            integrals: self.functions(arithmetic, point, ClaimKind::Integral),
-            density: self.functions(arithmetic, point, ClaimKind::Density).pop().map(|(_, value)| value),
+            integrals: derived.integral_names.iter().cloned().zip(integrals).collect(),
+            density: derived.density.as_ref().map(|plan| self.run(arithmetic, plan, point, None)?.pop()),
             brackets: self.brackets(arithmetic, point),
         })
     }
@@ -145,7 +123,7 @@ impl<'a> Interpreter<'a> {
         x: &Point<A::Value>,
         y: &[A::Value],
     ) -> Option<Vec<A::Value>> {
-        self.form(arithmetic, &self.bilinear, x, y)
+        self.run(arithmetic, &self.derived.bilinear, x, Some(y))
     }
 
     /// Q(x,y) + ½B(x+y) + c.
@@ -155,37 +133,13 @@ impl<'a> Interpreter<'a> {
         x: &Point<A::Value>,
         y: &[A::Value],
     ) -> Option<Vec<A::Value>> {
-        self.form(arithmetic, &self.polarized, x, y)
+        self.run(arithmetic, &self.derived.polarized, x, Some(y))
     }
 
-    fn scaled_matrix<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        point: &Point<A::Value>,
-    ) -> Option<Vec<Vec<A::Value>>> {
-        let entries = self.run(arithmetic, &self.matrix, point, None)?;
+    /// A(x,ε), row by row.
+    fn matrix<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<Vec<A::Value>>> {
+        let entries = self.run(arithmetic, &self.derived.matrix, point, None)?;
         Some(entries.chunks(point.state.len()).map(<[A::Value]>::to_vec).collect())
-    }
-
-    fn divisors<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        point: &Point<A::Value>,
-    ) -> Result<Vec<A::Value>, UndefinedField> {
-        let values = self.run(arithmetic, &self.denominators, point, None).ok_or(UndefinedField)?;
-        if values.iter().any(|value| arithmetic.is_zero(value)) { Err(UndefinedField) } else { Ok(values) }
-    }
-
-    fn form<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        plan: &Plan,
-        x: &Point<A::Value>,
-        y: &[A::Value],
-    ) -> Option<Vec<A::Value>> {
-        let divisors = self.divisors(arithmetic, x).ok()?;
-        let values = self.run(arithmetic, plan, x, Some(y))?;
-        values.iter().zip(&divisors).map(|(value, divisor)| arithmetic.divide(value, divisor)).collect()
     }
 
     /// The results of a plan, if all have a value.
@@ -210,7 +164,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn value_of<V: Clone>(&self, variable: Variable, point: &Point<V>, second: Option<&[V]>) -> V {
-        match self.system.field.symbols.symbol(variable) {
+        match self.derived.system.field.symbols.symbol(variable) {
             Symbol::State(i) => point.state[i].clone(),
             Symbol::Parameter(k) => point.parameters[k].clone(),
             Symbol::Epsilon => point.eps.clone(),
@@ -218,20 +172,10 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn functions<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        point: &Point<A::Value>,
-        kind: ClaimKind,
-    ) -> Vec<(String, Option<A::Value>)> {
-        let value = |plan: &Plan| self.run_partly(arithmetic, plan, point, None).pop().flatten();
-        self.system.accessors(kind).map(|claim| (claim.name.text.clone(), value(&claim.plan))).collect()
-    }
-
     fn brackets<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Vec<NamedTensor<A::Value>> {
         let n = point.state.len();
         let full = |upper: &[A::Value]| -> Option<Vec<Vec<A::Value>>> {
-            let zero = arithmetic.constant(&crate::rational::Rational::zero())?;
+            let zero = arithmetic.constant(&Rational::zero())?;
             let entry = |i: usize, j: usize| match i.cmp(&j) {
                 std::cmp::Ordering::Less => upper[upper_index(n, i, j)].clone(),
                 std::cmp::Ordering::Equal => zero.clone(),
@@ -239,12 +183,10 @@ impl<'a> Interpreter<'a> {
             };
             Some((0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect())
         };
-        self.system
-            .accessors(ClaimKind::Bracket)
-            .map(|claim| {
-                let upper = self.run(arithmetic, &claim.plan, point, None);
-                (claim.name.text.clone(), upper.and_then(|upper| full(&upper)))
-            })
-            .collect()
+        let named = self.derived.brackets.iter().map(|(name, plan)| {
+            let upper = self.run(arithmetic, plan, point, None);
+            (name.clone(), upper.and_then(|upper| full(&upper)))
+        });
+        named.collect()
     }
 }

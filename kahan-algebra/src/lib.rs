@@ -1,21 +1,21 @@
 //! The exact front end of Kahan's method.
 //!
-//! Text or tokens of the language of `kahan!` go in; a checked quadratic vector field comes out, with the objects of
-//! Kahan's map derived from it, straight-line plans to evaluate them, and a verdict on every claim about it. Nothing here
-//! knows Rust: the macro (`kahan-derive`) and the command (`kahan-cli`) are two users of one pipeline, [`read`].
+//! Text or tokens of the language of `kahan!` go in; a checked quadratic vector field comes out, with a verdict on every
+//! claim about its map ([`read`]) and with every plan that evaluates it ([`derive`]). Nothing here knows a target
+//! language: the macro, the maps made at run time and the command read the same [`Derived`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`], [`system`], [`kahan`],
-//! [`plan`], [`relations`], [`prove`], [`specialise`], [`interpret`], [`objects`], [`render`],
-//! [`poisson`]; beneath them the exact arithmetic of [`rational`], [`poly`] and [`rational_function`].
+//! [`plan`], [`derived`], [`relations`], [`prove`], [`specialise`], [`interpret`], [`render`], [`poisson`]; beneath them
+//! the exact arithmetic of [`rational`], [`poly`] and [`rational_function`].
 
 pub mod arithmetic;
 pub mod check;
+pub mod derived;
 pub mod diagnostics;
 pub mod field;
 pub mod interpret;
 pub mod kahan;
 pub mod lexer;
-pub mod objects;
 pub mod parse;
 pub mod plan;
 pub mod poisson;
@@ -31,6 +31,8 @@ pub mod symbols;
 pub mod syntax;
 pub mod system;
 pub mod token;
+
+pub use derived::{Derived, derive};
 
 use diagnostics::{Diagnostic, Diagnostics};
 use prime_field::SplitMix64;

@@ -11,9 +11,9 @@ pub use core::option::Option;
 pub use kahan_derive;
 pub use nalgebra::{SMatrix, SVector};
 
-pub use crate::linear::vector;
-pub use crate::prepared_step::Apart;
+pub use crate::field::linear::{components, vector};
 pub use crate::scalar::Dual;
+pub use crate::step::Apart;
 pub use crate::undeclared::{Integer, IntegerParameters, WithoutDensity, WithoutIntegrals};
 pub use crate::{
     Constant, Elimination, Integrals, KahanMap, Lift, Named, Pivot, PreparedStep, QuadraticField, Quotients,
@@ -22,14 +22,7 @@ pub use crate::{
 
 use core::array::from_fn;
 
-use crate::error::pole;
-
-/// The entries of a state, to be bound to names by a pattern.
-#[inline(always)]
-pub fn components<T, const N: usize>(state: &SVector<T, N>) -> &[T; N] {
-    let [entries] = &state.data.0;
-    entries
-}
+use crate::step::error::pole;
 
 /// The integer `n` as a scalar.
 #[inline(always)]

@@ -55,32 +55,29 @@
 #[cfg(any(test, feature = "std"))]
 extern crate std;
 
-mod composition;
-mod elimination;
-#[cfg(feature = "std")]
-mod ensemble;
-mod epsilon;
-mod error;
-mod error_estimate;
+// From the bottom to the top: each of these imports from those above it only, which `tests/layers.rs` sees to.
+mod scalar;
+
 mod field;
+
 #[cfg(feature = "std")]
 mod flow;
-mod kahan_macro;
-mod lift;
-mod linear;
+
+mod step;
+
 mod map;
-mod named;
-mod orbit;
-mod prepared;
-mod prepared_step;
-mod scalar;
+
+mod composition;
+
+#[cfg(feature = "std")]
+mod ensemble;
+
 #[cfg(feature = "std")]
 mod scene;
-mod stable;
-mod through_f64;
-mod try_step;
+
+// The doors: what users and generated code come in by.
+mod macros;
 mod undeclared;
-mod vector_macro;
 #[cfg(not(feature = "exact"))]
 mod without_exact;
 
@@ -95,26 +92,20 @@ pub mod __private;
 #[cfg(test)]
 mod tests;
 
-pub use composition::{Composed, ComposedAt, Composition, Method, PreparedMap, Single};
-pub use elimination::Elimination;
+pub use composition::{Composed, ComposedAt, Composition, PreparedMap};
 #[cfg(feature = "std")]
 pub use ensemble::{Advances, Axis, Ensemble, EnsembleScalar, Level, Reciprocal};
-pub use epsilon::nearest_short_eps;
-pub use error::SingularStep;
-pub use error_estimate::{ErrorEstimates, Estimated};
-pub use field::QuadraticField;
+pub use field::{Integrals, Named, QuadraticField};
 #[cfg(feature = "std")]
 pub use flow::{Flow, FlowScalar, NoFlow};
-pub use lift::Lift;
-pub use map::{KahanMap, eps_from_dt};
-pub use named::{Integrals, Named};
-pub use orbit::{Accumulation, Compensated, Orbit, Rounded, Scaled};
-pub use prepared::KahanAt;
-pub use prepared_step::{PreparedStep, Quotients, StepCost, WideStep};
-pub use scalar::{Constant, Dd, FloatScalar, Pivot, Scalar};
+pub use map::{
+    Accumulation, Compensated, Elimination, ErrorEstimates, Estimated, KahanAt, KahanMap, Lift, Method,
+    Orbit, Pivot, Rounded, Scaled, Single, ThroughF64, eps_from_dt,
+};
+pub use scalar::{Constant, Dd, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
 pub use scene::{Need, NoSetting, Precision, Scene, Setting};
-pub use through_f64::ThroughF64;
+pub use step::{PreparedStep, Quotients, SingularStep, StepCost, WideStep};
 
 pub use nalgebra;
 #[cfg(feature = "exact")]

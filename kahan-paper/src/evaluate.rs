@@ -134,7 +134,7 @@ impl<A: Calculus> Evaluator<'_, A> {
             return evaluator.call(name, rest, &Frame::new(frame.values.clone()));
         }
         let unknown = || Trouble::Unknown(name.to_owned());
-        let states = &self.model.system.field.symbols.states;
+        let states = &self.model.system().field.symbols.states;
         match (name, arguments) {
             ("next" | "back", [inner]) => {
                 let moved = if name == "next" { self.next(frame)? } else { self.back(frame)? };

@@ -111,14 +111,15 @@ impl Figure {
     #[must_use]
     pub fn measure(&self) -> Measurement {
         let entry = find(self.system).expect("a figure is about a system of the catalog");
-        let system = Model::of_catalog(entry).system;
+        let model = Model::of_catalog(entry);
+        let system = model.system();
         let exact = |&(p, q): &(i64, i64)| Rational::new(p, q);
         let parameters: Vec<Rational> = self.parameters.iter().map(exact).collect();
         let start: Vec<Rational> = self.start.iter().map(exact).collect();
-        let mut orbit = HeightsOrbit::new(&system, &parameters, &exact(&self.eps), &start)
+        let mut orbit = HeightsOrbit::new(system, &parameters, &exact(&self.eps), &start)
             .expect("the field has a value at these parameters");
         let survey = Survey::of(&mut orbit, self.steps, |_| ());
-        Measurement { variables: system.field.symbols.states, survey }
+        Measurement { variables: system.field.symbols.states.clone(), survey }
     }
 }
 

@@ -2,28 +2,20 @@
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual, solve};
 use kahan_algebra::diagnostics::Diagnostics;
-use kahan_algebra::kahan::{RationalMap, field_jacobian, scaled_matrix, scaled_rhs};
 use kahan_algebra::lexer::lex;
 use kahan_algebra::plan::Plan;
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Notation;
 use kahan_algebra::system::System;
-use kahan_algebra::{check, parse};
+use kahan_algebra::{Derived, check, derive, parse};
 
 use kahan_systems::entry::Entry;
 
-/// A system with plans for f, f′, Â, b̂ and the reduced map.
+/// A system with its plans.
 #[derive(Debug)]
 pub(super) struct Model {
-    pub(super) system: System,
-    denominators: Plan,
-    field: Plan,
-    field_jacobian: Plan,
-    matrix: Plan,
-    rhs: Plan,
-    /// Increments and denominator of x̃ = x + 2ε n/d, where they are small enough.
-    reduced: Option<Plan>,
+    derived: Derived,
 }
 
 /// The values of all variables of a system: states, parameters, ε.
@@ -44,42 +36,36 @@ impl Model {
         let system = check::check(parse::parse(&lex(text).tokens, &mut diagnostics), &mut diagnostics);
         let mistakes = diagnostics.finish();
         assert!(mistakes.is_empty(), "the block of {name}: {mistakes:?}");
-        let field = &system.field;
-        let reduced = RationalMap::of(field)
-            .map(|map| Plan::of(map.reduced.increments.iter().chain([&map.reduced.denominator])));
-        Model {
-            denominators: Plan::of(field.components.iter().map(|component| &component.denominator)),
-            field: Plan::of(field.components.iter().map(|component| &component.numerator)),
-            field_jacobian: Plan::of(field_jacobian(field).iter().flatten()),
-            matrix: Plan::of(scaled_matrix(field).iter().flatten()),
-            rhs: Plan::of(scaled_rhs(field).iter()),
-            reduced,
-            system,
-        }
+        Model { derived: derive(&system) }
+    }
+
+    /// The block.
+    pub(super) fn system(&self) -> &System {
+        &self.derived.system
     }
 
     /// The number of states.
     pub(super) fn dimension(&self) -> usize {
-        self.system.field.dimension()
+        self.system().field.dimension()
     }
 
     /// Whether the map is small enough to be a closed formula.
     pub(super) fn is_expanded(&self) -> bool {
-        self.reduced.is_some()
+        self.derived.map.is_some()
     }
 
     /// The names of all variables, in the order of [`Values`].
     pub(super) fn names(&self) -> Vec<String> {
-        let symbols = &self.system.field.symbols;
+        let symbols = &self.system().field.symbols;
         let all = symbols.states.iter().chain(&symbols.parameters).cloned();
         all.chain(["eps".to_owned()]).collect()
     }
 
     /// `f1 := …; f2 := …;`: the components of the field as definitions.
     pub(super) fn field_definitions(&self) -> String {
-        let symbols = &self.system.field.symbols;
+        let symbols = &self.system().field.symbols;
         let text = |polynomial: &Polynomial| Notation::Text.polynomial(symbols, polynomial);
-        let components = self.system.field.components.iter().enumerate();
+        let components = self.system().field.components.iter().enumerate();
         components
             .map(|(index, component)| {
                 format!(
@@ -98,7 +84,7 @@ impl Model {
         arithmetic: &A,
         here: Values<'_, A::Value>,
     ) -> Option<Vec<A::Value>> {
-        self.divided(arithmetic, &self.field, here, 1)
+        run(arithmetic, &self.derived.field, here)
     }
 
     /// f′(x)
@@ -107,7 +93,7 @@ impl Model {
         arithmetic: &A,
         here: Values<'_, A::Value>,
     ) -> Option<Vec<Vec<A::Value>>> {
-        Some(self.rows(self.divided(arithmetic, &self.field_jacobian, here, self.dimension())?))
+        Some(self.rows(run(arithmetic, &self.derived.field_jacobian, here)?))
     }
 
     /// A(x,ε)
@@ -116,7 +102,7 @@ impl Model {
         arithmetic: &A,
         here: Values<'_, A::Value>,
     ) -> Option<Vec<Vec<A::Value>>> {
-        Some(self.rows(self.divided(arithmetic, &self.matrix, here, self.dimension())?))
+        Some(self.rows(run(arithmetic, &self.derived.matrix, here)?))
     }
 
     /// b(x,ε)
@@ -125,7 +111,7 @@ impl Model {
         arithmetic: &A,
         here: Values<'_, A::Value>,
     ) -> Option<Vec<A::Value>> {
-        self.divided(arithmetic, &self.rhs, here, 1)
+        run(arithmetic, &self.derived.rhs, here)
     }
 
     /// x̃, by the reduced map where there is one, else by elimination.
@@ -134,22 +120,14 @@ impl Model {
         arithmetic: &A,
         here: Values<'_, A::Value>,
     ) -> Option<Vec<A::Value>> {
-        let Some(plan) = &self.reduced else {
+        let Some(plan) = self.derived.reduced_map.as_ref().or(self.derived.rational_map.as_ref()) else {
             let right: Vec<_> = self.rhs(arithmetic, here)?.into_iter().map(|value| vec![value]).collect();
             let solved = solve(arithmetic, &self.matrix(arithmetic, here)?, &right)?;
             return Some(solved.solution.into_iter().flatten().collect());
         };
-        let mut increments = run(arithmetic, plan, here)?;
-        let denominator = increments.pop()?;
-        let eps = here.last()?;
-        let two_eps = arithmetic.add(eps, eps);
-        here.iter()
-            .zip(&increments)
-            .map(|(x, n)| {
-                let increment = arithmetic.divide(&arithmetic.multiply(&two_eps, n), &denominator)?;
-                Some(arithmetic.add(x, &increment))
-            })
-            .collect()
+        let mut numerators = run(arithmetic, plan, here)?;
+        let denominator = numerators.pop()?;
+        numerators.iter().map(|numerator| arithmetic.divide(numerator, &denominator)).collect()
     }
 
     /// ∂x̃/∂x, by dual numbers: no formula for it is presupposed.
@@ -171,23 +149,6 @@ impl Model {
 
     fn rows<V: Clone>(&self, entries: Vec<V>) -> Vec<Vec<V>> {
         entries.chunks(self.dimension()).map(<[V]>::to_vec).collect()
-    }
-
-    /// The results of a plan, each `width` of them over the divisor of one equation.
-    fn divided<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        plan: &Plan,
-        here: Values<'_, A::Value>,
-        width: usize,
-    ) -> Option<Vec<A::Value>> {
-        let divisors = run(arithmetic, &self.denominators, here)?;
-        let values = run(arithmetic, plan, here)?;
-        values
-            .iter()
-            .enumerate()
-            .map(|(index, value)| arithmetic.divide(value, &divisors[index / width]))
-            .collect()
     }
 }
 

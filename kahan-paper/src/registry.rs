@@ -66,7 +66,7 @@ impl Paper {
                 parse(&claim.statement).map_or_else(|why| vec![why], |statement| statement_latex(&statement))
             }
             Basis::Block { index } => {
-                let system = self.models.get(claim.system).map(|model| &model.system);
+                let system = self.models.get(claim.system).map(Model::system);
                 let declared = system.and_then(|system| system.claims.get(*index));
                 let statements =
                     declared.map(|declared| claim_statement(declared, Notation::Latex)).unwrap_or_default();

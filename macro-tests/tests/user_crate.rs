@@ -1,6 +1,7 @@
 //! Crates of a user's own, with kahan-core as their one dependency, built by cargo as a user builds them.
 //!
 //! They share the target folder of the compile-error cases, so that dependencies are compiled once.
+//! That clippy has nothing to say of them is a step of `.ci/run`, since it would check every dependency once more.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -40,8 +41,7 @@ fn cargo(arguments: &[&str]) -> String {
 
 // One test, because cargo would make them wait for each other anyway.
 #[test]
-fn crates_of_users_are_free_of_lints_and_run() {
-    cargo(&["clippy", "--quiet", "--workspace", "--", "-D", "warnings"]);
+fn crates_of_users_run() {
     cargo(&["run", "--quiet", "--package", "renamed"]);
     cargo(&["run", "--quiet", "--package", "edition_2021"]);
 }

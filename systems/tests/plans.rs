@@ -9,7 +9,6 @@ use std::path::PathBuf;
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::field::Field;
 use kahan_algebra::lexer::lex;
-use kahan_algebra::objects::next_plan;
 use kahan_algebra::plan::{Cost, StepPlan};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
@@ -61,7 +60,7 @@ fn catalog(name: &str) -> System {
 /// How many constants are prepared, and what one step from a state to the next costs.
 fn step_cost(field: &Field) -> Option<(usize, Cost)> {
     let step = StepPlan::of(field)?;
-    Some((step.constants.outputs.len(), next_plan(field, &step).cost()))
+    Some((step.constants.outputs.len(), step.next(&field.symbols).cost()))
 }
 
 fn table() -> String {

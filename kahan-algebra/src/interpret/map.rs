@@ -6,10 +6,10 @@ use crate::rational::Rational;
 
 use super::{Interpreter, Point};
 
-impl Interpreter<'_> {
+impl Interpreter {
     /// x̃ of the reduced map; `None` at a pole.
     pub fn next<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
-        match &self.step {
+        match self.derived.step() {
             Some(step) => self.stepped(arithmetic, step.at(arithmetic, &point.eps), point),
             None => self.eliminated(arithmetic, point),
         }
@@ -35,11 +35,11 @@ impl Interpreter<'_> {
         Some(moved.collect())
     }
 
-    /// x̃ = x + 2ε v with Âv = p, by elimination.
+    /// x̃ = x + 2ε v with Av = f, by elimination.
     fn eliminated<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
-        let field = self.run(arithmetic, &self.field, point, None)?;
+        let field = self.run(arithmetic, &self.derived.field, point, None)?;
         let right: Vec<Vec<A::Value>> = field.into_iter().map(|value| vec![value]).collect();
-        let Solved { solution, .. } = solve(arithmetic, &self.scaled_matrix(arithmetic, point)?, &right)?;
+        let Solved { solution, .. } = solve(arithmetic, &self.matrix(arithmetic, point)?, &right)?;
         let two_eps = arithmetic.add(&point.eps, &point.eps);
         let moved = point.state.iter().zip(solution.iter().flatten());
         Some(moved.map(|(x, slope)| arithmetic.add(x, &arithmetic.multiply(&two_eps, slope))).collect())
@@ -52,14 +52,13 @@ impl Interpreter<'_> {
         point: &Point<A::Value>,
         next: &[A::Value],
     ) -> Option<Vec<Vec<A::Value>>> {
-        if self.step.is_none() {
+        if self.derived.step().is_none() {
             let back = Point {
                 state: next.to_vec(),
                 parameters: point.parameters.clone(),
                 eps: arithmetic.negate(&point.eps),
             };
-            let (matrix, right) =
-                (self.scaled_matrix(arithmetic, point)?, self.scaled_matrix(arithmetic, &back)?);
+            let (matrix, right) = (self.matrix(arithmetic, point)?, self.matrix(arithmetic, &back)?);
             return solve(arithmetic, &matrix, &right).map(|solved| solved.solution);
         }
         let n = point.state.len();

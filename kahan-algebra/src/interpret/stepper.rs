@@ -6,11 +6,10 @@
 //! that code is compiled for a target with fused multiply-adds: those round once where this rounds twice.
 
 use crate::arithmetic::{Arithmetic, Solved, solve};
-use crate::kahan::{RationalMap, scaled_matrix};
+use crate::derived::derive;
 use crate::plan::{Operation, Plan, StepPlan};
-use crate::poly::{Polynomial, Variable};
+use crate::poly::Variable;
 use crate::symbols::Symbol;
-use crate::syntax::ClaimKind;
 use crate::system::System;
 
 use super::UndefinedField;
@@ -38,7 +37,7 @@ enum Increment<V> {
     /// The kernel of the step: numerators, reciprocals, and after these `results` everything that it divides by;
     /// `reciprocals` are the places of each component's reciprocal among them.
     Planned { kernel: Program<V>, reciprocals: Vec<Option<usize>>, results: usize },
-    /// Â, row by row, and the numerators p of the field: Â (x̃ − x)/(2ε) = p.
+    /// A, row by row, and f: A (x̃ − x)/(2ε) = f.
     Elimination { matrix: Program<V>, right: Program<V> },
 }
 
@@ -100,38 +99,33 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
         eps: &[A::Value],
     ) -> Result<Vec<Self>, UndefinedField> {
         let symbols = &system.field.symbols;
-        let components = &system.field.components;
         let fixed = |variable: Variable, eps: &A::Value| match symbols.symbol(variable) {
             Symbol::State(i) | Symbol::SecondState(i) => Input::State(i),
             Symbol::Parameter(k) => Input::Fixed(parameters[k].clone()),
             Symbol::Epsilon => Input::Fixed(eps.clone()),
         };
-        let map = RationalMap::of(&system.field);
-        let step = StepPlan::of_map(&system.field, map.as_ref());
-        let claims: Vec<_> = system.accessors(ClaimKind::Integral).collect();
-        let integrals = Plan::together(claims.iter().map(|claim| &claim.plan));
+        let derived = derive(system);
         let stepper = |eps: &A::Value| {
             let input = |variable: Variable| fixed(variable, eps);
-            let program =
-                |polynomials: Vec<&Polynomial>| Program::new(&Plan::of(polynomials), arithmetic, &[], input);
-            let divisors = program(components.iter().map(|component| &component.denominator).collect());
+            let program = |plan: &Plan| Program::new(plan, arithmetic, &[], input);
+            let divisors = program(&derived.divisors);
             if divisors.outputs().any(|value| value.is_none_or(|value| arithmetic.is_zero(value))) {
                 return Err(UndefinedField);
             }
-            let increment = match &step {
+            let increment = match derived.step() {
                 Some(step) => Increment::planned(step.at(arithmetic, eps), arithmetic, &input),
                 None => Increment::Elimination {
-                    matrix: program(scaled_matrix(&system.field).iter().flatten().collect()),
-                    right: program(components.iter().map(|component| &component.numerator).collect()),
+                    matrix: program(&derived.matrix),
+                    right: program(&derived.field),
                 },
             };
             Ok(Stepper {
                 arithmetic,
                 two_eps: arithmetic.add(eps, eps),
-                is_reduced: map.is_some(),
+                is_reduced: derived.map.is_some(),
                 increment,
-                integral_names: claims.iter().map(|claim| claim.name.text.clone()).collect(),
-                integrals: Program::new(&integrals, arithmetic, &[], input),
+                integral_names: derived.integral_names.clone(),
+                integrals: program(&derived.integrals),
             })
         };
         eps.iter().map(stepper).collect()

@@ -7,6 +7,7 @@
 use crate::field::Field;
 use crate::poly::{Budget, OverBudget, Polynomial, gcd_all_within};
 use crate::rational::Rational;
+use crate::symbols::Symbols;
 
 use super::matrix::scaled_matrix;
 use super::minors::maximal_minors;
@@ -82,6 +83,16 @@ impl Reduced {
     #[must_use]
     pub fn terms(&self) -> usize {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
+    }
+
+    /// x·d + 2εn: the numerators of x̃ over d.
+    #[must_use]
+    pub fn numerators(&self, symbols: &Symbols) -> Vec<Polynomial> {
+        let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
+        let numerator = |(i, increment): (usize, &Polynomial)| {
+            &(&Polynomial::variable(symbols.state(i)) * &self.denominator) + &(&two_eps * increment)
+        };
+        self.increments.iter().enumerate().map(numerator).collect()
     }
 
     fn of(

@@ -32,8 +32,8 @@ mod writer;
 pub use accuracy::LARGEST_SIZE;
 pub use builder::PlanBuilder;
 pub use cost::Cost;
-pub use step::StepPlan;
-pub use words::{descriptions, kind};
+pub use step::{StepCost, StepPlan};
+pub(crate) use words::{descriptions, kind};
 
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Polynomial, Variable};
@@ -163,6 +163,12 @@ impl Plan {
         let mut builder = PlanBuilder::default();
         let outputs: Vec<Node> = plans.into_iter().flat_map(|plan| builder.include(plan)).collect();
         builder.finish(&outputs)
+    }
+
+    /// The plan of one result.
+    #[must_use]
+    pub fn result(&self, index: usize) -> Self {
+        Plan::together([&Plan { operations: self.operations.clone(), outputs: vec![self.outputs[index]] }])
     }
 
     /// Runs the plan; `input` gives the value of each variable. A result that divides by zero on its way is `None`;

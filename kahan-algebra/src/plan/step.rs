@@ -4,19 +4,31 @@ use std::iter::once;
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
+use crate::symbols::Symbols;
 
 use super::accuracy::{Accuracy, LARGEST_SIZE};
 use super::candidate::Candidate;
 use super::reciprocals::with_signs_of_reciprocals;
 use super::signs::{Wanted, with_signs};
-use super::{Node, Plan, PlanBuilder, candidates};
+use super::{Node, Operation, Plan, PlanBuilder, candidates};
+
+/// What a step costs: the figures that a prepared step carries with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepCost {
+    /// Operations from a state to the next, a multiply-add counted twice.
+    pub operations: u32,
+    /// The divisions among them.
+    pub divisions: u32,
+    /// Cycles from one state to the next in a long orbit.
+    pub chain: u32,
+}
 
 /// A step in straight lines: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepPlan {
     /// From ε and the parameters to the prepared constants, in order. It has no states.
     pub constants: Plan,
-    /// From the states and the prepared constants ([`Operation::Prepared`](super::Operation::Prepared)) to the numerators,
+    /// From the states and the prepared constants ([`Operation::Prepared`]) to the numerators,
     /// one a component, followed by the reciprocals, each a quotient ±c/d, or ±c/d/d′, c being a
     /// power of two.
     pub kernel: Plan,
@@ -80,6 +92,46 @@ impl StepPlan {
     pub fn operations(&self) -> usize {
         let products = self.reciprocals.iter().flatten().count();
         self.kernel.cost().operations() + products + self.reciprocals.len()
+    }
+
+    /// What the step costs, as generated code says it.
+    #[must_use]
+    pub fn cost(&self) -> StepCost {
+        let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+        StepCost {
+            operations: count(self.operations()),
+            divisions: count(self.kernel.cost().divisions),
+            chain: u32::try_from(self.cycles()).unwrap_or(u32::MAX),
+        }
+    }
+
+    /// x̃ from x and the prepared constants: the kernel, and its last multiply-add a component.
+    ///
+    /// A numerator −n is subtracted rather than negated, as every compiler does it.
+    #[must_use]
+    pub fn next(&self, symbols: &Symbols) -> Plan {
+        let mut operations = self.kernel.operations.clone();
+        let mut push = |operation: Operation| {
+            operations.push(operation);
+            Node(operations.len() - 1)
+        };
+        let (numerators, reciprocals) = self.kernel.outputs.split_at(symbols.dimension());
+        let mut outputs = Vec::with_capacity(numerators.len());
+        for (i, (&numerator, place)) in numerators.iter().zip(&self.reciprocals).enumerate() {
+            let state = push(Operation::Input(symbols.state(i)));
+            let negated = match self.kernel.operations[numerator.0] {
+                Operation::Negate(inner) => Some(inner),
+                _ => None,
+            };
+            outputs.push(push(match (negated, place.map(|place| reciprocals[place])) {
+                (Some(inner), Some(reciprocal)) => Operation::SubtractProduct(state, inner, reciprocal),
+                (Some(inner), None) => Operation::Subtract(state, inner),
+                (None, Some(reciprocal)) => Operation::MultiplyAdd(numerator, reciprocal, state),
+                (None, None) => Operation::Add(state, numerator),
+            }));
+        }
+        // Each step once, and none that no result needs.
+        Plan::together([&Plan { operations, outputs }])
     }
 
     /// Separates the constants from the kernel.

@@ -27,7 +27,7 @@ struct Description {
 /// What each step of a plan computes, in words that make a name; `None` where that would be long, and for every quotient but that
 /// of a constant by ε. `prepared` are the names of the prepared constants.
 #[must_use]
-pub fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
+pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
     for operation in &plan.operations {
         let description = describe(operation, symbols, prepared, |node: Node| known[node.0].as_ref());
@@ -44,7 +44,7 @@ pub fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<
 
 /// What kind of step this is, for those whose description would be long: a number makes it a name.
 #[must_use]
-pub fn kind(plan: &Plan, node: Node) -> &'static str {
+pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     match plan.operations[node.0] {
         Operation::Multiply(..) => "product",
         Operation::Divide(..) if plan.is_reciprocal(node) => "reciprocal",

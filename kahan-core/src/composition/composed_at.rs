@@ -6,10 +6,11 @@ use core::fmt;
 
 use nalgebra::SVector;
 
-use crate::error::pole;
-use crate::{Composition, FloatScalar, KahanAt, KahanMap, Orbit, PreparedStep, Scalar};
+use crate::step::error::pole;
+use crate::{FloatScalar, KahanAt, KahanMap, Method, Orbit, PreparedStep, Scalar, Single};
 
-use super::stages::{Composed, Method, Palindrome, Single};
+use super::Composition;
+use super::stages::{Composed, Palindrome};
 
 /// A [`Composition`] of the map M at one ε, half the time step; made by [`KahanAt::composed`].
 ///
@@ -129,7 +130,8 @@ pub trait PreparedMap<T: Scalar, const N: usize>: sealed::Sealed {
 }
 
 mod sealed {
-    use crate::{ComposedAt, KahanAt, KahanMap, Scalar};
+    use super::ComposedAt;
+    use crate::{KahanAt, KahanMap, Scalar};
 
     pub trait Sealed {}
 

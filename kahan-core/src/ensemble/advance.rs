@@ -4,9 +4,8 @@
 //! However the columns are divided, each trajectory goes through the same operations, so its bits depend neither on
 //! its place nor on the threads.
 
-use crate::composition::{Method, PreparedMap};
-use crate::error::pole;
-use crate::{Scalar, WideStep};
+use crate::step::error::pole;
+use crate::{Method, PreparedMap, Scalar, WideStep};
 
 use super::columns::Group;
 use super::level::Instructions;

@@ -2,8 +2,7 @@
 //!
 //! In: the prepared stages of a step and columns. Out: the columns some steps later, by the widest registers that the scalar has.
 
-use crate::composition::Method;
-use crate::{Scalar, WideStep};
+use crate::{Method, Scalar, WideStep};
 
 use super::columns::Group;
 use super::level::Instructions;
@@ -62,3 +61,5 @@ macro_rules! implement_for_float {
 
 implement_for_float!(f32, sweep_f32);
 implement_for_float!(f64, sweep_f64);
+
+impl EnsembleScalar for crate::Dd {}

@@ -7,9 +7,8 @@
 
 use core::array::from_fn;
 
-use crate::composition::Method;
-use crate::linear::vector;
-use crate::{PreparedStep, Scalar};
+use crate::field::linear::vector;
+use crate::{Method, PreparedStep, Scalar};
 
 use super::columns::{GROUP, Group};
 

@@ -3,9 +3,9 @@
 //! A pole is an exact zero, reported as a missing reciprocal and never divided by.
 
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
-use super::{Constant, Pivot, Scalar};
+use super::{Constant, Scalar};
 
 impl Scalar for BigRational {
     fn constant(c: &Constant) -> Self {
@@ -19,15 +19,5 @@ impl Scalar for BigRational {
 
     fn approximate(&self) -> f64 {
         self.to_f64().unwrap_or(f64::NAN)
-    }
-}
-
-impl Pivot for BigRational {
-    fn magnitude_exceeds(&self, other: &Self) -> bool {
-        self.abs() > other.abs()
-    }
-
-    fn is_finite_number(&self) -> bool {
-        true
     }
 }

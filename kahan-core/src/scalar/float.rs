@@ -4,11 +4,7 @@
 //! results that are not finite. Multiply-adds are fused where the target is compiled for an instruction that does it;
 //! elsewhere `mul_add` would be a slow library call, so there they are a multiplication and an addition.
 
-use nalgebra::SVector;
-
-use super::{Constant, Pivot, Scalar};
-use crate::stable::{stable_double, stable_single};
-use crate::{Lift, SingularStep};
+use super::{Constant, Scalar};
 
 /// A step may divide by ε from 2⁻ᵏ to 2ᵏ, k being this for `f32`,
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
@@ -32,7 +28,7 @@ macro_rules! fused_or_not {
 }
 
 macro_rules! implement_for_float {
-    ($float:ty, $packs:literal, $bits:expr, $from_constant:ident, $stable:ident) => {
+    ($float:ty, $packs:literal, $bits:expr, $from_constant:ident) => {
         impl Scalar for $float {
             const PACKS: bool = $packs;
             const HAS_INVERSE_STEPS: bool = true;
@@ -51,7 +47,7 @@ macro_rules! implement_for_float {
             /// The larger magnitude, for stability; what is not a number is never better.
             #[inline]
             fn is_better_pivot(&self, than: &Self) -> bool {
-                self.magnitude_exceeds(than)
+                self.abs() > than.abs()
             }
 
             #[inline(always)]
@@ -95,33 +91,8 @@ macro_rules! implement_for_float {
                 (*self).into()
             }
         }
-
-        impl Pivot for $float {
-            #[inline]
-            fn magnitude_exceeds(&self, other: &Self) -> bool {
-                self.abs() > other.abs()
-            }
-
-            #[inline]
-            fn is_finite_number(&self) -> bool {
-                self.is_finite()
-            }
-
-            #[inline(always)]
-            fn stable_step<M, const N: usize>(
-                map: &M,
-                _prepared: &M::Prepared,
-                x: &SVector<Self, N>,
-                eps: &Self,
-            ) -> Result<SVector<Self, N>, SingularStep>
-            where
-                M: Lift<Self, N>,
-            {
-                $stable(map, x, eps)
-            }
-        }
     };
 }
 
-implement_for_float!(f32, false, BITS_OF_SINGLE_STEPS, to_f32, stable_single);
-implement_for_float!(f64, true, BITS_OF_DOUBLE_STEPS, to_f64, stable_double);
+implement_for_float!(f32, false, BITS_OF_SINGLE_STEPS, to_f32);
+implement_for_float!(f64, true, BITS_OF_DOUBLE_STEPS, to_f64);

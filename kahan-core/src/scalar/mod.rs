@@ -2,12 +2,14 @@
 //!
 //! In: any type with the four operations and the rationals inside it. Out: the same code over floats, exact
 //! rationals, dual numbers, or lanes of floats.
-//! [`Scalar`] asks for no ordering, no square root and no conversion; [`Pivot`] adds order by magnitude and
-//! finiteness, which lanes lack. No method shares its name with one of num-traits, so both can be in scope.
+//! [`Scalar`] asks for no ordering, no square root and no conversion. No method shares its name with one of num-traits, so both can
+//! be in scope.
 
+pub(crate) mod bounded;
 mod constant;
 mod dd;
 mod dual;
+mod epsilon;
 #[cfg(feature = "exact")]
 mod exact;
 mod float;
@@ -17,15 +19,12 @@ mod wide;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use nalgebra::SVector;
 use num_traits::{One, Zero};
-
-use crate::try_step::try_step;
-use crate::{Lift, SingularStep};
 
 pub use constant::Constant;
 pub use dd::Dd;
 pub use dual::Dual;
+pub use epsilon::nearest_short_eps;
 pub(crate) use float::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
 pub use float_scalar::FloatScalar;
 pub(crate) use wide::{Size, Wide};
@@ -135,35 +134,5 @@ pub trait Scalar:
     /// A nearby `f64` for reports, not for computing; not a number where there is none, as here.
     fn approximate(&self) -> f64 {
         f64::NAN
-    }
-}
-
-/// A scalar ordered by magnitude that can tell whether it is a finite number; what
-/// [`try_step`](crate::KahanMap::try_step) needs to judge a result.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot judge whether a step is finite",
-    label = "not a `Pivot`; for a number, write `1.0`, not `1`",
-    note = "`step` and `orbit` need `Scalar` only"
-)]
-pub trait Pivot: Scalar {
-    /// Whether |self| > |other|; false if either is not a number.
-    fn magnitude_exceeds(&self, other: &Self) -> bool;
-
-    /// Whether this is a number and not infinite; always true for exact scalars.
-    fn is_finite_number(&self) -> bool;
-
-    /// The step with the promise that this scalar can give; here, that a finite result is what the fast step or elimination
-    /// computes.
-    #[doc(hidden)]
-    fn stable_step<M, const N: usize>(
-        map: &M,
-        prepared: &M::Prepared,
-        x: &SVector<Self, N>,
-        eps: &Self,
-    ) -> Result<SVector<Self, N>, SingularStep>
-    where
-        M: Lift<Self, N>,
-    {
-        try_step(map, prepared, x, eps)
     }
 }

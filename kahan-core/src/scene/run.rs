@@ -2,8 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::__private::components;
-use crate::linear::vector;
+use crate::field::linear::{components, vector};
 use crate::{Composition, Dd, FloatScalar, KahanMap, Lift, ThroughF64};
 
 use super::{Precision, Setting};

@@ -4,7 +4,7 @@ use num_traits::Zero;
 
 use super::rationals::{Q, Rationals, product, q, scaled};
 use super::systems::{Coupled, E1, E3, E7};
-use crate::linear::{determinant, solve};
+use crate::field::linear::{determinant, solve};
 use crate::{KahanMap, eps_from_dt};
 
 /// Points at which no denominator vanishes, and ε.

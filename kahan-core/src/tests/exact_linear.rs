@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use num_traits::{One, Zero};
 
 use super::rationals::{Q, Rationals, product, q, scaled};
-use crate::linear::{determinant, determinant_and_adjugate_product, solve};
+use crate::field::linear::{determinant, determinant_and_adjugate_product, solve};
 
 const TRIALS: usize = 20;
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::linear::{determinant, determinant_and_adjugate_product, solve};
+use crate::field::linear::{determinant, determinant_and_adjugate_product, solve};
 
 type Matrix = SMatrix<f64, 3, 3>;
 

@@ -6,17 +6,17 @@ use kahan_algebra::system::{Claim, upper_index};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::inputs::emit_inputs;
-use super::plan::emit_plan;
+use super::field::{emit_body, emit_vector};
 use super::{Context, docs, items};
 
 /// Expands to the accessors of all claims. Where there are no integrals, or no density, rustc is
 /// told what a call lacks.
 pub(super) fn emit_claims(context: &Context<'_>) -> TokenStream {
     let integrals = emit_integrals(context);
-    let density =
-        context.system.accessors(ClaimKind::Density).take(1).map(|claim| emit_density(context, claim));
-    let brackets = context.system.accessors(ClaimKind::Bracket).map(|claim| emit_bracket(context, claim));
+    let density = context.system.accessors(ClaimKind::Density).zip(&context.derived.density);
+    let density = density.map(|(claim, plan)| emit_density(context, claim, plan));
+    let brackets = context.system.accessors(ClaimKind::Bracket).zip(&context.derived.brackets);
+    let brackets = brackets.map(|(claim, (_, plan))| emit_bracket(context, claim, plan));
     let this = context.self_type();
     let scalar = &context.scalar;
     let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
@@ -63,17 +63,13 @@ fn emit_integrals(context: &Context<'_>) -> TokenStream {
     if claims.is_empty() {
         return TokenStream::new();
     }
-    let names: Vec<String> = claims.iter().map(|claim| claim.name.text.clone()).collect();
-    let list = items::emit_list("INTEGRALS", "The names of the integrals, in order.", &names);
+    let names = &context.derived.integral_names;
+    let list = items::emit_list("INTEGRALS", "The names of the integrals, in order.", names);
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
     let vector = context.vector();
     let count = Literal::usize_unsuffixed(claims.len());
     let result = quote!(__kahan::SVector<#scalar, #count>);
-    let body = {
-        let (bindings, results) =
-            emit_together(context, &claims.iter().map(|claim| &claim.plan).collect::<Vec<_>>());
-        quote! { #bindings __kahan::vector([#(#results),*]) }
-    };
+    let body = emit_vector(context, &context.derived.integrals);
     let method = emit_method(context, &docs::integrals(&claims), "integrals", &result, &body);
     let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
     quote! {
@@ -92,15 +88,15 @@ fn emit_integrals(context: &Context<'_>) -> TokenStream {
     }
 }
 
-fn emit_density(context: &Context<'_>, claim: &Claim) -> TokenStream {
+fn emit_density(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
     let scalar = &context.scalar;
-    let (bindings, results) = emit_together(context, &[&claim.plan]);
+    let (bindings, results) = emit_body(context, plan);
     emit_method(context, &docs::density(claim), "density", &quote!(#scalar), &quote!(#bindings #(#results)*))
 }
 
-fn emit_bracket(context: &Context<'_>, claim: &Claim) -> TokenStream {
+fn emit_bracket(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
     let n = context.system.field.dimension();
-    let (bindings, entries) = emit_together(context, &[&claim.plan]);
+    let (bindings, entries) = emit_body(context, plan);
     let upper: Vec<_> = (0..n).flat_map(|i| (i + 1..n).map(move |j| format_ident!("__p_{i}_{j}"))).collect();
     let rows = (0..n).map(|i| {
         let row = (0..n).map(|j| match i.cmp(&j) {
@@ -122,14 +118,4 @@ fn emit_bracket(context: &Context<'_>, claim: &Claim) -> TokenStream {
     let body = quote! { #bindings #(let #upper = #entries;)* __kahan::matrix([#(#rows),*]) };
     let name = format!("bracket_{}", claim.name.text);
     emit_method(context, &docs::bracket(claim), &name, &context.matrix(), &body)
-}
-
-/// Several plans as one, with what they share computed once: bindings and results.
-fn emit_together(context: &Context<'_>, plans: &[&Plan]) -> (TokenStream, Vec<TokenStream>) {
-    let symbols = &context.system.field.symbols;
-    let plan = Plan::together(plans.iter().copied());
-    let inputs = emit_inputs(&plan, symbols);
-    let emitted = emit_plan(&plan, symbols, &context.scalar);
-    let bindings = emitted.bindings;
-    (quote! { #inputs #bindings }, emitted.results)
 }

@@ -19,7 +19,8 @@ fn emit_lines(lines: &[String]) -> TokenStream {
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     let system = context.system;
     let states = &system.field.symbols.states;
-    let formulas = Formulas { field: &system.field, map: context.map.as_ref(), notation: Notation::Text };
+    let formulas =
+        Formulas { field: &system.field, map: context.derived.map.as_ref(), notation: Notation::Text };
     let mut lines = Vec::new();
     if follows {
         lines.push(String::new());
@@ -43,7 +44,7 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
             " The map solves A(x,ε)·x̃ = b(x,ε): its closed form exceeds the budget of terms. Where det A = 0 it counts as a pole.".to_owned(),
         ),
     }
-    if let Some(step) = &context.step {
+    if let Some(step) = context.derived.step() {
         lines.extend(domain("`step` and orbits keep", step.holds_to));
         let general = step.general.as_ref().filter(|general| general.holds_to < step.holds_to);
         let of_lanes = "Ensembles, and scalars other than `f32` and `f64`, keep";

@@ -1,21 +1,20 @@
 //! `QuadraticField`: f, f′, the bilinear form and the polarised field.
 
-use kahan_algebra::objects::{bilinear_plan, field_jacobian_plan, field_plan, polarized_plan};
 use kahan_algebra::plan::Plan;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Context;
 use super::inputs::emit_inputs;
-use super::plan::emit_plan;
+use super::plan::{Emitted, emit_plan};
 
 /// Expands to `impl<T: Scalar> QuadraticField<T, 3> for E6 { … }`.
 pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
-    let field = &context.system.field;
-    let value = emit_vector(context, &field_plan(field));
-    let slope = emit_matrix(context, &field_jacobian_plan(field));
-    let bilinear = emit_vector(context, &bilinear_plan(field));
-    let polarized = emit_vector(context, &polarized_plan(field));
+    let derived = context.derived;
+    let value = emit_vector(context, &derived.field);
+    let slope = emit_matrix(context, &derived.field_jacobian);
+    let bilinear = emit_vector(context, &derived.bilinear);
+    let polarized = emit_vector(context, &derived.polarized);
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
     let (vector, matrix) = (context.vector(), context.matrix());
     quote! {
@@ -38,19 +37,21 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
 
 /// The body of a function that returns the plan's results as a vector.
 pub(super) fn emit_vector(context: &Context<'_>, plan: &Plan) -> TokenStream {
-    let symbols = &context.system.field.symbols;
-    let inputs = emit_inputs(plan, symbols);
-    let emitted = emit_plan(plan, symbols, &context.scalar);
-    let (bindings, results) = (emitted.bindings, emitted.results);
-    quote! { #inputs #bindings __kahan::vector([#(#results),*]) }
+    let (bindings, results) = emit_body(context, plan);
+    quote! { #bindings __kahan::vector([#(#results),*]) }
 }
 
 /// The body of a function that returns the plan's results as a matrix, row by row.
 fn emit_matrix(context: &Context<'_>, plan: &Plan) -> TokenStream {
+    let (bindings, entries) = emit_body(context, plan);
+    let rows = entries.chunks(context.system.field.dimension()).map(|row| quote!([#(#row),*]));
+    quote! { #bindings __kahan::matrix([#(#rows),*]) }
+}
+
+/// Inputs and bindings of a plan, and its results.
+pub(super) fn emit_body(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = emit_inputs(plan, symbols);
-    let emitted = emit_plan(plan, symbols, &context.scalar);
-    let bindings = emitted.bindings;
-    let rows = emitted.results.chunks(symbols.dimension()).map(|row| quote!([#(#row),*]));
-    quote! { #inputs #bindings __kahan::matrix([#(#rows),*]) }
+    let Emitted { bindings, results } = emit_plan(plan, symbols, &context.scalar);
+    (quote! { #inputs #bindings }, results)
 }

@@ -1,29 +1,26 @@
 //! `KahanMap`: how the step is prepared, and the closed forms of N and D where they are within the budget.
 
-use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::objects::{det_matrix_plan, rational_map_plan, reduced_map_plan};
 use kahan_algebra::plan::Plan;
 use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
-use super::inputs::emit_inputs;
+use super::field::emit_body;
 use super::items::identifier;
-use super::plan::{Emitted, emit_plan};
 use super::step::{EmittedStep, emit_step};
 
 /// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`; what is not written here, is a default
 /// method.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
-    let (items, prepared) = match &context.step {
+    let (items, prepared) = match context.derived.step() {
         Some(step) => {
             let EmittedStep { items, prepare } = emit_step(context, step);
             (items, emit_prepared(context, &prepare))
         }
         None => (TokenStream::new(), emit_elimination(context)),
     };
-    let closed_forms = context.map.as_ref().map(|map| emit_closed_forms(context, map));
+    let closed_forms = emit_closed_forms(context);
     let (stable_step, lift) = (emit_stable_step(context), emit_lift(context));
     quote! {
         #items
@@ -110,21 +107,22 @@ fn emit_lift(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// D = D̂/∏q, and (N, D) = (N̂, D̂)/∏q, without a division by anything that depends on the state.
-fn emit_closed_forms(context: &Context<'_>, map: &RationalMap) -> TokenStream {
-    let (above, determinant) = emit_body(context, &det_matrix_plan(map));
-    let rational_map = emit_quotient(context, "rational_map", &rational_map_plan(map));
-    let reduced_map = reduced_map_plan(&context.system.field, map);
-    let reduced_map = reduced_map.map(|plan| emit_quotient(context, "reduced_map", &plan));
-    let (scalar, vector) = (&context.scalar, context.vector());
-    quote! {
-        fn det_matrix(&self, x: &#vector, eps: #scalar) -> #scalar {
-            #above
-            #(#determinant)*
+/// D, (N, D) and the reduced (N, D), without a division by anything that depends on the state.
+fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
+    let derived = context.derived;
+    let det_matrix = derived.det_matrix.as_ref().map(|plan| {
+        let (above, determinant) = emit_body(context, plan);
+        let (scalar, vector) = (&context.scalar, context.vector());
+        quote! {
+            fn det_matrix(&self, x: &#vector, eps: #scalar) -> #scalar {
+                #above
+                #(#determinant)*
+            }
         }
-        #rational_map
-        #reduced_map
-    }
+    });
+    let rational_map = derived.rational_map.as_ref().map(|plan| emit_quotient(context, "rational_map", plan));
+    let reduced_map = derived.reduced_map.as_ref().map(|plan| emit_quotient(context, "reduced_map", plan));
+    quote! { #det_matrix #rational_map #reduced_map }
 }
 
 /// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`: numerators and a denominator.
@@ -138,12 +136,4 @@ fn emit_quotient(context: &Context<'_>, name: &str, plan: &Plan) -> TokenStream 
             (__kahan::vector([#(#numerators),*]), #denominator)
         }
     }
-}
-
-/// Inputs and bindings of a plan, and its results.
-fn emit_body(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
-    let symbols = &context.system.field.symbols;
-    let inputs = emit_inputs(plan, symbols);
-    let Emitted { bindings, results } = emit_plan(plan, symbols, &context.scalar);
-    (quote! { #inputs #bindings }, results)
 }

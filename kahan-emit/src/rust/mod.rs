@@ -38,11 +38,9 @@ mod step;
 mod text;
 mod tokens;
 
-use kahan_algebra::Reading;
 use kahan_algebra::diagnostics::Diagnostic;
-use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::plan::StepPlan;
 use kahan_algebra::system::System;
+use kahan_algebra::{Derived, Reading, derive};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -55,10 +53,8 @@ pub use text::text;
 /// What every part of the emitter reads.
 struct Context<'a> {
     system: &'a System,
-    /// The map in closed form, within the budget.
-    map: Option<RationalMap>,
-    /// The step as a plan; `None` where it is elimination.
-    step: Option<StepPlan>,
+    /// The plans of what is emitted.
+    derived: &'a Derived,
     /// The type's name.
     name: Ident,
     /// The scalar type parameter, named so that it is not the type's name.
@@ -95,7 +91,8 @@ fn emit(core: &TokenStream, block: TokenStream, reading: &Reading, input: &Flat)
     if reading.system.field.dimension() == 0 {
         return emit_without_field(reading, header.as_ref(), spans, &errors);
     }
-    let context = Context::of(&reading.system, spans);
+    let derived = derive(&reading.system);
+    let context = Context::of(&derived, spans);
     let definition = items::emit_struct(&context, header.as_ref());
     let implementations = emit_implementations(core, &context);
     if header.is_some() {
@@ -144,7 +141,8 @@ fn emit_without_field(
             quote! { { #errors } }
         };
     }
-    let definition = items::emit_struct(&Context::of(&reading.system, spans), header);
+    let derived = derive(&reading.system);
+    let definition = items::emit_struct(&Context::of(&derived, spans), header);
     quote! { #errors #definition }
 }
 
@@ -163,7 +161,8 @@ fn emit_errors(diagnostics: &[Diagnostic], spans: &[Span]) -> TokenStream {
 }
 
 impl<'a> Context<'a> {
-    fn of(system: &'a System, spans: &[Span]) -> Self {
+    fn of(derived: &'a Derived, spans: &[Span]) -> Self {
+        let system = &derived.system;
         let name = match &system.header {
             Some(header) => {
                 let span = spans.get(header.name.span.first).copied().unwrap_or_else(Span::call_site);
@@ -173,9 +172,7 @@ impl<'a> Context<'a> {
         };
         let scalar = if name == "T" { format_ident!("S") } else { format_ident!("T") };
         let dimension = Literal::usize_unsuffixed(system.field.dimension());
-        let map = RationalMap::of(&system.field);
-        let step = StepPlan::of_map(&system.field, map.as_ref());
-        Context { system, map, step, name, scalar, dimension }
+        Context { system, derived, name, scalar, dimension }
     }
 
     fn has_parameters(&self) -> bool {

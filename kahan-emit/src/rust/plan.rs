@@ -9,13 +9,14 @@
 //! used last and cloned before; other inputs and prepared constants are borrowed, so they are cloned: free for floats, and
 //! little beside an operation for big rationals.
 
+use kahan_algebra::derived::StepNames;
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::symbols::Symbols;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::inputs::binding;
-use super::names::Names;
+use super::names;
 use super::number::emit_constant;
 
 /// Nested operations beyond this depth get a `let`, for readers and for rustc's stack.
@@ -66,7 +67,7 @@ struct Emitter<'a> {
     /// How deeply each step is nested from its nearest `let`s.
     depths: Vec<usize>,
     lets: Vec<Option<Ident>>,
-    names: Names,
+    names: StepNames,
     bindings: TokenStream,
 }
 
@@ -89,6 +90,7 @@ pub(super) fn emit_kernel(
 
 impl<'a> Emitter<'a> {
     fn new(plan: &'a Plan, symbols: &'a Symbols, scalar: &'a Ident, constants: Option<&'a [Ident]>) -> Self {
+        let prepared: Vec<String> = constants.unwrap_or_default().iter().map(ToString::to_string).collect();
         let mut emitter = Emitter {
             plan,
             symbols,
@@ -98,7 +100,7 @@ impl<'a> Emitter<'a> {
             uses: vec![0; plan.operations.len()],
             depths: Vec::with_capacity(plan.operations.len()),
             lets: vec![None; plan.operations.len()],
-            names: Names::of(plan, symbols, constants.unwrap_or_default()),
+            names: StepNames::of(plan, symbols, &prepared),
             bindings: TokenStream::new(),
         };
         let operands = plan.operations.iter().flat_map(|operation| emitter.operands(operation));
@@ -154,7 +156,7 @@ impl<'a> Emitter<'a> {
         }
         if self.uses[index] > 1 || depth > DEEPEST || is_quotient {
             let value = self.operation(index).tokens;
-            let name = self.names.binding(Node(index), operation);
+            let name = names::binding(&mut self.names, Node(index), operation);
             let value = if self.stands_alone { quote!((#value).alone()) } else { value };
             self.bindings.extend(quote! { let #name = #value; });
             self.lets[index] = Some(name);

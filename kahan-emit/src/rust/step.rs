@@ -9,7 +9,7 @@
 //! Where lanes have a plan of their own, it is a `__General<T>`, which `__Step<T>` holds as `__general`. A step divided by ε takes
 //! that one, too, unless ε is an ordinary float, which `__is_inverse` remembers.
 
-use kahan_algebra::plan::{Node, Plan, StepPlan};
+use kahan_algebra::plan::{Node, Plan, StepCost, StepPlan};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -222,9 +222,8 @@ impl<'a> Kernel<'a> {
 
 /// Expands to `const COST: StepCost = StepCost { … };`.
 fn emit_cost(plan: &StepPlan) -> TokenStream {
-    let operations = Literal::usize_unsuffixed(plan.operations());
-    let divisions = Literal::usize_unsuffixed(plan.kernel.cost().divisions);
-    let chain = Literal::u64_unsuffixed(plan.cycles());
+    let StepCost { operations, divisions, chain } = plan.cost();
+    let [operations, divisions, chain] = [operations, divisions, chain].map(Literal::u32_unsuffixed);
     quote! {
         const COST: __kahan::StepCost =
             __kahan::StepCost { operations: #operations, divisions: #divisions, chain: #chain };

@@ -7,7 +7,6 @@ use std::cmp::Ordering;
 
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::Polynomial;
-use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use num_bigint::BigInt;
 
@@ -67,10 +66,7 @@ impl Judge {
     pub(crate) fn of(system: &System) -> Option<Self> {
         let symbols = &system.field.symbols;
         let map = RationalMap::of(&system.field)?.reduced;
-        let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
-        let starts = (0..symbols.dimension()).map(|i| Polynomial::variable(symbols.state(i)));
-        let numerators: Vec<Polynomial> =
-            starts.zip(&map.increments).map(|(x, n)| &(&x * &map.denominator) + &(&two_eps * n)).collect();
+        let numerators = map.numerators(symbols);
         let all = || numerators.iter().chain([&map.denominator]);
         let scale = common_denominator(all());
         let terms = |polynomial: &Polynomial| Terms::of(polynomial, &scale);

@@ -107,7 +107,7 @@ fn block_claims(
 ) -> Vec<Claim> {
     let mut claims = Vec::new();
     for entry in systems {
-        let system = &models[entry.command].system;
+        let system = models[entry.command].system();
         claims.extend(system.claims.iter().enumerate().map(|(index, claim)| Claim {
             id: Id::of([entry.command, &claim.name.text]),
             section: section(entry.command, claim.kind),

@@ -1,14 +1,8 @@
 //! Every program of a system, made once and shared by its copies over all scalars.
 
-use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::objects::{
-    bilinear_plan, det_matrix_plan, field_jacobian_plan, field_plan, polarized_plan, rational_map_plan,
-    reduced_map_plan,
-};
-use kahan_algebra::plan::{Plan, StepPlan};
+use kahan_algebra::derived::Derived;
+use kahan_algebra::plan::{self, Plan, StepPlan};
 use kahan_algebra::symbols::Symbols;
-use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::System;
 use kahan_core::{Scalar, StepCost};
 
 use super::program::Program;
@@ -23,8 +17,12 @@ pub(super) struct Code {
     pub(super) polarized: Program,
     /// `None` where every step eliminates.
     pub(super) step: Option<StepCode>,
-    /// det A and (N, D), within the budget of terms.
-    pub(super) closed_forms: Option<ClosedForms>,
+    /// det A, within the budget of terms.
+    pub(super) det_matrix: Option<Program>,
+    /// The numerators, then the denominator, within the budget.
+    pub(super) rational_map: Option<Program>,
+    /// The same, where a factor that depends on states is divided out.
+    pub(super) reduced_map: Option<Program>,
     pub(super) integrals: Vec<Integral>,
     pub(super) cost: StepCost,
 }
@@ -40,15 +38,6 @@ pub(super) struct StepCode {
     general: Option<Box<StepCode>>,
 }
 
-#[derive(Debug)]
-pub(super) struct ClosedForms {
-    pub(super) det_matrix: Program,
-    /// The numerators, then the denominator.
-    pub(super) rational_map: Program,
-    /// The same, where a factor that depends on states is divided out.
-    pub(super) reduced_map: Option<Program>,
-}
-
 /// An integral that was claimed without a condition.
 #[derive(Debug)]
 pub(super) struct Integral {
@@ -57,29 +46,27 @@ pub(super) struct Integral {
 }
 
 impl Code {
-    pub(super) fn of(system: &System) -> Self {
-        let field = &system.field;
-        let symbols = &field.symbols;
+    pub(super) fn of(derived: &Derived) -> Self {
+        let symbols = &derived.system.field.symbols;
         let program = |plan: &Plan| Program::of(plan, symbols);
-        let map = RationalMap::of(field);
-        let step = StepPlan::of_map(field, map.as_ref());
-        let integrals = system.accessors(ClaimKind::Integral);
+        let perhaps = |plan: &Option<Plan>| plan.as_ref().map(program);
+        let integral = |(index, name): (usize, &String)| Integral {
+            name: name.clone(),
+            program: program(&derived.integrals.result(index)),
+        };
+        let elimination = StepCost::of_elimination(symbols.dimension());
         Code {
             states: symbols.states.clone(),
-            field: program(&field_plan(field)),
-            field_jacobian: program(&field_jacobian_plan(field)),
-            bilinear: program(&bilinear_plan(field)),
-            polarized: program(&polarized_plan(field)),
-            closed_forms: map.as_ref().map(|map| ClosedForms {
-                det_matrix: program(&det_matrix_plan(map)),
-                rational_map: program(&rational_map_plan(map)),
-                reduced_map: reduced_map_plan(field, map).as_ref().map(program),
-            }),
-            integrals: integrals
-                .map(|claim| Integral { name: claim.name.text.clone(), program: program(&claim.plan) })
-                .collect(),
-            cost: step.as_ref().map_or(StepCost::of_elimination(field.dimension()), cost),
-            step: step.map(|step| StepCode::of(&step, symbols)),
+            field: program(&derived.field),
+            field_jacobian: program(&derived.field_jacobian),
+            bilinear: program(&derived.bilinear),
+            polarized: program(&derived.polarized),
+            det_matrix: perhaps(&derived.det_matrix),
+            rational_map: perhaps(&derived.rational_map),
+            reduced_map: perhaps(&derived.reduced_map),
+            integrals: derived.integral_names.iter().enumerate().map(integral).collect(),
+            cost: derived.step().map_or(elimination, |step| cost(step.cost())),
+            step: derived.step().map(|step| StepCode::of(step, symbols)),
         }
     }
 }
@@ -100,12 +87,6 @@ impl StepCode {
     }
 }
 
-/// What generated code says that a step of this plan costs.
-fn cost(plan: &StepPlan) -> StepCost {
-    let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-    StepCost {
-        operations: count(plan.operations()),
-        divisions: count(plan.kernel.cost().divisions),
-        chain: u32::try_from(plan.cycles()).unwrap_or(u32::MAX),
-    }
+fn cost(plan::StepCost { operations, divisions, chain }: plan::StepCost) -> StepCost {
+    StepCost { operations, divisions, chain }
 }

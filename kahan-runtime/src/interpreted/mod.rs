@@ -15,7 +15,7 @@ use std::marker::PhantomData;
 use std::sync::Arc;
 
 use kahan_algebra::arithmetic::Exact;
-use kahan_algebra::plan::Plan;
+use kahan_algebra::derive;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
 use kahan_algebra::system::System;
@@ -112,17 +112,17 @@ impl<const N: usize> Interpreted<BigRational, N> {
                 given: parameters.len(),
             });
         }
-        let denominators = Plan::of(system.field.components.iter().map(|component| &component.denominator));
-        let denominators = denominators.evaluate(&Exact, |variable| match symbols.symbol(variable) {
+        let derived = derive(system);
+        let divisors = derived.divisors.evaluate(&Exact, |variable| match symbols.symbol(variable) {
             Symbol::Parameter(k) => Rational::from(parameters[k].clone()),
-            // Denominators are free of everything else.
+            // Divisors are free of everything else.
             _ => Rational::zero(),
         });
-        if denominators.iter().any(|value| value.as_ref().is_none_or(Rational::is_zero)) {
+        if divisors.iter().any(|value| value.as_ref().is_none_or(Rational::is_zero)) {
             return Err(CannotInterpret::Undefined);
         }
         Ok(Interpreted {
-            code: Arc::new(Code::of(system)),
+            code: Arc::new(Code::of(&derived)),
             parameters: parameters.into(),
             dimension: PhantomData,
         })
@@ -182,6 +182,12 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         let inputs = Inputs { state: x.as_slice(), other, parameters: &self.parameters, eps, prepared: &[] };
         program.values(&inputs)
     }
+
+    /// Numerators and a denominator.
+    fn quotient(&self, program: &Program, x: &SVector<T, N>, eps: &T) -> (SVector<T, N>, T) {
+        let values = self.values(program, x, &[], Some(eps));
+        (vector(&values), values[N].clone())
+    }
 }
 
 impl<T: PartialEq, const N: usize> PartialEq for Interpreted<T, N> {
@@ -240,28 +246,22 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     }
 
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
-        match &self.code.closed_forms {
-            Some(forms) => self.values(&forms.det_matrix, x, &[], Some(&eps)).swap_remove(0),
+        match &self.code.det_matrix {
+            Some(program) => self.values(program, x, &[], Some(&eps)).swap_remove(0),
             None => Unplanned(self.clone()).det_matrix(x, eps),
         }
     }
 
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
-        match &self.code.closed_forms {
-            Some(forms) => {
-                let values = self.values(&forms.rational_map, x, &[], Some(&eps));
-                (vector(&values), values[N].clone())
-            }
+        match &self.code.rational_map {
+            Some(program) => self.quotient(program, x, &eps),
             None => Unplanned(self.clone()).rational_map(x, eps),
         }
     }
 
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
-        match self.code.closed_forms.as_ref().and_then(|forms| forms.reduced_map.as_ref()) {
-            Some(program) => {
-                let values = self.values(program, x, &[], Some(&eps));
-                (vector(&values), values[N].clone())
-            }
+        match &self.code.reduced_map {
+            Some(program) => self.quotient(program, x, &eps),
             None => self.rational_map(x, eps),
         }
     }

@@ -21,7 +21,7 @@ use crate::expression::evaluate;
 #[derive(Debug)]
 pub struct Interpreted {
     system: &'static System,
-    interpreter: Interpreter<'static>,
+    interpreter: Interpreter,
     /// N and D as polynomials, within the budget.
     map: Option<RationalMap>,
     parameters: Vec<Rational>,

@@ -15,9 +15,9 @@ pub(crate) struct Weakening {
 
 const RULES: &str = "-p kahan-core --features exact --lib -- stable::tests";
 const DIGITS: &str = "-p kahan-core --features exact --lib -- wide::tests";
-const BOUNDED: &str = "kahan-core/src/stable/bounded.rs";
-const ATTEMPT: &str = "kahan-core/src/stable/attempt.rs";
-const RUNGS: &str = "kahan-core/src/stable/rungs.rs";
+const BOUNDED: &str = "kahan-core/src/scalar/bounded/mod.rs";
+const ATTEMPT: &str = "kahan-core/src/map/stable/attempt.rs";
+const RUNGS: &str = "kahan-core/src/map/stable/rungs.rs";
 const WIDE: &str = "kahan-core/src/scalar/wide/arithmetic.rs";
 
 const PAIRS: &str = "-p kahan-core --features exact --lib -- dd::bounds";
@@ -65,15 +65,15 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     rule("a constant over eps without its rounding", BOUNDED,
         "roundings: self.roundings.saturating_add(eps.roundings).saturating_add(1),",
         "roundings: self.roundings.saturating_add(eps.roundings),"),
-    rule("literals that are not rounded", "kahan-core/src/stable/operators.rs",
+    rule("literals that are not rounded", "kahan-core/src/scalar/bounded/operators.rs",
         "Self::literal(value, u32::from(!is_exact))", "Self::literal(value, u32::from(!is_exact && false))"),
     rule("a weight without the rounding of the product", BOUNDED,
         "roundings: roundings.saturating_add(1), ..*self", "roundings, ..*self"),
     // Magnitudes.
-    rule("a difference that cancels its magnitude", "kahan-core/src/stable/pair.rs",
+    rule("a difference that cancels its magnitude", "kahan-core/src/scalar/bounded/pair.rs",
         "Self { value: self.value - other.value, magnitude: self.magnitude + other.magnitude }",
         "Self { value: self.value - other.value, magnitude: (self.value - other.value).size() }"),
-    rule("a product with the magnitude of its value", "kahan-core/src/stable/pair.rs",
+    rule("a product with the magnitude of its value", "kahan-core/src/scalar/bounded/pair.rs",
         "Self { value: self.value * other.value, magnitude: self.magnitude * other.magnitude }",
         "Self { value: self.value * other.value, magnitude: (self.value * other.value).size() }"),
     rule("a quotient without the magnitude of its divisor", BOUNDED,
@@ -82,7 +82,7 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     rule("a chain of quotients without the magnitude of a divisor", BOUNDED,
         "let ratio = ratio + divisor.magnitude() * (value.size() * inverse);",
         "let ratio = ratio + V::Magnitude::of(0.0) * (value.size() * inverse);"),
-    rule("packed magnitudes with the sign of their values", "kahan-core/src/stable/packed.rs",
+    rule("packed magnitudes with the sign of their values", "kahan-core/src/scalar/bounded/packed.rs",
         "sign: _mm_set_pd(0.0, -0.0),", "sign: _mm_set_pd(-0.0, -0.0),"),
     rule("half of the slack", BOUNDED, "const SLACK: f64 = 1.0625;", "const SLACK: f64 = 1.03125;"),
     rule("divisors that may be zero", BOUNDED,
@@ -112,9 +112,9 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "saturating_add(2 * V::RANGE.bits_of_divisors)", "saturating_add(0 * V::RANGE.bits_of_divisors)"),
     rule("a constant over eps without bits", BOUNDED,
         "bits: self.bits.saturating_add(V::RANGE.bits_of_steps),", "bits: self.bits,"),
-    rule("an allowance for singles that is none", "kahan-core/src/stable/scalars.rs",
+    rule("an allowance for singles that is none", "kahan-core/src/scalar/bounded/formats.rs",
         "allowance: power_of_two(-40),", "allowance: power_of_two(-80),"),
-    rule("an allowance for doubles that is none", "kahan-core/src/stable/scalars.rs",
+    rule("an allowance for doubles that is none", "kahan-core/src/scalar/bounded/formats.rs",
         "allowance: power_of_two(-150),", "allowance: power_of_two(-420),"),
     // Steps.
     rule("an attempt without the weights of reciprocals", ATTEMPT,
@@ -128,7 +128,7 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "(attempt.largest_input() > sum.get()).then_some(attempt)", "(attempt.largest_input() > V::Magnitude::zero()).then_some(attempt)"),
     rule("a promise of ten times as much", RUNGS,
         "const PROMISE: f64 = 63.0;", "const PROMISE: f64 = 630.0;"),
-    rule("a pair of floats that is better than it is", "kahan-core/src/stable/scalars.rs",
+    rule("a pair of floats that is better than it is", "kahan-core/src/scalar/bounded/formats.rs",
         "f64::EPSILON * f64::EPSILON * 4.0", "f64::EPSILON * f64::EPSILON * 3.0"),
     // The last rungs' numbers.
     digit("a product without the radius of a factor", WIDE,

@@ -6,11 +6,9 @@
 use dashu_int::IBig;
 use dashu_int::ops::Gcd;
 use kahan_algebra::arithmetic::Arithmetic;
-use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::plan::Plan;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
-use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::{Derived, derive};
 use kahan_runtime::heights::HeightsOrbit;
 
 use super::request::Request;
@@ -21,8 +19,7 @@ pub(super) struct ExactOrbit<'a> {
     request: &'a Request<'a>,
     orbit: HeightsOrbit,
     time_step: Rational,
-    integral_names: Vec<String>,
-    integrals: Plan,
+    derived: Derived,
     /// The integrals at the first point.
     first: Vec<Option<Fraction>>,
 }
@@ -34,13 +31,11 @@ impl<'a> ExactOrbit<'a> {
         let mut orbit = orbit.map_err(|_| request.undefined_field())?;
         // The first item is the first point itself.
         orbit.next();
-        let claims: Vec<_> = request.system.accessors(ClaimKind::Integral).collect();
         let mut exact = ExactOrbit {
             request,
             orbit,
             time_step: &request.eps + &request.eps,
-            integral_names: claims.iter().map(|claim| claim.name.text.clone()).collect(),
-            integrals: Plan::together(claims.iter().map(|claim| &claim.plan)),
+            derived: derive(request.system),
             first: Vec::new(),
         };
         let first = exact.integrals(&exact.state());
@@ -50,7 +45,7 @@ impl<'a> ExactOrbit<'a> {
 
     /// The names of the integrals, in order.
     pub(super) fn integral_names(&self) -> &[String] {
-        &self.integral_names
+        &self.derived.integral_names
     }
 
     /// t, the state and the integrals at the point n; `None` for an integral that divides by zero there.
@@ -72,7 +67,7 @@ impl<'a> ExactOrbit<'a> {
         match self.orbit.next() {
             Some(_) => Ok(()),
             None => {
-                let is_reduced = RationalMap::of(&self.request.system.field).is_some();
+                let is_reduced = self.derived.map.is_some();
                 Err(self.request.pole::<kahan_algebra::arithmetic::Exact>(n, &self.orbit.point(), is_reduced))
             }
         }
@@ -88,7 +83,7 @@ impl<'a> ExactOrbit<'a> {
 
     fn integrals(&self, state: &[Fraction]) -> Vec<Option<Fraction>> {
         let symbols = &self.request.system.field.symbols;
-        self.integrals.evaluate(&Fractions, |variable| match symbols.symbol(variable) {
+        self.derived.integrals.evaluate(&Fractions, |variable| match symbols.symbol(variable) {
             Symbol::State(i) | Symbol::SecondState(i) => state[i].clone(),
             Symbol::Parameter(k) => Fraction::from(&self.request.parameters[k]),
             Symbol::Epsilon => Fraction::from(&self.request.eps),

@@ -1,9 +1,10 @@
-//! `kahan show --plan`: what each generated object costs, and the step in straight lines.
+//! `kahan show --plan`: what each generated function costs, and the step in straight lines.
 
 use std::time::{Duration, Instant};
 
-use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
-use kahan_algebra::objects::{Object, Objects, StepListing};
+use kahan_algebra::derive;
+use kahan_algebra::derived::{Derived, StepListing};
+use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_algebra::plan::{Cost, LARGEST_SIZE, Node, Operation, Plan, StepPlan};
 use kahan_algebra::poly::Variable;
 use kahan_algebra::system::System;
@@ -14,50 +15,49 @@ use super::page::{Page, paragraph};
 /// The width of the column of names.
 const NAMES: usize = 23;
 /// The widths of the columns of numbers, with what stands above them.
-const COLUMNS: [(&str, usize); 8] =
-    [("add", 5), ("mul", 6), ("fma", 6), ("div", 5), ("all", 6), ("chain", 7), ("bytes", 9), ("ms", 7)];
+const COLUMNS: [(&str, usize); 6] =
+    [("add", 5), ("mul", 6), ("fma", 6), ("div", 5), ("all", 6), ("chain", 7)];
 
 /// The plans of a system, and how long it took to make them.
 pub(super) struct PlanSheet {
     name: String,
-    objects: Objects,
+    derived: Derived,
+    /// Each function of the generated code with what it costs; `None` where it eliminates in a loop.
+    functions: Vec<(String, Option<Cost>)>,
     step: Option<StepListing>,
     /// The step that serves every scalar, where the step is divided by the time step.
     general: Option<StepListing>,
-    derived: Duration,
-    planned: Duration,
+    derive_time: Duration,
+    plan_time: Duration,
 }
 
 impl PlanSheet {
     /// Derives the map and plans the code of a system.
     pub(super) fn of(name: String, system: &System) -> Self {
         let start = Instant::now();
-        let map = RationalMap::of(&system.field);
-        let derived = start.elapsed();
+        let derived = derive(system);
+        let derive_time = start.elapsed();
         let start = Instant::now();
-        let step = StepPlan::of_map(&system.field, map.as_ref());
-        let objects = Objects::from_parts(system, map, step);
-        let planned = start.elapsed();
         let listing = |step: &StepPlan| StepListing::of(step, &system.field.symbols);
-        let step = objects.step.as_ref().map(listing);
-        let inverse = objects.step.as_ref().filter(|step| step.has_inverse_step());
+        let step = derived.step().map(listing);
+        let plan_time = start.elapsed();
+        let inverse = derived.step().filter(|step| step.has_inverse_step());
         let general = inverse.map(|step| listing(step.for_any_step()));
-        PlanSheet { name, objects, step, general, derived, planned }
+        let cost = |(name, plan): (String, Option<Plan>)| (name, plan.as_ref().map(Plan::cost));
+        let functions = derived.functions().into_iter().map(cost).collect();
+        PlanSheet { name, derived, functions, step, general, derive_time, plan_time }
     }
 
     pub(super) fn json(&self) -> Value {
-        let objects = self.objects.list.iter().map(|object| {
-            let (cost, estimate) = (object.cost(), object.estimate());
+        let objects = self.functions.iter().map(|(name, cost)| {
             json!({
-                "object": object.name,
+                "object": name,
                 "additions": cost.map(|cost| cost.additions),
                 "multiplications": cost.map(|cost| cost.multiplications),
                 "multiply_adds": cost.map(|cost| cost.fused),
                 "divisions": cost.map(|cost| cost.divisions),
                 "operations": cost.map(|cost| cost.operations()),
                 "chain_cycles": cost.map(|cost| cost.chain),
-                "bytes_estimate": estimate.map(|estimate| estimate.bytes),
-                "compile_ms_estimate": estimate.map(|estimate| tenths(estimate.compile_ms)),
             })
         });
         let listing = |step: &StepListing| {
@@ -74,8 +74,8 @@ impl PlanSheet {
             "objects": objects.collect::<Vec<_>>(),
             "step": self.step.as_ref().map(listing),
             "general_step": self.general.as_ref().map(listing),
-            "derive_ms": milliseconds(self.derived),
-            "plan_ms": milliseconds(self.planned),
+            "derive_ms": milliseconds(self.derive_time),
+            "plan_ms": milliseconds(self.plan_time),
         })
     }
 
@@ -85,14 +85,14 @@ impl PlanSheet {
         page.line("");
         let titles = COLUMNS.map(|(title, _)| title.to_owned());
         page.line(&row("object", &titles));
-        for object in &self.objects.list {
-            let label = self.label(object);
+        for (name, cost) in &self.functions {
+            let label = self.label(name);
             // A long name stands above its numbers.
             if label.chars().count() < NAMES {
-                page.line(&row(&label, &cells(object)));
+                page.line(&row(&label, &cells(*cost)));
             } else {
                 page.line(&label);
-                page.line(&row("", &cells(object)));
+                page.line(&row("", &cells(*cost)));
             }
         }
         page.line("");
@@ -100,11 +100,11 @@ impl PlanSheet {
             page.prose(&note);
         }
         page.prose(&format!(
-            "In this run the map was derived in {:.2} ms and the plans were made in {:.2} ms.",
-            milliseconds(self.derived),
-            milliseconds(self.planned)
+            "In this run the map was derived in {:.2} ms and the step was planned in {:.2} ms.",
+            milliseconds(self.derive_time),
+            milliseconds(self.plan_time)
         ));
-        if self.objects.map.is_none() {
+        if self.derived.map.is_none() {
             page.line("");
             page.prose(&format!(
                 "N and D are beyond the budget ({TERM_BUDGET} terms, and the work that derives them), so det A and (N, D) are \
@@ -127,13 +127,15 @@ impl PlanSheet {
         }
     }
 
-    fn label(&self, object: &Object) -> String {
-        match &self.objects.step {
-            Some(step) if object.name == "prepared constants" => {
-                format!("{} ({})", object.name, step.constants.outputs.len())
-            }
-            _ => object.name.clone(),
-        }
+    /// Constants with their number.
+    fn label(&self, name: &str) -> String {
+        let step = self.derived.step();
+        let counted = match name {
+            "prepared constants" => step,
+            "general constants" => step.and_then(|step| step.general.as_deref()),
+            _ => None,
+        };
+        counted.map_or_else(|| name.to_owned(), |step| format!("{name} ({})", step.constants.outputs.len()))
     }
 }
 
@@ -191,28 +193,19 @@ fn notes() -> Vec<String> {
         format!(
             "chain: cycles from the inputs to the last result; add {add}, mul {multiply}, fma {fused}, div {divide}."
         ),
-        "bytes, ms: about; machine code of x86-64 without further flags, and rustc's time, optimised."
-            .to_owned(),
-        "step: from a state to the next, the constants being prepared; Jacobian: both over dual numbers."
-            .to_owned(),
+        "step: from a state to the next, the constants being prepared.".to_owned(),
     ]
 }
 
-fn cells(object: &Object) -> [String; 8] {
-    let (Some(cost), Some(estimate)) = (object.cost(), object.estimate()) else {
-        return std::array::from_fn(|_| "-".to_owned());
-    };
+fn cells(cost: Option<Cost>) -> [String; 6] {
+    let Some(cost) = cost else { return std::array::from_fn(|_| "-".to_owned()) };
     let Cost { additions, multiplications, fused, divisions, chain } = cost;
-    let counts =
-        [additions, multiplications, fused, divisions, cost.operations()].map(|count| count.to_string());
-    let [add, multiply, fused, divide, all] = counts;
-    let bytes = format!("~{}", estimate.bytes);
-    let ms = format!("~{:.1}", estimate.compile_ms);
-    [add, multiply, fused, divide, all, chain.to_string(), bytes, ms]
+    let chain = usize::try_from(chain).unwrap_or(usize::MAX);
+    [additions, multiplications, fused, divisions, cost.operations(), chain].map(|count| count.to_string())
 }
 
 /// A row of the table, the numbers to the right.
-fn row(name: &str, cells: &[String; 8]) -> String {
+fn row(name: &str, cells: &[String; 6]) -> String {
     let mut line = format!("{name:<NAMES$}");
     for (cell, (_, width)) in cells.iter().zip(COLUMNS) {
         line.push_str(&format!("{cell:>width$}"));
@@ -222,8 +215,4 @@ fn row(name: &str, cells: &[String; 8]) -> String {
 
 fn milliseconds(duration: Duration) -> f64 {
     duration.as_secs_f64() * 1e3
-}
-
-fn tenths(value: f64) -> f64 {
-    (value * 10.0).round() / 10.0
 }

@@ -12,8 +12,7 @@ mod lanes;
 #[cfg(test)]
 mod tests;
 
-use crate::WideStep;
-use crate::composition::Method;
+use crate::{Method, WideStep};
 
 use super::columns::Group;
 use super::level::{Instructions, Level, Reciprocal};

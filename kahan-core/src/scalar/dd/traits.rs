@@ -1,11 +1,9 @@
 //! What a Kahan map asks of a number.
 
-use nalgebra::SVector;
 use num_traits::{One, Zero};
 
 use super::{Dd, arithmetic};
-use crate::stable::stable_double_double;
-use crate::{Constant, Lift, Pivot, Scalar, SingularStep};
+use crate::{Constant, Scalar};
 
 impl Zero for Dd {
     #[inline(always)]
@@ -46,7 +44,7 @@ impl Scalar for Dd {
     /// The larger magnitude, for stability; what is not a number is never better.
     #[inline]
     fn is_better_pivot(&self, than: &Self) -> bool {
-        self.magnitude_exceeds(than)
+        self.abs() > than.abs()
     }
 
     #[inline(always)]
@@ -69,30 +67,3 @@ impl Scalar for Dd {
         self.high
     }
 }
-
-impl Pivot for Dd {
-    #[inline]
-    fn magnitude_exceeds(&self, other: &Self) -> bool {
-        self.abs() > other.abs()
-    }
-
-    #[inline]
-    fn is_finite_number(&self) -> bool {
-        self.is_finite()
-    }
-
-    fn stable_step<M, const N: usize>(
-        map: &M,
-        _prepared: &M::Prepared,
-        x: &SVector<Self, N>,
-        eps: &Self,
-    ) -> Result<SVector<Self, N>, SingularStep>
-    where
-        M: Lift<Self, N>,
-    {
-        stable_double_double(map, x, eps)
-    }
-}
-
-#[cfg(feature = "std")]
-impl crate::EnsembleScalar for Dd {}

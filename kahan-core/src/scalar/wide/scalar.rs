@@ -7,7 +7,7 @@ use core::cmp::Ordering;
 use num_traits::{One, Zero};
 
 use super::Wide;
-use crate::{Constant, Pivot, Scalar};
+use crate::{Constant, Scalar};
 
 impl Scalar for Wide {
     fn constant(c: &Constant) -> Self {
@@ -25,20 +25,10 @@ impl Scalar for Wide {
 
     /// The larger magnitude, for stability; what is undefined is never better.
     fn is_better_pivot(&self, than: &Self) -> bool {
-        self.magnitude_exceeds(than)
+        self.compare_magnitudes(than) == Some(Ordering::Greater)
     }
 
     fn approximate(&self) -> f64 {
         self.to_f64()
-    }
-}
-
-impl Pivot for Wide {
-    fn magnitude_exceeds(&self, other: &Self) -> bool {
-        self.compare_magnitudes(other) == Some(Ordering::Greater)
-    }
-
-    fn is_finite_number(&self) -> bool {
-        self.is_defined()
     }
 }

@@ -1,0 +1,92 @@
+//! The plan of a step as text, one line a step: what is printed is what is computed, in that order.
+
+use crate::plan::{Node, Operation, Plan, StepPlan};
+use crate::symbols::Symbols;
+
+use super::names::{constant_names, listed_constants, listed_kernel};
+
+/// A step's plan in lines `name = left + right`; a line with a product and a sum is one multiply-add.
+///
+/// ε stands as `eps`, half the time step; a power of two by a denominator of the map is called `reciprocal_1`, ….
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StepListing {
+    /// What ε and the parameters fix, computed once; a name alone is kept as it is.
+    pub constants: Vec<String>,
+    /// From a state to the numerators and reciprocals.
+    pub kernel: Vec<String>,
+    /// For each component the name of its reciprocal; `None` where it does not divide.
+    pub reciprocals: Vec<Option<String>>,
+    /// x̃ from x, a line a component.
+    pub next: Vec<String>,
+    /// [`StepPlan::holds_to`].
+    pub holds_to: u32,
+}
+
+impl StepListing {
+    /// The listing of a step; `symbols` are those of its field.
+    #[must_use]
+    pub fn of(step: &StepPlan, symbols: &Symbols) -> Self {
+        let prepared = constant_names(&step.constants, symbols);
+        let fixed = listed_constants(&step.constants, symbols, &prepared);
+        let named = listed_kernel(&step.kernel, symbols, &prepared, &fixed);
+        let name = |node: Node| named[node.0].as_str();
+        let (numerators, quotients) = step.kernel.outputs.split_at(symbols.dimension());
+        let reciprocals: Vec<Option<String>> = step
+            .reciprocals
+            .iter()
+            .map(|place| place.map(|index| name(quotients[index]).to_owned()))
+            .collect();
+        let mut hidden = vec![false; step.kernel.operations.len()];
+        let mut next = Vec::with_capacity(numerators.len());
+        let uses = step.kernel.uses();
+        for ((state, &numerator), reciprocal) in symbols.states.iter().zip(numerators).zip(&reciprocals) {
+            let (sign, numerator) = match step.kernel.operations[numerator.0] {
+                Operation::Negate(inner) => {
+                    // A change of sign that becomes a subtraction is no step.
+                    hidden[numerator.0] = uses[numerator.0] == 1;
+                    ('-', inner)
+                }
+                _ => ('+', numerator),
+            };
+            let is_still =
+                matches!(&step.kernel.operations[numerator.0], Operation::Constant(value) if value.is_zero());
+            let numerator = name(numerator);
+            next.push(match reciprocal {
+                Some(reciprocal) => format!("{state}~ = {state} {sign} {numerator}*{reciprocal}"),
+                None if is_still => format!("{state}~ = {state}"),
+                None => format!("{state}~ = {state} {sign} {numerator}"),
+            });
+        }
+        // A prepared constant that is ε or a parameter itself is not computed, but kept.
+        let is_kept = |output: &&Node| matches!(step.constants.operations[output.0], Operation::Input(_));
+        let kept = step.constants.outputs.iter().filter(is_kept).map(|output| fixed[output.0].clone());
+        let constants = kept.chain(lines(&step.constants, &fixed, |_| false)).collect();
+        let kernel = lines(&step.kernel, &named, |index| hidden[index]);
+        StepListing { constants, kernel, reciprocals, next, holds_to: step.holds_to }
+    }
+}
+
+/// A line for each step that is computed and not `hidden`: inputs and literals stand where they are used.
+fn lines(plan: &Plan, names: &[String], hidden: impl Fn(usize) -> bool) -> Vec<String> {
+    let is_literal = |node: Node| matches!(plan.operations[node.0], Operation::Constant(_));
+    let name = |node: Node| names[node.0].as_str();
+    let lines = plan.operations.iter().zip(names).enumerate().filter_map(|(index, (operation, result))| {
+        if hidden(index) {
+            return None;
+        }
+        let right = match *operation {
+            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => return None,
+            Operation::Negate(a) if is_literal(a) => return None,
+            Operation::Negate(a) => format!("-{}", name(a)),
+            Operation::Add(a, b) => format!("{} + {}", name(a), name(b)),
+            Operation::Subtract(a, b) => format!("{} - {}", name(a), name(b)),
+            Operation::Multiply(a, b) => format!("{}*{}", name(a), name(b)),
+            Operation::Divide(a, b) => format!("{}/{}", name(a), name(b)),
+            Operation::MultiplyAdd(a, b, c) => format!("{}*{} + {}", name(a), name(b), name(c)),
+            Operation::MultiplySubtract(a, b, c) => format!("{}*{} - {}", name(a), name(b), name(c)),
+            Operation::SubtractProduct(a, b, c) => format!("{} - {}*{}", name(a), name(b), name(c)),
+        };
+        Some(format!("{result} = {right}"))
+    });
+    lines.collect()
+}

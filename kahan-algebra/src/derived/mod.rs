@@ -1,0 +1,174 @@
+//! Everything of a system that is evaluated, as straight-line plans: they are assembled here and nowhere else.
+//!
+//! In: a checked system. Out: a [`Derived`], in which each plan has a name. Whoever writes code, runs a map, proves
+//! or prints reads it from there, so that all of them compute the same operations in the same order.
+
+mod listing;
+mod names;
+
+use std::sync::OnceLock;
+
+pub use listing::StepListing;
+pub use names::{StepName, StepNames, constant_names};
+
+use crate::field::Field;
+use crate::kahan::{
+    RationalMap, Reduced, bilinear_form, field_jacobian, polarization, scaled_matrix, scaled_rhs,
+};
+use crate::plan::{Node, Plan, PlanBuilder, StepPlan};
+use crate::poly::Polynomial;
+use crate::symbols::Symbols;
+use crate::syntax::ClaimKind;
+use crate::system::System;
+
+/// The plans of a system. Their inputs are states, parameters and ε, which is half the time step.
+#[derive(Clone, Debug)]
+pub struct Derived {
+    /// The system itself.
+    pub system: System,
+    /// What each component of the field divides by, free of states: where one is zero there is no field.
+    pub divisors: Plan,
+    /// f(x), a component a result.
+    pub field: Plan,
+    /// f′(x), row by row.
+    pub field_jacobian: Plan,
+    /// Q(x,y), a component a result; y are the second states.
+    pub bilinear: Plan,
+    /// Q(x,y) + ½B(x+y) + c, a component a result.
+    pub polarized: Plan,
+    /// A(x,ε), row by row.
+    pub matrix: Plan,
+    /// b(x,ε), a component a result.
+    pub rhs: Plan,
+    /// The map as polynomials; `None` beyond the budget of terms.
+    pub map: Option<RationalMap>,
+    /// det A(x,ε), expanded; `None` beyond the budget.
+    pub det_matrix: Option<Plan>,
+    /// (N, D), the numerators before the denominator, unreduced; `None` beyond the budget.
+    pub rational_map: Option<Plan>,
+    /// The numerators of the reduced map before its denominator; `None` where nothing that depends on a state was
+    /// divided out, so that they are (N, D) up to a factor without poles.
+    pub reduced_map: Option<Plan>,
+    /// The integrals that are claimed without `when`, together.
+    pub integrals: Plan,
+    /// Their names, in order.
+    pub integral_names: Vec<String>,
+    /// The density that is claimed without `when`.
+    pub density: Option<Plan>,
+    /// The brackets that are claimed without `when`: name, and the entries above the diagonal row by row.
+    pub brackets: Vec<(String, Plan)>,
+    step: OnceLock<Option<StepPlan>>,
+}
+
+/// Derives the plans of a system.
+///
+/// Cost: that of [`RationalMap::of`], some milliseconds for a system of the catalog; the step is planned when it is
+/// first asked for.
+#[must_use]
+pub fn derive(system: &System) -> Derived {
+    let field = &system.field;
+    let n = field.dimension();
+    let map = RationalMap::of(field);
+    let claims = |kind| system.accessors(kind).map(|claim| (claim.name.text.clone(), &claim.plan));
+    let alone = |plan: &Plan| Plan::together([plan]);
+    Derived {
+        divisors: Plan::of(field.components.iter().map(|component| &component.denominator)),
+        field: over_divisors(field, field.components.iter().map(|component| &component.numerator), 1),
+        field_jacobian: over_divisors(field, field_jacobian(field).iter().flatten(), n),
+        bilinear: over_divisors(field, &bilinear_form(field), 1),
+        polarized: over_divisors(field, &polarization(field), 1),
+        matrix: over_divisors(field, scaled_matrix(field).iter().flatten(), n),
+        rhs: over_divisors(field, &scaled_rhs(field), 1),
+        det_matrix: map.as_ref().map(|map| over_product(map, [&map.denominator])),
+        rational_map: map
+            .as_ref()
+            .map(|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
+        reduced_map: map.as_ref().and_then(|map| reduced_map(&field.symbols, &map.reduced)),
+        map,
+        integrals: Plan::together(claims(ClaimKind::Integral).map(|(_, plan)| plan)),
+        integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
+        density: claims(ClaimKind::Density).next().map(|(_, plan)| alone(plan)),
+        brackets: claims(ClaimKind::Bracket).map(|(name, plan)| (name, alone(plan))).collect(),
+        step: OnceLock::new(),
+        system: system.clone(),
+    }
+}
+
+impl Derived {
+    /// The step in straight lines; `None` where every step eliminates.
+    ///
+    /// Cost: the first call plans it, which takes some milliseconds for a system of the catalog.
+    pub fn step(&self) -> Option<&StepPlan> {
+        self.step.get_or_init(|| StepPlan::of_map(&self.system.field, self.map.as_ref())).as_ref()
+    }
+
+    /// The plan of each function that generated code has, with the words for it: `det A`, `bracket P`. `None` stands
+    /// for elimination in a loop.
+    #[must_use]
+    pub fn functions(&self) -> Vec<(String, Option<Plan>)> {
+        let symbols = &self.system.field.symbols;
+        let some = |name: &str, plan: &Plan| (name.to_owned(), Some(plan.clone()));
+        let perhaps = |name: &str, plan: Option<&Plan>| (name.to_owned(), plan.cloned());
+        let step = self.step();
+        let general = step.and_then(|step| step.general.as_deref());
+        let constants = |step: &StepPlan| step.constants.clone();
+        let next = |step: &StepPlan| step.next(symbols);
+        let mut functions = vec![
+            some("field f", &self.field),
+            some("f'(x)", &self.field_jacobian),
+            some("Q(x,x')", &self.bilinear),
+            some("polarised field", &self.polarized),
+            ("prepared constants".to_owned(), step.map(constants)),
+            ("step".to_owned(), step.map(next)),
+        ];
+        functions.extend(general.into_iter().flat_map(|general| {
+            [
+                ("general constants".to_owned(), Some(constants(general))),
+                ("general step".to_owned(), Some(next(general))),
+            ]
+        }));
+        functions.push(perhaps("det A", self.det_matrix.as_ref()));
+        functions.push(perhaps("(N, D)", self.rational_map.as_ref()));
+        functions.extend(self.reduced_map.iter().map(|plan| some("(N, D) reduced", plan)));
+        if !self.integral_names.is_empty() {
+            functions.push(some("integrals", &self.integrals));
+        }
+        functions.extend(self.density.iter().map(|plan| some("density", plan)));
+        functions.extend(self.brackets.iter().map(|(name, plan)| some(&format!("bracket {name}"), plan)));
+        functions
+    }
+}
+
+/// These numerators, `width` of them over what each component of the field divides by.
+fn over_divisors<'a>(
+    field: &Field,
+    numerators: impl IntoIterator<Item = &'a Polynomial>,
+    width: usize,
+) -> Plan {
+    let mut builder = PlanBuilder::default();
+    let mut outputs: Vec<Node> = Vec::new();
+    for (index, numerator) in numerators.into_iter().enumerate() {
+        let above = builder.polynomial(numerator);
+        let below = builder.polynomial(&field.components[index / width].denominator);
+        outputs.push(builder.divide(above, below));
+    }
+    builder.finish(&outputs)
+}
+
+/// These polynomials over ∏q.
+fn over_product<'a>(map: &RationalMap, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
+    let mut builder = PlanBuilder::default();
+    let below = builder.polynomial(&map.divisor);
+    let mut outputs: Vec<Node> = Vec::new();
+    for polynomial in polynomials {
+        let above = builder.polynomial(polynomial);
+        outputs.push(builder.divide(above, below));
+    }
+    builder.finish(&outputs)
+}
+
+/// The numerators of the reduced map and its denominator, where a factor that depends on states was divided out.
+fn reduced_map(symbols: &Symbols, reduced: &Reduced) -> Option<Plan> {
+    let is_shorter = reduced.common_factor.variables().into_iter().any(|variable| symbols.is_state(variable));
+    is_shorter.then(|| Plan::of(reduced.numerators(symbols).iter().chain([&reduced.denominator])))
+}

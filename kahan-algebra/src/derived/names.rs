@@ -1,0 +1,138 @@
+//! Names for the steps of a plan, by what they compute: `two_eps`, `eps_a1`, `one_plus_eps_x`.
+//!
+//! Generated code and listings call a step the same; what has no short description is numbered.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::plan::{Node, Operation, Plan, descriptions, kind};
+use crate::symbols::Symbols;
+
+/// What a step is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum StepName {
+    /// By what it computes.
+    Described(String),
+    /// By its kind, `sum` or `product`, and a number.
+    Numbered(&'static str, usize),
+}
+
+/// The names given so far in one plan, no two alike.
+#[derive(Clone, Debug)]
+pub struct StepNames {
+    /// What each step could be called.
+    descriptions: Vec<Option<String>>,
+    kinds: Vec<&'static str>,
+    taken: BTreeSet<String>,
+    /// How many steps of each kind have been numbered.
+    numbered: BTreeMap<&'static str, usize>,
+}
+
+impl StepNames {
+    /// For a plan; `prepared` are the names of its prepared constants.
+    #[must_use]
+    pub fn of(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Self {
+        StepNames {
+            descriptions: descriptions(plan, symbols, prepared),
+            kinds: (0..plan.operations.len()).map(|index| kind(plan, Node(index))).collect(),
+            taken: BTreeSet::new(),
+            numbered: BTreeMap::new(),
+        }
+    }
+
+    /// The same without the names in `taken`.
+    #[must_use]
+    pub fn without(self, taken: impl IntoIterator<Item = String>) -> Self {
+        StepNames { taken: taken.into_iter().collect(), ..self }
+    }
+
+    /// Names a step. Two steps may have one description: then the second is numbered.
+    pub fn name(&mut self, step: Node) -> StepName {
+        self.name_as(step, self.kinds[step.0])
+    }
+
+    /// The same; where it is numbered, it is one of `what`.
+    fn name_as(&mut self, step: Node, what: &'static str) -> StepName {
+        if let Some(text) = self.descriptions[step.0].clone().filter(|text| self.taken.insert(text.clone())) {
+            return StepName::Described(text);
+        }
+        loop {
+            let number = self.numbered.entry(what).or_default();
+            *number += 1;
+            let name = StepName::Numbered(what, *number);
+            if self.taken.insert(name.to_string()) {
+                return name;
+            }
+        }
+    }
+}
+
+impl std::fmt::Display for StepName {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            StepName::Described(text) => f.write_str(text),
+            StepName::Numbered(what, number) => write!(f, "{what}_{number}"),
+        }
+    }
+}
+
+/// A name for each prepared constant, no two alike: ε and a parameter keep their own.
+#[must_use]
+pub fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
+    let mut names = StepNames::of(constants, symbols, &[]).without(symbol_names(symbols));
+    let name = |output: &Node| match constants.operations[output.0] {
+        Operation::Input(variable) => symbols.name(variable),
+        _ => names.name_as(*output, "constant").to_string(),
+    };
+    constants.outputs.iter().map(name).collect()
+}
+
+/// A name for each step of the plan of prepared constants, whose results are called `prepared`.
+pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<String> {
+    let taken = symbol_names(symbols).chain(prepared.iter().cloned());
+    let steps = StepNames::of(plan, symbols, &[]).without(taken);
+    let place = |step: Node| plan.outputs.iter().position(|output| *output == step);
+    listed(plan, symbols, steps, |step| place(step).map(|place| prepared[place].clone()))
+}
+
+/// A name for each step of a kernel: none of the names in `constants`, which `prepared` are among.
+pub(super) fn listed_kernel(
+    plan: &Plan,
+    symbols: &Symbols,
+    prepared: &[String],
+    constants: &[String],
+) -> Vec<String> {
+    let taken = symbol_names(symbols).chain(constants.iter().cloned());
+    let steps = StepNames::of(plan, symbols, prepared).without(taken);
+    listed(plan, symbols, steps, |step| match plan.operations[step.0] {
+        Operation::Prepared(place) => Some(prepared[place].clone()),
+        _ => None,
+    })
+}
+
+/// The names of all steps in their order; literals are their values.
+fn listed(
+    plan: &Plan,
+    symbols: &Symbols,
+    mut steps: StepNames,
+    known: impl Fn(Node) -> Option<String>,
+) -> Vec<String> {
+    let mut names: Vec<String> = Vec::with_capacity(plan.operations.len());
+    for (index, operation) in plan.operations.iter().enumerate() {
+        let name = known(Node(index)).unwrap_or_else(|| match *operation {
+            Operation::Input(variable) => symbols.name(variable),
+            Operation::Constant(ref value) if value.is_integer() => value.to_string(),
+            Operation::Constant(ref value) => format!("({value})"),
+            Operation::Negate(a) if matches!(plan.operations[a.0], Operation::Constant(_)) => {
+                format!("(-{})", names[a.0])
+            }
+            _ => steps.name(Node(index)).to_string(),
+        });
+        names.push(name);
+    }
+    names
+}
+
+/// The names of all variables of a field.
+fn symbol_names(symbols: &Symbols) -> impl Iterator<Item = String> {
+    symbols.states.iter().chain(&symbols.parameters).cloned().chain(["eps".to_owned()])
+}

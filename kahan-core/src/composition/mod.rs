@@ -1,0 +1,172 @@
+//! Compositions: one step of higher order made of several steps of Kahan's map.
+//!
+//! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε.
+//! φ_ε is symmetric (its inverse is φ₋ε), so a symmetric composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with Σγ = 1 is symmetric too, has an
+//! even order, and reaches order p where its coefficients satisfy the order conditions. Nothing is adapted while it runs:
+//! the coefficients are data ([`coefficients`]), and tests check both their conditions and the order that is measured.
+
+mod coefficients;
+mod composed_at;
+mod composed_orbit;
+mod stages;
+
+use core::fmt;
+
+use crate::{Constant, FloatScalar, KahanMap, StepCost};
+
+pub use composed_at::{ComposedAt, PreparedMap};
+pub use stages::Composed;
+use stages::Palindrome;
+
+/// A symmetric composition of Kahan's map with coefficients γ₁, …, γₛ, γᵢ = γₛ₊₁₋ᵢ: the step with ε is made of the steps with
+/// γ₁ε, …, γₛε, in this order.
+///
+/// The constants below are all compositions there are; their coefficients have 40 digits.
+///
+/// # What survives
+/// - **Reversibility**: the inverse is the composition with −ε.
+/// - **Affine equivariance** and **linear integrals**: as of Kahan's map.
+/// - **Integrals and invariant measures that do not depend on ε**: y/x of E1 and E3; and the ratio H/K of two
+///   integrals whose dependence on ε cancels (E2, E4, E5, E6, the Euler top).
+///
+/// # What does not
+/// - **Integrals and measures that depend on ε**: each stage conserves its own, at γᵢε, and the composition none of them. H and K of
+///   E2, E4, E5, E6 and the Euler top each oscillate by O(εᵖ) about the flow's integral, without a drift.
+/// - **Exactness**: the coefficients are irrational, so a composition exists over floats only.
+/// - **An ε of few bits** ([`nearest_short_eps`](crate::nearest_short_eps)): γᵢε is rounded.
+///
+/// # Cost
+/// s steps each; the (s + 1)/2 different ones are prepared once. Σ|γᵢ| says how much further than 2ε the stages go
+/// together: the smaller, the less an order costs in accuracy. Some γᵢ are negative, so a composition also steps back, and may meet
+/// a pole where the plain step does not.
+///
+/// | constant | order | stages | Σ\|γ\| |
+/// |---|---|---|---|
+/// | [`KAHAN`](Self::KAHAN) | 2 | 1 | 1 |
+/// | [`TRIPLE_JUMP`](Self::TRIPLE_JUMP) | 4 | 3 | 4.40 |
+/// | [`SUZUKI_4`](Self::SUZUKI_4) | 4 | 5 | 2.32 |
+/// | [`KAHAN_LI_6`](Self::KAHAN_LI_6) | 6 | 9 | 3.82 |
+/// | [`SUZUKI_UMENO_8`](Self::SUZUKI_UMENO_8) | 8 | 15 | 6.53 |
+/// | [`KAHAN_LI_8`](Self::KAHAN_LI_8) | 8 | 17 | 5.35 |
+#[derive(Clone, Copy)]
+pub struct Composition {
+    name: &'static str,
+    order: u32,
+    /// γ₁, …, γ_{(s+1)/2}: the last is the middle one.
+    first_half: &'static [Constant],
+}
+
+/// What survives and what does not is the same for all; see above.
+impl Composition {
+    /// Kahan's map itself: order 2, one stage.
+    pub const KAHAN: Self = Self::new("KAHAN", 2, &coefficients::KAHAN);
+
+    /// Order 4 with 3 stages, the fewest; γ₁ = 1/(2 − 2^{1/3}), Σ|γ| = 4.40.
+    ///
+    /// For reference: [`SUZUKI_4`](Self::SUZUKI_4) is more accurate for its cost. M. Creutz, A. Gocksch, Phys. Rev. Lett. 63 (1989)
+    /// 9; E. Forest, R. D. Ruth, Physica D 43 (1990) 105; H. Yoshida, Phys. Lett. A 150 (1990) 262.
+    pub const TRIPLE_JUMP: Self = Self::new("TRIPLE_JUMP", 4, &coefficients::TRIPLE_JUMP);
+
+    /// Order 4 with 5 stages, γ₁ = γ₂ = 1/(4 − 4^{1/3}), Σ|γ| = 2.32: the choice at order 4.
+    ///
+    /// M. Suzuki, Phys. Lett. A 146 (1990) 319.
+    pub const SUZUKI_4: Self = Self::new("SUZUKI_4", 4, &coefficients::SUZUKI_4);
+
+    /// Order 6 with 9 stages, Σ|γ| = 3.82, known as s9odr6a.
+    ///
+    /// W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
+    pub const KAHAN_LI_6: Self = Self::new("KAHAN_LI_6", 6, &coefficients::KAHAN_LI_6);
+
+    /// Order 8 with 15 stages, the fewest, Σ|γ| = 6.53.
+    ///
+    /// For reference: [`KAHAN_LI_8`](Self::KAHAN_LI_8) is more accurate for its cost. M. Suzuki, K. Umeno, in Computer Simulation
+    /// Studies in Condensed-Matter Physics VI (1993) 74; R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
+    pub const SUZUKI_UMENO_8: Self = Self::new("SUZUKI_UMENO_8", 8, &coefficients::SUZUKI_UMENO_8);
+
+    /// Order 8 with 17 stages, Σ|γ| = 5.35, known as s17odr8a: the choice at order 8.
+    ///
+    /// W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
+    pub const KAHAN_LI_8: Self = Self::new("KAHAN_LI_8", 8, &coefficients::KAHAN_LI_8);
+
+    /// All of them, by order and number of stages.
+    pub const ALL: [Self; 6] = [
+        Self::KAHAN,
+        Self::TRIPLE_JUMP,
+        Self::SUZUKI_4,
+        Self::KAHAN_LI_6,
+        Self::SUZUKI_UMENO_8,
+        Self::KAHAN_LI_8,
+    ];
+
+    const fn new(name: &'static str, order: u32, first_half: &'static [Constant]) -> Self {
+        assert!(!first_half.is_empty() && first_half.len() <= Palindrome::<()>::MOST);
+        Self { name, order, first_half }
+    }
+
+    /// The composition to take at this order: [`KAHAN`](Self::KAHAN), [`SUZUKI_4`](Self::SUZUKI_4),
+    /// [`KAHAN_LI_6`](Self::KAHAN_LI_6) or [`KAHAN_LI_8`](Self::KAHAN_LI_8); `None` for any other order.
+    pub const fn of_order(order: u32) -> Option<Self> {
+        match order {
+            2 => Some(Self::KAHAN),
+            4 => Some(Self::SUZUKI_4),
+            6 => Some(Self::KAHAN_LI_6),
+            8 => Some(Self::KAHAN_LI_8),
+            _ => None,
+        }
+    }
+
+    /// The constant's name, as written in Rust.
+    pub const fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// The order p: the error of one step is O(εᵖ⁺¹), that at a fixed time O(εᵖ).
+    pub const fn order(&self) -> u32 {
+        self.order
+    }
+
+    /// The number s of stages.
+    pub const fn stages(&self) -> usize {
+        2 * self.first_half.len() - 1
+    }
+
+    /// γ₁, …, γₛ, exact decimals of 40 digits after the point whose sum is exactly 1.
+    pub fn coefficients(&self) -> impl DoubleEndedIterator<Item = &'static Constant> + ExactSizeIterator {
+        let (half, last) = (self.first_half, self.stages() - 1);
+        (0..self.stages()).map(move |k| &half[k.min(last - k)])
+    }
+
+    /// What a step costs, from the cost of one stage.
+    pub const fn cost(&self, stage: StepCost) -> StepCost {
+        let stages = self.stages() as u32;
+        StepCost {
+            operations: stages * stage.operations,
+            divisions: stages * stage.divisions,
+            chain: stages * stage.chain,
+        }
+    }
+
+    /// The stages of `map` at ε.
+    pub(crate) fn stages_of<M, T, const N: usize>(&self, map: &M, eps: T) -> Palindrome<M::Prepared>
+    where
+        M: KahanMap<T, N>,
+        T: FloatScalar,
+    {
+        Palindrome::new(self.first_half.len(), |k| map.prepare(&(T::constant(&self.first_half[k]) * eps)))
+    }
+}
+
+/// Two are the same constant.
+impl PartialEq for Composition {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Composition {}
+
+impl fmt::Debug for Composition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Composition::{}", self.name)
+    }
+}

@@ -1,0 +1,203 @@
+//! Linear algebra on small matrices over any scalar.
+//!
+//! In: matrices whose size is part of the type, by value. Out: solutions, determinants, products with the adjugate.
+//! [`solve`] and [`determinant`] eliminate with partial pivoting; [`determinant_and_adjugate_product`] uses ring
+//! operations only, so it has no poles. Nothing allocates beyond what the scalar's own operations do, and nothing
+//! but [`Scalar`] is asked of the entries: no order, no square root.
+
+use core::array::from_fn;
+
+use nalgebra::{ArrayStorage, SMatrix, SVector};
+
+use crate::Scalar;
+
+/// The solution X of A·X = B, or `None` if A is singular and the scalar has no reciprocal of zero.
+///
+/// Floats always get an answer; for a singular matrix it is not finite.
+pub(crate) fn solve<T: Scalar, const N: usize, const M: usize>(
+    mut a: SMatrix<T, N, N>,
+    mut b: SMatrix<T, N, M>,
+) -> Option<SMatrix<T, N, M>> {
+    for k in 0..N {
+        let row = pivot_row(&a, k);
+        a.swap_rows(k, row);
+        b.swap_rows(k, row);
+        // The pivot itself is not needed again: its reciprocal takes its place.
+        let reciprocal = a[(k, k)].reciprocal()?;
+        for i in k + 1..N {
+            let factor = a[(i, k)].clone() * reciprocal.clone();
+            subtract_row(&mut a, i, k, k + 1, &factor);
+            subtract_row(&mut b, i, k, 0, &factor);
+        }
+        a[(k, k)] = reciprocal;
+    }
+    for k in (0..N).rev() {
+        for j in 0..M {
+            let mut entry = b[(k, j)].clone();
+            for i in k + 1..N {
+                entry -= a[(k, i)].clone() * b[(i, j)].clone();
+            }
+            b[(k, j)] = entry * a[(k, k)].clone();
+        }
+    }
+    Some(b)
+}
+
+/// det A; 0 for a singular matrix in every scalar.
+pub(crate) fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
+    let mut determinant = T::one();
+    for k in 0..N {
+        // All entries, not the pivot alone: beside an entry that is not a number, a zero pivot proves nothing.
+        if (k..N).all(|i| a[(i, k)].is_zero()) {
+            return T::zero();
+        }
+        let row = pivot_row(&a, k);
+        if row != k {
+            a.swap_rows(k, row);
+            determinant = -determinant;
+        }
+        determinant *= a[(k, k)].clone();
+        if k + 1 < N {
+            let Some(reciprocal) = a[(k, k)].reciprocal() else { return T::zero() };
+            for i in k + 1..N {
+                let factor = a[(i, k)].clone() * reciprocal.clone();
+                subtract_row(&mut a, i, k, k + 1, &factor);
+            }
+        }
+    }
+    determinant
+}
+
+/// (adj(A)·b, det A) without a division.
+///
+/// With C = I − A and χ(λ) = λᴺ + c₁λᴺ⁻¹ + … + c_N its characteristic polynomial,
+///
+///   det A = χ(1),   adj(A)·b = Σ v_k (k < N),   v₀ = b,   v_k = C·v_{k−1} + c_k·b,
+///
+/// the second by the theorem of Cayley and Hamilton. For Kahan's A = I − εf′ the terms have the size of εᵏ, so
+/// starting from C rather than A avoids the cancellation of binomials. O(N⁴) operations.
+pub(crate) fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
+    a: &SMatrix<T, N, N>,
+    b: &SVector<T, N>,
+) -> (SVector<T, N>, T) {
+    let c = SMatrix::<T, N, N>::from_fn(|i, j| {
+        let entry = -a[(i, j)].clone();
+        if i == j { T::one() + entry } else { entry }
+    });
+    let coefficients = characteristic_coefficients(&c);
+
+    let mut power = b.clone();
+    let mut product = b.clone();
+    for coefficient in coefficients.iter().take(N.saturating_sub(1)) {
+        power = SVector::from_fn(|i, _| {
+            let mut entry = coefficient.clone() * b[i].clone();
+            for j in 0..N {
+                entry += c[(i, j)].clone() * power[j].clone();
+            }
+            entry
+        });
+        for i in 0..N {
+            product[i] += power[i].clone();
+        }
+    }
+    let determinant = coefficients.into_iter().fold(T::one(), |sum, coefficient| sum + coefficient);
+    (product, determinant)
+}
+
+/// c₁ … c_N of det(λI − C) = λᴺ + c₁λᴺ⁻¹ + … + c_N, by the algorithm of Samuelson and Berkowitz.
+///
+/// The leading block of size m+1 is [[C_m, s], [r, d]]; its coefficients are those of C_m multiplied by the Toeplitz
+/// matrix of 1, −d, −r·s, −r·C_m·s, −r·C_m²·s, … (S. J. Berkowitz, Inf. Process. Lett. 18 (1984) 147–150).
+fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) -> [T; N] {
+    let mut coefficients: [T; N] = from_fn(|_| T::zero());
+    for m in 0..N {
+        let toeplitz = toeplitz_column(c, m);
+        // new_k = t_k + old_k + Σ t_{k−j}·old_j (1 ≤ j < k); entry k of each array is the one of index k+1.
+        let old = coefficients;
+        coefficients = from_fn(|k| {
+            if k > m {
+                return T::zero();
+            }
+            let mut entry = toeplitz[k].clone();
+            if k < m {
+                entry += old[k].clone();
+            }
+            for j in 0..k {
+                entry += toeplitz[k - 1 - j].clone() * old[j].clone();
+            }
+            entry
+        });
+    }
+    coefficients
+}
+
+/// −d, −r·s, −r·C_m·s, …, −r·C_m^(m−1)·s for the leading block of size m+1; zeros after.
+fn toeplitz_column<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, m: usize) -> [T; N] {
+    let mut power: [T; N] = from_fn(|i| if i < m { c[(i, m)].clone() } else { T::zero() });
+    from_fn(|k| {
+        if k > m {
+            return T::zero();
+        }
+        if k == 0 {
+            return -c[(m, m)].clone();
+        }
+        if k > 1 {
+            let next = from_fn(|i| if i < m { row_times(c, i, m, &power) } else { T::zero() });
+            power = next;
+        }
+        -row_times(c, m, m, &power)
+    })
+}
+
+/// Σ c_ij·v_j over j < m.
+fn row_times<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>, i: usize, m: usize, v: &[T; N]) -> T {
+    let mut sum = T::zero();
+    for j in 0..m {
+        sum += c[(i, j)].clone() * v[j].clone();
+    }
+    sum
+}
+
+/// The row at or below k whose entry in column k is the best to divide by; of equals, the first.
+fn pivot_row<T: Scalar, const N: usize>(a: &SMatrix<T, N, N>, k: usize) -> usize {
+    (k + 1..N).fold(k, |best, i| if a[(i, k)].is_better_pivot(&a[(best, k)]) { i } else { best })
+}
+
+/// row i −= factor · row k, from column `from` on.
+fn subtract_row<T: Scalar, const N: usize, const M: usize>(
+    a: &mut SMatrix<T, N, M>,
+    i: usize,
+    k: usize,
+    from: usize,
+    factor: &T,
+) {
+    for j in from..M {
+        let product = factor.clone() * a[(k, j)].clone();
+        a[(i, j)] -= product;
+    }
+}
+
+/// x̃ − x = 2ε·A(x,ε)⁻¹·f(x) by elimination.
+#[inline]
+pub(crate) fn increment_by_elimination<T: Scalar, const N: usize>(
+    matrix: SMatrix<T, N, N>,
+    field: SVector<T, N>,
+    eps: &T,
+) -> Option<SVector<T, N>> {
+    let velocity = solve(matrix, field)?;
+    let dt = eps.clone() + eps.clone();
+    Some(SVector::from_fn(|i, _| dt.clone() * velocity[i].clone()))
+}
+
+/// A vector from its entries.
+#[inline(always)]
+pub fn vector<T, const N: usize>(entries: [T; N]) -> SVector<T, N> {
+    SVector::from_array_storage(ArrayStorage([entries]))
+}
+
+/// The entries of a vector, to be bound to names by a pattern.
+#[inline(always)]
+pub fn components<T, const N: usize>(vector: &SVector<T, N>) -> &[T; N] {
+    let [entries] = &vector.data.0;
+    entries
+}

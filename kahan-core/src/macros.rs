@@ -1,0 +1,66 @@
+//! `kahan!`, a wrapper that hands `$crate` to the procedural macro, so that a renamed dependency keeps working, and `vector!`, our
+//! own: nalgebra's expands to paths that begin with `nalgebra::`, which a user need not depend on.
+
+/// Turns a quadratic system of differential equations into its Kahan map.
+///
+/// [The language](crate::language) is a chapter of its own: grammar, claims, `when`, limits,
+/// examples. In short:
+///
+/// A block is an optional header, then one equation `NAMEdot = expression;` for each state variable, then claims.
+/// Expressions are polynomials of degree at most 2 in the variables, with the usual precedence: `x^2 - z^2` is
+/// (x²) − (z²), and every number is exact (`1/2` is one half, `0.1` one tenth).
+///
+/// - With a header, `struct Name;` or `struct Name { a, b }`, the block becomes that struct (`Name<T>` with one
+///   public field for each parameter) and its implementations of [`QuadraticField`](crate::QuadraticField),
+///   [`KahanMap`](crate::KahanMap) and [`Named`](crate::Named).
+/// - Without one, it is an expression: a value of an anonymous type that captures its parameters from the scope.
+///
+/// `integral NAME = expression;` claims a function that the map leaves unchanged, `density` an
+/// invariant measure, `bracket` a Poisson tensor. They are proved while compiling, and a false
+/// claim does not compile; `eps` in them is ε, **half** the time step.
+///
+/// ```
+/// use kahan_core::prelude::*;
+///
+/// kahan! {
+///     /// The system E6: two compatible Lie-Poisson structures, integrable as a flow and as a map.
+///     pub struct E6;
+///     xdot = y*(2*z - x);
+///     ydot = x^2 - z^2;
+///     zdot = y*(z - 2*x);
+///     integral h = (x*z + y^2)/(1 - 3*eps^2*x*z);
+///     integral k = 1/2*(x^2 + y^2 + z^2)/(1 - 3*eps^2*x*z);
+/// }
+///
+/// let eps = 0.005_f64; // a time step of 0.01
+/// let start = vector![0.3, 0.8, 0.5];
+/// let before = E6.integrals(&start, eps);
+///
+/// let end = E6.orbit(start, eps).nth(1000).unwrap();
+/// let after = E6.integrals(&end, eps);
+/// assert!((after - before).norm() < 1e-12);
+///
+/// // The inverse of a step is the step with −ε.
+/// assert!((E6.step_back(&E6.step(&start, eps), eps) - start).norm() < 1e-15);
+/// ```
+#[macro_export]
+macro_rules! kahan {
+    ($($tokens:tt)*) => {
+        $crate::__private::kahan_derive::kahan! { [$crate] $($tokens)* }
+    };
+}
+
+/// A state from its entries, of any scalar: `vector![1.0, 2.0]` is an `SVector<f64, 2>`.
+///
+/// ```
+/// use kahan_core::prelude::*;
+///
+/// let x: SVector<f64, 3> = vector![1.0, 0.5, -2.0];
+/// assert_eq!(x[2], -2.0);
+/// ```
+#[macro_export]
+macro_rules! vector {
+    ($($entry:expr),* $(,)?) => {
+        $crate::__private::vector([$($entry),*])
+    };
+}

@@ -1,0 +1,107 @@
+//! The step of a map that has no closed form.
+//!
+//! In: a map and ε. Out: increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), by elimination with partial pivoting at every state.
+//! It suits every field, written by hand or too large to be reduced while compiling. Where det A(x,ε) = 0 it has no
+//! value, although the reduced map may have one.
+
+use core::array::from_fn;
+
+use nalgebra::SVector;
+
+use crate::field::linear::increment_by_elimination;
+use crate::{KahanMap, PreparedStep, Quotients, Scalar, WideStep};
+
+/// The prepared step of any map M: it holds the map and ε, half the time step, and eliminates at every state.
+///
+/// Cost: A(x,ε), f(x), and about N³/3 multiplications and N divisions a step. A map that is written by hand is a
+/// [`KahanMap`] with two lines:
+///
+/// ```
+/// use kahan_core::prelude::*;
+/// use kahan_core::{Elimination, QuadraticField};
+///
+/// /// ẋ = −x².
+/// #[derive(Clone)]
+/// struct Decay;
+///
+/// impl QuadraticField<f64, 1> for Decay {
+///     fn field(&self, x: &SVector<f64, 1>) -> SVector<f64, 1> {
+///         self.polarized(x, x)
+///     }
+///     fn field_jacobian(&self, x: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
+///         -2.0 * x
+///     }
+///     fn bilinear(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> SVector<f64, 1> {
+///         vector![-x[0] * y[0]]
+///     }
+///     fn polarized(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> SVector<f64, 1> {
+///         self.bilinear(x, y)
+///     }
+/// }
+///
+/// impl KahanMap<f64, 1> for Decay {
+///     type Prepared = Elimination<Self, f64>;
+///     fn prepare(&self, eps: &f64) -> Self::Prepared {
+///         Elimination::new(self.clone(), *eps)
+///     }
+/// }
+///
+/// // Kahan's map is exact on this field: 1/x̃ = 1/x + 2ε.
+/// assert!((Decay.step(&vector![0.5], 0.25)[0] - 0.4).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Elimination<M, T> {
+    map: M,
+    eps: T,
+}
+
+impl<M, T> Elimination<M, T> {
+    /// The step of `map` at `eps`, half the time step.
+    #[inline]
+    pub fn new(map: M, eps: T) -> Self {
+        Self { map, eps }
+    }
+}
+
+impl<M, T, const N: usize> PreparedStep<T, N> for Elimination<M, T>
+where
+    M: KahanMap<T, N>,
+    T: Scalar,
+{
+    /// `None` where det A(x,ε) = 0, for a scalar that has no reciprocal of zero.
+    #[inline]
+    fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
+        let Self { map, eps } = self;
+        let increment = increment_by_elimination(map.matrix(x, eps.clone()), map.field(x), eps)?;
+        let [numerators] = increment.data.0;
+        Some(Quotients { numerators, reciprocals: from_fn(|_| None) })
+    }
+}
+
+impl<M, T, const N: usize> WideStep<T, N> for Elimination<M, T>
+where
+    M: KahanMap<T, N>,
+    T: Scalar,
+{
+    const HAS_LANES: bool = false;
+
+    type Wide<L: Scalar> = NoLanes;
+
+    /// # Panics
+    /// Always: `HAS_LANES` is false.
+    fn widen<L: Scalar>(&self, _spread: impl Fn(&T) -> L) -> NoLanes {
+        panic!(
+            "a step by elimination chooses its pivots by comparing, so it has no lanes: step each state alone"
+        )
+    }
+}
+
+/// The wide step of a step without lanes: there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoLanes {}
+
+impl<L: Scalar, const N: usize> PreparedStep<L, N> for NoLanes {
+    fn quotients(&self, _x: &SVector<L, N>) -> Option<Quotients<L, N>> {
+        match *self {}
+    }
+}

@@ -1,0 +1,125 @@
+//! Orbits of homogeneous fields with ε scaled out.
+//!
+//! In: an orbit of a field f with f(λx) = λ²f(x). Out: the same points, computed at ε = 1.
+
+use core::array::from_fn;
+
+use nalgebra::SVector;
+
+use crate::field::linear::vector;
+use crate::{FloatScalar, KahanMap, Single};
+
+use super::{Accumulation, Compensated, Orbit, Rounded};
+
+/// The orbit of a homogeneous field through its scaled form; made by [`Orbit::scaled`].
+///
+/// (x, ε) ↦ (λx, ε/λ) is a symmetry of the map where f is homogeneous, so X = εx is stepped at ε = 1, and x = X/ε is
+/// yielded. Neither ε nor a power of it is then rounded in a step: what remains are the parameters. There is no composed form, whose
+/// stages would take rounded coefficients again.
+#[derive(Clone, Debug)]
+#[must_use = "an orbit computes nothing until it is iterated"]
+pub struct Scaled<M, T, const N: usize, A = Rounded>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+    A: Accumulation,
+{
+    orbit: Orbit<M, T, N, Single, A>,
+    eps: T,
+}
+
+impl<M, T, const N: usize> Orbit<M, T, N>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+{
+    /// The same orbit with ε scaled out, from where it is; `None` where the field has a linear or a constant part.
+    ///
+    /// For long runs at an ε whose powers round badly, when ε is not free to be a
+    /// [short one](crate::nearest_short_eps). Every point is rounded twice more than the orbit it is taken from, at the
+    /// beginning (X = εx) and where it is yielded (x = X/ε), unless ε is a power of two; these do not add up.
+    ///
+    /// Cost: a division a component and point yielded.
+    ///
+    /// ```
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! {
+    ///     /// A free rigid body.
+    ///     pub struct Top;
+    ///     xdot = y*z;
+    ///     ydot = -2*z*x;
+    ///     zdot = x*y;
+    /// }
+    ///
+    /// let start = vector![0.5, 1.0, 0.25];
+    /// let x = Top.orbit(start, 0.05).scaled().unwrap().compensated().nth(1000).unwrap();
+    /// let same = Top.orbit(start, 0.05).compensated().nth(1000).unwrap();
+    /// assert!((x - same).amax() < 1e-13);
+    /// ```
+    pub fn scaled(self) -> Option<Scaled<M, T, N>> {
+        let origin = vector(from_fn(|_| T::zero()));
+        let is_zero = |entry: &T| entry.is_zero();
+        let is_homogeneous = self.map.field(&origin).iter().all(is_zero)
+            && self.map.field_jacobian(&origin).iter().all(is_zero);
+        if !is_homogeneous {
+            return None;
+        }
+        let Self { map, eps, state, begun, .. } = self;
+        let point = vector(from_fn(|i| eps * state[i]));
+        let mut orbit = map.orbit(point, T::one());
+        orbit.begun = begun;
+        Some(Scaled { orbit, eps })
+    }
+}
+
+impl<M, T, A, const N: usize> Scaled<M, T, N, A>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+    A: Accumulation,
+{
+    /// ε, half the time step of the points that are yielded.
+    pub fn eps(&self) -> T {
+        self.eps
+    }
+
+    /// The orbit of X = εx at ε = 1: an integral is best evaluated there.
+    pub fn into_inner(self) -> Orbit<M, T, N, Single, A> {
+        self.orbit
+    }
+
+    fn unscaled(&self, point: SVector<T, N>) -> SVector<T, N> {
+        vector(from_fn(|i| point[i] / self.eps))
+    }
+}
+
+impl<M, T, const N: usize> Scaled<M, T, N>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+{
+    /// As [`Orbit::compensated`].
+    pub fn compensated(self) -> Scaled<M, T, N, Compensated> {
+        Scaled { orbit: self.orbit.compensated(), eps: self.eps }
+    }
+}
+
+impl<M, T, A, const N: usize> Iterator for Scaled<M, T, N, A>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+    A: Accumulation,
+{
+    type Item = SVector<T, N>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        self.orbit.next().map(|point| self.unscaled(point))
+    }
+
+    #[inline]
+    fn nth(&mut self, n: usize) -> Option<Self::Item> {
+        self.orbit.nth(n).map(|point| self.unscaled(point))
+    }
+}

@@ -1,0 +1,130 @@
+//! One run of a step over bounded values.
+
+use core::array::from_fn;
+
+use nalgebra::SVector;
+
+use num_traits::{One, Zero};
+
+use crate::field::linear::vector;
+use crate::scalar::bounded::{Bounded, Magnitude, Pair, Working, power_of_two, underflow};
+use crate::{KahanMap, Pivot, PreparedStep, Quotients};
+
+/// A next state, and what the error of any of its components is at most, their own last roundings apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Attempt<V: Working, const N: usize> {
+    pub(super) next: [V; N],
+    error: V::Magnitude,
+    /// The binary exponent that no input may exceed, see [`Bounded::largest_input`].
+    largest_input: u32,
+}
+
+impl<V: Working, const N: usize> Attempt<V, N> {
+    /// By the increment form, with the operations and the bits of the fast step, each component handed to `finish`; `None` where a
+    /// denominator may be zero.
+    #[inline(always)]
+    pub(super) fn by_increments<P, M>(
+        map: &M,
+        x: &SVector<Bounded<V, P>, N>,
+        eps: Bounded<V, P>,
+        finish: impl Fn(V) -> V,
+    ) -> Option<Self>
+    where
+        P: Pair<V>,
+        M: KahanMap<Bounded<V, P>, N>,
+    {
+        let Quotients { numerators, reciprocals } = map.prepare(&eps).quotients(x)?;
+        let roundings = numerators.iter().map(Bounded::roundings).fold(0, u32::max);
+        let values = Quotients {
+            numerators: numerators.map(|numerator| numerator.value()),
+            reciprocals: reciprocals.map(|reciprocal| reciprocal.map(|reciprocal| reciprocal.value())),
+        };
+        let [next] = values.finished(&vector(from_fn(|i| x[i].value())), finish).data.0;
+        let underflow = V::Magnitude::of(underflow::<V>(roundings));
+        let magnitudes = numerators.map(|numerator| numerator.magnitude());
+        // An increment that is a quotient itself is a product with 1. Not by `map`: its closure would be too large for compilers to
+        // inline.
+        let mut weights = [V::Magnitude::zero(); N];
+        for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
+            *weight = match reciprocal {
+                Some(reciprocal) => reciprocal.weight(roundings),
+                None => Bounded::<V, P>::one().weight(roundings),
+            };
+        }
+        Some(Self {
+            next,
+            error: if const { M::Prepared::PACKS } {
+                // One reciprocal: one product is the largest.
+                (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
+            } else {
+                largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
+                    + underflow * largest::<V, N>(weights)
+            },
+            largest_input: numerators
+                .iter()
+                .chain(reciprocals.iter().flatten())
+                .map(Bounded::largest_input)
+                .fold(1000, u32::min),
+        })
+    }
+
+    /// As N/D, both expanded and without common factors: no increment that could cancel against the state.
+    pub(super) fn by_quotients<M>(map: &M, x: &SVector<Bounded<V>, N>, eps: Bounded<V>) -> Option<Self>
+    where
+        M: KahanMap<Bounded<V>, N>,
+    {
+        let (numerators, denominator) = map.reduced_map(x, eps);
+        let reciprocal = Bounded::one().quotient(denominator)?;
+        let quotients: [Bounded<V>; N] = from_fn(|i| numerators[i] * reciprocal);
+        Some(Self {
+            next: quotients.map(|quotient| quotient.value()),
+            error: largest::<V, N>(quotients.map(|quotient| quotient.error())),
+            largest_input: quotients.iter().map(Bounded::largest_input).fold(1000, u32::min),
+        })
+    }
+
+    /// The size that no input may have, so that errors of underflow are allowed for.
+    #[inline(always)]
+    pub(super) fn largest_input(&self) -> V::Magnitude {
+        V::Magnitude::of(power_of_two(self.largest_input as i32))
+    }
+
+    /// Whether the error, with a rounding to `unit` besides, is less than `limit` times the largest component.
+    #[inline(always)]
+    pub(super) fn is_within(&self, limit: f64) -> bool {
+        let largest = self.largest();
+        // A state of zeros without an error is one, too. What is not a number is never less.
+        V::Magnitude::of(limit - V::UNIT) * largest > self.error
+            || (largest.is_zero() && self.error.is_zero())
+    }
+
+    /// The next state in another scalar, if it is finite and still within `limit` times its largest component there.
+    pub(super) fn rounded<T: Pivot + Copy>(
+        mut self,
+        limit: f64,
+        round: impl Fn(V) -> T,
+        exactly: impl Fn(&T) -> V,
+    ) -> Option<SVector<T, N>> {
+        let rounded = self.next.map(round);
+        self.error = self.error + largest::<V, N>(from_fn(|i| (exactly(&rounded[i]) - self.next[i]).size()));
+        (rounded.iter().all(T::is_finite_number) && self.is_within(limit)).then(|| vector(rounded))
+    }
+
+    /// What the error is at most, as a multiple of the largest component; infinite where nothing is known.
+    pub(super) fn bound(&self) -> f64 {
+        let bound: f64 = (self.error / self.largest()).into();
+        if bound.is_nan() { f64::INFINITY } else { bound }
+    }
+
+    #[inline(always)]
+    fn largest(&self) -> V::Magnitude {
+        largest::<V, N>(self.next.map(|value| value.size()))
+    }
+}
+
+/// The largest of some magnitudes.
+#[inline(always)]
+fn largest<V: Working, const N: usize>(sizes: [V::Magnitude; N]) -> V::Magnitude {
+    let larger = |one, other| if other > one { other } else { one };
+    sizes.into_iter().reduce(larger).unwrap_or_else(|| V::Magnitude::of(0.0))
+}

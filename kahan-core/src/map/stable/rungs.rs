@@ -1,0 +1,338 @@
+//! From rung to rung: which values the step is computed in, and what is said where none suffices.
+//!
+//! A rung has left the stack when the next one is called: over wide numbers, and without optimisation over any, a step of many
+//! operations needs hundreds of kilobytes.
+
+use core::array::from_fn;
+use core::cell::Cell;
+use core::iter::once_with;
+
+use nalgebra::SVector;
+use num_traits::Zero;
+
+use crate::field::linear::vector;
+use crate::scalar::Wide;
+use crate::scalar::bounded::{Both, Bounded, Pair, Working};
+use crate::step::error::Reason;
+use crate::{Dd, KahanMap, Lift, PreparedStep, Scalar, SingularStep};
+
+use super::attempt::Attempt;
+use super::scalars::{Promised, Widened};
+
+/// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and ‖exact‖∞.
+pub(super) const PROMISE: f64 = 63.0;
+
+/// The step with all numbers embedded into V, each component handed to `finish`.
+#[inline(always)]
+fn attempt<T, V, P, M, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+    embed: impl Fn(&T) -> V,
+    finish: impl Fn(V) -> V,
+) -> Option<Attempt<V, N>>
+where
+    T: Promised,
+    V: Working,
+    P: Pair<V>,
+    M: Lift<T, N>,
+{
+    // No input exceeds the sum of all sizes, which is not a number where an input is none.
+    let sum = Cell::new(embed(eps).size());
+    let given = |number: &T| {
+        let value = embed(number);
+        sum.set(sum.get() + value.size());
+        Bounded::<V, P>::given(value)
+    };
+    let packs = const { <M::Prepared as PreparedStep<T, N>>::PACKS };
+    let state = SVector::from_fn(|i, _| {
+        let value = given(&x[i]);
+        if packs { value } else { value.alone() }
+    });
+    let attempt = Attempt::by_increments(&map.lift(given), &state, Bounded::given(embed(eps)), finish)?;
+    (attempt.largest_input() > sum.get()).then_some(attempt)
+}
+
+/// A rung that is called: x̃ goes to the last argument.
+type Called<M, T, const N: usize> = fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>;
+
+/// The operations up to which values and their magnitudes are computed apart: where a step leaves most of a processor's units
+/// idle, magnitudes cost no time there, and no value waits for being packed with its own.
+const SHORT: u32 = 36;
+
+/// Whether a step is of that kind.
+const fn is_short<T: Promised, M: KahanMap<T, N>, const N: usize>() -> bool {
+    <M::Prepared as PreparedStep<T, N>>::COST.operations <= SHORT
+}
+
+/// The first rung of a scalar that works for itself.
+///
+/// A step that is divided by ε has another form for an ε that does not allow it. How often each form rounds is known while
+/// compiling, as long as no code serves both.
+#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(debug_assertions, inline(never))]
+pub(super) fn in_own_precision<M, T, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Option<SVector<T, N>>
+where
+    T: Promised,
+    M: Lift<T, N>,
+{
+    if const { M::Prepared::HAS_INVERSE_STEP } && !eps.has_inverse_step() {
+        return in_general_form(map, vector(from_fn(|i| x[i])), *eps);
+    }
+    in_one_form(map, x, eps)
+}
+
+/// The same where ε is too small or too large.
+#[cold]
+#[inline(never)]
+fn in_general_form<M, T, const N: usize>(map: &M, x: SVector<T, N>, eps: T) -> Option<SVector<T, N>>
+where
+    T: Promised,
+    M: Lift<T, N>,
+{
+    in_one_form(map, &x, &eps)
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(debug_assertions, inline(never))]
+fn in_one_form<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
+where
+    T: Promised,
+    M: Lift<T, N>,
+{
+    let attempt = if const { is_short::<T, M, N>() } {
+        attempt::<T, T, Both<T>, M, N>(map, x, eps, T::clone, M::Prepared::component)
+    } else {
+        attempt::<T, T, T::Packed, M, N>(map, x, eps, T::clone, M::Prepared::component)
+    };
+    // Not by `filter`, which moves the attempt through memory, and each step of a chain would wait for that.
+    match attempt {
+        Some(attempt) if attempt.is_within(PROMISE * T::UNIT) => Some(vector(attempt.next)),
+        _ => None,
+    }
+}
+
+/// The rung that computes in the next wider scalar and rounds once.
+#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(debug_assertions, inline(never))]
+fn in_next_wider<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
+where
+    T: Widened,
+    M: Lift<T, N>,
+{
+    attempt::<T, T::Wider, <T::Wider as Promised>::Packed, M, N>(map, x, eps, T::embed, |component| component)
+        .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
+}
+
+/// The step of `f64`.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn stable_double<M, const N: usize>(
+    map: &M,
+    x: &SVector<f64, N>,
+    eps: &f64,
+) -> Result<SVector<f64, N>, SingularStep>
+where
+    M: Lift<f64, N>,
+{
+    match in_own_precision(map, x, eps) {
+        Some(next) => Ok(next),
+        None => called(beyond, map, x, eps),
+    }
+}
+
+/// The variables up to which `f32` works for itself. Steps in more variables multiply so many factors that products of ordinary
+/// numbers leave its range, and nearly every step would be computed in `f64` after all.
+const MOST_OF_SINGLE: usize = 4;
+
+/// The step of `f32`.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn stable_single<M, const N: usize>(
+    map: &M,
+    x: &SVector<f32, N>,
+    eps: &f32,
+) -> Result<SVector<f32, N>, SingularStep>
+where
+    M: Lift<f32, N>,
+{
+    if N > MOST_OF_SINGLE {
+        return in_next_wider(map, x, eps).map_or_else(|| called(in_wide, map, x, eps), Ok);
+    }
+    match in_own_precision(map, x, eps) {
+        Some(next) => Ok(next),
+        None => called(beyond, map, x, eps),
+    }
+}
+
+/// The step of [`Dd`].
+#[inline]
+pub(crate) fn stable_double_double<M, const N: usize>(
+    map: &M,
+    x: &SVector<Dd, N>,
+    eps: &Dd,
+) -> Result<SVector<Dd, N>, SingularStep>
+where
+    M: Lift<Dd, N>,
+{
+    match in_own_precision(map, x, eps) {
+        Some(next) => Ok(next),
+        None => called(in_wide, map, x, eps),
+    }
+}
+
+/// What a rung that is called says of a step, entry by entry.
+///
+/// Functions that are called take and give states in memory. What they see here are copies, so that the state of a loop and the
+/// result of the first rung, which is inlined, stay in registers: else every step would wait for its way through memory.
+#[inline(always)]
+fn called<M, T: Copy, const N: usize>(
+    rung: Called<M, T, N>,
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Result<SVector<T, N>, SingularStep> {
+    let mut next: SVector<T, N> = vector(from_fn(|i| x[i]));
+    match rung(map, next, *eps, &mut next) {
+        None => Ok(vector(from_fn(|i| next[i]))),
+        Some(error) => Err(error),
+    }
+}
+
+/// What comes after the first rung, for all but the widest scalar; x̃ goes to `next`.
+#[cold]
+#[inline(never)]
+fn beyond<M, T, const N: usize>(
+    map: &M,
+    x: SVector<T, N>,
+    eps: T,
+    next: &mut SVector<T, N>,
+) -> Option<SingularStep>
+where
+    T: Widened,
+    M: Lift<T, N>,
+{
+    match second(map, &x, &eps) {
+        Some(settled) => {
+            *next = settled;
+            None
+        }
+        None => in_wide(map, x, eps, next),
+    }
+}
+
+/// The second rung, off the stack when it returns.
+#[inline(never)]
+fn second<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
+where
+    T: Widened,
+    M: Lift<T, N>,
+{
+    in_next_wider(map, x, eps)
+}
+
+/// The last two rungs, and the report where both fail; x̃ goes to `next`.
+#[cold]
+#[inline(never)]
+fn in_wide<T, M, const N: usize>(
+    map: &M,
+    x: SVector<T, N>,
+    eps: T,
+    next: &mut SVector<T, N>,
+) -> Option<SingularStep>
+where
+    T: Promised,
+    M: Lift<T, N>,
+{
+    let is_finite = Cell::new(eps.is_finite_number());
+    let given = |number: &T| {
+        is_finite.set(is_finite.get() && number.is_finite_number());
+        Bounded::given(number.widen())
+    };
+    let lifted = map.lift(given);
+    let state = SVector::from_fn(|i, _| given(&x[i]));
+    let report = |reason, determinant, bound| {
+        Some(SingularStep::because(reason, determinant, bound, eps.approximate()))
+    };
+    if !is_finite.get() {
+        return report(Reason::NotFinite, f64::NAN, f64::INFINITY);
+    }
+    let increments = wide_increments(&lifted, &state, given(&eps));
+    let quotients = once_with(|| wide_quotients(&lifted, &state, given(&eps)));
+    let (mut bound, mut is_known) = (f64::INFINITY, false);
+    for attempt in increments.into_iter().chain(quotients.flatten()) {
+        bound = attempt.bound().min(bound);
+        is_known |= attempt.is_within(PROMISE * T::UNIT);
+        if let Some(settled) = attempt.rounded(PROMISE * T::UNIT, T::narrow, T::widen) {
+            *next = settled;
+            return None;
+        }
+    }
+    let [denominator, determinant] = wide_denominators(&lifted, &state, given(&eps));
+    let reason = if is_known {
+        Reason::BeyondRange
+    } else if !determinant.is_defined() {
+        Reason::NoField
+    } else if is_exactly_zero(&denominator) {
+        Reason::Pole
+    } else {
+        Reason::Digits(Wide::MOST_DIGITS)
+    };
+    report(reason, rounded(&determinant), bound)
+}
+
+// What the last rungs call is apart, because it is the same for every scalar that comes here, and for the stack's sake.
+
+/// The increment form in [`Wide`].
+#[inline(never)]
+fn wide_increments<M, const N: usize>(
+    map: &M,
+    x: &SVector<Bounded<Wide>, N>,
+    eps: Bounded<Wide>,
+) -> Option<Attempt<Wide, N>>
+where
+    M: KahanMap<Bounded<Wide>, N>,
+{
+    Attempt::by_increments(map, x, eps, |component| component)
+}
+
+/// The form N/D in [`Wide`].
+#[inline(never)]
+fn wide_quotients<M, const N: usize>(
+    map: &M,
+    x: &SVector<Bounded<Wide>, N>,
+    eps: Bounded<Wide>,
+) -> Option<Attempt<Wide, N>>
+where
+    M: KahanMap<Bounded<Wide>, N>,
+{
+    Attempt::by_quotients(map, x, eps)
+}
+
+/// D of the reduced map, and det A(x,ε), in [`Wide`].
+#[inline(never)]
+fn wide_denominators<M, const N: usize>(
+    map: &M,
+    x: &SVector<Bounded<Wide>, N>,
+    eps: Bounded<Wide>,
+) -> [Wide; 2]
+where
+    M: KahanMap<Bounded<Wide>, N>,
+{
+    [map.reduced_map(x, eps).1.value(), map.det_matrix(x, eps).value()]
+}
+
+fn is_exactly_zero(number: &Wide) -> bool {
+    number.is_zero() && number.radius().is_zero()
+}
+
+/// A determinant as a float that is 0 only where the determinant is, and infinite nowhere.
+fn rounded(determinant: &Wide) -> f64 {
+    match determinant.to_f64() {
+        near if near == 0.0 && !is_exactly_zero(determinant) => f64::MIN_POSITIVE,
+        near if near.is_infinite() => f64::NAN,
+        near => near,
+    }
+}

@@ -1,0 +1,264 @@
+//! Each rule of the running bound where the true error comes near what the rule allows: weaker by a
+//! rounding, a term or half of the slack, it would not hold.
+
+use num_traits::One;
+
+use super::worst::{Beside, Q, off_by, two_to};
+use crate::scalar::bounded::{Bounded, SLACK};
+use crate::scalar::bounded::{Magnitude, Number};
+
+/// Coarse enough for (1+u)ᵏ − 1 to differ from ku.
+const COARSE: i32 = 10;
+/// So fine that it does not.
+const FINE: i32 = 24;
+
+const UP: (i64, i64) = (1, 0);
+const DOWN: (i64, i64) = (-1, 0);
+const EXACTLY: (i64, i64) = (0, 0);
+
+/// A value that took k roundings, each upwards: (1+u)ᵏ for 1.
+fn rounded_up<const BITS: i32>(k: usize) -> Beside<BITS> {
+    let one = Beside::given(1.0);
+    off_by(UP, || (0..k).fold(one.clone(), |product, _| product.times(&one)))
+}
+
+/// The same downwards.
+fn rounded_down<const BITS: i32>(k: usize) -> Beside<BITS> {
+    let one = Beside::given(1.0);
+    off_by(DOWN, || (0..k).fold(one.clone(), |product, _| product.times(&one)))
+}
+
+#[track_caller]
+fn assert_near<const BITS: i32>(value: &Beside<BITS>, least: f64) {
+    let part = value.part();
+    assert!(part <= 1.0, "{part} of the bound");
+    assert!(part >= least, "a bound that nothing comes near says little: {part}");
+}
+
+/// What remains of a bound under the slack.
+const ALL: f64 = 1.0 / SLACK - 1e-4;
+
+#[test]
+fn inputs_and_whole_literals_are_exact_and_others_are_rounded_once() {
+    for exact in [Beside::<FINE>::given(0.3), Beside::literal(7, 1)] {
+        assert_eq!((exact.bounded.roundings(), exact.error()), (0, Q::from_integer(0.into())));
+    }
+    let third = off_by(UP, || Beside::<FINE>::literal(1, 3));
+    assert_near(&third, ALL);
+}
+
+#[test]
+fn a_sum_rounds_once() {
+    let (one, two) = (Beside::<FINE>::given(1.0), Beside::given(2.0));
+    for direction in [UP, DOWN] {
+        assert_near(&off_by(direction, || one.plus(&two)), ALL);
+        assert_near(&off_by(direction, || one.minus(&two.negated())), ALL);
+        // As the last part of a multiply-add, after a product that is 0.
+        let nothing = Beside::given(0.0);
+        assert_near(&off_by(direction, || nothing.times_plus(&one, &two)), 0.4);
+    }
+}
+
+/// The errors of both terms, of either sign, and whichever was rounded more often.
+#[test]
+fn a_sum_has_the_errors_of_its_terms() {
+    for (a, b) in [(5, 5), (0, 5), (5, 0)] {
+        let sum = off_by(UP, || rounded_up::<FINE>(a).plus(&rounded_up(b)));
+        let all = f64::from(u8::from(a > 0) + u8::from(b > 0)) * 5.0 / 2.0 + 1.0;
+        assert_near(&sum, ALL * all / 6.0);
+        // A difference cancels, and its error does not.
+        let difference = rounded_up::<FINE>(a).minus(&rounded_down(b));
+        assert_near(&difference, ALL * (all - 1.0) / 6.0);
+    }
+}
+
+#[test]
+fn a_product_rounds_once_and_has_the_errors_of_both_factors() {
+    for (a, b) in [(0, 0), (4, 0), (0, 4), (4, 4)] {
+        assert_near(&off_by(UP, || rounded_up::<FINE>(a).times(&rounded_up(b))), ALL);
+        assert_near(&off_by(DOWN, || rounded_down::<FINE>(a).times(&rounded_down(b))), ALL);
+        let nothing = Beside::given(0.0);
+        let sum = off_by(UP, || rounded_up::<FINE>(a).times_plus(&rounded_up(b), &nothing));
+        // Two roundings, as in a build that does not fuse.
+        assert_near(&sum, ALL);
+    }
+}
+
+/// (1+u)¹⁰⁰ − 1 is more than 100 u: half of the slack would not do.
+#[test]
+fn the_slack_pays_for_products_of_roundings() {
+    let product = rounded_up::<COARSE>(100);
+    assert_near(&product, 0.98);
+    assert!(product.part() * SLACK > 1.0 + (SLACK - 1.0) / 2.0);
+}
+
+#[test]
+fn a_quotient_rounds_once_and_has_the_errors_of_both_operands() {
+    for (a, b) in [(0, 0), (4, 0), (0, 4), (4, 4)] {
+        // Once with 1/a at hand, which it is for whole literals, and once without.
+        let quotient = off_by(UP, || rounded_up::<FINE>(a).over(&rounded_down(b))).expect("a quotient");
+        let k = a.max(b) as f64 + 1.0;
+        let part = (a + b + 1) as f64 / (2.0 * k);
+        assert_near(&quotient, part / SLACK.powi(2) - 1e-4);
+    }
+    for b in [0, 4] {
+        let quotient =
+            off_by(UP, || Beside::<FINE>::literal(1, 1).over(&rounded_down(b))).expect("a quotient");
+        assert_near(&quotient, 0.5 / SLACK.powi(2) - 1e-4);
+    }
+}
+
+/// A divisor off by nearly a 64th: v̂ is too small by that, and stands for v in m. Without any
+/// slack that would not hold.
+#[test]
+fn the_slack_of_a_quotient_pays_for_what_stands_for_it() {
+    const MIDDLE: i32 = 13;
+    let quotient = off_by(DOWN, || rounded_down::<MIDDLE>(112).over(&rounded_up(112))).expect("a quotient");
+    assert!(quotient.part() <= 1.0 && quotient.part() * SLACK * SLACK > 1.005, "{}", quotient.part());
+}
+
+/// Where the error of the divisor may be a 64th of it, there is no quotient; a little before, there
+/// is.
+#[test]
+fn a_divisor_that_may_be_zero_has_no_quotient() {
+    let one = Beside::<COARSE>::given(1.0);
+    // b̂ = (1+u)ᵏ − d, with a magnitude of 1 + d.
+    let divisor = |d: f64| off_by(EXACTLY, || rounded_up::<COARSE>(3).minus(&Beside::given(d)));
+    let mut seen = [0, 0];
+    for step in 0..1000 {
+        let divisor = divisor(f64::from(step) / 1000.0);
+        let doubt = Q::one() * divisor.error() * Q::from_integer(64.into());
+        match one.over(&divisor) {
+            Some(_) => {
+                seen[0] += 1;
+                assert!(doubt <= divisor.bounded.value().exact() * two_to(0), "{divisor:?}");
+                let bound = 64.0 * divisor.bounded.error();
+                assert!(bound <= 1.01 * divisor.bounded.value().size(), "{divisor:?}");
+            }
+            None => seen[1] += 1,
+        }
+    }
+    assert!(seen.iter().all(|&count| count > 50), "{seen:?}");
+}
+
+/// The chain 1/d/d′ that keeps m/|v̂| as a sum.
+#[test]
+fn a_quotient_of_a_quotient_has_the_errors_of_all_divisors() {
+    for k in [0, 1, 4] {
+        let chain = off_by(UP, || {
+            let first = Beside::<FINE>::literal(2, 1).over(&rounded_down(k))?;
+            first.over(&rounded_down(k))?.over(&rounded_down(k))
+        });
+        let chain = chain.expect("a quotient");
+        // Three divisors off by k and three roundings, beside a bound of (k + 3)·4.
+        let part = (3 * k + 3) as f64 / (4 * (k + 3)) as f64;
+        assert_near(&chain, part / SLACK.powi(2) - 1e-4);
+    }
+}
+
+#[test]
+fn negation_rounds_nothing_and_keeps_the_error() {
+    let value = rounded_up::<FINE>(5);
+    assert_near(&value.negated(), ALL);
+    assert_near(&value.minus(&value.negated().negated()), 0.0);
+}
+
+#[test]
+fn what_is_divided_by_eps_is_rounded_once_more() {
+    let eps = Beside::<FINE>::given(0.5);
+    assert_near(&off_by(UP, || Beside::literal(3, 1).over_eps(&eps)), ALL);
+    assert_near(&off_by(UP, || off_by(UP, || Beside::literal(1, 3)).over_eps(&eps)), ALL);
+}
+
+/// n̂·r̂ beside w·m: the errors of the numerator, of the reciprocal and of the product, for
+/// reciprocals of either kind.
+#[test]
+fn a_weight_bounds_the_product_with_a_reciprocal() {
+    for (n, d) in [(0, 0), (6, 0), (0, 6), (6, 6)] {
+        for is_whole in [false, true] {
+            let one = if is_whole { Beside::<FINE>::literal(1, 1) } else { Beside::given(1.0) };
+            let (numerator, reciprocal, product) = off_by(UP, || {
+                let numerator = rounded_up::<FINE>(n);
+                let reciprocal = one.over(&rounded_down(d)).expect("a quotient");
+                (numerator.clone(), reciprocal.clone(), numerator.times(&reciprocal))
+            });
+            let weight = reciprocal.bounded.weight(numerator.bounded.roundings());
+            let bound = f64::of(weight) * numerator.bounded.magnitude();
+            let part = Magnitude::apart(num_traits::ToPrimitive::to_f64(&product.error()).expect("a number"))
+                / bound;
+            // n + 1 for the numerator and the product, and (d + 1)·2 for a reciprocal that errs by
+            // d + 1.
+            let reached = (n + d + 2) as f64 / (n + 1 + 2 * (d + 1)) as f64;
+            assert!(part <= 1.0 && part >= reached / SLACK.powi(2) - 1e-4, "{part} of the bound at {n}, {d}");
+        }
+    }
+}
+
+/// What is finished by a product with 1, or with another exact number, errs by the numerator's
+/// roundings and that of the product.
+#[test]
+fn a_weight_of_an_exact_number_counts_the_product() {
+    for n in [0, 5] {
+        let (numerator, factor) = (rounded_up::<FINE>(n), Beside::given(0.75));
+        let product = off_by(UP, || numerator.times(&factor));
+        let bound = factor.bounded.weight(numerator.bounded.roundings()) * numerator.bounded.magnitude();
+        let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
+        assert!((ALL..=1.0).contains(&part), "{part} of the bound");
+    }
+}
+
+/// A value that knows its radius: m and k follow from that, whatever was cancelled before.
+#[test]
+fn a_known_radius_is_the_error() {
+    use crate::scalar::{Size, Wide};
+    let third = crate::Constant::ratio(1, 3);
+    let exact = Bounded::<Wide>::given(Wide::from(1.0)) + crate::Scalar::constant(&third);
+    assert!(f64::from(exact.error()) == 0.0 && exact.roundings() == 0);
+    // A divisor of many digits leaves a remainder.
+    let sum = Bounded::<Wide>::given(Wide::from(1e300)) + Bounded::given(Wide::from(3e-300));
+    let quotient = exact.quotient(sum).expect("a quotient");
+    let radius = quotient.value().radius();
+    assert!(radius > Size::from(0.0) && quotient.error() >= radius);
+    assert!(quotient.magnitude() * Size::from(Wide::UNIT) >= radius);
+    let difference = quotient - quotient;
+    assert!(difference.value() == Wide::from(0.0) && difference.error() >= radius + radius);
+    assert!(difference.error() <= (radius + radius) * Size::from(1.07));
+}
+
+/// Values and magnitudes in one register are those that are computed apart, bit for bit, but for
+/// multiply-adds that one of them fuses.
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn packed_pairs_are_pairs() {
+    use crate::scalar::bounded::{Both, Pair};
+    use crate::scalar::bounded::{Packed, PackedSingle};
+    fn same<V: Number, P: Pair<V>>(packed: P, both: Both<V>) {
+        assert!(packed.value() == both.value() && packed.magnitude() == both.magnitude());
+    }
+    fn check<V: Number, P: Pair<V>>(a: (V, V::Magnitude), b: (V, V::Magnitude)) {
+        let (p, q) = (P::new(a.0, a.1), P::new(b.0, b.1));
+        let (x, y) = (Both::new(a.0, a.1), Both::new(b.0, b.1));
+        same(p.plus(q), x.plus(y));
+        same(p.minus(q), x.minus(y));
+        same(p.times(q), x.times(y));
+        same(p.negated(), x.negated());
+        same(p.multiply_add(q, p), x.multiply_add(y, x));
+    }
+    for (a, b) in [(1.5, -0.25), (-3.0, 7.0), (0.0, 2.0)] {
+        check::<f64, Packed>((a, 2.0 * a.abs() + 1.0), (b, b.abs()));
+        let (a, b) = (a as f32, b as f32);
+        check::<f32, PackedSingle>((a, 2.0 * a.abs() + 1.0), (b, b.abs()));
+    }
+}
+
+/// The units of the machine's floats are theirs, and that of a pair of floats is no less than the
+/// bounds that its operations state.
+#[test]
+fn units_are_those_of_the_operations() {
+    use crate::Dd;
+    let u = f64::EPSILON / 2.0;
+    assert_eq!((f64::UNIT, f32::UNIT), (u, f64::from(f32::EPSILON) / 2.0));
+    // A quotient errs by 14u², a multiply-add by 16u² of the product and 5u² of the result, and
+    // counts twice.
+    assert!(Dd::UNIT >= 14.0 * u * u && 2.0 * Dd::UNIT >= 21.0 * u * u && Dd::UNIT >= 16.0 * u * u);
+}

@@ -1,0 +1,320 @@
+//! Whole steps over the scalar that rounds as badly as it may: what an attempt says of its error,
+//! and what the first rung lets pass.
+
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use nalgebra::SVector;
+
+use super::super::attempt::Attempt;
+use super::super::rungs::{PROMISE, in_own_precision};
+use super::super::scalars::Promised;
+use super::worst::{Q, Worst, off_by, two_to};
+use crate::scalar::Wide;
+use crate::scalar::bounded::Both;
+use crate::scalar::bounded::Bounded;
+use crate::scalar::bounded::{Number, power_of_two};
+use crate::{Dd, KahanMap, Lift, Pivot, vector};
+
+const BITS: i32 = 24;
+type Number24 = Worst<BITS>;
+
+crate::kahan! {
+    /// A pole at 1 − 2εx + ε²k = 0.
+    struct Riccati { k }
+    xdot = x^2 - k;
+}
+
+crate::kahan! {
+    /// Three variables, two factors of the denominator.
+    struct Chain { a }
+    xdot = x*y - x;
+    ydot = y^2 + a;
+    zdot = x*z - 1;
+}
+
+crate::kahan! {
+    /// A product of states whose factor may be larger than any state.
+    struct Driven { a }
+    xdot = a*y^2;
+    ydot = -y;
+}
+
+crate::kahan! {
+    /// Linear.
+    struct Decay;
+    xdot = -x;
+}
+
+crate::kahan! {
+    /// A numerator of many roundings over a short denominator.
+    struct Long { a }
+    xdot = -x + a^12*y;
+    ydot = 0;
+}
+
+impl<const BITS: i32> Promised for Worst<BITS> {
+    type Packed = Both<Self>;
+
+    fn widen(&self) -> Wide {
+        Wide::from(crate::Scalar::approximate(self))
+    }
+
+    fn narrow(value: Wide) -> Self {
+        Self::of_float(value.to_f64())
+    }
+}
+
+/// max |xᵢ − yᵢ| and max |yᵢ|.
+fn compared<const N: usize>(x: &[Number24; N], y: &SVector<Q, N>) -> (f64, f64) {
+    let largest = |values: &mut dyn Iterator<Item = Q>| {
+        values.map(|value| value.abs().to_f64().expect("a number")).fold(0.0, f64::max)
+    };
+    let error = largest(&mut x.iter().zip(y).map(|(x, y)| x.exact() - y));
+    (error, largest(&mut y.iter().cloned()))
+}
+
+/// States and ε of ordinary size and beside poles, from a fixed sequence, each rounded up, down,
+/// and not.
+fn cases<const N: usize>(count: u64, mut see: impl FnMut(SVector<f64, N>, f64)) {
+    let mut state = 20_261_122_u64;
+    let mut unit = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as f64 / (1_u64 << 24) as f64
+    };
+    for _ in 0..count {
+        let x = SVector::from_fn(|_, _| 3.0 * unit() - 1.0);
+        see(x, unit());
+        // 1 − 2εx is small for the first variable.
+        see(x, (1.0 + (unit() - 0.5) * power_of_two(-(16.0 * unit()) as i32)) / (2.0 * x[0]));
+    }
+}
+
+/// The largest part of its bound that the error of an attempt comes to.
+fn largest_part<M, const N: usize>(
+    map: &M,
+    attempt: impl Fn(&SVector<f64, N>, f64) -> Option<Attempt<Number24, N>>,
+) -> f64
+where
+    M: Lift<Number24, N>,
+{
+    let exact_map = map.lift(Worst::exact);
+    let mut largest = 0.0_f64;
+    cases(40, |x: SVector<f64, N>, eps| {
+        let exact = exact_map
+            .try_step(&x.map(|x| Q::from_float(x).expect("finite")), Q::from_float(eps).expect("finite"));
+        for direction in [(1, 0), (-1, 0)] {
+            let Some(attempt) = off_by(direction, || attempt(&x, eps)) else { continue };
+            let Ok(exact) = &exact else { panic!("a value at a pole: {x:?}, {eps}") };
+            let (error, size) = compared(&attempt.next, exact);
+            let computed = attempt.next.iter().map(Number::size).fold(0.0, f64::max);
+            // The last roundings are the components' own: of the product and of the sum, as nothing
+            // is fused.
+            let own = 2.0 * Number24::UNIT * (computed + size);
+            let bound = attempt.bound() * computed;
+            assert!(error <= bound + own, "{error:e} beyond {bound:e} at {x:?}, {eps}");
+            largest = largest.max((error - own) / bound);
+        }
+    });
+    largest
+}
+
+fn given<const N: usize>(x: &SVector<f64, N>) -> SVector<Bounded<Number24>, N> {
+    x.map(|x| Bounded::given(Worst::of_float(x)))
+}
+
+#[test]
+fn an_attempt_is_within_what_it_says() {
+    let lift = |value: &Number24| Bounded::<Number24>::given(*value);
+    let eps = |eps: f64| Bounded::<Number24>::given(Worst::of_float(eps));
+    let riccati = Riccati { k: Number24::of_float(0.75) };
+    let chain = Chain { a: Number24::of_float(-0.625) };
+    let part = largest_part(&riccati, |x, e| {
+        Attempt::by_increments(&riccati.lift(lift), &given(x), eps(e), |component| component)
+    });
+    assert!(part > 0.05, "a bound that nothing comes near says little: {part}");
+    let part = largest_part(&chain, |x, e| {
+        Attempt::by_increments(&chain.lift(lift), &given(x), eps(e), |component| component)
+    });
+    assert!(part > 0.01, "a bound that nothing comes near says little: {part}");
+    let part = largest_part(&riccati, |x, e| Attempt::by_quotients(&riccati.lift(lift), &given(x), eps(e)));
+    assert!(part > 0.03, "a bound that nothing comes near says little: {part}");
+    let part = largest_part(&chain, |x, e| Attempt::by_quotients(&chain.lift(lift), &given(x), eps(e)));
+    assert!(part > 0.002, "a bound that nothing comes near says little: {part}");
+}
+
+/// Where the reciprocal took few roundings, those of the numerator make nearly all of the error.
+#[test]
+fn an_attempt_has_the_roundings_of_its_numerators() {
+    let (x, a, eps) = (vector![0.0, 0.7], 1.25, 0.0123);
+    let rational = |x: f64| Q::from_float(x).expect("finite");
+    let exact = Long { a: rational(a) }.step(&x.map(rational), rational(eps));
+    let attempt = off_by((1, 0), || {
+        let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::given(Worst::of_float(number)));
+        Attempt::by_increments(&Long { a }, &given(&x), eps, |component| component).expect("no pole is near")
+    });
+    // The state of rest beside it is larger; what moves begins at 0, so that its last roundings are
+    // of its own size.
+    let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;
+    let size = attempt.next[1].size();
+    let own = 2.0 * Number24::UNIT * attempt.next[0].size();
+    let part = (error - own) / (attempt.bound() * size);
+    assert!(part <= 1.0 && part > 0.6, "{part} of the bound");
+}
+
+/// What the first rung lets pass is within 64 u of the exact step, and comes near to that beside
+/// poles.
+#[test]
+fn the_first_rung_keeps_the_promise() {
+    let riccati = Riccati { k: Number24::of_float(0.75) };
+    let exact_map = riccati.lift(Worst::exact);
+    let (mut passed, mut refused, mut largest) = (0, 0, 0.0_f64);
+    cases(300, |x: SVector<f64, 1>, eps| {
+        let exact = exact_map
+            .try_step(&x.map(|x| Q::from_float(x).expect("finite")), Q::from_float(eps).expect("finite"));
+        for direction in [(1, 0), (-1, 0)] {
+            let next = off_by(direction, || {
+                in_own_precision(&riccati, &x.map(Worst::of_float), &Worst::of_float(eps))
+            });
+            let Some(next) = next else {
+                refused += 1;
+                continue;
+            };
+            passed += 1;
+            let (error, size) = compared(&[next[0]], exact.as_ref().expect("no pole"));
+            largest = largest.max(error / (Number24::UNIT * size));
+        }
+    });
+    assert!(largest <= 64.0 && largest > 5.0, "{largest} u");
+    assert!(passed > 100 && refused > 100 && PROMISE < 64.0, "{passed} passed, {refused} were refused");
+}
+
+/// An input beyond what underflow is allowed for: y² of a small y is off by η, and a·η is far more
+/// than the allowance.
+#[test]
+fn the_first_rung_takes_no_input_that_underflow_is_not_allowed_for() {
+    let driven = Driven { a: Worst::<BITS>::new(two_to(60)) };
+    let (x, eps) = (vector![0.0625, 0.0], 0.03125);
+    let step = || in_own_precision(&driven, &x.map(Worst::of_float), &Worst::of_float(eps));
+    assert!(off_by((0, 1), step).is_none());
+    let driven = Driven { a: Worst::<BITS>::of_float(0.5) };
+    let step = || in_own_precision(&driven, &x.map(Worst::of_float), &Worst::of_float(eps));
+    assert!(off_by((0, 1), step).is_some());
+}
+
+/// What is rounded into a narrower scalar has that error, too: next to underflow it is more than 64
+/// u.
+#[test]
+fn a_result_that_is_rounded_below_the_normal_range_is_refused() {
+    let least = f32::from_bits(1);
+    // 2·7/9 of the least number is no float.
+    assert!(Decay.try_step(&vector![2.0 * least], 0.125).is_err());
+    // 9 of it are 7 of it.
+    assert_eq!(Decay.try_step(&vector![9.0 * least], 0.125), Ok(vector![7.0 * least]));
+    let least = f64::from_bits(1);
+    assert!(Decay.try_step(&vector![2.0 * least], 0.125).is_err());
+    assert_eq!(Decay.try_step(&vector![9.0 * least], 0.125), Ok(vector![7.0 * least]));
+}
+
+/// Finite results only, from finite inputs only.
+#[test]
+fn what_is_not_finite_is_no_result() {
+    assert!(Decay.try_step(&vector![f64::INFINITY], 0.125).is_err());
+    assert!(Decay.try_step(&vector![Dd::from(f64::NAN)], Dd::from(0.125)).is_err());
+    assert!(!f64::INFINITY.is_finite_number());
+    let zero = Decay.try_step(&vector![0.0], 0.125).expect("a state of rest");
+    assert!(zero[0].is_zero());
+}
+
+/// Leading terms that cancel at a parameter: exact digits are needed 2·10³ bits apart, and where a
+/// literal is no float, too.
+#[test]
+fn what_cancels_at_a_parameter_is_answered_at_every_size() {
+    crate::kahan! {
+        struct Coupled { h }
+        xdot = h*y - x + y*z;
+        ydot = h*x - y - x*z;
+        zdot = -z + x*y;
+    }
+    crate::kahan! {
+        struct Thirds { h }
+        xdot = 1/3*h*y - 1/3*x + y*z;
+        ydot = 1/3*h*x - 1/3*y - 2/7*x*z;
+        zdot = -z/5 + x*y;
+    }
+    let eps = [1e3, -9.261772546366742e147, 1e200, -3e285, 1.7e307];
+    for h in [-1.0, 1.0] {
+        for (eps, size) in eps.iter().flat_map(|eps| [1e-160, 1e-148, 1e-300].map(|size| (*eps, size))) {
+            let x = vector![-1.1 * size, -1.5 * size, 1.8 * size];
+            let coupled = Coupled { h }.try_step(&x, eps);
+            let exact = Coupled { h: Q::from_float(h).unwrap() }
+                .step(&x.map(|x| Q::from_float(x).unwrap()), Q::from_float(eps).unwrap());
+            assert_answered(coupled, &exact, h, eps);
+            let thirds = Thirds { h }.try_step(&x, eps);
+            let exact = Thirds { h: Q::from_float(h).unwrap() }
+                .step(&x.map(|x| Q::from_float(x).unwrap()), Q::from_float(eps).unwrap());
+            assert_answered(thirds, &exact, h, eps);
+        }
+    }
+}
+
+#[track_caller]
+fn assert_answered(
+    next: Result<SVector<f64, 3>, crate::SingularStep>,
+    exact: &SVector<Q, 3>,
+    h: f64,
+    eps: f64,
+) {
+    let next = next.unwrap_or_else(|why| panic!("{why} at h = {h}"));
+    let errors = next.iter().zip(exact).map(|(x, y)| (Q::from_float(*x).unwrap() - y).abs());
+    let (error, size) = (errors.max().unwrap(), exact.iter().map(Signed::abs).max().unwrap());
+    assert!(error <= two_to(6 - 53) * size, "at h = {h}, eps = {eps:e}");
+}
+
+crate::kahan! {
+    /// No field where a = b.
+    struct Divided { a, b }
+    xdot = x^2/(a - b) - x;
+}
+
+/// Each reason by a step that has it; that digits run out is so rare that its report is made by
+/// hand.
+#[test]
+fn reports_say_what_is_the_case() {
+    use crate::SingularStep;
+    use crate::step::error::Reason;
+    use std::string::ToString;
+    let said = |step: Result<SVector<f64, 1>, SingularStep>| step.expect_err("no step").to_string();
+    let riccati = |k: f64, x: f64, eps: f64| said(Riccati { k }.try_step(&vector![x], eps));
+    let pole = "det A = 0: the Kahan map has a pole at this point";
+    assert_eq!(riccati(0.0, 1.0, 0.5), std::format!("{pole} (eps = 0.5, half the time step)"));
+    for text in [riccati(f64::NAN, 1.0, 0.5), riccati(0.0, f64::INFINITY, 0.5)] {
+        assert!(text.starts_with("the point, eps or a parameter is not a finite number"), "{text}");
+    }
+    let beyond = [riccati(-1e300, 0.0, 1e100), said(Decay.try_step(&vector![f64::from_bits(2)], 0.125))];
+    for text in beyond {
+        assert!(text.contains("beyond the range of the scalar") && !text.contains("pole"), "{text}");
+    }
+    let text = said(Divided { a: 1.0, b: 1.0 }.try_step(&vector![0.5], 0.125));
+    assert!(text.contains("divides by zero at these parameters") && !text.contains("pole"), "{text}");
+
+    let digits = |bound: f64| SingularStep::because(Reason::Digits(17), 0.25, bound, 0.5).to_string();
+    let text = digits(0.5);
+    assert!(text.contains("17 digits of 64 bits settle the step") && text.contains("5e-1"), "{text}");
+    assert!(!text.contains("pole"), "{text}");
+    assert!(digits(f64::INFINITY).contains("17 digits of 64 bits do not tell whether this point is a pole"));
+}
+
+/// Beside a pole, and however near: a step of rational numbers has all of its digits.
+#[test]
+fn no_float_is_too_near_to_a_pole() {
+    for k in 0..60 {
+        let x = 0.3 + f64::from(k) / 64.0;
+        let near = 0.5 / x;
+        for eps in [near, f64::from_bits(near.to_bits() - 1), f64::from_bits(near.to_bits() + 1)] {
+            match (Riccati { k: 0.0 }).try_step(&vector![x], eps) {
+                Ok(next) => assert!(next[0].abs() > 1e14),
+                Err(why) => assert_eq!(why.determinant(), 0.0),
+            }
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! A scalar that rounds as badly as it may: each operation is off by u in the direction that a test
+//! asks for, and where the test says so by η besides, as operations that underflow are.
+//!
+//! Values are rationals, so a test knows the true error; its range is small, so that a few
+//! operations come to its borders.
+
+use core::cell::Cell;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::boxed::Box;
+use std::thread_local;
+
+use num_rational::BigRational;
+use num_traits::{FromPrimitive, One, Signed, ToPrimitive, Zero};
+
+use crate::scalar::bounded::{Both, Pair};
+use crate::scalar::bounded::{Bounded, Working, operations};
+use crate::scalar::bounded::{Number, Range, power_of_two};
+use crate::{Constant, Pivot, Scalar};
+
+pub(super) type Q = BigRational;
+
+/// A number of precision u = 2^−BITS.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Worst<const BITS: i32>(&'static Q);
+
+thread_local! {
+    /// By how many u, and by how many η, the next results are off.
+    static OFF: Cell<(i64, i64)> = const { Cell::new((0, 0)) };
+}
+
+/// What `run` gives where every operation is off by `relative` u and by `absolute` η.
+pub(super) fn off_by<V>((relative, absolute): (i64, i64), run: impl FnOnce() -> V) -> V {
+    let before = OFF.replace((relative, absolute));
+    let result = run();
+    OFF.set(before);
+    result
+}
+
+pub(super) fn two_to(power: i32) -> Q {
+    Q::from_integer(2.into()).pow(power)
+}
+
+/// η of the range below.
+pub(super) const ETA: i32 = -70;
+
+impl<const BITS: i32> Worst<BITS> {
+    pub(super) fn new(value: Q) -> Self {
+        Self(Box::leak(Box::new(value)))
+    }
+
+    pub(super) fn of_float(value: f64) -> Self {
+        Self::new(Q::from_f64(value).expect("a finite number"))
+    }
+
+    pub(super) fn exact(&self) -> Q {
+        self.0.clone()
+    }
+
+    /// A result, as far off as it may be.
+    fn rounded(exact: Q) -> Self {
+        let (relative, absolute) = OFF.get();
+        let relative = Q::from_integer(relative.into()) * two_to(-BITS);
+        let absolute = Q::from_integer(absolute.into()) * two_to(ETA);
+        Self::new(exact * (Q::one() + relative) + absolute)
+    }
+}
+
+impl<const BITS: i32> Scalar for Worst<BITS> {
+    /// Integers are exact, other numbers are rounded.
+    fn constant(c: &Constant) -> Self {
+        let ratio = c.to_ratio();
+        if ratio.is_integer() { Self::new(ratio) } else { Self::rounded(ratio) }
+    }
+
+    fn approximate(&self) -> f64 {
+        self.0.to_f64().expect("a number of ordinary size")
+    }
+}
+
+impl<const BITS: i32> Pivot for Worst<BITS> {
+    fn magnitude_exceeds(&self, other: &Self) -> bool {
+        self.0.abs() > other.0.abs()
+    }
+
+    fn is_finite_number(&self) -> bool {
+        true
+    }
+}
+
+impl<const BITS: i32> Number for Worst<BITS> {
+    type Magnitude = f64;
+    const UNIT: f64 = power_of_two(-BITS);
+    /// 2¹⁰·2²⁰·η.
+    const RANGE: Range = Range {
+        allowance: power_of_two(10 + 20 + ETA),
+        bits_of_products: 20,
+        bits_of_divisors: 4,
+        bits_of_steps: 6,
+    };
+
+    fn size(&self) -> f64 {
+        self.0.abs().to_f64().expect("a number of ordinary size")
+    }
+}
+
+impl<const BITS: i32> Working for Worst<BITS> {
+    operations!(inline);
+}
+
+macro_rules! operators {
+    ($($operator:ident, $method:ident, $assign:ident, $in_place:ident;)*) => {$(
+        impl<const BITS: i32> $operator for Worst<BITS> {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                Self::rounded(self.0.$method(other.0))
+            }
+        }
+
+        impl<const BITS: i32> $assign for Worst<BITS> {
+            fn $in_place(&mut self, other: Self) {
+                *self = self.$method(other);
+            }
+        }
+    )*};
+}
+
+operators! {
+    Add, add, AddAssign, add_assign;
+    Sub, sub, SubAssign, sub_assign;
+    Mul, mul, MulAssign, mul_assign;
+    Div, div, DivAssign, div_assign;
+}
+
+impl<const BITS: i32> Neg for Worst<BITS> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self::new(-self.exact())
+    }
+}
+
+impl<const BITS: i32> Zero for Worst<BITS> {
+    fn zero() -> Self {
+        Self::new(Q::zero())
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0.is_zero()
+    }
+}
+
+impl<const BITS: i32> One for Worst<BITS> {
+    fn one() -> Self {
+        Self::new(Q::one())
+    }
+}
+
+/// A bounded value beside the exact value of its formula.
+#[derive(Clone, Debug)]
+pub(super) struct Beside<const BITS: i32> {
+    pub(super) bounded: Bounded<Worst<BITS>, Both<Worst<BITS>>>,
+    pub(super) exact: Q,
+}
+
+impl<const BITS: i32> Beside<BITS> {
+    /// An input.
+    pub(super) fn given(value: f64) -> Self {
+        let exact = Q::from_f64(value).expect("a finite number");
+        Self { bounded: Bounded::given(Worst::new(exact.clone())), exact }
+    }
+
+    /// A literal p/q.
+    pub(super) fn literal(p: i64, q: i64) -> Self {
+        let exact = Q::new(p.into(), q.into());
+        let constant = if q == 1 { Constant::integer(p) } else { Constant::ratio(p, q) };
+        Self { bounded: Scalar::constant(&constant), exact }
+    }
+
+    /// What it is off by.
+    pub(super) fn error(&self) -> Q {
+        (self.bounded.value().exact() - &self.exact).abs()
+    }
+
+    /// The part of its bound that the error comes to; at most 1, or the bound is none. |v| ≤ m
+    /// holds up to the slack, too.
+    pub(super) fn part(&self) -> f64 {
+        let magnitude = self.bounded.magnitude();
+        assert!(self.exact.abs().to_f64().expect("a number") <= 1.0625 * magnitude, "{self:?}");
+        let part = self.error() / Q::from_f64(self.bounded.error()).expect("a finite bound");
+        part.to_f64().expect("a number")
+    }
+
+    /// self/other, if there is a quotient.
+    pub(super) fn over(&self, other: &Self) -> Option<Self> {
+        let bounded = self.bounded.quotient(other.bounded)?;
+        Some(Self { bounded, exact: &self.exact / &other.exact })
+    }
+
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        Self { bounded: self.bounded + other.bounded, exact: &self.exact + &other.exact }
+    }
+
+    pub(super) fn minus(&self, other: &Self) -> Self {
+        Self { bounded: self.bounded - other.bounded, exact: &self.exact - &other.exact }
+    }
+
+    pub(super) fn times(&self, other: &Self) -> Self {
+        Self { bounded: self.bounded * other.bounded, exact: &self.exact * &other.exact }
+    }
+
+    /// self·other + addend
+    pub(super) fn times_plus(&self, other: &Self, addend: &Self) -> Self {
+        let bounded = self.bounded.multiply_add(other.bounded, addend.bounded);
+        Self { bounded, exact: &self.exact * &other.exact + &addend.exact }
+    }
+
+    pub(super) fn negated(&self) -> Self {
+        Self { bounded: -self.bounded, exact: -&self.exact }
+    }
+
+    /// self/ε, as a step that is divided by ε has it.
+    pub(super) fn over_eps(&self, eps: &Self) -> Self {
+        Self { bounded: self.bounded.over_eps(eps.bounded), exact: &self.exact / &eps.exact }
+    }
+}

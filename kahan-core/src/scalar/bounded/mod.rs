@@ -1,0 +1,342 @@
+//! A value with a bound on its error: what the rungs of a step that promises compute with.
+//!
+//! In: numbers that are exact. Out: for every value v̂ that a formula of + − × ÷ gives in rounded arithmetic, a magnitude m and
+//! a count k such that the exact v satisfies |v| ≤ m and |v̂ − v| ≤ γₖ·m, γₖ = (1+u)ᵏ − 1.
+//!
+//! m is the formula with every term made positive: as many operations again, which share registers with those of the values;
+//! k depends on the formula alone, so compilers compute it. Each rule below keeps both inequalities:
+//!
+//! - v = a ± b: m = mₐ + m_b, k = max(kₐ, k_b) + 1, since |a ± b| ≤ mₐ + m_b and one rounding is added.
+//! - v = a·b: m = mₐ·m_b, k = kₐ + k_b + 1, since (1+γ_kₐ)(1+γ_k_b)(1+u) − 1 = γ_k.
+//! - v = a/b: m = (mₐ + |v̂|·m_b)/|b̂|, k = max(kₐ, k_b) + 1, because v̂ − v = [(â − a) − v(b̂ − b)]/b̂ plus a rounding. Where
+//!   γ_k_b·m_b exceeds |b̂|/64, the divisor may be zero, and there is no quotient. Where 1/|â| is at hand, as for a reciprocal 2/d or
+//!   2/d/d′, the same m is |v̂|·(mₐ/|â| + m_b/|b̂|), and what is in parentheses is kept as a sum.
+//!
+//! Magnitudes are rounded themselves, v̂ stands for v where they are made, and γₖ is taken as k·u;
+//! [`SLACK`] pays for all three as long as k·u is at most 1/10. A number of the last rungs knows
+//! how far it may be off, and m and k follow from that.
+//!
+//! # Underflow
+//! An operation that underflows is off by η at most, and m with it. With all inputs at most 2ᴸ in size and all products of them
+//! at most 2ᴮ, such errors grow to no more than w·2ᴮ·η: a sum takes the larger w of its terms, its bit of B pays for the other,
+//! and a product adds 1 to those of its factors, so that 2¹⁰ is generous. As long as that is below the
+//! [allowance](number::Range), which every error contains, none is overlooked: [`Bounded::largest_input`] is the L that
+//! this leaves, and whoever makes the values compares. Quotients count as if every divisor were the least, which is checked, and
+//! errors are divided by it twice. What a step divides by ε is a constant that is at most 2 to the power
+//! [`bits_of_steps`](number::Range) times as large.
+
+use num_traits::Zero;
+
+mod formats;
+mod number;
+mod operators;
+#[cfg(target_arch = "x86_64")]
+mod packed;
+mod pair;
+
+#[cfg(all(test, feature = "exact"))]
+pub(crate) use number::Range;
+pub(crate) use number::{Magnitude, Number, power_of_two};
+#[cfg(target_arch = "x86_64")]
+pub(crate) use packed::{Packed, PackedSingle};
+pub(crate) use pair::{Both, Pair};
+
+/// A [`Number`] to work in: whether its operations are inlined.
+pub(crate) trait Working: Number {
+    /// a + b
+    fn plus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P>;
+    /// a − b
+    fn minus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P>;
+    /// a·b
+    fn times<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P>;
+    /// a·b + c
+    fn product_plus<P: Pair<Self>>(
+        a: Bounded<Self, P>,
+        b: Bounded<Self, P>,
+        c: Bounded<Self, P>,
+    ) -> Bounded<Self, P>;
+    /// a/b, if b is certainly not zero.
+    fn over<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Option<Bounded<Self, P>>;
+}
+
+/// The operations of a [`Working`] scalar: for hardware floats inlined, so that a step is one piece of code; for wide numbers,
+/// whose rungs are seldom reached, called, so that a step over them stays small.
+macro_rules! operations {
+    ($inline:meta) => {
+        #[$inline]
+        fn plus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P> {
+            a.sum(b)
+        }
+
+        #[$inline]
+        fn minus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P> {
+            a.difference(b)
+        }
+
+        #[$inline]
+        fn times<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P> {
+            a.product(b)
+        }
+
+        #[$inline]
+        fn product_plus<P: Pair<Self>>(
+            a: Bounded<Self, P>,
+            b: Bounded<Self, P>,
+            c: Bounded<Self, P>,
+        ) -> Bounded<Self, P> {
+            a.product_plus(b, c)
+        }
+
+        #[$inline]
+        fn over<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Option<Bounded<Self, P>> {
+            a.quotient(b)
+        }
+    };
+}
+
+pub(crate) use operations;
+
+/// What magnitudes are multiplied by before they are believed: they are rounded, quotients are made
+/// of rounded values, and (1+u)ᵏ − 1 is more than k·u. Quotients have it twice, which is once more
+/// than they need.
+pub(crate) const SLACK: f64 = 1.0625;
+
+/// A value v̂ with |v̂ − v| ≤ γₖ·m, and how both are held.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounded<V: Working, P: Pair<V> = Both<V>> {
+    /// v̂ and m
+    pair: P,
+    /// k
+    roundings: u32,
+    /// How many inputs are multiplied in a term, and how many bits all else adds to its size.
+    inputs: u32,
+    bits: u32,
+    /// About 1/|v̂| of a quotient of such values, the first of which is a whole constant; compilers know whether it is there.
+    inverse: Option<V::Magnitude>,
+    /// And about m/|v̂|, without the slack. Both apart, so that compilers do not fetch them from memory as one vector.
+    ratio: Option<V::Magnitude>,
+}
+
+impl<V: Working, P: Pair<V>> Bounded<V, P> {
+    /// An input: a number that is what it says.
+    #[inline(always)]
+    pub(crate) fn given(value: V) -> Self {
+        Self {
+            pair: Pair::new(value, value.size()),
+            roundings: 0,
+            inputs: 1,
+            bits: 0,
+            inverse: None,
+            ratio: None,
+        }
+    }
+
+    /// A literal, known while compiling.
+    #[inline(always)]
+    pub(crate) fn literal(value: V, roundings: u32) -> Self {
+        // The exponent of the next power of two.
+        let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
+        Self { pair: Pair::new(value, value.size()), roundings, inputs: 0, bits, inverse: None, ratio: None }
+            .settled()
+    }
+
+    /// The binary exponent that no input may exceed, so that underflow is allowed for.
+    #[inline(always)]
+    pub(crate) fn largest_input(&self) -> u32 {
+        V::RANGE.bits_of_products.saturating_sub(self.bits) / self.inputs.max(1)
+    }
+
+    /// A value of which nothing is known.
+    #[inline(always)]
+    pub(crate) fn unknown(value: V) -> Self {
+        let pair = Pair::new(value, V::Magnitude::of(f64::INFINITY));
+        Self { pair, roundings: 1, inputs: 0, bits: 0, inverse: None, ratio: None }
+    }
+
+    /// −v̂
+    #[inline(always)]
+    pub(crate) fn negated(self) -> Self {
+        Self { pair: self.pair.negated(), ..self }
+    }
+
+    /// The same, m in a register of its own.
+    #[inline(always)]
+    pub(crate) fn apart(self) -> Self {
+        Self { pair: self.pair.alone(), ..self }
+    }
+
+    /// v̂
+    #[inline(always)]
+    pub(crate) fn value(&self) -> V {
+        self.pair.value()
+    }
+
+    /// m
+    #[inline(always)]
+    pub(crate) fn magnitude(&self) -> V::Magnitude {
+        self.pair.magnitude()
+    }
+
+    /// γₖ
+    #[inline(always)]
+    fn gamma(&self) -> V::Magnitude {
+        V::Magnitude::of(SLACK * V::UNIT * f64::from(self.roundings))
+    }
+
+    /// γₖ·m, and the allowance.
+    #[inline(always)]
+    pub(crate) fn error(&self) -> V::Magnitude {
+        self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)
+    }
+
+    #[inline(always)]
+    pub(crate) fn sum(self, other: Self) -> Self {
+        self.added(other, self.pair.plus(other.pair))
+    }
+
+    #[inline(always)]
+    pub(crate) fn difference(self, other: Self) -> Self {
+        self.added(other, self.pair.minus(other.pair))
+    }
+
+    #[inline(always)]
+    pub(crate) fn product(self, other: Self) -> Self {
+        self.multiplied(other, self.pair.times(other.pair))
+    }
+
+    #[inline(always)]
+    pub(crate) fn product_plus(self, other: Self, addend: Self) -> Self {
+        let pair = self.pair.multiply_add(other.pair, addend.pair);
+        self.multiplied(other, pair).added(addend, pair)
+    }
+
+    /// The pair of a sum or difference.
+    #[inline(always)]
+    fn added(self, other: Self, pair: P) -> Self {
+        Self {
+            pair,
+            roundings: self.roundings.max(other.roundings).saturating_add(1),
+            inputs: self.inputs.max(other.inputs),
+            bits: self.bits.max(other.bits).saturating_add(1),
+            inverse: None,
+            ratio: None,
+        }
+        .settled()
+    }
+
+    /// The pair of a product.
+    #[inline(always)]
+    fn multiplied(self, other: Self, pair: P) -> Self {
+        Self {
+            pair,
+            roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
+            inputs: self.inputs.saturating_add(other.inputs),
+            bits: self.bits.saturating_add(other.bits),
+            inverse: None,
+            ratio: None,
+        }
+        .settled()
+    }
+
+    /// Where a value knows its radius r, |v| ≤ m and |v̂ − v| ≤ γ₁·m hold with m = |v̂| + r/u,
+    /// whatever cancelled on its way; with r = 0 there is no error.
+    #[inline(always)]
+    fn settled(self) -> Self {
+        let value = self.value();
+        match value.radius() {
+            None => self,
+            Some(radius) => {
+                let magnitude = value.size() + radius / V::Magnitude::of(V::UNIT);
+                let roundings = u32::from(!radius.is_zero());
+                Self { pair: Pair::new(value, magnitude), roundings, inverse: None, ratio: None, ..self }
+            }
+        }
+    }
+
+    /// self/divisor, if the divisor is certainly not zero.
+    #[inline(always)]
+    pub(crate) fn quotient(self, divisor: Self) -> Option<Self> {
+        let value = self.value().quotient(divisor.value())?;
+        let size = divisor.value().size();
+        let doubt = V::Magnitude::of(64.0) * divisor.gamma() * divisor.magnitude();
+        let least = V::Magnitude::of(V::RANGE.least_divisor());
+        let is_certain = size > doubt + least;
+        if !is_certain {
+            return None;
+        }
+        // 1/|b̂| = |v̂|·(1/a) without a second division, where 1/a is at hand.
+        let (magnitude, inverse, ratio) = match self.inverse() {
+            Some(inverse) => {
+                let ratio = self.ratio.unwrap_or_else(|| V::Magnitude::of(1.0));
+                let ratio = ratio + divisor.magnitude() * (value.size() * inverse);
+                let magnitude = value.size() * ratio * V::Magnitude::of(SLACK);
+                (magnitude, Some(size * inverse), Some(ratio))
+            }
+            None => {
+                let numerator = self.magnitude() + value.size() * divisor.magnitude();
+                (numerator * V::Magnitude::of(SLACK) / size, None, None)
+            }
+        };
+        let quotient = Self {
+            pair: Pair::new(value, magnitude),
+            roundings: self.roundings.max(divisor.roundings).saturating_add(1),
+            inputs: self.inputs.saturating_add(divisor.inputs),
+            bits: self.bits.saturating_add(divisor.bits).saturating_add(2 * V::RANGE.bits_of_divisors),
+            inverse,
+            ratio,
+        };
+        Some(quotient.settled())
+    }
+
+    /// c/ε for a literal c and an ε, given as it is, that a step divides by: rounded once more than c, and no larger than that
+    /// ε allows.
+    #[inline(always)]
+    pub(crate) fn over_eps(self, eps: Self) -> Self {
+        let value = self.value() / eps.value();
+        Self {
+            pair: Pair::new(value, value.size()),
+            roundings: self.roundings.saturating_add(eps.roundings).saturating_add(1),
+            inputs: self.inputs,
+            bits: self.bits.saturating_add(V::RANGE.bits_of_steps),
+            inverse: None,
+            ratio: None,
+        }
+    }
+
+    /// w, with which the error of a product n̂·r̂ with this reciprocal r̂ is at most w times the magnitude of n̂, which took
+    /// `roundings`; the one of the product included.
+    ///
+    /// n̂r̂ − nr = (n̂ − n)·r̂ + n·(r̂ − r). Where one reciprocal serves all numerators, there is one weight, if all are given the
+    /// roundings of the worst.
+    #[inline(always)]
+    pub(crate) fn weight(&self, roundings: u32) -> V::Magnitude {
+        let gamma = Self { roundings: roundings.saturating_add(1), ..*self }.gamma();
+        match self.ratio {
+            Some(ratio) => {
+                let slack = V::Magnitude::of(SLACK) * self.gamma();
+                self.value().size() * (gamma + ratio * slack) + V::Magnitude::of(V::RANGE.allowance)
+            }
+            None => self.value().size() * gamma + self.error(),
+        }
+    }
+
+    /// k
+    #[inline(always)]
+    pub(crate) fn roundings(&self) -> u32 {
+        self.roundings
+    }
+
+    /// About 1/|v̂|, where that costs no division.
+    #[inline(always)]
+    fn inverse(&self) -> Option<V::Magnitude> {
+        let is_whole_constant = self.inputs == 0 && self.roundings == 0;
+        if is_whole_constant { Some(V::Magnitude::of(1.0) / self.magnitude()) } else { self.inverse }
+    }
+}
+
+/// What underflowed in a numerator that took `roundings`, as a magnitude: times a [weight](Bounded::weight), which is at least
+/// the slack times γ times |r̂|, it is the allowance times |r̂|, at least.
+#[inline(always)]
+pub(crate) fn underflow<V: Working>(roundings: u32) -> f64 {
+    V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))
+}

@@ -1,0 +1,95 @@
+//! The numbers that rungs compute in.
+
+use core::fmt::Debug;
+use core::ops::{Div, Mul};
+
+use num_traits::Zero;
+
+use crate::scalar::{Scalar, Size};
+
+/// What bounds on errors are made of: numbers that are not negative, in which a few digits are enough. What is not a number is
+/// neither more nor less than any.
+pub(crate) trait Magnitude:
+    Copy + Debug + PartialOrd + Zero + Mul<Output = Self> + Div<Output = Self> + Into<f64>
+{
+    /// The nearest magnitude.
+    fn of(value: f64) -> Self;
+    /// The same, in a register of its own.
+    #[inline(always)]
+    fn apart(self) -> Self {
+        self
+    }
+}
+
+impl Magnitude for f32 {
+    #[inline(always)]
+    fn apart(self) -> Self {
+        Scalar::alone(self)
+    }
+
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        value as f32
+    }
+}
+
+impl Magnitude for f64 {
+    #[inline(always)]
+    fn apart(self) -> Self {
+        Scalar::alone(self)
+    }
+
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        value
+    }
+}
+
+impl Magnitude for Size {
+    fn of(value: f64) -> Self {
+        Self::from(value)
+    }
+}
+
+/// What the range of a format leaves to products and quotients, see [`bounded`](super).
+pub(crate) struct Range {
+    /// More than all errors of underflow; 0 where nothing underflows.
+    pub(crate) allowance: f64,
+    /// B: no product of inputs exceeds 2ᴮ.
+    pub(crate) bits_of_products: u32,
+    /// No divisor is below 2 to minus this power.
+    pub(crate) bits_of_divisors: u32,
+    /// No ε that a step divides by is below 2 to minus this power.
+    pub(crate) bits_of_steps: u32,
+}
+
+impl Range {
+    /// The least divisor; 0 where nothing underflows.
+    #[inline(always)]
+    pub(crate) const fn least_divisor(&self) -> f64 {
+        if self.allowance > 0.0 { power_of_two(-(self.bits_of_divisors as i32)) } else { 0.0 }
+    }
+}
+
+/// 2^power for powers of normal doubles.
+pub(crate) const fn power_of_two(power: i32) -> f64 {
+    f64::from_bits(((1023 + power) as u64) << 52)
+}
+
+/// A scalar to work in: its operations round once, relative to their result.
+pub(crate) trait Number: Scalar + Copy {
+    /// What magnitudes are computed in: numbers of the same range.
+    type Magnitude: Magnitude;
+    /// u: the relative error of an operation is at most this, but for underflow.
+    const UNIT: f64;
+    /// Where underflow is allowed for.
+    const RANGE: Range;
+
+    /// |self|, rounded as magnitudes are.
+    fn size(&self) -> Self::Magnitude;
+    /// How far the value may be from its formula's, where it knows that itself.
+    #[inline(always)]
+    fn radius(&self) -> Option<Self::Magnitude> {
+        None
+    }
+}

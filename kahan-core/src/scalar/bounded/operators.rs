@@ -1,0 +1,184 @@
+//! Bounded values as a scalar: the generated step runs over them as over a float.
+
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use crate::{Constant, Scalar};
+
+use super::pair::Pair;
+use super::{Bounded, Working};
+
+impl<V: Working, P: Pair<V>> PartialEq for Bounded<V, P> {
+    fn eq(&self, other: &Self) -> bool {
+        self.value() == other.value()
+            && self.magnitude() == other.magnitude()
+            && self.roundings() == other.roundings()
+    }
+}
+
+impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
+    const HAS_INVERSE_STEPS: bool = V::HAS_INVERSE_STEPS;
+
+    /// Integers that the number and a double hold are exact; every other literal is rounded once.
+    #[inline(always)]
+    fn constant(c: &Constant) -> Self {
+        let value = V::constant(c);
+        let is_exact = c.is_whole() && value.approximate() == c.to_f64();
+        Self::literal(value, u32::from(!is_exact))
+    }
+
+    #[inline(always)]
+    fn reciprocal(&self) -> Option<Self> {
+        V::over(Self::one(), *self)
+    }
+
+    #[inline(always)]
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        V::over(self, divisor)
+    }
+
+    #[inline(always)]
+    fn is_better_pivot(&self, than: &Self) -> bool {
+        self.value().is_better_pivot(&than.value())
+    }
+
+    #[inline(always)]
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        V::product_plus(self, factor, addend)
+    }
+
+    #[inline(always)]
+    fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+        V::product_plus(self, factor, -subtrahend)
+    }
+
+    #[inline(always)]
+    fn subtract_product(self, a: Self, b: Self) -> Self {
+        V::product_plus(-a, b, self)
+    }
+
+    #[inline(always)]
+    fn has_inverse_step(&self) -> bool {
+        self.value().has_inverse_step()
+    }
+
+    #[inline(always)]
+    fn over_eps(self, eps: &Self) -> Self {
+        Bounded::over_eps(self, *eps)
+    }
+
+    #[inline(always)]
+    fn alone(self) -> Self {
+        self.apart()
+    }
+
+    fn approximate(&self) -> f64 {
+        self.value().approximate()
+    }
+}
+
+impl<V: Working, P: Pair<V>> Add for Bounded<V, P> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        V::plus(self, other)
+    }
+}
+
+impl<V: Working, P: Pair<V>> Sub for Bounded<V, P> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        V::minus(self, other)
+    }
+}
+
+impl<V: Working, P: Pair<V>> Mul for Bounded<V, P> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        V::times(self, other)
+    }
+}
+
+impl<V: Working, P: Pair<V>> Div for Bounded<V, P> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        V::over(self, other).unwrap_or_else(|| Self::unknown(self.value() / other.value()))
+    }
+}
+
+impl<V: Working, P: Pair<V>> Neg for Bounded<V, P> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.negated()
+    }
+}
+
+impl<V: Working, P: Pair<V>> AddAssign for Bounded<V, P> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<V: Working, P: Pair<V>> SubAssign for Bounded<V, P> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl<V: Working, P: Pair<V>> MulAssign for Bounded<V, P> {
+    #[inline(always)]
+    fn mul_assign(&mut self, other: Self) {
+        *self = *self * other;
+    }
+}
+
+impl<V: Working, P: Pair<V>> DivAssign for Bounded<V, P> {
+    #[inline(always)]
+    fn div_assign(&mut self, other: Self) {
+        *self = *self / other;
+    }
+}
+
+impl<V: Working, P: Pair<V>> Zero for Bounded<V, P> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::literal(V::zero(), 0)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.value().is_zero()
+    }
+}
+
+impl<V: Working, P: Pair<V>> One for Bounded<V, P> {
+    #[inline(always)]
+    fn one() -> Self {
+        Self::literal(V::one(), 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bounded, Constant, Scalar};
+
+    #[test]
+    fn an_integer_that_the_number_does_not_hold_is_rounded() {
+        let beyond = Constant::integer((1 << 24) + 1);
+        assert_eq!(Bounded::<f32>::constant(&beyond).roundings(), 1);
+        assert_eq!(Bounded::<f32>::constant(&Constant::integer(1 << 30)).roundings(), 0);
+        assert_eq!(Bounded::<f64>::constant(&beyond).roundings(), 0);
+        assert_eq!(Bounded::<f64>::constant(&Constant::integer((1 << 53) + 1)).roundings(), 1);
+    }
+}

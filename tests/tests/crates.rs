@@ -1,0 +1,103 @@
+//! What each crate may use: the table of ARCHITECTURE.md against what cargo says.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::process::Command;
+use std::{env, fs};
+
+use serde_json::Value;
+
+/// What only the command needs.
+const OF_THE_COMMAND: [&str; 5] = ["clap", "maud", "indicatif", "tempfile", "pulldown-latex"];
+
+/// The most lines that `cargo tree` may print of the catalog.
+const CATALOG_TREE: usize = 45;
+
+/// Crates, each with those that it uses.
+type Uses = BTreeMap<String, BTreeSet<String>>;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace")
+}
+
+/// Runs cargo in the workspace and gives its standard output.
+fn cargo(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO"))
+        .args(arguments)
+        .arg("--offline")
+        .current_dir(root())
+        .output()
+        .expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("cargo writes UTF-8")
+}
+
+/// The published crates, each with what it depends on; what only tests need is left out.
+fn of_cargo() -> Uses {
+    let text = cargo(&["metadata", "--no-deps", "--format-version", "1"]);
+    let metadata: Value = serde_json::from_str(&text).expect("cargo writes JSON");
+    let name = |value: &Value| value["name"].as_str().expect("a name").to_owned();
+    let packages = metadata["packages"].as_array().expect("packages").iter();
+    // A package that is never published has an empty list of registries.
+    let published = packages.filter(|package| package["publish"].is_null());
+    let crates = published.map(|package| {
+        let dependencies = package["dependencies"].as_array().expect("dependencies").iter();
+        let used = dependencies.filter(|dependency| dependency["kind"] != "dev");
+        (name(package), used.map(name).collect())
+    });
+    crates.collect()
+}
+
+/// The cells of a table's row.
+fn cells(row: &str) -> impl Iterator<Item = &str> {
+    row.trim_matches('|').split('|').map(str::trim)
+}
+
+/// What stands between backticks.
+fn quoted(text: &str) -> impl Iterator<Item = String> {
+    text.split('`').skip(1).step_by(2).map(str::to_owned)
+}
+
+/// The table of ARCHITECTURE.md whose columns are called "crate" and "may use".
+fn of_the_table() -> Uses {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
+    let mut rows = text.lines().skip_while(|line| !line.starts_with("| crate |"));
+    let header = rows.next().expect("a table of crates");
+    let may_use = cells(header).position(|cell| cell == "may use").expect("a column of what may be used");
+    let rows = rows.skip(1).take_while(|line| line.starts_with('|'));
+    let crates = rows.map(|row| {
+        let name = quoted(row).next().expect("a crate in the first cell");
+        (name, quoted(cells(row).nth(may_use).expect("as many cells as the header has")).collect())
+    });
+    crates.collect()
+}
+
+#[test]
+fn crates_use_those_that_architecture_md_names_and_no_others() {
+    let (mut uses, table) = (of_cargo(), of_the_table());
+    let ours: BTreeSet<String> = uses.keys().cloned().collect();
+    for used in uses.values_mut() {
+        used.retain(|name| ours.contains(name));
+    }
+    assert_eq!(uses, table, "what cargo says, and what ARCHITECTURE.md says");
+}
+
+#[test]
+fn only_the_command_has_the_dependencies_of_a_command() {
+    let uses = of_cargo();
+    for name in OF_THE_COMMAND {
+        let users: Vec<&str> =
+            uses.iter().filter(|(_, used)| used.contains(name)).map(|(user, _)| user.as_str()).collect();
+        assert_eq!(users, ["kahan-cli"], "{name}");
+    }
+}
+
+#[test]
+fn the_catalog_is_a_light_dependency() {
+    let text = cargo(&["tree", "--package", "kahan-systems", "--edges", "normal", "--prefix", "none"]);
+    let lines: BTreeSet<&str> = text.lines().collect();
+    assert!(lines.len() <= CATALOG_TREE, "{} lines:\n{text}", lines.len());
+    for name in OF_THE_COMMAND {
+        assert!(!lines.iter().any(|line| line.split(' ').next() == Some(name)), "{name}:\n{text}");
+    }
+}
