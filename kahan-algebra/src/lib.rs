@@ -1,8 +1,8 @@
 //! The exact front end of Kahan's method.
 //!
-//! Text or tokens of the language of `kahan!` go in; a checked quadratic vector field comes out, with the objects of
-//! Kahan's map derived from it, straight-line plans to evaluate them, and a verdict on every claim about it. Nothing here
-//! knows Rust: the macro (`kahan-derive`) and the command (`kahan-cli`) are two users of one pipeline, [`read`].
+//! In: text or tokens of the language of `kahan!`. Out: a checked quadratic vector field, the objects of Kahan's map derived
+//! from it, straight-line plans to evaluate them, and a verdict on every claim about it. It must not know any target language,
+//! nor the scalars of `kahan-core`: the macro and the command are two users of one pipeline, [`read`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`], [`system`], [`kahan`],
 //! [`plan`], [`relations`], [`prove`], [`specialise`], [`interpret`], [`objects`], [`render`],

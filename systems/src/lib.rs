@@ -1,6 +1,9 @@
 //! The catalog: the Euler top, Lotka-Volterra and the systems E1 to E9 of Hone and Petrera, and further systems whose claims
 //! were found by `kahan discover`, one file each.
 //!
+//! In: nothing but the equations. Out: the systems as types with their proved claims, their closed solutions, and a registry
+//! to find them by name. It must not know the command, nor the paper's claims.
+//!
 //! A file holds the `kahan!` block with every rational claim that holds, and names what no rational claim can hold. The
 //! macro proves the claims while it compiles the block. An [`entry`] offers the same block as text with the place of each
 //! claim in the paper, [`registry`] lists the entries, and the `kahan` command proves them again from there. The half step ε is written `eps`.
