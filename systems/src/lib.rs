@@ -1,7 +1,7 @@
 //! A catalog of Kahan maps with what they preserve: the Euler top, Lotka–Volterra and the systems E1 to E9 of Hone and
 //! Petrera, and further systems. In: a quadratic field a file, written as a `kahan!` block with its claims. Out: the types that
 //! the macro makes of the blocks, the closed solutions that are known, and an [`Entry`](entry::Entry) each, by [`registry`].
-//! Deliberately absent: the `kahan` command, and how the paper's formulas are established.
+//! It must not know the `kahan` command, nor the paper's claims.
 //!
 //! A block claims every rational formula that holds, and the macro proves it while it compiles the block; the file's first
 //! lines name what no rational formula can say. The half step ε is written `eps`.
