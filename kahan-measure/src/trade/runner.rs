@@ -88,7 +88,11 @@ impl Runner {
     }
 
     /// The trajectory to compare with.
-    pub(super) fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference> {
+    pub(super) fn reference(
+        &self,
+        asked: &Trajectory<'_>,
+        limits: &Limits,
+    ) -> Result<Reference, NoReference> {
         self.map.reference(asked, limits)
     }
 

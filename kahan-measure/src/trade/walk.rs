@@ -23,8 +23,17 @@ where
     Dd: From<T>,
 {
     fn nth(&mut self, points: usize) -> Option<Vec<Dd>> {
-        Some(Iterator::nth(self, points)?.iter().map(|entry| Dd::from(entry.clone())).collect())
+        Some(widened(&Iterator::nth(self, points)?))
     }
+}
+
+/// The coordinates of a point; not written into every orbit that has such points.
+#[inline(never)]
+fn widened<T: FloatScalar, const N: usize>(point: &SVector<T, N>) -> Vec<Dd>
+where
+    Dd: From<T>,
+{
+    point.iter().map(|entry| Dd::from(*entry)).collect()
 }
 
 /// What is done with an orbit.

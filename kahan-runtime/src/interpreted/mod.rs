@@ -211,7 +211,8 @@ fn vector<T: Scalar, const N: usize>(values: &[T]) -> SVector<T, N> {
 
 /// Numerators and the denominator behind them.
 fn fraction<T: Scalar, const N: usize>(values: &[T]) -> (SVector<T, N>, T) {
-    let (denominator, numerators) = values.split_last().unwrap_or_else(|| unreachable!("a map has a denominator"));
+    let (denominator, numerators) =
+        values.split_last().unwrap_or_else(|| unreachable!("a map has a denominator"));
     (vector(numerators), denominator.clone())
 }
 
