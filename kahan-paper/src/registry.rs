@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 use std::time::Instant;
 
 use kahan_algebra::prime_field::SplitMix64;
@@ -11,6 +9,7 @@ use kahan_algebra::prove::ERROR_EXPONENT;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, claim_statement};
 
+use kahan_runtime::threads;
 use kahan_systems::registry::{all, find};
 
 use super::block::establish_statement;
@@ -83,7 +82,7 @@ impl Paper {
 
     /// Establishes many claims, on as many threads as the machine has cores; `each` hears of every one as it is done.
     #[must_use]
-    pub fn establish_all(&self, claims: &[&Claim], each: impl Fn() + Sync) -> Vec<Established> {
+    pub fn establish_all(&self, claims: &[&Claim], each: &(dyn Fn() + Sync)) -> Vec<Established> {
         self.for_all(claims, |claim| {
             let established = self.establish(claim);
             each();
@@ -92,22 +91,13 @@ impl Paper {
     }
 
     /// `work` on every claim, in parallel; the results in the order of the claims.
-    pub fn for_all<R: Send + Sync>(&self, claims: &[&Claim], work: impl Fn(&Claim) -> R + Sync) -> Vec<R> {
-        let results: Vec<OnceLock<R>> = claims.iter().map(|_| OnceLock::new()).collect();
-        let next = AtomicUsize::new(0);
+    pub fn for_all<R: Send>(&self, claims: &[&Claim], work: impl Fn(&Claim) -> R + Sync) -> Vec<R> {
         // What is measured on a long orbit comes first, so that no thread is left alone with it at the end.
         let mut order: Vec<usize> = (0..claims.len()).collect();
         order.sort_by_key(|&index| !claims[index].is_measured());
-        thread::scope(|scope| {
-            for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
-                scope.spawn(|| {
-                    while let Some(&index) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
-                        let _ = results[index].set(work(claims[index]));
-                    }
-                });
-            }
-        });
-        results.into_iter().filter_map(OnceLock::into_inner).collect()
+        let mut results = threads::map(order.len(), |turn| (order[turn], work(claims[order[turn]])));
+        results.sort_by_key(|(index, _)| *index);
+        results.into_iter().map(|(_, result)| result).collect()
     }
 
     /// Establishes a claim with another statement in the place of its own: a mutation of it.

@@ -15,7 +15,7 @@ fn every_claim_is_established_and_fails_under_a_mutation() {
     let claims: Vec<&Claim> = paper.claims().iter().collect();
     let failed: Vec<String> = claims
         .iter()
-        .zip(paper.establish_all(&claims, || ()))
+        .zip(paper.establish_all(&claims, &|| ()))
         .filter(|(_, established)| established.outcome == Outcome::Failed)
         .map(|(claim, established)| format!("{}: {}", claim.id, established.detail))
         .collect();

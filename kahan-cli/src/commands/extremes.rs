@@ -60,8 +60,8 @@ pub(crate) struct Extremes {
 }
 
 const EXAMPLES: &str = "\
-Without a SYSTEM it tries the systems of the paper and the Volterra lattice with three sites (volterra). A field of your own is
-interpreted, with the bits that its compiled code would have.
+Without a SYSTEM it tries the systems of the paper and the Volterra lattice with three sites (volterra). Every system is
+interpreted, with the bits that its compiled code has.
 
 Examples:
   kahan extremes
@@ -122,7 +122,7 @@ impl Extremes {
             number += 1;
             let system = Block::of_text(field.block(), field.name.clone()).unproved_system()?;
             let parameters = vec![None; system.field.symbols.parameters.len()];
-            match Subject::new(None, &system, parameters) {
+            match Subject::new(&field.name, &system, parameters) {
                 Ok(subject) => {
                     subjects.push(subject);
                     fields.push(field);
@@ -138,8 +138,7 @@ impl Extremes {
         let system = block.unproved_system()?;
         let name = block.name(&system);
         let parameters = self.source.known_parameters(&system, &name)?;
-        let command = block.entry.map(|entry| entry.command);
-        Subject::new(command, &system, parameters).map_err(|why| cannot_judge(&name, &why))
+        Subject::new(&name, &system, parameters).map_err(|why| cannot_judge(&name, &why))
     }
 
     fn object(&self, subjects: &[Subject], fields: &[RandomField], tally: &Tally, seconds: f64) -> Value {

@@ -17,7 +17,8 @@ kahan! {
 
 /// The point at this fraction of the way: 3/2 + 3/2 exp(iθ), θ from π down to 0.
 fn time(fraction: f64) -> nalgebra::Complex<f64> {
-    nalgebra::Complex::from_polar(1.5, std::f64::consts::PI * (1.0 - fraction)) + 1.5
+    let (sine, cosine) = (std::f64::consts::PI * (1.0 - fraction)).sin_cos();
+    nalgebra::Complex::new(1.5 + 1.5 * cosine, 1.5 * sine)
 }
 
 /// Prints where the way ends, and tan 3; returns both.

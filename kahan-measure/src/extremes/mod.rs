@@ -16,14 +16,13 @@ mod steps;
 mod tally;
 mod trial;
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::thread::{available_parallelism, scope};
+use std::sync::{Mutex, PoisonError};
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
+use kahan_runtime::threads::for_each;
 
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::SYSTEMS;
@@ -44,8 +43,9 @@ pub struct Subject {
     /// The values of parameters that are given; the others are drawn.
     parameters: Vec<Option<Rational>>,
     judge: Judge,
-    /// Where there is no compiled code: the system, and parameters at which it is defined.
-    read: Option<(System, Vec<BigRational>)>,
+    system: System,
+    /// Parameters at which the system is defined.
+    values: Vec<BigRational>,
 }
 
 /// What is judged where no system is named: the paper's systems, and the lattice of three sites, whose det A cancels in long
@@ -57,44 +57,27 @@ pub fn standard() -> impl Iterator<Item = &'static Entry> {
 /// Why the steps of a system cannot be judged.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unjudged {
-    /// It has no compiled code, and cannot be run without.
+    /// It cannot be run.
     CannotRun(CannotRun),
     /// Its closed form is beyond the budget of terms, so no exact map to compare with.
     BeyondBudget,
 }
 
 impl Subject {
-    /// A system with a value or none for each parameter; `command` is its command name, if it is one of the catalog.
-    ///
-    /// Of the paper's systems the compiled steps are judged.
-    /// Any other is interpreted: the same operations in the same order, so the same verdicts.
+    /// A system under a name, with a value or none for each parameter.
     ///
     /// # Errors
-    /// Where the map is too large to be reduced or to be interpreted, or divides by zero at the given parameters.
-    pub fn new(
-        command: Option<&str>,
-        system: &System,
-        parameters: Vec<Option<Rational>>,
-    ) -> Result<Self, Unjudged> {
+    /// Where the map is too large to be reduced or to be run, or divides by zero at the given parameters.
+    pub fn new(name: &str, system: &System, parameters: Vec<Option<Rational>>) -> Result<Self, Unjudged> {
         let judge = Judge::of(system).ok_or(Unjudged::BeyondBudget)?;
-        let compiled = command.filter(|command| steps::generated::<f64>(command).is_some());
-        let read = if compiled.is_some() {
-            None
-        } else {
-            let values: Vec<BigRational> = (1..).zip(&parameters).map(value_or_any).collect();
-            steps::interpreted::<f64>(system, &values).map_err(Unjudged::CannotRun)?;
-            Some((system.clone(), values))
-        };
-        let name = command.unwrap_or_else(|| system.name()).to_owned();
-        Ok(Self { name, parameters, judge, read })
+        let values: Vec<BigRational> = (1..).zip(&parameters).map(value_or_any).collect();
+        steps::of_system::<f64>(system, &values).map_err(Unjudged::CannotRun)?;
+        Ok(Self { name: name.to_owned(), parameters, judge, system: system.clone(), values })
     }
 
     /// Its steps over a scalar.
     fn steps<T: float::Float>(&self) -> Option<Box<dyn Steps<T>>> {
-        match &self.read {
-            None => steps::generated(&self.name),
-            Some((system, values)) => steps::interpreted(system, values).ok(),
-        }
+        steps::of_system(&self.system, &self.values).ok()
     }
 
     /// Its name.
@@ -135,7 +118,7 @@ pub fn survey(
     trials: u64,
     seed: u64,
     threads: Option<usize>,
-    progress: &(impl Fn(u64) + Sync),
+    progress: &(dyn Fn(u64) + Sync),
 ) -> Tally {
     assert!(!subjects.is_empty(), "a survey has at least one subject");
     let mut tally = Tally::default();
@@ -155,28 +138,18 @@ pub fn total(trials: u64) -> u64 {
 fn of_scalar<T: float::Float>(
     ready: &Ready<'_, T>,
     threads: Option<usize>,
-    progress: &(impl Fn(u64) + Sync),
+    progress: &(dyn Fn(u64) + Sync),
 ) -> Tally {
-    const BLOCK: u64 = 64;
-    let threads = threads.or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1);
-    let (next, all) = (AtomicU64::new(0), Mutex::new(Tally::default()));
-    scope(|scope| {
-        for _ in 0..threads.max(1) {
-            scope.spawn(|| {
-                let mut mine = Tally::default();
-                loop {
-                    let start = next.fetch_add(BLOCK, Ordering::Relaxed);
-                    let end = (start + BLOCK).min(ready.trials());
-                    if start >= end {
-                        break;
-                    }
-                    (start..end).for_each(|index| ready.run(index, &mut mine));
-                    progress(end - start);
-                }
-                // A thread that panicked has ended the scope with its panic; what is in the lock is whole.
-                all.lock().unwrap_or_else(std::sync::PoisonError::into_inner).add(mine);
-            });
-        }
+    const BLOCK: usize = 64;
+    let trials = usize::try_from(ready.trials()).unwrap_or(usize::MAX);
+    let all = Mutex::new(Tally::default());
+    for_each(trials.div_ceil(BLOCK), threads, &|block| {
+        let (start, mut tally) = (block * BLOCK, Tally::default());
+        let end = (start + BLOCK).min(trials);
+        (start..end).for_each(|index| ready.run(index as u64, &mut tally));
+        progress((end - start) as u64);
+        // A thread that panics does so outside of the lock; what is in it is whole.
+        all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
     });
-    all.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner)
+    all.into_inner().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,20 +1,22 @@
-//! The steps that are judged, of systems whose type is not known where they are called.
+//! The steps that are judged: a system's plans, run one operation after the other.
+//!
+//! In: a system, and values of its parameters at which it is defined. Out: every step of its map over one scalar, with the bits of
+//! the code that the macro writes for it (which tests show on the whole catalog), so that a verdict on these is a verdict on that.
 
 use std::marker::PhantomData;
 
 use kahan_algebra::system::System;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Elimination, Lift, PreparedStep};
+use kahan_core::{Elimination, KahanMap, PreparedStep, QuadraticField};
 
 use super::float::Float;
 
 use kahan_runtime::interpreted::{
     CannotInterpret, Interpreted, UnsupportedDimension, VisitDimension, visit_dimension,
 };
-use kahan_systems::with_catalog;
 
-/// The steps of one map at given parameters.
+/// The steps of one map. A step has as many components as x.
 pub(crate) trait Steps<T>: Send + Sync {
     /// x̃ by `step`, whatever it is.
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T>;
@@ -33,64 +35,41 @@ pub(crate) trait Steps<T>: Send + Sync {
     fn try_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>>;
 }
 
-/// A map made from its parameters.
-struct Generated<F, const N: usize>(F);
-
-impl<T, M, F, const N: usize> Steps<T> for Generated<F, N>
-where
-    T: Float,
-    M: Lift<T, N>,
-    F: Fn(&[T]) -> M + Send + Sync,
-{
+impl<T: Float, const N: usize> Steps<T> for Interpreted<T, N> {
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T> {
-        self.0(parameters).step(&SVector::from_fn(|i, _| x[i]), eps).iter().copied().collect()
+        own(&KahanMap::step(&self.with_parameters(parameters), &padded(x), eps), x)
     }
 
     fn wider_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>> {
-        let next = T::wider_step(self.0(parameters), &SVector::from_fn(|i, _| x[i]), eps)?;
-        Some(next.iter().copied().collect())
+        Some(own(&T::wider_step(self.with_parameters(parameters), &padded(x), eps)?, x))
     }
 
     fn eliminated(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>> {
-        let next = Elimination::new(self.0(parameters), eps).next(&SVector::from_fn(|i, _| x[i]))?;
-        Some(next.iter().copied().collect())
+        Some(own(&Elimination::new(self.with_parameters(parameters), eps).next(&padded(x))?, x))
     }
 
     fn slopes(&self, parameters: &[T], x: &[T]) -> Vec<T> {
-        let jacobian = self.0(parameters).field_jacobian(&SVector::from_fn(|i, _| x[i]));
-        jacobian.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<T>>()).collect()
+        let jacobian = self.with_parameters(parameters).field_jacobian(&padded(x));
+        (0..x.len()).flat_map(|i| (0..x.len()).map(move |j| jacobian[(i, j)])).collect()
     }
 
     fn try_step(&self, parameters: &[T], x: &[T], eps: T) -> Option<Vec<T>> {
-        let next = self.0(parameters).try_step(&SVector::from_fn(|i, _| x[i]), eps).ok()?;
-        Some(next.iter().copied().collect())
+        Some(own(&KahanMap::try_step(&self.with_parameters(parameters), &padded(x), eps).ok()?, x))
     }
 }
 
-macro_rules! generated_steps {
-    (
-        paper { $($module:ident::$type:ident $({ $($parameter:ident),* })? in $n:literal;)* }
-        further { $($rest:tt)* }
-    ) => {
-        /// The generated steps of a system of the paper, by its command name.
-        pub(crate) fn generated<T: Float>(command: &str) -> Option<Box<dyn Steps<T>>> {
-            $(
-                if command == kahan_systems::$module::ENTRY.command {
-                    return Some(Box::new(Generated::<_, $n>(|values: &[T]| {
-                        let [$($($parameter),*)?] = values else { unreachable!("its parameters") };
-                        kahan_systems::$type { $($($parameter: *$parameter),*)? }
-                    })));
-                }
-            )*
-            None
-        }
-    };
+/// The point with zeros for the variables that stand still.
+fn padded<T: Float, const N: usize>(x: &[T]) -> SVector<T, N> {
+    SVector::from_fn(|i, _| x.get(i).copied().unwrap_or_else(T::zero))
 }
 
-with_catalog!(generated_steps);
+/// The components that belong to those of x.
+fn own<T: Float, const N: usize>(next: &SVector<T, N>, x: &[T]) -> Vec<T> {
+    next.iter().copied().take(x.len()).collect()
+}
 
-/// The steps of any system, by its plans; they have the bits of generated ones. `values` are parameters at which it is defined.
-pub(crate) fn interpreted<T: Float>(
+/// The steps of a system; `values` are parameters at which it is defined.
+pub(crate) fn of_system<T: Float>(
     system: &System,
     values: &[BigRational],
 ) -> Result<Box<dyn Steps<T>>, CannotRun> {
@@ -129,7 +108,6 @@ impl<T: Float> VisitDimension for Reader<'_, T> {
     type Output = Result<Box<dyn Steps<T>>, CannotInterpret>;
 
     fn visit<const N: usize>(self) -> Self::Output {
-        let map = Interpreted::<BigRational, N>::new(self.system, self.values)?.rounded::<T>();
-        Ok(Box::new(Generated::<_, N>(move |parameters: &[T]| map.with_parameters(parameters))))
+        Ok(Box::new(Interpreted::<BigRational, N>::padded(self.system, self.values)?.rounded::<T>()))
     }
 }

@@ -25,7 +25,7 @@ const STAGES: u64 = 2040;
 
 impl Clock {
     /// Times every kind, in turns.
-    pub(super) fn of(subject: &dyn Runner, eps: f64) -> Self {
+    pub(super) fn of(subject: &Runner, eps: f64) -> Self {
         let mut nanoseconds: HashMap<Kind, f64> = HashMap::new();
         for _ in 0..ROUNDS {
             for kind in Kind::all() {

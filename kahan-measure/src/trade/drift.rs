@@ -15,9 +15,8 @@ pub(super) struct Integrals {
 }
 
 /// The integrals at the beginning of an orbit, and how far they have moved since.
-#[derive(Debug)]
 pub(super) struct Drift<'a> {
-    subject: &'a dyn Runner,
+    subject: &'a Runner,
     integrals: &'a Integrals,
     eps: f64,
     begin: Option<(Vec<Dd>, Vec<Dd>)>,
@@ -27,15 +26,9 @@ pub(super) struct Drift<'a> {
     flow: f64,
 }
 
-impl core::fmt::Debug for dyn Runner + '_ {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("Runner")
-    }
-}
-
 impl Integrals {
     /// Looks at a few points near the start which coefficients vary.
-    pub(super) fn of(subject: &dyn Runner, start: &[Dd]) -> Self {
+    pub(super) fn of(subject: &Runner, start: &[Dd]) -> Self {
         let near = |k: usize| -> Vec<Dd> {
             let moved = start.iter().enumerate();
             let shift = |i: usize| Dd::from(((3 * k + 5 * i) % 7) as f64) / Dd::from(11.0);
@@ -59,7 +52,7 @@ impl Integrals {
 }
 
 impl<'a> Drift<'a> {
-    pub(super) fn new(subject: &'a dyn Runner, integrals: &'a Integrals, eps: f64) -> Self {
+    pub(super) fn new(subject: &'a Runner, integrals: &'a Integrals, eps: f64) -> Self {
         Drift { subject, integrals, eps, begin: None, own: 0.0, flow: 0.0 }
     }
 

@@ -13,6 +13,7 @@ mod runner;
 mod search;
 mod stops;
 mod study;
+mod walk;
 
 use std::time::{Duration, Instant};
 
@@ -24,7 +25,6 @@ use kahan_core::num_rational::BigRational;
 use crate::reference::{Certificate, Limits, NoReference, Reference, Trajectory};
 use kahan_runtime::interpreted::{CannotInterpret, UnsupportedDimension};
 
-use catalog::{Found, find, stand_in};
 use clock::Clock;
 use drift::Integrals;
 use runner::Runner;
@@ -159,8 +159,7 @@ impl Trade {
             |part: f64| begin + Duration::try_from_secs_f64(part * scene.seconds).unwrap_or(LONG).min(LONG);
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
         let (parameters, start) = (exact(scene.parameters), exact(scene.start));
-        let Found { runner, is_compiled } = find(scene.system, scene.command, &parameters, &start)?;
-        let subject = runner.as_ref();
+        let subject = &Runner::new(scene.system, scene.command, &parameters, &start)?;
         let wide = scene.start.iter().map(Rational::to_double_double);
         let wide: Vec<Dd> = wide.map(|(high, low)| Dd::new(high, low)).collect();
         let integrals = Integrals::of(subject, &wide);
@@ -176,11 +175,11 @@ impl Trade {
         };
         let coarsest = coarsest.ceil().clamp(1.0, 1e15) as u64;
         let eps = scene.horizon / (2.0 * coarsest as f64);
-        let clock = if is_compiled {
+        let clock = if subject.is_compiled() {
             Clock::of(subject, 0.1 * eps)
         } else {
-            let stand_in = stand_in()?;
-            Clock::of(stand_in.as_ref(), 0.01).scaled(stand_in.cost(), subject.cost())
+            let stand_in = Runner::stand_in()?;
+            Clock::of(&stand_in, 0.01).scaled(stand_in.cost(), subject.cost())
         };
         let mut study = Study {
             subject,
@@ -191,7 +190,7 @@ impl Trade {
             reference,
             integrals,
             deadline: after(1.0),
-            is_compiled,
+            is_compiled: subject.is_compiled(),
             settings: Vec::new(),
             skipped: Vec::new(),
             stalled: Vec::new(),
@@ -210,7 +209,7 @@ const LONG: Duration = Duration::from_secs(1 << 32);
 /// The trajectory, a little beyond the horizon: n steps of an ε that was rounded do not end there exactly.
 fn reference(
     scene: &Scene<'_>,
-    subject: &dyn Runner,
+    subject: &Runner,
     parameters: &[BigRational],
     start: &[BigRational],
     deadline: Instant,

@@ -1,40 +1,27 @@
-//! Orbits of one scene in every kind of arithmetic, behind one face: what chooses and what draws need not know types.
+//! A system at a starting point: its orbits, its flow, its integrals, whatever its type.
 
 use std::time::Instant;
 
+use kahan_algebra::system::System;
 use kahan_core::__private::Dual;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{
-    Dd, FloatScalar, KahanMap, Lift, PreparedStep, QuadraticField, Scalar, StepCost, ThroughF64,
-};
+use kahan_core::{Dd, QuadraticField, Scalar, StepCost};
+use kahan_runtime::interpreted::{CannotInterpret, Interpreted, VisitDimension, visit_dimension};
 
 use crate::reference::{Limits, NoReference, Reference, Trajectory};
-use kahan_runtime::interpreted::{Interpreted, constant};
 
-use super::kind::{Kind, ScalarKind};
+use super::CannotTrade;
+use super::catalog::{Compiled, compiled};
+use super::kind::Kind;
+use super::walk::{Walker, point, rational, walk};
 
 /// A system at a starting point.
-pub(super) trait Runner {
-    /// Shows the first point of an orbit with ε = `eps` and those after the numbers of steps in
-    /// `stops`, which grow; the seconds that it took, without the preparations. The orbit begins at
-    /// `from`, or at the scene's own point.
-    fn follow(&self, kind: Kind, eps: f64, from: Option<&[Dd]>, stops: Stops<'_>, visit: Visit<'_>) -> f64;
-
-    /// The trajectory to compare with.
-    fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference>;
-
-    /// ‖f′(x₀)‖∞
-    fn slope(&self) -> f64;
-
-    /// The declared integrals at this ε.
-    fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd>;
-
-    /// Their Taylor coefficients at ε = 0: the values, and those of ε².
-    fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]>;
-
-    /// What a step of the generated code costs.
-    fn cost(&self) -> StepCost;
+pub(super) struct Runner {
+    map: Box<dyn Map>,
+    /// The orbits of compiled code, for a system of the catalog: the interpreter's take ten to fifty times as long.
+    compiled: Option<Compiled>,
+    start: Vec<BigRational>,
 }
 
 /// What looks at points: the number of steps so far, and the point.
@@ -43,132 +30,130 @@ pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]);
 /// Numbers of steps, each larger than the one before.
 pub(super) type Stops<'a> = &'a mut dyn Iterator<Item = u64>;
 
-/// A map over ℚ, from which every scalar rounds its own, and its first point.
-#[derive(Clone, Debug)]
-pub(super) struct Subject<M, const N: usize> {
-    pub(super) exact: M,
-    pub(super) start: SVector<BigRational, N>,
-    /// The claims.
-    pub(super) claims: Interpreted<BigRational, N>,
-    pub(super) cost: StepCost,
-}
-
-/// Binds the map, the first point and ε of a kind's scalar.
-macro_rules! with_scalar {
-    ($subject:expr, $kind:expr, $to:expr, $from:expr, |$map:ident, $start:ident, $eps:ident| $body:expr) => {
-        match $kind.scalar {
-            ScalarKind::F32 => {
-                let ($map, $start, $eps) = $subject.rounded::<f32>($to, $from);
-                $body
-            }
-            ScalarKind::F32ThroughF64 => {
-                let (map, $start, $eps) = $subject.rounded::<f32>($to, $from);
-                let $map = ThroughF64(map);
-                $body
-            }
-            ScalarKind::F64 => {
-                let ($map, $start, $eps) = $subject.rounded::<f64>($to, $from);
-                $body
-            }
-            ScalarKind::Dd => {
-                let ($map, $start, $eps) = $subject.rounded::<Dd>($to, $from);
-                $body
-            }
-        }
-    };
-}
-
-/// Binds the orbit of a kind's order and accumulation.
-macro_rules! with_orbit {
-    ($map:expr, $start:expr, $eps:expr, $kind:expr, |$orbit:ident| $body:expr) => {
-        match ($kind.order, $kind.compensated) {
-            (2, false) => {
-                let mut $orbit = $map.orbit($start, $eps);
-                $body
-            }
-            (2, true) => {
-                let mut $orbit = $map.orbit($start, $eps).compensated();
-                $body
-            }
-            (_, false) => {
-                let mut $orbit = $map.orbit($start, $eps).composed($kind.composition());
-                $body
-            }
-            (_, true) => {
-                let mut $orbit = $map.orbit($start, $eps).composed($kind.composition()).compensated();
-                $body
-            }
-        }
-    };
-}
-
-impl<M: Lift<BigRational, N>, const N: usize> Subject<M, N> {
-    /// A system whose steps are compiled.
-    pub(super) fn compiled(exact: M, start: &[BigRational], claims: Interpreted<BigRational, N>) -> Self {
-        let cost = <M::Prepared as PreparedStep<BigRational, N>>::COST;
-        Subject { exact, start: SVector::from_fn(|i, _| start[i].clone()), claims, cost }
+impl Runner {
+    /// A system of any name; the catalog's are compiled.
+    pub(super) fn new(
+        system: &System,
+        command: &str,
+        parameters: &[BigRational],
+        start: &[BigRational],
+    ) -> Result<Self, CannotTrade> {
+        let read = visit_dimension(system.field.dimension(), Reader { system, parameters });
+        let map = read.map_err(CannotTrade::Dimension)?.map_err(CannotTrade::System)?;
+        Ok(Runner { map, compiled: compiled(command, parameters), start: start.to_vec() })
     }
 
-    /// The map, the first point and ε in another scalar.
-    fn rounded<T: FloatScalar>(&self, eps: f64, from: Option<&[Dd]>) -> (M::Lifted<T>, SVector<T, N>, T) {
-        let start = SVector::from_fn(|i, _| match from {
-            Some(point) => round(&(rational(point[i].high()) + rational(point[i].low()))),
-            None => round(&self.start[i]),
-        });
-        (self.exact.lift(round), start, round(&rational(eps)))
+    /// E6 at a point of ordinary size: what is timed in place of a field without compiled code.
+    pub(super) fn stand_in() -> Result<Self, CannotTrade> {
+        let reading = kahan_algebra::read(&kahan_algebra::lexer::lex(kahan_systems::e6::ENTRY.text()).tokens);
+        let start = [1, -2, 3].map(|x| BigRational::new(x.into(), 4.into()));
+        Runner::new(&reading.system, kahan_systems::e6::ENTRY.command, &[], &start)
     }
 
-    fn double_double(&self) -> Interpreted<Dd, N> {
-        self.claims.rounded()
+    /// Whether its steps are compiled code.
+    pub(super) fn is_compiled(&self) -> bool {
+        self.compiled.is_some()
     }
-}
 
-impl<const N: usize> Subject<Interpreted<BigRational, N>, N> {
-    /// A system that was read at run time.
-    pub(super) fn interpreted(exact: Interpreted<BigRational, N>, start: &[BigRational]) -> Self {
-        let cost = exact.cost();
-        Subject { claims: exact.clone(), exact, start: SVector::from_fn(|i, _| start[i].clone()), cost }
-    }
-}
-
-impl<M: Lift<BigRational, N>, const N: usize> Runner for Subject<M, N> {
-    fn follow(&self, kind: Kind, eps: f64, from: Option<&[Dd]>, stops: Stops<'_>, visit: Visit<'_>) -> f64 {
-        with_scalar!(self, kind, eps, from, |map, start, eps| with_orbit!(map, start, eps, kind, |orbit| {
-            let (mut step, mut next) = (0, orbit.next());
+    /// Shows the first point of an orbit with ε = `eps` and those after the numbers of steps in
+    /// `stops`, which grow; the seconds that it took, without the preparations. The orbit begins at
+    /// `from`, or at the scene's own point.
+    pub(super) fn follow(
+        &self,
+        kind: Kind,
+        eps: f64,
+        from: Option<&[Dd]>,
+        stops: Stops<'_>,
+        visit: Visit<'_>,
+    ) -> f64 {
+        let exact = |entry: &Dd| rational(entry.high()) + rational(entry.low());
+        let start = from.map_or_else(|| self.start.clone(), |point| point.iter().map(exact).collect());
+        let mut seconds = 0.0;
+        let walker: Walker<'_> = &mut |orbit| {
+            let (mut step, mut points) = (0, 0);
             let clock = Instant::now();
-            while let Some(point) = next {
-                visit(step, point.map(Dd::from).as_slice());
+            while let Some(point) = orbit.nth(points) {
+                visit(step, &point[..start.len()]);
                 let Some(stop) = stops.next() else { break };
-                next = orbit.nth(index(stop - step - 1));
+                points = index(stop - step - 1);
                 step = stop;
             }
-            clock.elapsed().as_secs_f64()
-        }))
+            seconds = clock.elapsed().as_secs_f64();
+        };
+        match &self.compiled {
+            Some(compiled) => compiled(&start, kind, eps, walker),
+            None => self.map.walk(&start, kind, eps, walker),
+        }
+        seconds
+    }
+
+    /// The trajectory to compare with.
+    pub(super) fn reference(
+        &self,
+        asked: &Trajectory<'_>,
+        limits: &Limits,
+    ) -> Result<Reference, NoReference> {
+        self.map.reference(asked, limits)
+    }
+
+    /// ‖f′(x₀)‖∞
+    pub(super) fn slope(&self) -> f64 {
+        self.map.slope(&self.start)
+    }
+
+    /// The declared integrals at this ε.
+    pub(super) fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd> {
+        self.map.integrals(x, eps)
+    }
+
+    /// Their Taylor coefficients at ε = 0: the values, and those of ε².
+    pub(super) fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
+        self.map.integrals_at_zero(x)
+    }
+
+    /// What a step of the generated code costs.
+    pub(super) fn cost(&self) -> StepCost {
+        self.map.cost()
+    }
+}
+
+/// A system that was read, in whatever number of variables.
+trait Map {
+    /// Hands over an orbit.
+    fn walk(&self, start: &[BigRational], kind: Kind, eps: f64, walker: Walker<'_>);
+    fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference>;
+    fn slope(&self, start: &[BigRational]) -> f64;
+    fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd>;
+    fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]>;
+    fn cost(&self) -> StepCost;
+}
+
+impl<const N: usize> Map for Interpreted<BigRational, N> {
+    fn walk(&self, start: &[BigRational], kind: Kind, eps: f64, walker: Walker<'_>) {
+        walk(self, start, kind, eps, walker);
     }
 
     fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference> {
-        Reference::within(&self.exact.lift::<Dd>(round), asked, limits)
+        Reference::within(&self.rounded::<Dd>(), asked, limits)
     }
 
-    fn slope(&self) -> f64 {
-        let map = self.exact.lift::<f64>(round);
-        let slopes = map.field_jacobian(&SVector::from_fn(|i, _| round(&self.start[i])));
+    fn slope(&self, start: &[BigRational]) -> f64 {
+        let slopes = self.rounded::<f64>().field_jacobian(&point(start));
         slopes.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
     }
 
     fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd> {
-        let x = SVector::from_fn(|i, _| x[i]);
-        self.double_double().integrals(&x, &Dd::from(eps)).into_iter().map(number).collect()
+        let values = self.rounded().integrals(&padded(x, |value| value), &Dd::from(eps));
+        values.into_iter().map(number).collect()
     }
 
     fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
         // ε = d + d′ with d² = d′² = 0: the coefficient of dd′ is the second derivative.
         let fixed = |value: Dd| Dual::<_, 1>::lift(Dual::<_, 1>::lift(value));
         let eps = Dual { value: Dual::coordinate(Dd::from(0.0), 0), gradient: [Dual::lift(Dd::from(1.0))] };
-        let x = SVector::from_fn(|i, _| fixed(x[i]));
-        let claims = self.double_double().lift(|parameter| fixed(*parameter));
+        let claims = self.rounded::<Dd>().over(|parameter| fixed(*parameter));
         let half = Dd::from(0.5);
-        let coefficients = claims.integrals(&x, &eps).into_iter().map(|value| match value {
+        let coefficients = claims.integrals(&padded(x, fixed), &eps).into_iter().map(|value| match value {
             Some(value) => [value.value.value, value.gradient[0].gradient[0] * half],
             None => [number(None); 2],
         });
@@ -176,17 +161,27 @@ impl<M: Lift<BigRational, N>, const N: usize> Runner for Subject<M, N> {
     }
 
     fn cost(&self) -> StepCost {
-        self.cost
+        Interpreted::cost(self)
     }
 }
 
-fn round<T: Scalar>(value: &BigRational) -> T {
-    T::constant(&constant(&value.clone().into()))
+/// Reads a system in whatever number of variables it has.
+struct Reader<'a> {
+    system: &'a System,
+    parameters: &'a [BigRational],
 }
 
-/// A float as the number that it is; 0 for what is none.
-fn rational(value: f64) -> BigRational {
-    BigRational::from_float(value).unwrap_or_else(|| BigRational::from_integer(0.into()))
+impl VisitDimension for Reader<'_> {
+    type Output = Result<Box<dyn Map>, CannotInterpret>;
+
+    fn visit<const N: usize>(self) -> Self::Output {
+        Ok(Box::new(Interpreted::<BigRational, N>::padded(self.system, self.parameters)?))
+    }
+}
+
+/// A point in numbers made from its coordinates, with zeros for the variables that stand still.
+fn padded<T: Scalar, const N: usize>(x: &[Dd], number: impl Fn(Dd) -> T) -> SVector<T, N> {
+    SVector::from_fn(|i, _| number(x.get(i).copied().unwrap_or_default()))
 }
 
 fn number(value: Option<Dd>) -> Dd {

@@ -19,7 +19,7 @@ const INTEGRAL_SAMPLES: usize = 32;
 
 /// What measures settings of one scene, and remembers them.
 pub(super) struct Study<'a> {
-    pub(super) subject: &'a dyn Runner,
+    pub(super) subject: &'a Runner,
     pub(super) clock: Clock,
     pub(super) need: Need,
     pub(super) tolerance: f64,

@@ -1,11 +1,14 @@
-//! From a number of variables that is known at run time to the types, whose dimension is a constant.
+//! From a number of variables that is known at run time to types, whose dimension is a constant.
+//!
+//! Two types serve all: what is generic over maps is compiled for 4 and for 8 variables, and smaller systems are
+//! [padded](super::Interpreted::padded). A type for every number of variables took four times as long to compile.
 
 /// What is to be done in some dimension.
 pub trait VisitDimension {
     /// What comes out.
     type Output;
 
-    /// Does it in N variables.
+    /// Does it in N variables, at least as many as were asked for.
     fn visit<const N: usize>(self) -> Self::Output;
 }
 
@@ -32,7 +35,7 @@ impl core::fmt::Display for UnsupportedDimension {
 
 impl core::error::Error for UnsupportedDimension {}
 
-/// Does it in `dimension` variables.
+/// Does it in the fewest variables that there is a type for and that hold `dimension`.
 ///
 /// # Errors
 /// [`UnsupportedDimension`] beyond [`LARGEST_DIMENSION`].
@@ -40,15 +43,9 @@ pub fn visit_dimension<V: VisitDimension>(
     dimension: usize,
     visitor: V,
 ) -> Result<V::Output, UnsupportedDimension> {
-    Ok(match dimension {
-        1 => visitor.visit::<1>(),
-        2 => visitor.visit::<2>(),
-        3 => visitor.visit::<3>(),
-        4 => visitor.visit::<4>(),
-        5 => visitor.visit::<5>(),
-        6 => visitor.visit::<6>(),
-        7 => visitor.visit::<7>(),
-        8 => visitor.visit::<8>(),
-        other => return Err(UnsupportedDimension(other)),
-    })
+    match dimension {
+        1..=4 => Ok(visitor.visit::<4>()),
+        5..=LARGEST_DIMENSION => Ok(visitor.visit::<LARGEST_DIMENSION>()),
+        other => Err(UnsupportedDimension(other)),
+    }
 }

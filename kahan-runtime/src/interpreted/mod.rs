@@ -102,8 +102,21 @@ impl<const N: usize> Interpreted<BigRational, N> {
     /// # Errors
     /// [`CannotInterpret`].
     pub fn new(system: &System, parameters: &[BigRational]) -> Result<Self, CannotInterpret> {
+        match system.field.dimension() {
+            found if found == N => Self::padded(system, parameters),
+            found => Err(CannotInterpret::Dimension { found, expected: N }),
+        }
+    }
+
+    /// The system among N variables, of which those beyond its own stand still: ẋᵢ = 0.
+    ///
+    /// Its own variables have the bits that [`new`](Self::new) gives them. Two or three types then serve every dimension.
+    ///
+    /// # Errors
+    /// [`CannotInterpret`].
+    pub fn padded(system: &System, parameters: &[BigRational]) -> Result<Self, CannotInterpret> {
         let (found, symbols) = (system.field.dimension(), &system.field.symbols);
-        if found != N {
+        if found > N {
             return Err(CannotInterpret::Dimension { found, expected: N });
         }
         if symbols.parameters.len() != parameters.len() {
@@ -131,7 +144,7 @@ impl<const N: usize> Interpreted<BigRational, N> {
     /// The system over another scalar, each parameter rounded once from its exact value.
     #[must_use]
     pub fn rounded<T: Scalar>(&self) -> Interpreted<T, N> {
-        self.over(&|parameter: &BigRational| T::constant(&constant(&Rational::from(parameter.clone()))))
+        self.over(|parameter: &BigRational| T::constant(&constant(&Rational::from(parameter.clone()))))
     }
 }
 
@@ -171,8 +184,9 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.code.integrals.iter().map(|integral| value(&integral.program)).collect()
     }
 
-    /// The same programs with other parameters.
-    fn over<U>(&self, lift: &impl Fn(&T) -> U) -> Interpreted<U, N> {
+    /// The same system over another scalar, each parameter put into it by `lift`.
+    #[must_use]
+    pub fn over<U>(&self, lift: impl Fn(&T) -> U) -> Interpreted<U, N> {
         let parameters = self.parameters.iter().map(lift).collect();
         Interpreted { code: Arc::clone(&self.code), parameters, dimension: PhantomData }
     }
@@ -182,12 +196,6 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         let inputs = Inputs { state: x.as_slice(), other, parameters: &self.parameters, eps, prepared: &[] };
         program.values(&inputs)
     }
-
-    /// Numerators and a denominator.
-    fn quotient(&self, program: &Program, x: &SVector<T, N>, eps: &T) -> (SVector<T, N>, T) {
-        let values = self.values(program, x, &[], Some(eps));
-        (vector(&values), values[N].clone())
-    }
 }
 
 impl<T: PartialEq, const N: usize> PartialEq for Interpreted<T, N> {
@@ -196,8 +204,16 @@ impl<T: PartialEq, const N: usize> PartialEq for Interpreted<T, N> {
     }
 }
 
+/// The values, and 0 for each variable that stands still.
 fn vector<T: Scalar, const N: usize>(values: &[T]) -> SVector<T, N> {
-    SVector::from_fn(|i, _| values[i].clone())
+    SVector::from_fn(|i, _| values.get(i).cloned().unwrap_or_else(T::zero))
+}
+
+/// Numerators and the denominator behind them.
+fn fraction<T: Scalar, const N: usize>(values: &[T]) -> (SVector<T, N>, T) {
+    let (denominator, numerators) =
+        values.split_last().unwrap_or_else(|| unreachable!("a map has a denominator"));
+    (vector(numerators), denominator.clone())
 }
 
 impl<T: Scalar, const N: usize> QuadraticField<T, N> for Interpreted<T, N> {
@@ -206,8 +222,8 @@ impl<T: Scalar, const N: usize> QuadraticField<T, N> for Interpreted<T, N> {
     }
 
     fn field_jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        let entries = self.values(&self.code.field_jacobian, x, &[], None);
-        SMatrix::from_fn(|i, j| entries[i * N + j].clone())
+        let (entries, own) = (self.values(&self.code.field_jacobian, x, &[], None), self.code.states.len());
+        SMatrix::from_fn(|i, j| if i.max(j) < own { entries[i * own + j].clone() } else { T::zero() })
     }
 
     fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
@@ -254,14 +270,14 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
 
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         match &self.code.rational_map {
-            Some(program) => self.quotient(program, x, &eps),
+            Some(program) => fraction(&self.values(program, x, &[], Some(&eps))),
             None => Unplanned(self.clone()).rational_map(x, eps),
         }
     }
 
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         match &self.code.reduced_map {
-            Some(program) => self.quotient(program, x, &eps),
+            Some(program) => fraction(&self.values(program, x, &[], Some(&eps))),
             None => self.rational_map(x, eps),
         }
     }
@@ -271,6 +287,6 @@ impl<T: Scalar, const N: usize> Lift<T, N> for Interpreted<T, N> {
     type Lifted<U: Scalar> = Interpreted<U, N>;
 
     fn lift<U: Scalar>(&self, lift: impl Fn(&T) -> U) -> Interpreted<U, N> {
-        self.over(&lift)
+        self.over(lift)
     }
 }

@@ -49,10 +49,11 @@ impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
         let StepCode { kernel, reciprocals, .. } = step.at(&self.eps);
         let inputs = Inputs { state: x.as_slice(), prepared: &self.constants, ..Inputs::default() };
         let results = kernel.run(&inputs)?;
-        let (numerators, divisions) = results.split_at(N);
+        let (numerators, divisions) = results.split_at(reciprocals.len());
+        let reciprocal = |i: usize| Some(divisions[(*reciprocals.get(i)?)?].clone());
         Some(Quotients {
-            numerators: from_fn(|i| numerators[i].clone()),
-            reciprocals: from_fn(|i| reciprocals[i].map(|place| divisions[place].clone())),
+            numerators: from_fn(|i| numerators.get(i).cloned().unwrap_or_else(T::zero)),
+            reciprocals: from_fn(reciprocal),
         })
     }
 }

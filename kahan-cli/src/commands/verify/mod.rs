@@ -86,7 +86,7 @@ impl Verify {
             return Ok(mutate::run(&paper, &claims, self.json));
         }
         let progress = Progress::new(claims.len() as u64, "claims");
-        let established = paper.establish_all(&claims, || progress.advance(1));
+        let established = paper.establish_all(&claims, &|| progress.advance(1));
         progress.finish();
         let rows = claims.iter().zip(established).map(|(claim, established)| Row {
             id: claim.id.to_string(),

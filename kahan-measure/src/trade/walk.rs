@@ -1,0 +1,105 @@
+//! Orbits in every kind of arithmetic, behind one face.
+//!
+//! In: a map over ℚ, from which every scalar rounds its own, a first point, a kind, ε. Out: the library's own orbit of that kind,
+//! as something that walks. This is all of the trade that is compiled once for every map, so it holds nothing else.
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::num_rational::BigRational;
+use kahan_core::{Dd, FloatScalar, KahanMap, Lift, Scalar, ThroughF64};
+use kahan_runtime::interpreted::constant;
+
+use super::kind::{Kind, ScalarKind};
+
+/// An orbit.
+pub(super) trait Walk {
+    /// So many points further on, its first point being the first; `None` where there is no point.
+    fn nth(&mut self, points: usize) -> Option<Vec<Dd>>;
+}
+
+impl<O, T, const N: usize> Walk for O
+where
+    O: Iterator<Item = SVector<T, N>>,
+    T: FloatScalar,
+    Dd: From<T>,
+{
+    fn nth(&mut self, points: usize) -> Option<Vec<Dd>> {
+        Some(widened(&Iterator::nth(self, points)?))
+    }
+}
+
+/// The coordinates of a point; not written into every orbit that has such points.
+#[inline(never)]
+fn widened<T: FloatScalar, const N: usize>(point: &SVector<T, N>) -> Vec<Dd>
+where
+    Dd: From<T>,
+{
+    point.iter().map(|entry| Dd::from(*entry)).collect()
+}
+
+/// What is done with an orbit.
+pub(super) type Walker<'a> = &'a mut dyn FnMut(&mut dyn Walk);
+
+/// Hands over the orbit of a map in a kind of arithmetic. `start` has at most N coordinates; those that lack are 0.
+pub(super) fn walk<M, const N: usize>(
+    exact: &M,
+    start: &[BigRational],
+    kind: Kind,
+    eps: f64,
+    walker: Walker<'_>,
+) where
+    M: Lift<BigRational, N>,
+{
+    match kind.scalar {
+        ScalarKind::F32 => carried(&exact.lift::<f32>(round), start, kind, eps, walker),
+        ScalarKind::F32ThroughF64 => {
+            carried(&ThroughF64(exact.lift::<f32>(round)), start, kind, eps, walker);
+        }
+        ScalarKind::F64 => carried(&exact.lift::<f64>(round), start, kind, eps, walker),
+        // Compensation makes no sense where no rounding is ever seen.
+        ScalarKind::Dd => plain(&exact.lift::<Dd>(round), start, kind, eps, walker),
+    }
+}
+
+/// The orbit, compensated where the kind is.
+fn carried<M, T, const N: usize>(map: &M, start: &[BigRational], kind: Kind, eps: f64, walker: Walker<'_>)
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+    Dd: From<T>,
+{
+    if !kind.compensated {
+        return plain(map, start, kind, eps, walker);
+    }
+    let orbit = map.orbit(point(start), round(&rational(eps))).compensated();
+    match kind.order {
+        2 => walker(&mut { orbit }),
+        _ => walker(&mut orbit.composed(kind.composition())),
+    }
+}
+
+fn plain<M, T, const N: usize>(map: &M, start: &[BigRational], kind: Kind, eps: f64, walker: Walker<'_>)
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+    Dd: From<T>,
+{
+    let orbit = map.orbit(point(start), round(&rational(eps)));
+    match kind.order {
+        2 => walker(&mut { orbit }),
+        _ => walker(&mut orbit.composed(kind.composition())),
+    }
+}
+
+/// The point over a scalar.
+pub(super) fn point<T: Scalar, const N: usize>(exact: &[BigRational]) -> SVector<T, N> {
+    SVector::from_fn(|i, _| exact.get(i).map_or_else(T::zero, round))
+}
+
+pub(super) fn round<T: Scalar>(value: &BigRational) -> T {
+    T::constant(&constant(&value.clone().into()))
+}
+
+/// A float as the number that it is; 0 for what is none.
+pub(super) fn rational(value: f64) -> BigRational {
+    BigRational::from_float(value).unwrap_or_else(|| BigRational::from_integer(0.into()))
+}

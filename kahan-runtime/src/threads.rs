@@ -1,0 +1,64 @@
+//! Independent pieces of work over all processors.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::{available_parallelism, scope};
+
+/// Runs `work` for each index below `count`, in about this order, each on whichever thread comes free.
+///
+/// `threads` is the number of threads, by default as many as the machine runs at once. A thread that panics ends the call
+/// with its panic.
+pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
+    let threads = threads.or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1);
+    let next = AtomicUsize::new(0);
+    scope(|scope| {
+        for _ in 0..threads.clamp(1, count.max(1)) {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    if index >= count {
+                        break;
+                    }
+                    work(index);
+                }
+            });
+        }
+    });
+}
+
+/// The results of `work` for each index below `count`, in the order of the indices.
+pub fn map<R: Send>(count: usize, work: impl Fn(usize) -> R + Sync) -> Vec<R> {
+    let results = Mutex::new(Vec::with_capacity(count));
+    for_each(count, None, &|index| {
+        let result = work(index);
+        // A thread that panics does so outside of the lock.
+        results.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, result));
+    });
+    let mut results = results.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    results.sort_by_key(|(index, _)| *index);
+    results.into_iter().map(|(_, result)| result).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{for_each, map};
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    #[test]
+    fn every_index_has_its_turn_once_on_any_number_of_threads() {
+        for threads in [None, Some(0), Some(1), Some(3), Some(100)] {
+            let (sum, squares) = (AtomicU64::new(0), AtomicU64::new(0));
+            for_each(50, threads, &|index| {
+                sum.fetch_add(index as u64, Ordering::Relaxed);
+                squares.fetch_add((index * index) as u64, Ordering::Relaxed);
+            });
+            assert_eq!((sum.into_inner(), squares.into_inner()), (1225, 40425));
+        }
+        for_each(0, None, &|_| unreachable!("there is no work"));
+    }
+
+    #[test]
+    fn results_come_in_the_order_of_their_indices() {
+        assert_eq!(map(300, |index| 2 * index), (0..300).map(|index| 2 * index).collect::<Vec<_>>());
+    }
+}
