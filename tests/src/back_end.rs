@@ -8,7 +8,7 @@ mod interpreted;
 
 use crate::exact::{Matrix, Q, Vector};
 
-pub use generated::{Claims, Generated};
+pub use generated::Generated;
 pub use interpreted::Interpreted;
 
 /// Everything that a system knows at a point.

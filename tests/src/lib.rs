@@ -3,8 +3,8 @@
 pub mod back_end;
 pub mod exact;
 pub mod expression;
-pub mod float_maps;
 pub mod flow;
+pub mod maps;
 pub mod oracle;
 pub mod random_fields;
 pub mod random_systems;

@@ -5,8 +5,8 @@ use kahan_core::prelude::*;
 use kahan_systems::special::{Modulus, Precise, Real, integrate};
 use kahan_systems::{E9, e9};
 
-use crate::exact_orbits::{Point, assert_on_orbit, cases, orbit, precise};
-use crate::measure::{assert_close, number, ten_to_minus};
+use crate::solutions::exact_orbits::{Point, assert_on_orbit, cases, orbit, precise};
+use crate::solutions::measure::{assert_close, number, ten_to_minus};
 
 fn start() -> Point<Precise> {
     Point::from(["3/7", "11/13", "23/47"].map(number))
@@ -122,7 +122,7 @@ fn the_map_is_solved_where_it_is_e3_e4_or_plane() {
             let solution =
                 e9::Solution::through(&number(xi), &precise(&case.start), &Precise::from_rational(&case.eps));
             let Ok(solution) = solution else { continue };
-            let map = E9 { xi: crate::exact_orbits::rational(xi) };
+            let map = E9 { xi: crate::solutions::exact_orbits::rational(xi) };
             let exact = orbit(map, &case.start, &case.eps, [3, 5]);
             compared += assert_on_orbit(&exact, |n| solution.at(n), 50, &format!("E9, xi = {xi}"));
         }

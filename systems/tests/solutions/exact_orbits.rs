@@ -3,7 +3,7 @@
 use kahan_core::prelude::*;
 use kahan_systems::special::{Precise, Real};
 
-use crate::measure::{assert_close_above, ten_to_minus};
+use crate::solutions::measure::{assert_close_above, ten_to_minus};
 
 pub(crate) type Rational = BigRational;
 pub(crate) type Point<T> = SVector<T, 3>;

@@ -10,8 +10,8 @@ use kahan_systems::{
     E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, e1, e2, e3, e4, e5, e6, e7, e8, e9, euler,
 };
 
-use crate::exact_orbits::{Point, norm};
-use crate::measure::{number, ten_to_minus};
+use crate::solutions::exact_orbits::{Point, norm};
+use crate::solutions::measure::{number, ten_to_minus};
 
 /// f′(t) ≈ (1/h) Σ_{k=1}^{6} (−1)^{k+1} (6!)²/(k (6−k)! (6+k)!) (f(t+kh) − f(t−kh)).
 fn derivative(at: &impl Fn(&Precise) -> Point<Precise>, t: &Precise) -> Point<Precise> {

@@ -5,8 +5,8 @@ use kahan_core::prelude::*;
 use kahan_systems::special::{Precise, Real};
 use kahan_systems::{E1, E2, E7, E8, e7, e8};
 
-use crate::exact_orbits::{Point, cases, orbit, precise, rational};
-use crate::measure::{assert_close, assert_close_above, number, ten_to_minus};
+use crate::solutions::exact_orbits::{Point, cases, orbit, precise, rational};
+use crate::solutions::measure::{assert_close, assert_close_above, number, ten_to_minus};
 
 fn paper() -> (Point<Precise>, Precise) {
     (Point::from(["3/7", "11/13", "23/47"].map(number)), number("1/2"))
@@ -166,14 +166,14 @@ fn floats_reach_their_precision() {
                 (e8::integral_h(&float, &eps), e8::integral_h(&start, &precise_eps)),
             ];
             for (value, expected) in pairs {
-                worst_h = worst_h.max(crate::measure::ulps_above(value, &expected, 0.0));
+                worst_h = worst_h.max(crate::solutions::measure::ulps_above(value, &expected, 0.0));
             }
             let pairs = [
                 (e7::integral_k(&xi, &float, &eps), e7::integral_k(&precise_xi, &start, &precise_eps)),
                 (e8::integral_k(&float, &eps), e8::integral_k(&start, &precise_eps)),
             ];
             for (value, expected) in pairs {
-                worst_k = worst_k.max(crate::measure::ulps_above(value.unwrap(), &expected.unwrap(), 0.0));
+                worst_k = worst_k.max(crate::solutions::measure::ulps_above(value.unwrap(), &expected.unwrap(), 0.0));
             }
         }
     }

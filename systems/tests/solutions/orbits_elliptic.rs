@@ -5,10 +5,10 @@ use kahan_systems::solution::{Branch, OutOfDomain};
 use kahan_systems::special::{Jacobi, Precise, Real, jacobi};
 use kahan_systems::{E4, E6, EulerTop, e4, e6, euler};
 
-use crate::exact_orbits::{
+use crate::solutions::exact_orbits::{
     Case, Point, Rational, assert_on_orbit, cases, orbit, precise, rational, rounded, ulps,
 };
-use crate::measure::assert_close;
+use crate::solutions::measure::assert_close;
 
 /// Every combination of signs, of ε too; both branches; points on the planes xy = 0 and next to |εz| = 1.
 fn more() -> Vec<Case> {

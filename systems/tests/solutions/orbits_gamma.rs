@@ -3,7 +3,7 @@
 use kahan_systems::special::Precise;
 use kahan_systems::{E7, E8, e7, e8};
 
-use crate::exact_orbits::{assert_on_orbit, cases, orbit, precise, rounded, ulps};
+use crate::solutions::exact_orbits::{assert_on_orbit, cases, orbit, precise, rounded, ulps};
 
 #[test]
 fn solutions_of_e7_are_the_orbits() {

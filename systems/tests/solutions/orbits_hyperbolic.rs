@@ -5,10 +5,10 @@ use kahan_systems::solution::{Branch, OutOfDomain};
 use kahan_systems::special::{Precise, Real};
 use kahan_systems::{E3, E5, e3, e5};
 
-use crate::exact_orbits::{
+use crate::solutions::exact_orbits::{
     Case, Point, Rational, Rounded, assert_on_orbit, cases, orbit, precise, rational, rounded, ulps,
 };
-use crate::measure::assert_close;
+use crate::solutions::measure::assert_close;
 
 fn more() -> Vec<Case> {
     // Both branches, every sign, both signs of ε, and points next to the border between the branches.

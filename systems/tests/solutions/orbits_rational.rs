@@ -3,7 +3,7 @@
 use kahan_core::num_traits::Zero;
 use kahan_systems::{E1, E2, E7, E8, e1, e2, e7, e8};
 
-use crate::exact_orbits::{Case, Point, Rational, cases, orbit, rational};
+use crate::solutions::exact_orbits::{Case, Point, Rational, cases, orbit, rational};
 
 /// Compares on the whole orbit, 12 steps to both sides; returns how many points were compared.
 fn assert_equal(exact: &[(i64, Point<Rational>)], at: impl Fn(i64) -> Point<Rational>) -> usize {

@@ -5,8 +5,8 @@ use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
 use kahan_systems::special::{Precise, Real};
 
-use crate::exact_orbits::rational;
-use crate::measure::{assert_close, number};
+use crate::solutions::exact_orbits::rational;
+use crate::solutions::measure::{assert_close, number};
 
 /// 2ⁿ as a rational.
 fn power_of_two(n: usize) -> BigRational {

@@ -7,7 +7,7 @@ use kahan_core::num_traits::{One, Zero};
 use kahan_core::prelude::*;
 use kahan_systems::{E4, E6};
 
-use crate::exact_orbits::{Point, Rational, cases, rational};
+use crate::solutions::exact_orbits::{Point, Rational, cases, rational};
 
 /// a + b√3.
 #[derive(Clone, Debug, PartialEq)]

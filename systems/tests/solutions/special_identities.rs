@@ -6,7 +6,7 @@ use kahan_systems::special::{
     gamma_ratio, jacobi, theta,
 };
 
-use crate::measure::{assert_close, number};
+use crate::solutions::measure::{assert_close, number};
 
 fn int(n: i64) -> Precise {
     Precise::from_int(n)

@@ -6,7 +6,7 @@ use kahan_systems::special::{
     elliptic_k, gamma, jacobi, theta,
 };
 
-use crate::measure::ulps_above;
+use crate::solutions::measure::ulps_above;
 
 const SAMPLES: usize = 400;
 

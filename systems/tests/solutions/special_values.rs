@@ -8,7 +8,7 @@ use kahan_systems::special::{
     elliptic_k, gamma, gamma_ratio, jacobi, theta,
 };
 
-use crate::measure::{assert_close, number};
+use crate::solutions::measure::{assert_close, number};
 
 const DIGITS: i64 = 58;
 

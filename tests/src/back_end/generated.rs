@@ -5,138 +5,208 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use kahan_core::prelude::*;
+use kahan_systems::entry::Entry;
+use kahan_systems::with_catalog;
 
 use super::BackEnd;
 use crate::exact::{Matrix, Q, Vector};
-
-/// The claims of a generated type, whose accessors are inherent methods and differ from type to type.
-pub trait Claims<const N: usize> {
-    /// The accessor `integrals`, empty where there is none.
-    fn integral_values(&self, _x: &SVector<Q, N>, _eps: Q) -> Vector {
-        Vec::new()
-    }
-
-    /// The accessor `density`.
-    fn density_value(&self, _x: &SVector<Q, N>, _eps: Q) -> Option<Q> {
-        None
-    }
-
-    /// The accessor `bracket_NAME`.
-    fn bracket_value(&self, _name: &str, _x: &SVector<Q, N>, _eps: Q) -> Option<SMatrix<Q, N, N>> {
-        None
-    }
-}
+use crate::maps::{Map, erased, point, points, rows};
 
 /// Code that the macro wrote.
-#[derive(Clone, Debug)]
-pub struct Generated<M, const N: usize> {
-    name: String,
-    map: M,
+pub struct Generated {
+    name: &'static str,
+    map: Box<dyn Map<Q>>,
+    claims: Option<Box<dyn Claims>>,
 }
 
-impl<M, const N: usize> Generated<M, N> {
-    /// The map, with a name for messages.
-    pub fn new(name: &str, map: M) -> Self {
-        Self { name: name.to_owned(), map }
+/// What a generated type claims, by its accessors.
+trait Claims {
+    fn integrals(&self, x: &[Q], eps: Q) -> Vector;
+    fn density(&self, x: &[Q], eps: Q) -> Option<Q>;
+    fn bracket(&self, name: &str, x: &[Q], eps: Q) -> Option<Matrix>;
+}
+
+/// A method of M at a point and ε.
+type Accessor<M, R, const N: usize> = fn(&M, &SVector<Q, N>, Q) -> R;
+
+/// A map with its accessors, which are inherent methods and differ from type to type.
+struct Accessors<M, const N: usize> {
+    map: M,
+    integrals: Accessor<M, Vector, N>,
+    density: Accessor<M, Option<Q>, N>,
+    brackets: [(&'static str, Accessor<M, Option<SMatrix<Q, N, N>>, N>); 2],
+}
+
+impl<M, const N: usize> Claims for Accessors<M, N> {
+    fn integrals(&self, x: &[Q], eps: Q) -> Vector {
+        (self.integrals)(&self.map, &point(x), eps)
+    }
+
+    fn density(&self, x: &[Q], eps: Q) -> Option<Q> {
+        (self.density)(&self.map, &point(x), eps)
+    }
+
+    fn bracket(&self, name: &str, x: &[Q], eps: Q) -> Option<Matrix> {
+        let (_, accessor) = self.brackets.iter().find(|(known, _)| *known == name)?;
+        accessor(&self.map, &point(x), eps).map(|bracket| rows(&bracket))
     }
 }
 
-fn point<const N: usize>(x: &[Q]) -> SVector<Q, N> {
-    assert_eq!(x.len(), N, "a point of another dimension");
-    SVector::from_fn(|i, _| x[i].clone())
+/// What a type without an accessor has in its place: where it has one, that goes before a method of a trait.
+#[allow(non_snake_case)]
+trait Unclaimed<const N: usize> {
+    fn integrals(&self, _x: &SVector<Q, N>, _eps: Q) -> [Q; 0] {
+        []
+    }
+
+    fn density(&self, _x: &SVector<Q, N>, _eps: Q) -> Option<Q> {
+        None
+    }
+
+    fn bracket_P(&self, _x: &SVector<Q, N>, _eps: Q) -> Option<SMatrix<Q, N, N>> {
+        None
+    }
+
+    fn bracket_Q(&self, _x: &SVector<Q, N>, _eps: Q) -> Option<SMatrix<Q, N, N>> {
+        None
+    }
 }
 
-fn entries<const N: usize>(x: &SVector<Q, N>) -> Vector {
-    x.iter().cloned().collect()
+impl<M: KahanMap<Q, N>, const N: usize> Unclaimed<N> for M {}
+
+macro_rules! generated_catalog {
+    ($($group:ident {
+        $($module:ident::$type:ident $({ $($parameter:ident),* })? in $n:literal;)*
+    })*) => {
+        impl Generated {
+            /// A system of the catalog at these parameters.
+            ///
+            /// # Panics
+            /// If it has another number of parameters.
+            #[must_use]
+            pub fn of_catalog(entry: &Entry, parameters: &[Q]) -> Self {
+                let name = entry.type_name;
+                $($(
+                    if entry.command == kahan_systems::$module::ENTRY.command {
+                        let [$($($parameter),*)?] = parameters else {
+                            panic!("{name} has another number of parameters")
+                        };
+                        let map = kahan_systems::$type { $($($parameter: $parameter.clone()),*)? };
+                        let claims = Accessors::<_, $n> {
+                            map: map.clone(),
+                            integrals: |map, x, eps| map.integrals(x, eps).iter().cloned().collect(),
+                            density: |map, x, eps| map.density(x, eps).into(),
+                            brackets: [
+                                ("P", |map, x, eps| map.bracket_P(x, eps).into()),
+                                ("Q", |map, x, eps| map.bracket_Q(x, eps).into()),
+                            ],
+                        };
+                        return Self { name, map: erased::<_, _, $n>(map), claims: Some(Box::new(claims)) };
+                    }
+                )*)*
+                unreachable!("the registry has what is in the list")
+            }
+        }
+    };
 }
 
-fn rows<const N: usize>(m: &SMatrix<Q, N, N>) -> Matrix {
-    (0..N).map(|i| (0..N).map(|j| m[(i, j)].clone()).collect()).collect()
-}
+with_catalog!(generated_catalog);
 
 /// What a call gives, or `None` where it panics: an exact scalar has no other way to say that there is no value.
 fn value_of<R>(call: impl FnOnce() -> R) -> Option<R> {
     catch_unwind(AssertUnwindSafe(call)).ok()
 }
 
-impl<M, const N: usize> BackEnd for Generated<M, N>
-where
-    M: KahanMap<Q, N> + Claims<N> + Clone,
-{
+impl Generated {
+    /// A map that claims nothing, with a name for messages.
+    #[must_use]
+    pub fn new(name: &'static str, map: Box<dyn Map<Q>>) -> Self {
+        Self { name, map, claims: None }
+    }
+
+    /// A claim's value, where there is a claim and it has a value.
+    fn claimed<R>(&self, value: impl FnOnce(&dyn Claims) -> Option<R>) -> Option<R> {
+        let claims = self.claims.as_deref()?;
+        value_of(|| value(claims)).flatten()
+    }
+}
+
+impl BackEnd for Generated {
     fn label(&self) -> String {
         format!("{}, generated", self.name)
     }
 
     fn field(&self, x: &[Q]) -> Vector {
-        entries(&self.map.field(&point(x)))
+        self.map.field(x)
     }
 
     fn field_jacobian(&self, x: &[Q]) -> Matrix {
-        rows(&self.map.field_jacobian(&point(x)))
+        self.map.field_jacobian(x)
     }
 
     fn bilinear(&self, x: &[Q], y: &[Q]) -> Vector {
-        entries(&self.map.bilinear(&point(x), &point(y)))
+        self.map.bilinear(x, y)
     }
 
     fn polarized(&self, x: &[Q], y: &[Q]) -> Vector {
-        entries(&self.map.polarized(&point(x), &point(y)))
+        self.map.polarized(x, y)
     }
 
     fn matrix(&self, x: &[Q], eps: &Q) -> Matrix {
-        rows(&self.map.matrix(&point(x), eps.clone()))
+        self.map.matrix(x, eps.clone())
     }
 
     fn rhs(&self, x: &[Q], eps: &Q) -> Vector {
-        entries(&self.map.rhs(&point(x), eps.clone()))
+        self.map.rhs(x, eps.clone())
     }
 
     fn step(&self, x: &[Q], eps: &Q) -> Option<Vector> {
-        let x = point(x);
-        let Ok(next) = self.map.try_step(&x, eps.clone()) else {
+        let Ok(next) = self.map.try_step(x, eps.clone()) else {
             assert!(
-                value_of(|| self.map.step(&x, eps.clone())).is_none(),
+                value_of(|| self.map.step(x, eps.clone())).is_none(),
                 "a step where try_step sees a pole"
             );
             return None;
         };
-        assert_eq!(self.map.step(&x, eps.clone()), next, "step differs from try_step");
-        assert_eq!(self.map.at(eps.clone()).step(&x), next, "at(eps).step differs from step");
-        Some(entries(&next))
+        assert_eq!(self.map.step(x, eps.clone()), next, "step differs from try_step");
+        assert_eq!(self.map.at(eps.clone()).step(x), next, "at(eps).step differs from step");
+        Some(next)
     }
 
     fn jacobian(&self, x: &[Q], eps: &Q) -> Option<Matrix> {
-        value_of(|| rows(&self.map.jacobian(&point(x), eps.clone())))
+        value_of(|| self.map.jacobian(x, eps.clone()))
     }
 
     fn det_matrix(&self, x: &[Q], eps: &Q) -> Q {
-        self.map.det_matrix(&point(x), eps.clone())
+        self.map.det_matrix(x, eps.clone())
     }
 
     fn det_jacobian(&self, x: &[Q], eps: &Q) -> Option<Q> {
-        value_of(|| self.map.det_jacobian(&point(x), eps.clone()))
+        value_of(|| self.map.det_jacobian(x, eps.clone()))
     }
 
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q) {
-        let (numerators, denominator) = self.map.rational_map(&point(x), eps.clone());
-        (entries(&numerators), denominator)
+        self.map.rational_map(x, eps.clone())
     }
 
     fn orbit(&self, x: &[Q], eps: &Q, steps: usize) -> (Vec<Vector>, bool) {
-        let mut orbit = self.map.orbit(point(x), eps.clone());
-        let points = orbit.by_ref().take(steps + 1).map(|point| entries(&point)).collect();
-        (points, orbit.stopped().is_some())
+        let mut orbit = self.map.orbit(x, eps.clone());
+        let points = points(orbit.as_mut(), steps + 1);
+        (points, orbit.has_stopped())
     }
 
     fn integrals(&self, x: &[Q], eps: &Q) -> Option<Vector> {
-        value_of(|| self.map.integral_values(&point(x), eps.clone()))
+        if self.claims.is_none() {
+            return Some(Vector::new());
+        }
+        self.claimed(|claims| Some(claims.integrals(x, eps.clone())))
     }
 
     fn density(&self, x: &[Q], eps: &Q) -> Option<Q> {
-        value_of(|| self.map.density_value(&point(x), eps.clone())).flatten()
+        self.claimed(|claims| claims.density(x, eps.clone()))
     }
 
     fn bracket(&self, name: &str, x: &[Q], eps: &Q) -> Option<Matrix> {
-        value_of(|| self.map.bracket_value(name, &point(x), eps.clone())).flatten().map(|m| rows(&m))
+        self.claimed(|claims| claims.bracket(name, x, eps.clone()))
     }
 }

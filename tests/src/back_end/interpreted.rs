@@ -53,6 +53,12 @@ impl Interpreted {
         }
     }
 
+    /// The number of states.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.system.field.dimension()
+    }
+
     fn point(&self, x: &[Q], eps: &Q) -> Point<Rational> {
         Point { state: inward(x), parameters: self.parameters.clone(), eps: eps.clone().into() }
     }

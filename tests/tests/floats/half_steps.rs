@@ -6,18 +6,19 @@
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_tests::exact::{Q, Vector};
-use kahan_tests::float_maps;
+use kahan_tests::maps::{Steps, steps};
 use kahan_tests::rounding::UNIT_F64;
-use kahan_tests::subject::{Subject, further, whole_catalog};
+use kahan_tests::subject::{Subject, further, paper};
 use num_traits::{Signed, ToPrimitive, Zero};
 
-type Map<T> = Box<dyn float_maps::FloatMap<T>>;
+type Map<T> = Box<dyn Steps<T>>;
 
 fn systems() -> Vec<(Subject, Map<f64>, Map<f32>)> {
-    let subjects = whole_catalog().into_iter().chain(further());
-    let doubles = float_maps::catalog().into_iter().chain(float_maps::further());
-    let singles = float_maps::catalog().into_iter().chain(float_maps::further());
-    subjects.zip(doubles.zip(singles)).map(|(subject, (double, single))| (subject, double, single)).collect()
+    let subjects = paper().into_iter().chain(further());
+    subjects
+        .zip(steps().into_iter().zip(steps()))
+        .map(|(subject, (double, single))| (subject, double, single))
+        .collect()
 }
 
 /// Coordinates of a few bits, so that `f32` holds them, too; in ±[1/4, 1].

@@ -5,17 +5,11 @@
 
 #![deny(warnings, missing_docs, unused, clippy::pedantic)]
 
-#[path = "hygiene/blocks_in_bodies.rs"]
 mod blocks_in_bodies;
-#[path = "hygiene/headers.rs"]
 mod headers;
-#[path = "hygiene/items_in_scope.rs"]
 mod items_in_scope;
-#[path = "hygiene/names_in_blocks.rs"]
 mod names_in_blocks;
-#[path = "hygiene/within_macros.rs"]
 mod within_macros;
-#[path = "hygiene/without_prelude.rs"]
 mod without_prelude;
 
 use kahan_core::prelude::*;

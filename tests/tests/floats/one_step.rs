@@ -16,9 +16,9 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::symbols::Symbol;
 use kahan_core::Dd;
 use kahan_tests::exact::{Matrix, Q, Vector};
-use kahan_tests::float_maps::{self, FloatMap};
+use kahan_tests::maps::{Steps, steps};
 use kahan_tests::rounding::UNIT_F64;
-use kahan_tests::subject::{Subject, further, whole_catalog};
+use kahan_tests::subject::{Subject, further, paper};
 use num_traits::{Signed, ToPrimitive};
 
 fn exact(value: f64) -> Q {
@@ -71,8 +71,8 @@ fn ulp(value: f64) -> f64 {
 /// A system with its map over doubles, and what judges that.
 struct Case {
     subject: Subject,
-    map: Box<dyn FloatMap<f64>>,
-    judge: Option<Box<dyn FloatMap<Dd>>>,
+    map: Box<dyn Steps<f64>>,
+    judge: Option<Box<dyn Steps<Dd>>>,
 }
 
 impl Case {
@@ -95,15 +95,13 @@ impl Case {
 
 /// Every system, judged by exact steps.
 fn every_system() -> impl Iterator<Item = Case> {
-    let further = further().into_iter().zip(float_maps::further());
-    let systems = whole_catalog().into_iter().zip(float_maps::catalog()).chain(further);
+    let systems = paper().into_iter().chain(further()).zip(steps());
     systems.map(|(subject, map)| Case { subject, map, judge: None })
 }
 
 /// Every system, judged by steps in double-double.
 fn judged_in_double_double() -> impl Iterator<Item = Case> {
-    let judges = float_maps::catalog().into_iter().chain(float_maps::further());
-    every_system().zip(judges).map(|(case, judge)| Case { judge: Some(judge), ..case })
+    every_system().zip(steps()).map(|(case, judge)| Case { judge: Some(judge), ..case })
 }
 
 /// The largest part of its bound that an error came to, and where.

@@ -32,7 +32,7 @@ mod bare {
 
 use kahan_core::prelude::*;
 
-use crate::{assert_kahan, ratio};
+use crate::blocks::surroundings::{assert_kahan, ratio};
 
 #[test]
 fn a_block_needs_nothing_in_scope() {

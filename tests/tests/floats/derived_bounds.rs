@@ -3,10 +3,11 @@
 //! Points and ε are dyadic with few bits, so both float types have them exactly and no product comes near underflow.
 
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_core::Pivot;
 use kahan_tests::exact::{Q, shown};
-use kahan_tests::float_maps::{FloatMap, MachineFloat};
+use kahan_tests::maps::{Steps, call_everything, paper_and_random};
 use kahan_tests::rounding::{Place, StepBound, UNIT_F32, UNIT_F64};
-use kahan_tests::subject::{Subject, random, whole_catalog};
+use kahan_tests::subject::{Subject, paper, random};
 use num_traits::ToPrimitive;
 
 /// p·2^−bits with |p| ≤ `size`, p not 0.
@@ -20,7 +21,7 @@ fn exact(value: f64) -> Q {
 }
 
 /// A float type of the tests.
-trait Float: MachineFloat + ToPrimitive + Into<f64> {
+trait Float: Pivot + Copy + ToPrimitive + Into<f64> {
     const UNIT: f64;
     fn narrowed(value: f64) -> Self;
 }
@@ -40,14 +41,14 @@ impl Float for f32 {
 }
 
 fn subjects() -> Vec<Subject> {
-    whole_catalog().into_iter().chain(random()).collect()
+    paper().into_iter().chain(random()).collect()
 }
 
 /// Compares one float step with the exact one; how large the bound was against x̃, or `None` where it says nothing.
 fn compare<T: Float>(
     subject: &Subject,
     bound: &StepBound<'_>,
-    map: &dyn FloatMap<T>,
+    map: &dyn Steps<T>,
     x: &[f64],
     eps: f64,
 ) -> Option<f64> {
@@ -71,7 +72,7 @@ fn compare<T: Float>(
 }
 
 fn ordinary_points_stay_within_the_bound<T: Float>(seed: u64) {
-    for (index, (subject, map)) in subjects().iter().zip(T::maps()).enumerate() {
+    for (index, (subject, map)) in subjects().iter().zip(paper_and_random::<T>()).enumerate() {
         let mut draws = SplitMix64::new(seed * 1000 + index as u64);
         let bound = StepBound::new(subject, T::UNIT);
         let mut judged = Vec::new();
@@ -120,7 +121,7 @@ fn near_pole(subject: &Subject, draws: &mut SplitMix64) -> Option<(Vec<f64>, f64
 fn points_near_poles_stay_within_the_bound<T: Float>(seed: u64) {
     let mut judged = 0;
     let mut near = 0;
-    for (index, (subject, map)) in subjects().iter().zip(T::maps()).enumerate() {
+    for (index, (subject, map)) in subjects().iter().zip(paper_and_random::<T>()).enumerate() {
         let mut draws = SplitMix64::new(seed * 1000 + index as u64);
         let bound = StepBound::new(subject, T::UNIT);
         for _ in 0..3 {
@@ -164,14 +165,14 @@ const HARD: [f64; 14] = [
 ];
 
 fn no_input_panics<T: Float>(seed: u64) {
-    for (index, (subject, map)) in subjects().iter().zip(T::maps()).enumerate() {
+    for (index, (subject, map)) in subjects().iter().zip(paper_and_random::<T>()).enumerate() {
         let mut draws = SplitMix64::new(seed * 1000 + index as u64);
         let mut hard = || T::narrowed(HARD[draws.below(HARD.len() as u64) as usize]);
         for _ in 0..150 {
             let (x, eps): (Vec<T>, T) = ((0..subject.dimension()).map(|_| hard()).collect(), hard());
             eprintln!("{} (seed {seed}): x = {x:?}, eps = {eps:?}", subject.name);
             // An orbit over floats never ends: a pole shows as points that are not finite.
-            assert_eq!(map.call_everything(&x, eps), 4);
+            assert_eq!(call_everything(map.as_ref(), &x, eps), 4);
             match map.try_step(&x, eps) {
                 Ok(next) => assert!(next.iter().all(T::is_finite_number), "Ok with {next:?}"),
                 Err(why) => assert!(!why.to_string().is_empty()),

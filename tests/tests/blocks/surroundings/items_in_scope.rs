@@ -53,7 +53,7 @@ mod crowd {
     }
 }
 
-use crate::{assert_kahan, ratio};
+use crate::blocks::surroundings::{assert_kahan, ratio};
 
 #[test]
 fn items_in_scope_do_not_capture_what_is_generated() {

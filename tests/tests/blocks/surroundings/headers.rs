@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use kahan_core::prelude::*;
 
-use crate::{assert_kahan, ratio};
+use crate::blocks::surroundings::{assert_kahan, ratio};
 
 kahan! {
     /// The user derives what the macro derives, and more.
@@ -27,7 +27,7 @@ kahan! {
 }
 
 kahan! {
-    pub(in crate::headers) struct Empty {}
+    pub(in crate::blocks::surroundings::headers) struct Empty {}
     xdot = 1 + x^2;
 }
 

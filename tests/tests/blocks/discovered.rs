@@ -7,25 +7,15 @@ use kahan_core::Named;
 use kahan_discover::{Options, discover};
 use kahan_systems::entry::block_range;
 
-#[path = "discovered/dressing_chain.rs"]
 mod dressing_chain;
-#[path = "discovered/euler.rs"]
 mod euler;
-#[path = "discovered/lotka_volterra.rs"]
 mod lotka_volterra;
-#[path = "discovered/many_digits.rs"]
 mod many_digits;
-#[path = "discovered/octahedral.rs"]
 mod octahedral;
-#[path = "discovered/skew.rs"]
 mod skew;
-#[path = "discovered/suslov.rs"]
 mod suslov;
-#[path = "discovered/toda.rs"]
 mod toda;
-#[path = "discovered/triangular.rs"]
 mod triangular;
-#[path = "discovered/volterra.rs"]
 mod volterra;
 
 /// The lines of a file that are claims, and its block without them.

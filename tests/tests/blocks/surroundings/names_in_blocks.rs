@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-use crate::{assert_kahan, ratio};
+use crate::blocks::surroundings::{assert_kahan, ratio};
 
 kahan! {
     /// States with short names, a type with the shortest.

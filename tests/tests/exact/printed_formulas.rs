@@ -6,7 +6,7 @@
 use kahan_algebra::kahan::{RationalMap, scaled_matrix, scaled_rhs};
 use kahan_tests::exact::{Q, Rationals, numbers, q, shown};
 use kahan_tests::expression::{Expression, evaluate};
-use kahan_tests::subject::{Subject, catalog, whole_catalog};
+use kahan_tests::subject::{Subject, catalog, paper};
 
 /// A row of the table: system, A row by row, det A.
 type Row = (&'static str, &'static [&'static [&'static str]], &'static str);
@@ -95,7 +95,7 @@ const MATRICES: [Row; 11] = [
 ];
 
 fn named(name: &str) -> Subject {
-    whole_catalog().into_iter().find(|subject| subject.name == type_name(name)).expect("a system")
+    paper().into_iter().find(|subject| subject.name == type_name(name)).expect("a system")
 }
 
 fn type_name(command: &str) -> &'static str {

@@ -10,9 +10,9 @@
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::Dd;
 use kahan_tests::exact::{Q, Vector};
-use kahan_tests::float_maps::{self, FloatMap};
+use kahan_tests::maps::{Steps, steps};
 use kahan_tests::rounding::UNIT_F64;
-use kahan_tests::subject::{Subject, whole_catalog};
+use kahan_tests::subject::{Subject, paper};
 use num_traits::{Signed, ToPrimitive, Zero};
 
 fn exact(value: f64) -> Q {
@@ -62,7 +62,7 @@ impl Place {
     }
 
     /// The step in double-double, rounded.
-    fn step(&self, map: &dyn FloatMap<Dd>) -> Vec<f64> {
+    fn step(&self, map: &dyn Steps<Dd>) -> Vec<f64> {
         let x: Vec<Dd> = self.x.iter().copied().map(Dd::from).collect();
         map.step(&x, self.eps.into()).into_iter().map(f64::from).collect()
     }
@@ -118,7 +118,7 @@ impl Worst {
     fn look(
         &mut self,
         subject: &Subject,
-        (map, plain): (&dyn FloatMap<Dd>, &dyn FloatMap<f64>),
+        (map, plain): (&dyn Steps<Dd>, &dyn Steps<f64>),
         place: &Place,
         i: usize,
         pole: f64,
@@ -150,8 +150,8 @@ impl Worst {
 #[test]
 fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
     const POLES: usize = 12;
-    let maps = float_maps::catalog::<Dd>().into_iter().zip(float_maps::catalog::<f64>());
-    for (index, (subject, (map, plain))) in whole_catalog().iter().zip(maps).enumerate() {
+    let maps = steps::<Dd>().into_iter().zip(steps::<f64>());
+    for (index, (subject, (map, plain))) in paper().iter().zip(maps).enumerate() {
         let mut draws = SplitMix64::new(7300 + index as u64);
         let mut worst = Worst::default();
         for trial in 0..4000 {
@@ -184,7 +184,7 @@ fn a_component_that_cancels_is_exact_against_the_others() {
     /// Error of a component beyond its half ulp, in u²·‖x̃‖/|det A|; measured: 1.6.
     const BOUND: f64 = 8.0;
     let (mut worst, mut worst_in_ulps, mut shown) = (0.0_f64, 0.0_f64, String::new());
-    for (index, (subject, map)) in whole_catalog().iter().zip(float_maps::catalog::<Dd>()).enumerate() {
+    for (index, (subject, map)) in paper().iter().zip(steps::<Dd>()).enumerate() {
         let mut draws = SplitMix64::new(7400 + index as u64);
         let mut judged = 0;
         while judged < 40 {

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-use crate::{assert_kahan, ratio};
+use crate::blocks::surroundings::{assert_kahan, ratio};
 
 #[test]
 fn a_function_body_may_define_a_system() {

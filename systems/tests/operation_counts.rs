@@ -1,6 +1,6 @@
 //! What the steps of the catalog and of other well-known fields cost, counted: the numbers that noise cannot touch.
 //!
-//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-systems --test plans` writes the table anew. A change of the planner shows
+//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-systems operation_counts` writes the table anew. A change of the planner shows
 //! there as a diff, and may not exceed what careful code by hand takes.
 
 use std::fmt::Write;
