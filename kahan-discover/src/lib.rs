@@ -64,6 +64,8 @@ pub mod space;
 mod stages;
 pub mod stepping;
 pub mod structure;
+#[cfg(test)]
+mod testing;
 pub mod thiele;
 pub mod weights;
 mod words;
