@@ -29,6 +29,7 @@ pub mod specialise;
 pub mod symbols;
 pub mod syntax;
 pub mod system;
+pub mod table;
 pub mod token;
 
 pub use derived::{Derived, derive};

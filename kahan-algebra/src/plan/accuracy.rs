@@ -20,6 +20,7 @@ use std::cell::OnceCell;
 
 use crate::field::Field;
 use crate::prime_field::SplitMix64;
+use crate::table::sorted_by;
 
 use super::StepPlan;
 use program::{Program, short};
@@ -152,8 +153,8 @@ impl<'a> Runner<'a> {
         if trials.len() < FEW {
             return Ratio { measured: 0.0, largest: 0.0 };
         }
-        let own = sorted(trials.iter().map(|trial| self.error(trial)).collect());
-        let others = sorted(trials.iter().map(|trial| trial.elimination).collect());
+        let own = sorted(trials.iter().map(|trial| self.error(trial)));
+        let others = sorted(trials.iter().map(|trial| trial.elimination));
         let band = BAND / (trials.len() as f64).sqrt();
         // The step read off at `shift` from a quantile, elimination as far on the other side.
         let ratio = |shift: f64| {
@@ -180,9 +181,8 @@ impl<'a> Runner<'a> {
     }
 }
 
-fn sorted(mut errors: Vec<f64>) -> Vec<f64> {
-    errors.sort_by(f64::total_cmp);
-    errors
+fn sorted(errors: impl Iterator<Item = f64>) -> Vec<f64> {
+    sorted_by(errors, f64::total_cmp)
 }
 
 /// The value that this share of sorted values is below.

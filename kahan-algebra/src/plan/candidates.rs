@@ -5,6 +5,7 @@ use crate::field::Field;
 use crate::kahan::{RationalMap, scaled_matrix};
 use crate::poly::Polynomial;
 use crate::rational::Rational;
+use crate::table::sorted_by_key;
 
 use super::blocks::{Blocks, Manner};
 use super::candidate::Candidate;
@@ -97,9 +98,7 @@ pub(super) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Cand
     let is_affordable = |form: &Candidate| {
         2 * form.price() <= 3 * best.price() && 2 * form.operations() <= 3 * best.operations()
     };
-    let mut forms: Vec<Candidate> = whole.filter(is_affordable).collect();
-    forms.sort_by_key(Candidate::price);
-    forms
+    sorted_by_key(whole.filter(is_affordable), Candidate::price)
 }
 
 /// The terms of all equations.
@@ -122,9 +121,8 @@ impl Parts<'_> {
             .into_iter()
             .flat_map(|scaling| self.denominators(&Writer::new(scaling)))
             .collect();
-        let mut starts: Vec<(u64, WithDenominator)> =
-            starts.into_iter().map(|mut start| (start.price(), start)).collect();
-        starts.sort_by_key(|(price, _)| *price);
+        let starts = starts.into_iter().map(|mut start| (start.price(), start));
+        let starts = sorted_by_key(starts, |(price, _)| *price);
         let has_determinants = starts.iter().any(|(_, start)| start.numerators.is_some());
         let mut to_try = if has_determinants && self.factor_terms() > FACTOR_TERMS { 0 } else { TRIED };
         let mut best: Option<Candidate> = None;

@@ -38,6 +38,7 @@ pub(crate) use words::{descriptions, kind};
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
+use crate::table::distinct;
 
 /// The result of an operation: its index in the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -203,16 +204,11 @@ impl Plan {
     /// The inputs that the results depend on, in order.
     #[must_use]
     pub fn inputs(&self) -> Vec<Variable> {
-        let mut inputs: Vec<Variable> = self
-            .operations
-            .iter()
-            .filter_map(|operation| match operation {
-                Operation::Input(variable) => Some(*variable),
-                _ => None,
-            })
-            .collect();
-        inputs.sort_unstable();
-        inputs
+        let inputs = self.operations.iter().filter_map(|operation| match operation {
+            Operation::Input(variable) => Some(*variable),
+            _ => None,
+        });
+        distinct(inputs)
     }
 
     /// How many times each step is used, as an operand or as a result.

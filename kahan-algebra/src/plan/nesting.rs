@@ -5,10 +5,12 @@
 
 use rustc_hash::FxHashMap;
 use std::cell::RefCell;
+use std::cmp::Reverse;
 use std::rc::Rc;
 
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
+use crate::table::sorted_by_key;
 
 use super::cost::{ADD, DERIVED, MULTIPLY};
 use super::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
@@ -108,12 +110,11 @@ impl Nesting {
     /// Variables in at least two terms; for long polynomials only the most frequent one.
     fn candidates(&self, polynomial: &Polynomial) -> Vec<Variable> {
         let count = |variable: Variable| polynomial.terms().filter(|(m, _)| m.exponent(variable) > 0).count();
-        let mut counts: Vec<(usize, Variable)> =
-            polynomial.variables().into_iter().map(|variable| (count(variable), variable)).collect();
-        counts.retain(|&(count, variable)| {
+        let counts = polynomial.variables().into_iter().map(|variable| (count(variable), variable));
+        let counts = counts.filter(|&(count, variable)| {
             count > 1 && (variable == INVERSE_STEP || self.scaling.ready(variable).is_some())
         });
-        counts.sort_by_key(|&(count, variable)| (std::cmp::Reverse(count), variable));
+        let mut counts = sorted_by_key(counts, |&(count, variable)| (Reverse(count), variable));
         if polynomial.len() > COMPARED {
             counts.truncate(1);
         }
@@ -196,11 +197,13 @@ fn multiplied(ready: Vec<u32>) -> u32 {
     combined(ready, MULTIPLY)
 }
 
-fn combined(mut ready: Vec<u32>, latency: u32) -> u32 {
+fn combined(ready: Vec<u32>, latency: u32) -> u32 {
+    let mut ready = sorted_by_key(ready, |&at| Reverse(at));
     while ready.len() > 1 {
-        ready.sort_unstable_by_key(|&at| std::cmp::Reverse(at));
         let (a, b) = (ready.pop().unwrap_or(0), ready.pop().unwrap_or(0));
-        ready.push(a.max(b) + latency);
+        let sum = a.max(b) + latency;
+        let place = ready.partition_point(|&at| at >= sum);
+        ready.insert(place, sum);
     }
     ready.pop().unwrap_or(0)
 }

@@ -10,6 +10,7 @@ use rustc_hash::FxHashMap;
 
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
+use crate::table::sorted_by_key;
 
 use super::Node;
 use super::draft::{Draft, Signed};
@@ -207,9 +208,8 @@ impl Writer {
         let nesting = self.nestings[usize::from(goal == Goal::Few)].clone();
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
-        let mut parts = nesting.best(polynomial);
         // Low degrees first: their products can be factors of the others.
-        parts.sort_by_key(|part| match part {
+        let parts = sorted_by_key(nesting.best(polynomial), |part| match part {
             Part::Term(monomial, _) => monomial.degree(),
             Part::Product(..) => 0,
         });
