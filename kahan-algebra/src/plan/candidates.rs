@@ -10,10 +10,10 @@ use crate::table::sorted_by_key;
 use super::blocks::{Blocks, Manner};
 use super::candidate::Candidate;
 use super::draft::Signed;
+use super::factored_map::FactoredMap;
 use super::minors::{Determinants, determinants};
 use super::nesting::Goal;
 use super::numerators::{Power, Products};
-use super::parts::Parts;
 use super::scaling::scalings;
 use super::writer::{Entry, Writer};
 
@@ -24,14 +24,14 @@ struct WithDenominator {
     numerators: Option<Vec<Signed>>,
 }
 
-/// For how many denominators the numerators are written from their factors.
+/// Numerators are written as products of their factors for this many denominators, the cheapest ones.
 const TRIED: usize = 2;
-/// The most terms of all factors for which that is done where there are determinants, too.
+/// Where determinants give the numerators, too, products are tried if their factors have at most this many terms together.
 const FACTOR_TERMS: usize = 32;
 
-/// How many orders of the rows of a block are compared,
+/// How many orders of the rows of a block are compared in a field of few terms.
 const ROTATIONS: usize = 3;
-/// if the field has no more terms than this.
+/// A field of more terms than this has its blocks written in one order only.
 const COMPARED_TERMS: usize = 60;
 /// The most terms of N and D for which they are written out where there is another form.
 const WRITTEN_TERMS: usize = 120;
@@ -65,10 +65,10 @@ pub(super) fn forms(field: &Field, map: Option<&RationalMap>) -> Option<Forms> {
     }
     let (mut two_divisions, mut over_time_step) = (None, Vec::new());
     if let Some(map) = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS) {
-        let parts = Parts::of(field, map);
-        candidates.extend(parts.best());
-        two_divisions = parts.with_two_divisions();
-        over_time_step = parts.over_time_step();
+        let factored = FactoredMap::of(field, map);
+        candidates.extend(factored.best());
+        two_divisions = factored.with_two_divisions();
+        over_time_step = factored.over_time_step();
     }
     let best = candidates.into_iter().min_by_key(Candidate::price)?;
     Some(Forms { best, two_divisions, over_time_step })
@@ -114,7 +114,7 @@ impl WithDenominator {
     }
 }
 
-impl Parts<'_> {
+impl FactoredMap<'_> {
     /// The cheapest form of a reduced map.
     fn best(&self) -> Option<Candidate> {
         let starts: Vec<WithDenominator> = scalings(self.field)

@@ -161,7 +161,7 @@ impl Draft {
         if signed.negative { self.builder.negate(signed.node) } else { signed.node }
     }
 
-    /// The same with its sign apart.
+    /// The same, its sign beside it.
     pub(super) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
         let mut terms = terms.to_vec();
         if terms.is_empty() {

@@ -39,7 +39,7 @@ impl Goal {
 
 /// A summand of a nested form.
 #[derive(Clone, Debug)]
-pub(super) enum Part {
+pub(super) enum Summand {
     /// One term.
     Term(Monomial, Rational),
     /// The monomial (with its coefficient) times a sum.
@@ -52,7 +52,7 @@ struct Estimate {
     operations: usize,
     /// When each summand is ready.
     summands: Vec<u32>,
-    parts: Vec<Part>,
+    parts: Vec<Summand>,
 }
 
 /// Estimates, each made once; clones share them.
@@ -69,7 +69,7 @@ impl Nesting {
     }
 
     /// The cheapest form found.
-    pub(super) fn best(&self, polynomial: &Polynomial) -> Vec<Part> {
+    pub(super) fn best(&self, polynomial: &Polynomial) -> Vec<Summand> {
         self.estimate(polynomial).parts.clone()
     }
 
@@ -127,7 +127,7 @@ impl Nesting {
         let mut has_fixed = false;
         for (monomial, coefficient) in polynomial.terms() {
             let (operations, ready) = self.term(monomial, coefficient);
-            estimate.parts.push(Part::Term(monomial.clone(), coefficient.clone()));
+            estimate.parts.push(Summand::Term(monomial.clone(), coefficient.clone()));
             if ready == 0 && operations == 0 && self.is_fixed(monomial) {
                 if has_fixed {
                     continue;
@@ -176,7 +176,7 @@ impl Nesting {
         let quotient = self.estimate(&inner);
         operations += quotient.operations + 1;
         let ready = factor_ready.max(gathered(&quotient.summands)) + MULTIPLY;
-        let mut parts = vec![Part::Product(monomial, content, inner)];
+        let mut parts = vec![Summand::Product(monomial, content, inner)];
         let mut summands = vec![ready];
         if !rest.is_zero() {
             let rest = self.estimate(&rest);

@@ -54,9 +54,9 @@ impl Writer {
 struct Multiple {
     monomial: Monomial,
     ratio: Rational,
-    /// Terms of m·g that the polynomial has,
+    /// How many terms of m·g the polynomial has.
     equal: usize,
-    /// and those that it has with another coefficient.
+    /// How many monomials of m·g the polynomial has with another coefficient.
     unequal: usize,
 }
 
