@@ -5,6 +5,7 @@
 
 use std::fmt;
 
+use crate::table::sorted_by_key;
 use crate::token::Span;
 
 /// What rule was broken; for tests and for tools, never shown.
@@ -148,9 +149,7 @@ impl Diagnostics {
     /// Hands the mistakes over, in the order of their places.
     #[must_use]
     pub fn finish(mut self) -> Vec<Diagnostic> {
-        let mut list = self.list.take().unwrap_or_default();
-        list.sort_by_key(|diagnostic| diagnostic.span);
-        list
+        sorted_by_key(self.list.take().unwrap_or_default(), |diagnostic| diagnostic.span)
     }
 }
 

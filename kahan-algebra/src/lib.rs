@@ -5,8 +5,8 @@
 //! `kahan-core`: the macro, the maps made at run time and the command read the same [`Derived`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`], [`system`], [`kahan`],
-//! [`plan`], [`derived`], [`relations`], [`prove`], [`specialise`], [`interpret`], [`render`], [`poisson`]; beneath them
-//! the exact arithmetic of [`rational`], [`poly`] and [`rational_function`].
+//! [`plan`], [`derived`], [`relations`], [`prove`], [`specialise`], [`interpret`], [`render`]; beneath them the exact
+//! arithmetic of [`rational`], [`poly`] and [`rational_function`].
 
 pub mod arithmetic;
 pub mod check;
@@ -18,7 +18,6 @@ pub mod kahan;
 pub mod lexer;
 pub mod parse;
 pub mod plan;
-pub mod poisson;
 pub mod poly;
 pub mod prime_field;
 pub mod prove;
@@ -30,6 +29,7 @@ pub mod specialise;
 pub mod symbols;
 pub mod syntax;
 pub mod system;
+pub mod table;
 pub mod token;
 
 pub use derived::{Derived, derive};

@@ -20,7 +20,6 @@ mod root;
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeSet;
 use std::fmt;
 
 pub use budget::{Budget, OverBudget};
@@ -70,7 +69,10 @@ impl Polynomial {
 
     /// The sum of the given terms, in any order, repeated monomials added up. Costs a sort.
     pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, Rational)>) -> Self {
-        let mut unsorted: Vec<Term> = terms.into_iter().collect();
+        Self::from_unsorted(terms.into_iter().collect())
+    }
+
+    fn from_unsorted(mut unsorted: Vec<Term>) -> Self {
         unsorted.sort_by(|left, right| right.0.cmp(&left.0));
         let mut terms: Vec<Term> = Vec::with_capacity(unsorted.len());
         for (monomial, coefficient) in unsorted {
@@ -163,11 +165,13 @@ impl Polynomial {
     }
 
     /// The variables that occur, in order.
-    pub fn variables(&self) -> BTreeSet<Variable> {
-        let mut variables = BTreeSet::new();
+    pub fn variables(&self) -> Vec<Variable> {
+        let mut variables: Vec<Variable> = Vec::new();
         for (monomial, _) in &self.terms {
             for (variable, _) in monomial.powers() {
-                variables.insert(*variable);
+                if let Err(place) = variables.binary_search(variable) {
+                    variables.insert(place, *variable);
+                }
             }
         }
         variables

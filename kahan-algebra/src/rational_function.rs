@@ -95,20 +95,9 @@ impl RationalFunction {
         Some(Self::from_coprime(self.denominator.clone(), self.numerator.clone()))
     }
 
-    /// The power; `None` for zero to a negative exponent.
-    pub fn pow(&self, exponent: i32) -> Option<Self> {
-        unlimited(|budget| self.pow_within(exponent, budget))
-    }
-
     /// The partial derivative.
     pub fn derivative(&self, variable: Variable) -> Self {
         unlimited(|budget| self.derivative_within(variable, budget))
-    }
-
-    /// The function with `variable` replaced by a number; `None` where the denominator vanishes identically
-    /// then.
-    pub fn substitute(&self, variable: Variable, value: &Rational) -> Option<Self> {
-        Self::new(self.numerator.substitute(variable, value), self.denominator.substitute(variable, value))
     }
 
     /// The sum, within a budget.
@@ -144,16 +133,6 @@ impl RationalFunction {
     /// The quotient, within a budget; `None` if `divisor` is zero.
     pub fn div_within(&self, divisor: &Self, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
         divisor.recip().map(|inverse| self.mul_within(&inverse, budget)).transpose()
-    }
-
-    /// The power, within a budget; `None` for zero to a negative exponent.
-    pub fn pow_within(&self, exponent: i32, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
-        let base = if exponent < 0 { self.recip() } else { Some(self.clone()) };
-        let Some(base) = base else { return Ok(None) };
-        // Powers of coprime polynomials are coprime: no gcd.
-        let numerator = base.numerator.pow_within(exponent.unsigned_abs(), budget)?;
-        let denominator = base.denominator.pow_within(exponent.unsigned_abs(), budget)?;
-        Ok(Some(Self::from_coprime(numerator, denominator)))
     }
 
     /// The partial derivative, within a budget.

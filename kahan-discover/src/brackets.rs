@@ -1,13 +1,18 @@
 //! Invariant Poisson brackets from a density and n − 2 integrals, which are Casimir functions of
 //! the bracket.
 
-use kahan_algebra::poisson::{PoissonTensor, invariant_bracket};
+mod construct;
+#[cfg(test)]
+mod tests;
+
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
 use crate::claims::{Claims, Formula};
 use crate::deadline::Deadline;
+
+use construct::invariant_tensor;
 
 /// The work that one bracket may take, in products of terms.
 const MOST_TERMS: usize = 2_000;
@@ -66,13 +71,14 @@ fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     (0..of).flat_map(with_last).collect()
 }
 
-/// The bracket with the chosen integrals as Casimir functions; `None` beyond the budget.
+/// The bracket with the chosen integrals as Casimir functions, its entries above the diagonal row by row; `None` beyond the
+/// budget.
 fn tensor(
     symbols: &Symbols,
     chosen: &[usize],
     integrals: &[Formula],
     density: &Formula,
-) -> Option<PoissonTensor> {
+) -> Option<Vec<RationalFunction>> {
     let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
     let mut function = |above: &Polynomial, below: &Polynomial| {
         RationalFunction::new_within(above.clone(), below.clone(), &mut budget).ok()?
@@ -81,13 +87,13 @@ fn tensor(
     let casimirs: Option<Vec<_>> =
         casimirs.map(|integral| function(&integral.numerator, &integral.denominator)).collect();
     let density = function(&density.numerator, &density.denominator)?;
-    let tensor = invariant_bracket(symbols, &density, &casimirs?, &mut budget).ok()?;
+    let tensor = invariant_tensor(symbols, &density, &casimirs?, &mut budget)?;
     // A bracket is one up to a number: the entries are written with coprime integers, the first
     // positive.
-    let mut contents =
-        tensor.entries().iter().filter(|entry| !entry.is_zero()).map(|e| e.numerator().content());
+    let mut contents = tensor.iter().filter(|entry| !entry.is_zero()).map(|e| e.numerator().content());
     let first = contents.next()?;
     let common = contents.fold(first.clone(), |common, other| common.gcd(&other)).abs();
     let number = if first.is_negative() { -common } else { common };
-    tensor.scaled(&RationalFunction::constant(number.recip()?), &mut budget).ok()
+    let scale = RationalFunction::constant(number.recip()?);
+    tensor.iter().map(|entry| entry.mul_within(&scale, &mut budget).ok()).collect()
 }

@@ -5,9 +5,9 @@
 
 use std::slice::from_ref;
 
-use kahan_algebra::poisson::PoissonTensor;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::render::{Formulas, Notation};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::ClaimKind;
@@ -153,17 +153,15 @@ impl<'a> Claims<'a> {
         self.proved(symbols, ClaimKind::Density, text, &product(&above), &product(&below))
     }
 
-    /// The entries of a bracket in factors, as they stand in a claim.
-    pub(crate) fn bracket_entries(&self, symbols: &Symbols, tensor: &PoissonTensor) -> String {
-        let n = tensor.dimension();
-        let places = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
-        let entry = |(i, j): (usize, usize)| {
-            let value = tensor.entry(i, j);
+    /// The entries of a bracket in factors, as they stand in a claim; `tensor` has those above the diagonal, row by row.
+    pub(crate) fn bracket_entries(&self, symbols: &Symbols, tensor: &[RationalFunction]) -> String {
+        let states = &symbols.states;
+        let places = (0..states.len()).flat_map(|i| (i + 1..states.len()).map(move |j| (i, j)));
+        let entry = |((i, j), value): ((usize, usize), &RationalFunction)| {
             let text = quotient(symbols, from_ref(value.numerator()), from_ref(value.denominator()), &[]);
-            let states = &symbols.states;
             (!value.is_zero()).then(|| format!("{{{}, {}}} = {text};", states[i], states[j]))
         };
-        places.filter_map(entry).collect::<Vec<_>>().join(" ")
+        places.zip(tensor).filter_map(entry).collect::<Vec<_>>().join(" ")
     }
 
     /// The claim of an invariant bracket with these entries, if it is proved.

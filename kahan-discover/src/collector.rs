@@ -8,11 +8,11 @@ use crate::independent::{Independent, quotient_gradient};
 use crate::leaf::Leaf;
 use crate::limit::with_a_limit;
 use crate::monomials::Monomials;
-use crate::reduction::{Step, reduced};
-use crate::setting::{Draw, Setting};
+use crate::reduction::reduced;
+use crate::setting::{Draw, DrawnStep, Setting};
 use crate::space::tidy;
 use crate::stepping::Stepping;
-use crate::writing::state_factors_of;
+use crate::writing::add_state_factors;
 
 /// The most coefficients of P and Q together in a degree that is searched before an integral of
 /// higher degree is taken that is known already.
@@ -24,9 +24,11 @@ pub(crate) struct Collector<'a> {
     pub(crate) wanted: usize,
     pub(crate) known: Option<&'a (Polynomial, Polynomial)>,
     /// A point and its image.
-    pub(crate) step: Option<Step>,
+    pub(crate) step: Option<DrawnStep>,
     pub(crate) independent: Independent<'a>,
     pub(crate) formulas: Vec<Formula>,
+    /// The factors with states of the formulas, each once.
+    pub(crate) factors: Vec<Polynomial>,
 }
 
 impl Collector<'_> {
@@ -34,13 +36,12 @@ impl Collector<'_> {
         self.formulas.len() >= self.wanted
     }
 
-    /// Whether the polynomial alone is an integral.
+    /// Whether the polynomial itself is an integral.
     fn is_kept(&self, polynomial: &Polynomial) -> bool {
-        self.step.as_ref().is_some_and(|(draw, points)| {
-            let modulus = draw.map.modulus();
-            let [here, there] =
-                [0, 1].map(|index| self.setting.evaluate(modulus, polynomial, draw, &points[index]));
-            here.is_some() && here == there
+        self.step.as_ref().is_some_and(|DrawnStep { draw, here, there }| {
+            let value = |point: &[u64]| self.setting.evaluate(draw.map.modulus(), polynomial, draw, point);
+            let own = value(here);
+            own.is_some() && own == value(there)
         })
     }
 
@@ -72,27 +73,23 @@ impl Collector<'_> {
         if self.is_done() || !self.independent.admits(&numerator, &denominator) {
             return;
         }
-        let factors = state_factors_of(symbols, &self.formulas);
         let (numerator, denominator) = (tidy(symbols, &numerator), tidy(symbols, &denominator));
-        let (numerator, denominator) = self.simplified(&factors, numerator, denominator);
+        let (numerator, denominator) = self.simplified(numerator, denominator);
         let numerator = with_a_limit(symbols, numerator, &denominator);
         let index = self.formulas.len() + 1;
-        let formula = self.claims.integral(symbols, index, &numerator, &denominator, &factors);
+        let formula = self.claims.integral(symbols, index, &numerator, &denominator, &self.factors);
         if let Some(formula) = formula {
             self.independent.keep(&numerator, &denominator);
+            add_state_factors(symbols, &mut self.factors, &formula);
             self.formulas.push(formula);
         }
     }
 
     /// The integral combined with those known so that factors of its denominator cancel.
-    fn simplified(
-        &self,
-        factors: &[Polynomial],
-        numerator: Polynomial,
-        denominator: Polynomial,
-    ) -> (Polynomial, Polynomial) {
+    fn simplified(&self, numerator: Polynomial, denominator: Polynomial) -> (Polynomial, Polynomial) {
         let Some(step) = &self.step else { return (numerator, denominator) };
-        let (above, below) = reduced(self.setting, step, factors, numerator.clone(), denominator.clone());
+        let (above, below) =
+            reduced(self.setting, step, &self.factors, numerator.clone(), denominator.clone());
         // A product of known factors over a new denominator may have been all that was new.
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }

@@ -7,13 +7,13 @@
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_algebra::rational::Rational;
 
 use crate::deadline::Deadline;
 use crate::map::{ModularMap, Step};
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
+use crate::products::product;
 use crate::setting::Setting;
 use crate::space::{Form, Names, Space, lift_space, tidy};
 use crate::stepping::Stepping;
@@ -33,7 +33,7 @@ pub struct Measure {
     pub degree: u32,
 }
 
-fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(Vec<u64>, Step)> {
+pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(Vec<u64>, Step)> {
     (0..MOST_DRAWS).find_map(|_| {
         let point = map.point(random);
         let step = map.step(&point)?;
@@ -59,8 +59,7 @@ fn null_vectors(
             |&index: &usize| modulus.minus(there[index], modulus.times(step.jacobian, here[index]));
         rows.push(support.iter().map(difference).collect());
     }
-    let echelon = Echelon::within(modulus, rows, support.len(), deadline)?;
-    Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
+    Echelon::null_vectors(modulus, rows, support.len(), deadline)
 }
 
 /// The space of the P of degree at most `degree` with the cofactor det ∂x̃/∂x, perhaps of dimension 0; `None` where the map
@@ -144,9 +143,9 @@ fn lifted(
     let simplest = (0..space.dimension()).min_by_key(|&index| space.terms(index))?;
     let places = space.form.support.iter().zip(&space.rows[simplest]).filter(|(_, value)| **value != 0);
     let support: Vec<usize> = places.map(|(&index, _)| index).collect();
-    let alone = null_vectors(map, &monomials, &support, random, deadline)?.len() == 1;
+    let is_unique = null_vectors(map, &monomials, &support, random, deadline)?.len() == 1;
     let (form, row) =
-        if alone { (Form { support, pivots: vec![0] }, 0) } else { (space.form.clone(), simplest) };
+        if is_unique { (Form { support, pivots: vec![0] }, 0) } else { (space.form.clone(), simplest) };
     let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let map = setting.at(modulus, unknowns)?;
         let vectors = null_vectors(&map, &monomials, &form.support, random, deadline)?;
@@ -155,97 +154,6 @@ fn lifted(
     let symbols = setting.family().symbols();
     let polynomials = lift_space(&Names::of(setting), &monomials, &form, at, random, deadline)?;
     Some(Measure { factors: vec![(tidy(symbols, &polynomials[row]), -1)], degree })
-}
-
-/// The simplest product of powers of the given polynomials, exponents of these `signs`, whose
-/// degrees add up to `degree` and whose cofactor is 1/det ∂x̃/∂x.
-fn product(
-    setting: &Setting,
-    factors: &[Polynomial],
-    degree: u32,
-    signs: &[i32],
-    random: &mut SplitMix64,
-) -> Option<Vec<(Polynomial, i32)>> {
-    let symbols = setting.family().symbols();
-    let degrees: Vec<u32> =
-        factors.iter().map(|factor| factor.degree_where(|variable| symbols.is_state(variable))).collect();
-    let modulus = Modulus::mersenne_61();
-    // For each of two points the factors' cofactors, their inverses, and the determinant.
-    let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
-    for _ in 0..2 {
-        let draw = setting.draw(modulus, random)?;
-        let (point, step) = random_step(&draw.map, random)?;
-        let cofactors: Option<Vec<[u64; 2]>> = factors
-            .iter()
-            .map(|factor| {
-                let here = setting.evaluate(&modulus, factor, &draw, &point)?;
-                let there = setting.evaluate(&modulus, factor, &draw, &step.next)?;
-                let cofactor = |above, below| Some(modulus.times(above, modulus.inverse(below)?));
-                Some([cofactor(there, here)?, cofactor(here, there)?])
-            })
-            .collect();
-        samples.push((cofactors?, step.jacobian));
-    }
-    let candidates = exponents(&degrees, degree, signs);
-    let has_cofactor = |exponents: &Vec<i32>| {
-        samples.iter().all(|(cofactors, jacobian)| {
-            let powers = cofactors.iter().zip(exponents).map(|(bases, &exponent)| {
-                modulus.power(bases[usize::from(exponent < 0)], exponent.unsigned_abs())
-            });
-            powers.fold(*jacobian, |product, power| modulus.times(product, power)) == modulus.one()
-        })
-    };
-    let terms = |exponents: &Vec<i32>| -> usize {
-        let each = exponents.iter().zip(factors);
-        each.map(|(exponent, factor)| exponent.unsigned_abs() as usize * (factor.len() + 1)).sum()
-    };
-    // Denominators of integrals become constants at ε = 0, as the density of the flow's volume is.
-    let is_of_flow = |exponents: &Vec<i32>| {
-        let mut used = exponents.iter().zip(factors).filter(|(exponent, _)| **exponent != 0);
-        used.all(|(_, factor)| {
-            let at_zero = factor.substitute(symbols.epsilon(), &Rational::zero());
-            !at_zero.variables().into_iter().any(|variable| symbols.is_state(variable))
-        })
-    };
-    let key = |exponents: &Vec<i32>| (!is_of_flow(exponents), terms(exponents));
-    let best = candidates.into_iter().filter(has_cofactor).min_by_key(key)?;
-    let used = factors.iter().cloned().zip(best).filter(|(_, exponent)| *exponent != 0);
-    Some(used.collect())
-}
-
-/// Exponents of these signs with Σ |exponent|·degree = total: all, or as many as half a million steps
-/// reach. Many factors have more combinations than can be looked at.
-pub(crate) fn exponents(degrees: &[u32], total: u32, signs: &[i32]) -> Vec<Vec<i32>> {
-    const MOST_STEPS: usize = 500_000;
-    let mut found = Vec::new();
-    extend(degrees, total, signs, &mut Vec::new(), &mut found, &mut { MOST_STEPS });
-    found
-}
-
-fn extend(
-    degrees: &[u32],
-    total: u32,
-    signs: &[i32],
-    begun: &mut Vec<i32>,
-    found: &mut Vec<Vec<i32>>,
-    steps: &mut usize,
-) {
-    const MOST: usize = 20_000;
-    if *steps == 0 || found.len() == MOST {
-        return;
-    }
-    *steps -= 1;
-    let Some((&first, rest)) = degrees.split_first() else {
-        found.extend((total == 0).then(|| begun.clone()));
-        return;
-    };
-    for size in 0..=total.checked_div(first).unwrap_or(0) {
-        for &sign in if size == 0 { &signs[..1] } else { signs } {
-            begun.push(sign * size as i32);
-            extend(rest, total - size * first, signs, begun, found, steps);
-            begun.pop();
-        }
-    }
 }
 
 #[cfg(test)]

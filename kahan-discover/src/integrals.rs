@@ -54,6 +54,7 @@ pub fn integrals(
         wanted: aims.hilbert.map_or(0, |hilbert| hilbert.integrals).max(aims.kept.len()),
         known: aims.known,
         step: setting.step(random),
+        factors: Vec::new(),
         independent: Independent::new(setting, random),
         formulas: Vec::new(),
     };
@@ -78,48 +79,54 @@ impl Collector<'_> {
         let setting = self.setting;
         let draw = setting.draw(Modulus::mersenne_61(), random)?;
         let relation_degree = hilbert.defining_degree(&draw.map, random, deadline)?;
-        let bounds = Bounds { relation_degree, highest: hilbert.degree(), reach, deadline };
+        let limits = SearchLimits { relation_degree, highest: hilbert.degree(), reach, deadline };
         let leaf = Leaf::of(&draw.map, random);
         if let Some(coordinates) = leaf.coordinates(setting, random, deadline) {
             for Coordinate { numerator, denominator } in &coordinates {
                 self.offer(numerator.clone(), denominator.clone());
             }
-            self.search_leaf(&Chart { leaf, coordinates }, &draw, &bounds, random);
+            self.search_leaf(&Chart { leaf, coordinates }, &draw, &limits, random);
         }
         if !self.is_done() {
             let leaf = Leaf::whole((0..setting.dimension()).collect());
-            self.search_leaf(&Chart { leaf, coordinates: Vec::new() }, &draw, &bounds, random);
+            self.search_leaf(&Chart { leaf, coordinates: Vec::new() }, &draw, &limits, random);
         }
         Some(())
     }
 
     /// Looks for the integrals that are missing on a leaf.
-    fn search_leaf(&mut self, chart: &Chart, draw: &Draw, bounds: &Bounds<'_>, random: &mut SplitMix64) {
+    fn search_leaf(
+        &mut self,
+        chart: &Chart,
+        draw: &Draw,
+        limits: &SearchLimits<'_>,
+        random: &mut SplitMix64,
+    ) {
         let modulus = draw.map.modulus();
         let chosen: Vec<u64> = (0..chart.leaf.unknowns()).map(|_| modulus.sample(random)).collect();
         let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
         if self.is_done() || map.dimension() == 0 {
             return;
         }
-        let spanned = spanned_pencils(&map, bounds.relation_degree, self.wanted, random, bounds.deadline);
-        self.take(&spanned, chart, bounds, random);
-        for degree in 1..=bounds.highest.max(HIGHEST) {
+        let spanned = spanned_pencils(&map, limits.relation_degree, self.wanted, random, limits.deadline);
+        self.take(&spanned, chart, limits, random);
+        for degree in 1..=limits.highest.max(HIGHEST) {
             self.offer_known(degree);
             // Which entries of the relations are simple depends on the order of the variables.
             let is_cheap = Monomials::count(map.dimension(), degree) <= CHEAP;
-            let orders = if is_cheap { usize::MAX } else { bounds.reach.orders };
+            let orders = if is_cheap { usize::MAX } else { limits.reach.orders };
             for leaf in chart.leaf.orders().take(orders) {
                 let chart = Chart { leaf, coordinates: chart.coordinates.clone() };
-                if self.is_done() || bounds.deadline.passed() {
+                if self.is_done() || limits.deadline.passed() {
                     return;
                 }
                 let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
                 let known = |point: &[u64]| self.known_gradients(&chart.leaf, draw, point);
-                let Bounds { relation_degree, reach, deadline, .. } = *bounds;
+                let SearchLimits { relation_degree, reach, deadline, .. } = *limits;
                 let found = pencils_of_entries(&map, relation_degree, degree, reach, known, random, deadline);
-                for basis in self.take(&found, &chart, bounds, random) {
+                for basis in self.take(&found, &chart, limits, random) {
                     if !self.is_done() {
-                        self.search_constrained(&basis, degree, &chart, draw, bounds, random);
+                        self.search_constrained(&basis, degree, &chart, draw, limits, random);
                     }
                 }
             }
@@ -131,13 +138,13 @@ impl Collector<'_> {
         &mut self,
         pencils: &[Pencil],
         chart: &Chart,
-        bounds: &Bounds<'_>,
+        limits: &SearchLimits<'_>,
         random: &mut SplitMix64,
     ) -> Vec<Vec<Polynomial>> {
         let mut bases = Vec::new();
         for pencil in pencils {
             let shortest = (0..pencil.space.dimension()).map(|index| pencil.space.terms(index)).min();
-            if shortest.is_some_and(|terms| terms > bounds.reach.terms) {
+            if shortest.is_some_and(|terms| terms > limits.reach.terms) {
                 continue;
             }
             self.offer_known(pencil.degree);
@@ -149,12 +156,12 @@ impl Collector<'_> {
             let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
                 let (generic, entries) = unknowns.split_at(own);
                 let map = chart.leaf.map_at(setting.at(modulus, generic)?, entries, random)?;
-                pencil.at(&map, random, bounds.deadline)
+                pencil.at(&map, random, limits.deadline)
             };
             let monomials = Monomials::new(chart.leaf.order().len(), pencil.degree);
             let names = chart.names(setting);
             let form = &pencil.space.form;
-            let Some(basis) = lift_space(&names, &monomials, form, at, random, bounds.deadline) else {
+            let Some(basis) = lift_space(&names, &monomials, form, at, random, limits.deadline) else {
                 continue;
             };
             self.offer_quotients(&basis, chart);
@@ -189,7 +196,7 @@ impl Collector<'_> {
         degree: u32,
         chart: &Chart,
         draw: &Draw,
-        bounds: &Bounds<'_>,
+        limits: &SearchLimits<'_>,
         random: &mut SplitMix64,
     ) -> Option<()> {
         let [first, second, ..] = basis else { return None };
@@ -223,12 +230,12 @@ impl Collector<'_> {
         let extra = (0..names.unknowns.len() - own).map(|_| modulus.sample(random));
         let unknowns: Vec<u64> = draw.unknowns.iter().copied().chain(extra).collect();
         let map = constrained(modulus, &unknowns, random)?;
-        for pencil in spanned_pencils(&map, bounds.relation_degree, self.wanted, random, bounds.deadline) {
+        for pencil in spanned_pencils(&map, limits.relation_degree, self.wanted, random, limits.deadline) {
             let monomials = Monomials::new(states.len(), pencil.degree);
             let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
-                pencil.at(&constrained(modulus, unknowns, random)?, random, bounds.deadline)
+                pencil.at(&constrained(modulus, unknowns, random)?, random, limits.deadline)
             };
-            let basis = lift_space(&names, &monomials, &pencil.space.form, at, random, bounds.deadline)?;
+            let basis = lift_space(&names, &monomials, &pencil.space.form, at, random, limits.deadline)?;
             self.offer_quotients(&basis, &wider);
         }
         Some(())
@@ -236,7 +243,7 @@ impl Collector<'_> {
 }
 
 /// How far to look.
-struct Bounds<'a> {
+struct SearchLimits<'a> {
     relation_degree: u32,
     highest: u32,
     reach: Reach,

@@ -81,10 +81,21 @@ impl Echelon {
         self.pivots.len()
     }
 
-    /// The rank of the first `columns` columns alone.
+    /// The rank of the first `columns` columns.
     #[must_use]
     pub fn rank_of_first(&self, columns: usize) -> usize {
         self.pivots.partition_point(|&pivot| pivot < columns)
+    }
+
+    /// The vectors that rows of so many columns send to zero; `None` if the deadline passes first.
+    pub(crate) fn null_vectors(
+        modulus: &Modulus,
+        rows: Vec<Vec<u64>>,
+        columns: usize,
+        deadline: &Deadline,
+    ) -> Option<Vec<Vec<u64>>> {
+        let echelon = Echelon::within(modulus, rows, columns, deadline)?;
+        Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
     }
 
     /// A basis of the null space: for each column without a pivot the vector with 1 there, 0 in the other such columns.

@@ -9,20 +9,17 @@
 use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
 use kahan_algebra::rational::Rational;
 
-use crate::darboux::exponents;
-use crate::setting::{Draw, Setting};
+use crate::products::exponents;
+use crate::setting::{DrawnStep, Setting};
 use crate::space::tidy;
 use crate::stepping::Stepping;
 use crate::writing::{in_powers, state_factors};
-
-/// A point of a drawn map, and its image.
-pub(crate) type Step = (Draw, [Vec<u64>; 2]);
 
 /// The integral with factors of its denominator cancelled, as often as that is possible; `factors`
 /// are those of the integrals known.
 pub(crate) fn reduced(
     setting: &Setting,
-    step: &Step,
+    step: &DrawnStep,
     factors: &[Polynomial],
     numerator: Polynomial,
     denominator: Polynomial,
@@ -40,7 +37,7 @@ pub(crate) fn reduced(
 /// (αP − βM)/q over Q/q for some factor q of Q and some M.
 fn without_factor(
     setting: &Setting,
-    step: &Step,
+    step: &DrawnStep,
     factors: &[Polynomial],
     numerator: &Polynomial,
     denominator: &Polynomial,
@@ -88,12 +85,13 @@ fn without_factor(
 }
 
 /// The states that are no integrals by themselves.
-fn moving_states(setting: &Setting, (draw, [here, there]): &Step, factors: &[Polynomial]) -> Vec<Variable> {
+fn moving_states(setting: &Setting, step: &DrawnStep, factors: &[Polynomial]) -> Vec<Variable> {
+    let DrawnStep { draw, here, there } = step;
     let symbols = setting.family().symbols();
     let rests = |variable: Variable| {
-        let alone = Polynomial::variable(variable);
-        let value = |point: &[u64]| setting.evaluate(draw.map.modulus(), &alone, draw, point);
-        factors.contains(&alone) && value(here) == value(there)
+        let single = Polynomial::variable(variable);
+        let value = |point: &[u64]| setting.evaluate(draw.map.modulus(), &single, draw, point);
+        factors.contains(&single) && value(here) == value(there)
     };
     (0..setting.dimension()).map(|i| symbols.state(i)).filter(|&variable| !rests(variable)).collect()
 }
@@ -108,11 +106,12 @@ fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
 /// The products of factors that have the denominator's cofactor and at most the numerator's degree.
 fn products(
     setting: &Setting,
-    (draw, [here, there]): &Step,
+    step: &DrawnStep,
     factors: &[Polynomial],
     numerator: &Polynomial,
     denominator: &Polynomial,
 ) -> Option<Vec<Polynomial>> {
+    let DrawnStep { draw, here, there } = step;
     let symbols = setting.family().symbols();
     let modulus = draw.map.modulus();
     let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));
@@ -167,7 +166,7 @@ mod tests {
         let found = reduced(&setting, &step, &factors, mixed.clone(), below.clone());
         assert_eq!(found, (sum, Polynomial::one()));
         // Without the factors of the other integral nothing cancels.
-        let alone = reduced(&setting, &step, &factors[2..], mixed.clone(), below.clone());
-        assert_eq!(alone, (mixed, below));
+        let kept = reduced(&setting, &step, &factors[2..], mixed.clone(), below.clone());
+        assert_eq!(kept, (mixed, below));
     }
 }

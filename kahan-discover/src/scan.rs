@@ -20,19 +20,19 @@ use crate::stages::specialised;
 
 pub use proposals::Proposal;
 
-/// The values of one parameter, or of ε, on a grid.
+/// A parameter, or ε, with the values that it takes on a grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Axis {
+pub struct Scanned {
     /// The parameter, or `eps`.
     pub name: String,
     /// The values.
     pub values: Vec<Rational>,
 }
 
-/// The most values on one axis.
+/// The most values of one parameter.
 const MOST_VALUES: usize = 100_000;
 
-impl Axis {
+impl Scanned {
     /// from, from + step, … up to `to`; `None` unless the step is positive and `to` is reached within 100 000 values.
     #[must_use]
     pub fn range(name: &str, from: &Rational, to: &Rational, step: &Rational) -> Option<Self> {
@@ -48,7 +48,7 @@ impl Axis {
             let next = &value + step;
             values.push(std::mem::replace(&mut value, next));
         }
-        (!values.is_empty()).then(|| Axis { name: name.to_owned(), values })
+        (!values.is_empty()).then(|| Scanned { name: name.to_owned(), values })
     }
 }
 
@@ -66,7 +66,7 @@ pub struct Sight {
 /// A point of the grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GridPoint {
-    /// The values, in the order of the axes.
+    /// The values, in the order of the names.
     pub values: Vec<Rational>,
     /// What was seen there; absent where there is no map, or none that can be inverted, or its orbits end
     /// at poles.
@@ -76,11 +76,11 @@ pub struct GridPoint {
 /// A grid, and what is seen at generic values.
 #[derive(Clone, Debug)]
 pub struct Scan {
-    /// The names of the axes.
+    /// The names of what is scanned.
     pub names: Vec<String>,
     /// What was seen with all scanned quantities generic.
     pub generic: Sight,
-    /// The grid, the last axis running fastest; shorter than it where time ran out.
+    /// The grid, the last quantity running fastest; shorter than it where time ran out.
     pub points: Vec<GridPoint>,
     /// Relations between scanned quantities at which all points of the grid are special, where
     /// there are two or more.
@@ -102,7 +102,7 @@ const ITERATES: usize = 6;
 const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
-/// Degrees and ranks on the grid of all axes, and what is proved where relations between them hold.
+/// Degrees and ranks on the grid of all quantities, and what is proved where relations between them hold.
 /// `options` fixes further parameters and ε, the degree of relations and the time; `progress` is
 /// told of every point (done, of how many).
 ///
@@ -110,15 +110,15 @@ const MOST_MONOMIALS: usize = 84;
 /// As [`discover`](crate::discover()), for the field at generic values of what is scanned.
 pub fn scan(
     system: &System,
-    axes: &[Axis],
+    scanned: &[Scanned],
     options: &Options,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Scan, DiscoverError> {
     let start = Instant::now();
     let deadline = Deadline::after(start, options.seconds);
-    for axis in axes.iter().filter(|axis| axis.name != "eps") {
-        if !system.field.symbols.parameters.contains(&axis.name) {
-            return Err(DiscoverError::UnknownParameter(axis.name.clone()));
+    for quantity in scanned.iter().filter(|quantity| quantity.name != "eps") {
+        if !system.field.symbols.parameters.contains(&quantity.name) {
+            return Err(DiscoverError::UnknownParameter(quantity.name.clone()));
         }
     }
     let n = system.field.dimension();
@@ -128,17 +128,17 @@ pub fn scan(
     });
     // Without it there is nothing to compare with: it is looked at in any case.
     let generic = look(system, &[], options, degree, &Deadline::never())?.ok_or(DiscoverError::NoMap)?;
-    let total: usize = axes.iter().map(|axis| axis.values.len()).product();
+    let total: usize = scanned.iter().map(|quantity| quantity.values.len()).product();
     let mut points = Vec::new();
     for index in 0..total {
         if deadline.passed() {
             break;
         }
         let mut rest = index;
-        let mut values = Vec::with_capacity(axes.len());
-        for axis in axes.iter().rev() {
-            values.push((axis.name.clone(), axis.values[rest % axis.values.len()].clone()));
-            rest /= axis.values.len();
+        let mut values = Vec::with_capacity(scanned.len());
+        for quantity in scanned.iter().rev() {
+            values.push((quantity.name.clone(), quantity.values[rest % quantity.values.len()].clone()));
+            rest /= quantity.values.len();
         }
         values.reverse();
         let sight = look(system, &values, options, degree, &deadline).unwrap_or(None);
@@ -150,7 +150,7 @@ pub fn scan(
         progress(index + 1, total);
     }
     let out_of_time = points.len() < total;
-    let names = axes.iter().map(|axis| axis.name.clone()).collect();
+    let names = scanned.iter().map(|quantity| quantity.name.clone()).collect();
     let mut scan = Scan { names, generic, points, relations: Vec::new(), out_of_time };
     let time = Duration::try_from_secs_f64(options.seconds).unwrap_or(Duration::MAX);
     let end = start.checked_add(time).unwrap_or_else(|| start + Duration::from_secs(1 << 32));

@@ -32,6 +32,17 @@ pub struct Draw {
 /// How often values are drawn again before the map counts as undefined.
 const MOST_DRAWS: usize = 16;
 
+/// A point of a drawn map, and its image.
+#[derive(Clone, Debug)]
+pub struct DrawnStep {
+    /// The map.
+    pub draw: Draw,
+    /// x
+    pub here: Vec<u64>,
+    /// x̃
+    pub there: Vec<u64>,
+}
+
 impl Setting {
     /// The maps of a field at every ε (half the time step), or at one.
     #[must_use]
@@ -102,11 +113,11 @@ impl Setting {
     }
 
     /// A random point of a map with random unknowns, and its image.
-    pub fn step(&self, random: &mut SplitMix64) -> Option<(Draw, [Vec<u64>; 2])> {
+    pub fn step(&self, random: &mut SplitMix64) -> Option<DrawnStep> {
         let draw = self.draw(Modulus::mersenne_61(), random)?;
         let here = draw.map.point(random);
         let there = draw.map.next(&here)?;
-        Some((draw, [here, there]))
+        Some(DrawnStep { draw, here, there })
     }
 
     /// Whether the map can be inverted: whether det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε) is another than 0, as it is seen at one of

@@ -12,7 +12,7 @@ use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
-use crate::setting::Setting;
+use crate::setting::{DrawnStep, Setting};
 use crate::space::{Names, Space, lift_space, tidy};
 use crate::stepping::Stepping;
 
@@ -55,7 +55,7 @@ impl FlowIntegrals {
     /// linear ones, and where the field is linear all.
     #[must_use]
     pub fn kept(&self, setting: &Setting, random: &mut SplitMix64) -> Vec<Polynomial> {
-        let Some((draw, [here, there])) = setting.step(random) else { return Vec::new() };
+        let Some(DrawnStep { draw, here, there }) = setting.step(random) else { return Vec::new() };
         let value =
             |found: &Polynomial, point: &[u64]| setting.evaluate(draw.map.modulus(), found, &draw, point);
         let is_kept = |found: &&Polynomial| value(found, &here) == value(found, &there);
@@ -142,6 +142,5 @@ fn flow_null_vectors(
         };
         rows.push(support.iter().map(along).collect());
     }
-    let echelon = Echelon::within(modulus, rows, support.len(), deadline)?;
-    Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
+    Echelon::null_vectors(modulus, rows, support.len(), deadline)
 }

@@ -2,13 +2,13 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};
-use kahan_discover::{Axis, DiscoverError, Options, Scan, scan};
+use kahan_discover::{DiscoverError, Options, Scan, Scanned, scan};
 
 mod support;
 use support::*;
 
 fn scanned(text: &str, name: &str, from: i64, to: i64, step: Rational) -> Scan {
-    let axis = Axis::range(name, &Rational::from(from), &Rational::from(to), &step).unwrap();
+    let axis = Scanned::range(name, &Rational::from(from), &Rational::from(to), &step).unwrap();
     let options = Options { seconds: 3600.0, ..Options::default() };
     scan(&system(text), &[axis], &options, &mut |_, _| {}).unwrap()
 }
@@ -45,7 +45,7 @@ fn the_time_steps_of_lotka_volterra_are_special() {
 #[test]
 fn grids_have_axes_and_names_are_checked() {
     let half = Rational::new(1, 2);
-    let axis = |name: &str| Axis { name: name.to_owned(), values: vec![half.clone(), Rational::one()] };
+    let axis = |name: &str| Scanned { name: name.to_owned(), values: vec![half.clone(), Rational::one()] };
     let mut calls = 0;
     let options = Options { seconds: 3600.0, ..Options::default() };
     let found = scan(&system(E7), &[axis("xi"), axis("eps")], &options, &mut |_, _| calls += 1).unwrap();
@@ -53,11 +53,11 @@ fn grids_have_axes_and_names_are_checked() {
     assert_eq!(found.points[1].values, [half.clone(), Rational::one()]);
     let error = scan(&system(E7), &[axis("zeta")], &options, &mut |_, _| {}).unwrap_err();
     assert_eq!(error, DiscoverError::UnknownParameter("zeta".to_owned()));
-    assert!(Axis::range("xi", &half, &Rational::one(), &Rational::zero()).is_none());
+    assert!(Scanned::range("xi", &half, &Rational::one(), &Rational::zero()).is_none());
     // A parameter that the field is divided by has a value without a map.
     let divided = scan(
         &system("xdot = y/a; ydot = x^2;"),
-        &[Axis { name: "a".to_owned(), values: vec![Rational::zero(), Rational::one()] }],
+        &[Scanned { name: "a".to_owned(), values: vec![Rational::zero(), Rational::one()] }],
         &options,
         &mut |_, _| {},
     );
@@ -67,8 +67,8 @@ fn grids_have_axes_and_names_are_checked() {
 /// A grid of integers on several axes.
 fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
     let integers = (Rational::from(from), Rational::from(to), Rational::one());
-    let axis = |name: &&str| Axis::range(name, &integers.0, &integers.1, &integers.2).unwrap();
-    let axes: Vec<Axis> = names.iter().map(axis).collect();
+    let axis = |name: &&str| Scanned::range(name, &integers.0, &integers.1, &integers.2).unwrap();
+    let axes: Vec<Scanned> = names.iter().map(axis).collect();
     let options = Options { seconds: 3600.0, ..Options::default() };
     scan(&system(text), &axes, &options, &mut |_, _| {}).unwrap()
 }

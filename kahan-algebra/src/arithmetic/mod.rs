@@ -1,20 +1,20 @@
 //! The arithmetics in which a plan runs.
 
-mod bounds;
 mod dual;
 mod exact;
 mod float;
 mod functions;
 mod linear;
 mod modular;
+mod sizes;
 
-pub use bounds::{Bounds, Size};
 pub use dual::{Dual, DualNumber};
 pub use exact::Exact;
 pub use float::{Float32, Float64};
 pub use functions::{Function, Functions};
 pub use linear::{Solved, determinant, solve};
 pub use modular::Modular;
+pub use sizes::{Size, Sizes};
 
 use crate::rational::Rational;
 

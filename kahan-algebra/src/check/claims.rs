@@ -1,6 +1,6 @@
 //! Claims: names resolved, entries of brackets in order, compiled to plans.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::field::Component;
@@ -23,7 +23,7 @@ pub(super) fn compile_all(
     scope: &mut Scope,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Claim> {
-    let mut compiler = Compiler { builder: PlanBuilder::default(), functions: HashMap::new() };
+    let mut compiler = Compiler { builder: PlanBuilder::default(), functions: FxHashMap::default() };
     let mut claims: Vec<Claim> = Vec::new();
     for claim in &block.claims {
         if !scope.is_free(&claim.name, "claim", diagnostics) {
@@ -86,7 +86,7 @@ fn check_density_is_single(claim: &syntax::Claim, earlier: &[Claim], diagnostics
 
 struct Compiler {
     builder: PlanBuilder,
-    functions: HashMap<String, Node>,
+    functions: FxHashMap<String, Node>,
 }
 
 impl Compiler {

@@ -13,6 +13,7 @@ use crate::render::Notation;
 use crate::symbols::Symbols;
 use crate::syntax;
 use crate::system::Condition;
+use crate::table::sorted_by_key;
 use crate::token::Span;
 
 use super::expand::{Expansion, expand_in_claim};
@@ -120,8 +121,7 @@ fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<
             None => return Err(unknown(&name, span, scope)),
         }
     }
-    names.sort_by_key(|name| *name == epsilon);
-    Ok(Some(names))
+    Ok(Some(sorted_by_key(names, |name| *name == epsilon)))
 }
 
 fn unknown(name: &str, span: Span, scope: &mut Scope) -> Diagnostic {

@@ -1,12 +1,13 @@
 //! Names: who is a state, a parameter, a constant or a claim, and that no name is two of them.
 
-use std::collections::{BTreeSet, HashMap};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diagnostics::{Diagnostics, Kind};
 use crate::poly::Variable;
 use crate::rational::Rational;
 use crate::symbols::Symbols;
 use crate::syntax::{Block, ClaimBody, Expr, Name};
+use crate::table::sorted_by_key;
 use crate::token::Span;
 
 use super::spelling::is_keyword;
@@ -22,14 +23,14 @@ pub(super) enum Meaning {
 pub(super) struct Scope {
     pub(super) symbols: Symbols,
     /// Values of constants; `None` for one whose value was not understood.
-    pub(super) constants: HashMap<String, Option<Rational>>,
+    pub(super) constants: FxHashMap<String, Option<Rational>>,
     /// Claims so far.
     pub(super) claims: Vec<String>,
     /// Names that are mistakes already, or whose owner is: not to be reported again.
-    poisoned: BTreeSet<String>,
-    used: BTreeSet<String>,
+    poisoned: FxHashSet<String>,
+    used: FxHashSet<String>,
     /// Claims of the whole block.
-    all_claims: BTreeSet<String>,
+    all_claims: FxHashSet<String>,
     /// Left-hand sides without `dot`, as written.
     misspelt_states: Vec<String>,
 }
@@ -43,10 +44,10 @@ impl Scope {
     pub(super) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
         let mut scope = Scope {
             symbols: Symbols { states: Vec::new(), parameters: Vec::new() },
-            constants: HashMap::new(),
+            constants: FxHashMap::default(),
             claims: Vec::new(),
-            poisoned: BTreeSet::new(),
-            used: BTreeSet::new(),
+            poisoned: FxHashSet::default(),
+            used: FxHashSet::default(),
             all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
             misspelt_states: block.misspelt_states.iter().map(|name| name.text.clone()).collect(),
         };
@@ -283,9 +284,7 @@ impl Scope {
     pub(super) fn nearest(&self, name: &str, in_claim: bool) -> Option<String> {
         let mut candidates: Vec<String> = self.symbols.states.clone();
         candidates.extend(self.symbols.parameters.iter().cloned());
-        let mut constants: Vec<String> = self.constants.keys().cloned().collect();
-        constants.sort();
-        candidates.extend(constants);
+        candidates.extend(sorted_by_key(self.constants.keys(), |name| *name).into_iter().cloned());
         if in_claim {
             candidates.extend(self.claims.iter().cloned());
             candidates.push("eps".to_owned());

@@ -70,7 +70,7 @@ pub fn derive(system: &System) -> Derived {
     let n = field.dimension();
     let map = RationalMap::of(field);
     let claims = |kind| system.accessors(kind).map(|claim| (claim.name.text.clone(), &claim.plan));
-    let alone = |plan: &Plan| Plan::together([plan]);
+    let single = |plan: &Plan| Plan::together([plan]);
     Derived {
         divisors: Plan::of(field.components.iter().map(|component| &component.denominator)),
         field: over_divisors(field, field.components.iter().map(|component| &component.numerator), 1),
@@ -87,8 +87,8 @@ pub fn derive(system: &System) -> Derived {
         map,
         integrals: Plan::together(claims(ClaimKind::Integral).map(|(_, plan)| plan)),
         integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
-        density: claims(ClaimKind::Density).next().map(|(_, plan)| alone(plan)),
-        brackets: claims(ClaimKind::Bracket).map(|(name, plan)| (name, alone(plan))).collect(),
+        density: claims(ClaimKind::Density).next().map(|(_, plan)| single(plan)),
+        brackets: claims(ClaimKind::Bracket).map(|(name, plan)| (name, single(plan))).collect(),
         step: OnceLock::new(),
         system: system.clone(),
     }

@@ -2,10 +2,11 @@
 //!
 //! Generated code and listings call a step the same; what has no short description is numbered.
 
-use std::collections::{BTreeMap, BTreeSet};
+use rustc_hash::FxHashSet;
 
 use crate::plan::{Node, Operation, Plan, descriptions, kind};
 use crate::symbols::Symbols;
+use crate::table::Table;
 
 /// What a step is called.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,9 +23,9 @@ pub struct StepNames {
     /// What each step could be called.
     descriptions: Vec<Option<String>>,
     kinds: Vec<&'static str>,
-    taken: BTreeSet<String>,
+    taken: FxHashSet<String>,
     /// How many steps of each kind have been numbered.
-    numbered: BTreeMap<&'static str, usize>,
+    numbered: Table<&'static str, usize>,
 }
 
 impl StepNames {
@@ -34,8 +35,8 @@ impl StepNames {
         StepNames {
             descriptions: descriptions(plan, symbols, prepared),
             kinds: (0..plan.operations.len()).map(|index| kind(plan, Node(index))).collect(),
-            taken: BTreeSet::new(),
-            numbered: BTreeMap::new(),
+            taken: FxHashSet::default(),
+            numbered: Table::new(),
         }
     }
 
@@ -56,7 +57,7 @@ impl StepNames {
             return StepName::Described(text);
         }
         loop {
-            let number = self.numbered.entry(what).or_default();
+            let number = self.numbered.or_default(what);
             *number += 1;
             let name = StepName::Numbered(what, *number);
             if self.taken.insert(name.to_string()) {

@@ -3,9 +3,8 @@
 //! Laplace expansion row by row: after k rows, the minor of every set of k columns is known, each from those of k−1.
 //! Zero minors are left out, so sparse matrices stay cheap.
 
-use std::collections::BTreeMap;
-
 use crate::poly::{Budget, OverBudget, Polynomial};
+use crate::table::Table;
 
 /// The largest number of nonzero minors kept at a time.
 const MOST_MINORS: usize = 4096;
@@ -19,10 +18,10 @@ pub(super) fn maximal_minors(
     if columns > 63 {
         return Err(OverBudget);
     }
-    let mut minors: BTreeMap<u64, Polynomial> = BTreeMap::from([(0, Polynomial::one())]);
+    let mut minors: Table<u64, Polynomial> = Table::from_sorted(vec![(0, Polynomial::one())]);
     for row in rows {
-        let mut next: BTreeMap<u64, Polynomial> = BTreeMap::new();
-        for (&chosen, minor) in &minors {
+        let mut next: Table<u64, Polynomial> = Table::new();
+        for (&chosen, minor) in minors.iter() {
             for (column, entry) in row.iter().enumerate() {
                 if entry.is_zero() || chosen >> column & 1 == 1 {
                     continue;
@@ -31,7 +30,7 @@ pub(super) fn maximal_minors(
                 // The entry moves past the chosen columns to its right.
                 let odd = (chosen >> column).count_ones() % 2 == 1;
                 let product = if odd { -&product } else { product };
-                let sum = next.entry(chosen | 1 << column).or_insert_with(Polynomial::zero);
+                let sum = next.or_default(chosen | 1 << column);
                 *sum = sum.add_within(&product, budget)?;
             }
         }

@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::syntax::{Block, Claim, ClaimBody, ClaimKind, Condition, Constant, Entry, Equation, Name};
+use crate::table::distinct;
 use crate::token::{Span, TokenKind};
 
 use super::Parsed;
@@ -125,8 +126,7 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
 fn meant(left: &str) -> &str {
     let leibniz = left.strip_prefix('d').and_then(|rest| rest.strip_suffix("dt"));
     let twisted = left.char_indices().rev().nth(2).and_then(|(at, _)| {
-        let mut ending: Vec<char> = left[at..].to_lowercase().chars().collect();
-        ending.sort_unstable();
+        let ending = distinct(left[at..].to_lowercase().chars());
         (ending == ['d', 'o', 't']).then_some(&left[..at])
     });
     leibniz.or(twisted).filter(|state| !state.is_empty()).unwrap_or(left)

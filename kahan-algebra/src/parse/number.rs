@@ -13,7 +13,7 @@ use super::Parsed;
 const LARGEST_EXPONENT: i64 = 4096;
 
 /// A literal split where its parts meet.
-struct Parts<'a> {
+struct Literal<'a> {
     whole: &'a str,
     fraction: &'a str,
     exponent: &'a str,
@@ -92,7 +92,7 @@ fn is_type_suffix(suffix: &str) -> bool {
 }
 
 /// Splits `1_2.5e-3f64` into `1_2`, `5`, `-3`, `f64`.
-fn split(text: &str) -> Parts<'_> {
+fn split(text: &str) -> Literal<'_> {
     let digits =
         |from: usize| from + text[from..].bytes().take_while(|b| b.is_ascii_digit() || *b == b'_').count();
     let byte = |at: usize| text.as_bytes().get(at).copied();
@@ -113,5 +113,5 @@ fn split(text: &str) -> Parts<'_> {
             end = exponent_end;
         }
     }
-    Parts { whole: &text[..whole_end], fraction, exponent, suffix: &text[end..] }
+    Literal { whole: &text[..whole_end], fraction, exponent, suffix: &text[end..] }
 }

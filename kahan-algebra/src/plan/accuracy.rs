@@ -9,9 +9,8 @@
 //! it errs 2⁻²³ times as much as in 30. To first order the rounding errors of a computation are
 //! proportional to u, so an error of k u in 30 bits is one of about k u in 53.
 //!
-//! A form whose errors are beyond limits is refused where there is one well within them, and holds
-//! up to the size where they are within for certain. A form in doubt is kept, and says how far it
-//! holds.
+//! A form whose errors are beyond the limits is refused if another form stays well within them.
+//! Every form says up to which size its errors are certain to be within the limits.
 
 mod program;
 mod trial;
@@ -20,43 +19,42 @@ use std::cell::OnceCell;
 
 use crate::field::Field;
 use crate::prime_field::SplitMix64;
+use crate::table::sorted_by;
 
 use super::StepPlan;
 use program::{Program, short};
 use trial::{Elimination, Trial};
 
-/// The largest ‖εf′‖∞ that is looked at,
+/// The largest ‖εf′‖∞ that is looked at.
 pub const LARGEST_SIZE: u32 = 1000;
-/// and all of them.
+/// All sizes ‖εf′‖∞ that are looked at.
 const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
-/// The points of each size at first,
+/// The points of each size at first.
 const FEW: usize = 25;
-/// and where these leave a doubt.
+/// The points of each size where the first leave a doubt.
 const MANY: usize = 100;
-/// By what factor a median error may be larger than that of elimination, which counts as [`SMALL`]
-/// where it is below,
+/// By what factor a step's median error may be larger than that of elimination.
 const MEDIAN_FACTOR: f64 = 30.0;
-/// in units u;
+/// A median error of elimination below this many units u counts as this many.
 const SMALL: f64 = 10.0;
-/// by what factor the tail may be,
+/// By what factor the tail of a step's errors may be larger than that of elimination.
 const TAIL_FACTOR: f64 = 60.0;
-/// unless it is below this.
+/// A tail below this many units u is never too large.
 const SMALL_TAIL: f64 = 1000.0;
-/// A step is refused where it exceeds the limits by this factor, if there is one
+/// A step that exceeds the limits by this factor is refused where another one is kept.
 const REFUSED: f64 = 1.5;
-/// that is this far within them. Between 1 and what is refused it is kept, and says how far it
-/// holds.
+/// A step whose errors are at most this part of the limits may stand in for one that is refused.
 const KEPT: f64 = 1.0 / 6.0;
-/// From here
+/// Below this part of the limits a few points leave no doubt.
 const CLEAR: f64 = 0.2;
-/// to here a few points leave a doubt.
+/// Above this part of the limits a few points leave no doubt either.
 const DOUBTFUL: f64 = 3.0 * REFUSED;
 /// A median of n errors lies within the quantiles ½ ± this/√n, nine times in ten.
 const BAND: f64 = 0.8;
-/// A step is said to hold where it stays within this part of the limits: other points, a hundredth
-/// of which is read off, differ from these.
+/// A step is said to hold where it stays within this part of the limits: other points differ from those that were
+/// looked at.
 const CLAIMED: f64 = 0.6;
-/// What stands for the tail, read off as uncertainly.
+/// The quantile that stands for the tail.
 const TAIL: f64 = 0.9;
 
 /// Points of every size, and what elimination makes of them.
@@ -73,9 +71,9 @@ pub(super) struct Loss(Vec<Ratio>);
 /// Errors over what they may be, 1 at the limit.
 #[derive(Clone, Copy, Debug)]
 struct Ratio {
-    /// As measured,
+    /// As measured.
     measured: f64,
-    /// and the largest that the points leave room for.
+    /// The largest that the points leave room for.
     largest: f64,
 }
 
@@ -152,8 +150,8 @@ impl<'a> Runner<'a> {
         if trials.len() < FEW {
             return Ratio { measured: 0.0, largest: 0.0 };
         }
-        let own = sorted(trials.iter().map(|trial| self.error(trial)).collect());
-        let others = sorted(trials.iter().map(|trial| trial.elimination).collect());
+        let own = sorted(trials.iter().map(|trial| self.error(trial)));
+        let others = sorted(trials.iter().map(|trial| trial.elimination));
         let band = BAND / (trials.len() as f64).sqrt();
         // The step read off at `shift` from a quantile, elimination as far on the other side.
         let ratio = |shift: f64| {
@@ -180,9 +178,8 @@ impl<'a> Runner<'a> {
     }
 }
 
-fn sorted(mut errors: Vec<f64>) -> Vec<f64> {
-    errors.sort_by(f64::total_cmp);
-    errors
+fn sorted(errors: impl Iterator<Item = f64>) -> Vec<f64> {
+    sorted_by(errors, f64::total_cmp)
 }
 
 /// The value that this share of sorted values is below.

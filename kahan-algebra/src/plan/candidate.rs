@@ -1,6 +1,6 @@
 //! One form of a step, with its price.
 
-use std::collections::BTreeSet;
+use crate::table::distinct;
 
 use super::cost::DERIVED;
 use super::nesting::Goal;
@@ -19,11 +19,8 @@ pub(super) struct Candidate {
 
 impl Candidate {
     pub(super) fn new(writer: Writer, numerators: Vec<Node>, reciprocals: Vec<Option<Node>>) -> Self {
-        let mut distinct: Vec<Node> = reciprocals.iter().copied().flatten().collect();
-        distinct.sort_unstable();
-        distinct.dedup();
         let mut outputs = numerators.clone();
-        outputs.extend(distinct);
+        outputs.extend(distinct(reciprocals.iter().copied().flatten()));
         let plan = writer.draft.builder.finish(&outputs);
         let states = writer.scaling.states();
         let epsilon = writer.scaling.epsilon();
@@ -54,7 +51,7 @@ impl Candidate {
 /// Operations and cycles to the next state, and a fine for prepared constants that were rounded more than once.
 fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
-    let negated: BTreeSet<Node> = kernel.outputs[..components].iter().copied().filter(is_negation).collect();
+    let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));
     let cost = kernel.cost();
     // A negated numerator becomes a subtraction at the end.
     let operations = cost.operations() - negated.len() + DERIVED * derived;

@@ -5,14 +5,15 @@ use crate::field::Field;
 use crate::kahan::{RationalMap, scaled_matrix};
 use crate::poly::Polynomial;
 use crate::rational::Rational;
+use crate::table::sorted_by_key;
 
 use super::blocks::{Blocks, Manner};
 use super::candidate::Candidate;
 use super::draft::Signed;
+use super::factored_map::FactoredMap;
 use super::minors::{Determinants, determinants};
 use super::nesting::Goal;
 use super::numerators::{Power, Products};
-use super::parts::Parts;
 use super::scaling::scalings;
 use super::writer::{Entry, Writer};
 
@@ -23,14 +24,14 @@ struct WithDenominator {
     numerators: Option<Vec<Signed>>,
 }
 
-/// For how many denominators the numerators are written from their factors.
+/// Numerators are written as products of their factors for this many denominators, the cheapest ones.
 const TRIED: usize = 2;
-/// The most terms of all factors for which that is done where there are determinants, too.
+/// Where determinants give the numerators, too, products are tried if their factors have at most this many terms together.
 const FACTOR_TERMS: usize = 32;
 
-/// How many orders of the rows of a block are compared,
+/// How many orders of the rows of a block are compared in a field of few terms.
 const ROTATIONS: usize = 3;
-/// if the field has no more terms than this.
+/// A field of more terms than this has its blocks written in one order only.
 const COMPARED_TERMS: usize = 60;
 /// The most terms of N and D for which they are written out where there is another form.
 const WRITTEN_TERMS: usize = 120;
@@ -64,10 +65,10 @@ pub(super) fn forms(field: &Field, map: Option<&RationalMap>) -> Option<Forms> {
     }
     let (mut two_divisions, mut over_time_step) = (None, Vec::new());
     if let Some(map) = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS) {
-        let parts = Parts::of(field, map);
-        candidates.extend(parts.best());
-        two_divisions = parts.with_two_divisions();
-        over_time_step = parts.over_time_step();
+        let factored = FactoredMap::of(field, map);
+        candidates.extend(factored.best());
+        two_divisions = factored.with_two_divisions();
+        over_time_step = factored.over_time_step();
     }
     let best = candidates.into_iter().min_by_key(Candidate::price)?;
     Some(Forms { best, two_divisions, over_time_step })
@@ -97,9 +98,7 @@ pub(super) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Cand
     let is_affordable = |form: &Candidate| {
         2 * form.price() <= 3 * best.price() && 2 * form.operations() <= 3 * best.operations()
     };
-    let mut forms: Vec<Candidate> = whole.filter(is_affordable).collect();
-    forms.sort_by_key(Candidate::price);
-    forms
+    sorted_by_key(whole.filter(is_affordable), Candidate::price)
 }
 
 /// The terms of all equations.
@@ -115,16 +114,15 @@ impl WithDenominator {
     }
 }
 
-impl Parts<'_> {
+impl FactoredMap<'_> {
     /// The cheapest form of a reduced map.
     fn best(&self) -> Option<Candidate> {
         let starts: Vec<WithDenominator> = scalings(self.field)
             .into_iter()
             .flat_map(|scaling| self.denominators(&Writer::new(scaling)))
             .collect();
-        let mut starts: Vec<(u64, WithDenominator)> =
-            starts.into_iter().map(|mut start| (start.price(), start)).collect();
-        starts.sort_by_key(|(price, _)| *price);
+        let starts = starts.into_iter().map(|mut start| (start.price(), start));
+        let starts = sorted_by_key(starts, |(price, _)| *price);
         let has_determinants = starts.iter().any(|(_, start)| start.numerators.is_some());
         let mut to_try = if has_determinants && self.factor_terms() > FACTOR_TERMS { 0 } else { TRIED };
         let mut best: Option<Candidate> = None;

@@ -7,11 +7,11 @@ use super::{Node, Operation, Plan};
 
 /// Cycles until the result of an addition or subtraction can be used.
 pub(super) const ADD: u32 = 3;
-/// The same for a multiplication,
+/// Cycles until the result of a multiplication can be used.
 pub(super) const MULTIPLY: u32 = 4;
-/// a multiply-add,
+/// Cycles until the result of a multiply-add can be used.
 pub(super) const FUSED: u32 = 4;
-/// and a division.
+/// Cycles until the result of a division can be used.
 pub(super) const DIVIDE: u32 = 14;
 
 /// What a prepared constant that was rounded more than once costs, in operations.
@@ -38,12 +38,6 @@ impl Cost {
     #[must_use]
     pub fn operations(&self) -> usize {
         self.additions + self.multiplications + 2 * self.fused + self.divisions
-    }
-
-    /// All instructions of a target that has multiply-add.
-    #[must_use]
-    pub fn fused_operations(&self) -> usize {
-        self.additions + self.multiplications + self.fused + self.divisions
     }
 }
 

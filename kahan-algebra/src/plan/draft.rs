@@ -3,6 +3,7 @@
 
 use crate::poly::Variable;
 use crate::rational::Rational;
+use crate::table::sorted_by_key;
 
 use super::scaling::Scaling;
 use super::{Node, Operation, PlanBuilder};
@@ -128,7 +129,7 @@ impl Draft {
             return self.constant(&Rational::one());
         }
         while factors.len() > 1 {
-            self.sort(&mut factors, |node| *node);
+            factors = self.sorted(factors, |node| *node);
             let fixed = factors.iter().filter(|node| self.fixed[node.0]).count();
             let earliest =
                 if !self.folds && (1..factors.len()).contains(&fixed) { (fixed - 1, fixed) } else { (0, 1) };
@@ -160,14 +161,14 @@ impl Draft {
         if signed.negative { self.builder.negate(signed.node) } else { signed.node }
     }
 
-    /// The same with its sign apart.
+    /// The same, its sign beside it.
     pub(super) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
         let mut terms = terms.to_vec();
         if terms.is_empty() {
             return Signed::plus(self.zero());
         }
         while terms.len() > 1 {
-            self.sort(&mut terms, |term| term.node);
+            terms = self.sorted(terms, |term| term.node);
             let (a, b) = (terms.remove(0), terms.remove(0));
             terms.insert(0, self.pair(a, b));
         }
@@ -183,9 +184,10 @@ impl Draft {
         }
     }
 
-    fn sort<V: Copy>(&mut self, values: &mut [V], node: impl Fn(&V) -> Node) {
+    /// The values in the order in which they are ready, constants first.
+    fn sorted<V>(&mut self, values: Vec<V>, node: impl Fn(&V) -> Node) -> Vec<V> {
         self.settle();
-        values.sort_by_key(|value| (!self.fixed[node(value).0], self.ready[node(value).0], node(value)));
+        sorted_by_key(values, |value| (!self.fixed[node(value).0], self.ready[node(value).0], node(value)))
     }
 }
 

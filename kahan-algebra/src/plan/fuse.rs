@@ -54,8 +54,8 @@ impl Plan {
             _ => None,
         }?;
         let fused = candidate.operands().map(at).max().unwrap_or(0) + FUSED;
-        let apart = self.operations[index].operands().map(at).max().unwrap_or(0) + ADD;
-        (fused <= required.max(apart)).then_some(candidate)
+        let unfused = self.operations[index].operands().map(at).max().unwrap_or(0) + ADD;
+        (fused <= required.max(unfused)).then_some(candidate)
     }
 
     /// The latest cycle in which each step may be ready without making the plan's chain longer.

@@ -13,9 +13,9 @@ use crate::rational::Rational;
 
 use super::candidate::Candidate;
 use super::draft::Signed;
+use super::factored_map::FactoredMap;
 use super::nesting::Goal;
 use super::numerators::Power;
-use super::parts::Parts;
 use super::scaling::{is_power_of_two, over_eps, scalings};
 use super::writer::Writer;
 use super::{Operation, StepPlan};
@@ -23,7 +23,7 @@ use super::{Operation, StepPlan};
 /// The most powers of ε that are divided by: more of them leave the range of a scalar too early.
 const MOST_POWERS: u32 = 2;
 
-impl Parts<'_> {
+impl FactoredMap<'_> {
     /// The forms over ε and over ε², and the one with two divisions, as far as no constant in them is rounded twice.
     pub(super) fn over_time_step(&self) -> Vec<Candidate> {
         let scalings = scalings(self.field);

@@ -2,7 +2,7 @@
 //! division. After k rows the minor of every set of k columns is known, each from those of one row less, so that all the
 //! determinants share them; zero entries leave out what they would multiply.
 
-use std::collections::BTreeMap;
+use crate::table::{Table, sorted_by_key};
 
 use super::draft::{Draft, Signed};
 use super::writer::{Entry, Writer};
@@ -16,7 +16,7 @@ pub(super) struct Determinants {
 /// The rows are those of A with the right-hand side appended; the last one is the row of the last expansion.
 pub(super) fn determinants(writer: &mut Writer, rows: &[Vec<Entry>]) -> Determinants {
     let n = rows.len();
-    let mut minors: BTreeMap<u64, Signed> = BTreeMap::new();
+    let mut minors: Table<u64, Signed> = Table::new();
     for (k, row) in rows.iter().enumerate() {
         minors = match k {
             0 => single(&writer.draft, row),
@@ -36,14 +36,14 @@ pub(super) fn determinants(writer: &mut Writer, rows: &[Vec<Entry>]) -> Determin
 }
 
 /// The entries of one row.
-fn single(draft: &Draft, row: &[Entry]) -> BTreeMap<u64, Signed> {
+fn single(draft: &Draft, row: &[Entry]) -> Table<u64, Signed> {
     let entries = row.iter().enumerate().map(|(column, entry)| (1 << column, entry.written));
     entries.filter(|(_, written)| !draft.is_zero(*written)).collect()
 }
 
 /// The minors of two rows, of which some may be steps already.
-fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> BTreeMap<u64, Signed> {
-    let mut minors = BTreeMap::new();
+fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, Signed> {
+    let mut minors = Table::new();
     for j in 1..first.len() {
         for i in 0..j {
             let polynomial = &(&first[i].polynomial * &second[j].polynomial)
@@ -71,9 +71,9 @@ fn times(draft: &mut Draft, a: Signed, b: Signed) -> Signed {
 }
 
 /// The minors with one row more.
-fn expanded(draft: &mut Draft, minors: &BTreeMap<u64, Signed>, row: &[Entry]) -> BTreeMap<u64, Signed> {
-    let mut terms: BTreeMap<u64, Vec<Signed>> = BTreeMap::new();
-    for (&chosen, minor) in minors {
+fn expanded(draft: &mut Draft, minors: &Table<u64, Signed>, row: &[Entry]) -> Table<u64, Signed> {
+    let mut terms: Table<u64, Vec<Signed>> = Table::new();
+    for (&chosen, minor) in minors.iter() {
         for (column, Entry { written: entry, .. }) in row.iter().enumerate() {
             if chosen >> column & 1 == 1 || draft.is_zero(*entry) {
                 continue;
@@ -81,7 +81,7 @@ fn expanded(draft: &mut Draft, minors: &BTreeMap<u64, Signed>, row: &[Entry]) ->
             // The entry moves past the chosen columns to its right.
             let odd = (chosen >> column).count_ones() % 2 == 1;
             let product = times(draft, *minor, *entry).flipped(odd);
-            terms.entry(chosen | 1 << column).or_default().push(product);
+            terms.or_default(chosen | 1 << column).push(product);
         }
     }
     terms.into_iter().map(|(chosen, terms)| (chosen, draft.signed_sum(&terms))).collect()
@@ -92,12 +92,12 @@ pub(super) fn operations(pattern: &[Vec<bool>]) -> usize {
     let mut known: Vec<u64> = vec![0];
     let mut count = 0;
     for row in pattern {
-        let mut next: BTreeMap<u64, usize> = BTreeMap::new();
+        let mut next: Table<u64, usize> = Table::new();
         for &chosen in &known {
             for (column, _) in
                 row.iter().enumerate().filter(|(column, entry)| **entry && chosen >> column & 1 == 0)
             {
-                *next.entry(chosen | 1 << column).or_insert(0) += 1;
+                *next.or_default(chosen | 1 << column) += 1;
             }
         }
         count += if known == [0] { 0 } else { next.values().map(|terms| 2 * terms - 1).sum() };
@@ -113,8 +113,8 @@ pub(super) fn operations(pattern: &[Vec<bool>]) -> usize {
 /// anywhere and go on as given, or by the number of entries, or the other way round.
 pub(super) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
     let given: Vec<usize> = (0..pattern.len()).collect();
-    let mut sparse_first = given.clone();
-    sparse_first.sort_by_key(|&i| pattern[i].iter().filter(|entry| **entry).count());
+    let entries = |i: &usize| pattern[*i].iter().filter(|entry| **entry).count();
+    let sparse_first = sorted_by_key(given.clone(), entries);
     let dense_first: Vec<usize> = sparse_first.iter().rev().copied().collect();
     let mut orders: Vec<(usize, Vec<usize>)> = Vec::new();
     for mut order in [given, sparse_first, dense_first] {
@@ -124,7 +124,7 @@ pub(super) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
             orders.push((operations(&rows), order.clone()));
         }
     }
-    orders.sort_unstable();
+    let mut orders = sorted_by_key(orders, Clone::clone);
     orders.dedup();
     let last = orders.len() - 1;
     orders.swap_remove(rank.min(last)).1

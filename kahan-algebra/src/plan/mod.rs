@@ -2,9 +2,23 @@
 //!
 //! A plan is data. The emitter turns it into Rust, [`Plan::evaluate`] runs it in any [`Arithmetic`]: rationals, a prime
 //! field, dual numbers, degree bounds, rational functions, floats. Both see the same operations in the same order.
+//!
+//! A [`StepPlan`] is made in these passes, a module each:
+//!
+//! 1. `structure` finds blocks of the field, and states in them that do not act on each other.
+//! 2. `factors` and `factored_map` write the reduced map as products over one base of factors.
+//! 3. `scaling` says which products of ε, parameters and states become variables of their own.
+//! 4. `nesting` and `numerators` decide how polynomials are nested, and in which order factors are multiplied.
+//! 5. `writer` writes a polynomial into a `draft`, which knows when each value is ready, and reuses what is there.
+//! 6. `minors` and `blocks` write determinants of A, `inverse` writes forms divided by the time step.
+//! 7. `candidates` makes the forms of a step and compares their prices (`candidate`, `cost`).
+//! 8. `split` separates prepared constants from the kernel.
+//! 9. `doubling`, `fuse`, `signs` and `reciprocals` rewrite the kernel: doubled constants, multiply-adds, signs.
+//! 10. `single_divisions` gives each component a division of its own.
+//! 11. `recurrence` measures the way from a state to the next, `accuracy` what a long step loses.
+//! 12. `step` chooses among all of these. `words` describes a plan's values for whoever names them.
 
 mod accuracy;
-mod apart;
 mod blocks;
 mod builder;
 mod candidate;
@@ -12,17 +26,18 @@ mod candidates;
 mod cost;
 mod doubling;
 mod draft;
+mod factored_map;
 mod factors;
 mod fuse;
 mod inverse;
 mod minors;
 mod nesting;
 mod numerators;
-mod parts;
 mod reciprocals;
 mod recurrence;
 mod scaling;
 mod signs;
+mod single_divisions;
 mod split;
 mod step;
 mod structure;
@@ -38,6 +53,7 @@ pub(crate) use words::{descriptions, kind};
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
+use crate::table::distinct;
 
 /// The result of an operation: its index in the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -203,16 +219,11 @@ impl Plan {
     /// The inputs that the results depend on, in order.
     #[must_use]
     pub fn inputs(&self) -> Vec<Variable> {
-        let mut inputs: Vec<Variable> = self
-            .operations
-            .iter()
-            .filter_map(|operation| match operation {
-                Operation::Input(variable) => Some(*variable),
-                _ => None,
-            })
-            .collect();
-        inputs.sort_unstable();
-        inputs
+        let inputs = self.operations.iter().filter_map(|operation| match operation {
+            Operation::Input(variable) => Some(*variable),
+            _ => None,
+        });
+        distinct(inputs)
     }
 
     /// How many times each step is used, as an operand or as a result.

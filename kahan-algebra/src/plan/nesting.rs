@@ -5,10 +5,12 @@
 
 use rustc_hash::FxHashMap;
 use std::cell::RefCell;
+use std::cmp::Reverse;
 use std::rc::Rc;
 
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
+use crate::table::sorted_by_key;
 
 use super::cost::{ADD, DERIVED, MULTIPLY};
 use super::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
@@ -37,7 +39,7 @@ impl Goal {
 
 /// A summand of a nested form.
 #[derive(Clone, Debug)]
-pub(super) enum Part {
+pub(super) enum Summand {
     /// One term.
     Term(Monomial, Rational),
     /// The monomial (with its coefficient) times a sum.
@@ -50,7 +52,7 @@ struct Estimate {
     operations: usize,
     /// When each summand is ready.
     summands: Vec<u32>,
-    parts: Vec<Part>,
+    parts: Vec<Summand>,
 }
 
 /// Estimates, each made once; clones share them.
@@ -67,7 +69,7 @@ impl Nesting {
     }
 
     /// The cheapest form found.
-    pub(super) fn best(&self, polynomial: &Polynomial) -> Vec<Part> {
+    pub(super) fn best(&self, polynomial: &Polynomial) -> Vec<Summand> {
         self.estimate(polynomial).parts.clone()
     }
 
@@ -108,12 +110,11 @@ impl Nesting {
     /// Variables in at least two terms; for long polynomials only the most frequent one.
     fn candidates(&self, polynomial: &Polynomial) -> Vec<Variable> {
         let count = |variable: Variable| polynomial.terms().filter(|(m, _)| m.exponent(variable) > 0).count();
-        let mut counts: Vec<(usize, Variable)> =
-            polynomial.variables().into_iter().map(|variable| (count(variable), variable)).collect();
-        counts.retain(|&(count, variable)| {
+        let counts = polynomial.variables().into_iter().map(|variable| (count(variable), variable));
+        let counts = counts.filter(|&(count, variable)| {
             count > 1 && (variable == INVERSE_STEP || self.scaling.ready(variable).is_some())
         });
-        counts.sort_by_key(|&(count, variable)| (std::cmp::Reverse(count), variable));
+        let mut counts = sorted_by_key(counts, |&(count, variable)| (Reverse(count), variable));
         if polynomial.len() > COMPARED {
             counts.truncate(1);
         }
@@ -126,7 +127,7 @@ impl Nesting {
         let mut has_fixed = false;
         for (monomial, coefficient) in polynomial.terms() {
             let (operations, ready) = self.term(monomial, coefficient);
-            estimate.parts.push(Part::Term(monomial.clone(), coefficient.clone()));
+            estimate.parts.push(Summand::Term(monomial.clone(), coefficient.clone()));
             if ready == 0 && operations == 0 && self.is_fixed(monomial) {
                 if has_fixed {
                     continue;
@@ -175,7 +176,7 @@ impl Nesting {
         let quotient = self.estimate(&inner);
         operations += quotient.operations + 1;
         let ready = factor_ready.max(gathered(&quotient.summands)) + MULTIPLY;
-        let mut parts = vec![Part::Product(monomial, content, inner)];
+        let mut parts = vec![Summand::Product(monomial, content, inner)];
         let mut summands = vec![ready];
         if !rest.is_zero() {
             let rest = self.estimate(&rest);
@@ -196,11 +197,13 @@ fn multiplied(ready: Vec<u32>) -> u32 {
     combined(ready, MULTIPLY)
 }
 
-fn combined(mut ready: Vec<u32>, latency: u32) -> u32 {
+fn combined(ready: Vec<u32>, latency: u32) -> u32 {
+    let mut ready = sorted_by_key(ready, |&at| Reverse(at));
     while ready.len() > 1 {
-        ready.sort_unstable_by_key(|&at| std::cmp::Reverse(at));
         let (a, b) = (ready.pop().unwrap_or(0), ready.pop().unwrap_or(0));
-        ready.push(a.max(b) + latency);
+        let sum = a.max(b) + latency;
+        let place = ready.partition_point(|&at| at >= sum);
+        ready.insert(place, sum);
     }
     ready.pop().unwrap_or(0)
 }

@@ -66,8 +66,8 @@ struct Signs {
     cost: usize,
 }
 
-/// The two parts of a sum, each with the sign it has as carried.
-struct Parts {
+/// The two summands of a sum, each with the sign it has as carried.
+struct Summands {
     first: bool,
     second: bool,
 }
@@ -168,7 +168,7 @@ impl<'a> Search<'a> {
                 Operation::Negate(a) => (!of(a), false),
                 Operation::Multiply(a, b) | Operation::Divide(a, b) => (of(a) != of(b), false),
                 _ => {
-                    let Parts { first, second } = parts(operation, of);
+                    let Summands { first, second } = parts(operation, of);
                     if first == second { (first, false) } else { (reversed[index], true) }
                 }
             };
@@ -231,7 +231,7 @@ impl<'a> Search<'a> {
 }
 
 /// The signs of a sum's parts, `of` being those of its operands; not of use for other operations.
-fn parts(operation: &Operation, of: impl Fn(Node) -> bool) -> Parts {
+fn parts(operation: &Operation, of: impl Fn(Node) -> bool) -> Summands {
     let (first, second) = match *operation {
         Operation::Add(a, b) => (of(a), of(b)),
         Operation::Subtract(a, b) => (of(a), !of(b)),
@@ -240,7 +240,7 @@ fn parts(operation: &Operation, of: impl Fn(Node) -> bool) -> Parts {
         Operation::SubtractProduct(a, b, c) => (of(a), of(b) == of(c)),
         _ => (false, false),
     };
-    Parts { first, second }
+    Summands { first, second }
 }
 
 /// The constants, those differences turned round that are wanted with the other sign.

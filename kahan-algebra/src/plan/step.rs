@@ -61,8 +61,8 @@ impl StepPlan {
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.two_divisions.iter().chain(&forms.over_time_step).map(plan);
         let one_orbit: Vec<StepPlan> = once(cheapest.clone()).chain(one_orbit).collect();
-        let apart: Vec<StepPlan> = one_orbit.iter().filter_map(Self::divided_apart).collect();
-        let others = one_orbit.into_iter().skip(1).chain(apart);
+        let single: Vec<StepPlan> = one_orbit.iter().filter_map(Self::with_single_divisions).collect();
+        let others = one_orbit.into_iter().skip(1).chain(single);
         let shortest = others.min_by_key(|plan| (plan.recurrence(), plan.operations()));
         let shortest = shortest.filter(|shortest| shortest.recurrence() < recurrence);
         let mut loss = accuracy.loss(&cheapest);

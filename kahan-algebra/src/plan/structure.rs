@@ -2,6 +2,7 @@
 
 use crate::field::Field;
 use crate::kahan::field_jacobian;
+use crate::table::{distinct, sorted_by_key};
 
 /// Which entries of f′ are not identically zero.
 pub(super) struct Structure {
@@ -41,8 +42,7 @@ impl Structure {
             let others = |&(j, reached): &(usize, &bool)| *reached && !block.contains(&j);
             reaches[block[0]].iter().enumerate().filter(others).count()
         };
-        blocks.sort_by_cached_key(|block| (weight(block), block[0]));
-        blocks
+        sorted_by_key(blocks, |block| (weight(block), block[0]))
     }
 
     /// Which states each state depends on, directly or through others.
@@ -63,16 +63,14 @@ impl Structure {
     /// Chosen greedily, those with the fewest ties first.
     pub(super) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
-        let mut order: Vec<usize> =
-            block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]).collect();
-        order.sort_by_key(|&i| (ties(i), i));
+        let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);
+        let order = sorted_by_key(free, |&i| (ties(i), i));
         let mut chosen: Vec<usize> = Vec::new();
         for i in order {
             if chosen.iter().all(|&j| !self.depends(i, j) && !self.depends(j, i)) {
                 chosen.push(i);
             }
         }
-        chosen.sort_unstable();
-        chosen
+        distinct(chosen)
     }
 }

@@ -10,10 +10,11 @@ use rustc_hash::FxHashMap;
 
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
+use crate::table::sorted_by_key;
 
 use super::Node;
 use super::draft::{Draft, Signed};
-use super::nesting::{Goal, Nesting, Part};
+use super::nesting::{Goal, Nesting, Summand};
 use super::scaling::{INVERSE_STEP, Scaling};
 
 /// The most terms of a polynomial for which multiples of others are looked for: their number grows with its square.
@@ -172,7 +173,7 @@ impl Writer {
         if !common.is_one() || !content.is_one() {
             let inner = polynomial.div_monomial(&common).unwrap_or_default().primitive_part();
             if goal == Goal::Few && inner.len() <= SHARED && self.has_constant(&common) {
-                let write = |writer: &mut Self, apart: &bool| match apart {
+                let write = |writer: &mut Self, is_product: &bool| match is_product {
                     true => writer.multiple(&common, &content, &inner, goal),
                     false => writer.write_flat(polynomial),
                 };
@@ -207,19 +208,18 @@ impl Writer {
         let nesting = self.nestings[usize::from(goal == Goal::Few)].clone();
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
-        let mut parts = nesting.best(polynomial);
         // Low degrees first: their products can be factors of the others.
-        parts.sort_by_key(|part| match part {
-            Part::Term(monomial, _) => monomial.degree(),
-            Part::Product(..) => 0,
+        let parts = sorted_by_key(nesting.best(polynomial), |part| match part {
+            Summand::Term(monomial, _) => monomial.degree(),
+            Summand::Product(..) => 0,
         });
         for part in parts {
             match part {
-                Part::Term(monomial, coefficient) if nesting.is_fixed(&monomial) => {
+                Summand::Term(monomial, coefficient) if nesting.is_fixed(&monomial) => {
                     fixed.push((monomial, coefficient));
                 }
-                Part::Term(monomial, coefficient) => terms.push(self.term(&monomial, &coefficient, None)),
-                Part::Product(monomial, content, inner) => {
+                Summand::Term(monomial, coefficient) => terms.push(self.term(&monomial, &coefficient, None)),
+                Summand::Product(monomial, content, inner) => {
                     terms.push(self.multiple(&monomial, &content, &inner, goal));
                 }
             }

@@ -1,9 +1,8 @@
 //! Derivatives, substitution, renaming, and a polynomial seen as one in a single variable.
 
-use std::collections::BTreeMap;
-
 use super::{Monomial, Polynomial, Term, Variable};
 use crate::rational::Rational;
+use crate::table::Table;
 
 impl Polynomial {
     /// The partial derivative.
@@ -22,11 +21,10 @@ impl Polynomial {
 
     /// The polynomial with `variable` replaced by a number. Forms only the powers that occur.
     pub fn substitute(&self, variable: Variable, value: &Rational) -> Self {
-        let mut powers: BTreeMap<u32, Rational> = BTreeMap::new();
+        let mut powers: Table<u32, Rational> = Table::new();
         Self::from_terms(self.terms.iter().map(|(monomial, coefficient)| {
             let (power, rest) = monomial.split(|other| other == variable);
-            let power =
-                powers.entry(power.degree()).or_insert_with_key(|exponent| power_of(value, *exponent));
+            let power = powers.or_insert_with(power.degree(), |exponent| power_of(value, *exponent));
             (rest, coefficient * power)
         }))
     }
@@ -40,7 +38,7 @@ impl Polynomial {
     }
 
     /// The coefficients cₖ of Σ cₖ `variable`^k, by exponent; none is zero and none contains the variable.
-    pub fn coefficients_in(&self, variable: Variable) -> BTreeMap<u32, Self> {
+    pub fn coefficients_in(&self, variable: Variable) -> Table<u32, Self> {
         self.group(|other| other == variable)
             .into_iter()
             .map(|(power, coefficient)| (power.degree(), coefficient))
@@ -49,14 +47,26 @@ impl Polynomial {
 
     /// The polynomial as one in the variables that `belongs` picks, its coefficients polynomials in the
     /// others.
-    pub fn group(&self, mut belongs: impl FnMut(Variable) -> bool) -> BTreeMap<Monomial, Self> {
-        let mut groups: BTreeMap<Monomial, Vec<Term>> = BTreeMap::new();
-        for (monomial, coefficient) in &self.terms {
-            let (key, rest) = monomial.split(&mut belongs);
-            // Terms with the same key stay sorted when it is divided out.
-            groups.entry(key).or_default().push((rest, coefficient.clone()));
+    pub fn group(&self, mut belongs: impl FnMut(Variable) -> bool) -> Table<Monomial, Self> {
+        let split = self.terms.iter().map(|(monomial, _)| monomial.split(&mut belongs));
+        self.grouped(split.collect())
+    }
+
+    /// The terms by the first part of each split monomial.
+    fn grouped(&self, split: Vec<(Monomial, Monomial)>) -> Table<Monomial, Self> {
+        let mut order: Vec<usize> = (0..split.len()).collect();
+        // Terms with the same key stay sorted when it is divided out.
+        order.sort_by(|&left, &right| split[left].0.cmp(&split[right].0));
+        let mut groups: Vec<(Monomial, Self)> = Vec::new();
+        for index in order {
+            let (key, rest) = &split[index];
+            let term: Term = (rest.clone(), self.terms[index].1.clone());
+            match groups.last_mut() {
+                Some((known, group)) if known == key => group.terms.push(term),
+                _ => groups.push((key.clone(), Self::from_sorted(vec![term]))),
+            }
         }
-        groups.into_iter().map(|(key, terms)| (key, Self::from_sorted(terms))).collect()
+        Table::from_sorted(groups)
     }
 }
 

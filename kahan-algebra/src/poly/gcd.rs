@@ -6,11 +6,10 @@
 //! through trial division and the subresultant remainder sequence in the variable of least degree, stopped as
 //! soon as the bound is met. All results are exact: the prime decides how fast, never what.
 
-use std::collections::BTreeMap;
-
 use super::images::degree_bounds;
 use super::{Budget, Monomial, OverBudget, Polynomial, Variable};
 use crate::rational::Rational;
+use crate::table::{Table, sorted_by_key};
 
 /// The greatest common divisor, primitive with positive leading coefficient; gcd(0, b) is the primitive part
 /// of b.
@@ -49,8 +48,7 @@ pub fn gcd_all_within<'a>(
     polynomials: impl IntoIterator<Item = &'a Polynomial>,
     budget: &mut Budget,
 ) -> Result<Polynomial, OverBudget> {
-    let mut shortest_first: Vec<&Polynomial> = polynomials.into_iter().collect();
-    shortest_first.sort_by_key(|polynomial| polynomial.len());
+    let shortest_first = sorted_by_key(polynomials, |polynomial| polynomial.len());
     let mut common = Polynomial::zero();
     for polynomial in shortest_first {
         common = gcd_within(&common, polynomial, budget)?;
@@ -93,7 +91,7 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Result<P
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,
-    bounds: &BTreeMap<Variable, u32>,
+    bounds: &Table<Variable, u32>,
     budget: &mut Budget,
 ) -> Result<Polynomial, OverBudget> {
     let outside = |variable| !bounds.contains_key(&variable);
@@ -105,7 +103,7 @@ fn gcd_of_coefficients(
 fn gcd_in_main_variable(
     a: &Polynomial,
     b: &Polynomial,
-    bounds: &BTreeMap<Variable, u32>,
+    bounds: &Table<Variable, u32>,
     budget: &mut Budget,
 ) -> Result<Polynomial, OverBudget> {
     let degree = |variable: Variable| a.degree_in(variable).min(b.degree_in(variable));

@@ -11,10 +11,9 @@
 //!
 //! The points are fixed, so results are reproducible; unlucky points loosen a bound and never falsify it.
 
-use std::collections::BTreeMap;
-
 use super::{Budget, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64};
+use crate::table::Table;
 
 /// Where the images are taken.
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
@@ -32,17 +31,17 @@ pub(super) fn degree_bounds(
     a: &Polynomial,
     b: &Polynomial,
     budget: &mut Budget,
-) -> Result<BTreeMap<Variable, u32>, OverBudget> {
+) -> Result<Table<Variable, u32>, OverBudget> {
     let (degrees_a, degrees_b) = (degrees(a), degrees(b));
     budget.charge((a.len() + b.len()) as u64)?;
-    for (variable, &degree_a) in &degrees_a {
+    for (variable, &degree_a) in degrees_a.iter() {
         let degree_b = degrees_b.get(variable).copied().unwrap_or(0);
         let steps = (u64::from(degree_a) + 1) * (u64::from(degree_b) + 1);
         budget.charge(steps / RESIDUES_PER_TERM)?;
     }
     let (images_a, images_b) = (images(a, &degrees_a), images(b, &degrees_b));
-    let mut bounds = BTreeMap::new();
-    for (variable, &degree_a) in &degrees_a {
+    let mut bounds = Table::new();
+    for (variable, &degree_a) in degrees_a.iter() {
         let Some(&degree_b) = degrees_b.get(variable) else { continue };
         let (image_a, image_b) = (&images_a[variable], &images_b[variable]);
         let kept = image_a.len() > degree_a as usize || image_b.len() > degree_b as usize;
@@ -52,11 +51,11 @@ pub(super) fn degree_bounds(
     Ok(bounds)
 }
 
-fn degrees(polynomial: &Polynomial) -> BTreeMap<Variable, u32> {
-    let mut degrees = BTreeMap::new();
+fn degrees(polynomial: &Polynomial) -> Table<Variable, u32> {
+    let mut degrees = Table::new();
     for (monomial, _) in polynomial.terms() {
         for &(variable, exponent) in monomial.powers() {
-            let degree = degrees.entry(variable).or_insert(exponent);
+            let degree: &mut u32 = degrees.or_insert_with(variable, |_| exponent);
             *degree = exponent.max(*degree);
         }
     }
@@ -88,10 +87,10 @@ fn powers(base: u64, degree: u32) -> Vec<u64> {
 }
 
 /// For each variable the image in which only it is kept.
-fn images(polynomial: &Polynomial, degrees: &BTreeMap<Variable, u32>) -> BTreeMap<Variable, Univariate> {
-    let points: BTreeMap<Variable, Point> =
+fn images(polynomial: &Polynomial, degrees: &Table<Variable, u32>) -> Table<Variable, Univariate> {
+    let points: Table<Variable, Point> =
         degrees.iter().map(|(&v, &degree)| (v, Point::new(v, degree))).collect();
-    let mut values: BTreeMap<Variable, Univariate> =
+    let mut values: Table<Variable, Univariate> =
         degrees.iter().map(|(&v, &degree)| (v, vec![0; degree as usize + 1])).collect();
     for (monomial, coefficient) in polynomial.terms() {
         let factors: Vec<(&Point, usize)> =
@@ -100,7 +99,7 @@ fn images(polynomial: &Polynomial, degrees: &BTreeMap<Variable, u32>) -> BTreeMa
         for (point, exponent) in &factors {
             value = FIELD.mul(value, point.powers[*exponent]);
         }
-        for (variable, image) in &mut values {
+        for (variable, image) in values.iter_mut() {
             // The factor of this variable is taken out again.
             let (term, exponent) = match monomial.powers().iter().position(|(v, _)| v == variable) {
                 Some(index) => {

@@ -19,7 +19,7 @@ pub struct Proof {
 }
 
 /// What one point says of a claim.
-struct Finding {
+struct Evidence {
     holds: bool,
     /// Whether the claim says something at this point: an integral has a gradient, a density or bracket is not zero.
     says_something: bool,
@@ -38,12 +38,12 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> V
             return Verdict::NoMap;
         };
         drawn += 1;
-        let Some(finding) = examine(claim, arithmetic, sample, n) else { continue };
-        if !finding.holds {
+        let Some(evidence) = examine(claim, arithmetic, sample, n) else { continue };
+        if !evidence.holds {
             return Verdict::Refuted(refute(scheme, claim));
         }
         accepted += 1;
-        says_something |= finding.says_something;
+        says_something |= evidence.says_something;
     }
     if !says_something {
         return Verdict::Vacuous;
@@ -59,8 +59,8 @@ pub(super) fn decide(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> V
 fn exact_check(scheme: &Scheme, claim: &Claim, samples: &mut Samples) -> Option<bool> {
     for index in 0..MOST_DRAWS {
         let sample = samples.exact(scheme, &claim.conditions, index)?;
-        if let Some(finding) = examine(claim, &Exact, sample, scheme.dimension()) {
-            return Some(finding.holds);
+        if let Some(evidence) = examine(claim, &Exact, sample, scheme.dimension()) {
+            return Some(evidence.holds);
         }
     }
     // Small points can lie on a divisor all together; small heights are no part of the proof.
@@ -72,7 +72,7 @@ fn examine<A: Arithmetic>(
     arithmetic: &A,
     sample: &Sample<A::Value>,
     n: usize,
-) -> Option<Finding> {
+) -> Option<Evidence> {
     let pairs = pairs(claim, arithmetic, sample, n)?;
     let holds = pairs.iter().all(|pair| arithmetic.is_zero(&arithmetic.subtract(&pair.left, &pair.right)));
     let values = gradients(claim, arithmetic, &sample.here, n)?;
@@ -80,5 +80,5 @@ fn examine<A: Arithmetic>(
         ClaimKind::Integral => value.gradient.iter().any(|slope| !arithmetic.is_zero(slope)),
         ClaimKind::Density | ClaimKind::Bracket => !arithmetic.is_zero(&value.value),
     });
-    Some(Finding { holds, says_something })
+    Some(Evidence { holds, says_something })
 }

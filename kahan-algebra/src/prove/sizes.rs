@@ -12,9 +12,9 @@
 //! are independent, so k of them err with probability at most e^k, e = 16 (b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰), and k is chosen
 //! such that e^k < 2⁻¹⁰⁰; it is never below 3. "Random" is a generator seeded by a hash of the block: whoever writes a block cannot
 //! aim at its primes except by trial, and builds are reproducible. deg F and b come from running the very same residuals
-//! in the arithmetic of sizes ([`Bounds`]).
+//! in the arithmetic of sizes ([`Sizes`]).
 
-use crate::arithmetic::{Arithmetic, Bounds, Size};
+use crate::arithmetic::{Arithmetic, Size, Sizes};
 use crate::system::Claim;
 
 use super::residual::pairs;
@@ -30,10 +30,10 @@ const HIGHEST_DEGREE: u64 = 1 << 20;
 pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
     let n = scheme.dimension();
     let sample = sample(scheme, claim)?;
-    let residuals = pairs(claim, &Bounds, &sample, n)?;
+    let residuals = pairs(claim, &Sizes, &sample, n)?;
     let worst = residuals
         .iter()
-        .map(|pair| Bounds.subtract(&pair.left, &pair.right))
+        .map(|pair| Sizes.subtract(&pair.left, &pair.right))
         .fold(Size::default(), |a, b| Size { degree: a.degree.max(b.degree), bits: a.bits.max(b.bits), ..a });
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
@@ -54,22 +54,22 @@ fn sample(scheme: &Scheme, claim: &Claim) -> Option<Sample<Size>> {
     let mut here = vec![Size::variable(); scheme.variables];
     // A name that a relation is solved for is a quotient of polynomials in the others, of their
     // degrees.
-    impose(&claim.conditions, &Bounds, &mut here)?;
+    impose(&claim.conditions, &Sizes, &mut here)?;
     let eps = here[usize::from(scheme.symbols.epsilon().0)];
-    let matrix = rows(&run(&Bounds, &scheme.matrix, &here)?, n);
-    let right = run(&Bounds, &scheme.numerators, &here)?;
+    let matrix = rows(&run(&Sizes, &scheme.matrix, &here)?, n);
+    let right = run(&Sizes, &scheme.numerators, &here)?;
     let mut extended = matrix.clone();
     for (row, right) in extended.iter_mut().zip(&right) {
         row.push(*right);
     }
     // A bound for every n×n minor of (Â | p), so for n̂ⱼ and D̂ alike.
-    let minor = Bounds.determinant(&extended);
-    let increment = Bounds.multiply(&Bounds.add(&eps, &eps), &Bounds.divide(&minor, &minor)?);
+    let minor = Sizes.determinant(&extended);
+    let increment = Sizes.multiply(&Sizes.add(&eps, &eps), &Sizes.divide(&minor, &minor)?);
     let mut there = here.clone();
     for value in &mut there[..n] {
-        *value = Bounds.add(value, &increment);
+        *value = Sizes.add(value, &increment);
     }
-    let back_matrix = rows(&run(&Bounds, &scheme.matrix, &there)?, n);
-    let jacobian_determinant = Bounds.divide(&Bounds.determinant(&back_matrix), &minor)?;
+    let back_matrix = rows(&run(&Sizes, &scheme.matrix, &there)?, n);
+    let jacobian_determinant = Sizes.divide(&Sizes.determinant(&back_matrix), &minor)?;
     Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
 }

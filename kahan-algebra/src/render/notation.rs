@@ -3,6 +3,7 @@
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 use crate::symbols::{Symbol, Symbols};
+use crate::table::sorted_by_key;
 
 use super::name::latex_name;
 
@@ -112,13 +113,12 @@ impl Notation {
         if !coefficient.is_one() || monomial.is_one() {
             factors.push(self.number(coefficient));
         }
-        let mut powers: Vec<(Variable, u32)> = monomial.powers().to_vec();
-        powers.sort_by_key(|&(variable, _)| match symbols.symbol(variable) {
+        let powers = sorted_by_key(monomial.powers(), |&&(variable, _)| match symbols.symbol(variable) {
             Symbol::Epsilon => (0, variable),
             Symbol::Parameter(_) => (1, variable),
             Symbol::State(_) | Symbol::SecondState(_) => (2, variable),
         });
-        for (variable, exponent) in powers {
+        for &(variable, exponent) in powers {
             factors.push(self.power(&self.variable(symbols, variable), i64::from(exponent)));
         }
         self.product(&factors)

@@ -6,7 +6,7 @@ use clap::Args;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_discover::scan::{GridPoint, Proposal, Sight};
-use kahan_discover::{Axis, Options, Scan as Grid, scan};
+use kahan_discover::{Options, Scan as Grid, Scanned, scan};
 use serde_json::{Map, Value, json};
 
 use super::search::{Search, refused};
@@ -93,8 +93,8 @@ fn parameter_axes(
     system: &System,
     name: &str,
     fixed: &[(String, Rational)],
-) -> Result<Vec<Axis>, Refusal> {
-    let mut axes: Vec<Axis> = Vec::new();
+) -> Result<Vec<Scanned>, Refusal> {
+    let mut axes: Vec<Scanned> = Vec::new();
     for &(parameter, range) in ranges {
         let parameter = parameter.trim();
         let known = &system.field.symbols.parameters;
@@ -116,12 +116,12 @@ fn parameter_axes(
 }
 
 /// FROM:TO:STEP; `what` names it in the refusal.
-fn axis(name: &str, range: &str, what: &str) -> Result<Axis, Refusal> {
+fn axis(name: &str, range: &str, what: &str) -> Result<Scanned, Refusal> {
     let [from, to, step] = range.split(':').collect::<Vec<_>>()[..] else {
         return Err(Refusal::new(format!("{what}: `{range}` is not FROM:TO:STEP, as in -2:2:1/12")));
     };
     let (from, to, step) = (number(from, what)?, number(to, what)?, number(step, what)?);
-    Axis::range(name, &from, &to, &step).ok_or_else(|| {
+    Scanned::range(name, &from, &to, &step).ok_or_else(|| {
         Refusal::new(format!(
             "{what}: {from}:{to}:{step} is no range; FROM is at most TO, the step above 0, and 100000 values are the most"
         ))

@@ -85,14 +85,14 @@ fn usual<'a>(sights: impl Iterator<Item = &'a Sight>) -> Option<&'a Sight> {
     counts.into_iter().max_by_key(rank).map(|(_, (_, sight))| sight)
 }
 
-/// The polynomial as an equation: a name with coefficient ±1 alone on the left, else a number alone
+/// The polynomial as an equation: a name with coefficient ±1 by itself on the left, else a number by itself
 /// on the right, else the terms with `-` there.
 fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let is_linear = polynomial.degree() == 1;
     let mut terms = polynomial.terms();
-    let alone = terms.rfind(|(monomial, value)| is_linear && !monomial.is_one() && value.abs().is_one());
+    let isolated = terms.rfind(|(monomial, value)| is_linear && !monomial.is_one() && value.abs().is_one());
     let constant = Polynomial::constant(polynomial.coefficient(&Monomial::one()));
-    let (mut left, mut right) = match alone {
+    let (mut left, mut right) = match isolated {
         Some((monomial, value)) => {
             let left = Polynomial::term(monomial.clone(), value.clone());
             let right = &left - polynomial;

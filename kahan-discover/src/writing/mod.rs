@@ -34,15 +34,22 @@ pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<P
     found.map(|(factor, _)| factor).filter(has_states).collect()
 }
 
-/// Those of all numerators and denominators.
-pub(crate) fn state_factors_of(symbols: &Symbols, formulas: &[Formula]) -> Vec<Polynomial> {
-    let mut factors: Vec<Polynomial> = Vec::new();
-    for side in formulas.iter().flat_map(|formula| [&formula.numerator, &formula.denominator]) {
+/// Adds those of a formula's numerator and denominator that are not among `factors`.
+pub(crate) fn add_state_factors(symbols: &Symbols, factors: &mut Vec<Polynomial>, formula: &Formula) {
+    for side in [&formula.numerator, &formula.denominator] {
         for factor in state_factors(symbols, side) {
             if !factors.contains(&factor) {
                 factors.push(factor);
             }
         }
+    }
+}
+
+/// Those of all numerators and denominators.
+pub(crate) fn state_factors_of(symbols: &Symbols, formulas: &[Formula]) -> Vec<Polynomial> {
+    let mut factors = Vec::new();
+    for formula in formulas {
+        add_state_factors(symbols, &mut factors, formula);
     }
     factors
 }

@@ -6,7 +6,7 @@ mod rational;
 
 use std::collections::BTreeMap;
 
-use kahan_algebra::arithmetic::{Bounds, Exact, Functions, Modular};
+use kahan_algebra::arithmetic::{Exact, Functions, Modular, Sizes};
 use kahan_algebra::rational::Rational;
 
 use kahan_systems::special::{Precise, Real};
@@ -39,7 +39,7 @@ pub(super) enum Evidence {
 impl Calculus for Functions {}
 impl Calculus for Modular {}
 impl Calculus for Exact {}
-impl Calculus for Bounds {}
+impl Calculus for Sizes {}
 
 /// A relation between two formulas without definitions, about one system.
 pub(super) struct Identity<'a> {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use kahan_algebra::arithmetic::{Arithmetic, Bounds, Exact, Function, Functions, Modular, Size};
+use kahan_algebra::arithmetic::{Arithmetic, Exact, Function, Functions, Modular, Size, Sizes};
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 use kahan_algebra::prove::points_needed;
@@ -28,9 +28,9 @@ impl Identity<'_> {
         let names = self.names([left, right]);
         let mut random = SplitMix64::new(self.seed);
         let sizes = names.iter().map(|name| (name.clone(), Size::variable())).collect();
-        let points = match self.sides(&Bounds, left, right, sizes).map_err(|trouble| words(&trouble)) {
+        let points = match self.sides(&Sizes, left, right, sizes).map_err(|trouble| words(&trouble)) {
             Ok([left, right]) => {
-                let difference = Bounds.subtract(&left, &right);
+                let difference = Sizes.subtract(&left, &right);
                 points_needed(difference.degree, difference.bits)
             }
             Err(trouble) => return Err(trouble),

@@ -172,7 +172,7 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         text: "impose(conditions, &arithmetic, &mut here)?;",
         weaker: "" },
     Weakening { name: "a relation whose degree does not enter the bound", file: "kahan-algebra/src/prove/sizes.rs", tests: RELATIONS,
-        text: "impose(&claim.conditions, &Bounds, &mut here)?;",
+        text: "impose(&claim.conditions, &Sizes, &mut here)?;",
         weaker: "" },
     Weakening { name: "a relation that forgets what it was divided by", file: "kahan-algebra/src/relations.rs", tests: RELATIONS,
         text: "relation = without(relation, nonzero.numerator(), &mut self.budget)?;",

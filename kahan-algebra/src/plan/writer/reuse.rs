@@ -1,9 +1,8 @@
 //! Reuse: a polynomial as multiples of sums that are steps already, and a rest.
 
-use std::collections::BTreeMap;
-
 use crate::poly::{Monomial, Polynomial};
 use crate::rational::Rational;
+use crate::table::Table;
 
 use super::super::draft::Signed;
 use super::super::nesting::Goal;
@@ -13,9 +12,9 @@ impl Writer {
     /// The polynomial as multiples of sums that exist already, and a rest; `None` where no multiple shortens it.
     pub(super) fn write_reusing(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let mut rest = polynomial.clone();
-        let mut multipliers: BTreeMap<usize, Polynomial> = BTreeMap::new();
+        let mut multipliers: Table<usize, Polynomial> = Table::new();
         while let Some((sum, multiplier, left)) = self.best_multiple(&rest) {
-            let entry = multipliers.entry(sum).or_default();
+            let entry = multipliers.or_default(sum);
             *entry = &*entry + &multiplier;
             rest = left;
         }
@@ -55,9 +54,9 @@ impl Writer {
 struct Multiple {
     monomial: Monomial,
     ratio: Rational,
-    /// Terms of m·g that the polynomial has,
+    /// How many terms of m·g the polynomial has.
     equal: usize,
-    /// and those that it has with another coefficient.
+    /// How many monomials of m·g the polynomial has with another coefficient.
     unequal: usize,
 }
 

@@ -34,6 +34,7 @@ use super::gcd::leading_coefficient;
 use super::images::degree_bounds;
 use super::{Budget, OverBudget, Polynomial, Variable};
 use crate::rational::Rational;
+use crate::table::{sorted_by, sorted_by_key};
 
 /// A polynomial as content · ∏ factor^exponent.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,7 +70,7 @@ impl Polynomial {
         factors.extend(found.unwrap_or_else(|| {
             square_free::square_free(&core, &mut Budget::new(SQUARE_FREE_TERMS, SQUARE_FREE_WORK))
         }));
-        factors.sort_by(|(left, _), (right, _)| {
+        let factors = sorted_by(factors, |(left, _), (right, _)| {
             let key = |polynomial: &Self| (polynomial.degree(), polynomial.len());
             key(left).cmp(&key(right)).then_with(|| right.terms().cmp(left.terms()))
         });
@@ -129,8 +130,8 @@ fn content(
     main: Variable,
     budget: &mut Budget,
 ) -> Result<Option<(Powers, Polynomial)>, OverBudget> {
-    let mut coefficients: Vec<Polynomial> = polynomial.coefficients_in(main).into_values().collect();
-    coefficients.sort_by_key(Polynomial::len);
+    let coefficients = polynomial.coefficients_in(main).into_values();
+    let mut coefficients = sorted_by_key(coefficients, Polynomial::len);
     for coefficient in &mut coefficients {
         *coefficient = without_monomial(coefficient).1;
     }
@@ -150,7 +151,7 @@ fn content(
     let Some(candidates) = irreducible(shortest, budget)? else { return Ok(None) };
     let mut factors = Vec::new();
     for (candidate, most) in candidates {
-        if !candidate.variables().is_subset(&shared) {
+        if !candidate.variables().iter().all(|variable| shared.contains(variable)) {
             continue;
         }
         let mut exponent = 0;

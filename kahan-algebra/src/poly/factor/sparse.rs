@@ -16,6 +16,7 @@ use super::vandermonde;
 use crate::poly::images::RESIDUES_PER_TERM;
 use crate::poly::{Budget, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64};
+use crate::table::Table;
 
 /// A polynomial over F_p: coefficients by exponents, the main variable first.
 pub(super) type Residues = BTreeMap<Vec<u32>, u64>;
@@ -194,15 +195,15 @@ impl Walk {
 
 /// The monomials of a factor by powers of the main variable, and their values.
 struct Shape {
-    groups: BTreeMap<usize, Vec<(Vec<u32>, u64)>>,
+    groups: Table<usize, Vec<(Vec<u32>, u64)>>,
 }
 
 impl Shape {
     fn new(field: PrimeField, factor: &Residues, base: &[u64]) -> Self {
-        let mut groups: BTreeMap<usize, Vec<(Vec<u32>, u64)>> = BTreeMap::new();
+        let mut groups: Table<usize, Vec<(Vec<u32>, u64)>> = Table::new();
         for (exponents, _) in factor.iter().filter(|(_, coefficient)| **coefficient != 0) {
             let node = (exponents.clone(), value(field, exponents, base));
-            groups.entry(exponents[0] as usize).or_default().push(node);
+            groups.or_default(exponents[0] as usize).push(node);
         }
         Self { groups }
     }
@@ -218,7 +219,7 @@ impl Shape {
 
     fn interpolated(&self, field: PrimeField, lifts: &[Rows], len: usize) -> Option<Residues> {
         let mut terms = Residues::new();
-        for (&row, group) in &self.groups {
+        for (&row, group) in self.groups.iter() {
             let nodes: Vec<u64> = group.iter().map(|(_, node)| *node).collect();
             let columns: Vec<Dense> = (0..len)
                 .map(|power| {

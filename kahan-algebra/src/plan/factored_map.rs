@@ -15,14 +15,14 @@ use super::scaling::scalings;
 use super::writer::Writer;
 
 /// What all forms of one step are made from.
-pub(super) struct Parts<'a> {
+pub(super) struct FactoredMap<'a> {
     pub(super) field: &'a Field,
     pub(super) map: &'a RationalMap,
     pub(super) numerators: Vec<Factored>,
     pub(super) denominator: Factored,
 }
 
-impl<'a> Parts<'a> {
+impl<'a> FactoredMap<'a> {
     pub(super) fn of(field: &'a Field, map: &'a RationalMap) -> Self {
         let reduced = &map.reduced;
         let all: Vec<&Polynomial> = [&reduced.denominator]
@@ -38,7 +38,7 @@ impl<'a> Parts<'a> {
             .iter()
             .map(|increment| if increment.is_zero() { zero() } else { over_base.next().unwrap_or_else(zero) })
             .collect();
-        Parts { field, map, numerators, denominator }
+        FactoredMap { field, map, numerators, denominator }
     }
 
     /// The numerators that are not zero.

@@ -12,7 +12,7 @@ const TOGETHER: usize = 2;
 impl StepPlan {
     /// The step with a division a component; `None` where there is no reciprocal that serves all of them, and nothing else, or
     /// where there are too many components.
-    pub(super) fn divided_apart(&self) -> Option<Self> {
+    pub(super) fn with_single_divisions(&self) -> Option<Self> {
         let (numerators, reciprocals) = self.kernel.outputs.split_at(self.reciprocals.len());
         let [reciprocal] = reciprocals else { return None };
         let is_used =

@@ -2,7 +2,7 @@
 //!
 //! Every value of a plan is a fraction N/M of integer polynomials, formed by the rules of arithmetic without any
 //! cancellation. A [`Size`] bounds the total degrees of N and M and the logarithms of their 1-norms (the sums of the
-//! absolute values of their coefficients, which are submultiplicative). Running a plan in [`Bounds`] so gives bounds
+//! absolute values of their coefficients, which are submultiplicative). Running a plan in [`Sizes`] so gives bounds
 //! for its results; they saturate instead of overflowing.
 
 use crate::rational::Rational;
@@ -38,9 +38,9 @@ impl Size {
 
 /// The arithmetic of sizes.
 #[derive(Clone, Copy, Debug)]
-pub struct Bounds;
+pub struct Sizes;
 
-impl Bounds {
+impl Sizes {
     /// A bound for the determinant of any n×n matrix with columns among those of `rows` (n rows, at least n columns):
     /// over the product of all denominators, each of the n! terms has one numerator a row and no more than all
     /// denominators.
@@ -63,7 +63,7 @@ impl Bounds {
     }
 }
 
-impl Arithmetic for Bounds {
+impl Arithmetic for Sizes {
     type Value = Size;
 
     fn constant(&self, value: &Rational) -> Option<Size> {

@@ -1,0 +1,182 @@
+//! Sorted lists and tables of a few dozen entries.
+//!
+//! The sort and the trees of the standard library are made for millions of entries and are compiled anew for every type:
+//! they were a third of this crate's code, which every user of the macro compiles. Here entries are inserted where they
+//! belong, which is as fast for short lists and a few lines of code for each type.
+
+use std::cmp::Ordering;
+use std::ops::Index;
+
+/// The list in order, equal items in the order in which they were. Costs a move of what lies behind for each item that
+/// comes late.
+pub(crate) fn sorted_by<T>(
+    list: impl IntoIterator<Item = T>,
+    compare: impl Fn(&T, &T) -> Ordering,
+) -> Vec<T> {
+    let mut sorted: Vec<T> = Vec::new();
+    for item in list {
+        let place = sorted.partition_point(|other| compare(other, &item).is_le());
+        sorted.insert(place, item);
+    }
+    sorted
+}
+
+/// The list in the order of its keys.
+pub(crate) fn sorted_by_key<T, K: Ord>(list: impl IntoIterator<Item = T>, key: impl Fn(&T) -> K) -> Vec<T> {
+    sorted_by(list, |left, right| key(left).cmp(&key(right)))
+}
+
+/// The list in order, each item once.
+pub(crate) fn distinct<T: Ord + Copy>(list: impl IntoIterator<Item = T>) -> Vec<T> {
+    let mut sorted = sorted_by_key(list, |item| *item);
+    sorted.dedup();
+    sorted
+}
+
+/// Values by keys, in the order of the keys.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table<K, V> {
+    entries: Vec<(K, V)>,
+}
+
+impl<K: Ord, V> Table<K, V> {
+    /// Without entries.
+    #[must_use]
+    pub fn new() -> Self {
+        Table { entries: Vec::new() }
+    }
+
+    /// Of entries whose keys are strictly increasing.
+    pub(crate) fn from_sorted(entries: Vec<(K, V)>) -> Self {
+        debug_assert!(entries.is_sorted_by(|(left, _), (right, _)| left < right));
+        Table { entries }
+    }
+
+    fn place(&self, key: &K) -> Result<usize, usize> {
+        self.entries.binary_search_by(|(known, _)| known.cmp(key))
+    }
+
+    /// The value of a key.
+    pub fn get(&self, key: &K) -> Option<&V> {
+        self.place(key).ok().map(|place| &self.entries[place].1)
+    }
+
+    /// Whether there is a value of this key.
+    pub fn contains_key(&self, key: &K) -> bool {
+        self.place(key).is_ok()
+    }
+
+    /// Sets the value of a key.
+    pub fn insert(&mut self, key: K, value: V) {
+        match self.place(&key) {
+            Ok(place) => self.entries[place].1 = value,
+            Err(place) => self.entries.insert(place, (key, value)),
+        }
+    }
+
+    /// The value of a key, made first where there is none.
+    pub fn or_insert_with(&mut self, key: K, make: impl FnOnce(&K) -> V) -> &mut V {
+        let place = match self.place(&key) {
+            Ok(place) => place,
+            Err(place) => {
+                let value = make(&key);
+                self.entries.insert(place, (key, value));
+                place
+            }
+        };
+        &mut self.entries[place].1
+    }
+
+    /// The value of a key, the default where there was none.
+    pub fn or_default(&mut self, key: K) -> &mut V
+    where
+        V: Default,
+    {
+        self.or_insert_with(key, |_| V::default())
+    }
+
+    /// Takes out the value of a key.
+    pub fn remove(&mut self, key: &K) -> Option<V> {
+        self.place(key).ok().map(|place| self.entries.remove(place).1)
+    }
+
+    /// Keeps the entries that are to be kept.
+    pub fn retain(&mut self, mut is_kept: impl FnMut(&K, &V) -> bool) {
+        self.entries.retain(|(key, value)| is_kept(key, value));
+    }
+
+    /// The number of entries.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether there are no entries.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// The entries.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (&K, &V)> + ExactSizeIterator {
+        self.entries.iter().map(|(key, value)| (key, value))
+    }
+
+    /// The entries, their values to be changed.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = (&K, &mut V)> {
+        self.entries.iter_mut().map(|(key, value)| (&*key, value))
+    }
+
+    /// The values.
+    pub fn values(&self) -> impl DoubleEndedIterator<Item = &V> + ExactSizeIterator {
+        self.entries.iter().map(|(_, value)| value)
+    }
+
+    /// The values, to be changed.
+    pub fn values_mut(&mut self) -> impl Iterator<Item = &mut V> {
+        self.entries.iter_mut().map(|(_, value)| value)
+    }
+
+    /// The keys alone.
+    pub fn into_keys(self) -> impl Iterator<Item = K> {
+        self.entries.into_iter().map(|(key, _)| key)
+    }
+
+    /// The values alone.
+    pub fn into_values(self) -> impl Iterator<Item = V> {
+        self.entries.into_iter().map(|(_, value)| value)
+    }
+}
+
+impl<K: Ord, V> Default for Table<K, V> {
+    fn default() -> Self {
+        Table::new()
+    }
+}
+
+impl<K: Ord, V> FromIterator<(K, V)> for Table<K, V> {
+    fn from_iter<I: IntoIterator<Item = (K, V)>>(entries: I) -> Self {
+        let mut table = Table::new();
+        for (key, value) in entries {
+            table.insert(key, value);
+        }
+        table
+    }
+}
+
+impl<K, V> IntoIterator for Table<K, V> {
+    type Item = (K, V);
+    type IntoIter = std::vec::IntoIter<(K, V)>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.entries.into_iter()
+    }
+}
+
+impl<K: Ord, V> Index<&K> for Table<K, V> {
+    type Output = V;
+
+    fn index(&self, key: &K) -> &V {
+        &self.entries[self.place(key).unwrap_or_else(|_| panic!("there is no such key"))].1
+    }
+}

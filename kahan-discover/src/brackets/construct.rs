@@ -1,0 +1,112 @@
+//! The tensor of a density and n − 2 integrals: gradients, their minors, signs.
+//!
+//! Each gradient is brought over one denominator and freed of what its entries share, so that the minors are those of small
+//! polynomials; all the denominators come back as one factor of the whole tensor.
+
+use std::collections::BTreeMap;
+
+use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within, gcd_within};
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::symbols::Symbols;
+
+/// The bracket {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂ of section 4 of the paper, for the n ≥ 2 states of `symbols`: the
+/// entries above the diagonal, row by row.
+///
+/// `density` is ρ and `integrals` are the n − 2 functions I. The result satisfies Jacobi's identity and has the I's as Casimirs,
+/// whatever they are; it is invariant under a map that preserves ρ dx and the I's. With n = 2 the one entry is 1/ρ.
+/// `None` for a zero density, for integrals that are functions of one another, and beyond the budget.
+///
+/// Cost: n gcds a gradient, and the minors of n−2 rows by Laplace expansion, at most n·2ⁿ⁻¹ products of polynomials; zero
+/// minors cost nothing.
+pub(super) fn invariant_tensor(
+    symbols: &Symbols,
+    density: &RationalFunction,
+    integrals: &[RationalFunction],
+    budget: &mut Budget,
+) -> Option<Vec<RationalFunction>> {
+    let n = symbols.dimension();
+    let mut factor = density.recip()?;
+    let mut minors = BTreeMap::from([(Vec::new(), Polynomial::one())]);
+    for integral in integrals {
+        let gradient = Gradient::of(symbols, integral, budget)?;
+        minors = expand(&minors, &gradient.direction, budget)?;
+        factor = factor.mul_within(&gradient.factor, budget).ok()?;
+    }
+    if minors.is_empty() {
+        return None;
+    }
+    let mut entries = Vec::with_capacity(n * (n - 1) / 2);
+    for j in 0..n {
+        for k in j + 1..n {
+            let others: Vec<usize> = (0..n).filter(|&l| l != j && l != k).collect();
+            let minor = minors.remove(&others).unwrap_or_default();
+            // x_j passes the j variables before it, then x_k the k−1 that are left before it.
+            let minor = if (j + k - 1) % 2 == 1 { -&minor } else { minor };
+            entries.push(RationalFunction::from(minor).mul_within(&factor, budget).ok()?);
+        }
+    }
+    Some(entries)
+}
+
+/// dI = factor · direction, the direction being coprime polynomials (all zero for a constant I).
+struct Gradient {
+    factor: RationalFunction,
+    direction: Vec<Polynomial>,
+}
+
+impl Gradient {
+    fn of(symbols: &Symbols, integral: &RationalFunction, budget: &mut Budget) -> Option<Self> {
+        let mut slopes = Vec::with_capacity(symbols.dimension());
+        let mut common = Polynomial::one();
+        for i in 0..symbols.dimension() {
+            let slope = integral.derivative_within(symbols.state(i), budget).ok()?;
+            let shared = gcd_within(&common, slope.denominator(), budget).ok()?;
+            common = common.mul_within(&quotient(slope.denominator(), &shared, budget)?, budget).ok()?;
+            slopes.push(slope);
+        }
+        let mut direction = Vec::with_capacity(slopes.len());
+        for slope in &slopes {
+            let cofactor = quotient(&common, slope.denominator(), budget)?;
+            direction.push(slope.numerator().mul_within(&cofactor, budget).ok()?);
+        }
+        let nonzero: Vec<Polynomial> = direction.iter().filter(|entry| !entry.is_zero()).cloned().collect();
+        if nonzero.is_empty() {
+            return Some(Gradient { factor: RationalFunction::one(), direction });
+        }
+        let shared = gcd_all_within(&nonzero, budget).ok()?;
+        for entry in &mut direction {
+            *entry = quotient(entry, &shared, budget)?;
+        }
+        let factor = RationalFunction::new_within(shared, common, budget).ok()??;
+        Some(Gradient { factor, direction })
+    }
+}
+
+/// The quotient by a known divisor.
+fn quotient(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
+    multiple.div_within(divisor, budget).ok()?
+}
+
+/// From the nonzero minors of some rows, by their columns, those with one row more: Laplace expansion along the last row.
+fn expand(
+    minors: &BTreeMap<Vec<usize>, Polynomial>,
+    row: &[Polynomial],
+    budget: &mut Budget,
+) -> Option<BTreeMap<Vec<usize>, Polynomial>> {
+    let mut next: BTreeMap<Vec<usize>, Polynomial> = BTreeMap::new();
+    for (columns, minor) in minors {
+        budget.charge(row.len() as u64).ok()?;
+        for (column, entry) in row.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
+            let Err(place) = columns.binary_search(&column) else { continue };
+            let product = minor.mul_within(entry, budget).ok()?;
+            // The last row's entry stands in the last column and moves left past those behind its own.
+            let product = if (columns.len() - place) % 2 == 1 { -&product } else { product };
+            let mut widened = columns.clone();
+            widened.insert(place, column);
+            let sum = next.entry(widened).or_default();
+            *sum = sum.add_within(&product, budget).ok()?;
+        }
+    }
+    next.retain(|_, minor| !minor.is_zero());
+    Some(next)
+}
