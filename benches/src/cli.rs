@@ -61,7 +61,7 @@ enum What {
     Orders,
     /// An integral over 10⁹ steps, plain and compensated
     Drift,
-    /// The README's picture and its tables of speed, tiers and extremes, measured and written into it
+    /// The pictures and tables of the README and of `docs/speed.md`, measured and written into them
     Readme,
     /// What a block costs while compiling, against the state kept in benches/before.tsv
     Compile {

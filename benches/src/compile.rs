@@ -15,12 +15,12 @@ use crate::progress::Progress;
 
 /// The catalog's files whose blocks carry claims.
 const CATALOG: [(&str, &str); 6] = [
-    ("LotkaVolterra", include_str!("../../systems/src/lotka_volterra.rs")),
-    ("EulerTop", include_str!("../../systems/src/euler.rs")),
-    ("E1", include_str!("../../systems/src/e1.rs")),
-    ("E3", include_str!("../../systems/src/e3.rs")),
-    ("E5", include_str!("../../systems/src/e5.rs")),
-    ("E6", include_str!("../../systems/src/e6.rs")),
+    ("LotkaVolterra", include_str!("../../systems/src/catalog/lotka_volterra.rs")),
+    ("EulerTop", include_str!("../../systems/src/catalog/euler.rs")),
+    ("E1", include_str!("../../systems/src/catalog/e1.rs")),
+    ("E3", include_str!("../../systems/src/catalog/e3.rs")),
+    ("E5", include_str!("../../systems/src/catalog/e5.rs")),
+    ("E6", include_str!("../../systems/src/catalog/e6.rs")),
 ];
 
 /// The figures of the state that this one is compared with; its first lines say which.

@@ -1,6 +1,6 @@
-//! The measured parts of the README: the picture of a trade, the tables of speed, tiers and extremes.
+//! The measured parts of the README and of `docs/speed.md`: the picture of a trade, the tables of speed, tiers and extremes.
 //!
-//! In: this checkout's command and the timings. Out: a new README, with what stands between the markers
+//! In: this checkout's command and the timings. Out: both pages anew, with what stands between the markers
 //! `<!-- begin: NAME -->` and `<!-- end: NAME -->` replaced; all else is left as it is.
 
 use std::path::Path;
@@ -48,19 +48,26 @@ const NAMES: [(&str, &str); 8] = [
 
 /// Measures and writes.
 pub(crate) fn write(root: &Path, effort: Effort) -> Result<()> {
-    let path = root.join("README.md");
-    let text =
-        std::fs::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display()))?;
     let picture = root.join(PICTURE);
     let told = kahan(root, SCENE.iter().copied().chain(["--out", &picture.display().to_string()]))?;
-    let text =
-        replaced(&text, "trade", &format!("```text\n$ kahan {}\n{}```\n", SCENE.join(" "), choice(&told)))?;
-    let text = replaced(&text, "speed", &speed(effort)?.to_string())?;
-    let text = replaced(&text, "tiers", &tiers(effort)?.to_string())?;
+    let trade = format!("```text\n$ kahan {}\n{}```\n", SCENE.join(" "), choice(&told));
+    let tiers = tiers(effort)?.to_string();
+    rewrite(&root.join("README.md"), &[("trade", &trade), ("tiers", &tiers)])?;
+    let speed = speed(effort)?.to_string();
     let judged = kahan(root, ["extremes", "--json", "--trials", TRIALS].into_iter())?;
     let judged: Value = serde_json::from_str(&judged).context("`kahan extremes --json` is no JSON")?;
-    let text = replaced(&text, "extremes", &extremes(&judged)?.to_string())?;
-    write_whole(&path, &text)
+    let extremes = extremes(&judged)?.to_string();
+    rewrite(&root.join("docs/speed.md"), &[("speed", &speed), ("extremes", &extremes)])
+}
+
+/// Replaces the named parts of a page.
+fn rewrite(path: &Path, parts: &[(&str, &str)]) -> Result<()> {
+    let page = path.display().to_string();
+    let mut text = std::fs::read_to_string(path).with_context(|| format!("{page} cannot be read"))?;
+    for (name, by) in parts {
+        text = replaced(&text, name, by).with_context(|| format!("{page} stays as it is"))?;
+    }
+    write_whole(path, &text)
 }
 
 /// What the command of this checkout prints.
@@ -88,8 +95,8 @@ fn choice(told: &str) -> String {
 /// The text with what stands between two markers replaced.
 fn replaced(text: &str, name: &str, by: &str) -> Result<String> {
     let (begin, end) = (format!("<!-- begin: {name} -->\n"), format!("<!-- end: {name} -->"));
-    let from = text.find(&begin).with_context(|| format!("README.md lacks {}", begin.trim()))? + begin.len();
-    let to = text[from..].find(&end).with_context(|| format!("README.md lacks {end}"))? + from;
+    let from = text.find(&begin).with_context(|| format!("there is no {}", begin.trim()))? + begin.len();
+    let to = text[from..].find(&end).with_context(|| format!("there is no {end}"))? + from;
     Ok(format!("{}\n{by}\n{}", &text[..from].trim_end_matches('\n').to_owned(), &text[to..]))
 }
 

@@ -1,8 +1,8 @@
 //! The exact front end of Kahan's method.
 //!
-//! Text or tokens of the language of `kahan!` go in; a checked quadratic vector field comes out, with a verdict on every
-//! claim about its map ([`read`]) and with every plan that evaluates it ([`derive`]). Nothing here knows a target
-//! language: the macro, the maps made at run time and the command read the same [`Derived`].
+//! In: text or tokens of the language of `kahan!`. Out: a checked quadratic vector field with a verdict on every claim about its
+//! map ([`read`]), and every plan that evaluates it ([`derive`]). It must not know any target language, nor the scalars of
+//! `kahan-core`: the macro, the maps made at run time and the command read the same [`Derived`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`], [`system`], [`kahan`],
 //! [`plan`], [`derived`], [`relations`], [`prove`], [`specialise`], [`interpret`], [`render`], [`poisson`]; beneath them

@@ -20,12 +20,12 @@ fn block(file: &'static str) -> &'static str {
 
 /// E1 to E6 in order: the blocks, whose P and Q are Table 3 and Table 4 divided by c.
 const TABLES: [&str; 6] = [
-    include_str!("../../systems/src/e1.rs"),
-    include_str!("../../systems/src/e2.rs"),
-    include_str!("../../systems/src/e3.rs"),
-    include_str!("../../systems/src/e4.rs"),
-    include_str!("../../systems/src/e5.rs"),
-    include_str!("../../systems/src/e6.rs"),
+    include_str!("../../systems/src/catalog/e1.rs"),
+    include_str!("../../systems/src/catalog/e2.rs"),
+    include_str!("../../systems/src/catalog/e3.rs"),
+    include_str!("../../systems/src/catalog/e4.rs"),
+    include_str!("../../systems/src/catalog/e5.rs"),
+    include_str!("../../systems/src/catalog/e6.rs"),
 ];
 
 fn system(text: &str) -> System {
@@ -122,7 +122,7 @@ fn the_undivided_tensor_of_table_4_is_compatible_only_where_c_is_constant() {
 
 #[test]
 fn the_euler_top_has_the_brackets_of_its_density() {
-    let system = system(block(include_str!("../../systems/src/euler.rs")));
+    let system = system(block(include_str!("../../systems/src/catalog/euler.rs")));
     let symbols = &system.field.symbols;
     let (eps, a1, a2) = (symbols.epsilon(), symbols.parameter(0), symbols.parameter(1));
     let scale = |parameter: Variable, sign: i64| {
@@ -139,7 +139,7 @@ fn the_euler_top_has_the_brackets_of_its_density() {
 
 #[test]
 fn in_the_plane_the_bracket_is_the_reciprocal_of_the_density() {
-    let field = block(include_str!("../../systems/src/lotka_volterra.rs"));
+    let field = block(include_str!("../../systems/src/catalog/lotka_volterra.rs"));
     let system = system(field);
     let constructed = bracket(&system, &function(&system, "rho"), &[]).expect("a bracket");
     assert_eq!(constructed, tensor(&system, "P"));
@@ -148,7 +148,7 @@ fn in_the_plane_the_bracket_is_the_reciprocal_of_the_density() {
 
 #[test]
 fn the_brackets_of_e7_at_integer_xi_belong_to_the_density_times_the_integral() {
-    let system = system(block(include_str!("../../systems/src/e7.rs")));
+    let system = system(block(include_str!("../../systems/src/catalog/e7.rs")));
     let density = function(&system, "rho");
     let signs = [("H1", "P1", -1), ("H2", "P2", -1), ("H_at_2", "P_at_2", 1), ("H_at_3", "P_at_3", 1)];
     for (integral, printed, sign) in signs {

@@ -4,6 +4,9 @@
 //! (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, which is linear in x̃ and is inverted by ε ↦ −ε.
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
+//! In: the code that the macro makes of a block, a point, ε. Out: steps, orbits, many trajectories at once, and the setting
+//! that reaches a tolerance. It must not know syntax, polynomials or claims: these are `kahan-algebra`'s, while compiling.
+//!
 //! ```
 //! use kahan_core::prelude::*;
 //!
@@ -83,7 +86,7 @@ mod without_exact;
 
 pub mod prelude;
 
-#[doc = include_str!("../../docs/language.md")]
+#[doc = include_str!("../docs/language.md")]
 pub mod language {}
 
 #[doc(hidden)]
@@ -111,8 +114,3 @@ pub use nalgebra;
 #[cfg(feature = "exact")]
 pub use num_rational;
 pub use num_traits;
-
-/// The examples of the README, as tests.
-#[cfg(all(doctest, feature = "exact"))]
-#[doc = include_str!("../../README.md")]
-struct Readme;

@@ -9,7 +9,7 @@ use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::parse;
 use kahan_core::prelude::*;
-use kahan_measure::extremes::{Cell, Place, Regime, Subject, Tally, survey};
+use kahan_measure::extremes::{Cell, Place, Regime, Subject, Tally, standard, survey};
 use kahan_systems::E2;
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::SYSTEMS;
@@ -26,7 +26,7 @@ fn subject(entry: &Entry) -> Subject {
 }
 
 fn everything() -> Vec<Subject> {
-    SYSTEMS.iter().chain([&volterra::ENTRY]).map(subject).collect()
+    standard().map(subject).collect()
 }
 
 fn sum(tally: &Tally, belongs: impl Fn(&Place) -> bool, of: impl Fn(&Cell) -> u64) -> u64 {

@@ -1,8 +1,10 @@
 //! The paper as running mathematics: every formula a claim, every claim established.
 //!
-//! A [`Claim`] says where a formula stands and what it says, as text; [`Paper`] lists the claims and establishes them:
-//! by expansion over ℚ, modulo primes, at exact points, or in 256-bit arithmetic. The `kahan verify` command, the tests
-//! and the atlas read this one list. Data flows one way: `sections` (the claims) and `figures` (the orbits) →
+//! In: the claims, as text, and the catalog. Out: for each claim what came of it: proved by expansion over ℚ or modulo
+//! primes, seen at exact points, compared in 256-bit arithmetic, or a misprint. It must not know how that is printed.
+//!
+//! A [`Claim`] says where a formula stands and what it says; [`Paper`] lists the claims and establishes them. The command
+//! `kahan verify`, the tests and the atlas read this one list. Data flows one way: `sections` (the claims) and `figures` (the orbits) →
 //! [`formula`] (text to expressions) → `evaluate` (values in any arithmetic) → `identity` (evidence) → [`Paper`].
 
 mod block;

@@ -1,6 +1,6 @@
 //! Draws the picture of the README: orbits of Kahan's Lotka–Volterra map, one colour an orbit, one dot a step.
 //!
-//! `cargo run --release --example phase_portrait > docs/lotka_volterra.svg`
+//! `cargo run --release -p kahan-systems --example phase_portrait > docs/lotka_volterra.svg`
 
 use kahan_core::prelude::*;
 use kahan_systems::LotkaVolterra;

@@ -1,29 +1,47 @@
-//! One system of the catalog: its names, the text of its block, and the place in the paper of every claim.
+//! One system of the catalog: its names, the text of its block, the closed solution of its flow, the source of every claim.
 //!
-//! The text is the very text that the macro compiles: it is cut out of the system's own source file. So what the
-//! command reads and what the library offers cannot differ. Nothing is parsed here beyond finding the block.
+//! The text is the very text that the macro compiles: it is cut out of the system's own source file. So what a reader of the
+//! text gets and what the library offers cannot differ. Nothing is parsed here beyond finding the block.
 
 use std::ops::Range;
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::TokenKind;
 
+use crate::solution::ClosedFlow;
+
 /// One system of the catalog.
+///
+/// ```
+/// use kahan_systems::registry::find;
+///
+/// let entry = find("weierstrass").unwrap();
+/// assert_eq!((entry.type_name, entry.parameters), ("Weierstrass", &[(5, 4)][..]));
+/// assert!(entry.text().contains("ydot = 6*x^2 - a;"));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
     /// Its name on the command line: `e1`.
     pub command: &'static str,
     /// Its type in this crate: `E1`.
     pub type_name: &'static str,
+    /// Its name as people write it: `Euler top`.
+    pub name: &'static str,
     /// What it is, in one line.
     pub title: &'static str,
-    /// The source file with the block.
+    /// The source file with the block: `include_str!` of the file itself.
     pub(crate) file: &'static str,
-    /// The place in the paper of each claim, or where else it is from, by the claim's name.
+    /// A value for each parameter, numerator and denominator, at which tests run it.
+    ///
+    /// The values are of the size that the literature gives them, and dyadic, so that every float has them exactly.
+    pub parameters: &'static [(i64, i64)],
+    /// The closed solution of its flow, where one is known.
+    pub flow: Option<ClosedFlow>,
+    /// Where each claim is from, by the claim's name: its place in the paper, or `FOUND`.
     pub sources: &'static [(&'static str, &'static str)],
 }
 
-/// The source of a claim that is in no paper: the command found it, from the equations alone.
+/// The source of a claim that is in no paper: it was found from the equations alone.
 pub(crate) const FOUND: &str = "found by kahan discover";
 
 impl Entry {

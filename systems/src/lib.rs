@@ -1,49 +1,33 @@
-//! The catalog: the Euler top, Lotka-Volterra and the systems E1 to E9 of Hone and Petrera, and further systems whose claims
-//! were found by `kahan discover`, one file each.
+//! A catalog of Kahan maps with what they preserve: the Euler top, Lotka–Volterra and the systems E1 to E9 of Hone and
+//! Petrera, and further systems. In: a quadratic field a file, written as a `kahan!` block with its claims. Out: the types that
+//! the macro makes of the blocks, the closed solutions that are known, and an [`Entry`](entry::Entry) each, by [`registry`].
+//! It must not know the `kahan` command, nor the paper's claims.
 //!
-//! A file holds the `kahan!` block with every rational claim that holds, and names what no rational claim can hold. The
-//! macro proves the claims while it compiles the block. An [`entry`] offers the same block as text with the place of each
-//! claim in the paper, [`registry`] lists the entries, and the `kahan` command proves them again from there. The half step ε is written `eps`.
+//! A block claims every rational formula that holds, and the macro proves it while it compiles the block; the file's first
+//! lines name what no rational formula can say. The half step ε is written `eps`.
+//! [`registry`] says how a system is added.
 
-pub mod entry;
+#[macro_use]
 pub mod registry;
+pub mod entry;
 pub mod solution;
 pub mod special;
 
-pub mod e1;
-pub mod e2;
-pub mod e3;
-pub mod e4;
-pub mod e5;
-pub mod e6;
-pub mod e7;
-pub mod e8;
-pub mod e9;
-pub mod euler;
-pub mod henon_heiles;
-pub mod lagrange;
-pub mod lorenz;
-pub mod lotka_volterra;
-pub mod volterra;
-pub mod volterra4;
-pub mod weierstrass;
-pub mod zhukovsky;
+pub mod catalog {
+    //! The systems, one module each, with all that belongs to it: its type, its entry, its closed solutions.
 
-pub use e1::E1;
-pub use e2::E2;
-pub use e3::E3;
-pub use e4::E4;
-pub use e5::E5;
-pub use e6::E6;
-pub use e7::E7;
-pub use e8::E8;
-pub use e9::E9;
-pub use euler::EulerTop;
-pub use henon_heiles::HenonHeiles;
-pub use lagrange::LagrangeTop;
-pub use lorenz::Lorenz;
-pub use lotka_volterra::LotkaVolterra;
-pub use volterra::VolterraLattice;
-pub use volterra4::VolterraFour;
-pub use weierstrass::Weierstrass;
-pub use zhukovsky::ZhukovskyVolterra;
+    macro_rules! modules {
+        ($($group:ident {
+            $($module:ident::$type:ident $({ $($parameter:ident),* })? in $n:literal;)*
+        })*) => {
+            $($(
+                pub mod $module;
+                pub use $module::$type;
+            )*)*
+        };
+    }
+
+    with_catalog!(modules);
+}
+
+pub use catalog::*;

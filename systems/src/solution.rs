@@ -5,11 +5,37 @@
 //! its field, with `FlowSolution::through(&point)` and `.at(&t)`. Systems with parameters take them first.
 //! The numbers that fix a solution are public fields under the paper's names. `.at(0)` is the point given.
 //! Rational solutions work over every [`Scalar`], so exactly over big rationals; the others over every
-//! [`Real`](crate::special::Real).
+//! [`Real`](crate::special::Real). Who does not know the type of a system finds its trajectories through
+//! [`Entry::flow`](crate::entry::Entry::flow), in 256 bits.
 
 use core::fmt;
 
+use kahan_core::nalgebra::SVector;
 use kahan_core::{Constant, Scalar};
+
+use crate::special::Precise;
+
+/// A trajectory: the point at time t.
+pub type Trajectory = Box<dyn Fn(&Precise) -> Vec<Precise>>;
+
+/// The trajectories of a flow, from the parameters and the point at t = 0.
+///
+/// `None` where no solution of the closed form passes through the point, and for a point or parameters of another number.
+pub type ClosedFlow = fn(parameters: &[Precise], start: &[Precise]) -> Option<Trajectory>;
+
+/// A solution as a trajectory.
+pub(crate) fn trajectory<S: 'static, const N: usize>(
+    solution: Result<S, OutOfDomain>,
+    at: fn(&S, &Precise) -> SVector<Precise, N>,
+) -> Option<Trajectory> {
+    let solution = solution.ok()?;
+    Some(Box::new(move |t| at(&solution, t).iter().cloned().collect()))
+}
+
+/// Coordinates as a point, if there are N.
+pub(crate) fn point<const N: usize>(coordinates: &[Precise]) -> Option<SVector<Precise, N>> {
+    <[Precise; N]>::try_from(coordinates.to_vec()).ok().map(SVector::from)
+}
 
 /// No solution of the closed form passes through the point given: a condition on it fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,5 +8,7 @@ pub mod flow;
 pub mod oracle;
 pub mod random_fields;
 pub mod random_systems;
+#[cfg(doctest)]
+mod readmes;
 pub mod rounding;
 pub mod subject;

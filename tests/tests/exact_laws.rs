@@ -1,4 +1,4 @@
-//! The laws of DESIGN §1 over ℚ with `==`: on the catalog and on random fields, in both back ends, at seeded points.
+//! The laws of Kahan's map over ℚ with `==`: on the catalog and random fields, in both back ends, at seeded points.
 //!
 //! The references use f alone, whose differences are exact for a quadratic f, so a wrong form cannot hide behind itself.
 

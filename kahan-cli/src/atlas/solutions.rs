@@ -7,6 +7,8 @@ use super::math::{cell, inline};
 use super::words::{anchor, badge};
 use kahan_paper::formula::{LatexItem, latex_of};
 use kahan_paper::{Id, Outcome};
+use kahan_systems::entry::Entry;
+use kahan_systems::registry::SYSTEMS;
 
 const STATES: [&str; 3] = ["x", "y", "z"];
 const INTEGRALS: [&str; 2] = ["H", "K"];
@@ -22,13 +24,14 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
                 (inline("v(n) = 2\\delta n + \\kappa")) "; one step is " (inline("n \\to n + 1"))
                 ". Elliptic functions have the modulus " (inline("k")) ". The last columns are the values of the integrals."
             }
-            (table(found, "table5", "Table 5. The solutions of the flows", &["e1", "e2", "e3", "e4", "e5", "e7", "e8"], ""))
-            (table(found, "theorem3", "Theorem 3. The solutions of the maps", &["e1", "e2", "e3", "e4", "e5"], "d"))
+            (table(found, "table5", "Table 5. The solutions of the flows", ""))
+            (table(found, "theorem3", "Theorem 3. The solutions of the maps", "d"))
         }
     }
 }
 
-fn table(found: &Found<'_>, id: &str, caption: &str, systems: &[&str], prefix: &str) -> Markup {
+fn table(found: &Found<'_>, id: &str, caption: &str, prefix: &str) -> Markup {
+    let solved = |system: &&Entry| found.claim(&Id::of([id, system.command, "x"])).is_some();
     let integrals = if prefix.is_empty() { INTEGRALS } else { ["H(ε)", "K(ε)"] };
     html! {
         div.scroll tabindex="0" {
@@ -39,10 +42,10 @@ fn table(found: &Found<'_>, id: &str, caption: &str, systems: &[&str], prefix: &
                     @for title in STATES.iter().chain(&integrals) { th scope="col" { (title) } }
                 } }
                 tbody {
-                    @for system in systems {
+                    @for system in SYSTEMS.iter().filter(solved) {
                         tr {
-                            th scope="row" { (prefix) (system.to_uppercase()) }
-                            @for name in STATES.into_iter().chain(INTEGRALS) { td { (entry(found, [id, system, name])) } }
+                            th scope="row" { (prefix) (system.name) }
+                            @for name in STATES.into_iter().chain(INTEGRALS) { td { (entry(found, [id, system.command, name])) } }
                         }
                     }
                 }

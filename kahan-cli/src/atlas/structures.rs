@@ -8,6 +8,7 @@ use super::readable::readable;
 use super::words::{anchor, badge};
 use kahan_paper::formula::latex_of;
 use kahan_paper::{Outcome, Structure, structure};
+use kahan_systems::registry::SYSTEMS;
 
 /// An expression of the language of claims in LaTeX.
 fn latex(expression: &str) -> String {
@@ -24,7 +25,7 @@ fn triple(entries: &[&str; 3]) -> Markup {
 }
 
 fn rows(wanted: impl Fn(&Structure) -> bool) -> Vec<&'static Structure> {
-    (1..=9).filter_map(|i| structure(&format!("e{i}"))).filter(|row| wanted(row)).collect()
+    SYSTEMS.iter().filter_map(|entry| structure(entry.command)).filter(|row| wanted(row)).collect()
 }
 
 /// How the claims whose names begin so came out: the worst of them, with a link to the first.

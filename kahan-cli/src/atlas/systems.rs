@@ -33,7 +33,7 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
                 ", and the inverse map has " (inline("-\\varepsilon")) " in place of " (inline("\\varepsilon"))
                 ". Open a system for its formulas, and for what its map preserves; the maps are in lowest terms."
             }
-            @for entry in &SYSTEMS { (sheet(entry, found)) }
+            @for entry in SYSTEMS { (sheet(entry, found)) }
         }
     }
 }
@@ -47,23 +47,8 @@ pub(super) fn further(found: &Found<'_>) -> Markup {
                 "What is claimed of these fields was found from their equations alone, by " code { "kahan discover" } ", and is "
                 "proved with the other claims below. The Lorenz system is a control: nothing was found, so nothing is claimed."
             }
-            @for entry in &FURTHER { (sheet(entry, found)) }
+            @for entry in FURTHER { (sheet(entry, found)) }
         }
-    }
-}
-
-/// The name as people write it.
-fn name(entry: &Entry) -> &'static str {
-    match entry.command {
-        "euler" => "Euler top",
-        "lv" => "Lotka–Volterra",
-        "weierstrass" => "Weierstrass’ equation",
-        "volterra" => "Volterra lattice, three sites",
-        "volterra4" => "Volterra lattice, four sites",
-        "lagrange" => "Lagrange top",
-        "henon-heiles" => "Hénon–Heiles",
-        "zhukovsky" => "Zhukovsky–Volterra",
-        _ => entry.type_name,
     }
 }
 
@@ -79,7 +64,7 @@ fn sheet(entry: &Entry, found: &Found<'_>) -> Markup {
     let field = formulas.field();
     html! {
         details.system id=(format!("system-{}", entry.command)) {
-            summary { h3 { (name(entry)) } " " span { (readable(entry.title)) } }
+            summary { h3 { (entry.name) } " " span { (readable(entry.title)) } }
             h4 { "Field" }
             (displays(&equations("dot", &field), LINE))
             h4 { "Matrix" }

@@ -3,10 +3,8 @@
 use std::time::Instant;
 
 use clap::Args;
-use kahan_measure::extremes::{Cell, Place, Subject, Tally, Unjudged, survey, total};
+use kahan_measure::extremes::{Cell, Place, Subject, Tally, Unjudged, standard, survey, total};
 use kahan_measure::random_fields::{RandomField, numbered};
-use kahan_systems::registry::SYSTEMS;
-use kahan_systems::volterra;
 use serde_json::{Value, json};
 
 use crate::printing::layout::{labelled, table};
@@ -111,7 +109,7 @@ impl Extremes {
                 "--param: of which system? name one before its parameters, as in e9 --param xi=1/2",
             ));
         } else {
-            SYSTEMS.iter().chain([&volterra::ENTRY]).map(Block::of_catalog).collect()
+            standard().map(Block::of_catalog).collect()
         };
         blocks.iter().map(|block| self.subject(block)).collect()
     }

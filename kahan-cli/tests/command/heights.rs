@@ -25,7 +25,7 @@ fn object(status: i32, arguments: &[&str]) -> Value {
 const LV: [&str; 5] = ["lv", "--eps", "9/14", "--at", "1/2,5/3"];
 
 #[test]
-fn the_object_has_the_keys_of_the_design() {
+fn the_object_has_its_keys_in_order() {
     let object = object(0, &[&LV[..], &["--steps", "12", "--json"]].concat());
     let keys: Vec<&str> = object.as_object().expect("an object").keys().map(String::as_str).collect();
     assert_eq!(keys, ["system", "steps", "log_heights", "growth", "entropy", "seconds", "stopped"]);

@@ -1,4 +1,4 @@
-//! The laws of DESIGN §1 over the rationals, with `==`, at seeded points of each system.
+//! The laws of Kahan's map over the rationals, with `==`, at seeded points of each system.
 
 use num_traits::Zero;
 

@@ -6,7 +6,7 @@ use kahan_core::{Composition, Lift, Precision, Scene};
 use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
 use crate::trajectory::Trajectory;
 
-/// Of the library's choice to the cheapest setting there is, as issue 5 asks.
+/// Of the library's choice to the cheapest setting there is.
 const RATIO: f64 = 3.0;
 
 /// The choice for each tolerance meets it, and nothing that costs a third does.

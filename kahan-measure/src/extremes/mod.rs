@@ -25,6 +25,10 @@ use kahan_algebra::system::System;
 use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
 
+use kahan_systems::entry::Entry;
+use kahan_systems::registry::SYSTEMS;
+use kahan_systems::volterra;
+
 use judge::Judge;
 use steps::Steps;
 use trial::Ready;
@@ -44,6 +48,12 @@ pub struct Subject {
     read: Option<(System, Vec<BigRational>)>,
 }
 
+/// What is judged where no system is named: the paper's systems, and the lattice of three sites, whose det A cancels in long
+/// steps.
+pub fn standard() -> impl Iterator<Item = &'static Entry> {
+    SYSTEMS.iter().chain([&volterra::ENTRY])
+}
+
 /// Why the steps of a system cannot be judged.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unjudged {
@@ -54,8 +64,10 @@ pub enum Unjudged {
 }
 
 impl Subject {
-    /// A system with a value or none for each parameter. `command` is its command name, if it is one of the catalog or the Volterra
-    /// lattice, whose compiled steps are judged. Any other is interpreted: the same operations in the same order, so the same verdicts.
+    /// A system with a value or none for each parameter; `command` is its command name, if it is one of the catalog.
+    ///
+    /// Of the paper's systems the compiled steps are judged.
+    /// Any other is interpreted: the same operations in the same order, so the same verdicts.
     ///
     /// # Errors
     /// Where the map is too large to be reduced or to be interpreted, or divides by zero at the given parameters.
@@ -73,7 +85,7 @@ impl Subject {
             steps::interpreted::<f64>(system, &values).map_err(Unjudged::CannotRun)?;
             Some((system.clone(), values))
         };
-        let name = compiled.unwrap_or_else(|| system.name()).to_owned();
+        let name = command.unwrap_or_else(|| system.name()).to_owned();
         Ok(Self { name, parameters, judge, read })
     }
 

@@ -12,7 +12,7 @@ use super::float::Float;
 use kahan_runtime::interpreted::{
     CannotInterpret, Interpreted, UnsupportedDimension, VisitDimension, visit_dimension,
 };
-use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra, VolterraLattice};
+use kahan_systems::with_catalog;
 
 /// The steps of one map at given parameters.
 pub(crate) trait Steps<T>: Send + Sync {
@@ -67,24 +67,27 @@ where
     }
 }
 
-/// The generated steps of a system of the catalog, or of the lattice, by its command name.
-pub(crate) fn generated<T: Float>(command: &str) -> Option<Box<dyn Steps<T>>> {
-    Some(match command {
-        "euler" => Box::new(Generated::<_, 3>(|p: &[T]| EulerTop { a1: p[0], a2: p[1], a3: p[2] })),
-        "lv" => Box::new(Generated::<_, 2>(|_: &[T]| LotkaVolterra)),
-        "e1" => Box::new(Generated::<_, 3>(|_: &[T]| E1)),
-        "e2" => Box::new(Generated::<_, 3>(|_: &[T]| E2)),
-        "e3" => Box::new(Generated::<_, 3>(|_: &[T]| E3)),
-        "e4" => Box::new(Generated::<_, 3>(|_: &[T]| E4)),
-        "e5" => Box::new(Generated::<_, 3>(|_: &[T]| E5)),
-        "e6" => Box::new(Generated::<_, 3>(|_: &[T]| E6)),
-        "e7" => Box::new(Generated::<_, 3>(|p: &[T]| E7 { xi: p[0] })),
-        "e8" => Box::new(Generated::<_, 3>(|_: &[T]| E8)),
-        "e9" => Box::new(Generated::<_, 3>(|p: &[T]| E9 { xi: p[0] })),
-        "volterra" => Box::new(Generated::<_, 3>(|_: &[T]| VolterraLattice)),
-        _ => return None,
-    })
+macro_rules! generated_steps {
+    (
+        paper { $($module:ident::$type:ident $({ $($parameter:ident),* })? in $n:literal;)* }
+        further { $($rest:tt)* }
+    ) => {
+        /// The generated steps of a system of the paper, by its command name.
+        pub(crate) fn generated<T: Float>(command: &str) -> Option<Box<dyn Steps<T>>> {
+            $(
+                if command == kahan_systems::$module::ENTRY.command {
+                    return Some(Box::new(Generated::<_, $n>(|values: &[T]| {
+                        let [$($($parameter),*)?] = values else { unreachable!("its parameters") };
+                        kahan_systems::$type { $($($parameter: *$parameter),*)? }
+                    })));
+                }
+            )*
+            None
+        }
+    };
 }
+
+with_catalog!(generated_steps);
 
 /// The steps of any system, by its plans; they have the bits of generated ones. `values` are parameters at which it is defined.
 pub(crate) fn interpreted<T: Float>(

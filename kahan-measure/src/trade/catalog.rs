@@ -5,10 +5,7 @@ use kahan_core::Lift;
 use kahan_core::num_rational::BigRational;
 
 use kahan_runtime::interpreted::{CannotInterpret, Interpreted, VisitDimension, visit_dimension};
-use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
-use kahan_systems::{
-    HenonHeiles, LagrangeTop, Lorenz, VolterraFour, VolterraLattice, Weierstrass, ZhukovskyVolterra,
-};
+use kahan_systems::{E6, with_catalog};
 
 use super::CannotTrade;
 use super::runner::{Runner, Subject};
@@ -26,47 +23,38 @@ pub(super) fn find(
     parameters: &[BigRational],
     start: &[BigRational],
 ) -> Result<Found, CannotTrade> {
-    let values = parameters;
-    let compiled = match (command, values) {
-        ("euler", [a1, a2, a3]) => {
-            let [a1, a2, a3] = [a1.clone(), a2.clone(), a3.clone()];
-            subject(EulerTop { a1, a2, a3 }, system, values, start)
-        }
-        ("lv", _) => subject(LotkaVolterra, system, values, start),
-        ("e1", _) => subject(E1, system, values, start),
-        ("e2", _) => subject(E2, system, values, start),
-        ("e3", _) => subject(E3, system, values, start),
-        ("e4", _) => subject(E4, system, values, start),
-        ("e5", _) => subject(E5, system, values, start),
-        ("e6", _) => subject(E6, system, values, start),
-        ("e7", [xi]) => subject(E7 { xi: xi.clone() }, system, values, start),
-        ("e8", _) => subject(E8, system, values, start),
-        ("e9", [xi]) => subject(E9 { xi: xi.clone() }, system, values, start),
-        ("weierstrass", [a]) => subject(Weierstrass { a: a.clone() }, system, values, start),
-        ("volterra", _) => subject(VolterraLattice, system, values, start),
-        ("volterra4", _) => subject(VolterraFour, system, values, start),
-        ("lagrange", [al, g]) => subject(LagrangeTop { al: al.clone(), g: g.clone() }, system, values, start),
-        ("henon-heiles", [a, b, c]) => {
-            let [a, b, c] = [a.clone(), b.clone(), c.clone()];
-            subject(HenonHeiles { a, b, c }, system, values, start)
-        }
-        ("zhukovsky", [a1, a2, a3, b1, b2, b3]) => {
-            let [a1, a2, a3] = [a1.clone(), a2.clone(), a3.clone()];
-            let [b1, b2, b3] = [b1.clone(), b2.clone(), b3.clone()];
-            subject(ZhukovskyVolterra { a1, a2, a3, b1, b2, b3 }, system, values, start)
-        }
-        ("lorenz", [s, r, b]) => {
-            subject(Lorenz { s: s.clone(), r: r.clone(), b: b.clone() }, system, values, start)
-        }
-        _ => {
-            let reader = Reader { system, parameters: values, start };
-            let runner =
-                visit_dimension(system.field.dimension(), reader).map_err(CannotTrade::Dimension)??;
-            return Ok(Found { runner, is_compiled: false });
+    if let Some(runner) = compiled(system, command, parameters, start) {
+        return Ok(Found { runner: runner?, is_compiled: true });
+    }
+    let reader = Reader { system, parameters, start };
+    let runner = visit_dimension(system.field.dimension(), reader).map_err(CannotTrade::Dimension)??;
+    Ok(Found { runner, is_compiled: false })
+}
+
+macro_rules! compiled_maps {
+    ($($group:ident {
+        $($module:ident::$type:ident $({ $($parameter:ident),* })? in $n:literal;)*
+    })*) => {
+        /// The catalog's compiled map under this name, where there is one with so many parameters.
+        fn compiled(
+            system: &System,
+            command: &str,
+            parameters: &[BigRational],
+            start: &[BigRational],
+        ) -> Option<Result<Box<dyn Runner>, CannotTrade>> {
+            $($(
+                if command == kahan_systems::$module::ENTRY.command {
+                    let [$($($parameter),*)?] = parameters else { return None };
+                    let map = kahan_systems::$type { $($($parameter: $parameter.clone()),*)? };
+                    return Some(subject(map, system, parameters, start));
+                }
+            )*)*
+            None
         }
     };
-    Ok(Found { runner: compiled?, is_compiled: true })
 }
+
+with_catalog!(compiled_maps);
 
 fn subject<M, const N: usize>(
     map: M,

@@ -24,13 +24,8 @@ pub(super) fn claims() -> Vec<Claim> {
 
 /// Theorem 4, and the tests of the other maps.
 fn growth() -> Vec<Claim> {
-    let class = |figure: &'static Figure, statement: &str| {
-        let place = match figure.system {
-            "e9" | "lv" => "growth of the heights",
-            _ => "growth of the heights, Theorem 4",
-        };
-        on(figure, "growth", place, statement)
-    };
+    let class = |figure, statement| on(figure, "growth", "growth of the heights, Theorem 4", statement);
+    let beyond_theorem_4 = |figure, statement| on(figure, "growth", "growth of the heights", statement);
     vec![
         class(&DE1, "growth(x) = logarithmic; growth(z) = logarithmic"),
         class(&DE2, "growth(x) = logarithmic; growth(z) = logarithmic"),
@@ -40,8 +35,8 @@ fn growth() -> Vec<Claim> {
         class(&DE6, "growth(x) = quadratic"),
         class(&DE7, "growth(y) = linear; growth(z) = linear"),
         class(&DE8, "growth(y) = linear; growth(z) = linear"),
-        class(&DE9, "growth(x) = exponential"),
-        class(&LV, "growth(x) = exponential"),
+        beyond_theorem_4(&DE9, "growth(x) = exponential"),
+        beyond_theorem_4(&LV, "growth(x) = exponential"),
     ]
 }
 

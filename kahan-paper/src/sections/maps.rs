@@ -5,17 +5,23 @@ use super::super::claim::Claim;
 use super::super::erratum::Erratum::A;
 use super::super::section::Section;
 
-/// A field and its matrix A, row by row.
+/// A field and its matrix A, row by row, with the sections of the paper that they are in.
 struct Matrix {
     system: &'static str,
+    section_of_field: Section,
+    section_of_matrix: Section,
     field: [&'static str; 3],
     rows: [[&'static str; 3]; 3],
     determinant: &'static str,
+    /// Where the paper has the determinant, if it has.
+    place_of_determinant: Option<&'static str>,
 }
 
 const MATRICES: [Matrix; 10] = [
     Matrix {
         system: "euler",
+        section_of_field: Section::Brackets,
+        section_of_matrix: Section::Brackets,
         field: ["a1*y*z", "a2*z*x", "a3*x*y"],
         rows: [
             ["1", "-eps*a1*z", "-eps*a1*y"],
@@ -23,33 +29,48 @@ const MATRICES: [Matrix; 10] = [
             ["-eps*a3*y", "-eps*a3*x", "1"],
         ],
         determinant: "1 - eps^2*(a2*a3*x^2 + a3*a1*y^2 + a1*a2*z^2) - 2*eps^3*a1*a2*a3*x*y*z",
+        place_of_determinant: None,
     },
     Matrix {
         system: "e1",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["-x^2", "-x*y", "2*y^2 + x*z"],
         rows: [["1 + 2*eps*x", "0", "0"], ["eps*y", "1 + eps*x", "0"], ["-eps*z", "-4*eps*y", "1 - eps*x"]],
         determinant: "(1 + 2*eps*x)*(1 - eps^2*x^2)",
+        place_of_determinant: None,
     },
     Matrix {
         system: "e2",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["-x^2", "x*y", "-2*y^2 + x*z"],
         rows: [["1 + 2*eps*x", "0", "0"], ["-eps*y", "1 - eps*x", "0"], ["-eps*z", "4*eps*y", "1 - eps*x"]],
         determinant: "(1 + 2*eps*x)*(1 - eps*x)^2",
+        place_of_determinant: None,
     },
     Matrix {
         system: "e3",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["-x*z", "-y*z", "x^2 + y^2"],
         rows: [["1 + eps*z", "0", "eps*x"], ["0", "1 + eps*z", "eps*y"], ["-2*eps*x", "-2*eps*y", "1"]],
         determinant: "(1 + eps*z)*(1 + eps*z + 2*eps^2*(x^2 + y^2))",
+        place_of_determinant: None,
     },
     Matrix {
         system: "e4",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["-x*z", "y*z", "x^2 - y^2"],
         rows: [["1 + eps*z", "0", "eps*x"], ["0", "1 - eps*z", "-eps*y"], ["-2*eps*x", "2*eps*y", "1"]],
         determinant: "1 - eps^2*z^2 + 2*eps^2*x^2*(1 - eps*z) + 2*eps^2*y^2*(1 + eps*z)",
+        place_of_determinant: None,
     },
     Matrix {
         system: "e5",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["x*y", "-x^2", "y*(2*x - z)"],
         rows: [
             ["1 - eps*y", "-eps*x", "0"],
@@ -57,9 +78,12 @@ const MATRICES: [Matrix; 10] = [
             ["-2*eps*y", "-eps*(2*x - z)", "1 + eps*y"],
         ],
         determinant: "(1 + eps*y)*(1 - eps*y + 2*eps^2*x^2)",
+        place_of_determinant: Some("Theorem 1, proof, det A"),
     },
     Matrix {
         system: "e6",
+        section_of_field: Section::FlowPairs,
+        section_of_matrix: Section::Maps,
         field: ["y*(2*z - x)", "x^2 - z^2", "y*(z - 2*x)"],
         rows: [
             ["1 + eps*y", "eps*(x - 2*z)", "-2*eps*y"],
@@ -67,9 +91,12 @@ const MATRICES: [Matrix; 10] = [
             ["2*eps*y", "eps*(2*x - z)", "1 - eps*y"],
         ],
         determinant: "1 + 3*eps^2*y^2 + 2*eps^2*(x^2 + z^2 - 4*x*z) + 6*eps^3*y*(x^2 - z^2)",
+        place_of_determinant: None,
     },
     Matrix {
         system: "e7",
+        section_of_field: Section::Transcendental,
+        section_of_matrix: Section::Transcendental,
         field: ["-x^2", "-xi*x*y", "2*xi*y^2 + x*z"],
         rows: [
             ["1 + 2*eps*x", "0", "0"],
@@ -77,9 +104,12 @@ const MATRICES: [Matrix; 10] = [
             ["-eps*z", "-4*xi*eps*y", "1 - eps*x"],
         ],
         determinant: "(1 + 2*eps*x)*(1 + xi*eps*x)*(1 - eps*x)",
+        place_of_determinant: None,
     },
     Matrix {
         system: "e8",
+        section_of_field: Section::Transcendental,
+        section_of_matrix: Section::Transcendental,
         field: ["-x^2", "-x*(x + y)", "2*y*(x + y) + x*z"],
         rows: [
             ["1 + 2*eps*x", "0", "0"],
@@ -87,9 +117,12 @@ const MATRICES: [Matrix; 10] = [
             ["-eps*(2*y + z)", "-2*eps*(x + 2*y)", "1 - eps*x"],
         ],
         determinant: "(1 + 2*eps*x)*(1 - eps^2*x^2)",
+        place_of_determinant: None,
     },
     Matrix {
         system: "e9",
+        section_of_field: Section::Transcendental,
+        section_of_matrix: Section::Transcendental,
         field: ["-x*z", "-xi*y*z", "x^2 + xi*y^2"],
         rows: [
             ["1 + eps*z", "0", "eps*x"],
@@ -97,6 +130,7 @@ const MATRICES: [Matrix; 10] = [
             ["-2*eps*x", "-2*xi*eps*y", "1"],
         ],
         determinant: "(1 + eps*z)*(1 + xi*eps*z) + 2*eps^2*x^2*(1 + xi*eps*z) + 2*xi^2*eps^2*y^2*(1 + eps*z)",
+        place_of_determinant: None,
     },
 ];
 
@@ -170,19 +204,14 @@ pub(super) fn claims() -> Vec<Claim> {
 fn fields_and_matrices() -> Vec<Claim> {
     let mut claims = Vec::new();
     for matrix in &MATRICES {
-        let system = matrix.system;
-        let (section, place) = match system {
-            "euler" => (Section::Brackets, "Section 2"),
-            "e7" | "e8" | "e9" => (Section::Transcendental, "Section 6"),
-            _ => (Section::FlowPairs, "Section 3"),
-        };
+        let &Matrix { system, section_of_field, section_of_matrix, .. } = matrix;
         let field: Vec<String> =
             matrix.field.iter().enumerate().map(|(i, value)| format!("f{} = {value}", i + 1)).collect();
         claims.push(Claim::new(
-            section,
+            section_of_field,
             ["field", system],
             system,
-            format!("{place}, the vector field"),
+            format!("{}, the vector field", section_of_field.place()),
             field.join("; "),
         ));
         let mut entries = Vec::new();
@@ -191,23 +220,18 @@ fn fields_and_matrices() -> Vec<Claim> {
                 entries.push(format!("A({},{}) = {value}", i + 1, j + 1));
             }
         }
-        let (section, place) = match section {
-            Section::FlowPairs => (Section::Maps, "Section 5"),
-            _ => (section, place),
-        };
         claims.push(Claim::new(
-            section,
+            section_of_matrix,
             ["matrix", system],
             system,
-            format!("{place}, A(x, eps)"),
+            format!("{}, A(x, eps)", section_of_matrix.place()),
             entries.join("; "),
         ));
-        let of_determinant = match system {
-            "e5" => "Theorem 1, proof, det A".to_owned(),
-            _ => format!("{place}, det A, addition"),
-        };
+        let of_determinant = matrix
+            .place_of_determinant
+            .map_or_else(|| format!("{}, det A, addition", section_of_matrix.place()), str::to_owned);
         claims.push(Claim::new(
-            section,
+            section_of_matrix,
             ["determinant", system],
             system,
             of_determinant,

@@ -70,13 +70,13 @@ pub(super) fn claims(models: &Models) -> Vec<Claim> {
         lotka_volterra::claims(),
         maps::claims(),
         tables::claims(),
-        block_claims(models, &SYSTEMS, in_the_paper),
+        block_claims(models, SYSTEMS, in_the_paper),
         flows::claims(),
         solutions::claims(),
         e7_e8_e9::claims(),
         diophantine::claims(),
         appendix::claims(),
-        block_claims(models, &FURTHER, |_, _| Section::Beyond),
+        block_claims(models, FURTHER, |_, _| Section::Beyond),
     ]
     .concat()
 }

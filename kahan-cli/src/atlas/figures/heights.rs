@@ -6,7 +6,7 @@ use super::super::found::Orbits;
 use super::super::plot::{Axis, Mark, Plot, SIZE, Series, Side};
 use super::super::words::{decimal, grouped};
 use super::Plate;
-use super::orbit::{Heights, Orbit, h, map_name};
+use super::orbit::{Heights, Orbit, h};
 use kahan_paper::figures::{DE1, DE3, DE4, DE7, DE9, Figure, LV};
 
 fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
@@ -38,15 +38,19 @@ fn against_n(description: &str, label: &str, levels: Vec<(f64, String)>, series:
 
 /// Every kind of growth in one drawing.
 pub(super) fn overview(orbits: &Orbits<'_>) -> Option<Plate> {
-    let chosen =
-        [(&DE1, "z", 6), (&DE3, "x", 2), (&DE4, "x", 3), (&DE7, "z", 4), (&DE9, "x", 5), (&LV, "x", 1)];
+    let chosen = [
+        (&DE1, "dE1", "z", 6, Side::Above),
+        (&DE3, "dE3", "x", 2, Side::Above),
+        (&DE4, "dE4", "x", 3, Side::Above),
+        (&DE7, "dE7", "z", 4, Side::Above),
+        (&DE9, "dE9", "x", 5, Side::Left),
+        (&LV, "LV", "x", 1, Side::Above),
+    ];
     let mut series = Vec::new();
-    for (figure, variable, colour) in chosen {
+    for (figure, name, variable, colour, side) in chosen {
         let heights = Orbit::of(orbits, figure)?.heights(variable)?;
         let mark = if heights.0.len() < 30 { Mark::Both } else { Mark::Line };
-        let name = if figure.system == "lv" { "LV".to_owned() } else { map_name(figure) };
-        let label = Series::new(&name, colour, mark, heights.log_log());
-        series.push(Series { side: if figure.system == "e9" { Side::Left } else { Side::Above }, ..label });
+        series.push(Series { side, ..Series::new(name, colour, mark, heights.log_log()) });
     }
     Some(Plate {
         id: "figure-overview",

@@ -6,6 +6,7 @@ use super::super::found::Orbits;
 use super::super::readable::readable;
 use super::super::systems;
 use kahan_paper::figures::{Figure, Measurement, slope};
+use kahan_paper::structure;
 use kahan_systems::registry::find;
 
 /// A measured orbit with its data.
@@ -101,12 +102,11 @@ impl<'a> Orbit<'a> {
     }
 }
 
-/// `dE3`; the Lotka–Volterra map by its name.
+/// `dE3`; `Lotka–Volterra map`.
 pub(super) fn map_name(figure: &Figure) -> String {
-    match figure.system {
-        "lv" => "Lotka–Volterra map".to_owned(),
-        system => format!("d{}", system.to_uppercase()),
-    }
+    let name = find(figure.system).map_or(figure.system, |entry| entry.name);
+    // The maps of its own systems the paper calls by a letter.
+    if structure(figure.system).is_some() { format!("d{name}") } else { format!("{name} map") }
 }
 
 pub(super) fn h(variable: &str, n: usize) -> Markup {

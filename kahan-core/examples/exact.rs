@@ -1,0 +1,40 @@
+//! Exact orbits: big rationals run through the same map, and their growth tells what it keeps.
+//!
+//! The digits grow like n² where integrals confine the orbit to a curve (E6), and double with every
+//! step where nothing does (Lotka–Volterra). There and back is the identity, with `==`.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    struct E6;
+    xdot = y*(2*z - x);
+    ydot = x^2 - z^2;
+    zdot = y*(z - 2*x);
+}
+
+kahan! {
+    struct LotkaVolterra;
+    xdot = x*(1 - y);
+    ydot = y*(x - 1);
+}
+
+/// The digits of x's denominator after each of twelve steps, which are then taken back.
+fn digits<const N: usize>(map: &impl KahanMap<BigRational, N>, x: [(i64, i64); N]) -> Vec<usize> {
+    let start = SVector::from(x.map(|(p, q)| BigRational::new(p.into(), q.into())));
+    let eps = BigRational::new(1.into(), 3.into());
+    let points: Vec<_> = map.orbit(start.clone(), eps.clone()).take(13).collect();
+    let last = points[points.len() - 1].clone();
+    assert_eq!((1..points.len()).fold(last, |x, _| map.step_back(&x, eps.clone())), start);
+    points[1..].iter().map(|x| x[0].denom().to_string().len()).collect()
+}
+
+/// Prints the digits along both orbits, and returns them.
+pub(crate) fn run() -> [Vec<usize>; 2] {
+    let grown = [digits(&E6, [(3, 7), (11, 13), (23, 47)]), digits(&LotkaVolterra, [(1, 2), (5, 3)])];
+    println!("E6             {:?}\nLotka–Volterra {:?}", grown[0], grown[1]);
+    grown
+}
+
+fn main() {
+    run();
+}

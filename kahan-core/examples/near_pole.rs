@@ -1,0 +1,34 @@
+//! Near a pole: what `step` returns there, and what `try_step` promises.
+//!
+//! The map of ẋ = x² is x̃ = x/(1 − 2εx). With the float nearest to 0.1 as ε, and x = 5, the
+//! denominator is −2⁻⁵⁴, which `step` rounds to 0. `try_step` bounds its own error and takes more
+//! digits where it must: its answer is within 64 roundings, or an error that says why.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    /// x(t) = x₀/(1 − x₀ t) leaves every bound at t = 1/x₀.
+    struct BlowUp;
+    xdot = x^2;
+}
+
+/// Prints both steps from x = 5 at several ε; returns them.
+pub(crate) fn run() -> Vec<(f64, Result<f64, SingularStep>)> {
+    let x = vector![5.0];
+    // Three before the pole, one beside it, one behind it; at x = 4 and ε = 1/8 the pole itself.
+    let cases = [(0.05, x), (0.09, x), (0.099_999_999, x), (0.1, x), (0.12, x), (0.125, vector![4.0])];
+    let mut answers = Vec::new();
+    for (eps, x) in cases {
+        let (fast, checked) = (BlowUp.step(&x, eps)[0], BlowUp.try_step(&x, eps).map(|next| next[0]));
+        println!("x = {}, eps = {eps:<11}   step {fast:<22}   try_step {checked:?}", x[0]);
+        if let Err(why) = &checked {
+            println!("    {why}");
+        }
+        answers.push((fast, checked));
+    }
+    answers
+}
+
+fn main() {
+    run();
+}

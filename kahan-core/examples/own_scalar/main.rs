@@ -1,0 +1,37 @@
+//! A type of one's own: over complex numbers an orbit goes round a pole of its solution.
+//!
+//! x(t) = tan t has a pole at π/2. In complex time a half circle leads from 0 to 3 round it, to tan 3.
+//! The numbers are a type of this program, in `complex.rs`.
+
+mod complex;
+
+use kahan_core::nalgebra;
+use kahan_core::prelude::*;
+
+use complex::Complex;
+
+kahan! {
+    struct Tangent;
+    xdot = 1 + x^2;
+}
+
+/// The point at this fraction of the way: 3/2 + 3/2 exp(iθ), θ from π down to 0.
+fn time(fraction: f64) -> nalgebra::Complex<f64> {
+    nalgebra::Complex::from_polar(1.5, std::f64::consts::PI * (1.0 - fraction)) + 1.5
+}
+
+/// Prints where the way ends, and tan 3; returns both.
+pub(crate) fn run() -> [nalgebra::Complex<f64>; 2] {
+    let mut x = vector![Complex(0.0.into())];
+    for step in 0..1_000 {
+        let [from, to] = [step, step + 1].map(|step| time(f64::from(step) / 1_000.0));
+        x = Tangent.step(&x, Complex((to - from) / 2.0)); // eps is half the time step
+    }
+    let [end, expected] = [x[0].0, 3.0_f64.tan().into()];
+    println!("round the pole: {end:.6}, and tan 3 = {expected:.6}");
+    [end, expected]
+}
+
+fn main() {
+    run();
+}

@@ -1,0 +1,77 @@
+//! The example programs, run: each answers what its head says.
+
+// Their `main` is for cargo; here `run` is called, which gives what they print.
+#![allow(dead_code)]
+
+#[cfg(feature = "std")]
+#[path = "../examples/ensemble.rs"]
+mod ensemble;
+#[cfg(feature = "exact")]
+#[path = "../examples/exact.rs"]
+mod exact;
+#[path = "../examples/near_pole.rs"]
+mod near_pole;
+#[path = "../examples/orbit.rs"]
+mod orbit;
+#[path = "../examples/own_scalar/main.rs"]
+mod own_scalar;
+#[cfg(feature = "std")]
+#[path = "../examples/trade.rs"]
+mod trade;
+
+#[test]
+fn an_orbit_keeps_its_integrals_to_roundings() {
+    // Ten thousand steps, each of which moves an integral near 1 by a few roundings.
+    let change = orbit::run();
+    assert!(change < 1e-12, "{change:e}");
+}
+
+#[cfg(feature = "exact")]
+#[test]
+fn digits_grow_like_a_square_where_integrals_are_kept_and_double_elsewhere() {
+    let [confined, free] = exact::run();
+    // From step 6 to step 12: four times as many, or 2⁶ times.
+    let growth = |digits: &[usize]| digits[11] as f64 / digits[5] as f64;
+    assert!((3.0..5.0).contains(&growth(&confined)), "{confined:?}");
+    assert!((50.0..80.0).contains(&growth(&free)), "{free:?}");
+}
+
+#[cfg(feature = "std")]
+#[test]
+fn springs_lose_their_common_phase_and_keep_their_energies() {
+    let (mean, change) = ensemble::run();
+    // The mean velocity was 0.3 at first.
+    assert!(mean.abs() < 0.06, "{mean}");
+    // Four thousand steps.
+    assert!(change < 1e-12, "{change:e}");
+}
+
+#[test]
+fn a_checked_step_beside_a_pole_is_right_where_the_fast_one_is_infinite() {
+    let answers = near_pole::run();
+    let [.., beside, behind, pole] = answers.as_slice() else { panic!("six cases") };
+    assert!(beside.0.is_infinite());
+    // The float 0.1 lies above one tenth, and 1 − 2ε·5 is −2⁻⁵⁴ exactly.
+    let exact = -5.0 * 2.0_f64.powi(54);
+    let is_near = |a: f64, b: f64| (a - b).abs() <= 64.0 * f64::EPSILON * b.abs();
+    assert!(beside.1.as_ref().is_ok_and(|next| is_near(*next, exact)));
+    assert!(behind.1.as_ref().is_ok_and(|next| is_near(behind.0, *next)));
+    assert!(pole.1.is_err());
+}
+
+#[test]
+fn an_orbit_through_complex_time_comes_out_behind_the_pole() {
+    let [end, expected] = own_scalar::run();
+    assert!((end - expected).norm() < 1e-4, "{end}");
+}
+
+#[cfg(feature = "std")]
+#[test]
+fn a_smaller_tolerance_is_kept_by_a_higher_order() {
+    let choices = trade::run();
+    assert!(choices.is_sorted_by_key(|(_, order, _)| *order));
+    assert_eq!(choices.last().map(|(_, order, _)| *order), Some(8));
+    for (tolerance, _, change) in choices {
+        assert!(change < tolerance, "{change:e} at {tolerance:e}");
+    }
+}

@@ -1,0 +1,58 @@
+//! E2: section 3 of the paper; Table 1, i = 2; the Lie-Poisson pair e(1,1), sl(2,R).
+//!
+//! At eps = 0: `H = x y`, `K = x z + y^2`, `c = 1`; the flow is `-P dK = -(1/c) Q dH`.
+//! Claims: the integrals H and K of Table 2; the volume form c/(H K) of Theorem 1, with c, H, K at eps = 0; the
+//! compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q`, the tensor of Table 4 divided by c.
+//! Not rational, so not claimed: the solution of the flow, `x = 1/T`, `y = beta T`,
+//! `z = T (gamma - beta^2 T^2)` with `T = t + alpha` (Table 5); that of the map, of the same kind (Theorem 3).
+
+mod flow;
+mod solution;
+
+use kahan_core::prelude::*;
+
+use crate::entry::Entry;
+use crate::solution::{point, trajectory};
+
+pub use flow::FlowSolution;
+pub use solution::Solution;
+
+kahan! {
+    /// E2, the Kahan map with the integrals of Table 2, row 2.
+    pub struct E2;
+
+    xdot = -x^2;
+    ydot = x*y;
+    zdot = -2*y^2 + x*z;
+
+    integral H = x*y/(1 - eps^2*x^2);
+    integral K = (x*z + y^2)/(1 - eps^2*x^2);
+    density rho = 1/(x*y*(x*z + y^2));
+    bracket P {
+        {y,z} = -y*(1 + eps^2*x^2);
+        {z,x} = -x*(1 - eps^2*x^2);
+    }
+    bracket Q {
+        {x,y} = x*(1 - eps^2*x^2);
+        {y,z} = z + eps^2*x*(x*z + 2*y^2);
+        {z,x} = 2*y*(1 - eps^2*x^2);
+    }
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "e2",
+    type_name: "E2",
+    name: "E2",
+    title: "two Lie-Poisson structures, e(1,1) and sl(2,R); solved by rational functions",
+    file: include_str!("e2.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
+    sources: &[
+        ("H", "Table 2, i = 2"),
+        ("K", "Table 2, i = 2"),
+        ("rho", "Theorem 1"),
+        ("P", "Table 3, i = 2, and Theorem 2"),
+        ("Q", "Table 4, i = 2, and Theorem 2"),
+    ],
+};

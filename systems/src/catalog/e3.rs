@@ -1,0 +1,60 @@
+//! E3: section 3 of the paper; Table 1, i = 3; the Lie-Poisson pair A(3,3), so(3).
+//!
+//! At eps = 0: `H = y/x`, `K = (x^2 + y^2 + z^2)/2`, `c = 1/x^2`; the flow is `-P dK = -(1/c) Q dH`.
+//! Claims: the integrals H and K of Table 2; the volume form c/(H K) of Theorem 1, with c, H, K at eps = 0; the
+//! compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q`, the tensor of Table 4 divided by c.
+//! Not rational, so not claimed: the solution of the flow by hyperbolic functions (Table 5); that of the map,
+//! of the same kind (Theorem 3).
+//! All components of N and det A share the factor `1 + eps z`: where it vanishes the map has a removable pole.
+//! Table 4 prints z for z^2 in {y,z} and {z,x} of Q (erratum A1); as printed it is Poisson, but not invariant.
+
+mod flow;
+mod solution;
+
+use kahan_core::prelude::*;
+
+use crate::entry::Entry;
+use crate::solution::{point, trajectory};
+
+pub use flow::FlowSolution;
+pub use solution::Solution;
+
+kahan! {
+    /// E3, the Kahan map with the integrals of Table 2, row 3.
+    pub struct E3;
+
+    xdot = -x*z;
+    ydot = -y*z;
+    zdot = x^2 + y^2;
+
+    integral H = y/x;
+    integral K = 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
+    density rho = 2/(x*y*(x^2 + y^2 + z^2));
+    bracket P {
+        {y,z} = y*(1 + eps^2*(x^2 + y^2));
+        {z,x} = -x*(1 + eps^2*(x^2 + y^2));
+    }
+    bracket Q {
+        {x,y} = x^2*z;
+        {y,z} = x^3*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2));
+        {z,x} = x^2*y*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2));
+    }
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "e3",
+    type_name: "E3",
+    name: "E3",
+    title: "two Lie-Poisson structures, A(3,3) and so(3); solved by hyperbolic functions",
+    file: include_str!("e3.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
+    sources: &[
+        ("H", "Table 2, i = 3"),
+        ("K", "Table 2, i = 3"),
+        ("rho", "Theorem 1"),
+        ("P", "Table 3, i = 3, and Theorem 2"),
+        ("Q", "Table 4, i = 3 (corrected, erratum A1), and Theorem 2"),
+    ],
+};

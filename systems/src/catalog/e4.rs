@@ -1,0 +1,61 @@
+//! E4: section 3 of the paper; Table 1, i = 4; the Lie-Poisson pair e(1,1), so(3).
+//!
+//! At eps = 0: `H = x y`, `K = (x^2 + y^2 + z^2)/2`, `c = 1`; the flow is `-P dK = -(1/c) Q dH`.
+//! Claims: the integrals H and K of Table 2; the volume form c/(H K) of Theorem 1, with c, H, K at eps = 0; the
+//! compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q`, the tensor of Table 4 divided by c.
+//! Not rational, so not claimed: the solution of the flow by Jacobi's elliptic functions (Table 5); that of the
+//! map, of the same kind (Theorem 3).
+//! In the coordinates x - y, x + y, z it is the Euler top with a = (-1, -1, 1).
+
+mod flow;
+mod normal_form;
+mod solution;
+
+use kahan_core::prelude::*;
+
+use crate::entry::Entry;
+use crate::solution::{point, trajectory};
+
+pub use flow::FlowSolution;
+pub use normal_form::Symmetry;
+pub use solution::Solution;
+
+kahan! {
+    /// E4, the Kahan map with the integrals of Table 2, row 4.
+    pub struct E4;
+
+    xdot = -x*z;
+    ydot = y*z;
+    zdot = x^2 - y^2;
+
+    integral H = x*y/(1 + eps^2*(x^2 + y^2));
+    integral K = 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
+    density rho = 2/(x*y*(x^2 + y^2 + z^2));
+    bracket P {
+        {y,z} = -y*(1 - eps^2*(x^2 - y^2));
+        {z,x} = -x*(1 + eps^2*(x^2 - y^2));
+    }
+    bracket Q {
+        {x,y} = z*(1 + eps^2*(x^2 + y^2));
+        {y,z} = x*(1 - eps^2*z^2);
+        {z,x} = y*(1 - eps^2*z^2);
+    }
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "e4",
+    type_name: "E4",
+    name: "E4",
+    title: "two Lie-Poisson structures, e(1,1) and so(3); solved by elliptic functions",
+    file: include_str!("e4.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
+    sources: &[
+        ("H", "Table 2, i = 4"),
+        ("K", "Table 2, i = 4"),
+        ("rho", "Theorem 1"),
+        ("P", "Table 3, i = 4, and Theorem 2"),
+        ("Q", "Table 4, i = 4, and Theorem 2"),
+    ],
+};

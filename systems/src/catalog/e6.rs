@@ -1,0 +1,56 @@
+//! E6: section 3 of the paper; Table 1, i = 6; the Lie-Poisson pair sl(2,R), so(3).
+//!
+//! At eps = 0: `H = x z + y^2`, `K = (x^2 + y^2 + z^2)/2`, `c = -1`; the flow is `-P dK = -(1/c) Q dH`.
+//! Claims: the integrals H and K of Table 2; the volume form c/(H K) of Theorem 1, with c, H, K at eps = 0; the
+//! compatible Poisson pair of Theorem 2: `P` of Table 3, and `Q`, the tensor of Table 4 divided by c.
+//! In the coordinates x - z, x + z, y it is the Euler top with a = (1, -3, 1). The paper gives no solution.
+
+mod solution;
+
+use kahan_core::prelude::*;
+
+use crate::entry::Entry;
+use crate::solution::{point, trajectory};
+
+pub use solution::{FlowSolution, Solution};
+
+kahan! {
+    /// E6, the Kahan map with the integrals of Table 2, row 6.
+    pub struct E6;
+
+    xdot = y*(2*z - x);
+    ydot = x^2 - z^2;
+    zdot = y*(z - 2*x);
+
+    integral H = (x*z + y^2)/(1 - 3*eps^2*x*z);
+    integral K = 1/2*(x^2 + y^2 + z^2)/(1 - 3*eps^2*x*z);
+    density rho = -2/((x*z + y^2)*(x^2 + y^2 + z^2));
+    bracket P {
+        {x,y} = x*(1 + 3*eps^2*y^2);
+        {y,z} = z*(1 + 3*eps^2*y^2);
+        {z,x} = 2*y*(1 - 3*eps^2*x*z);
+    }
+    bracket Q {
+        {x,y} = -(z + 3/2*eps^2*x*(x^2 + y^2 - z^2));
+        {y,z} = -(x + 3/2*eps^2*z*(z^2 + y^2 - x^2));
+        {z,x} = -y*(1 - 3*eps^2*x*z);
+    }
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "e6",
+    type_name: "E6",
+    name: "E6",
+    title: "two Lie-Poisson structures, sl(2,R) and so(3); elliptic curves",
+    file: include_str!("e6.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
+    sources: &[
+        ("H", "Table 2, i = 6"),
+        ("K", "Table 2, i = 6"),
+        ("rho", "Theorem 1"),
+        ("P", "Table 3, i = 6, and Theorem 2"),
+        ("Q", "Table 4, i = 6, and Theorem 2"),
+    ],
+};

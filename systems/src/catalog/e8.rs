@@ -1,0 +1,44 @@
+//! E8: section 6 (dE8) of the paper; a Lie-Poisson pair with `H = x e^(-y/x)`, `K = x z + y^2`,
+//! `c = -e^(-y/x)/x` (erratum A2).
+//!
+//! Rational: the density, which the paper does not state.
+//! Not rational, so not claimed: the integral `y/x + digamma(1/2 + u)`, `u = 1/(2 eps x)`, and its bracket; the
+//! second integral, a series; the solutions.
+
+mod flow;
+mod integrals;
+mod recurrence;
+mod solution;
+
+use kahan_core::prelude::*;
+
+use crate::entry::Entry;
+use crate::solution::{point, trajectory};
+
+pub use flow::FlowSolution;
+pub use integrals::{integral_h, integral_k};
+pub use recurrence::Recurrence;
+pub use solution::Solution;
+
+kahan! {
+    /// E8, whose integral is a digamma function.
+    pub struct E8;
+
+    xdot = -x^2;
+    ydot = -x*(x + y);
+    zdot = 2*y*(x + y) + x*z;
+
+    density rho = 1/(x^2*(1 - eps^2*x^2));
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "e8",
+    type_name: "E8",
+    name: "E8",
+    title: "a Lie-Poisson pair with a digamma-function integral",
+    file: include_str!("e8.rs"),
+    parameters: &[],
+    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
+    sources: &[("rho", "Section 6 (dE8), not stated there")],
+};

@@ -1,0 +1,87 @@
+//! E9: section 6.3 of the paper; a Lie-Poisson structure with parameter xi, and so(3).
+//! At xi = 1 it is E3, at xi = -1 it is E4.
+//!
+//! Rational for every xi: the density, which the paper does not state. For xi other than 1 and -1 the logarithmic
+//! heights of the orbits grow threefold in each step (section 7): no integral is to be expected.
+//! Claims: the density; the whole structure of E3 and E4 at xi = 1, -1.
+//! Not rational, so not claimed: the integral `y x^(-xi)` of the flow, whose other one is `(x^2 + y^2 + z^2)/2`.
+//! The map is reduced with xi generic: the factor `1 + eps z` that E3 loses stays in E9 at xi = 1.
+
+mod flow;
+mod quadrature;
+mod solution;
+
+use kahan_core::prelude::*;
+
+use crate::entry::Entry;
+use crate::solution::{point, trajectory};
+
+pub use flow::{Elementary, FlowSolution};
+pub use quadrature::{Quadrature, fixed_points, sphere_radius};
+pub use solution::Solution;
+
+kahan! {
+    /// E9, which joins E3 (`xi = 1`) and E4 (`xi = -1`).
+    pub struct E9 {
+        /// The exponent ξ of the integral y x^(−ξ) of the flow.
+        xi
+    }
+
+    xdot = -x*z;
+    ydot = -xi*y*z;
+    zdot = x^2 + xi*y^2;
+
+    density rho = 1/(x*y*(1 + (1 - xi)*eps^2*x^2 + xi*(xi - 1)*eps^2*y^2 - xi*eps^2*z^2));
+
+    integral H3 = y/x when xi = 1;
+    integral K3 = 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2)) when xi = 1;
+    density rho3 = 2/(x*y*(x^2 + y^2 + z^2)) when xi = 1;
+    bracket P3 {
+        {y,z} = y*(1 + eps^2*(x^2 + y^2));
+        {z,x} = -x*(1 + eps^2*(x^2 + y^2));
+    } when xi = 1;
+    bracket Q3 {
+        {x,y} = x^2*z;
+        {y,z} = x^3*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2));
+        {z,x} = x^2*y*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2));
+    } when xi = 1;
+
+    integral H4 = x*y/(1 + eps^2*(x^2 + y^2)) when xi = -1;
+    integral K4 = 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2)) when xi = -1;
+    density rho4 = 2/(x*y*(x^2 + y^2 + z^2)) when xi = -1;
+    bracket P4 {
+        {y,z} = -y*(1 - eps^2*(x^2 - y^2));
+        {z,x} = -x*(1 + eps^2*(x^2 - y^2));
+    } when xi = -1;
+    bracket Q4 {
+        {x,y} = z*(1 + eps^2*(x^2 + y^2));
+        {y,z} = x*(1 - eps^2*z^2);
+        {z,x} = y*(1 - eps^2*z^2);
+    } when xi = -1;
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "e9",
+    type_name: "E9",
+    name: "E9",
+    title: "a family with parameter xi between E3 (xi = 1) and E4 (xi = -1); not integrable between them",
+    file: include_str!("e9.rs"),
+    parameters: &[(-5, 4)],
+    flow: Some(|parameters, start| {
+        trajectory(FlowSolution::through(parameters.first()?, &point(start)?), FlowSolution::at)
+    }),
+    sources: &[
+        ("rho", "Section 6.3, not stated there"),
+        ("H3", "Section 6.3, xi = 1; Table 2, i = 3"),
+        ("K3", "Section 6.3, xi = 1; Table 2, i = 3"),
+        ("rho3", "Section 6.3, xi = 1; Theorem 1"),
+        ("P3", "Section 6.3, xi = 1; Table 3, i = 3"),
+        ("Q3", "Section 6.3, xi = 1; Table 4, i = 3 (corrected, erratum A1)"),
+        ("H4", "Section 6.3, xi = -1; Table 2, i = 4"),
+        ("K4", "Section 6.3, xi = -1; Table 2, i = 4"),
+        ("rho4", "Section 6.3, xi = -1; Theorem 1"),
+        ("P4", "Section 6.3, xi = -1; Table 3, i = 4"),
+        ("Q4", "Section 6.3, xi = -1; Table 4, i = 4"),
+    ],
+};

@@ -1,0 +1,66 @@
+//! The Euler top: section 2 of the paper.
+//!
+//! The flow has the integrals g1 x^2 + g2 y^2 + g3 z^2 with g1 a1 + g2 a2 + g3 a3 = 0. The map has `Y/Z`, `Z/X` and
+//! the density `1/Z^2`, where
+//! `X = 1 - eps^2 a2 a3 x^2`, `Y = 1 - eps^2 a3 a1 y^2`, `Z = 1 - eps^2 a1 a2 z^2`.
+//! A density 1/phi and an integral I give the bracket `({x,y}, {y,z}, {z,x}) = phi (I_z, I_x, I_y)`, and those with
+//! one phi are compatible: `P` has `I = Y/(2 eps^2 a1 Z)`, `Q` has `I = -X/(2 eps^2 a2 Z)`. Both are Lie-Poisson at
+//! eps = 0.
+//! Not rational, so not claimed: the solution by Jacobi's elliptic functions.
+
+mod solution;
+
+use kahan_core::prelude::*;
+
+use crate::entry::Entry;
+use crate::solution::{point, trajectory};
+
+pub use solution::{FlowSolution, Reduction, Solution};
+
+kahan! {
+    /// The Euler top with the coefficients `a1`, `a2`, `a3`.
+    pub struct EulerTop {
+        /// The coefficient α₁ of yz in ẋ.
+        a1,
+        /// The coefficient α₂ of zx in ẏ.
+        a2,
+        /// The coefficient α₃ of xy in ż.
+        a3
+    }
+
+    xdot = a1*y*z;
+    ydot = a2*z*x;
+    zdot = a3*x*y;
+
+    integral H = (1 - eps^2*a3*a1*y^2)/(1 - eps^2*a1*a2*z^2);
+    integral K = (1 - eps^2*a1*a2*z^2)/(1 - eps^2*a2*a3*x^2);
+    density rho = 1/(1 - eps^2*a1*a2*z^2)^2;
+    bracket P {
+        {x,y} = a2*z*(1 - eps^2*a3*a1*y^2);
+        {z,x} = -a3*y*(1 - eps^2*a1*a2*z^2);
+    }
+    bracket Q {
+        {x,y} = -a1*z*(1 - eps^2*a2*a3*x^2);
+        {y,z} = a3*x*(1 - eps^2*a1*a2*z^2);
+    }
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "euler",
+    type_name: "EulerTop",
+    name: "Euler top",
+    title: "the Euler top, a rigid body that turns freely about its centre of mass",
+    file: include_str!("euler.rs"),
+    parameters: &[(3, 2), (-5, 8), (7, 4)],
+    flow: Some(|parameters, start| {
+        trajectory(FlowSolution::through(parameters.try_into().ok()?, &point(start)?), FlowSolution::at)
+    }),
+    sources: &[
+        ("H", "Section 2, Euler top, not stated there"),
+        ("K", "Section 2, Euler top, not stated there"),
+        ("rho", "Section 2, Euler top, not stated there"),
+        ("P", "Section 2, from rho and H"),
+        ("Q", "Section 2, from rho and 1/K"),
+    ],
+};

@@ -1,0 +1,50 @@
+//! Hénon and Heiles' system with the Hamiltonian (p^2 + q^2 + a x^2 + b y^2)/2 + x^2 y - c y^3/3; not in the paper.
+//!
+//! The degrees of the map's iterates grow exponentially for generic a, b, c: it is not integrable, yet keeps the modified
+//! Hamiltonian H, here times 6, and the volume with density 1/det A. No other integral of degree up to 6 shows.
+
+use kahan_core::prelude::*;
+
+use crate::entry::{Entry, FOUND};
+
+kahan! {
+    /// Hénon and Heiles' system with the coefficients `a`, `b`, `c`.
+    pub struct HenonHeiles {
+        /// The square of the frequency of x.
+        a,
+        /// The square of the frequency of y.
+        b,
+        /// The coefficient of y² in q̇; 1 with a = b = 1 is the original system up to the sign of c.
+        c
+    }
+
+    xdot = p;
+    ydot = q;
+    pdot = -a*x - 2*x*y;
+    qdot = -b*y - x^2 + c*y^2;
+
+    integral H = (3*p^2 + 3*q^2 + 6*x^2*y + 3*a*x^2 + 3*b*y^2 - 2*c*y^3 - 16*eps^2*x*p*q - 2*eps^2*y*p^2
+        + 6*eps^2*y*q^2 - eps^2*a*p^2 + 3*eps^2*b*p^2 + 3*eps^2*a*q^2 - eps^2*b*q^2 - 4*eps^2*x^4
+        - 4*eps^2*x^2*y^2 - 4*eps^2*a*x^2*y - 2*eps^2*b*x^2*y - eps^2*a^2*x^2 + 3*eps^2*a*b*x^2
+        + 6*eps^2*b*y^3 + 3*eps^2*a*b*y^2 - eps^2*b^2*y^2 - 6*eps^2*c*y*p^2 + 2*eps^2*c*y*q^2
+        - 4*eps^2*c*x^2*y^2 - 6*eps^2*a*c*x^2*y - 4*eps^2*c*y^4 - 2*eps^2*a*c*y^3 + 4*eps^4*x^2*p^2
+        + 4*eps^4*x^2*q^2 - 2*eps^4*b*y*p^2 - 2*eps^4*b*y*q^2 - eps^4*a*b*p^2 - eps^4*a*b*q^2
+        + 4*eps^4*a*b*x^2*y - eps^4*a^2*b*x^2 - 2*eps^4*b^2*y^3 + 4*eps^4*c*y^2*p^2 + 4*eps^4*c*y^2*q^2
+        - eps^4*a*b^2*y^2 + 2*eps^4*a*c*y*p^2 + 2*eps^4*a*c*y*q^2 + 2*eps^4*a^2*c*x^2*y)/(1 + 2*eps^2*y
+        + eps^2*a + eps^2*b - 2*eps^2*c*y - 4*eps^4*x^2 + 2*eps^4*b*y + eps^4*a*b - 4*eps^4*c*y^2
+        - 2*eps^4*a*c*y);
+    density rho = 1/(1 + 2*eps^2*y + eps^2*a + eps^2*b - 2*eps^2*c*y - 4*eps^4*x^2 + 2*eps^4*b*y
+        + eps^4*a*b - 4*eps^4*c*y^2 - 2*eps^4*a*c*y);
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "henon-heiles",
+    type_name: "HenonHeiles",
+    name: "Hénon–Heiles",
+    title: "Hénon and Heiles' two coupled oscillators; chaos with an integral",
+    file: include_str!("henon_heiles.rs"),
+    parameters: &[(1, 1), (5, 4), (3, 4)],
+    flow: None,
+    sources: &[("H", FOUND), ("rho", FOUND)],
+};

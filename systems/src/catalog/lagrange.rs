@@ -1,0 +1,66 @@
+//! The Lagrange top in the frame of the body, m its angular momentum and p the direction of gravity; not in the paper.
+//!
+//! With `d = al (al-1) m3^2 - g p3`, `v = (1-al) m3 (m1,m2) + g (p1,p2)`, `w = m1 v1 + m2 v2` and `D1 = 1 + eps^2 d` the map keeps
+//! m3, as its equation says, and the three functions
+//!
+//! - `H = m1^2 + m2^2 - 2 d - eps^2 |v|^2`,
+//! - `J = (w - m3 d)/D1`,
+//! - `C = (|v|^2 + d^2 + eps^2 J^2)/(1 + eps^2 (m1^2 + m2^2) + eps^2 (m3 + eps^2 J)^2)`,
+//!
+//! which at eps = 0 are made of the energy, m·p, p·p and m3, and the density `1/(D1 F)`, where F is the denominator of C.
+//! `kahan discover` finds four integrals, expanded and combined with each other: J as it stands, H with multiples of m3, and C in
+//! the place of 1/(1/C + eps^4).
+
+use kahan_core::prelude::*;
+
+use crate::entry::{Entry, FOUND};
+
+kahan! {
+    /// The Lagrange top: angular momentum `m1`, `m2`, `m3`, direction of gravity `p1`, `p2`, `p3`.
+    pub struct LagrangeTop {
+        /// The coefficient of the axial momentum in the angular velocity, where that of the others is 1.
+        al,
+        /// The torque of gravity.
+        g
+    }
+
+    m1dot = (1 - al)*m2*m3 + g*p2;
+    m2dot = (al - 1)*m1*m3 - g*p1;
+    m3dot = 0;
+    p1dot = al*p2*m3 - p3*m2;
+    p2dot = p3*m1 - al*p1*m3;
+    p3dot = p1*m2 - p2*m1;
+
+    integral H = m1^2 + m2^2 - 2*(al*(al - 1)*m3^2 - g*p3)
+        - eps^2*(((1 - al)*m3*m1 + g*p1)^2 + ((1 - al)*m3*m2 + g*p2)^2);
+    integral J = ((1 - al)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2) - m3*(al*(al - 1)*m3^2 - g*p3))
+        /(1 + eps^2*(al*(al - 1)*m3^2 - g*p3));
+    integral C = ((1 + eps^2*(al*(al - 1)*m3^2 - g*p3))^2
+            *(((1 - al)*m3*m1 + g*p1)^2 + ((1 - al)*m3*m2 + g*p2)^2 + (al*(al - 1)*m3^2 - g*p3)^2)
+        + eps^2*((1 - al)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2) - m3*(al*(al - 1)*m3^2 - g*p3))^2)
+        /((1 + eps^2*(al*(al - 1)*m3^2 - g*p3))^2*(1 + eps^2*(m1^2 + m2^2))
+        + eps^2*(m3 + eps^2*((1 - al)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2)))^2);
+    density rho = (1 + eps^2*(al*(al - 1)*m3^2 - g*p3))
+        /((1 + eps^2*(al*(al - 1)*m3^2 - g*p3))^2*(1 + eps^2*(m1^2 + m2^2))
+        + eps^2*(m3 + eps^2*((1 - al)*m3*(m1^2 + m2^2) + g*(m1*p1 + m2*p2)))^2);
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "lagrange",
+    type_name: "LagrangeTop",
+    name: "Lagrange top",
+    title: "the Lagrange top, a heavy symmetric rigid body; four integrals in six variables",
+    file: include_str!("lagrange.rs"),
+    parameters: &[(3, 2), (5, 8)],
+    flow: None,
+    sources: &[
+        ("H", FOUND_TIDIED),
+        ("J", FOUND),
+        ("C", FOUND_TIDIED),
+        ("rho", "from kahan discover's C: its denominator, and the factor D1 of det A"),
+    ],
+};
+
+/// What discover prints, less a function of the other integrals.
+const FOUND_TIDIED: &str = "found by kahan discover, then simplified by the other integrals";

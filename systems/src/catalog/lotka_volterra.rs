@@ -1,0 +1,45 @@
+//! The Lotka-Volterra system: section 1 of the paper; prey x, predators y.
+//!
+//! The flow has `{x,y} = x y` and the integral `log(x y) - (x + y)`, which is not rational, so not claimed. The map
+//! keeps the bracket and the area `dx dy/(x y)` for every eps. For eps = 1 and eps = -1, where one map is the inverse
+//! of the other, it has a rational integral H, and for no other eps: there the logarithmic heights of the orbits
+//! double in each step (section 7).
+//! At eps = 1 the map is the recurrence `x_{n+1} x_{n-1} = x_n (2 - x_n)`. H - 2 is the square of
+//! `(x - y)(x + y - 2)/(x y)`, which changes its sign in each step: a level set of H is a pair of conics that the map
+//! exchanges (erratum B8).
+
+use kahan_core::prelude::*;
+
+use crate::entry::Entry;
+
+kahan! {
+    /// The Lotka–Volterra system: prey `x`, predators `y`.
+    pub struct LotkaVolterra;
+
+    xdot = x*(1 - y);
+    ydot = y*(x - 1);
+
+    density rho = 1/(x*y);
+    bracket P {
+        {x,y} = x*y;
+    }
+    integral H_forward = x^2/y^2 + y^2/x^2 + 4*(1/x - 1/y)^2*(1 - x - y) when eps = 1;
+    integral H_backward = x^2/y^2 + y^2/x^2 + 4*(1/x - 1/y)^2*(1 - x - y) when eps = -1;
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "lv",
+    type_name: "LotkaVolterra",
+    name: "Lotka–Volterra",
+    title: "the Lotka-Volterra system of prey and predators",
+    file: include_str!("lotka_volterra.rs"),
+    parameters: &[],
+    flow: None,
+    sources: &[
+        ("rho", "Section 1, symplectic form"),
+        ("P", "Section 1, Poisson bracket"),
+        ("H_forward", "Section 1, integral at eps = 1"),
+        ("H_backward", "Section 1, integral at eps = -1"),
+    ],
+};

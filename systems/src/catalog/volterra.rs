@@ -1,0 +1,34 @@
+//! The periodic Volterra lattice with three sites; not in the paper.
+//!
+//! With D = det A = `1 - eps^2 ((x+y+z)^2 - 4 (xy+yz+zx))`, even in eps, the map keeps `x + y + z`, which is linear, and
+//! the volume `dx dy dz/(x y z)`, and so `x y z/D`. At large steps D is what cancels: a test of accuracy for every step
+//! that is computed in floats.
+
+use kahan_core::prelude::*;
+
+use crate::entry::{Entry, FOUND};
+
+kahan! {
+    /// The periodic Volterra lattice with three sites `x`, `y`, `z`.
+    pub struct VolterraLattice;
+
+    xdot = x*(y - z);
+    ydot = y*(z - x);
+    zdot = z*(x - y);
+
+    density rho = 1/(x*y*z);
+    integral S = x + y + z;
+    integral K = x*y*z/(1 - eps^2*((x + y + z)^2 - 4*(x*y + y*z + z*x)));
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "volterra",
+    type_name: "VolterraLattice",
+    name: "Volterra lattice, three sites",
+    title: "the periodic Volterra lattice with three sites",
+    file: include_str!("volterra.rs"),
+    parameters: &[],
+    flow: None,
+    sources: &[("rho", "from kahan discover's density 1/D and integral K"), ("S", FOUND), ("K", FOUND)],
+};

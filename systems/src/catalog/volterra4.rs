@@ -1,0 +1,35 @@
+//! The periodic Volterra lattice with four sites; not in the paper.
+//!
+//! The flow keeps x + y + z + w, x z and y w. The map keeps the sum as it is and the two products with denominators that
+//! depend on eps, so that composition to higher order leaves the sum alone. The volume is that of the logarithms.
+
+use kahan_core::prelude::*;
+
+use crate::entry::{Entry, FOUND};
+
+kahan! {
+    /// The periodic Volterra lattice with four sites `x`, `y`, `z`, `w`.
+    pub struct VolterraFour;
+
+    xdot = x*(y - w);
+    ydot = y*(z - x);
+    zdot = z*(w - y);
+    wdot = w*(x - z);
+
+    integral S = x + y + z + w;
+    integral H = x*z/(1 - eps^2*y^2 + 2*eps^2*y*w - eps^2*w^2);
+    integral K = y*w/(1 - eps^2*x^2 + 2*eps^2*x*z + 2*eps^2*y*w - eps^2*z^2);
+    density rho = 1/(x*y*z*w);
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "volterra4",
+    type_name: "VolterraFour",
+    name: "Volterra lattice, four sites",
+    title: "the periodic Volterra lattice with four sites",
+    file: include_str!("volterra4.rs"),
+    parameters: &[],
+    flow: None,
+    sources: &[("S", FOUND), ("H", FOUND), ("K", FOUND), ("rho", FOUND)],
+};

@@ -1,0 +1,34 @@
+//! The Weierstrass equation x'' = 6 x^2 - a, whose solution is the elliptic function with g2 = 2 a; not in the paper.
+//!
+//! With H at eps = 0 the flow is Hamiltonian, `f = K grad H` with `K = [[0, 1], [-1, 0]]`; H is the modified Hamiltonian of the
+//! map, and 1/det A its density. Nothing of them survives composition to higher order.
+
+use kahan_core::prelude::*;
+
+use crate::entry::{Entry, FOUND};
+
+kahan! {
+    /// The Weierstrass equation `x'' = 6 x^2 - a` as a system.
+    pub struct Weierstrass {
+        /// Half the invariant g₂ of the elliptic function.
+        a
+    }
+
+    xdot = y;
+    ydot = 6*x^2 - a;
+
+    integral H = (6*a*x + 3*y^2 - 12*x^3 - 4*eps^2*a^2 - 24*eps^2*a*x^2 + 12*eps^2*x*y^2)/(1 - 12*eps^2*x);
+    density rho = 1/(1 - 12*eps^2*x);
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "weierstrass",
+    type_name: "Weierstrass",
+    name: "Weierstrass’ equation",
+    title: "the equation of the Weierstrass function; elliptic curves in the plane",
+    file: include_str!("weierstrass.rs"),
+    parameters: &[(5, 4)],
+    flow: None,
+    sources: &[("H", FOUND), ("rho", FOUND)],
+};

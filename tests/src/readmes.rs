@@ -1,0 +1,37 @@
+//! The examples of the READMEs and of `docs/`, as tests.
+//!
+//! They stand here, because a packed crate has neither the README of the repository nor the crates
+//! that its own README uses beside it.
+
+#[doc = include_str!("../../README.md")]
+struct Repository;
+
+#[doc = include_str!("../../docs/speed.md")]
+struct Speed;
+
+#[doc = include_str!("../../kahan-algebra/README.md")]
+struct Algebra;
+
+#[doc = include_str!("../../kahan-emit/README.md")]
+struct Emit;
+
+#[doc = include_str!("../../kahan-derive/README.md")]
+struct Derive;
+
+#[doc = include_str!("../../kahan-core/README.md")]
+struct Core;
+
+#[doc = include_str!("../../kahan-discover/README.md")]
+struct Discover;
+
+#[doc = include_str!("../../kahan-runtime/README.md")]
+struct Runtime;
+
+#[doc = include_str!("../../systems/README.md")]
+struct Systems;
+
+#[doc = include_str!("../../kahan-paper/README.md")]
+struct Paper;
+
+#[doc = include_str!("../../kahan-measure/README.md")]
+struct Measure;
