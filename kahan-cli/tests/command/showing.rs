@@ -1,11 +1,13 @@
 //! `kahan show` and `kahan list`, in every form, and the help.
 
+use std::fs;
 use std::io::Read;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-use crate::running::{answer, object};
+use crate::running::{answer, object, refusal};
 
 #[test]
 fn the_list_names_the_systems_of_the_paper_then_the_others() {
@@ -26,11 +28,37 @@ fn the_factor_that_was_divided_out_is_named() {
     assert!(answer(&["show", "e1"]).contains("1 + eps*x"));
 }
 
+/// A file of the emitter's golden expansions.
+fn golden(file: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../kahan-emit/src/golden").join(file)
+}
+
+#[test]
+fn what_the_macro_makes_of_a_block_is_shown_as_it_is() {
+    for name in ["e3", "parameters", "anonymous"] {
+        let block = golden(&format!("{name}.kahan"));
+        let expanded = fs::read_to_string(golden(&format!("{name}.expanded.rs"))).expect("a golden file");
+        assert_eq!(answer(&["show", "--expand", "--file", block.to_str().expect("text")]), expanded);
+    }
+    let expanded = answer(&["show", "e3", "--expand"]);
+    assert!(expanded.contains("__kahan::KahanMap<T, 3> for E3"), "{expanded}");
+    assert_eq!(object(&["show", "e3", "--expand", "--json"])["expansion"], expanded);
+    let special = answer(&["show", "e9", "--expand", "--param", "xi=1"]);
+    assert!(special.contains("pub struct E9;") && !special.contains("__p_xi"), "{special}");
+}
+
+#[test]
+fn what_no_macro_can_read_is_not_expanded() {
+    assert!(refusal(&["show", "--expand", "--field", "xdot = x²;"]).contains("`^2`"));
+    assert!(refusal(&["show", "--expand", "--field", "xdot = x^3;"]).contains("degree 3"));
+    assert!(refusal(&["show", "e3", "--expand", "--latex"]).contains("--latex"));
+}
+
 #[test]
 fn every_system_is_shown_in_every_form() {
     let names = kahan_systems::registry::all().map(|entry| entry.command);
     for name in names {
-        for form in ["--latex", "--macro", "--json"] {
+        for form in ["--latex", "--macro", "--expand", "--json"] {
             assert!(!answer(&["show", name, form]).is_empty());
         }
         assert!(answer(&["show", name]).contains("A(x,eps) = I - eps f'(x)"));
