@@ -12,8 +12,10 @@ pub trait Named {
     /// The state variables, in the order of a state's entries.
     fn variables(&self) -> &'static [&'static str];
 
-    /// The parameters, in the order they were declared; empty if there are none.
-    fn parameters(&self) -> &'static [&'static str];
+    /// The parameters, in the order they were declared; here, none.
+    fn parameters(&self) -> &'static [&'static str] {
+        &[]
+    }
 }
 
 /// A map on Tᴺ with M declared integrals: functions of the state (and of ε) that a step leaves unchanged.

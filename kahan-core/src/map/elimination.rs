@@ -4,8 +4,6 @@
 //! It suits every field, written by hand or too large to be reduced while compiling. Where det A(x,ε) = 0 it has no
 //! value, although the reduced map may have one.
 
-use core::array::from_fn;
-
 use nalgebra::SVector;
 
 use crate::field::linear::increment_by_elimination;
@@ -73,8 +71,8 @@ where
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let Self { map, eps } = self;
         let increment = increment_by_elimination(map.matrix(x, eps.clone()), map.field(x), eps)?;
-        let [numerators] = increment.data.0;
-        Some(Quotients { numerators, reciprocals: from_fn(|_| None) })
+        let [increments] = increment.data.0;
+        Some(Quotients::whole(increments))
     }
 }
 

@@ -72,7 +72,7 @@ where
     #[inline(always)]
     fn quotients(&self, x: &SVector<f32, N>) -> Option<Quotients<f32, N>> {
         let increment = self.increment(x)?;
-        Some(Quotients { numerators: from_fn(|i| increment[i]), reciprocals: [None; N] })
+        Some(Quotients::whole(from_fn(|i| increment[i])))
     }
 
     #[inline(always)]

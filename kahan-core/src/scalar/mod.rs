@@ -14,6 +14,7 @@ mod epsilon;
 mod exact;
 mod float;
 mod float_scalar;
+pub(crate) mod tuning;
 mod wide;
 
 use core::fmt::Debug;
@@ -25,7 +26,6 @@ pub use constant::Constant;
 pub use dd::Dd;
 pub use dual::Dual;
 pub use epsilon::nearest_short_eps;
-pub(crate) use float::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
 pub use float_scalar::FloatScalar;
 pub(crate) use wide::{Size, Wide};
 
@@ -95,40 +95,6 @@ pub trait Scalar:
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
         self - a * b
-    }
-
-    /// Whether there is any ε with which a step may be computed from 1/(2ε).
-    #[doc(hidden)]
-    const HAS_INVERSE_STEPS: bool = false;
-
-    /// Whether, where there are both, the step for all other ε is called, so that the one from 1/(2ε) stays small.
-    #[doc(hidden)]
-    const CALLS_GENERAL_STEP: bool = false;
-
-    /// Whether a step with this ε may be computed from 1/(2ε); here, no. Floats allow it where ε is so far from zero and from the
-    /// ends of their range that no power of it that a step has comes near them.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn has_inverse_step(&self) -> bool {
-        false
-    }
-
-    /// self/ε, for an ε that [allows it](Self::has_inverse_step).
-    #[doc(hidden)]
-    #[inline(always)]
-    fn over_eps(self, eps: &Self) -> Self {
-        self / eps.clone()
-    }
-
-    /// Whether compilers may pack scalars of this kind into vectors when they stand side by side.
-    #[doc(hidden)]
-    const PACKS: bool = true;
-
-    /// The same number; for the machine's floats, in a register of its own, whatever is done to its neighbours.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn alone(self) -> Self {
-        self
     }
 
     /// A nearby `f64` for reports, not for computing; not a number where there is none, as here.

@@ -2,6 +2,8 @@
 
 use nalgebra::SVector;
 
+#[cfg(feature = "std")]
+use super::systems::E6;
 use super::systems::{Coupled, E3};
 use crate::{
     Compensated, Composed, Composition, Dd, FloatScalar, KahanMap, Orbit, Single, nearest_short_eps, vector,
@@ -146,7 +148,7 @@ fn a_short_double_double_is_the_nearest() {
 fn an_ensemble_takes_the_steps_of_a_composed_orbit() {
     let points: std::vec::Vec<SVector<f64, 3>> =
         (0..37).map(|k| vector![0.3, -0.7, 0.03 * f64::from(k)]).collect();
-    let map = E3.at(0.05).composed(Composition::KAHAN_LI_8);
+    let map = E6.at(0.05).composed(Composition::KAHAN_LI_8);
     let alone = |x: &SVector<f64, 3>| map.orbit(*x).nth(20).unwrap();
 
     let mut ensemble = Ensemble::new(points.clone()).at_level(Level::Baseline).unwrap();

@@ -14,8 +14,14 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let field = &context.system.field;
     let value = emit_vector(context, &field_plan(field));
     let slope = emit_matrix(context, &field_jacobian_plan(field));
-    let bilinear = emit_vector(context, &bilinear_plan(field));
-    let polarized = emit_vector(context, &polarized_plan(field));
+    // Without a linear and a constant part the two forms are one.
+    let (bilinear_plan, polarized_plan) = (bilinear_plan(field), polarized_plan(field));
+    let polarized = if polarized_plan == bilinear_plan {
+        quote!(__kahan::QuadraticField::bilinear(self, x, y))
+    } else {
+        emit_vector(context, &polarized_plan)
+    };
+    let bilinear = emit_vector(context, &bilinear_plan);
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
     let (vector, matrix) = (context.vector(), context.matrix());
     quote! {

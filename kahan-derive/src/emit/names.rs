@@ -4,10 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use kahan_algebra::plan::{Node, Operation, Plan, descriptions, kind};
 use kahan_algebra::symbols::Symbols;
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 use quote::format_ident;
-
-use super::items::identifier;
 
 /// The names given so far in one function, and what each step could be called.
 pub(super) struct Names {
@@ -21,9 +19,8 @@ pub(super) struct Names {
 
 impl Names {
     /// For the steps of a plan; `constants` are the names of its prepared constants.
-    pub(super) fn of(plan: &Plan, symbols: &Symbols, constants: &[Ident]) -> Self {
-        let constants: Vec<String> = constants.iter().map(ToString::to_string).collect();
-        let descriptions = descriptions(plan, symbols, &constants);
+    pub(super) fn of(plan: &Plan, symbols: &Symbols, constants: &[String]) -> Self {
+        let descriptions = descriptions(plan, symbols, constants);
         let kinds = (0..plan.operations.len()).map(|index| kind(plan, Node(index))).collect();
         Names { descriptions, kinds, taken: BTreeSet::new(), numbered: BTreeMap::new() }
     }
@@ -57,19 +54,19 @@ impl Names {
 }
 
 /// A name for each result of a plan of prepared constants, no two alike.
-pub(super) fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<Ident> {
+pub(super) fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
     let names = Names::of(constants, symbols, &[]);
     let mut taken = BTreeSet::new();
     let mut number = 0;
     let mut name = |output: &Node| {
         if let Some(text) = names.descriptions[output.0].clone().filter(|text| taken.insert(text.clone())) {
-            return identifier(&text, Span::call_site());
+            return text;
         }
         loop {
             number += 1;
             let text = format!("constant_{number}");
             if taken.insert(text.clone()) {
-                return identifier(&text, Span::call_site());
+                return text;
             }
         }
     };

@@ -39,9 +39,6 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
 }
 
 impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
-    /// A step read at run time can have several reciprocals.
-    const PACKS: bool = false;
-
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let Some(step) = &self.map.code.step else {
             return Elimination::new(self.map.clone(), self.eps.clone()).quotients(x);
@@ -50,10 +47,11 @@ impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
         let inputs = Inputs { state: x.as_slice(), prepared: &self.constants, ..Inputs::default() };
         let results = kernel.run(&inputs)?;
         let (numerators, divisions) = results.split_at(N);
-        Some(Quotients {
-            numerators: from_fn(|i| numerators[i].clone()),
-            reciprocals: from_fn(|i| reciprocals[i].map(|place| divisions[place].clone())),
-        })
+        // A step read at run time can have several reciprocals.
+        Some(Quotients::over_several(
+            from_fn(|i| numerators[i].clone()),
+            from_fn(|i| reciprocals[i].map(|place| divisions[place].clone())),
+        ))
     }
 }
 

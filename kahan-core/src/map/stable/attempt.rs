@@ -1,6 +1,7 @@
 //! One run of a step over bounded values.
 
 use core::array::from_fn;
+use core::cell::Cell;
 
 use nalgebra::SVector;
 
@@ -8,7 +9,7 @@ use num_traits::{One, Zero};
 
 use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, Magnitude, Pair, Working, power_of_two, underflow};
-use crate::{KahanMap, Pivot, PreparedStep, Quotients};
+use crate::{KahanMap, Lift, Pivot, PreparedStep, Quotients};
 
 /// A next state, and what the error of any of its components is at most, their own last roundings apart.
 #[derive(Clone, Copy, Debug)]
@@ -20,26 +21,42 @@ pub(super) struct Attempt<V: Working, const N: usize> {
 }
 
 impl<V: Working, const N: usize> Attempt<V, N> {
-    /// By the increment form, with the operations and the bits of the fast step, each component handed to `finish`; `None` where a
-    /// denominator may be zero.
+    /// By the increment form, with the operations and the bits of the fast step, all numbers embedded into V; `None` where a denominator
+    /// may be zero, and where an input is so large that underflow is not allowed for.
     #[inline(always)]
-    pub(super) fn by_increments<P, M>(
-        map: &M,
-        x: &SVector<Bounded<V, P>, N>,
-        eps: Bounded<V, P>,
-        finish: impl Fn(V) -> V,
-    ) -> Option<Self>
+    pub(super) fn of<T, P, M>(map: &M, x: &SVector<T, N>, eps: &T, embed: impl Fn(&T) -> V) -> Option<Self>
     where
+        T: Pivot,
         P: Pair<V>,
-        M: KahanMap<Bounded<V, P>, N>,
+        M: Lift<T, N>,
     {
-        let Quotients { numerators, reciprocals } = map.prepare(&eps).quotients(x)?;
+        // No input exceeds the sum of all sizes, which is not a number where an input is none.
+        let sum = Cell::new(embed(eps).size());
+        let given = |number: &T| {
+            let value = embed(number);
+            sum.set(sum.get() + value.size());
+            Bounded::<V, P>::given(value)
+        };
+        let state = SVector::from_fn(|i, _| given(&x[i]));
+        let prepared = map.lift(given).prepare(&Bounded::given(embed(eps)));
+        let attempt = prepared.finish(&state, |quotients| Self::by_increments(&state, quotients))?;
+        (attempt.largest_input() > sum.get()).then_some(attempt)
+    }
+
+    /// By these increments.
+    #[inline(always)]
+    pub(super) fn by_increments<P: Pair<V>>(
+        x: &SVector<Bounded<V, P>, N>,
+        quotients: Quotients<Bounded<V, P>, N>,
+    ) -> Self {
+        let Quotients { numerators, reciprocals, several } = quotients;
         let roundings = numerators.iter().map(Bounded::roundings).fold(0, u32::max);
         let values = Quotients {
             numerators: numerators.map(|numerator| numerator.value()),
             reciprocals: reciprocals.map(|reciprocal| reciprocal.map(|reciprocal| reciprocal.value())),
+            several,
         };
-        let [next] = values.finished(&vector(from_fn(|i| x[i].value())), finish).data.0;
+        let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
         // An increment that is a quotient itself is a product with 1. Not by `map`: its closure would be too large for compilers to
@@ -51,21 +68,21 @@ impl<V: Working, const N: usize> Attempt<V, N> {
                 None => Bounded::<V, P>::one().weight(roundings),
             };
         }
-        Some(Self {
+        Self {
             next,
-            error: if const { M::Prepared::PACKS } {
-                // One reciprocal: one product is the largest.
-                (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
-            } else {
+            error: if several {
                 largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
                     + underflow * largest::<V, N>(weights)
+            } else {
+                // One reciprocal: one product is the largest.
+                (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
             },
             largest_input: numerators
                 .iter()
                 .chain(reciprocals.iter().flatten())
                 .map(Bounded::largest_input)
                 .fold(1000, u32::min),
-        })
+        }
     }
 
     /// As N/D, both expanded and without common factors: no increment that could cancel against the state.

@@ -1,7 +1,8 @@
 //! The formats that bounded values are computed in, and what the range of each leaves to products and quotients.
 
 use crate::Dd;
-use crate::scalar::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS, Size, Wide};
+use crate::scalar::tuning::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
+use crate::scalar::{Size, Wide};
 
 use super::number::{Number, Range, power_of_two};
 use super::pair::Pair;

@@ -38,8 +38,15 @@ mod pair;
 pub(crate) use number::Range;
 pub(crate) use number::{Magnitude, Number, power_of_two};
 #[cfg(target_arch = "x86_64")]
-pub(crate) use packed::{Packed, PackedSingle};
+pub(crate) use packed::{PackedDouble, PackedSingle};
 pub(crate) use pair::{Both, Pair};
+
+/// A double and its magnitude, where no register holds the two.
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) type PackedDouble = Both<f64>;
+/// A float and its magnitude, where no register holds the two.
+#[cfg(not(target_arch = "x86_64"))]
+pub(crate) type PackedSingle = Both<f32>;
 
 /// A [`Number`] to work in: whether its operations are inlined.
 pub(crate) trait Working: Number {
@@ -159,10 +166,24 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         Self { pair: self.pair.negated(), ..self }
     }
 
-    /// The same, m in a register of its own.
+    /// The same, m changed by what changes no number.
     #[inline(always)]
-    pub(crate) fn apart(self) -> Self {
-        Self { pair: self.pair.alone(), ..self }
+    pub(crate) fn with_magnitude(self, change: impl FnOnce(V::Magnitude) -> V::Magnitude) -> Self {
+        Self { pair: Pair::new(self.value(), change(self.magnitude())), ..self }
+    }
+
+    /// Whether this is a constant of the formula.
+    #[inline(always)]
+    pub(crate) fn is_literal(&self) -> bool {
+        self.inputs == 0
+    }
+
+    /// Whether this is an input as it was given, and of a size that steps may be divided by.
+    #[inline(always)]
+    pub(crate) fn is_ordinary_input(&self) -> bool {
+        let is_input = self.inputs == 1 && self.roundings == 0 && self.bits == 0;
+        let (most, size) = (power_of_two(V::RANGE.bits_of_steps as i32), self.value().approximate().abs());
+        is_input && V::RANGE.bits_of_steps > 0 && (1.0 / most..=most).contains(&size)
     }
 
     /// v̂
@@ -288,10 +309,10 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         Some(quotient.settled())
     }
 
-    /// c/ε for a literal c and an ε, given as it is, that a step divides by: rounded once more than c, and no larger than that
-    /// ε allows.
+    /// c/ε for a literal c and an [ordinary input](Self::is_ordinary_input) ε: rounded once more than c, and no larger than that ε
+    /// allows.
     #[inline(always)]
-    pub(crate) fn over_eps(self, eps: Self) -> Self {
+    pub(crate) fn over_input(self, eps: Self) -> Self {
         let value = self.value() / eps.value();
         Self {
             pair: Pair::new(value, value.size()),

@@ -14,19 +14,9 @@ pub(crate) trait Magnitude:
 {
     /// The nearest magnitude.
     fn of(value: f64) -> Self;
-    /// The same, in a register of its own.
-    #[inline(always)]
-    fn apart(self) -> Self {
-        self
-    }
 }
 
 impl Magnitude for f32 {
-    #[inline(always)]
-    fn apart(self) -> Self {
-        Scalar::alone(self)
-    }
-
     #[inline(always)]
     fn of(value: f64) -> Self {
         value as f32
@@ -34,11 +24,6 @@ impl Magnitude for f32 {
 }
 
 impl Magnitude for f64 {
-    #[inline(always)]
-    fn apart(self) -> Self {
-        Scalar::alone(self)
-    }
-
     #[inline(always)]
     fn of(value: f64) -> Self {
         value
@@ -59,7 +44,7 @@ pub(crate) struct Range {
     pub(crate) bits_of_products: u32,
     /// No divisor is below 2 to minus this power.
     pub(crate) bits_of_divisors: u32,
-    /// No ε that a step divides by is below 2 to minus this power.
+    /// No ε that a step divides by is below 2 to minus this power; 0 where none is divided by.
     pub(crate) bits_of_steps: u32,
 }
 

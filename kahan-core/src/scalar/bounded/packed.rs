@@ -91,7 +91,7 @@ macro_rules! packed {
 
 packed! {
     /// Two doubles.
-    Packed(__m128d) of f64:
+    PackedDouble(__m128d) of f64:
     new: |value, magnitude| _mm_set_pd(magnitude, value),
     value: _mm_cvtsd_f64,
     magnitude: |pair| _mm_unpackhi_pd(pair, pair),
