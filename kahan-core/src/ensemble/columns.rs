@@ -12,7 +12,7 @@ pub(crate) const GROUP: usize = 16;
 /// Consecutive entries of one column.
 pub(crate) type Group<T> = [T; GROUP];
 
-/// Bytes of a cache line. Registers that cross from one to the next cost up to a fifth of the speed.
+/// Bytes of a cache line. A register that crosses from one to the next is loaded twice.
 const LINE: usize = 64;
 
 /// N columns of equal length in one allocation.

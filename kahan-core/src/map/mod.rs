@@ -133,10 +133,10 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// beside each of its values, first in the scalar's own precision, and where that proves too
     /// little in the next (`f64` for an `f32`, [`Dd`](crate::Dd) for an `f64`), then in 17 digits
     /// of 64 bits, wherever these lie, where nothing overflows and sums of terms of any sizes are
-    /// exact. An ordinary point gets the bits of [`step`](Self::step) at about one and a half times
-    /// its price; near poles and far out a step takes ten times as long, or at worst a fraction of
-    /// a millisecond. Nothing is allocated: without optimisation the last rungs need up to one and
-    /// a half megabytes of stack, for a dense field of five variables.
+    /// exact. An ordinary point gets the bits of [`step`](Self::step) at little more
+    /// than its price, and points near poles or far out at a multiple of it; `BENCHMARKS.md` has the
+    /// times. Nothing is allocated, but without optimisation the last rungs need some of the stack:
+    /// the more, the more variables a dense field has.
     ///
     /// Exact scalars give the exact step. A map written by hand, and a scalar of a user's own, get the result of `step`, or where
     /// that left the scalar's range, of elimination with partial pivoting: finite, without a bound.

@@ -18,9 +18,9 @@ use crate::{
 ///
 /// Away from poles the error of the `f64` step is some 10⁻⁸ of half an `f32` ulp, so x̃ is the `f32` nearest to the exact x̃
 /// but where that lies this close to the middle between two: about one component in 10⁷. Closer to a pole both
-/// grow by the condition number of the step. In a chain of steps the conversions there and back are waited for, some 4 ns a step: it
-/// costs 16 to 52 % more than the step in `f64` (eleven fields of one to six variables on x86-64), and keeps the state in half the
-/// memory. The step in `f32` itself takes 0.87 to 1.21 times as long as that in `f64` (eight of them). An
+/// grow by the condition number of the step. In a chain of steps the
+/// conversions there and back are waited for: it takes longer than the step in `f64`, by what
+/// `BENCHMARKS.md` says, and keeps the state in half the memory. An
 /// [`Ensemble`](crate::Ensemble) runs it one trajectory at a time.
 ///
 /// It works in every mode of an orbit. Compensated, the increment with the carry is rounded once; a plain orbit still

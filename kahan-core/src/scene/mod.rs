@@ -117,16 +117,14 @@ impl Scene {
     /// should be; the roundings of n steps are taken to be those of a random walk.
     ///
     /// # How good
-    /// Of 4000 seeded scenes of twenty fields, chaotic, stiff, escaping and beside equilibria, with
-    /// tolerances from 3e-2 to 1e-15, 3791 were accepted, none of them beyond its tolerance, and 30
-    /// were refused though some setting serves whose three runs take no more than 10⁶ steps (`cargo
-    /// test --release -p kahan-systems --test scenes -- --ignored`, `KAHAN_SEED` 1 and 2). Timed
-    /// beside every other setting on twelve fields at six tolerances from 1e-2 to 1e-14, the choice
-    /// took at most 1.6 times the time of the cheapest one (the test `trade_sweep` beside it).
+    /// Seeded scenes of many fields, chaotic, stiff, escaping and beside equilibria, are chosen for by
+    /// `cargo test --release -p kahan-systems --test scenes -- --ignored`: none that is accepted may
+    /// be beyond its tolerance, and few may be refused that some setting serves. The test
+    /// `trade_sweep` beside it times the choice against every other setting.
     ///
     /// # Cost
     /// As much as 10⁶ steps of the map at most, most often some 10⁴; a part of them in `Dd`, whose
-    /// steps take ten times as long. It pays where a setting is run for long or used for many
+    /// steps take longer. It pays where a setting is run for long or used for many
     /// orbits.
     ///
     /// # Errors

@@ -14,7 +14,7 @@ where
     /// summation, of the state). It goes on from where this orbit is.
     ///
     /// What it cures: a plain step rounds each component to half an ulp; here the error of a step falls to that of its
-    /// increment, O(ε)·u, so that the integrals of the map wander by a factor 7 to 500 less.
+    /// increment, O(ε)·u, so that the integrals of the map wander less.
     ///
     /// What it does not: the increments are still rounded, always in the same way. Errors that have a mean add up linearly: in
     /// `f32` they are seen beyond about 10⁶ steps, and for an ε whose powers are rounded badly in `f64` too; there
@@ -23,7 +23,7 @@ where
     ///
     /// Each point that it yields is rounded, to about an ulp of where the orbit is.
     ///
-    /// Cost: seven operations a component, none of which the next step waits for: up to a fifth more time.
+    /// Cost: seven operations a component, none of which the next step waits for; `BENCHMARKS.md` has the times.
     ///
     /// ```
     /// use kahan_core::prelude::*;

@@ -17,4 +17,4 @@ mod scalars;
 #[cfg(all(test, feature = "exact"))]
 mod tests;
 
-pub(crate) use rungs::{stable_double, stable_double_double, stable_single};
+pub(super) use rungs::{beyond, higher, in_next_wider, in_own_precision, in_wide};

@@ -14,7 +14,7 @@ use crate::field::linear::vector;
 use crate::scalar::Wide;
 use crate::scalar::bounded::{Both, Bounded};
 use crate::step::error::Reason;
-use crate::{Dd, KahanMap, Lift, PreparedStep, SingularStep};
+use crate::{KahanMap, Lift, PreparedStep, SingularStep};
 
 use super::attempt::Attempt;
 use super::scalars::{Promised, Widened};
@@ -29,7 +29,7 @@ const SHORT: u32 = 36;
 /// The first rung of a scalar that works for itself.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-pub(super) fn in_own_precision<M, T, const N: usize>(
+pub(crate) fn in_own_precision<M, T, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
@@ -53,7 +53,11 @@ where
 /// The rung that computes in the next wider scalar and rounds once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-fn in_next_wider<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
+pub(crate) fn in_next_wider<M, T, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Option<SVector<T, N>>
 where
     T: Widened,
     M: Lift<T, N>,
@@ -62,63 +66,9 @@ where
         .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
 }
 
-/// The variables up to which `f32` works for itself. Steps in more variables multiply so many factors that products of ordinary
-/// numbers leave its range, and nearly every step would be computed in `f64` after all.
-const MOST_OF_SINGLE: usize = 4;
-
-/// The step of `f32`.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn stable_single<M, const N: usize>(
-    map: &M,
-    x: &SVector<f32, N>,
-    eps: &f32,
-) -> Result<SVector<f32, N>, SingularStep>
-where
-    M: Lift<f32, N>,
-{
-    if N > MOST_OF_SINGLE {
-        return in_next_wider(map, x, eps).map_or_else(|| higher(in_wide, map, x, eps), Ok);
-    }
-    match in_own_precision(map, x, eps) {
-        Some(next) => Ok(next),
-        None => higher(beyond, map, x, eps),
-    }
-}
-
-/// The step of `f64`.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn stable_double<M, const N: usize>(
-    map: &M,
-    x: &SVector<f64, N>,
-    eps: &f64,
-) -> Result<SVector<f64, N>, SingularStep>
-where
-    M: Lift<f64, N>,
-{
-    match in_own_precision(map, x, eps) {
-        Some(next) => Ok(next),
-        None => higher(beyond, map, x, eps),
-    }
-}
-
-/// The step of [`Dd`].
-#[inline]
-pub(crate) fn stable_double_double<M, const N: usize>(
-    map: &M,
-    x: &SVector<Dd, N>,
-    eps: &Dd,
-) -> Result<SVector<Dd, N>, SingularStep>
-where
-    M: Lift<Dd, N>,
-{
-    match in_own_precision(map, x, eps) {
-        Some(next) => Ok(next),
-        None => higher(in_wide, map, x, eps),
-    }
-}
-
 /// A rung that is called: it writes x̃ to its last argument, or says why there is none.
-type Rung<M, T, const N: usize> = fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>;
+pub(crate) type Rung<M, T, const N: usize> =
+    fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>;
 
 /// Calls a higher rung.
 ///
@@ -126,7 +76,7 @@ type Rung<M, T, const N: usize> = fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -
 /// state of a loop, and x̃ of the first rung, can stay in registers: ordinary steps do not wait for memory on account of a call that they
 /// do not make.
 #[inline(always)]
-fn higher<M, T: Copy, const N: usize>(
+pub(crate) fn higher<M, T: Copy, const N: usize>(
     rung: Rung<M, T, N>,
     map: &M,
     x: &SVector<T, N>,
@@ -142,7 +92,7 @@ fn higher<M, T: Copy, const N: usize>(
 /// What comes after the first rung, for all but the widest scalar; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
-fn beyond<M, T, const N: usize>(
+pub(crate) fn beyond<M, T, const N: usize>(
     map: &M,
     x: SVector<T, N>,
     eps: T,
@@ -174,7 +124,7 @@ where
 /// The last two rungs, and the report where both fail; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
-fn in_wide<T, M, const N: usize>(
+pub(crate) fn in_wide<T, M, const N: usize>(
     map: &M,
     x: SVector<T, N>,
     eps: T,
