@@ -1,8 +1,9 @@
-//! The only door that generated code goes through: not public, not stable, versioned with the macro.
+//! The only door that generated code goes through: not public, not stable, versioned with the
+//! macro.
 //!
-//! In: what the macro alone knows, a field's formulas. Out: the objects of the traits, by code that is written and
-//! tested once, here. Generated code names nothing by any other path, so that it works in scopes without a prelude
-//! and beside user types called `Option` or `Clone`.
+//! In: what the macro alone knows, a field's formulas. Out: the objects of the traits, by code that
+//! is written and tested once, here. Generated code names nothing by any other path, so that it
+//! works in scopes without a prelude and beside user types called `Option` or `Clone`.
 
 pub use core;
 pub use core::clone::Clone;
@@ -40,7 +41,8 @@ pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// Functions with the names of arguments: generated code imports them, so that no constant of the user's captures a pattern.
+/// Functions with the names of arguments: generated code imports them, so that no constant of the
+/// user's captures a pattern.
 pub mod arguments {
     pub fn x() {}
     pub fn y() {}

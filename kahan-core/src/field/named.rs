@@ -1,7 +1,8 @@
 //! What a generated system knows of its own text: names, and the integrals it was proved to have.
 //!
-//! In: a map. Out: names in the order of the vectors' entries, and the integrals' values.
-//! Generic code goes through these traits; code that has the type at hand uses its constants and inherent methods.
+//! In: a map. Out: names in the order of the vectors' entries, and the integrals' values. Generic
+//! code goes through these traits; code that has the type at hand uses its constants and inherent
+//! methods.
 
 use nalgebra::SVector;
 
@@ -18,7 +19,8 @@ pub trait Named {
     }
 }
 
-/// A map on Tᴺ with M declared integrals: functions of the state (and of ε) that a step leaves unchanged.
+/// A map on Tᴺ with M declared integrals: functions of the state (and of ε) that a step leaves
+/// unchanged.
 pub trait Integrals<T: Scalar, const N: usize, const M: usize> {
     /// The integrals' names, in the order of the values.
     fn integral_names(&self) -> &'static [&'static str];

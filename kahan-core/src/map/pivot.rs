@@ -1,7 +1,7 @@
 //! What a step that promises asks of a number: an order by magnitude, and whether it is finite.
 //!
-//! In: a scalar. Out: the way its promise is kept, chosen while compiling: by bounds for the floats of this crate, by looking at the
-//! result for all others.
+//! In: a scalar. Out: the way its promise is kept, chosen while compiling: by bounds for the floats
+//! of this crate, by looking at the result for all others.
 
 use nalgebra::SVector;
 
@@ -25,8 +25,8 @@ pub trait Pivot: Scalar {
     /// Whether this is a number and not infinite; always true for exact scalars.
     fn is_finite_number(&self) -> bool;
 
-    /// The step with the promise that this scalar can give; here, that a finite result is what the fast step or elimination
-    /// computes.
+    /// The step with the promise that this scalar can give; here, that a finite result is what the
+    /// fast step or elimination computes.
     #[doc(hidden)]
     fn stable_step<M, const N: usize>(
         map: &M,
@@ -41,7 +41,8 @@ pub trait Pivot: Scalar {
     }
 }
 
-/// A float, whose promise is kept by bounds: by a first rung, or where that proves too little by the next.
+/// A float, whose promise is kept by bounds: by a first rung, or where that proves too little by
+/// the next.
 macro_rules! implement_for_float {
     ($float:ty: |$map:ident, $x:ident, $eps:ident| $first:expr, else $next:expr) => {
         impl Pivot for $float {
@@ -74,8 +75,9 @@ macro_rules! implement_for_float {
     };
 }
 
-/// The variables up to which `f32` works for itself. Steps in more variables multiply so many factors that products of ordinary
-/// numbers leave its range, and nearly every step would be computed in `f64` after all.
+/// The variables up to which `f32` works for itself. Steps in more variables multiply so many
+/// factors that products of ordinary numbers leave its range, and nearly every step would be
+/// computed in `f64` after all.
 const MOST_OF_SINGLE: usize = 4;
 
 implement_for_float!(f32: |map, x, eps| if const { N > MOST_OF_SINGLE } {

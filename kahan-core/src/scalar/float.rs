@@ -1,8 +1,9 @@
 //! The machine's floats as scalars.
 //!
-//! A reciprocal is always given (±∞ at ±0), so nothing branches on a value and nothing panics; poles show as
-//! results that are not finite. Multiply-adds are fused where the target is compiled for an instruction that does it;
-//! elsewhere `mul_add` would be a slow library call, so there they are a multiplication and an addition.
+//! A reciprocal is always given (±∞ at ±0), so nothing branches on a value and nothing panics;
+//! poles show as results that are not finite. Multiply-adds are fused where the target is compiled
+//! for an instruction that does it; elsewhere `mul_add` would be a slow library call, so there they
+//! are a multiplication and an addition.
 
 use super::{Constant, Scalar};
 

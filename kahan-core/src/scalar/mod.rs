@@ -1,9 +1,9 @@
 //! What a number must do to run through a Kahan map.
 //!
-//! In: any type with the four operations and the rationals inside it. Out: the same code over floats, exact
-//! rationals, dual numbers, or lanes of floats.
-//! [`Scalar`] asks for no ordering, no square root and no conversion. No method shares its name with one of num-traits, so both can
-//! be in scope.
+//! In: any type with the four operations and the rationals inside it. Out: the same code over
+//! floats, exact rationals, dual numbers, or lanes of floats. [`Scalar`] asks for no ordering, no
+//! square root and no conversion. No method shares its name with one of num-traits, so both can be
+//! in scope.
 
 pub(crate) mod bounded;
 mod constant;
@@ -31,8 +31,8 @@ pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.
 ///
-/// To make a type one, implement the operators and [`constant`](Scalar::constant); the other methods have defaults
-/// that suit an exact field.
+/// To make a type one, implement the operators and [`constant`](Scalar::constant); the other
+/// methods have defaults that suit an exact field.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a scalar that a Kahan map can compute with",
     label = "not a `Scalar`; for a number, write `1.0`, not `1`",
@@ -74,12 +74,14 @@ pub trait Scalar:
         Some(self / divisor)
     }
 
-    /// Whether elimination should divide by `self` rather than by `than`: here, a nonzero number rather than zero.
+    /// Whether elimination should divide by `self` rather than by `than`: here, a nonzero number
+    /// rather than zero.
     fn is_better_pivot(&self, than: &Self) -> bool {
         than.is_zero() && !self.is_zero()
     }
 
-    /// self·factor + addend, rounded once where the target has an instruction for that, else as written.
+    /// self·factor + addend, rounded once where the target has an instruction for that, else as
+    /// written.
     #[inline(always)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend

@@ -1,14 +1,17 @@
-//! What concerns compilers and processors only: over which scalars a step is divided by ε, and which values are kept from being packed.
+//! What concerns compilers and processors only: over which scalars a step is divided by ε, and
+//! which values are kept from being packed.
 //!
-//! In: a scalar, and what the plan of a step has decided. Out: the same numbers, sooner. Which type a scalar is, is known while
-//! compiling, so an optimised program asks nothing of what is asked here.
+//! In: a scalar, and what the plan of a step has decided. Out: the same numbers, sooner. Which type
+//! a scalar is, is known while compiling, so an optimised program asks nothing of what is asked
+//! here.
 
 use core::any::{Any, TypeId};
 
 use super::Scalar;
 use super::bounded::{Bounded, PackedDouble, PackedSingle};
 
-/// A step over `f32` may divide by ε from 2⁻ᵏ to 2ᵏ with this k, so that no power of ε in it comes near the ends of the range.
+/// A step over `f32` may divide by ε from 2⁻ᵏ to 2ᵏ with this k, so that no power of ε in it comes
+/// near the ends of the range.
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
 /// The same for `f64`.
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
@@ -52,10 +55,11 @@ pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     })
 }
 
-/// The same number; where it is a float, in a register of its own, and where it is a bounded value, its magnitude.
+/// The same number; where it is a float, in a register of its own, and where it is a bounded value,
+/// its magnitude.
 ///
-/// Compilers pack scalars that stand side by side into vectors. Where one of them is late, the others wait for it, and the shuffles take
-/// longer than the operations that are saved.
+/// Compilers pack scalars that stand side by side into vectors. Where one of them is late, the
+/// others wait for it, and the shuffles take longer than the operations that are saved.
 #[inline(always)]
 pub fn fenced<T: 'static>(mut number: T) -> T {
     change(&mut number, |single: &mut f32| *single = fence::single(*single));
@@ -65,8 +69,8 @@ pub fn fenced<T: 'static>(mut number: T) -> T {
     number
 }
 
-/// A component of x̃: fenced where `several` reciprocals follow on each other, as the chain of an orbit is then that of one component,
-/// and in `f32`, whose vectors hold more than there is.
+/// A component of x̃: fenced where `several` reciprocals follow on each other, as the chain of an
+/// orbit is then that of one component, and in `f32`, whose vectors hold more than there is.
 #[inline(always)]
 pub(crate) fn component<T: 'static>(number: T, several: bool) -> T {
     if several || is::<T, f32>() { fenced(number) } else { number }

@@ -1,8 +1,8 @@
-//! The step of a map whose ε and parameters are known: what the macro writes, and what orbits, prepared maps and
-//! ensembles run.
+//! The step of a map whose ε and parameters are known: what the macro writes, and what orbits,
+//! prepared maps and ensembles run.
 //!
-//! In: constants computed once. Out: for each state the increment x̃ − x, as numerators and the reciprocals of their
-//! denominators ([`Quotients`]).
+//! In: constants computed once. Out: for each state the increment x̃ − x, as numerators and the
+//! reciprocals of their denominators ([`Quotients`]).
 
 mod cost;
 pub(crate) mod error;
@@ -22,19 +22,21 @@ pub use two_forms::{StepOfOneOrbit, StepOverEps};
 
 /// A step that knows its ε and its parameters.
 ///
-/// By hand, [`quotients`](Self::quotients) is all that is written. Nothing in a step allocates beyond what the scalar does, and the
-/// order of operations is fixed.
+/// By hand, [`quotients`](Self::quotients) is all that is written. Nothing in a step allocates
+/// beyond what the scalar does, and the order of operations is fixed.
 pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// What one step costs; here, elimination in N variables.
     const COST: StepCost = StepCost::of_elimination(N);
 
-    /// The increment at `x` before its last multiplication, or `None` at a pole of a scalar that has no reciprocal
-    /// of zero.
+    /// The increment at `x` before its last multiplication, or `None` at a pole of a scalar that
+    /// has no reciprocal of zero.
     ///
-    /// Implementations are `#[inline(always)]`, because lanes must be compiled into the function that enables their instructions.
+    /// Implementations are `#[inline(always)]`, because lanes must be compiled into the function
+    /// that enables their instructions.
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>>;
 
-    /// The increment at `x`, handed to `finish`; a step of two forms hands that of each on by itself.
+    /// The increment at `x`, handed to `finish`; a step of two forms hands that of each on by
+    /// itself.
     #[inline(always)]
     fn finish<R>(&self, x: &SVector<T, N>, finish: impl FnOnce(Quotients<T, N>) -> R) -> Option<R> {
         Some(finish(self.quotients(x)?))
@@ -61,7 +63,8 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
 
 /// A prepared step whose constants can be spread over the lanes of a vector register.
 pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
-    /// Whether the step is straight-line code; elimination, which chooses its pivots by comparing, has no lanes.
+    /// Whether the step is straight-line code; elimination, which chooses its pivots by comparing,
+    /// has no lanes.
     const HAS_LANES: bool;
 
     /// The same step over another scalar.

@@ -1,4 +1,5 @@
-//! The increment of a step before its last multiplication, so that whoever finishes the step decides how to round it.
+//! The increment of a step before its last multiplication, so that whoever finishes the step
+//! decides how to round it.
 
 use core::array::from_fn;
 
@@ -8,9 +9,11 @@ use crate::Scalar;
 use crate::field::linear::vector;
 use crate::scalar::tuning::component;
 
-/// The increment x̃ − x: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ, or numeratorᵢ where there is no reciprocal.
+/// The increment x̃ − x: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ, or numeratorᵢ where there is no
+/// reciprocal.
 ///
-/// A reciprocal is that of a denominator; the factor 2ε is in the products, wherever it costs least.
+/// A reciprocal is that of a denominator; the factor 2ε is in the products, wherever it costs
+/// least.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quotients<T, const N: usize> {
     pub(crate) numerators: [T; N],
@@ -32,7 +35,8 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
         Self { numerators, reciprocals, several: false }
     }
 
-    /// The same for reciprocals one after the other, where the last may be waited for by some components only.
+    /// The same for reciprocals one after the other, where the last may be waited for by some
+    /// components only.
     #[inline(always)]
     pub fn over_several(numerators: [T; N], reciprocals: [Option<T>; N]) -> Self {
         Self { numerators, reciprocals, several: true }
@@ -68,12 +72,13 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
 
     /// x̃ and what it lacks, from x and what x lacks: the step of a compensated orbit.
     ///
-    /// What x lacks is added while the step waits for its division: with b = x + c and what is left of c, t = b + n·r is the next
-    /// point, and what that lacks is n·r − (t − b) and the rest of c. The chain from state to state is that of a plain step.
+    /// What x lacks is added while the step waits for its division: with b = x + c and what is left
+    /// of c, t = b + n·r is the next point, and what that lacks is n·r − (t − b) and the rest of c.
+    /// The chain from state to state is that of a plain step.
     ///
-    /// Where |n·r| ≤ |b| (Dekker 1971), nothing is lost but the rounding of n·r itself. Where a component is smaller than its
-    /// increment, t − b is rounded, and what t lacks is wrong by at most u·|t − b|: no more than that rounding. So there is no
-    /// branch.
+    /// Where |n·r| ≤ |b| (Dekker 1971), nothing is lost but the rounding of n·r itself. Where a
+    /// component is smaller than its increment, t − b is rounded, and what t lacks is wrong by at
+    /// most u·|t − b|: no more than that rounding. So there is no branch.
     #[inline(always)]
     pub fn added_with_carry(self, x: &SVector<T, N>, carry: &SVector<T, N>) -> [SVector<T, N>; 2] {
         let base: SVector<T, N> = vector(from_fn(|i| x[i].clone() + carry[i].clone()));

@@ -1,7 +1,8 @@
-//! The step of a map in straight lines: constants that ε and the parameters fix, and formulas that a state runs through.
+//! The step of a map in straight lines: constants that ε and the parameters fix, and formulas that
+//! a state runs through.
 //!
-//! In: a [`Kernel`], the formulas that the macro writes, and the constants they name. Out: a [`PreparedStep`] over the scalar of the
-//! constants, and the same step over any other.
+//! In: a [`Kernel`], the formulas that the macro writes, and the constants they name. Out: a
+//! [`PreparedStep`] over the scalar of the constants, and the same step over any other.
 
 use core::array::from_fn;
 use core::marker::PhantomData;
@@ -18,15 +19,17 @@ pub trait Kernel<const N: usize, const C: usize> {
     /// What one step costs.
     const COST: StepCost;
 
-    /// The increment at a state before its last multiplication, or `None` at a pole of a scalar that has no reciprocal of zero.
+    /// The increment at a state before its last multiplication, or `None` at a pole of a scalar
+    /// that has no reciprocal of zero.
     fn quotients<T: Scalar>(constants: &[Padded<T>; C], state: [T; N]) -> Option<Quotients<T, N>>;
 }
 
 /// A prepared constant with nothing else of the step in the 32 bytes around it.
 ///
-/// Compilers load scalars that lie side by side as one vector, and shuffling it apart is waited for in the chain of an orbit.
-/// They load a single-precision constant with the twelve bytes after it, too, and compute on with all four numbers. Zeros stand there:
-/// what else might lie there can be subnormal, and processors take many times as long for that.
+/// Compilers load scalars that lie side by side as one vector, and shuffling it apart is waited for
+/// in the chain of an orbit. They load a single-precision constant with the twelve bytes after it,
+/// too, and compute on with all four numbers. Zeros stand there: what else might lie there can be
+/// subnormal, and processors take many times as long for that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(32))]
 pub struct Padded<T>(T, [u32; 3]);

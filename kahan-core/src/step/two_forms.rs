@@ -9,10 +9,12 @@ use crate::scalar::tuning;
 
 use super::{PreparedStep, Quotients, StepCost, StraightStep, WideStep};
 
-/// A step divided by ε, which only floats take, and only at an ordinary ε, beside the general form for all else.
+/// A step divided by ε, which only floats take, and only at an ordinary ε, beside the general form
+/// for all else.
 ///
-/// With h = 1/(2ε) prepared, 1 + 2εx is h + x up to a factor, so that no multiplication by ε stands between a state and the next. Such a
-/// form has no value at ε = 0, and leaves the range of a float sooner. Lanes take the general form.
+/// With h = 1/(2ε) prepared, 1 + 2εx is h + x up to a factor, so that no multiplication by ε stands
+/// between a state and the next. Such a form has no value at ε = 0, and leaves the range of a float
+/// sooner. Lanes take the general form.
 #[derive(Clone, Copy, Debug)]
 pub struct OverEps<S, G> {
     /// `None` where ε, or the scalar, does not allow it.
@@ -25,7 +27,8 @@ pub type StepOverEps<S, G, T, const C: usize, const D: usize> =
     OverEps<StraightStep<S, T, C>, StraightStep<G, T, D>>;
 
 impl<S, G, T: Scalar, const C: usize, const D: usize> StepOverEps<S, G, T, C, D> {
-    /// The step at `eps`, from the constants of either form; those that are divided by ε are computed only where they may be.
+    /// The step at `eps`, from the constants of either form; those that are divided by ε are
+    /// computed only where they may be.
     #[inline(always)]
     pub fn new(eps: &T, over_eps: impl FnOnce() -> [T; C], general: impl FnOnce() -> [T; D]) -> Self {
         let general = StraightStep::new(general());
@@ -61,7 +64,8 @@ where
 
 /// The general form of a scalar that takes the other one as a rule.
 ///
-/// It is called, so that the step stays small enough to be inlined. It is given copies, so that a loop keeps its state in registers.
+/// It is called, so that the step stays small enough to be inlined. It is given copies, so that a
+/// loop keeps its state in registers.
 #[cold]
 #[inline(never)]
 fn called<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>
@@ -94,7 +98,8 @@ where
     }
 }
 
-/// A step with a second division, which shortens the chain of one orbit, beside the form for lanes, which share one divider.
+/// A step with a second division, which shortens the chain of one orbit, beside the form for lanes,
+/// which share one divider.
 #[derive(Clone, Copy, Debug)]
 pub struct OneOrbit<S, G> {
     step: S,

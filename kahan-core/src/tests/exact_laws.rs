@@ -13,7 +13,8 @@ fn points<const N: usize>(seed: u64) -> impl Iterator<Item = (nalgebra::SVector<
     core::iter::repeat_with(move || (rationals.vector(), rationals.next())).take(12)
 }
 
-/// Runs a law on all systems at all their points that are not on det A = 0, and sees that there are such points.
+/// Runs a law on all systems at all their points that are not on det A = 0, and sees that there are
+/// such points.
 macro_rules! on_every_system {
     ($law:ident) => {{
         macro_rules! on {

@@ -1,4 +1,5 @@
-//! What floats promise: nothing panics at any input, poles and overflow are seen, single precision works.
+//! What floats promise: nothing panics at any input, poles and overflow are seen, single precision
+//! works.
 
 use std::format;
 

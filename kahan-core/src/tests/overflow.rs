@@ -35,7 +35,8 @@ impl KahanMap<f64, 3> for ByHand {
 
 #[test]
 fn an_overflowing_denominator_is_seen_and_elimination_takes_over() {
-    // (1 + 2εx)(1 − εx) has the size of 1e340, while nothing in x̃₁ = x/(1 + 2εx) leaves the range of f64.
+    // (1 + 2εx)(1 − εx) has the size of 1e340, while nothing in x̃₁ = x/(1 + 2εx) leaves the range
+    // of f64.
     let (x, eps) = (vector![1e-50_f64, 5e-51, 2.5e-51], 1e220);
     assert_eq!(ByHand.step(&x, eps), x);
     let next = ByHand.try_step(&x, eps).unwrap();
@@ -52,7 +53,8 @@ fn a_matrix_beyond_the_range_is_refused() {
 
 #[test]
 fn an_overflowing_pivot_is_refused() {
-    // εw is beyond f64, and elimination divides by it: a finite result with x̃₁ = x₁, where x̃₁ − x₁ = 2.7e-10.
+    // εw is beyond f64, and elimination divides by it: a finite result with x̃₁ = x₁, where x̃₁ −
+    // x₁ = 2.7e-10.
     let (x, eps) = (vector![1.0_f64, 1.0, 1.0, 1e10], 1e300);
     let fast = Coupled.step(&x, eps);
     assert!(fast.iter().all(|entry| entry.is_finite()) && fast[0] == 1.0);
@@ -112,7 +114,8 @@ impl KahanMap<f64, 2> for Clock {
 
 #[test]
 fn one_overflowing_denominator_is_seen_beside_components_that_move() {
-    // (1 + 2εx)·εx has the size of 1e340, so x seems to rest; the clock moves, and elimination is possible.
+    // (1 + 2εx)·εx has the size of 1e340, so x seems to rest; the clock moves, and elimination is
+    // possible.
     let (x, eps) = (vector![1e-50_f64, 0.0], 1e220);
     assert_eq!(Clock.step(&x, eps), vector![1e-50, 2e220]);
     let next = Clock.try_step(&x, eps).unwrap();

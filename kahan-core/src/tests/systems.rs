@@ -1,4 +1,5 @@
-//! The systems of these tests: reduced closed forms by the macro, and one that is written by hand and eliminates.
+//! The systems of these tests: reduced closed forms by the macro, and one that is written by hand
+//! and eliminates.
 
 use nalgebra::{SMatrix, SVector};
 

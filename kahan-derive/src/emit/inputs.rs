@@ -41,8 +41,9 @@ pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
 
 /// Binds the states that a kernel reads: `let [__s_x, _, __s_z] = __state;`.
 ///
-/// All are values before anything is computed. Read where they are used first, they come in an order in which compilers that
-/// pack scalar code into vectors pair them badly, at the cost of a tenth of a large step.
+/// All are values before anything is computed. Read where they are used first, they come in an
+/// order in which compilers that pack scalar code into vectors pair them badly, at the cost of a
+/// tenth of a large step.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let states = emit_pattern(&plan.inputs(), symbols, Symbol::State);
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()

@@ -1,13 +1,15 @@
-//! A plan as Rust: one `let` for each step that is used more than once, everything else nested where it is used.
+//! A plan as Rust: one `let` for each step that is used more than once, everything else nested
+//! where it is used.
 //!
 //! ```text
 //! let __t_eps_x = __e_eps.get() * __s_x.clone();
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! The order of operations is the plan's, whatever the nesting. What has a `let`, and a kernel's states, is moved where it is
-//! used last and cloned before; other inputs and prepared constants are borrowed, so they are cloned: free for floats, and
-//! little beside an operation for big rationals.
+//! The order of operations is the plan's, whatever the nesting. What has a `let`, and a kernel's
+//! states, is moved where it is used last and cloned before; other inputs and prepared constants
+//! are borrowed, so they are cloned: free for floats, and little beside an operation for big
+//! rationals.
 
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::symbols::Symbols;
@@ -56,8 +58,8 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The names of the prepared constants; `None` outside a kernel, where a division by zero is the scalar's business rather than a
-    /// pole.
+    /// The names of the prepared constants; `None` outside a kernel, where a division by zero is
+    /// the scalar's business rather than a pole.
     constants: Option<&'a [String]>,
     /// Whether what has a `let` is kept from being packed into vectors with its neighbours.
     has_fences: bool,
@@ -75,7 +77,8 @@ pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitt
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step: its prepared constants have these names, with `__e_` before them, and a pole returns `None`.
+/// Emits the kernel of a step: its prepared constants have these names, with `__e_` before them,
+/// and a pole returns `None`.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,
@@ -198,7 +201,8 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Rust's operators group to the left, so only the right operand needs parentheses at its own level.
+    /// Rust's operators group to the left, so only the right operand needs parentheses at its own
+    /// level.
     fn binary(
         &mut self,
         a: Node,

@@ -1,11 +1,13 @@
-//! The prepared step: what ε and the parameters fix, computed once, and the kernel that a state runs through.
+//! The prepared step: what ε and the parameters fix, computed once, and the kernel that a state
+//! runs through.
 //!
 //! ```text
 //! pub struct __Step;
 //! impl Kernel<3, 2> for __Step { const COST …; fn quotients(constants, state) … }
 //! ```
 //!
-//! Where the plan has a general form besides, that is the kernel `__General`, and a type of the core chooses between the two.
+//! Where the plan has a general form besides, that is the kernel `__General`, and a type of the
+//! core chooses between the two.
 
 use kahan_algebra::plan::{Node, Plan, StepPlan};
 use proc_macro2::{Ident, Literal, TokenStream};

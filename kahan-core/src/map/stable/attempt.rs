@@ -11,7 +11,8 @@ use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, Magnitude, Pair, Working, power_of_two, underflow};
 use crate::{KahanMap, Lift, Pivot, PreparedStep, Quotients};
 
-/// A next state, and what the error of any of its components is at most, their own last roundings apart.
+/// A next state, and what the error of any of its components is at most, their own last roundings
+/// apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt<V: Working, const N: usize> {
     pub(super) next: [V; N],
@@ -21,8 +22,9 @@ pub(super) struct Attempt<V: Working, const N: usize> {
 }
 
 impl<V: Working, const N: usize> Attempt<V, N> {
-    /// By the increment form, with the operations and the bits of the fast step, all numbers embedded into V; `None` where a denominator
-    /// may be zero, and where an input is so large that underflow is not allowed for.
+    /// By the increment form, with the operations and the bits of the fast step, all numbers
+    /// embedded into V; `None` where a denominator may be zero, and where an input is so large that
+    /// underflow is not allowed for.
     #[inline(always)]
     pub(super) fn of<T, P, M>(map: &M, x: &SVector<T, N>, eps: &T, embed: impl Fn(&T) -> V) -> Option<Self>
     where
@@ -59,8 +61,8 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment that is a quotient itself is a product with 1. Not by `map`: its closure would be too large for compilers to
-        // inline.
+        // An increment that is a quotient itself is a product with 1. Not by `map`: its closure
+        // would be too large for compilers to inline.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {
@@ -85,7 +87,8 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         }
     }
 
-    /// As N/D, both expanded and without common factors: no increment that could cancel against the state.
+    /// As N/D, both expanded and without common factors: no increment that could cancel against the
+    /// state.
     pub(super) fn by_quotients<M>(map: &M, x: &SVector<Bounded<V>, N>, eps: Bounded<V>) -> Option<Self>
     where
         M: KahanMap<Bounded<V>, N>,
@@ -106,7 +109,8 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         V::Magnitude::of(power_of_two(self.largest_input as i32))
     }
 
-    /// Whether the error, with a rounding to `unit` besides, is less than `limit` times the largest component.
+    /// Whether the error, with a rounding to `unit` besides, is less than `limit` times the largest
+    /// component.
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
@@ -115,7 +119,8 @@ impl<V: Working, const N: usize> Attempt<V, N> {
             || (largest.is_zero() && self.error.is_zero())
     }
 
-    /// The next state in another scalar, if it is finite and still within `limit` times its largest component there.
+    /// The next state in another scalar, if it is finite and still within `limit` times its largest
+    /// component there.
     pub(super) fn rounded<T: Pivot + Copy>(
         mut self,
         limit: f64,
@@ -127,7 +132,8 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         (rounded.iter().all(T::is_finite_number) && self.is_within(limit)).then(|| vector(rounded))
     }
 
-    /// What the error is at most, as a multiple of the largest component; infinite where nothing is known.
+    /// What the error is at most, as a multiple of the largest component; infinite where nothing is
+    /// known.
     pub(super) fn bound(&self) -> f64 {
         let bound: f64 = (self.error / self.largest()).into();
         if bound.is_nan() { f64::INFINITY } else { bound }

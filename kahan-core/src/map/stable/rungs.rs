@@ -1,7 +1,7 @@
 //! From rung to rung: which values the step is computed in, and what is said where none suffices.
 //!
-//! A rung has left the stack when the next one is called: over wide numbers, and without optimisation over any, a step of many
-//! operations needs hundreds of kilobytes.
+//! A rung has left the stack when the next one is called: over wide numbers, and without
+//! optimisation over any, a step of many operations needs hundreds of kilobytes.
 
 use core::array::from_fn;
 use core::cell::Cell;
@@ -19,11 +19,13 @@ use crate::{KahanMap, Lift, PreparedStep, SingularStep};
 use super::attempt::Attempt;
 use super::scalars::{Promised, Widened};
 
-/// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and ‖exact‖∞.
+/// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and
+/// ‖exact‖∞.
 pub(super) const PROMISE: f64 = 63.0;
 
-/// The operations up to which values and their magnitudes are computed one after the other: where a step leaves most of a processor's
-/// units idle, magnitudes cost no time there, and no value waits for being packed with its own.
+/// The operations up to which values and their magnitudes are computed one after the other: where a
+/// step leaves most of a processor's units idle, magnitudes cost no time there, and no value waits
+/// for being packed with its own.
 const SHORT: u32 = 36;
 
 /// The first rung of a scalar that works for itself.
@@ -43,7 +45,8 @@ where
     } else {
         Attempt::of::<T, T::Packed, M>(map, x, eps, T::clone)
     };
-    // Not by `filter`, which moves the attempt through memory, and each step of a chain would wait for that.
+    // Not by `filter`, which moves the attempt through memory, and each step of a chain would wait
+    // for that.
     match attempt {
         Some(attempt) if attempt.is_within(PROMISE * T::UNIT) => Some(vector(attempt.next)),
         _ => None,
@@ -72,9 +75,9 @@ pub(crate) type Rung<M, T, const N: usize> =
 
 /// Calls a higher rung.
 ///
-/// A function that is called reads and writes memory. It is given a copy of the state, and x̃ is copied out of what it wrote, so that the
-/// state of a loop, and x̃ of the first rung, can stay in registers: ordinary steps do not wait for memory on account of a call that they
-/// do not make.
+/// A function that is called reads and writes memory. It is given a copy of the state, and x̃ is
+/// copied out of what it wrote, so that the state of a loop, and x̃ of the first rung, can stay in
+/// registers: ordinary steps do not wait for memory on account of a call that they do not make.
 #[inline(always)]
 pub(crate) fn higher<M, T: Copy, const N: usize>(
     rung: Rung<M, T, N>,
@@ -171,7 +174,8 @@ where
     report(reason, rounded(&determinant), bound)
 }
 
-// What the last rungs call is apart, because it is the same for every scalar that comes here, and for the stack's sake.
+// What the last rungs call is apart, because it is the same for every scalar that comes here, and
+// for the stack's sake.
 
 /// The increment form in [`Wide`].
 #[inline(never)]

@@ -7,8 +7,8 @@ use num_traits::Zero;
 
 use crate::scalar::{Scalar, Size};
 
-/// What bounds on errors are made of: numbers that are not negative, in which a few digits are enough. What is not a number is
-/// neither more nor less than any.
+/// What bounds on errors are made of: numbers that are not negative, in which a few digits are
+/// enough. What is not a number is neither more nor less than any.
 pub(crate) trait Magnitude:
     Copy + Debug + PartialOrd + Zero + Mul<Output = Self> + Div<Output = Self> + Into<f64>
 {
