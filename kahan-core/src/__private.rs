@@ -1,26 +1,31 @@
-//! The only door that generated code goes through: not public, not stable, versioned with the macro.
+//! The only door that generated code goes through: not public, not stable, versioned with the
+//! macro.
 //!
-//! In: what the macro alone knows, a field's formulas. Out: the objects of the traits, by code that is written and
-//! tested once, here. Generated code names nothing by any other path, so that it works in scopes without a prelude
-//! and beside user types called `Option` or `Clone`.
+//! In: what the macro alone knows, a field's formulas. Out: the objects of the traits, by code that
+//! is written and tested once, here. Generated code names nothing by any other path, so that it
+//! works in scopes without a prelude and beside user types called `Option` or `Clone`.
 
 pub use core;
 pub use core::clone::Clone;
-pub use core::option::Option;
+pub use core::ops::Fn;
+pub use core::option::Option::{self, None, Some};
+pub use core::primitive::{f32, f64, str};
+pub use core::result::Result;
 
 pub use kahan_derive;
 pub use nalgebra::{SMatrix, SVector};
 
 pub use crate::field::linear::{components, vector};
 pub use crate::scalar::Dual;
-pub use crate::step::Apart;
+pub use crate::scalar::tuning::fenced;
+pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};
 pub use crate::undeclared::{Integer, IntegerParameters, WithoutDensity, WithoutIntegrals};
 pub use crate::{
     Constant, Elimination, Integrals, KahanMap, Lift, Named, Pivot, PreparedStep, QuadraticField, Quotients,
-    Scalar, SingularStep, StepCost, WideStep,
+    Scalar, SingularStep, StepCost,
 };
 
-use core::array::from_fn;
+use core::cmp::Ordering;
 
 use crate::step::error::pole;
 
@@ -36,27 +41,25 @@ pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
-/// x̃ − x of a step at an ε that does not allow the faster one; no numbers where there is none.
-///
-/// It is called, so that the faster one stays small enough to be inlined, and sees a copy of the state, so that a loop can keep the
-/// state in registers.
-#[cold]
-#[inline(never)]
-pub fn general_increment<S, T, const N: usize>(step: &S, state: SVector<T, N>) -> [T; N]
-where
-    S: PreparedStep<T, N>,
-    T: Scalar,
-{
-    let increment = step.increment(&state).unwrap_or_else(|| vector(from_fn(|_| T::zero() / T::zero())));
-    let [entries] = increment.data.0;
-    entries
+/// Functions with the names of arguments: generated code imports them, so that no constant of the
+/// user's captures a pattern.
+pub mod arguments {
+    pub fn x() {}
+    pub fn y() {}
+    pub fn eps() {}
+    pub fn prepared() {}
+    pub fn lift() {}
 }
 
-/// Whether a step with this ε may divide by it, and what it divides by: ε, or 1 where nobody takes the quotients.
+/// The increments numeratorᵢ · reciprocal, of a step that has a value.
 #[inline(always)]
-pub fn divisor<T: Scalar>(eps: &T) -> (bool, T) {
-    let is_inverse = eps.has_inverse_step();
-    (is_inverse, if is_inverse { eps.clone() } else { T::one() })
+pub fn over<T: Scalar, const N: usize>(numerators: [T; N], reciprocal: T) -> Option<Quotients<T, N>> {
+    Some(Quotients::over(numerators, reciprocal))
+}
+
+/// Whether a step at this ε may be divided by it.
+pub fn may_divide_by<T: Scalar>(eps: &T) -> bool {
+    crate::scalar::tuning::may_divide_by(eps)
 }
 
 /// A matrix from its rows.
@@ -85,20 +88,13 @@ where
     })
 }
 
-/// The step with a promise, as far as the scalar can give one.
-///
-/// # Errors
-/// As [`KahanMap::try_step`].
-#[inline(always)]
-pub fn stable_step<M, T, const N: usize>(
-    map: &M,
-    prepared: &M::Prepared,
-    x: &SVector<T, N>,
-    eps: &T,
-) -> Result<SVector<T, N>, SingularStep>
-where
-    M: Lift<T, N>,
-    T: Pivot,
-{
-    T::stable_step(map, prepared, x, eps)
+/// The antisymmetric matrix with these entries above its diagonal, row by row.
+pub fn antisymmetric<T: Scalar, const N: usize, const ABOVE: usize>(above: [T; ABOVE]) -> SMatrix<T, N, N> {
+    // The entries of the rows before row i, and those before j in it.
+    let place = |i: usize, j: usize| i * (2 * N - i - 1) / 2 + (j - i - 1);
+    SMatrix::from_fn(|i, j| match i.cmp(&j) {
+        Ordering::Less => above[place(i, j)].clone(),
+        Ordering::Equal => T::zero(),
+        Ordering::Greater => -above[place(j, i)].clone(),
+    })
 }

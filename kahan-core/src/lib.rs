@@ -1,4 +1,5 @@
-//! Kahan's method for quadratic differential equations: `kahan!` turns ẋ = f(x) into its birational map x ↦ x̃.
+//! Kahan's method for quadratic differential equations: `kahan!` turns ẋ = f(x) into its birational
+//! map x ↦ x̃.
 //!
 //! A field f(x) = Q(x) + Bx + c, with Q(x,y) the symmetric bilinear form of Q, has the map
 //! (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, which is linear in x̃ and is inverted by ε ↦ −ε.
@@ -51,14 +52,16 @@
 //! | the solution of the equation itself | [`Flow`] |
 //! | what is inside: modes as types, costs, instruction sets | [`Method`], [`Accumulation`], [`PreparedMap`], [`StepCost`], [`Level`] |
 //!
-//! Without default features the crate is `no_std`; float scalars never allocate in any configuration.
+//! Without default features the crate is `no_std`; float scalars never allocate in any
+//! configuration.
 
 #![no_std]
 
 #[cfg(any(test, feature = "std"))]
 extern crate std;
 
-// From the bottom to the top: each of these imports from those above it only, which `tests/layers.rs` sees to.
+// From the bottom to the top: each of these imports from those above it only, which
+// `tests/layers.rs` sees to.
 mod scalar;
 
 mod field;

@@ -1,19 +1,23 @@
-//! `kahan!`, a wrapper that hands `$crate` to the procedural macro, so that a renamed dependency keeps working, and `vector!`, our
-//! own: nalgebra's expands to paths that begin with `nalgebra::`, which a user need not depend on.
+//! `kahan!`, a wrapper that hands `$crate` to the procedural macro, so that a renamed dependency
+//! keeps working, and `vector!`, our own: nalgebra's expands to paths that begin with `nalgebra::`,
+//! which a user need not depend on.
 
 /// Turns a quadratic system of differential equations into its Kahan map.
 ///
 /// [The language](crate::language) is a chapter of its own: grammar, claims, `when`, limits,
 /// examples. In short:
 ///
-/// A block is an optional header, then one equation `NAMEdot = expression;` for each state variable, then claims.
-/// Expressions are polynomials of degree at most 2 in the variables, with the usual precedence: `x^2 - z^2` is
-/// (x²) − (z²), and every number is exact (`1/2` is one half, `0.1` one tenth).
+/// A block is an optional header, then one equation `NAMEdot = expression;` for each state
+/// variable, then claims. Expressions are polynomials of degree at most 2 in the variables, with
+/// the usual precedence: `x^2 - z^2` is (x²) − (z²), and every number is exact (`1/2` is one half,
+/// `0.1` one tenth).
 ///
-/// - With a header, `struct Name;` or `struct Name { a, b }`, the block becomes that struct (`Name<T>` with one
-///   public field for each parameter) and its implementations of [`QuadraticField`](crate::QuadraticField),
-///   [`KahanMap`](crate::KahanMap) and [`Named`](crate::Named).
-/// - Without one, it is an expression: a value of an anonymous type that captures its parameters from the scope.
+/// - With a header, `struct Name;` or `struct Name { a, b }`, the block becomes that struct
+///   (`Name<T>` with one public field for each parameter) and its implementations of
+///   [`QuadraticField`](crate::QuadraticField), [`KahanMap`](crate::KahanMap) and
+///   [`Named`](crate::Named).
+/// - Without one, it is an expression: a value of an anonymous type that captures its parameters
+///   from the scope.
 ///
 /// `integral NAME = expression;` claims a function that the map leaves unchanged, `density` an
 /// invariant measure, `bracket` a Poisson tensor. They are proved while compiling, and a false

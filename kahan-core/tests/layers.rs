@@ -1,13 +1,15 @@
 //! The folders of `src` are layers, each of which needs those before it only.
 //!
-//! Every path that leaves a file is looked at, not only those of `use`: `crate::…` with whatever stands in its braces, and `super::…`
-//! as far as it climbs. A name of the root is taken to the folder that `lib.rs` re-exports it from. Tests may need what they like.
+//! Every path that leaves a file is looked at, not only those of `use`: `crate::…` with whatever
+//! stands in its braces, and `super::…` as far as it climbs. A name of the root is taken to the
+//! folder that `lib.rs` re-exports it from. Tests may need what they like.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// From the bottom to the top. What lies beside the folders are doors, which need all of them and which none of them needs.
+/// From the bottom to the top. What lies beside the folders are doors, which need all of them and
+/// which none of them needs.
 const LAYERS: [&str; 8] = ["scalar", "field", "flow", "step", "map", "composition", "ensemble", "scene"];
 
 fn source() -> PathBuf {
@@ -33,7 +35,8 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The paths that a tree of `use` or an expression begins with, its braces multiplied out as far as two names.
+/// The paths that a tree of `use` or an expression begins with, its braces multiplied out as far as
+/// two names.
 fn paths(tree: &str) -> Vec<Vec<String>> {
     let tree = tree.trim_start();
     let Some(inside) = tree.strip_prefix('{') else {

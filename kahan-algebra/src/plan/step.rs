@@ -134,6 +134,15 @@ impl StepPlan {
         Plan::together([&Plan { operations, outputs }])
     }
 
+    /// Whether values with a name are kept from being packed into vectors.
+    ///
+    /// Of three components one is left over from every pair, and the shuffles cost up to an eighth of a step. Two make one vector;
+    /// for more, what says it would make steps so large that compilers no longer inline them into loops.
+    #[must_use]
+    pub fn fences_values(&self) -> bool {
+        self.reciprocals.len() == 3
+    }
+
     /// Separates the constants from the kernel.
     fn new(builder: &PlanBuilder, field: &Field, numerators: &[Node], reciprocals: &[Option<Node>]) -> Self {
         let mut distinct: Vec<Node> = Vec::new();

@@ -1,8 +1,9 @@
 //! The coefficients: decimals of 40 digits after the point, with their roundings.
 //!
-//! Made from the published 20 to 26 digits by Newton's iteration (least change; two of the sets leave a degree of freedom) on the
-//! order conditions, and rounded. A test checks each set's conditions over ℚ, the sum 1, and every rounding.
-//! In each set γ₁, …, then the middle one, 1 − 2Σ of the others.
+//! Made from the published 20 to 26 digits by Newton's iteration (least change; two of the sets
+//! leave a degree of freedom) on the order conditions, and rounded. A test checks each set's
+//! conditions over ℚ, the sum 1, and every rounding. In each set γ₁, …, then the middle one, 1 − 2Σ
+//! of the others.
 
 use crate::Constant;
 

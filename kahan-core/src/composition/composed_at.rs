@@ -1,6 +1,7 @@
 //! A composition at a fixed ε, and what it has in common with the map at a fixed ε.
 //!
-//! In: a map, a composition and ε, once. Out: steps that take a state only, orbits, and the stages for ensembles.
+//! In: a map, a composition and ε, once. Out: steps that take a state only, orbits, and the stages
+//! for ensembles.
 
 use core::fmt;
 
@@ -77,7 +78,8 @@ where
         self.composition
     }
 
-    /// The state one time step of 2ε later, by all stages in order; not finite where a stage meets a pole.
+    /// The state one time step of 2ε later, by all stages in order; not finite where a stage meets
+    /// a pole.
     #[inline]
     pub fn step(&self, x: &SVector<T, N>) -> SVector<T, N> {
         let mut next = *x;

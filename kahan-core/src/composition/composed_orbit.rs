@@ -11,11 +11,11 @@ where
     T: FloatScalar,
     A: Accumulation,
 {
-    /// The same orbit with each step replaced by a composition of steps with γ₁ε, …, γₛε, which has a higher order. It goes on from
-    /// where this orbit is; every stage is prepared once.
+    /// The same orbit with each step replaced by a composition of steps with γ₁ε, …, γₛε, which has
+    /// a higher order. It goes on from where this orbit is; every stage is prepared once.
     ///
-    /// A step still takes the time 2ε and yields one point. What survives and what does not, and the cost, are said at
-    /// [`Composition`].
+    /// A step still takes the time 2ε and yields one point. What survives and what does not, and
+    /// the cost, are said at [`Composition`].
     ///
     /// ```
     /// use kahan_core::Composition;

@@ -1,9 +1,10 @@
 //! Compositions: one step of higher order made of several steps of Kahan's map.
 //!
-//! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε.
-//! φ_ε is symmetric (its inverse is φ₋ε), so a symmetric composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with Σγ = 1 is symmetric too, has an
-//! even order, and reaches order p where its coefficients satisfy the order conditions. Nothing is adapted while it runs:
-//! the coefficients are data ([`coefficients`]), and tests check both their conditions and the order that is measured.
+//! In: a map and a [`Composition`]. Out: stages, each a prepared step at its own ε. φ_ε is
+//! symmetric (its inverse is φ₋ε), so a symmetric composition φ_{γ₁ε} ∘ … ∘ φ_{γₛε} with Σγ = 1 is
+//! symmetric too, has an even order, and reaches order p where its coefficients satisfy the order
+//! conditions. Nothing is adapted while it runs: the coefficients are data ([`coefficients`]), and
+//! tests check both their conditions and the order that is measured.
 
 mod coefficients;
 mod composed_at;
@@ -18,27 +19,28 @@ pub use composed_at::{ComposedAt, PreparedMap};
 pub use stages::Composed;
 use stages::Palindrome;
 
-/// A symmetric composition of Kahan's map with coefficients γ₁, …, γₛ, γᵢ = γₛ₊₁₋ᵢ: the step with ε is made of the steps with
-/// γ₁ε, …, γₛε, in this order.
+/// A symmetric composition of Kahan's map with coefficients γ₁, …, γₛ, γᵢ = γₛ₊₁₋ᵢ: the step with ε
+/// is made of the steps with γ₁ε, …, γₛε, in this order.
 ///
 /// The constants below are all compositions there are; their coefficients have 40 digits.
 ///
 /// # What survives
 /// - **Reversibility**: the inverse is the composition with −ε.
 /// - **Affine equivariance** and **linear integrals**: as of Kahan's map.
-/// - **Integrals and invariant measures that do not depend on ε**: y/x of E1 and E3; and the ratio H/K of two
-///   integrals whose dependence on ε cancels (E2, E4, E5, E6, the Euler top).
+/// - **Integrals and invariant measures that do not depend on ε**: y/x of E1 and E3; and the ratio
+///   H/K of two integrals whose dependence on ε cancels (E2, E4, E5, E6, the Euler top).
 ///
 /// # What does not
-/// - **Integrals and measures that depend on ε**: each stage conserves its own, at γᵢε, and the composition none of them. H and K of
-///   E2, E4, E5, E6 and the Euler top each oscillate by O(εᵖ) about the flow's integral, without a drift.
+/// - **Integrals and measures that depend on ε**: each stage conserves its own, at γᵢε, and the
+///   composition none of them. H and K of E2, E4, E5, E6 and the Euler top each oscillate by O(εᵖ)
+///   about the flow's integral, without a drift.
 /// - **Exactness**: the coefficients are irrational, so a composition exists over floats only.
 /// - **An ε of few bits** ([`nearest_short_eps`](crate::nearest_short_eps)): γᵢε is rounded.
 ///
 /// # Cost
-/// s steps each; the (s + 1)/2 different ones are prepared once. Σ|γᵢ| says how much further than 2ε the stages go
-/// together: the smaller, the less an order costs in accuracy. Some γᵢ are negative, so a composition also steps back, and may meet
-/// a pole where the plain step does not.
+/// s steps each; the (s + 1)/2 different ones are prepared once. Σ|γᵢ| says how much further than
+/// 2ε the stages go together: the smaller, the less an order costs in accuracy. Some γᵢ are
+/// negative, so a composition also steps back, and may meet a pole where the plain step does not.
 ///
 /// | constant | order | stages | Σ\|γ\| |
 /// |---|---|---|---|
@@ -63,8 +65,9 @@ impl Composition {
 
     /// Order 4 with 3 stages, the fewest; γ₁ = 1/(2 − 2^{1/3}), Σ|γ| = 4.40.
     ///
-    /// For reference: [`SUZUKI_4`](Self::SUZUKI_4) is more accurate for its cost. M. Creutz, A. Gocksch, Phys. Rev. Lett. 63 (1989)
-    /// 9; E. Forest, R. D. Ruth, Physica D 43 (1990) 105; H. Yoshida, Phys. Lett. A 150 (1990) 262.
+    /// For reference: [`SUZUKI_4`](Self::SUZUKI_4) is more accurate for its cost. M. Creutz, A.
+    /// Gocksch, Phys. Rev. Lett. 63 (1989) 9; E. Forest, R. D. Ruth, Physica D 43 (1990) 105; H.
+    /// Yoshida, Phys. Lett. A 150 (1990) 262.
     pub const TRIPLE_JUMP: Self = Self::new("TRIPLE_JUMP", 4, &coefficients::TRIPLE_JUMP);
 
     /// Order 4 with 5 stages, γ₁ = γ₂ = 1/(4 − 4^{1/3}), Σ|γ| = 2.32: the choice at order 4.
@@ -79,8 +82,9 @@ impl Composition {
 
     /// Order 8 with 15 stages, the fewest, Σ|γ| = 6.53.
     ///
-    /// For reference: [`KAHAN_LI_8`](Self::KAHAN_LI_8) is more accurate for its cost. M. Suzuki, K. Umeno, in Computer Simulation
-    /// Studies in Condensed-Matter Physics VI (1993) 74; R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
+    /// For reference: [`KAHAN_LI_8`](Self::KAHAN_LI_8) is more accurate for its cost. M. Suzuki, K.
+    /// Umeno, in Computer Simulation Studies in Condensed-Matter Physics VI (1993) 74; R. I.
+    /// McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
     pub const SUZUKI_UMENO_8: Self = Self::new("SUZUKI_UMENO_8", 8, &coefficients::SUZUKI_UMENO_8);
 
     /// Order 8 with 17 stages, Σ|γ| = 5.35, known as s17odr8a: the choice at order 8.
@@ -104,7 +108,8 @@ impl Composition {
     }
 
     /// The composition to take at this order: [`KAHAN`](Self::KAHAN), [`SUZUKI_4`](Self::SUZUKI_4),
-    /// [`KAHAN_LI_6`](Self::KAHAN_LI_6) or [`KAHAN_LI_8`](Self::KAHAN_LI_8); `None` for any other order.
+    /// [`KAHAN_LI_6`](Self::KAHAN_LI_6) or [`KAHAN_LI_8`](Self::KAHAN_LI_8); `None` for any other
+    /// order.
     pub const fn of_order(order: u32) -> Option<Self> {
         match order {
             2 => Some(Self::KAHAN),

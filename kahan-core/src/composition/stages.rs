@@ -44,7 +44,8 @@ impl<P> Palindrome<P> {
     /// The most steps that differ.
     pub const MOST: usize = MOST;
 
-    /// The palindrome of 2·`len` − 1 steps whose k-th is `step(k)`, `len` from 1 to [`MOST`](Self::MOST).
+    /// The palindrome of 2·`len` − 1 steps whose k-th is `step(k)`, `len` from 1 to
+    /// [`MOST`](Self::MOST).
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }

@@ -1,8 +1,8 @@
 //! Advancing an ensemble: in one pass, with visits, over threads.
 //!
-//! In: a prepared map, plain or composed, and a number of steps. Out: every point that many steps later.
-//! However the columns are divided, each trajectory goes through the same operations, so its bits depend neither on
-//! its place nor on the threads.
+//! In: a prepared map, plain or composed, and a number of steps. Out: every point that many steps
+//! later. However the columns are divided, each trajectory goes through the same operations, so its
+//! bits depend neither on its place nor on the threads.
 
 use crate::step::error::pole;
 use crate::{Method, PreparedMap, Scalar, WideStep};
@@ -25,16 +25,20 @@ impl<M, T: Scalar, const N: usize> Advances<T, N> for M where M: PreparedMap<T, 
 {}
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map` (half the time step).
+    /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map`
+    /// (half the time step).
     ///
-    /// `map` is a [`KahanAt`](crate::KahanAt), or a [`ComposedAt`](crate::ComposedAt) for a higher order.
+    /// `map` is a [`KahanAt`](crate::KahanAt), or a [`ComposedAt`](crate::ComposedAt) for a higher
+    /// order.
     ///
-    /// It allocates nothing. With the feature `parallel`, large ensembles run on rayon's current pool of threads,
-    /// small ones on the calling thread; the results are the same bits. Where a trajectory meets a pole its
-    /// floats are not finite from then on; beyond the range they may be wrong, as those of a step. Others never notice.
+    /// It allocates nothing. With the feature `parallel`, large ensembles run on rayon's current
+    /// pool of threads, small ones on the calling thread; the results are the same bits. Where a
+    /// trajectory meets a pole its floats are not finite from then on; beyond the range they may be
+    /// wrong, as those of a step. Others never notice.
     ///
     /// # Panics
-    /// At a pole, for scalars that have no reciprocal of zero; some points are then further than others.
+    /// At a pole, for scalars that have no reciprocal of zero; some points are then further than
+    /// others.
     ///
     /// ```
     /// use kahan_core::Ensemble;
@@ -65,8 +69,9 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
         }
     }
 
-    /// As [`advance`](Self::advance), showing the ensemble to `visit` after `every` steps, after 2·`every` and so on,
-    /// with the number of steps done. The steps that are left, fewer than `every`, run without a visit.
+    /// As [`advance`](Self::advance), showing the ensemble to `visit` after `every` steps, after
+    /// 2·`every` and so on, with the number of steps done. The steps that are left, fewer than
+    /// `every`, run without a visit.
     ///
     /// # Panics
     /// If `every` is 0, and as [`advance`](Self::advance).

@@ -1,7 +1,9 @@
-//! Where an ensemble's numbers lie: one column a variable, in whole groups that begin with cache lines.
+//! Where an ensemble's numbers lie: one column a variable, in whole groups that begin with cache
+//! lines.
 //!
-//! In: points, one after another. Out: columns that every register width divides, so that no loop has a tail: the
-//! last group is filled up with copies of the last point, which nothing outside sees.
+//! In: points, one after another. Out: columns that every register width divides, so that no loop
+//! has a tail: the last group is filled up with copies of the last point, which nothing outside
+//! sees.
 
 use core::array::from_fn;
 use std::vec::Vec;
@@ -12,13 +14,13 @@ pub(crate) const GROUP: usize = 16;
 /// Consecutive entries of one column.
 pub(crate) type Group<T> = [T; GROUP];
 
-/// Bytes of a cache line. Registers that cross from one to the next cost up to a fifth of the speed.
+/// Bytes of a cache line. A register that crosses from one to the next is loaded twice.
 const LINE: usize = 64;
 
 /// N columns of equal length in one allocation.
 ///
-/// A column takes an odd number of groups. Equal places of different columns then never lie a multiple of 4096 bytes
-/// apart, where caches would make them compete for the same few places.
+/// A column takes an odd number of groups. Equal places of different columns then never lie a
+/// multiple of 4096 bytes apart, where caches would make them compete for the same few places.
 pub(crate) struct Columns<T, const N: usize> {
     /// Something to skip, then the columns.
     entries: Vec<T>,
@@ -28,7 +30,8 @@ pub(crate) struct Columns<T, const N: usize> {
 }
 
 impl<T: Copy, const N: usize> Columns<T, N> {
-    /// `len` points; `entry(i, c)` is the entry of point `i` in column `c`, asked for column after column.
+    /// `len` points; `entry(i, c)` is the entry of point `i` in column `c`, asked for column after
+    /// column.
     pub(crate) fn new(len: usize, entry: impl Fn(usize, usize) -> T) -> Self {
         if len == 0 || N == 0 {
             return Self { entries: Vec::new(), start: 0, len };

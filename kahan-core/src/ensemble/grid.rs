@@ -21,8 +21,8 @@ pub struct Axis<T> {
 }
 
 impl<T: Scalar + Copy> Axis<T> {
-    /// Value `k` of m + 1: (start·(m − k) + end·k)/m, so that the first and the last are as given and decimal
-    /// fractions of integers are rounded once.
+    /// Value `k` of m + 1: (start·(m − k) + end·k)/m, so that the first and the last are as given
+    /// and decimal fractions of integers are rounded once.
     fn value(&self, k: usize) -> T {
         let last = self.count - 1;
         match k {
@@ -34,15 +34,16 @@ impl<T: Scalar + Copy> Axis<T> {
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
-    /// All points whose entry i is a value of axis i, the last variable running fastest, as in nested loops with the
-    /// first variable outermost. Without an axis that has a value it is empty.
+    /// All points whose entry i is a value of axis i, the last variable running fastest, as in
+    /// nested loops with the first variable outermost. Without an axis that has a value it is
+    /// empty.
     ///
-    /// Value k of an axis of m + 1 is (start·(m − k) + end·k)/m; the first is `start` itself and, where m > 0, the last
-    /// `end` itself.
+    /// Value k of an axis of m + 1 is (start·(m − k) + end·k)/m; the first is `start` itself and,
+    /// where m > 0, the last `end` itself.
     ///
     /// # Panics
-    /// If the number of points does not fit a `usize`; a number that fits and is more than memory can hold aborts, as any
-    /// allocation does.
+    /// If the number of points does not fit a `usize`; a number that fits and is more than memory
+    /// can hold aborts, as any allocation does.
     ///
     /// ```
     /// use kahan_core::{Axis, Ensemble, vector};

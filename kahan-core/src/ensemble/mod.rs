@@ -1,9 +1,10 @@
 //! Many trajectories of one map at once.
 //!
-//! In: initial points. Out: the points some steps later, at the limit of the machine: one column a variable, tiles that
-//! stay in the nearest cache, registers of several trajectories, chosen at run time, threads with `parallel`.
-//! What a step is lies elsewhere: an ensemble runs the prepared step of a map, the same code over other scalars.
-//! A pole is not looked for; it shows as numbers that are not finite.
+//! In: initial points. Out: the points some steps later, at the limit of the machine: one column a
+//! variable, tiles that stay in the nearest cache, registers of several trajectories, chosen at run
+//! time, threads with `parallel`. What a step is lies elsewhere: an ensemble runs the prepared step
+//! of a map, the same code over other scalars. A pole is not looked for; it shows as numbers that
+//! are not finite.
 
 mod advance;
 mod columns;
@@ -29,15 +30,16 @@ pub use scalar::EnsembleScalar;
 
 /// Points of an N-dimensional state, advanced together by one map.
 ///
-/// One column a variable; the points keep their order. Made by [`new`](Self::new) or [`grid`](Self::grid), moved by
-/// [`advance`](Self::advance).
+/// One column a variable; the points keep their order. Made by [`new`](Self::new) or
+/// [`grid`](Self::grid), moved by [`advance`](Self::advance).
 ///
 /// # The same bits every time
-/// A trajectory's bits depend on its initial point, the map, ε and the [`Level`] alone: not on the run, its place, the
-/// number of points, or the number of threads. Levels differ from each other and from
-/// [`KahanAt::step`](crate::KahanAt::step) where one of them fuses multiply-adds and the other does not:
-/// [`Level::Avx2`] and [`Level::Avx512`] always do, [`Level::Baseline`] and `step` where the program is compiled for
-/// it. An ensemble runs on the largest level of the processor; [`at_level`](Self::at_level) pins another one.
+/// A trajectory's bits depend on its initial point, the map, ε and the [`Level`] alone: not on the
+/// run, its place, the number of points, or the number of threads. Levels differ from each other
+/// and from [`KahanAt::step`](crate::KahanAt::step) where one of them fuses multiply-adds and the
+/// other does not: [`Level::Avx2`] and [`Level::Avx512`] always do, [`Level::Baseline`] and `step`
+/// where the program is compiled for it. An ensemble runs on the largest level of the processor;
+/// [`at_level`](Self::at_level) pins another one.
 ///
 /// # Cost
 /// N numbers of memory a point. The processor works on many trajectories side by side, so that none
@@ -70,7 +72,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
         self.instructions.level
     }
 
-    /// The same ensemble with another way of computing reciprocals, which changes bits on [`Level::Avx512`] only.
+    /// The same ensemble with another way of computing reciprocals, which changes bits on
+    /// [`Level::Avx512`] only.
     pub fn with_reciprocal(mut self, reciprocal: Reciprocal) -> Self {
         self.instructions.reciprocal = reciprocal;
         self

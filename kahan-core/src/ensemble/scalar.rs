@@ -1,6 +1,7 @@
 //! Which scalars ensembles are made of, and how each is swept.
 //!
-//! In: the prepared stages of a step and columns. Out: the columns some steps later, by the widest registers that the scalar has.
+//! In: the prepared stages of a step and columns. Out: the columns some steps later, by the widest
+//! registers that the scalar has.
 
 use crate::{Method, Scalar, WideStep};
 
@@ -10,15 +11,16 @@ use super::sweep::sweep;
 
 /// A scalar of an [`Ensemble`](crate::Ensemble).
 ///
-/// `f32` and `f64` fill the lanes of registers. Any other scalar that is `Copy` becomes one by an empty
-/// implementation, `impl EnsembleScalar for S {}`, and is stepped one trajectory at a time.
+/// `f32` and `f64` fill the lanes of registers. Any other scalar that is `Copy` becomes one by an
+/// empty implementation, `impl EnsembleScalar for S {}`, and is stepped one trajectory at a time.
 #[diagnostic::on_unimplemented(
     message = "an ensemble of `{Self}` cannot be advanced",
     label = "not an `EnsembleScalar`; for a number, write `1.0`, not `1`",
     note = "`f32` and `f64` are, and every scalar that is `Copy` becomes one by `impl EnsembleScalar for … {{}}`"
 )]
 pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
-    /// Advances columns of equal length; `None` at a pole of a scalar that has no reciprocal of zero.
+    /// Advances columns of equal length; `None` at a pole of a scalar that has no reciprocal of
+    /// zero.
     #[doc(hidden)]
     fn sweep<K, S, const N: usize>(
         stages: &K::Stages<S>,

@@ -1,9 +1,9 @@
 //! The loop that all ensembles run: tiles, steps, groups.
 //!
-//! In: columns and a step over one kind of register. Out: the columns some steps later.
-//! A tile stays in the nearest cache while all of its steps run. Each stage of a step is one pass over the tile: its groups do
-//! not depend on each other, so the processor itself overlaps their long chains of operations. Registers hold no more
-//! than one group; holding several gains nothing measurable.
+//! In: columns and a step over one kind of register. Out: the columns some steps later. A tile
+//! stays in the nearest cache while all of its steps run. Each stage of a step is one pass over the
+//! tile: its groups do not depend on each other, so the processor itself overlaps their long chains
+//! of operations. Registers hold no more than one group; holding several gains nothing measurable.
 
 use core::array::from_fn;
 
@@ -39,8 +39,8 @@ impl<T: Scalar + Copy> Register<T> for T {
     }
 }
 
-/// Advances every column by `steps`, each of them all `stages` in order; `None` at a pole of a scalar that has no reciprocal of zero, with some
-/// trajectories advanced and others not.
+/// Advances every column by `steps`, each of them all `stages` in order; `None` at a pole of a
+/// scalar that has no reciprocal of zero, with some trajectories advanced and others not.
 ///
 /// Inlined into its caller, whose instructions it then is compiled with.
 #[inline(always)]
@@ -78,8 +78,8 @@ where
     Some(())
 }
 
-/// The length of a tile: at most 512 trajectories and 16 KiB, half of the smallest nearest cache in use, but at
-/// least one group.
+/// The length of a tile: at most 512 trajectories and 16 KiB, half of the smallest nearest cache in
+/// use, but at least one group.
 pub(crate) const fn groups_per_tile<T, const N: usize>() -> usize {
     const TRAJECTORIES: usize = 512;
     const BYTES: usize = 16 << 10;

@@ -1,9 +1,10 @@
 //! Linear algebra on small matrices over any scalar.
 //!
-//! In: matrices whose size is part of the type, by value. Out: solutions, determinants, products with the adjugate.
-//! [`solve`] and [`determinant`] eliminate with partial pivoting; [`determinant_and_adjugate_product`] uses ring
-//! operations only, so it has no poles. Nothing allocates beyond what the scalar's own operations do, and nothing
-//! but [`Scalar`] is asked of the entries: no order, no square root.
+//! In: matrices whose size is part of the type, by value. Out: solutions, determinants, products
+//! with the adjugate. [`solve`] and [`determinant`] eliminate with partial pivoting;
+//! [`determinant_and_adjugate_product`] uses ring operations only, so it has no poles. Nothing
+//! allocates beyond what the scalar's own operations do, and nothing but [`Scalar`] is asked of the
+//! entries: no order, no square root.
 
 use core::array::from_fn;
 
@@ -47,7 +48,8 @@ pub(crate) fn solve<T: Scalar, const N: usize, const M: usize>(
 pub(crate) fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
     let mut determinant = T::one();
     for k in 0..N {
-        // All entries, not the pivot alone: beside an entry that is not a number, a zero pivot proves nothing.
+        // All entries, not the pivot alone: beside an entry that is not a number, a zero pivot
+        // proves nothing.
         if (k..N).all(|i| a[(i, k)].is_zero()) {
             return T::zero();
         }
@@ -74,8 +76,9 @@ pub(crate) fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) ->
 ///
 ///   det A = χ(1),   adj(A)·b = Σ v_k (k < N),   v₀ = b,   v_k = C·v_{k−1} + c_k·b,
 ///
-/// the second by the theorem of Cayley and Hamilton. For Kahan's A = I − εf′ the terms have the size of εᵏ, so
-/// starting from C rather than A avoids the cancellation of binomials. O(N⁴) operations.
+/// the second by the theorem of Cayley and Hamilton. For Kahan's A = I − εf′ the terms have the
+/// size of εᵏ, so starting from C rather than A avoids the cancellation of binomials. O(N⁴)
+/// operations.
 pub(crate) fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
     a: &SMatrix<T, N, N>,
     b: &SVector<T, N>,
@@ -106,13 +109,15 @@ pub(crate) fn determinant_and_adjugate_product<T: Scalar, const N: usize>(
 
 /// c₁ … c_N of det(λI − C) = λᴺ + c₁λᴺ⁻¹ + … + c_N, by the algorithm of Samuelson and Berkowitz.
 ///
-/// The leading block of size m+1 is [[C_m, s], [r, d]]; its coefficients are those of C_m multiplied by the Toeplitz
-/// matrix of 1, −d, −r·s, −r·C_m·s, −r·C_m²·s, … (S. J. Berkowitz, Inf. Process. Lett. 18 (1984) 147–150).
+/// The leading block of size m+1 is [[C_m, s], [r, d]]; its coefficients are those of C_m
+/// multiplied by the Toeplitz matrix of 1, −d, −r·s, −r·C_m·s, −r·C_m²·s, … (S. J. Berkowitz, Inf.
+/// Process. Lett. 18 (1984) 147–150).
 fn characteristic_coefficients<T: Scalar, const N: usize>(c: &SMatrix<T, N, N>) -> [T; N] {
     let mut coefficients: [T; N] = from_fn(|_| T::zero());
     for m in 0..N {
         let toeplitz = toeplitz_column(c, m);
-        // new_k = t_k + old_k + Σ t_{k−j}·old_j (1 ≤ j < k); entry k of each array is the one of index k+1.
+        // new_k = t_k + old_k + Σ t_{k−j}·old_j (1 ≤ j < k); entry k of each array is the one of
+        // index k+1.
         let old = coefficients;
         coefficients = from_fn(|k| {
             if k > m {

@@ -1,7 +1,8 @@
 //! What a generated system knows of its own text: names, and the integrals it was proved to have.
 //!
-//! In: a map. Out: names in the order of the vectors' entries, and the integrals' values.
-//! Generic code goes through these traits; code that has the type at hand uses its constants and inherent methods.
+//! In: a map. Out: names in the order of the vectors' entries, and the integrals' values. Generic
+//! code goes through these traits; code that has the type at hand uses its constants and inherent
+//! methods.
 
 use nalgebra::SVector;
 
@@ -12,11 +13,14 @@ pub trait Named {
     /// The state variables, in the order of a state's entries.
     fn variables(&self) -> &'static [&'static str];
 
-    /// The parameters, in the order they were declared; empty if there are none.
-    fn parameters(&self) -> &'static [&'static str];
+    /// The parameters, in the order they were declared; here, none.
+    fn parameters(&self) -> &'static [&'static str] {
+        &[]
+    }
 }
 
-/// A map on Tᴺ with M declared integrals: functions of the state (and of ε) that a step leaves unchanged.
+/// A map on Tᴺ with M declared integrals: functions of the state (and of ε) that a step leaves
+/// unchanged.
 pub trait Integrals<T: Scalar, const N: usize, const M: usize> {
     /// The integrals' names, in the order of the values.
     fn integral_names(&self) -> &'static [&'static str];

@@ -1,7 +1,7 @@
 //! A map at a fixed ε.
 //!
-//! In: a map and ε, once. Out: steps that take a state only.
-//! It owns map, ε and what depends on nothing else, borrows nothing, allocates nothing and holds no `dyn`.
+//! In: a map and ε, once. Out: steps that take a state only. It owns map, ε and what depends on
+//! nothing else, borrows nothing, allocates nothing and holds no `dyn`.
 
 use core::fmt;
 

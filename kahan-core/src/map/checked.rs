@@ -1,8 +1,10 @@
-//! The step that looks at its result: what maps written by hand and exact scalars have for a stable tier.
+//! The step that looks at its result: what maps written by hand and exact scalars have for a stable
+//! tier.
 //!
-//! In: a point, ε, and the fast step's increment. Out: a finite x̃, or the reason why there is none.
-//! First the fast step; if that left the scalar's range, elimination with partial pivoting, whose intermediate
-//! numbers stay near the size of its input. Neither comes with a bound on the error.
+//! In: a point, ε, and the fast step's increment. Out: a finite x̃, or the reason why there is
+//! none. First the fast step; if that left the scalar's range, elimination with partial pivoting,
+//! whose intermediate numbers stay near the size of its input. Neither comes with a bound on the
+//! error.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -40,9 +42,9 @@ where
 
 /// Whether a finite increment conceals an overflow, which it can because 1/∞ is 0.
 ///
-/// A denominator that overflows makes its components' increments 0; with an inner one, all of them or, where the matrix
-/// is too large to eliminate, the one whose pivot overflowed. (Every other overflow leaves ∞ or no number.) Where f(x)
-/// is 0, an increment of 0 conceals nothing.
+/// A denominator that overflows makes its components' increments 0; with an inner one, all of them
+/// or, where the matrix is too large to eliminate, the one whose pivot overflowed. (Every other
+/// overflow leaves ∞ or no number.) Where f(x) is 0, an increment of 0 conceals nothing.
 fn hides_an_overflow<M, T, const N: usize>(
     map: &M,
     quotients: &Quotients<T, N>,
@@ -66,7 +68,8 @@ fn advance<T: Scalar, const N: usize>(x: &SVector<T, N>, increment: &SVector<T, 
     SVector::from_fn(|i, _| x[i].clone() + increment[i].clone())
 }
 
-/// Whether no pivot of A(x,ε) can overflow: partial pivoting makes entries grow at most by the factor 2ᴺ⁻¹.
+/// Whether no pivot of A(x,ε) can overflow: partial pivoting makes entries grow at most by the
+/// factor 2ᴺ⁻¹.
 fn can_eliminate<T: Pivot, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
     matrix.iter().all(|entry| {
         let grown = (1..N).fold(entry.clone(), |size, _| size.clone() + size);

@@ -1,20 +1,19 @@
 //! The step of a map that has no closed form.
 //!
-//! In: a map and ε. Out: increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), by elimination with partial pivoting at every state.
-//! It suits every field, written by hand or too large to be reduced while compiling. Where det A(x,ε) = 0 it has no
-//! value, although the reduced map may have one.
-
-use core::array::from_fn;
+//! In: a map and ε. Out: increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), by elimination with partial pivoting
+//! at every state. It suits every field, written by hand or too large to be reduced while
+//! compiling. Where det A(x,ε) = 0 it has no value, although the reduced map may have one.
 
 use nalgebra::SVector;
 
 use crate::field::linear::increment_by_elimination;
 use crate::{KahanMap, PreparedStep, Quotients, Scalar, WideStep};
 
-/// The prepared step of any map M: it holds the map and ε, half the time step, and eliminates at every state.
+/// The prepared step of any map M: it holds the map and ε, half the time step, and eliminates at
+/// every state.
 ///
-/// Cost: A(x,ε), f(x), and about N³/3 multiplications and N divisions a step. A map that is written by hand is a
-/// [`KahanMap`] with two lines:
+/// Cost: A(x,ε), f(x), and about N³/3 multiplications and N divisions a step. A map that is written
+/// by hand is a [`KahanMap`] with two lines:
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -73,8 +72,8 @@ where
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let Self { map, eps } = self;
         let increment = increment_by_elimination(map.matrix(x, eps.clone()), map.field(x), eps)?;
-        let [numerators] = increment.data.0;
-        Some(Quotients { numerators, reciprocals: from_fn(|_| None) })
+        let [increments] = increment.data.0;
+        Some(Quotients::whole(increments))
     }
 }
 

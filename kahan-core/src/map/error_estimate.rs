@@ -1,7 +1,8 @@
 //! How far a step, and an orbit, are from the flow.
 //!
-//! In: points of an orbit. Out: the leading term of what the time discretisation did to them, without a reference solution.
-//! Rounding is not in it, nor are terms of higher order: this is an estimate, not a bound.
+//! In: points of an orbit. Out: the leading term of what the time discretisation did to them,
+//! without a reference solution. Rounding is not in it, nor are terms of higher order: this is an
+//! estimate, not a bound.
 
 use core::array::from_fn;
 
@@ -16,10 +17,12 @@ where
     M: KahanMap<T, N>,
     T: Scalar,
 {
-    /// The leading term of x̃ − (the flow from x, for the time h = 2ε), which is h³[f′f′f/12 − f″(f,f)/6] + O(h⁴).
+    /// The leading term of x̃ − (the flow from x, for the time h = 2ε), which is h³[f′f′f/12 −
+    /// f″(f,f)/6] + O(h⁴).
     ///
-    /// With f″(f,f) = 2Q(f,f) it is (2ε³/3)·[f′f′f − 4Q(f,f)], all at x: no linear system is solved and nothing has a pole.
-    /// Subtracting it from x̃ raises the order to 3 and gives up the structure of the map.
+    /// With f″(f,f) = 2Q(f,f) it is (2ε³/3)·[f′f′f − 4Q(f,f)], all at x: no linear system is solved
+    /// and nothing has a pole. Subtracting it from x̃ raises the order to 3 and gives up the
+    /// structure of the map.
     ///
     /// Cost: f, f′ and Q once, and two products with f′.
     ///
@@ -79,7 +82,8 @@ pub struct Estimated<T, const N: usize> {
 type Tangent<M, T, const N: usize> =
     <<M as Lift<T, N>>::Lifted<Dual<T, 1>> as KahanMap<Dual<T, 1>, N>>::Prepared;
 
-/// An orbit with an estimate of its error beside each point; made by [`Orbit::with_error_estimate`].
+/// An orbit with an estimate of its error beside each point; made by
+/// [`Orbit::with_error_estimate`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct ErrorEstimates<M, T, const N: usize, A>
@@ -102,11 +106,13 @@ where
     T: Scalar,
     A: Accumulation,
 {
-    /// The orbit with an estimate of each point's error against the flow through the next point to be yielded, where the error is 0.
+    /// The orbit with an estimate of each point's error against the flow through the next point to
+    /// be yielded, where the error is 0.
     ///
-    /// With d the [local error](KahanAt::local_error) and φ′ the map's Jacobian, eₙ₊₁ = φ′(xₙ)·(eₙ + ½d(xₙ)) + ½d(xₙ₊₁): every local
-    /// error is carried along by the linearised map, as errors are, half of it counted at either end of its step. The estimate is
-    /// off by O(ε⁴) at a fixed time, the error being of order ε², as long as the error stays small beside the scale on
+    /// With d the [local error](KahanAt::local_error) and φ′ the map's Jacobian, eₙ₊₁ = φ′(xₙ)·(eₙ
+    /// + ½d(xₙ)) + ½d(xₙ₊₁): every local error is carried along by the linearised map, as errors
+    /// are, half of it counted at either end of its step. The estimate is off by O(ε⁴) at a fixed
+    /// time, the error being of order ε², as long as the error stays small beside the scale on
     /// which φ′ changes. Rounding is not in it.
     ///
     /// Cost: about four steps a step: one over dual numbers, and f, f′ and Q.

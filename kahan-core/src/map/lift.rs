@@ -1,7 +1,8 @@
 //! The same system over another scalar.
 //!
-//! In: a system whose parameters are numbers of one scalar, and a way to put each of them into another. Out: the system over
-//! that one. This is how a step is repeated in a wider precision, in dual numbers, or with an error bound beside each value.
+//! In: a system whose parameters are numbers of one scalar, and a way to put each of them into
+//! another. Out: the system over that one. This is how a step is repeated in a wider precision, in
+//! dual numbers, or with an error bound beside each value.
 
 use crate::{KahanMap, Scalar};
 
@@ -26,7 +27,7 @@ pub trait Lift<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// The system over the scalar U.
     type Lifted<U: Scalar>: Lift<U, N>;
 
-    /// The system with each parameter put into U by `lift`. Parameters only: what is written in the field are exact numbers,
-    /// which every scalar rounds for itself.
+    /// The system with each parameter put into U by `lift`. Parameters only: what is written in the
+    /// field are exact numbers, which every scalar rounds for itself.
     fn lift<U: Scalar>(&self, lift: impl Fn(&T) -> U) -> Self::Lifted<U>;
 }

@@ -1,10 +1,11 @@
 //! Kahan's map of a quadratic field, and everything that follows from it.
 //!
-//! In: a state x and ε, half the time step. Out: x̃, the matrix A and right-hand side b of the linear system A·x̃ = b,
-//! Jacobians, determinants, orbits.
-//! Every step goes through a prepared one, which knows ε and the parameters: that is what the macro writes, or what
-//! elimination does for any field. All else has defaults, correct for every field; the macro overrides those for which
-//! it knows a closed form. What a prepared map or an orbit holds between steps lives in modules of their own.
+//! In: a state x and ε, half the time step. Out: x̃, the matrix A and right-hand side b of the
+//! linear system A·x̃ = b, Jacobians, determinants, orbits. Every step goes through a prepared one,
+//! which knows ε and the parameters: that is what the macro writes, or what elimination does for
+//! any field. All else has defaults, correct for every field; the macro overrides those for which
+//! it knows a closed form. What a prepared map or an orbit holds between steps lives in modules of
+//! their own.
 
 mod at;
 mod checked;
@@ -44,14 +45,16 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// In every method `eps` is ε, **half the time step**. The inverse of the map is the map with −ε.
 ///
 /// # Poles
-/// The map is the *reduced* rational map: numerators and denominators without common factors. A pole is a point where
-/// that has no value; there a float result is not finite, and an exact scalar panics, except in
-/// [`try_step`](Self::try_step), which says so, and in an [`Orbit`], which ends. Where det A(x,ε) = 0 but the
-/// reduced map has a value, the steps and the Jacobian are that value's. For fields too large to be reduced while
-/// compiling every point with det A = 0 is a pole.
+/// The map is the *reduced* rational map: numerators and denominators without common factors. A
+/// pole is a point where that has no value; there a float result is not finite, and an exact scalar
+/// panics, except in [`try_step`](Self::try_step), which says so, and in an [`Orbit`], which ends.
+/// Where det A(x,ε) = 0 but the reduced map has a value, the steps and the Jacobian are that
+/// value's. For fields too large to be reduced while compiling every point with det A = 0 is a
+/// pole.
 ///
 /// # Range
-/// A float step whose denominator overflows may silently be wrong; `try_step` knows, the other methods do not.
+/// A float step whose denominator overflows may silently be wrong; `try_step` knows, the other
+/// methods do not.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -72,10 +75,12 @@ pub fn eps_from_dt<T: Scalar>(dt: T) -> T {
 /// assert!((next - x - increment).norm() < 1e-15);
 /// ```
 pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
-    /// The step of this map at a known ε, with all that depends on ε and the parameters alone computed.
+    /// The step of this map at a known ε, with all that depends on ε and the parameters alone
+    /// computed.
     ///
     /// The macro writes a type of its own here. A map that is written by hand takes
-    /// [`Elimination<Self, T>`](crate::Elimination), which suits every field, or a [`PreparedStep`] of its own.
+    /// [`Elimination<Self, T>`](crate::Elimination), which suits every field, or a [`PreparedStep`]
+    /// of its own.
     type Prepared: PreparedStep<T, N>;
 
     /// Prepares the step at ε: what an orbit or [`at`](Self::at) computes once.
@@ -124,7 +129,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
 
     /// x̃ with a promise, or why there is none.
     ///
-    /// The stable tier. For the maps that [`kahan!`](crate::kahan) writes, `Ok` holds finite numbers with
+    /// The stable tier. For the maps that [`kahan!`](crate::kahan) writes, `Ok` holds finite
+    /// numbers with
     ///
     ///   ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞
     ///
@@ -133,13 +139,14 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// beside each of its values, first in the scalar's own precision, and where that proves too
     /// little in the next (`f64` for an `f32`, [`Dd`](crate::Dd) for an `f64`), then in 17 digits
     /// of 64 bits, wherever these lie, where nothing overflows and sums of terms of any sizes are
-    /// exact. An ordinary point gets the bits of [`step`](Self::step) at about one and a half times
-    /// its price; near poles and far out a step takes ten times as long, or at worst a fraction of
-    /// a millisecond. Nothing is allocated: without optimisation the last rungs need up to one and
-    /// a half megabytes of stack, for a dense field of five variables.
+    /// exact. An ordinary point gets the bits of [`step`](Self::step) at little more than its
+    /// price, and points near poles or far out at a multiple of it; `BENCHMARKS.md` has the times.
+    /// Nothing is allocated, but without optimisation the last rungs need some of the stack: the
+    /// more, the more variables a dense field has.
     ///
-    /// Exact scalars give the exact step. A map written by hand, and a scalar of a user's own, get the result of `step`, or where
-    /// that left the scalar's range, of elimination with partial pivoting: finite, without a bound.
+    /// Exact scalars give the exact step. A map written by hand, and a scalar of a user's own, get
+    /// the result of `step`, or where that left the scalar's range, of elimination with partial
+    /// pivoting: finite, without a bound.
     ///
     /// # Errors
     /// [`SingularStep`] at a pole, at a point that is not finite, where x̃ is beyond the scalar's
@@ -152,7 +159,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         self.try_prepared(&self.prepare(&eps), x, &eps)
     }
 
-    /// [`try_step`](Self::try_step) with the step prepared: what the macro writes, and [`KahanAt`] calls.
+    /// [`try_step`](Self::try_step) with the step prepared: what the macro writes, and [`KahanAt`]
+    /// calls.
     #[doc(hidden)]
     fn try_prepared(
         &self,
@@ -198,13 +206,14 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         determinant(self.jacobian(x, eps))
     }
 
-    /// (N, D) = (adj A·b, det A), unreduced, without a division: x̃ = N/D where D is not 0. Defined everywhere.
+    /// (N, D) = (adj A·b, det A), unreduced, without a division: x̃ = N/D where D is not 0. Defined
+    /// everywhere.
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         determinant_and_adjugate_product(&self.matrix(x, eps.clone()), &self.rhs(x, eps))
     }
 
-    /// The reduced numerators and denominator without a division, where they are other than those of
-    /// [`rational_map`](Self::rational_map) up to a constant.
+    /// The reduced numerators and denominator without a division, where they are other than those
+    /// of [`rational_map`](Self::rational_map) up to a constant.
     #[doc(hidden)]
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
         self.rational_map(x, eps)

@@ -1,7 +1,7 @@
 //! What a step that promises asks of a number: an order by magnitude, and whether it is finite.
 //!
-//! In: a scalar. Out: the way its promise is kept, chosen while compiling: by bounds for the floats of this crate, by looking at the
-//! result for all others.
+//! In: a scalar. Out: the way its promise is kept, chosen while compiling: by bounds for the floats
+//! of this crate, by looking at the result for all others.
 
 use nalgebra::SVector;
 
@@ -9,7 +9,7 @@ use crate::{Dd, Scalar, SingularStep};
 
 use super::checked::try_step;
 use super::lift::Lift;
-use super::stable::{stable_double, stable_double_double, stable_single};
+use super::stable::{beyond, higher, in_next_wider, in_own_precision, in_wide};
 
 /// A scalar ordered by magnitude that can tell whether it is a finite number; what
 /// [`try_step`](crate::KahanMap::try_step) needs to judge a result.
@@ -25,8 +25,8 @@ pub trait Pivot: Scalar {
     /// Whether this is a number and not infinite; always true for exact scalars.
     fn is_finite_number(&self) -> bool;
 
-    /// The step with the promise that this scalar can give; here, that a finite result is what the fast step or elimination
-    /// computes.
+    /// The step with the promise that this scalar can give; here, that a finite result is what the
+    /// fast step or elimination computes.
     #[doc(hidden)]
     fn stable_step<M, const N: usize>(
         map: &M,
@@ -41,9 +41,10 @@ pub trait Pivot: Scalar {
     }
 }
 
-/// A float: finite numbers and |·| are its own, the promise is kept by bounds.
+/// A float, whose promise is kept by bounds: by a first rung, or where that proves too little by
+/// the next.
 macro_rules! implement_for_float {
-    ($float:ty, $stable:ident) => {
+    ($float:ty: |$map:ident, $x:ident, $eps:ident| $first:expr, else $next:expr) => {
         impl Pivot for $float {
             #[inline]
             fn magnitude_exceeds(&self, other: &Self) -> bool {
@@ -57,23 +58,35 @@ macro_rules! implement_for_float {
 
             #[inline(always)]
             fn stable_step<M, const N: usize>(
-                map: &M,
+                $map: &M,
                 _prepared: &M::Prepared,
-                x: &SVector<Self, N>,
-                eps: &Self,
+                $x: &SVector<Self, N>,
+                $eps: &Self,
             ) -> Result<SVector<Self, N>, SingularStep>
             where
                 M: Lift<Self, N>,
             {
-                $stable(map, x, eps)
+                match $first {
+                    Some(next) => Ok(next),
+                    None => higher($next, $map, $x, $eps),
+                }
             }
         }
     };
 }
 
-implement_for_float!(f32, stable_single);
-implement_for_float!(f64, stable_double);
-implement_for_float!(Dd, stable_double_double);
+/// The variables up to which `f32` works for itself. Steps in more variables multiply so many
+/// factors that products of ordinary numbers leave its range, and nearly every step would be
+/// computed in `f64` after all.
+const MOST_OF_SINGLE: usize = 4;
+
+implement_for_float!(f32: |map, x, eps| if const { N > MOST_OF_SINGLE } {
+    in_next_wider(map, x, eps)
+} else {
+    in_own_precision(map, x, eps)
+}, else if const { N > MOST_OF_SINGLE } { in_wide } else { beyond });
+implement_for_float!(f64: |map, x, eps| in_own_precision(map, x, eps), else beyond);
+implement_for_float!(Dd: |map, x, eps| in_own_precision(map, x, eps), else in_wide);
 
 #[cfg(feature = "exact")]
 impl Pivot for num_rational::BigRational {

@@ -1,7 +1,7 @@
 //! Single precision, each step computed in double precision and rounded once.
 //!
-//! In: a map over `f32`. Out: the same map, more accurate: the parameters, ε and the state are the `f32`s given, lifted into
-//! `f64` without an error; x̃ is computed there.
+//! In: a map over `f32`. Out: the same map, more accurate: the parameters, ε and the state are the
+//! `f32`s given, lifted into `f64` without an error; x̃ is computed there.
 
 use core::array::from_fn;
 
@@ -16,15 +16,15 @@ use crate::{
 
 /// A map over `f32` whose every step is computed in `f64` and rounded once.
 ///
-/// Away from poles the error of the `f64` step is some 10⁻⁸ of half an `f32` ulp, so x̃ is the `f32` nearest to the exact x̃
-/// but where that lies this close to the middle between two: about one component in 10⁷. Closer to a pole both
-/// grow by the condition number of the step. In a chain of steps the conversions there and back are waited for, some 4 ns a step: it
-/// costs 16 to 52 % more than the step in `f64` (eleven fields of one to six variables on x86-64), and keeps the state in half the
-/// memory. The step in `f32` itself takes 0.87 to 1.21 times as long as that in `f64` (eight of them). An
+/// Away from poles the error of the `f64` step is some 10⁻⁸ of half an `f32` ulp, so x̃ is the
+/// `f32` nearest to the exact x̃ but where that lies this close to the middle between two: about
+/// one component in 10⁷. Closer to a pole both grow by the condition number of the step. In a chain
+/// of steps the conversions there and back are waited for: it takes longer than the step in `f64`,
+/// by what `BENCHMARKS.md` says, and keeps the state in half the memory. An
 /// [`Ensemble`](crate::Ensemble) runs it one trajectory at a time.
 ///
-/// It works in every mode of an orbit. Compensated, the increment with the carry is rounded once; a plain orbit still
-/// rounds each point to `f32`, so integrals wander as fast as that.
+/// It works in every mode of an orbit. Compensated, the increment with the carry is rounded once; a
+/// plain orbit still rounds each point to `f32`, so integrals wander as fast as that.
 ///
 /// ```
 /// use kahan_core::ThroughF64;
@@ -72,7 +72,7 @@ where
     #[inline(always)]
     fn quotients(&self, x: &SVector<f32, N>) -> Option<Quotients<f32, N>> {
         let increment = self.increment(x)?;
-        Some(Quotients { numerators: from_fn(|i| increment[i]), reciprocals: [None; N] })
+        Some(Quotients::whole(from_fn(|i| increment[i])))
     }
 
     #[inline(always)]
@@ -143,7 +143,8 @@ impl<M> ThroughF64<M> {
     }
 }
 
-/// The step, its Jacobian and determinants are computed in `f64` and rounded once; the field is evaluated in `f32`.
+/// The step, its Jacobian and determinants are computed in `f64` and rounded once; the field is
+/// evaluated in `f32`.
 impl<M, const N: usize> KahanMap<f32, N> for ThroughF64<M>
 where
     M: Lift<f32, N>,
@@ -155,7 +156,8 @@ where
         ThroughF64Step(self.wide().prepare(&f64::from(*eps)))
     }
 
-    /// What `f64` promises, rounded once; what it reports, or that the result is beyond the range of `f32`.
+    /// What `f64` promises, rounded once; what it reports, or that the result is beyond the range
+    /// of `f32`.
     fn try_prepared(
         &self,
         prepared: &Self::Prepared,

@@ -1,12 +1,14 @@
 //! An exact rational literal as static data.
 //!
-//! In: the numbers of a field's text, written by the macro. Out: the ratio itself, or its nearest `f32`, `f64` or
-//! pair of `f64`. Every rounding happens once: small ratios by one correctly rounded division, long ones by whoever
-//! wrote the data, since neither digits nor limbs are divided here.
+//! In: the numbers of a field's text, written by the macro. Out: the ratio itself, or its nearest
+//! `f32`, `f64` or pair of `f64`. Every rounding happens once: small ratios by one correctly
+//! rounded division, long ones by whoever wrote the data, since neither digits nor limbs are
+//! divided here.
 
 use super::wide::Wide;
 
-/// An exact rational number p/q, made while compiling, that every [`Scalar`](crate::Scalar) can be built from.
+/// An exact rational number p/q, made while compiling, that every [`Scalar`](crate::Scalar) can be
+/// built from.
 #[derive(Clone, Copy, Debug)]
 pub struct Constant(Form);
 
@@ -51,10 +53,11 @@ impl Constant {
         Self(Form::Ratio(p, q))
     }
 
-    /// Any rational ±numerator/denominator, its limbs of 64 bits in little-endian order, with its roundings.
+    /// Any rational ±numerator/denominator, its limbs of 64 bits in little-endian order, with its
+    /// roundings.
     ///
-    /// `single` and `double` are the nearest floats and `low` is the `f64` nearest to what `double` leaves; all
-    /// three carry the number's sign. The denominator is not zero.
+    /// `single` and `double` are the nearest floats and `low` is the `f64` nearest to what `double`
+    /// leaves; all three carry the number's sign. The denominator is not zero.
     #[inline(always)]
     pub const fn exact(
         negative: bool,
@@ -135,8 +138,9 @@ impl Constant {
 
 /// p − q·quotient without an error, for |p|, q ≤ 2²⁴ and quotient the float nearest to p/q.
 ///
-/// The remainder of a correctly rounded division is a float. To get it without a fused multiply-add (which `core`
-/// lacks), the quotient is cut into 24 leading bits and at most 29 others, whose products with q are exact.
+/// The remainder of a correctly rounded division is a float. To get it without a fused multiply-add
+/// (which `core` lacks), the quotient is cut into 24 leading bits and at most 29 others, whose
+/// products with q are exact.
 const fn remainder(p: f64, q: f64, quotient: f64) -> f64 {
     let leading = quotient as f32 as f64;
     let rest = quotient - leading;

@@ -1,7 +1,8 @@
 //! Dual numbers v + g·d with d² = 0: a value that carries its gradient in N directions.
 //!
-//! In: the closed form of a step. Out: the same formula's value and exact derivatives, without a second formula.
-//! They are for rational formulas only (no ordering, no roots), and live on the stack whenever T does.
+//! In: the closed form of a step. Out: the same formula's value and exact derivatives, without a
+//! second formula. They are for rational formulas only (no ordering, no roots), and live on the
+//! stack whenever T does.
 
 use core::array::from_fn;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

@@ -1,15 +1,11 @@
 //! The machine's floats as scalars.
 //!
-//! A reciprocal is always given (±∞ at ±0), so nothing branches on a value and nothing panics; poles show as
-//! results that are not finite. Multiply-adds are fused where the target is compiled for an instruction that does it;
-//! elsewhere `mul_add` would be a slow library call, so there they are a multiplication and an addition.
+//! A reciprocal is always given (±∞ at ±0), so nothing branches on a value and nothing panics;
+//! poles show as results that are not finite. Multiply-adds are fused where the target is compiled
+//! for an instruction that does it; elsewhere `mul_add` would be a slow library call, so there they
+//! are a multiplication and an addition.
 
 use super::{Constant, Scalar};
-
-/// A step may divide by ε from 2⁻ᵏ to 2ᵏ, k being this for `f32`,
-pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
-/// and this for `f64`.
-pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
 
 /// a·b + c. Without the standard library `mul_add` does not exist.
 #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
@@ -28,12 +24,8 @@ macro_rules! fused_or_not {
 }
 
 macro_rules! implement_for_float {
-    ($float:ty, $packs:literal, $bits:expr, $from_constant:ident) => {
+    ($float:ty, $from_constant:ident) => {
         impl Scalar for $float {
-            const PACKS: bool = $packs;
-            const HAS_INVERSE_STEPS: bool = true;
-            const CALLS_GENERAL_STEP: bool = true;
-
             #[inline]
             fn constant(c: &Constant) -> Self {
                 c.$from_constant()
@@ -56,27 +48,6 @@ macro_rules! implement_for_float {
             }
 
             #[inline(always)]
-            fn has_inverse_step(&self) -> bool {
-                const MOST: $float = (1_u128 << $bits) as $float;
-                (1.0 / MOST..=MOST).contains(&self.abs())
-            }
-
-            #[cfg(all(target_arch = "x86_64", not(miri)))]
-            #[allow(unsafe_code, reason = "nothing else keeps a compiler from packing scalars, and costs no instruction")]
-            #[inline(always)]
-            fn alone(mut self) -> Self {
-                // SAFETY: a comment, which changes no register and touches no memory.
-                unsafe {
-                    core::arch::asm!(
-                        "/* {0} stands alone */",
-                        inout(xmm_reg) self,
-                        options(pure, nomem, nostack, preserves_flags)
-                    );
-                }
-                self
-            }
-
-            #[inline(always)]
             fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
                 fused_or_not!(self, factor, -subtrahend)
             }
@@ -94,5 +65,5 @@ macro_rules! implement_for_float {
     };
 }
 
-implement_for_float!(f32, false, BITS_OF_SINGLE_STEPS, to_f32);
-implement_for_float!(f64, true, BITS_OF_DOUBLE_STEPS, to_f64);
+implement_for_float!(f32, to_f32);
+implement_for_float!(f64, to_f64);

@@ -1,7 +1,7 @@
 //! Scalars that round, as against those that are exact.
 //!
-//! In: a float of any width. Out: what only rounded numbers need: compensated sums, coefficients that are not rational, an ε
-//! of few bits.
+//! In: a float of any width. Out: what only rounded numbers need: compensated sums, coefficients
+//! that are not rational, an ε of few bits.
 
 use super::{Dd, Scalar};
 
@@ -13,11 +13,12 @@ use super::{Dd, Scalar};
     note = "an exact scalar has no rounding error to carry, and the coefficients of the compositions are irrational"
 )]
 pub trait FloatScalar: Scalar + Copy {
-    /// The number of bits such that the third power of a number with that many fits the scalar: 8 for `f32`, 17 for `f64`, 35 for
-    /// `Dd`.
+    /// The number of bits such that the third power of a number with that many fits the scalar: 8
+    /// for `f32`, 17 for `f64`, 35 for `Dd`.
     const SHORT_BITS: u32;
 
-    /// The nearest number with at most [`SHORT_BITS`](Self::SHORT_BITS) significant bits; what is not finite stays.
+    /// The nearest number with at most [`SHORT_BITS`](Self::SHORT_BITS) significant bits; what is
+    /// not finite stays.
     fn nearest_short(self) -> Self;
 }
 
@@ -28,7 +29,8 @@ macro_rules! implement_for_float {
 
             /// Ties away from zero; what would round beyond the largest number is cut off instead.
             fn nearest_short(self) -> Self {
-                // Adjacent bit patterns are adjacent numbers, so rounding the pattern rounds the number.
+                // Adjacent bit patterns are adjacent numbers, so rounding the pattern rounds the
+                // number.
                 let dropped = <$float>::MANTISSA_DIGITS - Self::SHORT_BITS;
                 let (unit, half) = (1 << dropped, 1 << (dropped - 1));
                 let cut = |bits| <$float>::from_bits(bits & !(unit - 1));

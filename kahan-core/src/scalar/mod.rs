@@ -1,9 +1,9 @@
 //! What a number must do to run through a Kahan map.
 //!
-//! In: any type with the four operations and the rationals inside it. Out: the same code over floats, exact
-//! rationals, dual numbers, or lanes of floats.
-//! [`Scalar`] asks for no ordering, no square root and no conversion. No method shares its name with one of num-traits, so both can
-//! be in scope.
+//! In: any type with the four operations and the rationals inside it. Out: the same code over
+//! floats, exact rationals, dual numbers, or lanes of floats. [`Scalar`] asks for no ordering, no
+//! square root and no conversion. No method shares its name with one of num-traits, so both can be
+//! in scope.
 
 pub(crate) mod bounded;
 mod constant;
@@ -14,6 +14,7 @@ mod epsilon;
 mod exact;
 mod float;
 mod float_scalar;
+pub(crate) mod tuning;
 mod wide;
 
 use core::fmt::Debug;
@@ -25,14 +26,13 @@ pub use constant::Constant;
 pub use dd::Dd;
 pub use dual::Dual;
 pub use epsilon::nearest_short_eps;
-pub(crate) use float::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
 pub use float_scalar::FloatScalar;
 pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.
 ///
-/// To make a type one, implement the operators and [`constant`](Scalar::constant); the other methods have defaults
-/// that suit an exact field.
+/// To make a type one, implement the operators and [`constant`](Scalar::constant); the other
+/// methods have defaults that suit an exact field.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a scalar that a Kahan map can compute with",
     label = "not a `Scalar`; for a number, write `1.0`, not `1`",
@@ -74,12 +74,14 @@ pub trait Scalar:
         Some(self / divisor)
     }
 
-    /// Whether elimination should divide by `self` rather than by `than`: here, a nonzero number rather than zero.
+    /// Whether elimination should divide by `self` rather than by `than`: here, a nonzero number
+    /// rather than zero.
     fn is_better_pivot(&self, than: &Self) -> bool {
         than.is_zero() && !self.is_zero()
     }
 
-    /// self·factor + addend, rounded once where the target has an instruction for that, else as written.
+    /// self·factor + addend, rounded once where the target has an instruction for that, else as
+    /// written.
     #[inline(always)]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
@@ -95,40 +97,6 @@ pub trait Scalar:
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
         self - a * b
-    }
-
-    /// Whether there is any ε with which a step may be computed from 1/(2ε).
-    #[doc(hidden)]
-    const HAS_INVERSE_STEPS: bool = false;
-
-    /// Whether, where there are both, the step for all other ε is called, so that the one from 1/(2ε) stays small.
-    #[doc(hidden)]
-    const CALLS_GENERAL_STEP: bool = false;
-
-    /// Whether a step with this ε may be computed from 1/(2ε); here, no. Floats allow it where ε is so far from zero and from the
-    /// ends of their range that no power of it that a step has comes near them.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn has_inverse_step(&self) -> bool {
-        false
-    }
-
-    /// self/ε, for an ε that [allows it](Self::has_inverse_step).
-    #[doc(hidden)]
-    #[inline(always)]
-    fn over_eps(self, eps: &Self) -> Self {
-        self / eps.clone()
-    }
-
-    /// Whether compilers may pack scalars of this kind into vectors when they stand side by side.
-    #[doc(hidden)]
-    const PACKS: bool = true;
-
-    /// The same number; for the machine's floats, in a register of its own, whatever is done to its neighbours.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn alone(self) -> Self {
-        self
     }
 
     /// A nearby `f64` for reports, not for computing; not a number where there is none, as here.

@@ -1,8 +1,9 @@
 //! The cheapest setting that keeps the map's own integrals.
 //!
-//! In: a map, a first point. Out: Kahan's map at an ε that is as large as the orbit bears, in the numbers whose roundings are small
-//! enough. The discretisation does nothing to these integrals; each step's roundings move the point off their level by u times
-//! the condition, and n steps by √n of that.
+//! In: a map, a first point. Out: Kahan's map at an ε that is as large as the orbit bears, in the
+//! numbers whose roundings are small enough. The discretisation does nothing to these integrals;
+//! each step's roundings move the point off their level by u times the condition, and n steps by √n
+//! of that.
 
 use nalgebra::SVector;
 
@@ -20,7 +21,8 @@ const MOST_STEPS: f64 = 9e15;
 
 /// The most steps of a pilot orbit.
 const PILOT: f64 = 4096.0;
-/// An orbit is as large as it should be where its largest coordinate is at most this factor beyond that of a finer one.
+/// An orbit is as large as it should be where its largest coordinate is at most this factor beyond
+/// that of a finer one.
 const LARGER: f64 = 2.0;
 /// How often ε is halved.
 const HALVINGS: i32 = 16;

@@ -30,9 +30,10 @@ pub enum Need {
     /// at the times of the steps and with the last point standing for the horizon, in the maximum
     /// norm, relative to the largest coordinate of the trajectory.
     Trajectory,
-    /// To keep the map's own integrals, those at its ε: the error is the largest change over the horizon, relative to the
-    /// value at the beginning. Only Kahan's map itself keeps them, so no composition is considered; the discretisation does
-    /// nothing to them, only roundings do. See [`Scene::condition`].
+    /// To keep the map's own integrals, those at its ε: the error is the largest change over the
+    /// horizon, relative to the value at the beginning. Only Kahan's map itself keeps them, so no
+    /// composition is considered; the discretisation does nothing to them, only roundings do. See
+    /// [`Scene::condition`].
     Integrals,
 }
 
@@ -73,8 +74,9 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The scene with this need: `horizon` is the time to be simulated, `tolerance` the largest error accepted, as [`Need`] defines
-    /// it. Both must be finite and above 0, which [`choose`](Self::choose) checks.
+    /// The scene with this need: `horizon` is the time to be simulated, `tolerance` the largest
+    /// error accepted, as [`Need`] defines it. Both must be finite and above 0, which
+    /// [`choose`](Self::choose) checks.
     #[must_use]
     pub const fn new(horizon: f64, need: Need, tolerance: f64) -> Self {
         Self { horizon, need, tolerance, condition: 4.0 }
@@ -92,9 +94,10 @@ impl Scene {
         Self::new(horizon, Need::Integrals, tolerance)
     }
 
-    /// The same scene with integrals H of this condition: Σ|xᵢ ∂H/∂xᵢ|/|H|, by how much a relative change of the state is
-    /// magnified in them. Without it, it is taken to be 4: a polynomial of degree 2 whose terms cancel to a half. Where the
-    /// value is near zero it is much larger. Only [`Need::Integrals`] asks for it.
+    /// The same scene with integrals H of this condition: Σ|xᵢ ∂H/∂xᵢ|/|H|, by how much a relative
+    /// change of the state is magnified in them. Without it, it is taken to be 4: a polynomial of
+    /// degree 2 whose terms cancel to a half. Where the value is near zero it is much larger. Only
+    /// [`Need::Integrals`] asks for it.
     #[must_use]
     pub const fn condition(mut self, condition: f64) -> Self {
         self.condition = condition;
@@ -113,25 +116,24 @@ impl Scene {
     /// this is deterministic, so the choice run again from the same point errs by the same. What is
     /// known of it ends with the horizon, and with the point.
     ///
-    /// For [`Need::Integrals`], ε‖f′‖∞ is at most 1 at the start, and less if the beginning of the orbit then is not as large as it
-    /// should be; the roundings of n steps are taken to be those of a random walk.
+    /// For [`Need::Integrals`], ε‖f′‖∞ is at most 1 at the start, and less if the beginning of the
+    /// orbit then is not as large as it should be; the roundings of n steps are taken to be those
+    /// of a random walk.
     ///
     /// # How good
-    /// Of 4000 seeded scenes of twenty fields, chaotic, stiff, escaping and beside equilibria, with
-    /// tolerances from 3e-2 to 1e-15, 3791 were accepted, none of them beyond its tolerance, and 30
-    /// were refused though some setting serves whose three runs take no more than 10⁶ steps (`cargo
-    /// test --release -p kahan-measure --test scenes -- --ignored`, `KAHAN_SEED` 1 and 2). Timed
-    /// beside every other setting on twelve fields at six tolerances from 1e-2 to 1e-14, the choice
-    /// took at most 1.6 times the time of the cheapest one (the test `trade_sweep` beside it).
+    /// Seeded scenes of many fields, chaotic, stiff, escaping and beside equilibria, are chosen for
+    /// by `cargo test --release -p kahan-measure --test scenes -- --ignored`: none that is accepted
+    /// may be beyond its tolerance, and few may be refused that some setting serves. The test
+    /// `trade_sweep` beside it times the choice against every other setting.
     ///
     /// # Cost
     /// As much as 10⁶ steps of the map at most, most often some 10⁴; a part of them in `Dd`, whose
-    /// steps take ten times as long. It pays where a setting is run for long or used for many
+    /// steps take longer. It pays where a setting is run for long or used for many
     /// orbits.
     ///
     /// # Errors
-    /// [`NoSetting`]: numbers that make no sense, a trajectory that cannot be followed to the horizon, a tolerance that no setting
-    /// reaches.
+    /// [`NoSetting`]: numbers that make no sense, a trajectory that cannot be followed to the
+    /// horizon, a tolerance that no setting reaches.
     pub fn choose<M, const N: usize>(&self, map: &M, x0: &SVector<f64, N>) -> Result<Setting, NoSetting>
     where
         M: Lift<f64, N>,
@@ -143,8 +145,9 @@ impl Scene {
         }
     }
 
-    /// A setting of one's own choosing over this scene's horizon, about so many steps, priced as [`choose`](Self::choose) prices
-    /// its own; what error to expect of it is not known, and is said to be infinite.
+    /// A setting of one's own choosing over this scene's horizon, about so many steps, priced as
+    /// [`choose`](Self::choose) prices its own; what error to expect of it is not known, and is
+    /// said to be infinite.
     ///
     /// # Panics
     /// If the horizon is not a finite number above 0, or `steps` is 0.

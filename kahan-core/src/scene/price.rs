@@ -1,8 +1,8 @@
 //! What a setting costs, without a clock.
 //!
-//! In: what the plan of a step says of itself. Out: cycles. The factors are rounded from measurements of the steps of E6, LV
-//! and the Euler top on x86-64 (the tiers of `BENCHMARKS.md`); they decide between kinds of numbers, whereas between orders and ε
-//! the count of stages does.
+//! In: what the plan of a step says of itself. Out: cycles. The factors are rounded from
+//! measurements of the steps of E6, LV and the Euler top on x86-64 (the tiers of `BENCHMARKS.md`);
+//! they decide between kinds of numbers, whereas between orders and ε the count of stages does.
 
 use crate::StepCost;
 
@@ -34,7 +34,8 @@ pub(super) fn of_step(stage: StepCost, kind: Kind) -> f64 {
     kind.composition.stages() as f64 * cycles(stage) * numbers * accumulation
 }
 
-/// The longer of what a step waits for and what it has to do, at two operations a cycle and four cycles a division.
+/// The longer of what a step waits for and what it has to do, at two operations a cycle and four
+/// cycles a division.
 fn cycles(cost: StepCost) -> f64 {
     let (operations, divisions) = (f64::from(cost.operations), f64::from(cost.divisions));
     f64::from(cost.chain).max(operations / 2.0 + 4.0 * divisions)

@@ -46,11 +46,11 @@ fn rounded<const N: usize>(x: &[Dd; N]) -> SVector<f64, N> {
 }
 
 impl Setting {
-    /// The last point of the orbit that begins with `x0`, at the time 2ε·[`steps`](Self::steps); not finite where the orbit met a
-    /// pole.
+    /// The last point of the orbit that begins with `x0`, at the time 2ε·[`steps`](Self::steps);
+    /// not finite where the orbit met a pole.
     ///
-    /// Parameters and `x0` are rounded to the setting's precision, the result is rounded or widened to `f64`. It runs as the line
-    /// that the setting prints would.
+    /// Parameters and `x0` are rounded to the setting's precision, the result is rounded or widened
+    /// to `f64`. It runs as the line that the setting prints would.
     ///
     /// Cost: as the setting says; no allocation, nothing decided within the orbit.
     pub fn run<M, const N: usize>(&self, map: &M, x0: SVector<f64, N>) -> SVector<f64, N>
@@ -65,8 +65,8 @@ impl Setting {
         }
     }
 
-    /// The same orbit, each of its points shown to `visit` with its number: x₀ as it was rounded with 0, the last with
-    /// [`steps`](Self::steps). The n-th belongs to the time 2ε·n.
+    /// The same orbit, each of its points shown to `visit` with its number: x₀ as it was rounded
+    /// with 0, the last with [`steps`](Self::steps). The n-th belongs to the time 2ε·n.
     pub fn visit<M, const N: usize>(
         &self,
         map: &M,

@@ -11,7 +11,8 @@ use super::{Need, Scene, price};
 pub enum Precision {
     /// `f32`
     Single,
-    /// A state in `f32`, every step computed in `f64` and rounded once: [`ThroughF64`](crate::ThroughF64).
+    /// A state in `f32`, every step computed in `f64` and rounded once:
+    /// [`ThroughF64`](crate::ThroughF64).
     SingleThroughDouble,
     /// `f64`
     Double,
@@ -33,8 +34,9 @@ impl Precision {
         }
     }
 
-    /// The ε to take for this one: to keep integrals the nearest [short](nearest_short_eps) one, in `Dd` one that is short for
-    /// `f64`; to follow a trajectory, which must end at its horizon, the nearest number.
+    /// The ε to take for this one: to keep integrals the nearest [short](nearest_short_eps) one, in
+    /// `Dd` one that is short for `f64`; to follow a trajectory, which must end at its horizon, the
+    /// nearest number.
     pub(super) fn eps_near(self, eps: f64, need: Need) -> f64 {
         let is_short = need == Need::Integrals;
         match self {
@@ -85,9 +87,11 @@ pub(super) struct Kind {
     pub(super) compensated: bool,
 }
 
-/// The cheapest way to step an orbit that serves a [`Scene`](crate::Scene); made by [`Scene::choose`](crate::Scene::choose).
+/// The cheapest way to step an orbit that serves a [`Scene`](crate::Scene); made by
+/// [`Scene::choose`](crate::Scene::choose).
 ///
-/// It is printed as a line of Rust, with `map` for the map and `x` for the first point, both of its precision.
+/// It is printed as a line of Rust, with `map` for the map and `x` for the first point, both of its
+/// precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Setting {
@@ -129,13 +133,14 @@ impl Setting {
         self.compensated
     }
 
-    /// ε, half the time step; for [`Need::Integrals`] one of so few bits that its powers are exact ([`nearest_short_eps`]).
+    /// ε, half the time step; for [`Need::Integrals`] one of so few bits that its powers are exact
+    /// ([`nearest_short_eps`]).
     pub fn eps(&self) -> f64 {
         self.eps
     }
 
-    /// The number of steps: 2ε times this is the horizon, but for the rounding of ε; for [`Need::Integrals`], whose ε has few bits,
-    /// but for less than half a step.
+    /// The number of steps: 2ε times this is the horizon, but for the rounding of ε; for
+    /// [`Need::Integrals`], whose ε has few bits, but for less than half a step.
     pub fn steps(&self) -> u64 {
         self.steps
     }
@@ -145,8 +150,9 @@ impl Setting {
         self.error
     }
 
-    /// The modelled cost of the whole orbit in cycles of a core of today: steps × stages × the cycles of a stage in `f64` × what
-    /// the numbers and the compensation cost more. Only ratios are meant.
+    /// The modelled cost of the whole orbit in cycles of a core of today: steps × stages × the
+    /// cycles of a stage in `f64` × what the numbers and the compensation cost more. Only ratios
+    /// are meant.
     pub fn cost(&self) -> f64 {
         self.cost
     }

@@ -60,13 +60,15 @@ impl SingularStep {
         Self::new(0.0, eps)
     }
 
-    /// det A(x,ε) at the point, rounded to `f64`: 0 at an exact pole, not a number where it overflows.
+    /// det A(x,ε) at the point, rounded to `f64`: 0 at an exact pole, not a number where it
+    /// overflows.
     pub fn determinant(&self) -> f64 {
         self.determinant
     }
 
-    /// The smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that was reached in any precision: infinite at a pole, and where none was
-    /// sought. A bound below 64 u belongs to a result that the scalar cannot hold.
+    /// The smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that was reached in any precision: infinite at
+    /// a pole, and where none was sought. A bound below 64 u belongs to a result that the scalar
+    /// cannot hold.
     pub fn bound(&self) -> f64 {
         self.bound
     }

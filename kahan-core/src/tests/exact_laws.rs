@@ -3,7 +3,7 @@
 use num_traits::Zero;
 
 use super::rationals::{Q, Rationals, product, q, scaled};
-use super::systems::{Coupled, E1, E3, E7};
+use super::systems::{Coupled, E1, E3, E6, E7};
 use crate::field::linear::{determinant, solve};
 use crate::{KahanMap, eps_from_dt};
 
@@ -13,7 +13,8 @@ fn points<const N: usize>(seed: u64) -> impl Iterator<Item = (nalgebra::SVector<
     core::iter::repeat_with(move || (rationals.vector(), rationals.next())).take(12)
 }
 
-/// Runs a law on all systems at all their points that are not on det A = 0, and sees that there are such points.
+/// Runs a law on all systems at all their points that are not on det A = 0, and sees that there are
+/// such points.
 macro_rules! on_every_system {
     ($law:ident) => {{
         macro_rules! on {
@@ -31,6 +32,7 @@ macro_rules! on_every_system {
         }
         on!(E1, 3, 1);
         on!(E3, 3, 2);
+        on!(E6, 3, 7);
         on!(E7 { xi: q(19, 17) }, 3, 3);
         on!(E7 { xi: q(-2, 1) }, 3, 4);
         on!(Coupled, 4, 5);

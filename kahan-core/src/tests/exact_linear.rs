@@ -1,4 +1,5 @@
-//! Elimination and the division-free algorithm over the rationals: each against the other, singular matrices too.
+//! Elimination and the division-free algorithm over the rationals: each against the other, singular
+//! matrices too.
 
 use nalgebra::{SMatrix, SVector};
 use num_traits::{One, Zero};

@@ -1,5 +1,5 @@
-//! Poles over the rationals: the removable ones have the values that the paper's formulas give, the others are
-//! reported.
+//! Poles over the rationals: the removable ones have the values that the paper's formulas give, the
+//! others are reported.
 
 use std::format;
 use std::panic::catch_unwind;

@@ -1,4 +1,5 @@
-//! Elimination over floats: backward errors in units of rounding, singular matrices, entries that are not finite.
+//! Elimination over floats: backward errors in units of rounding, singular matrices, entries that
+//! are not finite.
 
 use nalgebra::{SMatrix, SVector};
 

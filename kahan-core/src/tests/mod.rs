@@ -1,7 +1,6 @@
-//! The laws of the method on hand-written systems, one topic a file.
+//! The laws of the method on some systems, one topic a file.
 //!
-//! The systems have the form that the macro emits, so a change of the hidden door breaks a test before it breaks the
-//! macro. Over rationals every law is tested with `==`; over floats only what floats promise.
+//! Over rationals every law is tested with `==`; over floats only what floats promise.
 
 mod constants;
 mod dd;

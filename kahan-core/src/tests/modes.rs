@@ -2,6 +2,8 @@
 
 use nalgebra::SVector;
 
+#[cfg(feature = "std")]
+use super::systems::E6;
 use super::systems::{Coupled, E3};
 use crate::{
     Compensated, Composed, Composition, Dd, FloatScalar, KahanMap, Orbit, Single, nearest_short_eps, vector,
@@ -81,8 +83,9 @@ fn a_composition_is_its_stages_in_order() {
     assert_eq!(E3.at(0.05).composed(Composition::KAHAN).step(&start()), E3.step(&start(), 0.05));
 }
 
-/// Where the state does not move by more than it, the carry is what the rounded sum lacks: with a tiny ε, 2⁻⁴⁰ of
-/// the point, a plain orbit adds increments cut to 13 bits, a compensated one whole ones.
+/// Where the state does not move by more than it, the carry is what the rounded sum lacks: with a
+/// tiny ε, 2⁻⁴⁰ of the point, a plain orbit adds increments cut to 13 bits, a compensated one whole
+/// ones.
 #[test]
 fn small_increments_are_not_lost() {
     let (start, eps, steps) = (vector![1.0_f64, 0.5, 1.5], 1e-12, 100_000);
@@ -139,14 +142,14 @@ fn a_short_double_double_is_the_nearest() {
     assert!(nearest_short_eps(Dd::from(f64::MAX)).high().is_finite());
 }
 
-/// The baseline runs the arithmetic of a single step, so there the bits agree; larger levels fuse multiply-adds, which moves each of
-/// the 17 stages by a few units of 2⁻⁵³.
+/// The baseline runs the arithmetic of a single step, so there the bits agree; larger levels fuse
+/// multiply-adds, which moves each of the 17 stages by a few units of 2⁻⁵³.
 #[cfg(feature = "std")]
 #[test]
 fn an_ensemble_takes_the_steps_of_a_composed_orbit() {
     let points: std::vec::Vec<SVector<f64, 3>> =
         (0..37).map(|k| vector![0.3, -0.7, 0.03 * f64::from(k)]).collect();
-    let map = E3.at(0.05).composed(Composition::KAHAN_LI_8);
+    let map = E6.at(0.05).composed(Composition::KAHAN_LI_8);
     let alone = |x: &SVector<f64, 3>| map.orbit(*x).nth(20).unwrap();
 
     let mut ensemble = Ensemble::new(points.clone()).at_level(Level::Baseline).unwrap();

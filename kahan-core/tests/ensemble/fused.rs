@@ -1,4 +1,5 @@
-//! Floats whose multiply-adds are rounded once in every build: what plain code would compute on a processor that fuses.
+//! Floats whose multiply-adds are rounded once in every build: what plain code would compute on a
+//! processor that fuses.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 

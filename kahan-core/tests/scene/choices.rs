@@ -18,7 +18,8 @@ where
     let reference = Trajectory::new(&map, &x0, horizon, steps);
     let doubt = reference.doubt(&Trajectory::new(&map, &x0, horizon, steps / 2));
     for &tolerance in tolerances {
-        // The difference from half the steps is 255 times the reference's own error, as it is of order 8.
+        // The difference from half the steps is 255 times the reference's own error, as it is of
+        // order 8.
         assert!(doubt < 0.1 * tolerance, "{name}: the reference is known to {doubt:e} only");
         let scene = Scene::trajectory(horizon, tolerance);
         let chosen = scene.choose(&map, &x0).unwrap_or_else(|why| panic!("{name}, {tolerance:e}: {why}"));

@@ -1,7 +1,7 @@
 //! A trajectory of the flow in double-double, to measure settings by.
 //!
-//! Points on a grid of times, from the composition of order 8; between them, one step more from the point before. The same
-//! with half the steps differs by what [`Trajectory::doubt`] says.
+//! Points on a grid of times, from the composition of order 8; between them, one step more from the
+//! point before. The same with half the steps differs by what [`Trajectory::doubt`] says.
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -17,7 +17,8 @@ pub(crate) struct Trajectory<M: Lift<f64, N>, const N: usize> {
 const HIGHEST: Composition = Composition::KAHAN_LI_8;
 
 impl<M: Lift<f64, N>, const N: usize> Trajectory<M, N> {
-    /// A little beyond the horizon: so many steps of an ε that was rounded do not end there exactly.
+    /// A little beyond the horizon: so many steps of an ε that was rounded do not end there
+    /// exactly.
     pub(crate) fn new(map: &M, x0: &SVector<f64, N>, horizon: f64, steps: usize) -> Self {
         let map = map.lift::<Dd>(|parameter| Dd::from(*parameter));
         let dt = horizon / steps as f64;
@@ -49,8 +50,9 @@ impl<M: Lift<f64, N>, const N: usize> Trajectory<M, N> {
         if distance.is_nan() { f64::INFINITY } else { distance }
     }
 
-    /// The largest relative distance of a setting's orbit, at some `samples` points along it and its end, or the first above
-    /// `enough`. Points in `Dd` are rounded to `f64` first, which adds half an ulp.
+    /// The largest relative distance of a setting's orbit, at some `samples` points along it and
+    /// its end, or the first above `enough`. Points in `Dd` are rounded to `f64` first, which adds
+    /// half an ulp.
     pub(crate) fn error(
         &self,
         setting: &Setting,

@@ -33,33 +33,18 @@ fn scope() {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
         #[allow(non_snake_case, non_upper_case_globals, unused, missing_docs)]
         const _: () = {
-            use ::kahan_core::__private as __kahan;
-            use __kahan::Clone as _;
-            fn x() {}
-            fn y() {}
-            fn eps() {}
-            fn prepared() {}
-            fn lift() {}
+            use ::kahan_core::__private::{self as __kahan, arguments::*, Clone as _};
             impl<T> Field<T> {
                 /// The state variables, in order.
-                pub const VARIABLES: [&'static __kahan::core::primitive::str; 2] = [
-                    "x",
-                    "y",
-                ];
+                pub const VARIABLES: [&'static __kahan::str; 2] = ["x", "y"];
                 /// The parameters, in order.
-                pub const PARAMETERS: [&'static __kahan::core::primitive::str; 1] = [
-                    "mu",
-                ];
+                pub const PARAMETERS: [&'static __kahan::str; 1] = ["mu"];
             }
             impl<T> __kahan::Named for Field<T> {
-                fn variables(
-                    &self,
-                ) -> &'static [&'static __kahan::core::primitive::str] {
+                fn variables(&self) -> &'static [&'static __kahan::str] {
                     &Self::VARIABLES
                 }
-                fn parameters(
-                    &self,
-                ) -> &'static [&'static __kahan::core::primitive::str] {
+                fn parameters(&self) -> &'static [&'static __kahan::str] {
                     &Self::PARAMETERS
                 }
             }
@@ -116,174 +101,99 @@ fn scope() {
                     ])
                 }
             }
-            #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-            pub struct __Step<T> {
-                mu_half_eps: __kahan::Apart<T>,
-                mu_half_eps_plus_half_mu: __kahan::Apart<T>,
-                half_plus_half_over_eps: __kahan::Apart<T>,
-                eps: __kahan::Apart<T>,
-                eps_mu: __kahan::Apart<T>,
-                mu: __kahan::Apart<T>,
-                __general: __General<T>,
-                __is_inverse: __kahan::core::primitive::bool,
-            }
-            impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
-                const COST: __kahan::StepCost = __kahan::StepCost {
-                    operations: 16,
-                    divisions: 2,
-                    chain: 25,
-                };
-                const HAS_INVERSE_STEP: __kahan::core::primitive::bool = true;
+            pub struct __Step;
+            impl __kahan::Kernel<2, 6> for __Step {
+                const COST: __kahan::StepCost = __kahan::StepCost::of(16, 2, 25);
                 #[inline(always)]
-                fn quotients(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
+                fn quotients<T: __kahan::Scalar>(
+                    __constants: &[__kahan::Padded<T>; 6],
+                    __state: [T; 2],
                 ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-                    if !T::HAS_INVERSE_STEPS
-                        || !(T::CALLS_GENERAL_STEP || self.__is_inverse)
-                    {
-                        return self.__general.quotients(x);
-                    }
-                    if !self.__is_inverse {
-                        let x = __kahan::vector(__kahan::components(x).clone());
-                        let [__increment_1, __increment_2] = __kahan::general_increment(
-                            &self.__general,
-                            x,
-                        );
-                        return __kahan::Option::Some(__kahan::Quotients {
-                            numerators: [__increment_1, __increment_2],
-                            reciprocals: [__kahan::Option::None, __kahan::Option::None],
-                        });
-                    }
-                    let [__s_x, __s_y] = __kahan::components(x).clone();
-                    let __sum_1 = self
-                        .half_plus_half_over_eps
-                        .0
-                        .clone()
-                        .subtract_product(self.mu_half_eps.0.clone(), __s_x.clone())
+                    let [__e_mu_half_eps, __e_mu_half_eps_plus_half_mu,
+                    __e_half_plus_half_over_eps, __e_eps, __e_eps_mu, __e_mu] = __constants;
+                    let [__s_x, __s_y] = __state;
+                    let __sum_1 = __e_half_plus_half_over_eps
+                        .get()
+                        .subtract_product(__e_mu_half_eps.get(), __s_x.clone())
                         .subtract_product(
-                            self.mu_half_eps_plus_half_mu.0.clone(),
+                            __e_mu_half_eps_plus_half_mu.get(),
                             __s_y.clone(),
                         );
-                    let __quotient_1 = (self
-                        .eps
-                        .0
-                        .clone()
+                    let __quotient_1 = (__e_eps
+                        .get()
                         .multiply_add(__s_x.clone(), __s_y.clone())
-                        * (self.mu.0.clone() * __s_x.clone()))
+                        * (__e_mu.get() * __s_x.clone()))
                         .quotient(__sum_1.clone())?;
                     let __quotient_2 = __s_y
                         .clone()
-                        .multiply_add(
-                            __s_y.clone() * self.eps_mu.0.clone(),
-                            __s_x - __s_y,
-                        )
+                        .multiply_add(__s_y.clone() * __e_eps_mu.get(), __s_x - __s_y)
                         .quotient(__sum_1)?;
-                    __kahan::Option::Some(__kahan::Quotients {
-                        numerators: [__quotient_1, __quotient_2],
-                        reciprocals: [__kahan::Option::None, __kahan::Option::None],
-                    })
+                    __kahan::Some(
+                        __kahan::Quotients::whole([__quotient_1, __quotient_2]),
+                    )
                 }
             }
-            #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-            pub struct __General<T> {
-                eps_mu: __kahan::Apart<T>,
-                eps: __kahan::Apart<T>,
-                eps_plus_one: __kahan::Apart<T>,
-            }
-            impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __General<T> {
-                const COST: __kahan::StepCost = __kahan::StepCost {
-                    operations: 17,
-                    divisions: 1,
-                    chain: 33,
-                };
+            pub struct __General;
+            impl __kahan::Kernel<2, 3> for __General {
+                const COST: __kahan::StepCost = __kahan::StepCost::of(17, 1, 33);
                 #[inline(always)]
-                fn quotients(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
+                fn quotients<T: __kahan::Scalar>(
+                    __constants: &[__kahan::Padded<T>; 3],
+                    __state: [T; 2],
                 ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-                    let [__s_x, __s_y] = __kahan::components(x).clone();
+                    let [__e_eps_mu, __e_eps, __e_eps_plus_one] = __constants;
+                    let [__s_x, __s_y] = __state;
                     let __t_y_eps_mu_minus_one = __s_y
                         .clone()
-                        .multiply_subtract(
-                            self.eps_mu.0.clone(),
-                            __kahan::integer::<T>(1),
-                        );
-                    let __t_eps_mu_x = self.eps_mu.0.clone() * __s_x.clone();
-                    let __t_eps_x = self.eps.0.clone() * __s_x;
+                        .multiply_subtract(__e_eps_mu.get(), __kahan::integer::<T>(1));
+                    let __t_eps_mu_x = __e_eps_mu.get() * __s_x.clone();
+                    let __t_eps_x = __e_eps.get() * __s_x;
                     let __reciprocal_1 = __kahan::integer::<T>(-2)
                         .quotient(
                             __t_y_eps_mu_minus_one
                                 .clone()
                                 .multiply_add(
-                                    self.eps_plus_one.0.clone(),
-                                    self.eps.0.clone() * __t_eps_mu_x.clone(),
+                                    __e_eps_plus_one.get(),
+                                    __e_eps.get() * __t_eps_mu_x.clone(),
                                 ),
                         )?;
-                    __kahan::Option::Some(__kahan::Quotients {
-                        numerators: [
-                            __t_eps_mu_x * (__s_y.clone() + __t_eps_x.clone()),
-                            __t_y_eps_mu_minus_one
-                                .multiply_add(__s_y * self.eps.0.clone(), __t_eps_x),
-                        ],
-                        reciprocals: [
-                            __kahan::Option::Some(__reciprocal_1.clone()),
-                            __kahan::Option::Some(__reciprocal_1),
-                        ],
-                    })
-                }
-            }
-            impl<T: __kahan::Scalar> __kahan::WideStep<T, 2> for __Step<T> {
-                const HAS_LANES: __kahan::core::primitive::bool = true;
-                type Wide<__L: __kahan::Scalar> = __General<__L>;
-                #[inline(always)]
-                fn widen<__L: __kahan::Scalar>(
-                    &self,
-                    __spread: impl __kahan::core::ops::Fn(&T) -> __L,
-                ) -> __General<__L> {
-                    __General {
-                        eps_mu: __kahan::Apart::new(__spread(&self.__general.eps_mu.0)),
-                        eps: __kahan::Apart::new(__spread(&self.__general.eps.0)),
-                        eps_plus_one: __kahan::Apart::new(
-                            __spread(&self.__general.eps_plus_one.0),
-                        ),
-                    }
+                    let __numerators = [
+                        __t_eps_mu_x * (__s_y.clone() + __t_eps_x.clone()),
+                        __t_y_eps_mu_minus_one
+                            .multiply_add(__s_y * __e_eps.get(), __t_eps_x),
+                    ];
+                    __kahan::over(__numerators, __reciprocal_1)
                 }
             }
             impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Field<T> {
-                type Prepared = __Step<T>;
+                type Prepared = __kahan::StepOverEps<__Step, __General, T, 6, 3>;
                 #[inline(always)]
-                fn prepare(&self, eps: &T) -> __Step<T> {
-                    let __general = {
-                        let __p_mu = &self.mu;
-                        __General {
-                            eps_mu: __kahan::Apart::new(eps.clone() * __p_mu.clone()),
-                            eps: __kahan::Apart::new(eps.clone()),
-                            eps_plus_one: __kahan::Apart::new(
+                fn prepare(&self, eps: &T) -> Self::Prepared {
+                    Self::Prepared::new(
+                        eps,
+                        || {
+                            let __p_mu = &self.mu;
+                            let __c_1_2 = __kahan::ratio::<T>(1, 2);
+                            let __t_mu_half_eps = __p_mu.clone()
+                                * (__c_1_2.clone() * eps.clone());
+                            [
+                                __t_mu_half_eps.clone(),
+                                __t_mu_half_eps + __c_1_2.clone() * __p_mu.clone(),
+                                __c_1_2.clone() + __c_1_2 / eps.clone(),
+                                eps.clone(),
+                                eps.clone() * __p_mu.clone(),
+                                __p_mu.clone(),
+                            ]
+                        },
+                        || {
+                            let __p_mu = &self.mu;
+                            [
+                                eps.clone() * __p_mu.clone(),
+                                eps.clone(),
                                 eps.clone() + __kahan::integer::<T>(1),
-                            ),
-                        }
-                    };
-                    let (__is_inverse, __divisor) = __kahan::divisor(eps);
-                    let eps = &__divisor;
-                    let __p_mu = &self.mu;
-                    let __c_1_2 = __kahan::ratio::<T>(1, 2);
-                    let __t_mu_half_eps = __p_mu.clone()
-                        * (__c_1_2.clone() * eps.clone());
-                    __Step {
-                        mu_half_eps: __kahan::Apart::new(__t_mu_half_eps.clone()),
-                        mu_half_eps_plus_half_mu: __kahan::Apart::new(
-                            __t_mu_half_eps + __c_1_2.clone() * __p_mu.clone(),
-                        ),
-                        half_plus_half_over_eps: __kahan::Apart::new(
-                            __c_1_2.clone() + __c_1_2.over_eps(eps),
-                        ),
-                        eps: __kahan::Apart::new(eps.clone()),
-                        eps_mu: __kahan::Apart::new(eps.clone() * __p_mu.clone()),
-                        mu: __kahan::Apart::new(__p_mu.clone()),
-                        __general,
-                        __is_inverse,
-                    }
+                            ]
+                        },
+                    )
                 }
                 fn jacobian(
                     &self,
@@ -298,14 +208,11 @@ fn scope() {
                     prepared: &Self::Prepared,
                     x: &__kahan::SVector<T, 2>,
                     eps: &T,
-                ) -> __kahan::core::result::Result<
-                    __kahan::SVector<T, 2>,
-                    __kahan::SingularStep,
-                >
+                ) -> __kahan::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
                 where
                     T: __kahan::Pivot,
                 {
-                    __kahan::stable_step(self, prepared, x, eps)
+                    __kahan::Pivot::stable_step(self, prepared, x, eps)
                 }
                 fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
                     let [__s_x, __s_y] = __kahan::components(x);
@@ -350,7 +257,7 @@ fn scope() {
                 #[inline(always)]
                 fn lift<U: __kahan::Scalar>(
                     &self,
-                    lift: impl __kahan::core::ops::Fn(&T) -> U,
+                    lift: impl __kahan::Fn(&T) -> U,
                 ) -> Field<U> {
                     Field { mu: lift(&self.mu) }
                 }

@@ -43,24 +43,39 @@ pub struct Broken<T> {
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
 #[allow(non_snake_case, non_upper_case_globals, unused, missing_docs)]
 const _: () = {
-    use ::kahan_core::__private as __kahan;
-    use __kahan::Clone as _;
-    fn x() {}
-    fn y() {}
-    fn eps() {}
-    fn prepared() {}
-    fn lift() {}
+    use ::kahan_core::__private::{self as __kahan, arguments::*, Clone as _};
     impl<T> Broken<T> {
         /// The state variables, in order.
-        pub const VARIABLES: [&'static __kahan::core::primitive::str; 2] = ["x", "y"];
+        pub const VARIABLES: [&'static __kahan::str; 2] = ["x", "y"];
         /// The parameters, in order.
-        pub const PARAMETERS: [&'static __kahan::core::primitive::str; 1] = ["mu"];
+        pub const PARAMETERS: [&'static __kahan::str; 1] = ["mu"];
+        /// The names of the integrals, in order.
+        pub const INTEGRALS: [&'static __kahan::str; 1] = ["H"];
+    }
+    impl<T: __kahan::Scalar> Broken<T> {
+        /// The integrals of motion of the map at `x`; `eps` is ε, half the time step.
+        ///
+        /// In order:
+        ///
+        /// ```text
+        /// H = x
+        /// ```
+        ///
+        /// Where a divisor is zero, floats are not finite and exact scalars panic.
+        pub fn integrals(
+            &self,
+            x: &__kahan::SVector<T, 2>,
+            eps: T,
+        ) -> __kahan::SVector<T, 1> {
+            let [__s_x, _] = __kahan::components(x);
+            __kahan::vector([__s_x.clone()])
+        }
     }
     impl<T> __kahan::Named for Broken<T> {
-        fn variables(&self) -> &'static [&'static __kahan::core::primitive::str] {
+        fn variables(&self) -> &'static [&'static __kahan::str] {
             &Self::VARIABLES
         }
-        fn parameters(&self) -> &'static [&'static __kahan::core::primitive::str] {
+        fn parameters(&self) -> &'static [&'static __kahan::str] {
             &Self::PARAMETERS
         }
     }
@@ -89,52 +104,27 @@ const _: () = {
             x: &__kahan::SVector<T, 2>,
             y: &__kahan::SVector<T, 2>,
         ) -> __kahan::SVector<T, 2> {
-            let __c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([__c_0.clone(), __c_0])
+            __kahan::QuadraticField::bilinear(self, x, y)
         }
     }
-    #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-    pub struct __Step<T> {
-        __scalar: __kahan::core::marker::PhantomData<T>,
-    }
-    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
-        const COST: __kahan::StepCost = __kahan::StepCost {
-            operations: 2,
-            divisions: 0,
-            chain: 3,
-        };
+    pub struct __Step;
+    impl __kahan::Kernel<2, 0> for __Step {
+        const COST: __kahan::StepCost = __kahan::StepCost::of(2, 0, 3);
         #[inline(always)]
-        fn quotients(
-            &self,
-            x: &__kahan::SVector<T, 2>,
+        fn quotients<T: __kahan::Scalar>(
+            __constants: &[__kahan::Padded<T>; 0],
+            __state: [T; 2],
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
+            let [] = __constants;
             let __c_0 = __kahan::integer::<T>(0);
-            __kahan::Option::Some(__kahan::Quotients {
-                numerators: [__c_0.clone(), __c_0],
-                reciprocals: [__kahan::Option::None, __kahan::Option::None],
-            })
-        }
-    }
-    impl<T: __kahan::Scalar> __kahan::WideStep<T, 2> for __Step<T> {
-        const HAS_LANES: __kahan::core::primitive::bool = true;
-        type Wide<__L: __kahan::Scalar> = __Step<__L>;
-        #[inline(always)]
-        fn widen<__L: __kahan::Scalar>(
-            &self,
-            __spread: impl __kahan::core::ops::Fn(&T) -> __L,
-        ) -> __Step<__L> {
-            __Step {
-                __scalar: __kahan::core::marker::PhantomData,
-            }
+            __kahan::Some(__kahan::Quotients::whole([__c_0.clone(), __c_0]))
         }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Broken<T> {
-        type Prepared = __Step<T>;
+        type Prepared = __kahan::StraightStep<__Step, T, 0>;
         #[inline(always)]
-        fn prepare(&self, eps: &T) -> __Step<T> {
-            __Step {
-                __scalar: __kahan::core::marker::PhantomData,
-            }
+        fn prepare(&self, eps: &T) -> Self::Prepared {
+            Self::Prepared::new([])
         }
         fn jacobian(
             &self,
@@ -149,11 +139,11 @@ const _: () = {
             prepared: &Self::Prepared,
             x: &__kahan::SVector<T, 2>,
             eps: &T,
-        ) -> __kahan::core::result::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
+        ) -> __kahan::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
         where
             T: __kahan::Pivot,
         {
-            __kahan::stable_step(self, prepared, x, eps)
+            __kahan::Pivot::stable_step(self, prepared, x, eps)
         }
         fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
             __kahan::integer::<T>(1)
@@ -172,36 +162,13 @@ const _: () = {
         #[inline(always)]
         fn lift<U: __kahan::Scalar>(
             &self,
-            lift: impl __kahan::core::ops::Fn(&T) -> U,
+            lift: impl __kahan::Fn(&T) -> U,
         ) -> Broken<U> {
             Broken { mu: lift(&self.mu) }
         }
     }
-    impl<T> Broken<T> {
-        /// The names of the integrals, in order.
-        pub const INTEGRALS: [&'static __kahan::core::primitive::str; 1] = ["H"];
-    }
-    impl<T: __kahan::Scalar> Broken<T> {
-        /// The integrals of motion of the map at `x`; `eps` is ε, half the time step.
-        ///
-        /// In order:
-        ///
-        /// ```text
-        /// H = x
-        /// ```
-        ///
-        /// Where a divisor is zero, floats are not finite and exact scalars panic.
-        pub fn integrals(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-            eps: T,
-        ) -> __kahan::SVector<T, 1> {
-            let [__s_x, _] = __kahan::components(x);
-            __kahan::vector([__s_x.clone()])
-        }
-    }
     impl<T: __kahan::Scalar> __kahan::Integrals<T, 2, 1> for Broken<T> {
-        fn integral_names(&self) -> &'static [&'static __kahan::core::primitive::str] {
+        fn integral_names(&self) -> &'static [&'static __kahan::str] {
             &Self::INTEGRALS
         }
         fn integrals(

@@ -43,29 +43,85 @@ pub struct E3;
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
 #[allow(non_snake_case, non_upper_case_globals, unused, missing_docs)]
 const _: () = {
-    use ::kahan_core::__private as __kahan;
-    use __kahan::Clone as _;
-    fn x() {}
-    fn y() {}
-    fn eps() {}
-    fn prepared() {}
-    fn lift() {}
+    use ::kahan_core::__private::{self as __kahan, arguments::*, Clone as _};
     impl E3 {
         /// The state variables, in order.
-        pub const VARIABLES: [&'static __kahan::core::primitive::str; 3] = [
-            "x",
-            "y",
-            "z",
-        ];
+        pub const VARIABLES: [&'static __kahan::str; 3] = ["x", "y", "z"];
         /// The parameters, in order.
-        pub const PARAMETERS: [&'static __kahan::core::primitive::str; 0] = [];
+        pub const PARAMETERS: [&'static __kahan::str; 0] = [];
+        /// The names of the integrals, in order.
+        pub const INTEGRALS: [&'static __kahan::str; 2] = ["H", "K"];
+        /// The integrals of motion of the map at `x`; `eps` is ε, half the time step.
+        ///
+        /// In order:
+        ///
+        /// ```text
+        /// H = y/x
+        /// K = 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2))
+        /// ```
+        ///
+        /// Where a divisor is zero, floats are not finite and exact scalars panic.
+        pub fn integrals<T: __kahan::Scalar>(
+            &self,
+            x: &__kahan::SVector<T, 3>,
+            eps: T,
+        ) -> __kahan::SVector<T, 2> {
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
+            let __t_x_squared_plus_y_squared = __s_x.clone() * __s_x.clone()
+                + __s_y.clone() * __s_y.clone();
+            __kahan::vector([
+                __s_y.clone() / __s_x.clone(),
+                __kahan::ratio::<T>(1, 2)
+                    * (__t_x_squared_plus_y_squared.clone()
+                        + __s_z.clone() * __s_z.clone())
+                    / (__kahan::integer::<T>(1)
+                        + __t_x_squared_plus_y_squared * (eps.clone() * eps.clone())),
+            ])
+        }
+        /// The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `eps` is ε, half the time step.
+        ///
+        /// Namely
+        ///
+        /// ```text
+        /// rho = 2/(x*y*(x^2 + y^2 + z^2))
+        /// ```
+        pub fn density<T: __kahan::Scalar>(
+            &self,
+            x: &__kahan::SVector<T, 3>,
+            eps: T,
+        ) -> T {
+            let [__s_x, __s_y, __s_z] = __kahan::components(x);
+            __kahan::integer::<T>(2)
+                / ((__s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone()
+                    + __s_z.clone() * __s_z.clone()) * (__s_y.clone() * __s_x.clone()))
+        }
+        /// An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `eps` is ε, half the time step.
+        ///
+        /// Its entries, those not given being zero:
+        ///
+        /// ```text
+        /// {y,z} = y*(1 + eps^2*(x^2 + y^2))
+        /// {z,x} = -x*(1 + eps^2*(x^2 + y^2))
+        /// ```
+        pub fn bracket_P<T: __kahan::Scalar>(
+            &self,
+            x: &__kahan::SVector<T, 3>,
+            eps: T,
+        ) -> __kahan::SMatrix<T, 3, 3> {
+            let [__s_x, __s_y, _] = __kahan::components(x);
+            let __sum_1 = __kahan::integer::<T>(1)
+                + (__s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone())
+                    * (eps.clone() * eps.clone());
+            __kahan::antisymmetric([
+                __kahan::integer::<T>(0),
+                __s_x.clone() * __sum_1.clone(),
+                __s_y.clone() * __sum_1,
+            ])
+        }
     }
     impl __kahan::Named for E3 {
-        fn variables(&self) -> &'static [&'static __kahan::core::primitive::str] {
+        fn variables(&self) -> &'static [&'static __kahan::str] {
             &Self::VARIABLES
-        }
-        fn parameters(&self) -> &'static [&'static __kahan::core::primitive::str] {
-            &Self::PARAMETERS
         }
     }
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 3> for E3 {
@@ -112,171 +168,96 @@ const _: () = {
             x: &__kahan::SVector<T, 3>,
             y: &__kahan::SVector<T, 3>,
         ) -> __kahan::SVector<T, 3> {
-            let [__s_x, __s_y, __s_z] = __kahan::components(x);
-            let [__o_x, __o_y, __o_z] = __kahan::components(y);
-            let __c_1_2 = __kahan::ratio::<T>(1, 2);
-            __kahan::vector([
-                -((__s_x.clone() * __o_z.clone() + __s_z.clone() * __o_x.clone())
-                    * __c_1_2.clone()),
-                -(__c_1_2
-                    * (__o_z.clone() * __s_y.clone() + __s_z.clone() * __o_y.clone())),
-                __s_x.clone() * __o_x.clone() + __s_y.clone() * __o_y.clone(),
-            ])
+            __kahan::QuadraticField::bilinear(self, x, y)
         }
     }
-    #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-    pub struct __Step<T> {
-        one_over_eps: __kahan::Apart<T>,
-        half_over_eps: __kahan::Apart<T>,
-        __general: __General<T>,
-        __is_inverse: __kahan::core::primitive::bool,
-    }
-    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for __Step<T> {
-        const COST: __kahan::StepCost = __kahan::StepCost {
-            operations: 19,
-            divisions: 1,
-            chain: 31,
-        };
-        const HAS_INVERSE_STEP: __kahan::core::primitive::bool = true;
+    pub struct __Step;
+    impl __kahan::Kernel<3, 2> for __Step {
+        const COST: __kahan::StepCost = __kahan::StepCost::of(19, 1, 31);
         #[inline(always)]
-        fn quotients(
-            &self,
-            x: &__kahan::SVector<T, 3>,
+        fn quotients<T: __kahan::Scalar>(
+            __constants: &[__kahan::Padded<T>; 2],
+            __state: [T; 3],
         ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
-            if !T::HAS_INVERSE_STEPS || !(T::CALLS_GENERAL_STEP || self.__is_inverse) {
-                return self.__general.quotients(x);
-            }
-            if !self.__is_inverse {
-                let x = __kahan::vector(__kahan::components(x).clone());
-                let [__increment_1, __increment_2, __increment_3] = __kahan::general_increment(
-                    &self.__general,
-                    x,
-                );
-                return __kahan::Option::Some(__kahan::Quotients {
-                    numerators: [__increment_1, __increment_2, __increment_3],
-                    reciprocals: [
-                        __kahan::Option::Some(__kahan::integer::<T>(1)),
-                        __kahan::Option::Some(__kahan::integer::<T>(1)),
-                        __kahan::Option::Some(__kahan::integer::<T>(1)),
-                    ],
-                });
-            }
-            let [__s_x, __s_y, __s_z] = __kahan::components(x).clone();
-            let __t_x_squared_plus_y_squared = (__s_x.clone() * __s_x.clone()
-                + __s_y.clone() * __s_y.clone())
-                .alone();
-            let __reciprocal_1 = (__kahan::integer::<T>(-1)
-                .quotient(
-                    (self.one_over_eps.0.clone() + __s_z.clone())
-                        * self.half_over_eps.0.clone()
-                        + __t_x_squared_plus_y_squared.clone(),
-                )?)
-                .alone();
-            let __sum_1 = (__s_z
-                .clone()
-                .multiply_add(
-                    self.one_over_eps.0.clone(),
-                    __t_x_squared_plus_y_squared.clone(),
-                ))
-                .alone();
-            __kahan::Option::Some(__kahan::Quotients {
-                numerators: [
-                    __s_x * __sum_1.clone(),
-                    __s_y * __sum_1,
-                    __t_x_squared_plus_y_squared * (__s_z - self.one_over_eps.0.clone()),
-                ],
-                reciprocals: [
-                    __kahan::Option::Some(__reciprocal_1.clone()),
-                    __kahan::Option::Some(__reciprocal_1.clone()),
-                    __kahan::Option::Some(__reciprocal_1),
-                ],
-            })
+            let [__e_one_over_eps, __e_half_over_eps] = __constants;
+            let [__s_x, __s_y, __s_z] = __state;
+            let __t_x_squared_plus_y_squared = __kahan::fenced(
+                __s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone(),
+            );
+            let __reciprocal_1 = __kahan::fenced(
+                __kahan::integer::<T>(-1)
+                    .quotient(
+                        (__e_one_over_eps.get() + __s_z.clone())
+                            * __e_half_over_eps.get()
+                            + __t_x_squared_plus_y_squared.clone(),
+                    )?,
+            );
+            let __sum_1 = __kahan::fenced(
+                __s_z
+                    .clone()
+                    .multiply_add(
+                        __e_one_over_eps.get(),
+                        __t_x_squared_plus_y_squared.clone(),
+                    ),
+            );
+            let __numerators = [
+                __s_x * __sum_1.clone(),
+                __s_y * __sum_1,
+                __t_x_squared_plus_y_squared * (__s_z - __e_one_over_eps.get()),
+            ];
+            __kahan::over(__numerators, __reciprocal_1)
         }
     }
-    #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-    pub struct __General<T> {
-        eps: __kahan::Apart<T>,
-        two_eps: __kahan::Apart<T>,
-    }
-    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 3> for __General<T> {
-        const COST: __kahan::StepCost = __kahan::StepCost {
-            operations: 26,
-            divisions: 1,
-            chain: 35,
-        };
+    pub struct __General;
+    impl __kahan::Kernel<3, 2> for __General {
+        const COST: __kahan::StepCost = __kahan::StepCost::of(26, 1, 35);
         #[inline(always)]
-        fn quotients(
-            &self,
-            x: &__kahan::SVector<T, 3>,
+        fn quotients<T: __kahan::Scalar>(
+            __constants: &[__kahan::Padded<T>; 2],
+            __state: [T; 3],
         ) -> __kahan::Option<__kahan::Quotients<T, 3>> {
-            let [__s_x, __s_y, __s_z] = __kahan::components(x).clone();
-            let __t_eps_z = (self.eps.0.clone() * __s_z.clone()).alone();
-            let __t_eps_x = (self.eps.0.clone() * __s_x.clone()).alone();
-            let __t_eps_y = (self.eps.0.clone() * __s_y.clone()).alone();
-            let __c_1 = (__kahan::integer::<T>(1)).alone();
-            let __reciprocal_1 = (__kahan::integer::<T>(-2)
-                .quotient(
-                    (__t_eps_y.clone() + __t_eps_y.clone()) * __t_eps_y.clone()
-                        + (self.two_eps.0.clone() * __s_x.clone())
-                            .multiply_add(
-                                __t_eps_x.clone(),
-                                __c_1.clone() + __t_eps_z.clone(),
-                            ),
-                )?)
-                .alone();
-            let __t_x_eps_x = (__s_x * __t_eps_x.clone()).alone();
-            let __t_y_eps_y = (__s_y * __t_eps_y.clone()).alone();
-            let __sum_1 = (__t_y_eps_y.clone() + (__s_z + __t_x_eps_x.clone())).alone();
-            __kahan::Option::Some(__kahan::Quotients {
-                numerators: [
-                    __t_eps_x * __sum_1.clone(),
-                    __t_eps_y * __sum_1,
-                    (__t_eps_z - __c_1) * (__t_x_eps_x + __t_y_eps_y),
-                ],
-                reciprocals: [
-                    __kahan::Option::Some(__reciprocal_1.clone()),
-                    __kahan::Option::Some(__reciprocal_1.clone()),
-                    __kahan::Option::Some(__reciprocal_1),
-                ],
-            })
-        }
-    }
-    impl<T: __kahan::Scalar> __kahan::WideStep<T, 3> for __Step<T> {
-        const HAS_LANES: __kahan::core::primitive::bool = true;
-        type Wide<__L: __kahan::Scalar> = __General<__L>;
-        #[inline(always)]
-        fn widen<__L: __kahan::Scalar>(
-            &self,
-            __spread: impl __kahan::core::ops::Fn(&T) -> __L,
-        ) -> __General<__L> {
-            __General {
-                eps: __kahan::Apart::new(__spread(&self.__general.eps.0)),
-                two_eps: __kahan::Apart::new(__spread(&self.__general.two_eps.0)),
-            }
+            let [__e_eps, __e_two_eps] = __constants;
+            let [__s_x, __s_y, __s_z] = __state;
+            let __t_eps_z = __kahan::fenced(__e_eps.get() * __s_z.clone());
+            let __t_eps_x = __kahan::fenced(__e_eps.get() * __s_x.clone());
+            let __t_eps_y = __kahan::fenced(__e_eps.get() * __s_y.clone());
+            let __c_1 = __kahan::fenced(__kahan::integer::<T>(1));
+            let __reciprocal_1 = __kahan::fenced(
+                __kahan::integer::<T>(-2)
+                    .quotient(
+                        (__t_eps_y.clone() + __t_eps_y.clone()) * __t_eps_y.clone()
+                            + (__e_two_eps.get() * __s_x.clone())
+                                .multiply_add(
+                                    __t_eps_x.clone(),
+                                    __c_1.clone() + __t_eps_z.clone(),
+                                ),
+                    )?,
+            );
+            let __t_x_eps_x = __kahan::fenced(__s_x * __t_eps_x.clone());
+            let __t_y_eps_y = __kahan::fenced(__s_y * __t_eps_y.clone());
+            let __sum_1 = __kahan::fenced(
+                __t_y_eps_y.clone() + (__s_z + __t_x_eps_x.clone()),
+            );
+            let __numerators = [
+                __t_eps_x * __sum_1.clone(),
+                __t_eps_y * __sum_1,
+                (__t_eps_z - __c_1) * (__t_x_eps_x + __t_y_eps_y),
+            ];
+            __kahan::over(__numerators, __reciprocal_1)
         }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 3> for E3 {
-        type Prepared = __Step<T>;
+        type Prepared = __kahan::StepOverEps<__Step, __General, T, 2, 2>;
         #[inline(always)]
-        fn prepare(&self, eps: &T) -> __Step<T> {
-            let __general = {
-                __General {
-                    eps: __kahan::Apart::new(eps.clone()),
-                    two_eps: __kahan::Apart::new(eps.clone() * __kahan::integer::<T>(2)),
-                }
-            };
-            let (__is_inverse, __divisor) = __kahan::divisor(eps);
-            let eps = &__divisor;
-            __Step {
-                one_over_eps: __kahan::Apart::new(
-                    __kahan::integer::<T>(1).over_eps(eps),
-                ),
-                half_over_eps: __kahan::Apart::new(
-                    __kahan::ratio::<T>(1, 2).over_eps(eps),
-                ),
-                __general,
-                __is_inverse,
-            }
+        fn prepare(&self, eps: &T) -> Self::Prepared {
+            Self::Prepared::new(
+                eps,
+                || [
+                    __kahan::integer::<T>(1) / eps.clone(),
+                    __kahan::ratio::<T>(1, 2) / eps.clone(),
+                ],
+                || [eps.clone(), eps.clone() * __kahan::integer::<T>(2)],
+            )
         }
         fn jacobian(
             &self,
@@ -291,11 +272,11 @@ const _: () = {
             prepared: &Self::Prepared,
             x: &__kahan::SVector<T, 3>,
             eps: &T,
-        ) -> __kahan::core::result::Result<__kahan::SVector<T, 3>, __kahan::SingularStep>
+        ) -> __kahan::Result<__kahan::SVector<T, 3>, __kahan::SingularStep>
         where
             T: __kahan::Pivot,
         {
-            __kahan::stable_step(self, prepared, x, eps)
+            __kahan::Pivot::stable_step(self, prepared, x, eps)
         }
         fn det_matrix(&self, x: &__kahan::SVector<T, 3>, eps: T) -> T {
             let [__s_x, __s_y, __s_z] = __kahan::components(x);
@@ -379,48 +360,12 @@ const _: () = {
     impl<T: __kahan::Scalar> __kahan::Lift<T, 3> for E3 {
         type Lifted<U: __kahan::Scalar> = E3;
         #[inline(always)]
-        fn lift<U: __kahan::Scalar>(
-            &self,
-            lift: impl __kahan::core::ops::Fn(&T) -> U,
-        ) -> E3 {
+        fn lift<U: __kahan::Scalar>(&self, lift: impl __kahan::Fn(&T) -> U) -> E3 {
             __kahan::Clone::clone(self)
         }
     }
-    impl E3 {
-        /// The names of the integrals, in order.
-        pub const INTEGRALS: [&'static __kahan::core::primitive::str; 2] = ["H", "K"];
-    }
-    impl E3 {
-        /// The integrals of motion of the map at `x`; `eps` is ε, half the time step.
-        ///
-        /// In order:
-        ///
-        /// ```text
-        /// H = y/x
-        /// K = 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2))
-        /// ```
-        ///
-        /// Where a divisor is zero, floats are not finite and exact scalars panic.
-        pub fn integrals<T: __kahan::Scalar>(
-            &self,
-            x: &__kahan::SVector<T, 3>,
-            eps: T,
-        ) -> __kahan::SVector<T, 2> {
-            let [__s_x, __s_y, __s_z] = __kahan::components(x);
-            let __t_x_squared_plus_y_squared = __s_x.clone() * __s_x.clone()
-                + __s_y.clone() * __s_y.clone();
-            __kahan::vector([
-                __s_y.clone() / __s_x.clone(),
-                __kahan::ratio::<T>(1, 2)
-                    * (__t_x_squared_plus_y_squared.clone()
-                        + __s_z.clone() * __s_z.clone())
-                    / (__kahan::integer::<T>(1)
-                        + __t_x_squared_plus_y_squared * (eps.clone() * eps.clone())),
-            ])
-        }
-    }
     impl<T: __kahan::Scalar> __kahan::Integrals<T, 3, 2> for E3 {
-        fn integral_names(&self) -> &'static [&'static __kahan::core::primitive::str] {
+        fn integral_names(&self) -> &'static [&'static __kahan::str] {
             &Self::INTEGRALS
         }
         fn integrals(
@@ -429,53 +374,6 @@ const _: () = {
             eps: T,
         ) -> __kahan::SVector<T, 2> {
             Self::integrals(self, x, eps)
-        }
-    }
-    impl E3 {
-        /// The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `eps` is ε, half the time step.
-        ///
-        /// Namely
-        ///
-        /// ```text
-        /// rho = 2/(x*y*(x^2 + y^2 + z^2))
-        /// ```
-        pub fn density<T: __kahan::Scalar>(
-            &self,
-            x: &__kahan::SVector<T, 3>,
-            eps: T,
-        ) -> T {
-            let [__s_x, __s_y, __s_z] = __kahan::components(x);
-            __kahan::integer::<T>(2)
-                / ((__s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone()
-                    + __s_z.clone() * __s_z.clone()) * (__s_y.clone() * __s_x.clone()))
-        }
-    }
-    impl E3 {
-        /// An invariant Poisson tensor P: J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x; `eps` is ε, half the time step.
-        ///
-        /// Its entries, those not given being zero:
-        ///
-        /// ```text
-        /// {y,z} = y*(1 + eps^2*(x^2 + y^2))
-        /// {z,x} = -x*(1 + eps^2*(x^2 + y^2))
-        /// ```
-        pub fn bracket_P<T: __kahan::Scalar>(
-            &self,
-            x: &__kahan::SVector<T, 3>,
-            eps: T,
-        ) -> __kahan::SMatrix<T, 3, 3> {
-            let [__s_x, __s_y, _] = __kahan::components(x);
-            let __sum_1 = __kahan::integer::<T>(1)
-                + (__s_x.clone() * __s_x.clone() + __s_y.clone() * __s_y.clone())
-                    * (eps.clone() * eps.clone());
-            let __p_0_1 = __kahan::integer::<T>(0);
-            let __p_0_2 = __s_x.clone() * __sum_1.clone();
-            let __p_1_2 = __s_y.clone() * __sum_1;
-            __kahan::matrix([
-                [__kahan::integer::<T>(0), __p_0_1.clone(), __p_0_2.clone()],
-                [-__p_0_1.clone(), __kahan::integer::<T>(0), __p_1_2.clone()],
-                [-__p_0_2.clone(), -__p_1_2.clone(), __kahan::integer::<T>(0)],
-            ])
         }
     }
 };

@@ -42,24 +42,18 @@ pub(crate) struct Pendulum<T> {
 #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
 #[allow(non_snake_case, non_upper_case_globals, unused, missing_docs)]
 const _: () = {
-    use ::kahan_core::__private as __kahan;
-    use __kahan::Clone as _;
-    fn x() {}
-    fn y() {}
-    fn eps() {}
-    fn prepared() {}
-    fn lift() {}
+    use ::kahan_core::__private::{self as __kahan, arguments::*, Clone as _};
     impl<T> Pendulum<T> {
         /// The state variables, in order.
-        pub const VARIABLES: [&'static __kahan::core::primitive::str; 2] = ["x", "y"];
+        pub const VARIABLES: [&'static __kahan::str; 2] = ["x", "y"];
         /// The parameters, in order.
-        pub const PARAMETERS: [&'static __kahan::core::primitive::str; 2] = ["mu", "nu"];
+        pub const PARAMETERS: [&'static __kahan::str; 2] = ["mu", "nu"];
     }
     impl<T> __kahan::Named for Pendulum<T> {
-        fn variables(&self) -> &'static [&'static __kahan::core::primitive::str] {
+        fn variables(&self) -> &'static [&'static __kahan::str] {
             &Self::VARIABLES
         }
-        fn parameters(&self) -> &'static [&'static __kahan::core::primitive::str] {
+        fn parameters(&self) -> &'static [&'static __kahan::str] {
             &Self::PARAMETERS
         }
     }
@@ -168,221 +162,156 @@ const _: () = {
             ])
         }
     }
-    #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-    pub struct __Step<T> {
-        half_plus_half_nu: __kahan::Apart<T>,
-        constant_1: __kahan::Apart<T>,
-        constant_2: __kahan::Apart<T>,
-        eps: __kahan::Apart<T>,
-        nu_plus_one: __kahan::Apart<T>,
-        mu: __kahan::Apart<T>,
-        nu_minus_mu: __kahan::Apart<T>,
-        n981_times_mu_minus_nu: __kahan::Apart<T>,
-        __general: __General<T>,
-        __is_inverse: __kahan::core::primitive::bool,
-    }
-    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __Step<T> {
-        const COST: __kahan::StepCost = __kahan::StepCost {
-            operations: 27,
-            divisions: 1,
-            chain: 32,
-        };
-        const HAS_INVERSE_STEP: __kahan::core::primitive::bool = true;
+    pub struct __Step;
+    impl __kahan::Kernel<2, 8> for __Step {
+        const COST: __kahan::StepCost = __kahan::StepCost::of(27, 1, 32);
         #[inline(always)]
-        fn quotients(
-            &self,
-            x: &__kahan::SVector<T, 2>,
+        fn quotients<T: __kahan::Scalar>(
+            __constants: &[__kahan::Padded<T>; 8],
+            __state: [T; 2],
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-            if !T::HAS_INVERSE_STEPS || !(T::CALLS_GENERAL_STEP || self.__is_inverse) {
-                return self.__general.quotients(x);
-            }
-            if !self.__is_inverse {
-                let x = __kahan::vector(__kahan::components(x).clone());
-                let [__increment_1, __increment_2] = __kahan::general_increment(
-                    &self.__general,
-                    x,
-                );
-                return __kahan::Option::Some(__kahan::Quotients {
-                    numerators: [__increment_1, __increment_2],
-                    reciprocals: [
-                        __kahan::Option::Some(__kahan::integer::<T>(1)),
-                        __kahan::Option::Some(__kahan::integer::<T>(1)),
-                    ],
-                });
-            }
-            let [__s_x, __s_y] = __kahan::components(x).clone();
-            let __reciprocal_1 = self
-                .constant_2
-                .0
-                .clone()
-                .subtract_product(self.half_plus_half_nu.0.clone(), __s_x.clone())
-                .subtract_product(self.constant_1.0.clone(), __s_y.clone())
+            let [__e_half_plus_half_nu, __e_constant_1, __e_constant_2, __e_eps,
+            __e_nu_plus_one, __e_mu, __e_nu_minus_mu, __e_n981_times_mu_minus_nu] = __constants;
+            let [__s_x, __s_y] = __state;
+            let __reciprocal_1 = __e_constant_2
+                .get()
+                .subtract_product(__e_half_plus_half_nu.get(), __s_x.clone())
+                .subtract_product(__e_constant_1.get(), __s_y.clone())
                 .reciprocal()?;
-            let __t_nu_plus_one_n100_y = self.nu_plus_one.0.clone()
+            let __t_nu_plus_one_n100_y = __e_nu_plus_one.get()
                 * (__s_y.clone() * __kahan::integer::<T>(100));
             let __sum_1 = __t_nu_plus_one_n100_y.clone()
-                - self.n981_times_mu_minus_nu.0.clone();
+                - __e_n981_times_mu_minus_nu.get();
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
-            __kahan::Option::Some(__kahan::Quotients {
-                numerators: [
-                    self.nu_minus_mu.0.clone()
-                        * (__kahan::integer::<T>(981)
-                            .multiply_subtract(
-                                self.eps.0.clone() * __s_x.clone(),
-                                __t_nu_plus_one_n100_y,
-                            ) * __c_1_100.clone()),
-                    __c_1_100
-                        * (self.nu_minus_mu.0.clone()
-                            * (self.mu.0.clone()
-                                * (self.nu_plus_one.0.clone()
-                                    * (__s_y.clone() * __kahan::integer::<T>(10))))
-                            + (__s_x * __sum_1.clone()
-                                + __sum_1 * (self.eps.0.clone() * __s_y))),
-                ],
-                reciprocals: [
-                    __kahan::Option::Some(__reciprocal_1.clone()),
-                    __kahan::Option::Some(__reciprocal_1),
-                ],
-            })
+            let __numerators = [
+                __e_nu_minus_mu.get()
+                    * (__kahan::integer::<T>(981)
+                        .multiply_subtract(
+                            __e_eps.get() * __s_x.clone(),
+                            __t_nu_plus_one_n100_y,
+                        ) * __c_1_100.clone()),
+                __c_1_100
+                    * (__e_nu_minus_mu.get()
+                        * (__e_mu.get()
+                            * (__e_nu_plus_one.get()
+                                * (__s_y.clone() * __kahan::integer::<T>(10))))
+                        + (__s_x * __sum_1.clone() + __sum_1 * (__e_eps.get() * __s_y))),
+            ];
+            __kahan::over(__numerators, __reciprocal_1)
         }
     }
-    #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-    pub struct __General<T> {
-        eps: __kahan::Apart<T>,
-        nu_plus_one: __kahan::Apart<T>,
-        eps_plus_eps_nu: __kahan::Apart<T>,
-        constant_1: __kahan::Apart<T>,
-        eps_nu_minus_eps_mu: __kahan::Apart<T>,
-        constant_2: __kahan::Apart<T>,
-        n981_times_mu_minus_nu: __kahan::Apart<T>,
-    }
-    impl<T: __kahan::Scalar> __kahan::PreparedStep<T, 2> for __General<T> {
-        const COST: __kahan::StepCost = __kahan::StepCost {
-            operations: 31,
-            divisions: 1,
-            chain: 41,
-        };
+    pub struct __General;
+    impl __kahan::Kernel<2, 7> for __General {
+        const COST: __kahan::StepCost = __kahan::StepCost::of(31, 1, 41);
         #[inline(always)]
-        fn quotients(
-            &self,
-            x: &__kahan::SVector<T, 2>,
+        fn quotients<T: __kahan::Scalar>(
+            __constants: &[__kahan::Padded<T>; 7],
+            __state: [T; 2],
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-            let [__s_x, __s_y] = __kahan::components(x).clone();
-            let __t_eps_x = self.eps.0.clone() * __s_x;
+            let [__e_eps, __e_nu_plus_one, __e_eps_plus_eps_nu, __e_constant_1,
+            __e_eps_nu_minus_eps_mu, __e_constant_2, __e_n981_times_mu_minus_nu] = __constants;
+            let [__s_x, __s_y] = __state;
+            let __t_eps_x = __e_eps.get() * __s_x;
             let __c_100 = __kahan::integer::<T>(100);
-            let __t_eps_y = self.eps.0.clone() * __s_y.clone();
+            let __t_eps_y = __e_eps.get() * __s_y.clone();
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
             let __reciprocal_1 = __kahan::integer::<T>(2)
                 .quotient(
-                    self
-                        .constant_1
-                        .0
-                        .clone()
+                    __e_constant_1
+                        .get()
                         .subtract_product(
-                            self.nu_plus_one.0.clone(),
+                            __e_nu_plus_one.get(),
                             __c_100.clone() * __t_eps_x.clone(),
                         )
                         .subtract_product(
-                            self.eps_plus_eps_nu.0.clone(),
+                            __e_eps_plus_eps_nu.get(),
                             __c_100.clone() * __t_eps_y.clone(),
                         ) * __c_1_100.clone(),
                 )?;
             let __c_981 = __kahan::integer::<T>(981);
-            let __t_nu_plus_one_n100_y = self.nu_plus_one.0.clone() * (__c_100 * __s_y);
+            let __t_nu_plus_one_n100_y = __e_nu_plus_one.get() * (__c_100 * __s_y);
             let __t_ten_eps_y = __t_eps_y.clone() * __kahan::integer::<T>(10);
-            __kahan::Option::Some(__kahan::Quotients {
-                numerators: [
-                    __c_1_100.clone()
-                        * (self.eps_nu_minus_eps_mu.0.clone()
-                            * __t_eps_x
-                                .clone()
-                                .multiply_subtract(
-                                    __c_981.clone(),
-                                    __t_nu_plus_one_n100_y.clone(),
-                                )),
-                    __c_1_100
-                        * self
-                            .eps_nu_minus_eps_mu
-                            .0
+            let __numerators = [
+                __c_1_100.clone()
+                    * (__e_eps_nu_minus_eps_mu.get()
+                        * __t_eps_x
                             .clone()
-                            .multiply_add(
-                                __t_eps_y * __c_981,
-                                __t_ten_eps_y
-                                    .clone()
-                                    .multiply_add(
-                                        self
-                                            .nu_plus_one
-                                            .0
-                                            .clone()
-                                            .multiply_subtract(
-                                                __t_ten_eps_y,
-                                                self.constant_2.0.clone(),
-                                            ),
-                                        __t_eps_x
-                                            * (__t_nu_plus_one_n100_y
-                                                - self.n981_times_mu_minus_nu.0.clone()),
-                                    ),
-                            ),
-                ],
-                reciprocals: [
-                    __kahan::Option::Some(__reciprocal_1.clone()),
-                    __kahan::Option::Some(__reciprocal_1),
-                ],
-            })
-        }
-    }
-    impl<T: __kahan::Scalar> __kahan::WideStep<T, 2> for __Step<T> {
-        const HAS_LANES: __kahan::core::primitive::bool = true;
-        type Wide<__L: __kahan::Scalar> = __General<__L>;
-        #[inline(always)]
-        fn widen<__L: __kahan::Scalar>(
-            &self,
-            __spread: impl __kahan::core::ops::Fn(&T) -> __L,
-        ) -> __General<__L> {
-            __General {
-                eps: __kahan::Apart::new(__spread(&self.__general.eps.0)),
-                nu_plus_one: __kahan::Apart::new(
-                    __spread(&self.__general.nu_plus_one.0),
-                ),
-                eps_plus_eps_nu: __kahan::Apart::new(
-                    __spread(&self.__general.eps_plus_eps_nu.0),
-                ),
-                constant_1: __kahan::Apart::new(__spread(&self.__general.constant_1.0)),
-                eps_nu_minus_eps_mu: __kahan::Apart::new(
-                    __spread(&self.__general.eps_nu_minus_eps_mu.0),
-                ),
-                constant_2: __kahan::Apart::new(__spread(&self.__general.constant_2.0)),
-                n981_times_mu_minus_nu: __kahan::Apart::new(
-                    __spread(&self.__general.n981_times_mu_minus_nu.0),
-                ),
-            }
+                            .multiply_subtract(
+                                __c_981.clone(),
+                                __t_nu_plus_one_n100_y.clone(),
+                            )),
+                __c_1_100
+                    * __e_eps_nu_minus_eps_mu
+                        .get()
+                        .multiply_add(
+                            __t_eps_y * __c_981,
+                            __t_ten_eps_y
+                                .clone()
+                                .multiply_add(
+                                    __e_nu_plus_one
+                                        .get()
+                                        .multiply_subtract(__t_ten_eps_y, __e_constant_2.get()),
+                                    __t_eps_x
+                                        * (__t_nu_plus_one_n100_y
+                                            - __e_n981_times_mu_minus_nu.get()),
+                                ),
+                        ),
+            ];
+            __kahan::over(__numerators, __reciprocal_1)
         }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Pendulum<T> {
-        type Prepared = __Step<T>;
+        type Prepared = __kahan::StepOverEps<__Step, __General, T, 8, 7>;
         #[inline(always)]
-        fn prepare(&self, eps: &T) -> __Step<T> {
-            let __general = {
-                let __p_mu = &self.mu;
-                let __p_nu = &self.nu;
-                let __t_eps_nu = eps.clone() * __p_nu.clone();
-                let __c_100 = __kahan::integer::<T>(100);
-                let __t_n100_nu = __p_nu.clone() * __c_100.clone();
-                let __c_10 = __kahan::integer::<T>(10);
-                let __t_eps_mu = eps.clone() * __p_mu.clone();
-                let __t_eps_mu_ten_nu = __t_eps_mu.clone()
-                    * (__p_nu.clone() * __c_10.clone());
-                let __c_981 = __kahan::integer::<T>(981);
-                let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
-                __General {
-                    eps: __kahan::Apart::new(eps.clone()),
-                    nu_plus_one: __kahan::Apart::new(
+        fn prepare(&self, eps: &T) -> Self::Prepared {
+            Self::Prepared::new(
+                eps,
+                || {
+                    let __p_mu = &self.mu;
+                    let __p_nu = &self.nu;
+                    let __t_n1_20_mu = __kahan::ratio::<T>(1, 20) * __p_mu.clone();
+                    let __t_mu_nu = __p_mu.clone() * __p_nu.clone();
+                    let __t_nu_squared = __p_nu.clone() * __p_nu.clone();
+                    let __c_1_2 = __kahan::ratio::<T>(1, 2);
+                    let __t_half_over_eps = __c_1_2.clone() / eps.clone();
+                    let __c_981_200 = __kahan::ratio::<T>(981, 200);
+                    let __t_nu_eps = __p_nu.clone() * eps.clone();
+                    [
+                        __c_1_2.clone() + __p_nu.clone() * __c_1_2.clone(),
+                        __c_1_2.clone() * __t_nu_eps.clone() + __c_1_2 * eps.clone(),
+                        __p_mu.clone() * __t_n1_20_mu.clone()
+                            - __p_nu.clone() * __t_n1_20_mu.clone()
+                            + (__c_981_200.clone() * (__p_mu.clone() * eps.clone())
+                                + __p_mu.clone() * __t_half_over_eps.clone())
+                            + (__t_n1_20_mu.clone() * __t_mu_nu.clone()
+                                - __t_n1_20_mu * __t_nu_squared.clone()
+                                + (__t_mu_nu * __t_half_over_eps.clone()
+                                    - __t_nu_squared * __t_half_over_eps.clone())
+                                - (__c_981_200 * __t_nu_eps
+                                    + __p_nu.clone() * __t_half_over_eps)),
+                        eps.clone(),
                         __p_nu.clone() + __kahan::integer::<T>(1),
-                    ),
-                    eps_plus_eps_nu: __kahan::Apart::new(
+                        __p_mu.clone(),
+                        __p_nu.clone() - __p_mu.clone(),
+                        (__p_mu.clone() - __p_nu.clone()) * __kahan::integer::<T>(981),
+                    ]
+                },
+                || {
+                    let __p_mu = &self.mu;
+                    let __p_nu = &self.nu;
+                    let __t_eps_nu = eps.clone() * __p_nu.clone();
+                    let __c_100 = __kahan::integer::<T>(100);
+                    let __t_n100_nu = __p_nu.clone() * __c_100.clone();
+                    let __c_10 = __kahan::integer::<T>(10);
+                    let __t_eps_mu = eps.clone() * __p_mu.clone();
+                    let __t_eps_mu_ten_nu = __t_eps_mu.clone()
+                        * (__p_nu.clone() * __c_10.clone());
+                    let __c_981 = __kahan::integer::<T>(981);
+                    let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
+                    [
+                        eps.clone(),
+                        __p_nu.clone() + __kahan::integer::<T>(1),
                         eps.clone() + __t_eps_nu.clone(),
-                    ),
-                    constant_1: __kahan::Apart::new(
                         __c_981.clone() * (eps.clone() * __t_eps_mu.clone())
                             - __c_981.clone() * (eps.clone() * __t_eps_nu.clone())
                             - (__p_nu.clone() * __t_n100_nu.clone()
@@ -392,60 +321,14 @@ const _: () = {
                                 + (__c_100 * __p_mu.clone() - __t_n100_nu.clone()
                                     + (__p_mu.clone() * __t_n100_nu
                                         + __t_eps_mu.clone() * (__p_mu.clone() * __c_10)))),
-                    ),
-                    eps_nu_minus_eps_mu: __kahan::Apart::new(__t_eps_nu - __t_eps_mu),
-                    constant_2: __kahan::Apart::new(
+                        __t_eps_nu - __t_eps_mu,
                         __p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
                             + (__p_mu.clone() * __t_nu_mu.clone()
                                 - __p_nu.clone() * __t_nu_mu),
-                    ),
-                    n981_times_mu_minus_nu: __kahan::Apart::new(
                         __c_981 * (__p_mu.clone() - __p_nu.clone()),
-                    ),
-                }
-            };
-            let (__is_inverse, __divisor) = __kahan::divisor(eps);
-            let eps = &__divisor;
-            let __p_mu = &self.mu;
-            let __p_nu = &self.nu;
-            let __t_n1_20_mu = __kahan::ratio::<T>(1, 20) * __p_mu.clone();
-            let __t_mu_nu = __p_mu.clone() * __p_nu.clone();
-            let __t_nu_squared = __p_nu.clone() * __p_nu.clone();
-            let __c_1_2 = __kahan::ratio::<T>(1, 2);
-            let __t_half_over_eps = __c_1_2.clone().over_eps(eps);
-            let __c_981_200 = __kahan::ratio::<T>(981, 200);
-            let __t_nu_eps = __p_nu.clone() * eps.clone();
-            __Step {
-                half_plus_half_nu: __kahan::Apart::new(
-                    __c_1_2.clone() + __p_nu.clone() * __c_1_2.clone(),
-                ),
-                constant_1: __kahan::Apart::new(
-                    __c_1_2.clone() * __t_nu_eps.clone() + __c_1_2 * eps.clone(),
-                ),
-                constant_2: __kahan::Apart::new(
-                    __p_mu.clone() * __t_n1_20_mu.clone()
-                        - __p_nu.clone() * __t_n1_20_mu.clone()
-                        + (__c_981_200.clone() * (__p_mu.clone() * eps.clone())
-                            + __p_mu.clone() * __t_half_over_eps.clone())
-                        + (__t_n1_20_mu.clone() * __t_mu_nu.clone()
-                            - __t_n1_20_mu * __t_nu_squared.clone()
-                            + (__t_mu_nu * __t_half_over_eps.clone()
-                                - __t_nu_squared * __t_half_over_eps.clone())
-                            - (__c_981_200 * __t_nu_eps
-                                + __p_nu.clone() * __t_half_over_eps)),
-                ),
-                eps: __kahan::Apart::new(eps.clone()),
-                nu_plus_one: __kahan::Apart::new(
-                    __p_nu.clone() + __kahan::integer::<T>(1),
-                ),
-                mu: __kahan::Apart::new(__p_mu.clone()),
-                nu_minus_mu: __kahan::Apart::new(__p_nu.clone() - __p_mu.clone()),
-                n981_times_mu_minus_nu: __kahan::Apart::new(
-                    (__p_mu.clone() - __p_nu.clone()) * __kahan::integer::<T>(981),
-                ),
-                __general,
-                __is_inverse,
-            }
+                    ]
+                },
+            )
         }
         fn jacobian(
             &self,
@@ -460,11 +343,11 @@ const _: () = {
             prepared: &Self::Prepared,
             x: &__kahan::SVector<T, 2>,
             eps: &T,
-        ) -> __kahan::core::result::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
+        ) -> __kahan::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
         where
             T: __kahan::Pivot,
         {
-            __kahan::stable_step(self, prepared, x, eps)
+            __kahan::Pivot::stable_step(self, prepared, x, eps)
         }
         fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
             let [__s_x, __s_y] = __kahan::components(x);
@@ -548,7 +431,7 @@ const _: () = {
         #[inline(always)]
         fn lift<U: __kahan::Scalar>(
             &self,
-            lift: impl __kahan::core::ops::Fn(&T) -> U,
+            lift: impl __kahan::Fn(&T) -> U,
         ) -> Pendulum<U> {
             Pendulum {
                 mu: lift(&self.mu),

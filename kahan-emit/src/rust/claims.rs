@@ -2,21 +2,32 @@
 
 use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::{Claim, upper_index};
+use kahan_algebra::system::Claim;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::field::{emit_body, emit_vector};
 use super::{Context, docs, items};
 
-/// Expands to the accessors of all claims. Where there are no integrals, or no density, rustc is
-/// told what a call lacks.
-pub(super) fn emit_claims(context: &Context<'_>) -> TokenStream {
-    let integrals = emit_integrals(context);
+/// What claims generate.
+#[derive(Default)]
+pub(super) struct EmittedClaims {
+    /// Constants of the type.
+    pub(super) constants: TokenStream,
+    /// Methods of the type, over any scalar.
+    pub(super) methods: TokenStream,
+    /// Traits of the type.
+    pub(super) implementations: TokenStream,
+}
+
+/// Emits the accessors of all claims. Where there are no integrals, or no density, rustc is told what a call lacks.
+pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
+    let mut emitted = emit_integrals(context);
     let density = context.system.accessors(ClaimKind::Density).zip(&context.derived.density);
     let density = density.map(|(claim, plan)| emit_density(context, claim, plan));
     let brackets = context.system.accessors(ClaimKind::Bracket).zip(&context.derived.brackets);
     let brackets = brackets.map(|(claim, (_, plan))| emit_bracket(context, claim, plan));
+    emitted.methods.extend(density.into_iter().chain(brackets));
     let this = context.self_type();
     let scalar = &context.scalar;
     let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
@@ -31,10 +42,11 @@ pub(super) fn emit_claims(context: &Context<'_>) -> TokenStream {
             quote! { #[doc(hidden)] impl<#scalar: __kahan::Integer> __kahan::IntegerParameters for #this {} }
         }),
     ];
-    quote! { #integrals #(#density)* #(#brackets)* #(#lacking)* }
+    emitted.implementations.extend(lacking.into_iter().flatten());
+    emitted
 }
 
-/// `impl<T: Scalar> E7<T> { pub fn …(&self, …) }`, or `impl E6 { pub fn …<T: Scalar>(&self, …) }`.
+/// `pub fn …(&self, …)`, in an implementation for scalars where there are parameters, else with the scalar as its own.
 fn emit_method(
     context: &Context<'_>,
     documentation: &TokenStream,
@@ -42,49 +54,40 @@ fn emit_method(
     result: &TokenStream,
     body: &TokenStream,
 ) -> TokenStream {
-    let (this, scalar, vector) = (context.self_type(), &context.scalar, context.vector());
-    let name = format_ident!("{name}");
-    let bounds = quote!(<#scalar: __kahan::Scalar>);
-    let nothing = quote!();
-    let (on_impl, on_method) =
-        if context.has_parameters() { (&bounds, &nothing) } else { (&nothing, &bounds) };
+    let (scalar, vector, name) = (&context.scalar, context.vector(), format_ident!("{name}"));
+    let generics = if context.has_parameters() { quote!() } else { quote!(<#scalar: __kahan::Scalar>) };
     quote! {
-        impl #on_impl #this {
-            #documentation
-            pub fn #name #on_method (&self, x: &#vector, eps: #scalar) -> #result {
-                #body
-            }
+        #documentation
+        pub fn #name #generics (&self, x: &#vector, eps: #scalar) -> #result {
+            #body
         }
     }
 }
 
-fn emit_integrals(context: &Context<'_>) -> TokenStream {
+fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
     let claims: Vec<&Claim> = context.system.accessors(ClaimKind::Integral).collect();
     if claims.is_empty() {
-        return TokenStream::new();
+        return EmittedClaims::default();
     }
     let names = &context.derived.integral_names;
-    let list = items::emit_list("INTEGRALS", "The names of the integrals, in order.", names);
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
     let vector = context.vector();
     let count = Literal::usize_unsuffixed(claims.len());
     let result = quote!(__kahan::SVector<#scalar, #count>);
     let body = emit_vector(context, &context.derived.integrals);
-    let method = emit_method(context, &docs::integrals(&claims), "integrals", &result, &body);
-    let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
-    quote! {
-        impl #generics #this {
-            #list
-        }
-        #method
-        impl<#scalar: __kahan::Scalar> __kahan::Integrals<#scalar, #dimension, #count> for #this {
-            fn integral_names(&self) -> &'static [&'static __kahan::core::primitive::str] {
-                &Self::INTEGRALS
+    EmittedClaims {
+        constants: items::emit_list("INTEGRALS", "The names of the integrals, in order.", names),
+        methods: emit_method(context, &docs::integrals(&claims), "integrals", &result, &body),
+        implementations: quote! {
+            impl<#scalar: __kahan::Scalar> __kahan::Integrals<#scalar, #dimension, #count> for #this {
+                fn integral_names(&self) -> &'static [&'static __kahan::str] {
+                    &Self::INTEGRALS
+                }
+                fn integrals(&self, x: &#vector, eps: #scalar) -> #result {
+                    Self::integrals(self, x, eps)
+                }
             }
-            fn integrals(&self, x: &#vector, eps: #scalar) -> #result {
-                Self::integrals(self, x, eps)
-            }
-        }
+        },
     }
 }
 
@@ -95,27 +98,8 @@ fn emit_density(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStrea
 }
 
 fn emit_bracket(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
-    let n = context.system.field.dimension();
     let (bindings, entries) = emit_body(context, plan);
-    let upper: Vec<_> = (0..n).flat_map(|i| (i + 1..n).map(move |j| format_ident!("__p_{i}_{j}"))).collect();
-    let rows = (0..n).map(|i| {
-        let row = (0..n).map(|j| match i.cmp(&j) {
-            std::cmp::Ordering::Equal => {
-                let scalar = &context.scalar;
-                quote!(__kahan::integer::<#scalar>(0))
-            }
-            std::cmp::Ordering::Less => {
-                let entry = &upper[upper_index(n, i, j)];
-                quote!(#entry.clone())
-            }
-            std::cmp::Ordering::Greater => {
-                let entry = &upper[upper_index(n, j, i)];
-                quote!(-#entry.clone())
-            }
-        });
-        quote!([#(#row),*])
-    });
-    let body = quote! { #bindings #(let #upper = #entries;)* __kahan::matrix([#(#rows),*]) };
+    let body = quote! { #bindings __kahan::antisymmetric([#(#entries),*]) };
     let name = format!("bracket_{}", claim.name.text);
     emit_method(context, &docs::bracket(claim), &name, &context.matrix(), &body)
 }

@@ -14,7 +14,12 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let value = emit_vector(context, &derived.field);
     let slope = emit_matrix(context, &derived.field_jacobian);
     let bilinear = emit_vector(context, &derived.bilinear);
-    let polarized = emit_vector(context, &derived.polarized);
+    // Without a linear and a constant part the two forms are one.
+    let polarized = if derived.polarized == derived.bilinear {
+        quote!(__kahan::QuadraticField::bilinear(self, x, y))
+    } else {
+        emit_vector(context, &derived.polarized)
+    };
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
     let (vector, matrix) = (context.vector(), context.matrix());
     quote! {

@@ -21,36 +21,13 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
 /// Binds what a plan reads: `let [__s_x, _, __s_z] = __kahan::components(x);`, the parameters from
 /// `self`; ε stands in `eps`, the second point in `y`.
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
-    emit_inputs_as(plan, symbols, &TokenStream::new())
-}
-
-/// The same for a kernel, the states as values: `let [__s_x, _, __s_z] =
-/// __kahan::components(x).clone();`.
-///
-/// All are read before anything is computed. Read where they are used first, they come in an order in which compilers that
-/// pack scalar code into vectors pair them badly, at the cost of a tenth of a large step.
-pub(super) fn emit_owned_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
-    emit_inputs_as(plan, symbols, &quote!(.clone()))
-}
-
-fn emit_inputs_as(plan: &Plan, symbols: &Symbols, taken: &TokenStream) -> TokenStream {
     let inputs = plan.inputs();
-    let pattern = |symbol: &dyn Fn(usize) -> Symbol| {
-        let variables: Vec<Variable> =
-            (0..symbols.dimension()).map(|i| symbols.variable(symbol(i))).collect();
-        let is_read = variables.iter().any(|variable| inputs.contains(variable));
-        let names = variables.into_iter().map(|variable| {
-            let name = binding(symbols, variable);
-            if inputs.contains(&variable) { quote!(#name) } else { quote!(_) }
-        });
-        is_read.then(|| quote!([#(#names),*]))
-    };
     let mut bindings = TokenStream::new();
-    if let Some(states) = pattern(&Symbol::State) {
-        bindings.extend(quote! { let #states = __kahan::components(x) #taken; });
+    if let Some(states) = emit_pattern(&inputs, symbols, Symbol::State) {
+        bindings.extend(quote! { let #states = __kahan::components(x); });
     }
-    if let Some(states) = pattern(&Symbol::SecondState) {
-        bindings.extend(quote! { let #states = __kahan::components(y) #taken; });
+    if let Some(states) = emit_pattern(&inputs, symbols, Symbol::SecondState) {
+        bindings.extend(quote! { let #states = __kahan::components(y); });
     }
     for (k, parameter) in symbols.parameters.iter().enumerate() {
         let variable = symbols.parameter(k);
@@ -60,4 +37,27 @@ fn emit_inputs_as(plan: &Plan, symbols: &Symbols, taken: &TokenStream) -> TokenS
         }
     }
     bindings
+}
+
+/// Binds the states that a kernel reads: `let [__s_x, _, __s_z] = __state;`.
+///
+/// All are values before anything is computed. Read where they are used first, they come in an
+/// order in which compilers that pack scalar code into vectors pair them badly, at the cost of a
+/// tenth of a large step.
+pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
+    let states = emit_pattern(&plan.inputs(), symbols, Symbol::State);
+    states.map(|states| quote! { let #states = __state; }).unwrap_or_default()
+}
+
+/// A point's components, those that are not read without a name; `None` if none is.
+fn emit_pattern(
+    inputs: &[Variable],
+    symbols: &Symbols,
+    symbol: impl Fn(usize) -> Symbol,
+) -> Option<TokenStream> {
+    let variables = (0..symbols.dimension()).map(|i| symbols.variable(symbol(i)));
+    let names: Vec<Option<Ident>> =
+        variables.map(|variable| inputs.contains(&variable).then(|| binding(symbols, variable))).collect();
+    let shown = names.iter().map(|name| name.as_ref().map_or_else(|| quote!(_), |name| quote!(#name)));
+    names.iter().any(Option::is_some).then(|| quote!([#(#shown),*]))
 }

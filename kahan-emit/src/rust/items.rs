@@ -46,29 +46,31 @@ pub(super) fn emit_struct(context: &Context<'_>, header: Option<&RustHeader>) ->
     quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
 }
 
-/// Expands to `impl<T> E7<T> { pub const VARIABLES … }` and `impl<T> Named for E7<T> { … }`.
-pub(super) fn emit_names(context: &Context<'_>) -> TokenStream {
+/// Expands to `impl<T> Named for E7<T> { … }`, and what stands for it in the type itself: `pub const VARIABLES …`.
+pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     let symbols = &context.system.field.symbols;
     let this = context.self_type();
     let scalar = &context.scalar;
     let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
     let variables = emit_list("VARIABLES", "The state variables, in order.", &symbols.states);
     let parameters = emit_list("PARAMETERS", "The parameters, in order.", &symbols.parameters);
-    let text = quote!(&'static [&'static __kahan::core::primitive::str]);
-    quote! {
-        impl #generics #this {
-            #variables
-            #parameters
-        }
-        impl #generics __kahan::Named for #this {
-            fn variables(&self) -> #text {
-                &Self::VARIABLES
-            }
+    let text = quote!(&'static [&'static __kahan::str]);
+    let parameters_too = context.has_parameters().then(|| {
+        quote! {
             fn parameters(&self) -> #text {
                 &Self::PARAMETERS
             }
         }
-    }
+    });
+    let named = quote! {
+        impl #generics __kahan::Named for #this {
+            fn variables(&self) -> #text {
+                &Self::VARIABLES
+            }
+            #parameters_too
+        }
+    };
+    (named, quote! { #variables #parameters })
 }
 
 /// `pub const VARIABLES: [&'static str; 2] = ["x", "y"];`
@@ -78,7 +80,7 @@ pub(super) fn emit_list(constant: &str, documentation: &str, names: &[String]) -
     let documentation = format!(" {documentation}");
     quote! {
         #[doc = #documentation]
-        pub const #constant: [&'static __kahan::core::primitive::str; #length] = [#(#names),*];
+        pub const #constant: [&'static __kahan::str; #length] = [#(#names),*];
     }
 }
 

@@ -15,8 +15,8 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
     let (items, prepared) = match context.derived.step() {
         Some(step) => {
-            let EmittedStep { items, prepare } = emit_step(context, step);
-            (items, emit_prepared(context, &prepare))
+            let EmittedStep { items, prepared, prepare } = emit_step(context, step);
+            (items, emit_prepared(context, &prepared, &prepare))
         }
         None => (TokenStream::new(), emit_elimination(context)),
     };
@@ -34,12 +34,12 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
 }
 
 /// The step of a plan, and what follows from running it over other scalars: the Jacobian and the step with a promise.
-fn emit_prepared(context: &Context<'_>, prepare: &TokenStream) -> TokenStream {
+fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.scalar, context.vector(), context.matrix());
     quote! {
-        type Prepared = __Step<#scalar>;
+        type Prepared = #prepared;
         #[inline(always)]
-        fn prepare(&self, eps: &#scalar) -> __Step<#scalar> {
+        fn prepare(&self, eps: &#scalar) -> Self::Prepared {
             #prepare
         }
         fn jacobian(&self, x: &#vector, eps: #scalar) -> #matrix {
@@ -58,11 +58,11 @@ fn emit_stable_step(context: &Context<'_>) -> TokenStream {
             prepared: &Self::Prepared,
             x: &#vector,
             eps: &#scalar,
-        ) -> __kahan::core::result::Result<#vector, __kahan::SingularStep>
+        ) -> __kahan::Result<#vector, __kahan::SingularStep>
         where
             #scalar: __kahan::Pivot,
         {
-            __kahan::stable_step(self, prepared, x, eps)
+            __kahan::Pivot::stable_step(self, prepared, x, eps)
         }
     }
 }
@@ -99,7 +99,7 @@ fn emit_lift(context: &Context<'_>) -> TokenStream {
             #[inline(always)]
             fn lift<#other: __kahan::Scalar>(
                 &self,
-                lift: impl __kahan::core::ops::Fn(&#scalar) -> #other,
+                lift: impl __kahan::Fn(&#scalar) -> #other,
             ) -> #lifted {
                 #value
             }

@@ -8,7 +8,7 @@
 //!     use kahan_core::__private as __kahan;
 //!     impl<T> E7<T> { pub const VARIABLES: … }            // items
 //!     impl<T: Scalar> QuadraticField<T, 3> for E7<T> { … }  // field
-//!     pub struct __Step<T> { eps: T, … }                    // step: what ε and the parameters fix, and the kernel
+//!     pub struct __Step; impl Kernel<3, 2> for __Step { … } // step: what a state runs through
 //!     impl<T: Scalar> KahanMap<T, 3> for E7<T> { … }        // map
 //!     impl<T: Scalar> E7<T> { fn integrals … }              // claims
 //! };
@@ -20,8 +20,8 @@
 //! Names: everything of ours is reached through `__kahan`, and bindings begin with `__` (a state
 //! `x` is `__s_x`, a parameter `mu` is `__p_mu`): a constant or a unit struct of the user's in
 //! scope would capture a pattern of its name. Only arguments, which rustdoc shows, have names for
-//! reading; a function of each name stands before the user's, and a pattern may have the name of a
-//! function.
+//! reading; a function of each name is imported, which hides the user's, and a pattern may have the name
+//! of a function.
 
 mod claims;
 mod docs;
@@ -46,6 +46,7 @@ use quote::{format_ident, quote};
 
 use tokens::Flat;
 
+use claims::EmittedClaims;
 use header::RustHeader;
 #[cfg(feature = "text")]
 pub use text::text;
@@ -102,26 +103,29 @@ fn emit(core: &TokenStream, block: TokenStream, reading: &Reading, input: &Flat)
     quote! { { #errors #definition #implementations #value } }
 }
 
-/// The names of arguments.
-const ARGUMENTS: [&str; 5] = ["x", "y", "eps", "prepared", "lift"];
-
 fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStream {
-    let names = items::emit_names(context);
+    let (named, names) = items::emit_names(context);
     let field = field::emit_field(context);
     let map = map::emit_map(context);
-    let claims = claims::emit_claims(context);
-    let shields = ARGUMENTS.iter().map(|name| format_ident!("{name}"));
+    let EmittedClaims { constants, methods, implementations } = claims::emit_claims(context);
+    let (this, scalar) = (context.self_type(), &context.scalar);
+    let inherent = if context.has_parameters() {
+        let methods =
+            (!methods.is_empty()).then(|| quote! { impl<#scalar: __kahan::Scalar> #this { #methods } });
+        quote! { impl<#scalar> #this { #names #constants } #methods }
+    } else {
+        quote! { impl #this { #names #constants #methods } }
+    };
     quote! {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
         #[allow(non_snake_case, non_upper_case_globals, unused, missing_docs)]
         const _: () = {
-            use #core::__private as __kahan;
-            use __kahan::Clone as _;
-            #(fn #shields() {})*
-            #names
+            use #core::__private::{self as __kahan, arguments::*, Clone as _};
+            #inherent
+            #named
             #field
             #map
-            #claims
+            #implementations
         };
     }
 }

@@ -1,11 +1,8 @@
 //! Names for the steps of a plan as Rust's.
 
-use kahan_algebra::derived::{self, StepName, StepNames};
-use kahan_algebra::plan::{Node, Operation, Plan};
-use kahan_algebra::symbols::Symbols;
+use kahan_algebra::derived::{StepName, StepNames};
+use kahan_algebra::plan::{Node, Operation};
 use proc_macro2::{Ident, Span};
-
-use super::items::identifier;
 
 /// `__t_eps_x` for ε·x, `__c_3` for a constant, `__reciprocal_1`, `__sum_1` for what has no short description.
 pub(super) fn binding(names: &mut StepNames, node: Node, operation: &Operation) -> Ident {
@@ -22,10 +19,4 @@ pub(super) fn binding(names: &mut StepNames, node: Node, operation: &Operation) 
         },
     };
     Ident::new(&name, Span::call_site())
-}
-
-/// A name for each result of a plan of prepared constants, no two alike.
-pub(super) fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<Ident> {
-    let names = derived::constant_names(constants, symbols);
-    names.iter().map(|name| identifier(name, Span::call_site())).collect()
 }

@@ -34,9 +34,9 @@ pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
     quote! {
         <#scalar as __kahan::Scalar>::constant(&__kahan::Constant::exact(
             #negative, #numerator, #denominator,
-            __kahan::core::primitive::f32::from_bits(#single),
-            __kahan::core::primitive::f64::from_bits(#double),
-            __kahan::core::primitive::f64::from_bits(#low),
+            __kahan::f32::from_bits(#single),
+            __kahan::f64::from_bits(#double),
+            __kahan::f64::from_bits(#low),
         ))
     }
 }

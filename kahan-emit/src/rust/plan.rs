@@ -1,19 +1,21 @@
-//! A plan as Rust: one `let` for each step that is used more than once, everything else nested where it is used.
+//! A plan as Rust: one `let` for each step that is used more than once, everything else nested
+//! where it is used.
 //!
 //! ```text
-//! let __t_eps_x = self.eps.0.clone() * __s_x.clone();
+//! let __t_eps_x = __e_eps.get() * __s_x.clone();
 //! let __reciprocal_1 = (__kahan::integer::<T>(1) + __t_eps_x.clone()).reciprocal()?;
 //! ```
 //!
-//! The order of operations is the plan's, whatever the nesting. What has a `let`, and a kernel's states, is moved where it is
-//! used last and cloned before; other inputs and prepared constants are borrowed, so they are cloned: free for floats, and
-//! little beside an operation for big rationals.
+//! The order of operations is the plan's, whatever the nesting. What has a `let`, and a kernel's
+//! states, is moved where it is used last and cloned before; other inputs and prepared constants
+//! are borrowed, so they are cloned: free for floats, and little beside an operation for big
+//! rationals.
 
 use kahan_algebra::derived::StepNames;
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::symbols::Symbols;
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::inputs::binding;
 use super::names;
@@ -57,11 +59,11 @@ struct Emitter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     scalar: &'a Ident,
-    /// The fields of `self` that hold the prepared constants; `None` outside a kernel, where a division by zero is the
-    /// scalar's business rather than a pole.
-    constants: Option<&'a [Ident]>,
+    /// The names of the prepared constants; `None` outside a kernel, where a division by zero is
+    /// the scalar's business rather than a pole.
+    constants: Option<&'a [String]>,
     /// Whether what has a `let` is kept from being packed into vectors with its neighbours.
-    stands_alone: bool,
+    has_fences: bool,
     /// How many uses of each step have not been written yet.
     uses: Vec<usize>,
     /// How deeply each step is nested from its nearest `let`s.
@@ -76,31 +78,30 @@ pub(super) fn emit_plan(plan: &Plan, symbols: &Symbols, scalar: &Ident) -> Emitt
     Emitter::new(plan, symbols, scalar, None).run()
 }
 
-/// Emits the kernel of a step, which stands in a method of the prepared step: `self` has these constants, and a pole
-/// returns `None`.
+/// Emits the kernel of a step: its prepared constants have these names, with `__e_` before them,
+/// and a pole returns `None`.
 pub(super) fn emit_kernel(
     kernel: &Plan,
     symbols: &Symbols,
     scalar: &Ident,
-    constants: &[Ident],
-    stands_alone: bool,
+    constants: &[String],
+    has_fences: bool,
 ) -> Emitted {
-    Emitter { stands_alone, ..Emitter::new(kernel, symbols, scalar, Some(constants)) }.run()
+    Emitter { has_fences, ..Emitter::new(kernel, symbols, scalar, Some(constants)) }.run()
 }
 
 impl<'a> Emitter<'a> {
-    fn new(plan: &'a Plan, symbols: &'a Symbols, scalar: &'a Ident, constants: Option<&'a [Ident]>) -> Self {
-        let prepared: Vec<String> = constants.unwrap_or_default().iter().map(ToString::to_string).collect();
+    fn new(plan: &'a Plan, symbols: &'a Symbols, scalar: &'a Ident, constants: Option<&'a [String]>) -> Self {
         let mut emitter = Emitter {
             plan,
             symbols,
             scalar,
             constants,
-            stands_alone: false,
+            has_fences: false,
             uses: vec![0; plan.operations.len()],
             depths: Vec::with_capacity(plan.operations.len()),
             lets: vec![None; plan.operations.len()],
-            names: StepNames::of(plan, symbols, &prepared),
+            names: StepNames::of(plan, symbols, constants.unwrap_or_default()),
             bindings: TokenStream::new(),
         };
         let operands = plan.operations.iter().flat_map(|operation| emitter.operands(operation));
@@ -157,7 +158,7 @@ impl<'a> Emitter<'a> {
         if self.uses[index] > 1 || depth > DEEPEST || is_quotient {
             let value = self.operation(index).tokens;
             let name = names::binding(&mut self.names, Node(index), operation);
-            let value = if self.stands_alone { quote!((#value).alone()) } else { value };
+            let value = if self.has_fences { quote!(__kahan::fenced(#value)) } else { value };
             self.bindings.extend(quote! { let #name = #value; });
             self.lets[index] = Some(name);
         }
@@ -178,8 +179,9 @@ impl<'a> Emitter<'a> {
                 Expression::atom(quote!(#name.clone()))
             }
             Operation::Prepared(constant) => {
-                let field = self.constants.and_then(|constants| constants.get(constant));
-                Expression::atom(quote!(self.#field.0.clone()))
+                let name = self.constants.and_then(|constants| constants.get(constant));
+                let name = name.map(|name| format_ident!("__e_{name}"));
+                Expression::atom(quote!(#name.get()))
             }
             Operation::Constant(ref value) => Expression::atom(emit_constant(value, self.scalar)),
             Operation::Negate(a) => {
@@ -200,7 +202,8 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Rust's operators group to the left, so only the right operand needs parentheses at its own level.
+    /// Rust's operators group to the left, so only the right operand needs parentheses at its own
+    /// level.
     fn binary(
         &mut self,
         a: Node,
@@ -227,10 +230,6 @@ impl<'a> Emitter<'a> {
     /// `a / b`, or in a kernel, where a pole must be told, `b.reciprocal()?` or `a.quotient(b)?`.
     fn quotient(&mut self, operation: &Operation, a: Node, b: Node) -> Expression {
         if self.constants.is_none() {
-            if self.plan.operations[b.0] == Operation::Input(self.symbols.epsilon()) {
-                let a = self.operand(a).grouped(Level::Atom);
-                return Expression::atom(quote!(#a.over_eps(eps)));
-            }
             return self.binary(a, b, Level::Product, |a, b| quote!(#a / #b));
         }
         if let Some(divisor) = self.reciprocal_of(operation) {

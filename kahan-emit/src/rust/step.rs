@@ -1,231 +1,155 @@
-//! The prepared step: what ε and the parameters fix, computed once, and the kernel that a state runs through.
+//! The prepared step: what ε and the parameters fix, computed once, and the kernel that a state
+//! runs through.
 //!
 //! ```text
-//! pub struct __Step<T> { eps: Apart<T>, two_eps: Apart<T> }
-//! impl<T: Scalar> PreparedStep<T, 3> for __Step<T> { fn quotients(&self, x) … }  // the kernel
-//! impl<T: Scalar> WideStep<T, 3> for __Step<T> { fn widen … }                          // the same over lanes
+//! pub struct __Step;
+//! impl Kernel<3, 2> for __Step { const COST …; fn quotients(constants, state) … }
 //! ```
 //!
-//! Where lanes have a plan of their own, it is a `__General<T>`, which `__Step<T>` holds as `__general`. A step divided by ε takes
-//! that one, too, unless ε is an ordinary float, which `__is_inverse` remembers.
+//! Where the plan has a general form besides, that is the kernel `__General`, and a type of the
+//! core chooses between the two.
 
 use kahan_algebra::plan::{Node, Plan, StepCost, StepPlan};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
-use super::inputs::{emit_inputs, emit_owned_inputs};
-use super::names::constant_names;
+use super::inputs::{emit_inputs, emit_owned_states};
 use super::plan::{Emitted, emit_kernel, emit_plan};
+use kahan_algebra::derived::constant_names;
 
 /// The parts of a prepared step.
 pub(super) struct EmittedStep {
-    /// The type and what it implements.
+    /// The kernels.
     pub(super) items: TokenStream,
-    /// The body of `prepare(&self, eps: &T) -> __Step<T>`.
+    /// The type of the prepared step.
+    pub(super) prepared: TokenStream,
+    /// The body of `prepare(&self, eps: &T)`.
     pub(super) prepare: TokenStream,
 }
 
-/// The name of the step, and of the one that it holds.
-const STEP: &str = "__Step";
-const GENERAL: &str = "__General";
-
-/// The number of components for which intermediate values are kept from being packed into vectors.
-///
-/// Of three components one is left over from every pair, and the shuffles cost up to an eighth of a step. Two make one vector; for
-/// more, what says it would make steps so large that compilers no longer inline them into loops.
-const ALONE: usize = 3;
-
 /// Emits the step of a plan.
 pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
-    let general = plan.general.as_deref().map(|general| Kernel::of(context, general, GENERAL, None));
-    let step = Kernel::of(context, plan, STEP, general.as_ref());
-    let items = [Some(&step), general.as_ref()].into_iter().flatten().map(|kernel| {
-        let (definition, implementation) = (kernel.emit_struct(), kernel.emit_prepared_step());
-        quote! { #definition #implementation }
-    });
-    let wide = step.emit_wide_step();
-    EmittedStep { items: quote! { #(#items)* #wide }, prepare: step.emit_prepare() }
+    let scalar = &context.scalar;
+    let step = Kernel::of(context, plan, "__Step");
+    let (items, constants) = (step.emit_kernel(), step.emit_constants());
+    let (name, count) = (&step.name, step.count());
+    let Some(general) = plan.general.as_deref() else {
+        return EmittedStep {
+            items,
+            prepared: quote!(__kahan::StraightStep<#name, #scalar, #count>),
+            prepare: quote!(Self::Prepared::new(#constants)),
+        };
+    };
+    let general = Kernel::of(context, general, "__General");
+    let (its_items, its_constants) = (general.emit_kernel(), general.emit_constants());
+    let (its_name, its_count) = (&general.name, general.count());
+    let (both, at) = if plan.has_inverse_step() {
+        (quote!(StepOverEps), quote!(eps,))
+    } else {
+        (quote!(StepOfOneOrbit), quote!())
+    };
+    EmittedStep {
+        items: quote! { #items #its_items },
+        prepared: quote!(__kahan::#both<#name, #its_name, #scalar, #count, #its_count>),
+        prepare: quote! { Self::Prepared::new(#at || #constants, || #its_constants) },
+    }
 }
 
-/// One prepared step.
+/// One straight-line form of a step.
 struct Kernel<'a> {
     context: &'a Context<'a>,
     plan: &'a StepPlan,
     name: Ident,
     /// The names of the constants.
-    names: Vec<Ident>,
-    /// The one for lanes, and for what this one does not serve, that this one holds.
-    general: Option<&'a Kernel<'a>>,
+    names: Vec<String>,
 }
 
 impl<'a> Kernel<'a> {
-    fn of(context: &'a Context<'a>, plan: &'a StepPlan, name: &str, general: Option<&'a Kernel<'a>>) -> Self {
+    fn of(context: &'a Context<'a>, plan: &'a StepPlan, name: &str) -> Self {
         let names = constant_names(&plan.constants, &context.system.field.symbols);
-        Kernel { context, plan, name: format_ident!("{name}"), names, general }
+        Kernel { context, plan, name: format_ident!("{name}"), names }
     }
 
-    /// Expands to `pub struct __Step<T> { eps: Apart<T> }`; a step without constants still knows its scalar.
-    fn emit_struct(&self) -> TokenStream {
-        let (name, names, scalar) = (&self.name, &self.names, &self.context.scalar);
-        let general = self.general.map(|Kernel { name, .. }| quote!(__general: #name<#scalar>,));
-        let is_inverse = self.is_inverse().then(|| quote!(__is_inverse: __kahan::core::primitive::bool,));
-        let marker = self.marker().map(|marker| quote!(__scalar: #marker<#scalar>));
-        quote! {
-            #[::core::prelude::v1::derive(::core::clone::Clone, ::core::marker::Copy)]
-            pub struct #name<#scalar> { #(#names: __kahan::Apart<#scalar>,)* #general #is_inverse #marker }
-        }
+    /// The number of constants.
+    fn count(&self) -> Literal {
+        Literal::usize_unsuffixed(self.names.len())
     }
 
-    /// Whether the constants divide by ε.
-    fn is_inverse(&self) -> bool {
-        self.plan.has_inverse_step()
-    }
-
-    fn marker(&self) -> Option<TokenStream> {
-        let is_empty = self.names.is_empty() && self.general.is_none();
-        is_empty.then(|| quote!(__kahan::core::marker::PhantomData))
-    }
-
-    /// Expands to the constants, in a value of the struct.
-    fn emit_prepare(&self) -> TokenStream {
-        let (name, names, scalar) = (&self.name, &self.names, &self.context.scalar);
+    /// Expands to the constants in order, `[eps.clone(), …]`, or to a block that ends so.
+    fn emit_constants(&self) -> TokenStream {
         let symbols = &self.context.system.field.symbols;
         let inputs = emit_inputs(&self.plan.constants, symbols);
-        let Emitted { bindings, results } = emit_plan(&self.plan.constants, symbols, scalar);
-        let general = self.general.map(|general| {
-            let prepare = general.emit_prepare();
-            quote!(let __general = { #prepare };)
-        });
-        let divisor = self.is_inverse().then(|| {
-            quote! {
-                let (__is_inverse, __divisor) = __kahan::divisor(eps);
-                let eps = &__divisor;
-            }
-        });
-        let held = self.general.map(|_| quote!(__general,));
-        let is_inverse = self.is_inverse().then(|| quote!(__is_inverse,));
-        let marker = self.marker().map(|marker| quote!(__scalar: #marker));
-        quote! {
-            #general #divisor #inputs #bindings
-            #name { #(#names: __kahan::Apart::new(#results),)* #held #is_inverse #marker }
+        let Emitted { bindings, results } = emit_plan(&self.plan.constants, symbols, &self.context.scalar);
+        let constants = quote!([#(#results),*]);
+        if inputs.is_empty() && bindings.is_empty() {
+            constants
+        } else {
+            quote! { { #inputs #bindings #constants } }
         }
     }
 
-    /// Expands to `impl<T: Scalar> PreparedStep<T, 3> for __Step<T>`.
-    fn emit_prepared_step(&self) -> TokenStream {
-        let Kernel { context, plan, name, names, .. } = self;
-        let (scalar, dimension, vector) = (&context.scalar, &context.dimension, context.vector());
+    /// Expands to `pub struct __Step;` and `impl Kernel<3, 2> for __Step`.
+    fn emit_kernel(&self) -> TokenStream {
+        let Kernel { context, plan, name, names } = self;
+        let (scalar, dimension, count) = (&context.scalar, &context.dimension, self.count());
         let n = context.system.field.dimension();
         let (numerators, reciprocals) = plan.kernel.outputs.split_at(n);
-        // One result for each use: a shared reciprocal is moved into its last component.
-        let of_components: Vec<Option<Node>> =
-            plan.reciprocals.iter().map(|place| place.map(|place| reciprocals[place])).collect();
+        let is_shared = reciprocals.len() == 1 && plan.reciprocals.iter().all(Option::is_some);
+        // One result for each use: what is used last is moved.
+        let uses: Vec<Node> = if is_shared {
+            reciprocals.to_vec()
+        } else {
+            plan.reciprocals.iter().flatten().map(|place| reciprocals[*place]).collect()
+        };
         let kernel = Plan {
             operations: plan.kernel.operations.clone(),
-            outputs: numerators.iter().copied().chain(of_components.iter().copied().flatten()).collect(),
+            outputs: numerators.iter().copied().chain(uses).collect(),
         };
         let symbols = &context.system.field.symbols;
-        let inputs = emit_owned_inputs(&kernel, symbols);
-        let Emitted { bindings, results } = emit_kernel(&kernel, symbols, scalar, names, n == ALONE);
-        let cost = emit_cost(plan);
-        // Two reciprocals are one after the other: a component that waits for the first alone closes the cycle.
-        let packs = (reciprocals.len() > 1).then(|| {
-            quote!(
-                const PACKS: __kahan::core::primitive::bool = false;
-            )
-        });
-        let otherwise = self.is_inverse().then(|| self.emit_otherwise());
-        let has_inverse_step = self.is_inverse().then(|| {
-            quote!(
-                const HAS_INVERSE_STEP: __kahan::core::primitive::bool = true;
-            )
-        });
+        let states = emit_owned_states(&kernel, symbols);
+        let Emitted { bindings, results } =
+            emit_kernel(&kernel, symbols, scalar, names, plan.fences_values());
         let mut results = results.into_iter();
         let numerators: Vec<TokenStream> = results.by_ref().take(n).collect();
-        let reciprocals = of_components.iter().map(|reciprocal| match reciprocal {
-            Some(_) => {
-                let reciprocal = results.next().unwrap_or_default();
-                quote!(__kahan::Option::Some(#reciprocal))
-            }
-            None => quote!(__kahan::Option::None),
-        });
+        let quotients = if is_shared {
+            quote!(let __numerators = [#(#numerators),*]; __kahan::over(__numerators, #(#results)*))
+        } else if reciprocals.is_empty() {
+            quote!(__kahan::Some(__kahan::Quotients::whole([#(#numerators),*])))
+        } else {
+            let each = plan.reciprocals.iter().map(|place| match place.and_then(|_| results.next()) {
+                Some(reciprocal) => quote!(__kahan::Some(#reciprocal)),
+                None => quote!(__kahan::None),
+            });
+            let each: Vec<TokenStream> = each.collect();
+            let over = if reciprocals.len() == 1 { quote!(over_each) } else { quote!(over_several) };
+            quote!(__kahan::Some(__kahan::Quotients::#over([#(#numerators),*], [#(#each),*])))
+        };
+        let (cost, constants) = (emit_cost(plan), names.iter().map(|name| format_ident!("__e_{name}")));
         quote! {
-            impl<#scalar: __kahan::Scalar> __kahan::PreparedStep<#scalar, #dimension> for #name<#scalar> {
+            pub struct #name;
+            impl __kahan::Kernel<#dimension, #count> for #name {
                 #cost
-                #packs
-                #has_inverse_step
                 #[inline(always)]
-                fn quotients(
-                    &self,
-                    x: &#vector,
+                fn quotients<#scalar: __kahan::Scalar>(
+                    __constants: &[__kahan::Padded<#scalar>; #count],
+                    __state: [#scalar; #dimension],
                 ) -> __kahan::Option<__kahan::Quotients<#scalar, #dimension>> {
-                    #otherwise
-                    #inputs
+                    let [#(#constants),*] = __constants;
+                    #states
                     #bindings
-                    __kahan::Option::Some(__kahan::Quotients {
-                        numerators: [#(#numerators),*],
-                        reciprocals: [#(#reciprocals),*],
-                    })
-                }
-            }
-        }
-    }
-
-    /// Expands to the way out of a kernel that is divided by ε: the general step's quotients, and for floats, which call it, its
-    /// increments as quotients of this kernel's kind.
-    fn emit_otherwise(&self) -> TokenStream {
-        let scalar = &self.context.scalar;
-        let increments: Vec<Ident> =
-            (1..=self.plan.reciprocals.len()).map(|i| format_ident!("__increment_{i}")).collect();
-        let reciprocals = self.plan.reciprocals.iter().map(|place| match place {
-            Some(_) => quote!(__kahan::Option::Some(__kahan::integer::<#scalar>(1))),
-            None => quote!(__kahan::Option::None),
-        });
-        quote! {
-            if !#scalar::HAS_INVERSE_STEPS || !(#scalar::CALLS_GENERAL_STEP || self.__is_inverse) {
-                return self.__general.quotients(x);
-            }
-            if !self.__is_inverse {
-                let x = __kahan::vector(__kahan::components(x).clone());
-                let [#(#increments),*] = __kahan::general_increment(&self.__general, x);
-                return __kahan::Option::Some(__kahan::Quotients {
-                    numerators: [#(#increments),*],
-                    reciprocals: [#(#reciprocals),*],
-                });
-            }
-        }
-    }
-
-    /// Expands to `impl<T: Scalar> WideStep<T, 3> for __Step<T>`.
-    fn emit_wide_step(&self) -> TokenStream {
-        let (name, scalar, dimension) = (&self.name, &self.context.scalar, &self.context.dimension);
-        let wide = self.general.unwrap_or(self);
-        let (wide_name, names) = (&wide.name, &wide.names);
-        let holder = if self.general.is_some() { quote!(self.__general) } else { quote!(self) };
-        let marker = wide.marker().map(|marker| quote!(__scalar: #marker));
-        quote! {
-            impl<#scalar: __kahan::Scalar> __kahan::WideStep<#scalar, #dimension> for #name<#scalar> {
-                const HAS_LANES: __kahan::core::primitive::bool = true;
-                type Wide<__L: __kahan::Scalar> = #wide_name<__L>;
-                #[inline(always)]
-                fn widen<__L: __kahan::Scalar>(
-                    &self,
-                    __spread: impl __kahan::core::ops::Fn(&#scalar) -> __L,
-                ) -> #wide_name<__L> {
-                    #wide_name { #(#names: __kahan::Apart::new(__spread(&#holder.#names.0)),)* #marker }
+                    #quotients
                 }
             }
         }
     }
 }
 
-/// Expands to `const COST: StepCost = StepCost { … };`.
+/// Expands to `const COST: StepCost = StepCost::of(operations, divisions, chain);`.
 fn emit_cost(plan: &StepPlan) -> TokenStream {
     let StepCost { operations, divisions, chain } = plan.cost();
     let [operations, divisions, chain] = [operations, divisions, chain].map(Literal::u32_unsuffixed);
     quote! {
-        const COST: __kahan::StepCost =
-            __kahan::StepCost { operations: #operations, divisions: #divisions, chain: #chain };
+        const COST: __kahan::StepCost = __kahan::StepCost::of(#operations, #divisions, #chain);
     }
 }

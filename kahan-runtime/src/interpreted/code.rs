@@ -3,6 +3,7 @@
 use kahan_algebra::derived::Derived;
 use kahan_algebra::plan::{self, Plan, StepPlan};
 use kahan_algebra::symbols::Symbols;
+use kahan_core::__private::may_divide_by;
 use kahan_core::{Scalar, StepCost};
 
 use super::program::Program;
@@ -83,7 +84,7 @@ impl StepCode {
 
     /// The programs that serve this ε.
     pub(super) fn at<T: Scalar>(&self, eps: &T) -> &Self {
-        self.general.as_deref().filter(|_| !eps.has_inverse_step()).unwrap_or(self)
+        self.general.as_deref().filter(|_| !may_divide_by(eps)).unwrap_or(self)
     }
 }
 

@@ -19,7 +19,7 @@ use kahan_algebra::derive;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
 use kahan_algebra::system::System;
-use kahan_core::__private::{jacobian_by_duals, stable_step};
+use kahan_core::__private::jacobian_by_duals;
 use kahan_core::nalgebra::{SMatrix, SVector};
 use kahan_core::num_rational::BigRational;
 use kahan_core::{KahanMap, Lift, Pivot, QuadraticField, Scalar, SingularStep, StepCost};
@@ -251,7 +251,7 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     where
         T: Pivot,
     {
-        stable_step(self, prepared, x, eps)
+        T::stable_step(self, prepared, x, eps)
     }
 
     fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {

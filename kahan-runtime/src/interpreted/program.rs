@@ -39,8 +39,6 @@ enum Instruction {
     Subtract(usize, usize),
     Multiply(usize, usize),
     Divide(usize, usize),
-    /// a/ε among prepared constants.
-    OverEps(usize),
     /// 1/d in a kernel.
     Reciprocal(usize),
     Negate(usize),
@@ -69,7 +67,6 @@ impl Program {
 
     fn new(plan: &Plan, symbols: &Symbols, is_kernel: bool) -> Self {
         let is_one = |node: Node| matches!(&plan.operations[node.0], Operation::Constant(value) if value.as_i64() == Some(1));
-        let is_eps = |node: Node| plan.operations[node.0] == Operation::Input(symbols.epsilon());
         let input = |variable: Variable| Instruction::Input(symbols.symbol(variable));
         let instruction = |operation: &Operation| match *operation {
             Operation::Input(variable) => input(variable),
@@ -80,7 +77,6 @@ impl Program {
             Operation::Subtract(a, b) => Instruction::Subtract(a.0, b.0),
             Operation::Multiply(a, b) => Instruction::Multiply(a.0, b.0),
             Operation::Divide(a, b) if is_kernel && is_one(a) => Instruction::Reciprocal(b.0),
-            Operation::Divide(a, b) if !is_kernel && is_eps(b) => Instruction::OverEps(a.0),
             Operation::Divide(a, b) => Instruction::Divide(a.0, b.0),
             Operation::MultiplyAdd(a, b, c) => Instruction::MultiplyAdd(a.0, b.0, c.0),
             Operation::MultiplySubtract(a, b, c) => Instruction::MultiplySubtract(a.0, b.0, c.0),
@@ -124,7 +120,6 @@ impl Program {
                 Instruction::Subtract(a, b) => at(a) - at(b),
                 Instruction::Multiply(a, b) => at(a) * at(b),
                 Instruction::Divide(a, b) => divide(at(a), at(b))?,
-                Instruction::OverEps(a) => at(a).over_eps(&inputs.value(Symbol::Epsilon)),
                 Instruction::Reciprocal(a) => registers[a].reciprocal()?,
                 Instruction::Negate(a) => -at(a),
                 Instruction::MultiplyAdd(a, b, c) => at(a).multiply_add(at(b), at(c)),

@@ -39,9 +39,6 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
 }
 
 impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
-    /// A step read at run time can have several reciprocals.
-    const PACKS: bool = false;
-
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let Some(step) = &self.map.code.step else {
             return Elimination::new(self.map.clone(), self.eps.clone()).quotients(x);
@@ -51,10 +48,11 @@ impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
         let results = kernel.run(&inputs)?;
         let (numerators, divisions) = results.split_at(reciprocals.len());
         let reciprocal = |i: usize| Some(divisions[(*reciprocals.get(i)?)?].clone());
-        Some(Quotients {
-            numerators: from_fn(|i| numerators.get(i).cloned().unwrap_or_else(T::zero)),
-            reciprocals: from_fn(reciprocal),
-        })
+        // A step read at run time can have several reciprocals.
+        Some(Quotients::over_several(
+            from_fn(|i| numerators.get(i).cloned().unwrap_or_else(T::zero)),
+            from_fn(reciprocal),
+        ))
     }
 }
 

@@ -29,12 +29,15 @@ trait Claims {
 /// A method of M at a point and ε.
 type Accessor<M, R, const N: usize> = fn(&M, &SVector<Q, N>, Q) -> R;
 
+/// The name of a bracket, and its accessor.
+type Bracket<M, const N: usize> = (&'static str, Accessor<M, Option<SMatrix<Q, N, N>>, N>);
+
 /// A map with its accessors, which are inherent methods and differ from type to type.
 struct Accessors<M, const N: usize> {
     map: M,
     integrals: Accessor<M, Vector, N>,
     density: Accessor<M, Option<Q>, N>,
-    brackets: [(&'static str, Accessor<M, Option<SMatrix<Q, N, N>>, N>); 2],
+    brackets: [Bracket<M, N>; 2],
 }
 
 impl<M, const N: usize> Claims for Accessors<M, N> {

@@ -124,7 +124,7 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "error: largest::<V, N>(quotients.map(|quotient| quotient.error())) * V::Magnitude::of(0.0),"),
     rule("a narrower scalar that does not round", ATTEMPT,
         "(exactly(&rounded[i]) - self.next[i]).size()", "(exactly(&rounded[i]) - self.next[i]).size() * V::Magnitude::of(0.0)"),
-    rule("inputs of any size", RUNGS,
+    rule("inputs of any size", ATTEMPT,
         "(attempt.largest_input() > sum.get()).then_some(attempt)", "(attempt.largest_input() > V::Magnitude::zero()).then_some(attempt)"),
     rule("a promise of ten times as much", RUNGS,
         "const PROMISE: f64 = 63.0;", "const PROMISE: f64 = 630.0;"),

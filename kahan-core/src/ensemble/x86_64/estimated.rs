@@ -1,7 +1,9 @@
-//! Lanes of AVX-512 that divide by estimating: the processor's 14 bits of 1/x, and Newton's iteration.
+//! Lanes of AVX-512 that divide by estimating: the processor's 14 bits of 1/x, and Newton's
+//! iteration.
 //!
-//! In: the denominator of a step. Out: a reciprocal without the divider, which all other operations would wait for.
-//! Each iteration r + r·(1 − x·r), two multiply-adds, doubles the right bits: two for `f64`, one for `f32`.
+//! In: the denominator of a step. Out: a reciprocal without the divider, which all other operations
+//! would wait for. Each iteration r + r·(1 − x·r), two multiply-adds, doubles the right bits: two
+//! for `f64`, one for `f32`.
 
 use core::arch::x86_64::*;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

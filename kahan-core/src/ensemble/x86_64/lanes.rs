@@ -1,8 +1,9 @@
 //! Vector registers as scalars: every operation is the machine's, lane by lane.
 //!
-//! In: two to sixteen floats of a column. Out: the same arithmetic as one float's, in all lanes at once.
-//! AVX2 and AVX-512 fuse multiply-adds; SSE2 does what plain code of the same build does, so that the two agree bit
-//! for bit. Comparisons, which steps without branches never ask for, take all lanes together.
+//! In: two to sixteen floats of a column. Out: the same arithmetic as one float's, in all lanes at
+//! once. AVX2 and AVX-512 fuse multiply-adds; SSE2 does what plain code of the same build does, so
+//! that the two agree bit for bit. Comparisons, which steps without branches never ask for, take
+//! all lanes together.
 #![allow(
     unused_unsafe,
     reason = "where the whole program is compiled for the instructions, calling them is safe"
@@ -22,15 +23,16 @@ use super::Spread;
 /// Runs intrinsics of the instructions that a lane type stands for.
 macro_rules! machine {
     ($expression:expr) => {
-        // SAFETY: the instructions exist here. Values and functions of a lane type are reached only from `avx2` and
-        // `avx512`, entered after the processor was asked (see the module above), or are of SSE2, part of x86-64;
-        // the fused operations on SSE2 registers are compiled only where the whole program is compiled for FMA.
+        // SAFETY: the instructions exist here. Values and functions of a lane type are reached only
+        // from `avx2` and `avx512`, entered after the processor was asked (see the module above),
+        // or are of SSE2, part of x86-64; the fused operations on SSE2 registers are compiled only
+        // where the whole program is compiled for FMA.
         unsafe { $expression }
     };
 }
 
-/// A lane type over a register: its name, register, number of lanes, float, and how each operation is done. The
-/// fused ones are a·b + c, a·b − c and c − a·b.
+/// A lane type over a register: its name, register, number of lanes, float, and how each operation
+/// is done. The fused ones are a·b + c, a·b − c and c − a·b.
 macro_rules! lanes {
     (
         $name:ident($register:ty), $lanes:literal lanes of $float:ident as $constant:ident,
@@ -59,7 +61,8 @@ macro_rules! lanes {
             #[inline(always)]
             fn load(group: &Group<$float>, place: usize) -> Self {
                 let entries = &group[place..place + $lanes];
-                // The pointer is good for as many floats as the register holds, and need not be aligned.
+                // The pointer is good for as many floats as the register holds, and need not be
+                // aligned.
                 Self(machine!($load(entries.as_ptr())))
             }
 

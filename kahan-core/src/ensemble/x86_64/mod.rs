@@ -1,10 +1,11 @@
 //! Ensembles in the vector registers of x86-64.
 //!
-//! In: the stages of a step, columns, and the instructions asked for. Out: the columns some steps later.
-//! This module is the only door to the lane types, and it is where `unsafe` is answered for: lanes come into being
-//! only inside [`avx2`] and [`avx512`], which are compiled for their instructions and entered after the processor was
-//! asked for them, or are those of SSE2, which every x86-64 processor has. The types are private to this module;
-//! a step meets them as type arguments only, from inside those two functions.
+//! In: the stages of a step, columns, and the instructions asked for. Out: the columns some steps
+//! later. This module is the only door to the lane types, and it is where `unsafe` is answered for:
+//! lanes come into being only inside [`avx2`] and [`avx512`], which are compiled for their
+//! instructions and entered after the processor was asked for them, or are those of SSE2, which
+//! every x86-64 processor has. The types are private to this module; a step meets them as type
+//! arguments only, from inside those two functions.
 #![expect(unsafe_code, reason = "registers of vectors, entered after the processor was asked for them")]
 
 mod estimated;
@@ -29,7 +30,8 @@ pub(super) trait Spread<T>: Register<T> {
 
 macro_rules! dispatch_for_float {
     ($sweep:ident, $float:ty: $sse2:ty, $avx2:ty, $avx512:ty, $estimated:ty) => {
-        /// Advances columns of equal length, on the level asked for or, should the processor lack it, the baseline.
+        /// Advances columns of equal length, on the level asked for or, should the processor lack
+        /// it, the baseline.
         pub(super) fn $sweep<K, S, const N: usize>(
             stages: &K::Stages<S>,
             columns: [&mut [Group<$float>]; N],

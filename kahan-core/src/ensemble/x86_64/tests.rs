@@ -1,4 +1,5 @@
-//! Each lane of each type against one float, operation by operation, and the estimated reciprocal against division.
+//! Each lane of each type against one float, operation by operation, and the estimated reciprocal
+//! against division.
 //!
 //! What the processor lacks is left out, and the test says so.
 
@@ -59,7 +60,8 @@ macro_rules! operations_on {
 operations_on!(operations_f32, f32);
 operations_on!(operations_f64, f64);
 
-/// Floats as bits, so that every exponent comes up and no two runs differ; every fourth one is a special case.
+/// Floats as bits, so that every exponent comes up and no two runs differ; every fourth one is a
+/// special case.
 macro_rules! operands_of {
     ($name:ident, $float:ty, $bits:ty) => {
         fn $name(seed: u64) -> impl Iterator<Item = $float> {
@@ -106,7 +108,8 @@ where
                 let [a, b, c] = operands.map(|group| group[k]);
                 let one = expected(a, b, c)[operation];
                 let (text, text_of_one) = (std::format!("{:?}", results[k]), std::format!("{one:?}"));
-                // The text tells −0 from 0, and one not-a-number from a number but not from another.
+                // The text tells −0 from 0, and one not-a-number from a number but not from
+                // another.
                 assert_eq!(text, text_of_one, "operation {operation} on {a:?}, {b:?}, {c:?}");
             }
         }

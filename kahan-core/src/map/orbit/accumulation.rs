@@ -37,7 +37,8 @@ pub trait State<T: Scalar, const N: usize>: Clone + Debug {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounded {}
 
-/// The point is carried with its rounding error; see [`Orbit::compensated`](crate::Orbit::compensated).
+/// The point is carried with its rounding error; see
+/// [`Orbit::compensated`](crate::Orbit::compensated).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Compensated {}
 
@@ -70,8 +71,8 @@ impl<T: Scalar, const N: usize> State<T, N> for SVector<T, N> {
     }
 }
 
-/// A point and what it lacks: the orbit is at point + carry, and the carry is at most about an ulp of the point or of the last
-/// increment, whichever is larger.
+/// A point and what it lacks: the orbit is at point + carry, and the carry is at most about an ulp
+/// of the point or of the last increment, whichever is larger.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct CompensatedPoint<T, const N: usize> {

@@ -10,20 +10,23 @@ where
     T: FloatScalar,
     K: Method,
 {
-    /// The same orbit with the rounding error of each addition x + (x̃ − x) carried into the next one (Kahan's compensated
-    /// summation, of the state). It goes on from where this orbit is.
+    /// The same orbit with the rounding error of each addition x + (x̃ − x) carried into the next
+    /// one (Kahan's compensated summation, of the state). It goes on from where this orbit is.
     ///
-    /// What it cures: a plain step rounds each component to half an ulp; here the error of a step falls to that of its
-    /// increment, O(ε)·u, so that the integrals of the map wander by a factor 7 to 500 less.
+    /// What it cures: a plain step rounds each component to half an ulp; here the error of a step
+    /// falls to that of its increment, O(ε)·u, so that the integrals of the map wander less.
     ///
-    /// What it does not: the increments are still rounded, always in the same way. Errors that have a mean add up linearly: in
-    /// `f32` they are seen beyond about 10⁶ steps, and for an ε whose powers are rounded badly in `f64` too; there
-    /// [`nearest_short_eps`](crate::nearest_short_eps) helps. A linear field, whose increments are one constant matrix times the
-    /// state, has such a mean at any ε: there it gains little. Nor does it help near a pole, where the increment is inaccurate.
+    /// What it does not: the increments are still rounded, always in the same way. Errors that have
+    /// a mean add up linearly: in `f32` they are seen beyond about 10⁶ steps, and for an ε whose
+    /// powers are rounded badly in `f64` too; there [`nearest_short_eps`](crate::nearest_short_eps)
+    /// helps. A linear field, whose increments are one constant matrix times the state, has such a
+    /// mean at any ε: there it gains little. Nor does it help near a pole, where the increment is
+    /// inaccurate.
     ///
     /// Each point that it yields is rounded, to about an ulp of where the orbit is.
     ///
-    /// Cost: seven operations a component, none of which the next step waits for: up to a fifth more time.
+    /// Cost: seven operations a component, none of which the next step waits for; `BENCHMARKS.md`
+    /// has the times.
     ///
     /// ```
     /// use kahan_core::prelude::*;

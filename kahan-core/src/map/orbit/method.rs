@@ -4,7 +4,8 @@
 
 use super::sealed::Sealed;
 
-/// What a step of an [`Orbit`](crate::Orbit) is made of: [`Single`] or [`Composed`](crate::Composed).
+/// What a step of an [`Orbit`](crate::Orbit) is made of: [`Single`] or
+/// [`Composed`](crate::Composed).
 pub trait Method: Sealed {
     /// The prepared steps p₁, …, pₘ, run as p₁, …, pₘ₋₁, pₘ, pₘ₋₁, …, p₁.
     #[doc(hidden)]

@@ -1,10 +1,11 @@
 //! Orbits as iterators.
 //!
-//! In: a map, its first point, ε. Out: x₀, x₁, …, each computed when asked for and not before (exact points grow,
-//! so one more than wanted can cost more than all before it).
-//! What a step is made of ([`Method`]) and how it is added to the point ([`Accumulation`]) are types: a mode costs what it
-//! computes and nothing else. Nothing panics at a pole: an orbit over exact scalars ends there and says why, one over
-//! floats goes on with numbers that are not finite. No allocation, no `dyn`, nothing borrowed.
+//! In: a map, its first point, ε. Out: x₀, x₁, …, each computed when asked for and not before
+//! (exact points grow, so one more than wanted can cost more than all before it). What a step is
+//! made of ([`Method`]) and how it is added to the point ([`Accumulation`]) are types: a mode costs
+//! what it computes and nothing else. Nothing panics at a pole: an orbit over exact scalars ends
+//! there and says why, one over floats goes on with numbers that are not finite. No allocation, no
+//! `dyn`, nothing borrowed.
 
 mod accumulation;
 mod compensated;
@@ -32,8 +33,9 @@ pub(crate) mod sealed {
 
 /// The orbit x₀, x₁, … of a Kahan map, x₀ first; made by [`KahanMap::orbit`].
 ///
-/// It holds the map and the prepared step, so what depends on ε and the parameters alone is computed once; each point is bit
-/// for bit the [`step`](KahanMap::step) of the one before. Its modes are other types of the same iterator:
+/// It holds the map and the prepared step, so what depends on ε and the parameters alone is
+/// computed once; each point is bit for bit the [`step`](KahanMap::step) of the one before. Its
+/// modes are other types of the same iterator:
 ///
 /// | mode | made by | type |
 /// |---|---|---|
@@ -57,7 +59,8 @@ pub(crate) mod sealed {
 /// exponentially.
 ///
 /// # Cost
-/// [`nth`](Iterator::nth) runs as fast as a loop over [`KahanAt::step`](crate::KahanAt::step) written by hand.
+/// [`nth`](Iterator::nth) runs as fast as a loop over [`KahanAt::step`](crate::KahanAt::step)
+/// written by hand.
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Orbit<M, T, const N: usize, K = Single, A = Rounded>
@@ -111,7 +114,8 @@ where
         Orbit { map, eps, stages, state, begun, stopped }
     }
 
-    /// Why the orbit has ended: `Some` from the moment on when a step met a pole of an exact scalar.
+    /// Why the orbit has ended: `Some` from the moment on when a step met a pole of an exact
+    /// scalar.
     pub fn stopped(&self) -> Option<&SingularStep> {
         self.stopped.as_ref()
     }

@@ -13,9 +13,10 @@ use super::{Accumulation, Compensated, Orbit, Rounded};
 
 /// The orbit of a homogeneous field through its scaled form; made by [`Orbit::scaled`].
 ///
-/// (x, ε) ↦ (λx, ε/λ) is a symmetry of the map where f is homogeneous, so X = εx is stepped at ε = 1, and x = X/ε is
-/// yielded. Neither ε nor a power of it is then rounded in a step: what remains are the parameters. There is no composed form, whose
-/// stages would take rounded coefficients again.
+/// (x, ε) ↦ (λx, ε/λ) is a symmetry of the map where f is homogeneous, so X = εx is stepped at ε =
+/// 1, and x = X/ε is yielded. Neither ε nor a power of it is then rounded in a step: what remains
+/// are the parameters. There is no composed form, whose stages would take rounded coefficients
+/// again.
 #[derive(Clone, Debug)]
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Scaled<M, T, const N: usize, A = Rounded>
@@ -33,11 +34,13 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// The same orbit with ε scaled out, from where it is; `None` where the field has a linear or a constant part.
+    /// The same orbit with ε scaled out, from where it is; `None` where the field has a linear or a
+    /// constant part.
     ///
-    /// For long runs at an ε whose powers round badly, when ε is not free to be a
-    /// [short one](crate::nearest_short_eps). Every point is rounded twice more than the orbit it is taken from, at the
-    /// beginning (X = εx) and where it is yielded (x = X/ε), unless ε is a power of two; these do not add up.
+    /// For long runs at an ε whose powers round badly, when ε is not free to be a [short
+    /// one](crate::nearest_short_eps). Every point is rounded twice more than the orbit it is taken
+    /// from, at the beginning (X = εx) and where it is yielded (x = X/ε), unless ε is a power of
+    /// two; these do not add up.
     ///
     /// Cost: a division a component and point yielded.
     ///

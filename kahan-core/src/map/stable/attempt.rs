@@ -1,6 +1,7 @@
 //! One run of a step over bounded values.
 
 use core::array::from_fn;
+use core::cell::Cell;
 
 use nalgebra::SVector;
 
@@ -8,9 +9,10 @@ use num_traits::{One, Zero};
 
 use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, Magnitude, Pair, Working, power_of_two, underflow};
-use crate::{KahanMap, Pivot, PreparedStep, Quotients};
+use crate::{KahanMap, Lift, Pivot, PreparedStep, Quotients};
 
-/// A next state, and what the error of any of its components is at most, their own last roundings apart.
+/// A next state, and what the error of any of its components is at most, their own last roundings
+/// apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt<V: Working, const N: usize> {
     pub(super) next: [V; N],
@@ -20,30 +22,47 @@ pub(super) struct Attempt<V: Working, const N: usize> {
 }
 
 impl<V: Working, const N: usize> Attempt<V, N> {
-    /// By the increment form, with the operations and the bits of the fast step, each component handed to `finish`; `None` where a
-    /// denominator may be zero.
+    /// By the increment form, with the operations and the bits of the fast step, all numbers
+    /// embedded into V; `None` where a denominator may be zero, and where an input is so large that
+    /// underflow is not allowed for.
     #[inline(always)]
-    pub(super) fn by_increments<P, M>(
-        map: &M,
-        x: &SVector<Bounded<V, P>, N>,
-        eps: Bounded<V, P>,
-        finish: impl Fn(V) -> V,
-    ) -> Option<Self>
+    pub(super) fn of<T, P, M>(map: &M, x: &SVector<T, N>, eps: &T, embed: impl Fn(&T) -> V) -> Option<Self>
     where
+        T: Pivot,
         P: Pair<V>,
-        M: KahanMap<Bounded<V, P>, N>,
+        M: Lift<T, N>,
     {
-        let Quotients { numerators, reciprocals } = map.prepare(&eps).quotients(x)?;
+        // No input exceeds the sum of all sizes, which is not a number where an input is none.
+        let sum = Cell::new(embed(eps).size());
+        let given = |number: &T| {
+            let value = embed(number);
+            sum.set(sum.get() + value.size());
+            Bounded::<V, P>::given(value)
+        };
+        let state = SVector::from_fn(|i, _| given(&x[i]));
+        let prepared = map.lift(given).prepare(&Bounded::given(embed(eps)));
+        let attempt = prepared.finish(&state, |quotients| Self::by_increments(&state, quotients))?;
+        (attempt.largest_input() > sum.get()).then_some(attempt)
+    }
+
+    /// By these increments.
+    #[inline(always)]
+    pub(super) fn by_increments<P: Pair<V>>(
+        x: &SVector<Bounded<V, P>, N>,
+        quotients: Quotients<Bounded<V, P>, N>,
+    ) -> Self {
+        let Quotients { numerators, reciprocals, several } = quotients;
         let roundings = numerators.iter().map(Bounded::roundings).fold(0, u32::max);
         let values = Quotients {
             numerators: numerators.map(|numerator| numerator.value()),
             reciprocals: reciprocals.map(|reciprocal| reciprocal.map(|reciprocal| reciprocal.value())),
+            several,
         };
-        let [next] = values.finished(&vector(from_fn(|i| x[i].value())), finish).data.0;
+        let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment that is a quotient itself is a product with 1. Not by `map`: its closure would be too large for compilers to
-        // inline.
+        // An increment that is a quotient itself is a product with 1. Not by `map`: its closure
+        // would be too large for compilers to inline.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {
@@ -51,24 +70,25 @@ impl<V: Working, const N: usize> Attempt<V, N> {
                 None => Bounded::<V, P>::one().weight(roundings),
             };
         }
-        Some(Self {
+        Self {
             next,
-            error: if const { M::Prepared::PACKS } {
-                // One reciprocal: one product is the largest.
-                (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
-            } else {
+            error: if several {
                 largest::<V, N>(from_fn(|i| magnitudes[i] * weights[i]))
                     + underflow * largest::<V, N>(weights)
+            } else {
+                // One reciprocal: one product is the largest.
+                (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
             },
             largest_input: numerators
                 .iter()
                 .chain(reciprocals.iter().flatten())
                 .map(Bounded::largest_input)
                 .fold(1000, u32::min),
-        })
+        }
     }
 
-    /// As N/D, both expanded and without common factors: no increment that could cancel against the state.
+    /// As N/D, both expanded and without common factors: no increment that could cancel against the
+    /// state.
     pub(super) fn by_quotients<M>(map: &M, x: &SVector<Bounded<V>, N>, eps: Bounded<V>) -> Option<Self>
     where
         M: KahanMap<Bounded<V>, N>,
@@ -89,7 +109,8 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         V::Magnitude::of(power_of_two(self.largest_input as i32))
     }
 
-    /// Whether the error, with a rounding to `unit` besides, is less than `limit` times the largest component.
+    /// Whether the error, with a rounding to `unit` besides, is less than `limit` times the largest
+    /// component.
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
@@ -98,7 +119,8 @@ impl<V: Working, const N: usize> Attempt<V, N> {
             || (largest.is_zero() && self.error.is_zero())
     }
 
-    /// The next state in another scalar, if it is finite and still within `limit` times its largest component there.
+    /// The next state in another scalar, if it is finite and still within `limit` times its largest
+    /// component there.
     pub(super) fn rounded<T: Pivot + Copy>(
         mut self,
         limit: f64,
@@ -110,7 +132,8 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         (rounded.iter().all(T::is_finite_number) && self.is_within(limit)).then(|| vector(rounded))
     }
 
-    /// What the error is at most, as a multiple of the largest component; infinite where nothing is known.
+    /// What the error is at most, as a multiple of the largest component; infinite where nothing is
+    /// known.
     pub(super) fn bound(&self) -> f64 {
         let bound: f64 = (self.error / self.largest()).into();
         if bound.is_nan() { f64::INFINITY } else { bound }

@@ -1,8 +1,9 @@
 //! The step that promises: an error of at most 64 u of the largest component, or an error value.
 //!
-//! In: a map, a point and ε as given. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, established for this very call, or why not.
-//! There is one way to establish it and one formula for the step: the kernel of the fast step runs over bounded values,
-//! first in the scalar's own precision, and where that is too little in wider ones. Nothing is estimated from thresholds.
+//! In: a map, a point and ε as given. Out: x̃ with ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞, established for
+//! this very call, or why not. There is one way to establish it and one formula for the step: the
+//! kernel of the fast step runs over bounded values, first in the scalar's own precision, and where
+//! that is too little in wider ones. Nothing is estimated from thresholds.
 //!
 //! | rung | values | what it settles |
 //! |---|---|---|
@@ -17,4 +18,4 @@ mod scalars;
 #[cfg(all(test, feature = "exact"))]
 mod tests;
 
-pub(crate) use rungs::{stable_double, stable_double_double, stable_single};
+pub(super) use rungs::{beyond, higher, in_next_wider, in_own_precision, in_wide};

@@ -1,7 +1,7 @@
 //! From rung to rung: which values the step is computed in, and what is said where none suffices.
 //!
-//! A rung has left the stack when the next one is called: over wide numbers, and without optimisation over any, a step of many
-//! operations needs hundreds of kilobytes.
+//! A rung has left the stack when the next one is called: over wide numbers, and without
+//! optimisation over any, a step of many operations needs hundreds of kilobytes.
 
 use core::array::from_fn;
 use core::cell::Cell;
@@ -12,66 +12,26 @@ use num_traits::Zero;
 
 use crate::field::linear::vector;
 use crate::scalar::Wide;
-use crate::scalar::bounded::{Both, Bounded, Pair, Working};
+use crate::scalar::bounded::{Both, Bounded};
 use crate::step::error::Reason;
-use crate::{Dd, KahanMap, Lift, PreparedStep, Scalar, SingularStep};
+use crate::{KahanMap, Lift, PreparedStep, SingularStep};
 
 use super::attempt::Attempt;
 use super::scalars::{Promised, Widened};
 
-/// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and ‖exact‖∞.
+/// ‖x̃ − exact‖∞ ≤ 64 u ‖exact‖∞ is promised; one u is left for the difference between ‖x̃‖∞ and
+/// ‖exact‖∞.
 pub(super) const PROMISE: f64 = 63.0;
 
-/// The step with all numbers embedded into V, each component handed to `finish`.
-#[inline(always)]
-fn attempt<T, V, P, M, const N: usize>(
-    map: &M,
-    x: &SVector<T, N>,
-    eps: &T,
-    embed: impl Fn(&T) -> V,
-    finish: impl Fn(V) -> V,
-) -> Option<Attempt<V, N>>
-where
-    T: Promised,
-    V: Working,
-    P: Pair<V>,
-    M: Lift<T, N>,
-{
-    // No input exceeds the sum of all sizes, which is not a number where an input is none.
-    let sum = Cell::new(embed(eps).size());
-    let given = |number: &T| {
-        let value = embed(number);
-        sum.set(sum.get() + value.size());
-        Bounded::<V, P>::given(value)
-    };
-    let packs = const { <M::Prepared as PreparedStep<T, N>>::PACKS };
-    let state = SVector::from_fn(|i, _| {
-        let value = given(&x[i]);
-        if packs { value } else { value.alone() }
-    });
-    let attempt = Attempt::by_increments(&map.lift(given), &state, Bounded::given(embed(eps)), finish)?;
-    (attempt.largest_input() > sum.get()).then_some(attempt)
-}
-
-/// A rung that is called: x̃ goes to the last argument.
-type Called<M, T, const N: usize> = fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>;
-
-/// The operations up to which values and their magnitudes are computed apart: where a step leaves most of a processor's units
-/// idle, magnitudes cost no time there, and no value waits for being packed with its own.
+/// The operations up to which values and their magnitudes are computed one after the other: where a
+/// step leaves most of a processor's units idle, magnitudes cost no time there, and no value waits
+/// for being packed with its own.
 const SHORT: u32 = 36;
 
-/// Whether a step is of that kind.
-const fn is_short<T: Promised, M: KahanMap<T, N>, const N: usize>() -> bool {
-    <M::Prepared as PreparedStep<T, N>>::COST.operations <= SHORT
-}
-
 /// The first rung of a scalar that works for itself.
-///
-/// A step that is divided by ε has another form for an ε that does not allow it. How often each form rounds is known while
-/// compiling, as long as no code serves both.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-pub(super) fn in_own_precision<M, T, const N: usize>(
+pub(crate) fn in_own_precision<M, T, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
@@ -80,36 +40,13 @@ where
     T: Promised,
     M: Lift<T, N>,
 {
-    if const { M::Prepared::HAS_INVERSE_STEP } && !eps.has_inverse_step() {
-        return in_general_form(map, vector(from_fn(|i| x[i])), *eps);
-    }
-    in_one_form(map, x, eps)
-}
-
-/// The same where ε is too small or too large.
-#[cold]
-#[inline(never)]
-fn in_general_form<M, T, const N: usize>(map: &M, x: SVector<T, N>, eps: T) -> Option<SVector<T, N>>
-where
-    T: Promised,
-    M: Lift<T, N>,
-{
-    in_one_form(map, &x, &eps)
-}
-
-#[cfg_attr(not(debug_assertions), inline(always))]
-#[cfg_attr(debug_assertions, inline(never))]
-fn in_one_form<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
-where
-    T: Promised,
-    M: Lift<T, N>,
-{
-    let attempt = if const { is_short::<T, M, N>() } {
-        attempt::<T, T, Both<T>, M, N>(map, x, eps, T::clone, M::Prepared::component)
+    let attempt = if const { M::Prepared::COST.operations <= SHORT } {
+        Attempt::of::<T, Both<T>, M>(map, x, eps, T::clone)
     } else {
-        attempt::<T, T, T::Packed, M, N>(map, x, eps, T::clone, M::Prepared::component)
+        Attempt::of::<T, T::Packed, M>(map, x, eps, T::clone)
     };
-    // Not by `filter`, which moves the attempt through memory, and each step of a chain would wait for that.
+    // Not by `filter`, which moves the attempt through memory, and each step of a chain would wait
+    // for that.
     match attempt {
         Some(attempt) if attempt.is_within(PROMISE * T::UNIT) => Some(vector(attempt.next)),
         _ => None,
@@ -119,77 +56,31 @@ where
 /// The rung that computes in the next wider scalar and rounds once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
-fn in_next_wider<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
+pub(crate) fn in_next_wider<M, T, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Option<SVector<T, N>>
 where
     T: Widened,
     M: Lift<T, N>,
 {
-    attempt::<T, T::Wider, <T::Wider as Promised>::Packed, M, N>(map, x, eps, T::embed, |component| component)
+    Attempt::of::<T, <T::Wider as Promised>::Packed, M>(map, x, eps, T::embed)
         .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
 }
 
-/// The step of `f64`.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn stable_double<M, const N: usize>(
-    map: &M,
-    x: &SVector<f64, N>,
-    eps: &f64,
-) -> Result<SVector<f64, N>, SingularStep>
-where
-    M: Lift<f64, N>,
-{
-    match in_own_precision(map, x, eps) {
-        Some(next) => Ok(next),
-        None => called(beyond, map, x, eps),
-    }
-}
+/// A rung that is called: it writes x̃ to its last argument, or says why there is none.
+pub(crate) type Rung<M, T, const N: usize> =
+    fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>;
 
-/// The variables up to which `f32` works for itself. Steps in more variables multiply so many factors that products of ordinary
-/// numbers leave its range, and nearly every step would be computed in `f64` after all.
-const MOST_OF_SINGLE: usize = 4;
-
-/// The step of `f32`.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn stable_single<M, const N: usize>(
-    map: &M,
-    x: &SVector<f32, N>,
-    eps: &f32,
-) -> Result<SVector<f32, N>, SingularStep>
-where
-    M: Lift<f32, N>,
-{
-    if N > MOST_OF_SINGLE {
-        return in_next_wider(map, x, eps).map_or_else(|| called(in_wide, map, x, eps), Ok);
-    }
-    match in_own_precision(map, x, eps) {
-        Some(next) => Ok(next),
-        None => called(beyond, map, x, eps),
-    }
-}
-
-/// The step of [`Dd`].
-#[inline]
-pub(crate) fn stable_double_double<M, const N: usize>(
-    map: &M,
-    x: &SVector<Dd, N>,
-    eps: &Dd,
-) -> Result<SVector<Dd, N>, SingularStep>
-where
-    M: Lift<Dd, N>,
-{
-    match in_own_precision(map, x, eps) {
-        Some(next) => Ok(next),
-        None => called(in_wide, map, x, eps),
-    }
-}
-
-/// What a rung that is called says of a step, entry by entry.
+/// Calls a higher rung.
 ///
-/// Functions that are called take and give states in memory. What they see here are copies, so that the state of a loop and the
-/// result of the first rung, which is inlined, stay in registers: else every step would wait for its way through memory.
+/// A function that is called reads and writes memory. It is given a copy of the state, and x̃ is
+/// copied out of what it wrote, so that the state of a loop, and x̃ of the first rung, can stay in
+/// registers: ordinary steps do not wait for memory on account of a call that they do not make.
 #[inline(always)]
-fn called<M, T: Copy, const N: usize>(
-    rung: Called<M, T, N>,
+pub(crate) fn higher<M, T: Copy, const N: usize>(
+    rung: Rung<M, T, N>,
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
@@ -204,7 +95,7 @@ fn called<M, T: Copy, const N: usize>(
 /// What comes after the first rung, for all but the widest scalar; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
-fn beyond<M, T, const N: usize>(
+pub(crate) fn beyond<M, T, const N: usize>(
     map: &M,
     x: SVector<T, N>,
     eps: T,
@@ -236,7 +127,7 @@ where
 /// The last two rungs, and the report where both fail; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
-fn in_wide<T, M, const N: usize>(
+pub(crate) fn in_wide<T, M, const N: usize>(
     map: &M,
     x: SVector<T, N>,
     eps: T,
@@ -283,7 +174,8 @@ where
     report(reason, rounded(&determinant), bound)
 }
 
-// What the last rungs call is apart, because it is the same for every scalar that comes here, and for the stack's sake.
+// What the last rungs call is apart, because it is the same for every scalar that comes here, and
+// for the stack's sake.
 
 /// The increment form in [`Wide`].
 #[inline(never)]
@@ -295,7 +187,7 @@ fn wide_increments<M, const N: usize>(
 where
     M: KahanMap<Bounded<Wide>, N>,
 {
-    Attempt::by_increments(map, x, eps, |component| component)
+    map.prepare(&eps).finish(x, |quotients| Attempt::by_increments(x, quotients))
 }
 
 /// The form N/D in [`Wide`].

@@ -1,7 +1,7 @@
 //! Which scalars rungs work in, and which steps are promised in.
 
 use crate::scalar::Wide;
-use crate::scalar::bounded::{Both, Pair, Working};
+use crate::scalar::bounded::{Both, PackedDouble, PackedSingle, Pair, Working};
 use crate::{Dd, Pivot};
 
 /// A scalar that steps can be promised in, and begin in.
@@ -55,10 +55,7 @@ impl Widened for f64 {
 }
 
 impl Promised for f32 {
-    #[cfg(target_arch = "x86_64")]
-    type Packed = crate::scalar::bounded::PackedSingle;
-    #[cfg(not(target_arch = "x86_64"))]
-    type Packed = Both<f32>;
+    type Packed = PackedSingle;
 
     fn widen(&self) -> Wide {
         Wide::from(*self)
@@ -70,10 +67,7 @@ impl Promised for f32 {
 }
 
 impl Promised for f64 {
-    #[cfg(target_arch = "x86_64")]
-    type Packed = crate::scalar::bounded::Packed;
-    #[cfg(not(target_arch = "x86_64"))]
-    type Packed = Both<f64>;
+    type Packed = PackedDouble;
 
     fn widen(&self) -> Wide {
         Wide::from(*self)

@@ -1,13 +1,16 @@
-//! The formats that bounded values are computed in, and what the range of each leaves to products and quotients.
+//! The formats that bounded values are computed in, and what the range of each leaves to products
+//! and quotients.
 
 use crate::Dd;
-use crate::scalar::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS, Size, Wide};
+use crate::scalar::tuning::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
+use crate::scalar::{Size, Wide};
 
 use super::number::{Number, Range, power_of_two};
 use super::pair::Pair;
 use super::{Bounded, Working, operations};
 
-/// That of `f32`: 2¹⁰·2⁹⁹·η is the allowance for η = 2⁻¹⁴⁹. Narrow, but what it leaves out has only to be computed in `f64`.
+/// That of `f32`: 2¹⁰·2⁹⁹·η is the allowance for η = 2⁻¹⁴⁹. Narrow, but what it leaves out has only
+/// to be computed in `f64`.
 const SINGLE: Range = Range {
     allowance: power_of_two(-40),
     bits_of_products: 99,
@@ -15,7 +18,8 @@ const SINGLE: Range = Range {
     bits_of_steps: BITS_OF_SINGLE_STEPS,
 };
 
-/// That of `f64`, and of pairs of them: 2¹⁰·2⁸⁶⁰·η is far below the allowance for η = 2⁻¹⁰⁷⁰ and less.
+/// That of `f64`, and of pairs of them: 2¹⁰·2⁸⁶⁰·η is far below the allowance for η = 2⁻¹⁰⁷⁰ and
+/// less.
 const DOUBLE: Range = Range {
     allowance: power_of_two(-150),
     bits_of_products: 860,

@@ -7,26 +7,16 @@ use num_traits::Zero;
 
 use crate::scalar::{Scalar, Size};
 
-/// What bounds on errors are made of: numbers that are not negative, in which a few digits are enough. What is not a number is
-/// neither more nor less than any.
+/// What bounds on errors are made of: numbers that are not negative, in which a few digits are
+/// enough. What is not a number is neither more nor less than any.
 pub(crate) trait Magnitude:
     Copy + Debug + PartialOrd + Zero + Mul<Output = Self> + Div<Output = Self> + Into<f64>
 {
     /// The nearest magnitude.
     fn of(value: f64) -> Self;
-    /// The same, in a register of its own.
-    #[inline(always)]
-    fn apart(self) -> Self {
-        self
-    }
 }
 
 impl Magnitude for f32 {
-    #[inline(always)]
-    fn apart(self) -> Self {
-        Scalar::alone(self)
-    }
-
     #[inline(always)]
     fn of(value: f64) -> Self {
         value as f32
@@ -34,11 +24,6 @@ impl Magnitude for f32 {
 }
 
 impl Magnitude for f64 {
-    #[inline(always)]
-    fn apart(self) -> Self {
-        Scalar::alone(self)
-    }
-
     #[inline(always)]
     fn of(value: f64) -> Self {
         value
@@ -59,7 +44,7 @@ pub(crate) struct Range {
     pub(crate) bits_of_products: u32,
     /// No divisor is below 2 to minus this power.
     pub(crate) bits_of_divisors: u32,
-    /// No ε that a step divides by is below 2 to minus this power.
+    /// No ε that a step divides by is below 2 to minus this power; 0 where none is divided by.
     pub(crate) bits_of_steps: u32,
 }
 

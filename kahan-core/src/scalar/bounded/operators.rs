@@ -18,8 +18,6 @@ impl<V: Working, P: Pair<V>> PartialEq for Bounded<V, P> {
 }
 
 impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
-    const HAS_INVERSE_STEPS: bool = V::HAS_INVERSE_STEPS;
-
     /// Integers that the number and a double hold are exact; every other literal is rounded once.
     #[inline(always)]
     fn constant(c: &Constant) -> Self {
@@ -56,21 +54,6 @@ impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
         V::product_plus(-a, b, self)
-    }
-
-    #[inline(always)]
-    fn has_inverse_step(&self) -> bool {
-        self.value().has_inverse_step()
-    }
-
-    #[inline(always)]
-    fn over_eps(self, eps: &Self) -> Self {
-        Bounded::over_eps(self, *eps)
-    }
-
-    #[inline(always)]
-    fn alone(self) -> Self {
-        self.apart()
     }
 
     fn approximate(&self) -> f64 {
@@ -110,6 +93,9 @@ impl<V: Working, P: Pair<V>> Div for Bounded<V, P> {
 
     #[inline(always)]
     fn div(self, other: Self) -> Self {
+        if self.is_literal() && other.is_ordinary_input() {
+            return self.over_input(other);
+        }
         V::over(self, other).unwrap_or_else(|| Self::unknown(self.value() / other.value()))
     }
 }

@@ -1,4 +1,5 @@
-//! A float and its magnitude in one register of several lanes: then a bound costs no operation more than the value alone.
+//! A float and its magnitude in one register of several lanes: then a bound costs no operation more
+//! than the value alone.
 
 use core::arch::x86_64::{
     __m128, __m128d, _mm_add_pd, _mm_add_ps, _mm_cvtsd_f64, _mm_cvtss_f32, _mm_move_ss, _mm_mul_pd,
@@ -13,8 +14,9 @@ use super::pair::Pair;
 /// Runs intrinsics of registers of 128 bits.
 macro_rules! machine {
     ($expression:expr) => {
-        // SAFETY: registers of two doubles or four floats (SSE2) are part of every x86-64 processor; the fused operations are
-        // compiled only where the whole program is compiled for FMA. Nothing here touches memory.
+        // SAFETY: registers of two doubles or four floats (SSE2) are part of every x86-64
+        // processor; the fused operations are compiled only where the whole program is compiled for
+        // FMA. Nothing here touches memory.
         #[allow(unsafe_code, reason = "compilers do not pair values and magnitudes by themselves")]
         unsafe {
             $expression
@@ -91,7 +93,7 @@ macro_rules! packed {
 
 packed! {
     /// Two doubles.
-    Packed(__m128d) of f64:
+    PackedDouble(__m128d) of f64:
     new: |value, magnitude| _mm_set_pd(magnitude, value),
     value: _mm_cvtsd_f64,
     magnitude: |pair| _mm_unpackhi_pd(pair, pair),
@@ -100,8 +102,8 @@ packed! {
 }
 
 packed! {
-    /// Two floats. The upper lanes hold the magnitude, too: what may lie there else, subnormal numbers say, could be slower than
-    /// what counts.
+    /// Two floats. The upper lanes hold the magnitude, too: what may lie there else, subnormal
+    /// numbers say, could be slower than what counts.
     PackedSingle(__m128) of f32:
     new: |value, magnitude| _mm_move_ss(_mm_set1_ps(magnitude), _mm_set_ss(value)),
     value: _mm_cvtss_f32,

@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use super::number::{Magnitude, Number};
+use super::number::Number;
 
 /// A value v̂ beside a magnitude m: what each operation does to both.
 pub(crate) trait Pair<V: Number>: Copy + Debug + 'static {
@@ -18,12 +18,6 @@ pub(crate) trait Pair<V: Number>: Copy + Debug + 'static {
     fn times(self, other: Self) -> Self;
     /// −v̂, m
     fn negated(self) -> Self;
-    /// The same, m in a register of its own where the two are apart anyway: compilers would pack it with a value that has no reason to
-    /// wait for it.
-    #[inline(always)]
-    fn alone(self) -> Self {
-        self
-    }
 
     /// self·factor + addend, the value rounded as [`Scalar::multiply_add`] does.
     fn multiply_add(self, factor: Self, addend: Self) -> Self;
@@ -70,11 +64,6 @@ impl<V: Number> Pair<V> for Both<V> {
     #[inline(always)]
     fn negated(self) -> Self {
         Self { value: -self.value, ..self }
-    }
-
-    #[inline(always)]
-    fn alone(self) -> Self {
-        Self { magnitude: self.magnitude.apart(), ..self }
     }
 
     #[inline(always)]

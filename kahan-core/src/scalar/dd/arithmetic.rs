@@ -1,8 +1,8 @@
 //! The operations, each with its bound; u = 2⁻⁵³.
 //!
-//! In: normalised numbers. Out: a normalised number. Everything is inlined into the caller, so that a kernel is one piece of
-//! straight-line code; what may overflow or lose bits on the way goes to `extremes`, on a branch that is never taken in
-//! ordinary computations and costs no latency.
+//! In: normalised numbers. Out: a normalised number. Everything is inlined into the caller, so that
+//! a kernel is one piece of straight-line code; what may overflow or lose bits on the way goes to
+//! `extremes`, on a branch that is never taken in ordinary computations and costs no latency.
 
 use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
 use super::moderate::power_of_two;
@@ -11,7 +11,8 @@ use super::{Dd, extremes, moderate};
 /// Below this size a leading sum or product leaves room for everything that is added to it.
 const ROOM: f64 = power_of_two(1022);
 
-/// Operands between these sizes can be divided without a loss: their quotients are between 2⁻⁹⁰⁰ and 2⁹⁰⁰.
+/// Operands between these sizes can be divided without a loss: their quotients are between 2⁻⁹⁰⁰
+/// and 2⁹⁰⁰.
 const SMALL: f64 = power_of_two(-450);
 const LARGE: f64 = power_of_two(450);
 
@@ -42,11 +43,13 @@ pub(super) fn product(x: Dd, y: Dd) -> Dd {
 
 /// xy + z, off by at most 16u²·|xy| + 5u²·|xy + z|.
 ///
-/// The product is not normalised and the lower parts are added as floats: 15 operations where a product and a sum take 28, and
-/// half of their latency. That is as good, because the product's own error is a multiple of |xy| where the sum cancels. In
-/// units of u², with p = |xy|, r = |xy + z| and |z| ≤ p + r, the additions of the lower parts round by p + |z|, 2p + |z|,
-/// 3p + |z| and 3p + |z| + r, and x.low·y.low, left out, is p; without fused multiply-adds two products round by p each. Where
-/// the leading parts cancel below the lower sum, they leave a multiple of its last place, so the last sum is exact.
+/// The product is not normalised and the lower parts are added as floats: 15 operations where a
+/// product and a sum take 28, and half of their latency. That is as good, because the product's own
+/// error is a multiple of |xy| where the sum cancels. In units of u², with p = |xy|, r = |xy + z|
+/// and |z| ≤ p + r, the additions of the lower parts round by p + |z|, 2p + |z|, 3p + |z| and 3p +
+/// |z| + r, and x.low·y.low, left out, is p; without fused multiply-adds two products round by p
+/// each. Where the leading parts cancel below the lower sum, they leave a multiple of its last
+/// place, so the last sum is exact.
 #[inline(always)]
 pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
     let (leading, product_error) = two_product(x.high, y.high);
@@ -62,11 +65,12 @@ pub(super) fn product_plus(x: Dd, y: Dd, z: Dd) -> Dd {
 
 /// x/y, off by at most 14u²·|x/y|.
 ///
-/// The leading quotient q has a remainder r = x − qy that is known but for its last bits: x.high − q·y.high is a float. The
-/// correction is r times the float nearest to 1/y.high, which is divided out beside q and not after it. With x.high, y.high
-/// and q scaled into [1,2), the errors in u² of x/y are: 3 from the products and sums in r, which is at most 3u·x.high;
-/// 3 each from its last addition, from leaving out y.low and from the last product; 1.5 from the reciprocal. Away from
-/// y = q = 1 the sum of these is less.
+/// The leading quotient q has a remainder r = x − qy that is known but for its last bits: x.high −
+/// q·y.high is a float. The correction is r times the float nearest to 1/y.high, which is divided
+/// out beside q and not after it. With x.high, y.high and q scaled into [1,2), the errors in u² of
+/// x/y are: 3 from the products and sums in r, which is at most 3u·x.high; 3 each from its last
+/// addition, from leaving out y.low and from the last product; 1.5 from the reciprocal. Away from y
+/// = q = 1 the sum of these is less.
 #[inline(always)]
 pub(super) fn quotient(x: Dd, y: Dd) -> Dd {
     if is_moderate(x.high) && is_moderate(y.high) {

@@ -1,7 +1,7 @@
 //! Decimals: the digits of a number and the number of digits.
 //!
-//! In: text, or a fixed-point number. Out: each other, exactly; text of any length is read as if all its digits counted.
-//! Nothing here allocates.
+//! In: text, or a fixed-point number. Out: each other, exactly; text of any length is read as if
+//! all its digits counted. Nothing here allocates.
 
 use core::num::ParseFloatError;
 use core::str::FromStr;
@@ -15,7 +15,8 @@ const CHUNK: usize = 19;
 /// 10¹⁹.
 const CHUNK_BASE: u64 = 10_000_000_000_000_000_000;
 
-/// More digits than a sum of two `f64`, or a tie between two of them, can have: 309 before the point and 1075 behind it.
+/// More digits than a sum of two `f64`, or a tie between two of them, can have: 309 before the
+/// point and 1075 behind it.
 const CAPACITY: usize = 1444;
 
 /// The powers of ten of `f64` go down to −324.
@@ -137,8 +138,8 @@ impl Decimal {
         decimal
     }
 
-    /// The number, cut at the last place of a fixed-point number, and whether anything was cut off. It is finite and not 0
-    /// as an `f64`.
+    /// The number, cut at the last place of a fixed-point number, and whether anything was cut off.
+    /// It is finite and not 0 as an `f64`.
     fn to_fixed(&self) -> (Fixed, bool) {
         let digit =
             |place: i64| usize::try_from(place).ok().and_then(|place| self.digits().get(place)).copied();
@@ -219,7 +220,8 @@ fn next_limb(fraction: &mut [u64]) -> u64 {
     carry
 }
 
-/// A number as `f64` reads it, also `inf` and `NaN`: high is the float nearest to it, low the float nearest to the rest.
+/// A number as `f64` reads it, also `inf` and `NaN`: high is the float nearest to it, low the float
+/// nearest to the rest.
 impl FromStr for Dd {
     type Err = ParseFloatError;
 

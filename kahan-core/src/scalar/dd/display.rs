@@ -1,7 +1,8 @@
-//! Numbers as text: 32 significant digits, or as many as the format asks for, all of them correctly rounded.
+//! Numbers as text: 32 significant digits, or as many as the format asks for, all of them correctly
+//! rounded.
 //!
-//! In: a number and a format. Out: its decimal, positional or with an exponent. Zeros at the end are left out unless a
-//! precision asks for them.
+//! In: a number and a format. Out: its decimal, positional or with an exponent. Zeros at the end
+//! are left out unless a precision asks for them.
 
 use core::fmt::{self, Alignment, Formatter, Write};
 
@@ -15,7 +16,8 @@ const DIGITS: i64 = 32;
 /// Numbers from 10⁻⁵ on and below 10³² are written without an exponent.
 const POSITIONAL: core::ops::Range<i64> = -5..32;
 
-/// Positional between 10⁻⁵ and 10³² and with an exponent elsewhere; with a precision always positional, with as many places.
+/// Positional between 10⁻⁵ and 10³² and with an exponent elsewhere; with a precision always
+/// positional, with as many places.
 impl fmt::Display for Dd {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let precision = places(f);

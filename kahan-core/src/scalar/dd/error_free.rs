@@ -1,8 +1,8 @@
 //! Sums and products of two floats with their rounding errors, which are floats themselves.
 //!
-//! In: two floats. Out: the rounded result and what it leaves; the two together are the exact result unless something
-//! overflows, or, for products, falls below 2⁻⁹⁶⁹. The multiply-add is fused where the target has an instruction for it;
-//! a library call it never is.
+//! In: two floats. Out: the rounded result and what it leaves; the two together are the exact
+//! result unless something overflows, or, for products, falls below 2⁻⁹⁶⁹. The multiply-add is
+//! fused where the target has an instruction for it; a library call it never is.
 
 /// a + b and its error (Knuth).
 #[inline(always)]
@@ -32,7 +32,8 @@ mod product {
         (product, a.mul_add(b, -product))
     }
 
-    /// whole − ab, where it is a float: a the rounded quotient whole/b, or the rounded root with b = a.
+    /// whole − ab, where it is a float: a the rounded quotient whole/b, or the rounded root with b
+    /// = a.
     #[inline(always)]
     pub(in super::super) fn remainder(whole: f64, a: f64, b: f64) -> f64 {
         (-a).mul_add(b, whole)
@@ -74,7 +75,8 @@ mod product {
         (high, a - high)
     }
 
-    /// With the large factor made smaller. The other one is brought up, so that no half of it underflows.
+    /// With the large factor made smaller. The other one is brought up, so that no half of it
+    /// underflows.
     #[cold]
     #[inline(never)]
     fn large(a: f64, b: f64) -> (f64, f64) {
@@ -90,7 +92,8 @@ mod product {
         }
     }
 
-    /// whole − ab, where it is a float: a the rounded quotient whole/b, or the rounded root with b = a.
+    /// whole − ab, where it is a float: a the rounded quotient whole/b, or the rounded root with b
+    /// = a.
     #[inline(always)]
     pub(in super::super) fn remainder(whole: f64, a: f64, b: f64) -> f64 {
         let (product, error) = two_product(a, b);

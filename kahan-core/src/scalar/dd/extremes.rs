@@ -1,7 +1,9 @@
-//! The operations where their intermediate numbers would leave the range of `f64`, or would not be numbers.
+//! The operations where their intermediate numbers would leave the range of `f64`, or would not be
+//! numbers.
 //!
-//! In: any operands. Out: what the exact result rounds to, by the same bounds; infinite where that is beyond the range.
-//! Finite operands are scaled by powers of two, which is exact, so nothing here is a second formula.
+//! In: any operands. Out: what the exact result rounds to, by the same bounds; infinite where that
+//! is beyond the range. Finite operands are scaled by powers of two, which is exact, so nothing
+//! here is a second formula.
 
 use super::error_free::{two_product, two_sum};
 use super::moderate::{power_of_two, with_lower};
@@ -48,7 +50,8 @@ pub(super) fn square_root(x: Dd) -> Dd {
     }
 }
 
-/// Finite numbers other than 0, each over the power of two below it, and the exponents of these powers.
+/// Finite numbers other than 0, each over the power of two below it, and the exponents of these
+/// powers.
 fn leading_in_one_to_two(x: Dd, y: Dd) -> Option<(Dd, Dd, (i32, i32))> {
     let is_plain = |x: Dd| x.is_finite() && x.high != 0.0;
     if !(is_plain(x) && is_plain(y)) {
@@ -70,7 +73,8 @@ fn exponent(x: f64) -> i32 {
 
 /// 2ᵏx; below the normal range each part is rounded once, an error of 2⁻¹⁰⁷⁴ at most.
 ///
-/// A low part is so small beside its high part that it may underflow for every k; that is one rounding, too.
+/// A low part is so small beside its high part that it may underflow for every k; that is one
+/// rounding, too.
 fn scaled(x: Dd, k: i32) -> Dd {
     // Beyond ±2200 everything is infinite or 0.
     let k = k.clamp(-2200, 2200);

@@ -1,6 +1,8 @@
-//! Binary numbers with a fixed point, wide enough for every sum of two `f64`: where text becomes numbers and back.
+//! Binary numbers with a fixed point, wide enough for every sum of two `f64`: where text becomes
+//! numbers and back.
 //!
-//! In: floats, or limbs from decimal digits. Out: the same values, exactly, or rounded once to a float. On the stack.
+//! In: floats, or limbs from decimal digits. Out: the same values, exactly, or rounded once to a
+//! float. On the stack.
 
 use super::Dd;
 
@@ -73,8 +75,8 @@ impl Fixed {
         fixed
     }
 
-    /// The nearest float, ties to even, of a number below 2¹⁰²⁴; with `has_more` of one that is larger by less than the last
-    /// place.
+    /// The nearest float, ties to even, of a number below 2¹⁰²⁴; with `has_more` of one that is
+    /// larger by less than the last place.
     pub(super) fn rounded(&self, has_more: bool) -> f64 {
         let Some(top) = self.limbs.iter().rposition(|&limb| limb != 0) else { return 0.0 };
         let leading = 64 * top as i32 + 63 - self.limbs[top].leading_zeros() as i32;

@@ -1,9 +1,10 @@
 //! Double-double numbers: the unevaluated sum of two `f64`, worth about 32 decimal digits.
 //!
-//! In: floats, constants, text. Out: the four operations and the square root with errors of a few u², u = 2⁻⁵³, each bound
-//! stated where the operation is; overflow is infinite, never a finite lie.
-//! `arithmetic` holds the operations, on top of `error_free`; `extremes` what they do beyond their range; `decimal` and
-//! `display` are exact too, through `fixed`. The exponent range is that of `f64`: more digits, no larger numbers.
+//! In: floats, constants, text. Out: the four operations and the square root with errors of a few
+//! u², u = 2⁻⁵³, each bound stated where the operation is; overflow is infinite, never a finite
+//! lie. `arithmetic` holds the operations, on top of `error_free`; `extremes` what they do beyond
+//! their range; `decimal` and `display` are exact too, through `fixed`. The exponent range is that
+//! of `f64`: more digits, no larger numbers.
 
 mod arithmetic;
 mod decimal;
@@ -17,8 +18,8 @@ mod traits;
 
 /// A double-double number: high + low, with high the `f64` nearest to the sum.
 ///
-/// So |low| ≤ ½ ulp(high), the digits are 106 bits at least, and two numbers are equal exactly where both parts are. What is
-/// not finite has low = 0 and behaves as the `f64` in high does.
+/// So |low| ≤ ½ ulp(high), the digits are 106 bits at least, and two numbers are equal exactly
+/// where both parts are. What is not finite has low = 0 and behaves as the `f64` in high does.
 ///
 /// # Bounds
 /// With u = 2⁻⁵³ the results of the operations differ from the exact ones, relatively, by at most
@@ -31,19 +32,23 @@ mod traits;
 /// | [`sqrt`](Dd::sqrt) | 4u² | SQRTDWtoDW: Lefèvre, Louvet, Muller, Picot, Rideau, ACM Trans. Math. Softw. 49 (2023), 25/8 u² |
 /// | [`multiply_add`](crate::Scalar::multiply_add) and its kin | 16u² of the product and 5u² of the result | not normalised between the two |
 ///
-/// Products and quotients below 2⁻⁹⁶⁹ in size lose low bits, as the error of a float is then no float: besides the relative
-/// bound they are off by at most 2⁻¹⁰⁷². Sums never underflow. A result that rounds to 2¹⁰²⁴ or more is infinite; operands and
-/// intermediate numbers may be as large as they like.
+/// Products and quotients below 2⁻⁹⁶⁹ in size lose low bits, as the error of a float is then no
+/// float: besides the relative bound they are off by at most 2⁻¹⁰⁷². Sums never underflow. A result
+/// that rounds to 2¹⁰²⁴ or more is infinite; operands and intermediate numbers may be as large as
+/// they like.
 ///
-/// Bits depend on the target's multiply-add, as those of floats do; with it, xy and yx may differ within the bound.
+/// Bits depend on the target's multiply-add, as those of floats do; with it, xy and yx may differ
+/// within the bound.
 ///
 /// # Cost
-/// With fused multiply-adds (a target that has them, and `std`) a sum takes 20 operations, a product 8, a
-/// multiply-add 15, a quotient 7 and two divisions side by side; without, a product takes 24. Constants without a low part are not faster than others.
+/// With fused multiply-adds (a target that has them, and `std`) a sum takes 20 operations, a
+/// product 8, a multiply-add 15, a quotient 7 and two divisions side by side; without, a product
+/// takes 24. Constants without a low part are not faster than others.
 ///
 /// # Text
-/// It is read exactly, from decimals of any length, each part correctly rounded; it is written with 32 significant digits,
-/// correctly rounded, or as many as the format asks for (`{:.40}`, `{:.40e}`).
+/// It is read exactly, from decimals of any length, each part correctly rounded; it is written with
+/// 32 significant digits, correctly rounded, or as many as the format asks for (`{:.40}`,
+/// `{:.40e}`).
 ///
 /// ```
 /// use kahan_core::Dd;

@@ -1,4 +1,5 @@
-//! The formulas of the operations where nothing overflows or underflows; their bounds stand where they are called.
+//! The formulas of the operations where nothing overflows or underflows; their bounds stand where
+//! they are called.
 
 use super::Dd;
 use super::error_free::{fast_two_sum, multiply_add, remainder, two_sum};

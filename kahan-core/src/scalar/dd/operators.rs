@@ -72,7 +72,8 @@ assign! {
 impl PartialOrd for Dd {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        // Rounding to the nearest float keeps the order, so the low parts matter between equal high parts only.
+        // Rounding to the nearest float keeps the order, so the low parts matter between equal high
+        // parts only.
         match self.high.partial_cmp(&other.high)? {
             Ordering::Equal => self.low.partial_cmp(&other.low),
             order => Some(order),

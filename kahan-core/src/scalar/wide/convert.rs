@@ -1,7 +1,8 @@
 //! Into [`Wide`] and out of it: floats, pairs of floats, integers, ratios.
 //!
-//! What comes from a float or an integer is exact. What goes to a float is correctly rounded, ties to even, through the
-//! subnormal range; beyond the largest float it is infinite, and undefined is not a number.
+//! What comes from a float or an integer is exact. What goes to a float is correctly rounded, ties
+//! to even, through the subnormal range; beyond the largest float it is infinite, and undefined is
+//! not a number.
 
 use num_traits::Zero;
 
@@ -63,20 +64,23 @@ impl Wide {
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
 
-    /// The nearest `f32`, ties to even, rounded once; ±∞ beyond the largest, not a number for undefined.
+    /// The nearest `f32`, ties to even, rounded once; ±∞ beyond the largest, not a number for
+    /// undefined.
     pub(crate) fn to_f32(self) -> f32 {
         // Bits of the format fill the low half.
         let magnitude = f32::from_bits(self.encode(&SINGLE) as u32);
         if self.row().sign() < 0 { -magnitude } else { magnitude }
     }
 
-    /// The nearest `f64` and the `f64` nearest to what it leaves; (x, 0) where the first is not finite.
+    /// The nearest `f64` and the `f64` nearest to what it leaves; (x, 0) where the first is not
+    /// finite.
     ///
-    /// The second is at most half an ulp of the first; where it is exactly that by its own rounding, the sum of both may
-    /// round away from the first.
+    /// The second is at most half an ulp of the first; where it is exactly that by its own
+    /// rounding, the sum of both may round away from the first.
     pub(crate) fn to_double_double(self) -> (f64, f64) {
         let high = self.to_f64();
-        // The difference is exact: it starts below the bits of `high` and ends where this number does.
+        // The difference is exact: it starts below the bits of `high` and ends where this number
+        // does.
         let low = if high.is_finite() { (self - Self::from(high)).to_f64() } else { 0.0 };
         (high, low)
     }
@@ -94,7 +98,8 @@ impl Wide {
         if exponent > 1 - format.lowest {
             return infinity;
         }
-        // Below the least normal number the last place stays where it is, and bits are missing at the top.
+        // Below the least normal number the last place stays where it is, and bits are missing at
+        // the top.
         let missing = (format.lowest - exponent).max(0);
         let kept = i64::from(format.precision) - missing;
         if kept < 0 {
@@ -108,7 +113,8 @@ impl Wide {
         };
         let half = 1_u128 << (dropped - 1);
         let is_up = rest > half || (rest == half && integer & 1 == 1);
-        // The hidden bit, and a carry out of the fraction, count the exponent up, as far as infinity.
+        // The hidden bit, and a carry out of the fraction, count the exponent up, as far as
+        // infinity.
         let binade = exponent.max(format.lowest) - format.lowest;
         ((binade as u64) << stored) + integer + u64::from(is_up)
     }

@@ -1,6 +1,7 @@
 //! [`Wide`] as a scalar: the generated step runs over it as over a float.
 //!
-//! Zero has no reciprocal, so a pole that is met exactly ends the step instead of passing on an undefined number.
+//! Zero has no reciprocal, so a pole that is met exactly ends the step instead of passing on an
+//! undefined number.
 
 use core::cmp::Ordering;
 

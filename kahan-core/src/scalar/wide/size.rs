@@ -1,16 +1,18 @@
 //! How large a [`Wide`](super::Wide) is: its exponent, and 53 bits of its mantissa.
 //!
-//! Bounds on errors are made of sizes. They need the range of the numbers that they belong to and hardly a digit of them, and a
-//! step over such numbers carries a size beside each.
+//! Bounds on errors are made of sizes. They need the range of the numbers that they belong to and
+//! hardly a digit of them, and a step over such numbers carries a size beside each.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul};
 
 use num_traits::Zero;
 
-/// mantissa·2^exponent with a mantissa in [1, 2); or a mantissa of 0, infinity or NaN with the exponent 0.
+/// mantissa·2^exponent with a mantissa in [1, 2); or a mantissa of 0, infinity or NaN with the
+/// exponent 0.
 ///
-/// Each operation rounds by at most 2⁻⁵². What leaves the range of the exponent is NaN, which is neither more nor less than any.
+/// Each operation rounds by at most 2⁻⁵². What leaves the range of the exponent is NaN, which is
+/// neither more nor less than any.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Size {
     pub(super) exponent: i64,

@@ -1,8 +1,9 @@
-//! The bound of each operation, which `Dd` states, on seeded operands with exponents over the whole range.
+//! The bound of each operation, which `Dd` states, on seeded operands with exponents over the whole
+//! range.
 //!
-//! A result is compared with the exact one as whole numbers times powers of two, so the comparison is exact. Every result
-//! must be normalised as well. The default run is a sample; `cargo test --release -p kahan-core --features exact -- --ignored
-//! millions` is the whole.
+//! A result is compared with the exact one as whole numbers times powers of two, so the comparison
+//! is exact. Every result must be normalised as well. The default run is a sample;
+//! `cargo test --release -p kahan-core --features exact -- --ignored millions` is the whole.
 
 use super::dyadic::Dyadic;
 use super::operands::Operands;
@@ -185,7 +186,8 @@ fn check_multiply_adds(seed: u64, count: usize) {
     }
 }
 
-/// Numbers below the normal range, where sums stay exact and the other operations are off by 2⁻¹⁰⁷² more.
+/// Numbers below the normal range, where sums stay exact and the other operations are off by 2⁻¹⁰⁷²
+/// more.
 fn check_subnormals(seed: u64, count: usize) {
     let mut operands = Operands::seeded(seed);
     for _ in 0..count {

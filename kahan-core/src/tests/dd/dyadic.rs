@@ -1,4 +1,5 @@
-//! Exact numbers m·2ᵉ: what sums, differences and products of floats are. Much faster than fractions, and as exact.
+//! Exact numbers m·2ᵉ: what sums, differences and products of floats are. Much faster than
+//! fractions, and as exact.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Sub};

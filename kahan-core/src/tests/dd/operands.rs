@@ -1,4 +1,5 @@
-//! Seeded operands that look for trouble: low parts next to a tie, gaps between the parts, few bits, all bits, cancellation.
+//! Seeded operands that look for trouble: low parts next to a tie, gaps between the parts, few
+//! bits, all bits, cancellation.
 
 use crate::Dd;
 
@@ -57,7 +58,8 @@ impl Operands {
         if exponent - gap < -1022 { Dd::from(high) } else { Dd::new(high, self.float(exponent - gap)) }
     }
 
-    /// Another number, often one that cancels against x in one part or both, its exponent at most `reach` from that of x.
+    /// Another number, often one that cancels against x in one part or both, its exponent at most
+    /// `reach` from that of x.
     pub(super) fn partner(&mut self, x: Dd, exponent: i32, reach: i32) -> Dd {
         let nudge = self.between(-3, 3) as f64;
         let unit = f64::EPSILON * x.high();

@@ -35,7 +35,8 @@ fn what_is_not_finite_is_what_floats_say() {
             let pairs =
                 [(x + y, a + b), (x - y, a - b), (x * y, a * b), (x / y, a / b), (x.recip(), 1.0 / a)];
             for (result, float) in pairs {
-                // The nearest float of the exact result, in every case; subnormal quotients are rounded twice.
+                // The nearest float of the exact result, in every case; subnormal quotients are
+                // rounded twice.
                 let is_near = is_same(result.high(), float)
                     || float.is_subnormal() && (result.high() - float).abs() <= f64::from_bits(1);
                 assert!(is_near, "{a:e} {b:e}: {:e}, not {float:e}", result.high());
@@ -45,7 +46,8 @@ fn what_is_not_finite_is_what_floats_say() {
             assert!(is_same(x.multiply_add(y, Dd::one()).high(), (x * y + Dd::one()).high()), "{a:e} {b:e}");
             assert_eq!(x.partial_cmp(&y), a.partial_cmp(&b));
         }
-        // The exact root of the largest float is next to a tie, so its high part may be a place off.
+        // The exact root of the largest float is next to a tie, so its high part may be a place
+        // off.
         #[cfg(feature = "std")]
         assert!({
             let (root, float) = (Dd::from(a).sqrt().high(), a.sqrt());

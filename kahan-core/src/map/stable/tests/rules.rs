@@ -166,8 +166,8 @@ fn negation_rounds_nothing_and_keeps_the_error() {
 #[test]
 fn what_is_divided_by_eps_is_rounded_once_more() {
     let eps = Beside::<FINE>::given(0.5);
-    assert_near(&off_by(UP, || Beside::literal(3, 1).over_eps(&eps)), ALL);
-    assert_near(&off_by(UP, || off_by(UP, || Beside::literal(1, 3)).over_eps(&eps)), ALL);
+    assert_near(&off_by(UP, || Beside::literal(3, 1).over_input(&eps)), ALL);
+    assert_near(&off_by(UP, || off_by(UP, || Beside::literal(1, 3)).over_input(&eps)), ALL);
 }
 
 /// n̂·r̂ beside w·m: the errors of the numerator, of the reciprocal and of the product, for
@@ -184,8 +184,7 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
             });
             let weight = reciprocal.bounded.weight(numerator.bounded.roundings());
             let bound = f64::of(weight) * numerator.bounded.magnitude();
-            let part = Magnitude::apart(num_traits::ToPrimitive::to_f64(&product.error()).expect("a number"))
-                / bound;
+            let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
             // n + 1 for the numerator and the product, and (d + 1)·2 for a reciprocal that errs by
             // d + 1.
             let reached = (n + d + 2) as f64 / (n + 1 + 2 * (d + 1)) as f64;
@@ -231,7 +230,7 @@ fn a_known_radius_is_the_error() {
 #[test]
 fn packed_pairs_are_pairs() {
     use crate::scalar::bounded::{Both, Pair};
-    use crate::scalar::bounded::{Packed, PackedSingle};
+    use crate::scalar::bounded::{PackedDouble, PackedSingle};
     fn same<V: Number, P: Pair<V>>(packed: P, both: Both<V>) {
         assert!(packed.value() == both.value() && packed.magnitude() == both.magnitude());
     }
@@ -245,7 +244,7 @@ fn packed_pairs_are_pairs() {
         same(p.multiply_add(q, p), x.multiply_add(y, x));
     }
     for (a, b) in [(1.5, -0.25), (-3.0, 7.0), (0.0, 2.0)] {
-        check::<f64, Packed>((a, 2.0 * a.abs() + 1.0), (b, b.abs()));
+        check::<f64, PackedDouble>((a, 2.0 * a.abs() + 1.0), (b, b.abs()));
         let (a, b) = (a as f32, b as f32);
         check::<f32, PackedSingle>((a, 2.0 * a.abs() + 1.0), (b, b.abs()));
     }

@@ -97,7 +97,7 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     let formula = |x: &Value| {
         let tiny = Value::given(0.0).times(&Value::given(0.0)).times(x);
         off_by((0, 0), || {
-            let large = Value::literal(1, 1).over_eps(&least);
+            let large = Value::literal(1, 1).over_input(&least);
             tiny.times(&large).times(&large).times(&large)
         })
     };

@@ -220,7 +220,7 @@ impl<const BITS: i32> Beside<BITS> {
     }
 
     /// self/ε, as a step that is divided by ε has it.
-    pub(super) fn over_eps(&self, eps: &Self) -> Self {
-        Self { bounded: self.bounded.over_eps(eps.bounded), exact: &self.exact / &eps.exact }
+    pub(super) fn over_input(&self, eps: &Self) -> Self {
+        Self { bounded: self.bounded.over_input(eps.bounded), exact: &self.exact / &eps.exact }
     }
 }

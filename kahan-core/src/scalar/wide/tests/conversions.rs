@@ -1,4 +1,5 @@
-//! Floats in and out: exact in, and out the nearest, judged by the neighbours and by parsed decimals.
+//! Floats in and out: exact in, and out the nearest, judged by the neighbours and by parsed
+//! decimals.
 
 use std::string::ToString;
 
@@ -76,7 +77,8 @@ fn scaled_integer(x: f64) -> BigInt {
     if x < 0.0 { -integer } else { integer }
 }
 
-/// Asserts that `nearest` is the float nearest to `number`: no neighbour is nearer, and of two as near it is the even one.
+/// Asserts that `nearest` is the float nearest to `number`: no neighbour is nearer, and of two as
+/// near it is the even one.
 macro_rules! assert_nearest {
     ($number:expr, $nearest:expr, $largest_exponent:expr) => {{
         let (number, nearest) = ($number, $nearest);
@@ -119,7 +121,8 @@ fn rounding_is_to_the_nearest_float() {
     }
 }
 
-/// Half-way numbers, and those that differ from them in the last bit of a mantissa, from the least float to the largest.
+/// Half-way numbers, and those that differ from them in the last bit of a mantissa, from the least
+/// float to the largest.
 #[test]
 fn ties_go_to_even() {
     let mut random = Random(14);

@@ -1,7 +1,8 @@
-//! [`Wide`] against exact numbers: n·2^k with big integers n, so that nothing is rounded on the side that judges.
+//! [`Wide`] against exact numbers: n·2^k with big integers n, so that nothing is rounded on the
+//! side that judges.
 //!
-//! Operands are seeded: mantissas at random, of all ones, of single bits, of long runs; exponents from −5000 to 5000, or close
-//! together, so that sums cancel.
+//! Operands are seeded: mantissas at random, of all ones, of single bits, of long runs; exponents
+//! from −5000 to 5000, or close together, so that sums cancel.
 
 mod constants;
 mod conversions;

@@ -1,4 +1,5 @@
-//! Sizes: near what they are the size of, rounded by at most 2⁻⁵² in each operation, and unknown beyond their range.
+//! Sizes: near what they are the size of, rounded by at most 2⁻⁵² in each operation, and unknown
+//! beyond their range.
 
 use core::cmp::Ordering;
 

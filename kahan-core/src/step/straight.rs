@@ -1,0 +1,107 @@
+//! The step of a map in straight lines: constants that ε and the parameters fix, and formulas that
+//! a state runs through.
+//!
+//! In: a [`Kernel`], the formulas that the macro writes, and the constants they name. Out: a
+//! [`PreparedStep`] over the scalar of the constants, and the same step over any other.
+
+use core::array::from_fn;
+use core::marker::PhantomData;
+
+use nalgebra::SVector;
+
+use crate::Scalar;
+use crate::field::linear::components;
+
+use super::{PreparedStep, Quotients, StepCost, WideStep};
+
+/// The formulas of a step in N variables with C prepared constants.
+pub trait Kernel<const N: usize, const C: usize> {
+    /// What one step costs.
+    const COST: StepCost;
+
+    /// The increment at a state before its last multiplication, or `None` at a pole of a scalar
+    /// that has no reciprocal of zero.
+    fn quotients<T: Scalar>(constants: &[Padded<T>; C], state: [T; N]) -> Option<Quotients<T, N>>;
+}
+
+/// A prepared constant with nothing else of the step in the 32 bytes around it.
+///
+/// Compilers load scalars that lie side by side as one vector, and shuffling it apart is waited for
+/// in the chain of an orbit. They load a single-precision constant with the twelve bytes after it,
+/// too, and compute on with all four numbers. Zeros stand there: what else might lie there can be
+/// subnormal, and processors take many times as long for that.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(32))]
+pub struct Padded<T>(T, [u32; 3]);
+
+impl<T: Clone> Padded<T> {
+    /// The constant itself.
+    #[inline(always)]
+    pub fn get(&self) -> T {
+        self.0.clone()
+    }
+}
+
+/// The prepared step of a [`Kernel`]: its constants.
+pub struct StraightStep<K, T, const C: usize> {
+    constants: [Padded<T>; C],
+    kernel: PhantomData<fn() -> K>,
+}
+
+impl<K, T: Clone, const C: usize> StraightStep<K, T, C> {
+    /// The step with these constants.
+    #[inline(always)]
+    pub fn new(constants: [T; C]) -> Self {
+        Self { constants: from_fn(|i| Padded(constants[i].clone(), [0; 3])), kernel: PhantomData }
+    }
+}
+
+impl<K, T: Clone, const C: usize> Clone for StraightStep<K, T, C> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        Self { constants: self.constants.clone(), kernel: PhantomData }
+    }
+}
+
+impl<K, T: Copy, const C: usize> Copy for StraightStep<K, T, C> {}
+
+impl<K, T, const N: usize, const C: usize> PreparedStep<T, N> for StraightStep<K, T, C>
+where
+    K: Kernel<N, C>,
+    T: Scalar,
+{
+    const COST: StepCost = K::COST;
+
+    #[inline(always)]
+    fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
+        K::quotients(&self.constants, components(x).clone())
+    }
+}
+
+impl<K, T, const N: usize, const C: usize> WideStep<T, N> for StraightStep<K, T, C>
+where
+    K: Kernel<N, C>,
+    T: Scalar,
+{
+    const HAS_LANES: bool = true;
+
+    type Wide<L: Scalar> = StraightStep<K, L, C>;
+
+    #[inline(always)]
+    fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> StraightStep<K, L, C> {
+        StraightStep::new(from_fn(|i| spread(&self.constants[i].0)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::mem::{align_of, offset_of, size_of};
+
+    use super::Padded;
+
+    #[test]
+    fn zeros_fill_the_register_behind_a_single_precision_constant() {
+        assert_eq!((offset_of!(Padded<f32>, 0), offset_of!(Padded<f32>, 1)), (0, 4));
+        assert_eq!((size_of::<Padded<f32>>(), align_of::<Padded<f32>>()), (32, 32));
+    }
+}

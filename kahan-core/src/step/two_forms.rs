@@ -1,0 +1,149 @@
+//! Steps of two forms: one that is faster for some scalars, and one that serves them all.
+//!
+//! In: both, prepared. Out: one step that takes the faster form wherever it may.
+
+use nalgebra::SVector;
+
+use crate::Scalar;
+use crate::scalar::tuning;
+
+use super::{PreparedStep, Quotients, StepCost, StraightStep, WideStep};
+
+/// A step divided by ε, which only floats take, and only at an ordinary ε, beside the general form
+/// for all else.
+///
+/// With h = 1/(2ε) prepared, 1 + 2εx is h + x up to a factor, so that no multiplication by ε stands
+/// between a state and the next. Such a form has no value at ε = 0, and leaves the range of a float
+/// sooner. Lanes take the general form.
+#[derive(Clone, Copy, Debug)]
+pub struct OverEps<S, G> {
+    /// `None` where ε, or the scalar, does not allow it.
+    over_eps: Option<S>,
+    general: G,
+}
+
+/// The two forms of the kernels S and G, with C and D constants.
+pub type StepOverEps<S, G, T, const C: usize, const D: usize> =
+    OverEps<StraightStep<S, T, C>, StraightStep<G, T, D>>;
+
+impl<S, G, T: Scalar, const C: usize, const D: usize> StepOverEps<S, G, T, C, D> {
+    /// The step at `eps`, from the constants of either form; those that are divided by ε are
+    /// computed only where they may be.
+    #[inline(always)]
+    pub fn new(eps: &T, over_eps: impl FnOnce() -> [T; C], general: impl FnOnce() -> [T; D]) -> Self {
+        let general = StraightStep::new(general());
+        let over_eps = tuning::may_divide_by(eps).then(|| StraightStep::new(over_eps()));
+        Self { over_eps, general }
+    }
+}
+
+impl<S, G, T, const N: usize> PreparedStep<T, N> for OverEps<S, G>
+where
+    S: PreparedStep<T, N>,
+    G: PreparedStep<T, N>,
+    T: Scalar,
+{
+    const COST: StepCost = S::COST;
+
+    #[inline(always)]
+    fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
+        self.finish(x, |quotients| quotients)
+    }
+
+    #[inline(always)]
+    fn finish<R>(&self, x: &SVector<T, N>, finish: impl FnOnce(Quotients<T, N>) -> R) -> Option<R> {
+        if !tuning::divides_by_eps::<T>() {
+            return self.general.finish(x, finish);
+        }
+        match &self.over_eps {
+            Some(over_eps) => over_eps.finish(x, finish),
+            None => called(self.general.clone(), x.clone()).map(finish),
+        }
+    }
+}
+
+/// The general form of a scalar that takes the other one as a rule.
+///
+/// It is called, so that the step stays small enough to be inlined. It is given copies, so that a
+/// loop keeps its state in registers.
+#[cold]
+#[inline(never)]
+fn called<G, T, const N: usize>(general: G, x: SVector<T, N>) -> Option<Quotients<T, N>>
+where
+    G: PreparedStep<T, N>,
+    T: Scalar,
+{
+    let quotients = general.quotients(&x)?;
+    // Floats come back as increments: half as much to hand over.
+    Some(if tuning::is_float::<T>() {
+        Quotients::whole(quotients.increment().data.0[0].clone())
+    } else {
+        quotients
+    })
+}
+
+impl<S, G, T, const N: usize> WideStep<T, N> for OverEps<S, G>
+where
+    S: PreparedStep<T, N>,
+    G: WideStep<T, N>,
+    T: Scalar,
+{
+    const HAS_LANES: bool = G::HAS_LANES;
+
+    type Wide<L: Scalar> = G::Wide<L>;
+
+    #[inline(always)]
+    fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> G::Wide<L> {
+        self.general.widen(spread)
+    }
+}
+
+/// A step with a second division, which shortens the chain of one orbit, beside the form for lanes,
+/// which share one divider.
+#[derive(Clone, Copy, Debug)]
+pub struct OneOrbit<S, G> {
+    step: S,
+    of_lanes: G,
+}
+
+/// The two steps of the kernels S and G, with C and D constants.
+pub type StepOfOneOrbit<S, G, T, const C: usize, const D: usize> =
+    OneOrbit<StraightStep<S, T, C>, StraightStep<G, T, D>>;
+
+impl<S, G, T: Scalar, const C: usize, const D: usize> StepOfOneOrbit<S, G, T, C, D> {
+    /// The step, from the constants of either form.
+    #[inline(always)]
+    pub fn new(step: impl FnOnce() -> [T; C], of_lanes: impl FnOnce() -> [T; D]) -> Self {
+        Self { step: StraightStep::new(step()), of_lanes: StraightStep::new(of_lanes()) }
+    }
+}
+
+impl<S, G, T, const N: usize> PreparedStep<T, N> for OneOrbit<S, G>
+where
+    S: PreparedStep<T, N>,
+    G: Clone,
+    T: Scalar,
+{
+    const COST: StepCost = S::COST;
+
+    #[inline(always)]
+    fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
+        self.step.quotients(x)
+    }
+}
+
+impl<S, G, T, const N: usize> WideStep<T, N> for OneOrbit<S, G>
+where
+    S: PreparedStep<T, N>,
+    G: WideStep<T, N>,
+    T: Scalar,
+{
+    const HAS_LANES: bool = G::HAS_LANES;
+
+    type Wide<L: Scalar> = G::Wide<L>;
+
+    #[inline(always)]
+    fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> G::Wide<L> {
+        self.of_lanes.widen(spread)
+    }
+}
