@@ -19,7 +19,7 @@ pub(crate) trait Pair<V: Number>: Copy + Debug + 'static {
     /// −v̂, m
     fn negated(self) -> Self;
 
-    /// self·factor + addend, the value rounded as [`Scalar::multiply_add`] does.
+    /// self·factor + addend, the value rounded as `Scalar::multiply_add` does.
     fn multiply_add(self, factor: Self, addend: Self) -> Self;
 }
 
