@@ -120,7 +120,7 @@ impl Scene {
     /// Of 4000 seeded scenes of twenty fields, chaotic, stiff, escaping and beside equilibria, with
     /// tolerances from 3e-2 to 1e-15, 3791 were accepted, none of them beyond its tolerance, and 30
     /// were refused though some setting serves whose three runs take no more than 10⁶ steps (`cargo
-    /// test --release -p kahan-systems --test scenes -- --ignored`, `KAHAN_SEED` 1 and 2). Timed
+    /// test --release -p kahan-measure --test scenes -- --ignored`, `KAHAN_SEED` 1 and 2). Timed
     /// beside every other setting on twelve fields at six tolerances from 1e-2 to 1e-14, the choice
     /// took at most 1.6 times the time of the cheapest one (the test `trade_sweep` beside it).
     ///
