@@ -173,7 +173,11 @@ fn floats_reach_their_precision() {
                 (e8::integral_k(&float, &eps), e8::integral_k(&start, &precise_eps)),
             ];
             for (value, expected) in pairs {
-                worst_k = worst_k.max(crate::solutions::measure::ulps_above(value.unwrap(), &expected.unwrap(), 0.0));
+                worst_k = worst_k.max(crate::solutions::measure::ulps_above(
+                    value.unwrap(),
+                    &expected.unwrap(),
+                    0.0,
+                ));
             }
         }
     }
