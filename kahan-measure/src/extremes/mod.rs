@@ -1,9 +1,10 @@
 //! Steps at the extremes, judged by exact arithmetic.
 //!
-//! In: systems, a number of trials, a seed. Out: for every regime, tier and scalar how large the errors are, how many trials are
-//! flagged, and how many are silently wrong. The judge knows the reduced map as polynomials and takes the floats as
-//! they are given, so no tolerance is between a step and its verdict. What a trial draws depends on the seed and its index
-//! only: the result is the same for every number of threads.
+//! In: systems, a number of trials, a seed. Out: for every regime, tier and scalar how large the
+//! errors are, how many trials are flagged, and how many are silently wrong. The judge knows the
+//! reduced map as polynomials and takes the floats as they are given, so no tolerance is between a
+//! step and its verdict. What a trial draws depends on the seed and its index only: the result is
+//! the same for every number of threads.
 
 mod dyadic;
 mod float;
@@ -48,8 +49,8 @@ pub struct Subject {
     read: Option<(System, Vec<BigRational>)>,
 }
 
-/// What is judged where no system is named: the paper's systems, and the lattice of three sites, whose det A cancels in long
-/// steps.
+/// What is judged where no system is named: the paper's systems, and the lattice of three sites,
+/// whose det A cancels in long steps.
 pub fn standard() -> impl Iterator<Item = &'static Entry> {
     SYSTEMS.iter().chain([&volterra::ENTRY])
 }
@@ -64,13 +65,15 @@ pub enum Unjudged {
 }
 
 impl Subject {
-    /// A system with a value or none for each parameter; `command` is its command name, if it is one of the catalog.
+    /// A system with a value or none for each parameter; `command` is its command name, if it is
+    /// one of the catalog.
     ///
     /// Of the paper's systems the compiled steps are judged.
     /// Any other is interpreted: the same operations in the same order, so the same verdicts.
     ///
     /// # Errors
-    /// Where the map is too large to be reduced or to be interpreted, or divides by zero at the given parameters.
+    /// Where the map is too large to be reduced or to be interpreted, or divides by zero at the
+    /// given parameters.
     pub fn new(
         command: Option<&str>,
         system: &System,
@@ -110,7 +113,8 @@ impl Subject {
     }
 }
 
-/// The value that is given, or for the k-th parameter a number that no field is likely to divide by its difference from.
+/// The value that is given, or for the k-th parameter a number that no field is likely to divide by
+/// its difference from.
 fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     match given {
         Some(value) => value.to_big(),
@@ -124,8 +128,8 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
 /// is judged besides, over all subjects in turn. Where none of them has a removable pole, that
 /// quarter goes to the poles.
 ///
-/// `threads` is the number of threads, by default as many as the machine runs at once; `progress` is told how many trials were
-/// made since it was last called, from any of them.
+/// `threads` is the number of threads, by default as many as the machine runs at once; `progress`
+/// is told how many trials were made since it was last called, from any of them.
 ///
 /// # Panics
 /// Without a subject.
@@ -173,7 +177,8 @@ fn of_scalar<T: float::Float>(
                     (start..end).for_each(|index| ready.run(index, &mut mine));
                     progress(end - start);
                 }
-                // A thread that panicked has ended the scope with its panic; what is in the lock is whole.
+                // A thread that panicked has ended the scope with its panic; what is in the lock is
+                // whole.
                 all.lock().unwrap_or_else(std::sync::PoisonError::into_inner).add(mine);
             });
         }

@@ -89,7 +89,8 @@ macro_rules! generated_steps {
 
 with_catalog!(generated_steps);
 
-/// The steps of any system, by its plans; they have the bits of generated ones. `values` are parameters at which it is defined.
+/// The steps of any system, by its plans; they have the bits of generated ones. `values` are
+/// parameters at which it is defined.
 pub(crate) fn interpreted<T: Float>(
     system: &System,
     values: &[BigRational],
