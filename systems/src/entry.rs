@@ -1,7 +1,9 @@
-//! One system of the catalog: its names, the text of its block, the closed solution of its flow, the source of every claim.
+//! One system of the catalog: its names, the text of its block, the closed solution of its flow,
+//! the source of every claim.
 //!
-//! The text is the very text that the macro compiles: it is cut out of the system's own source file. So what a reader of the
-//! text gets and what the library offers cannot differ. Nothing is parsed here beyond finding the block.
+//! The text is the very text that the macro compiles: it is cut out of the system's own source
+//! file. So what a reader of the text gets and what the library offers cannot differ. Nothing is
+//! parsed here beyond finding the block.
 
 use std::ops::Range;
 
@@ -33,7 +35,8 @@ pub struct Entry {
     pub(crate) file: &'static str,
     /// A value for each parameter, numerator and denominator, at which tests run it.
     ///
-    /// The values are of the size that the literature gives them, and dyadic, so that every float has them exactly.
+    /// The values are of the size that the literature gives them, and dyadic, so that every float
+    /// has them exactly.
     pub parameters: &'static [(i64, i64)],
     /// The closed solution of its flow, where one is known.
     pub flow: Option<ClosedFlow>,
@@ -58,8 +61,9 @@ impl Entry {
     }
 }
 
-/// Where the first block of a Rust source file stands: the bytes between `kahan! {` at the beginning of a line and the
-/// matching brace. `None` if there is no such line or the brace is never closed.
+/// Where the first block of a Rust source file stands: the bytes between `kahan! {` at the
+/// beginning of a line and the matching brace. `None` if there is no such line or the brace is
+/// never closed.
 #[must_use]
 pub fn block_range(file: &str) -> Option<Range<usize>> {
     const OPENING: &str = "kahan! {";

@@ -1,21 +1,24 @@
-//! The catalog by name: which systems there are, and everything that is told of all of them at once.
+//! The catalog by name: which systems there are, and everything that is told of all of them at
+//! once.
 //!
 //! # Adding a system
 //!
-//! 1. A file in `systems/src/catalog/`, say `rossler.rs`: the `kahan!` block, and an [`Entry`] beside it.
-//!    `weierstrass.rs` is a short one to begin with.
-//! 2. A line in [`with_catalog!`](crate::with_catalog): `rossler::Rossler { a, b, c } in 3;`.
+//! 1. A file in `systems/src/catalog/`, say `toda.rs`: the `kahan!` block, and an [`Entry`] called
+//!    `ENTRY` below it. `weierstrass.rs` is a short one to copy.
+//! 2. A line in [`with_catalog!`](crate::with_catalog): `toda::Toda { a } in 4;`, four being the
+//!    number of variables.
 //!
-//! Module, type, command, tests, atlas and completions follow from these.
-//! The module is declared by a macro, which `cargo fmt` does not look into: `rustfmt systems/src/catalog/*.rs` formats the
-//! systems, and `.ci/run` checks that it was done.
+//! The command, the atlas, the completions and the tests read the registry. The modules are
+//! declared by a macro, which `cargo fmt` does not look into: `rustfmt systems/src/catalog/*.rs`
+//! formats them, and `.ci/run` checks that it was done.
 
 use crate::catalog::*;
 use crate::entry::Entry;
 
-/// Hands the catalog to a macro: `paper { … } further { … }`, a line a system, in the order in which they are listed.
+/// Hands the catalog to a macro: `paper { … } further { … }`, a line a system, in the order in
+/// which they are listed.
 ///
-/// A line is the module, the type with its parameters, and the number of variables.
+/// A line is the module, the type with its parameters, if it has any, and the number of variables.
 /// In `paper` are the systems of Hone and Petrera, in `further` all others.
 ///
 /// ```
@@ -52,6 +55,9 @@ macro_rules! with_catalog {
                 lagrange::LagrangeTop { al, g } in 6;
                 henon_heiles::HenonHeiles { a, b, c } in 4;
                 zhukovsky::ZhukovskyVolterra { a1, a2, a3, b1, b2, b3 } in 3;
+                clebsch::Clebsch { w1, w2, w3 } in 6;
+                maxwell_bloch::MaxwellBloch in 3;
+                nahm::OctahedralNahm in 2;
                 lorenz::Lorenz { s, r, b } in 3;
             }
         }
@@ -66,7 +72,8 @@ macro_rules! entries {
         /// The systems of the paper, in the order in which they are listed.
         pub static SYSTEMS: &[Entry] = &[$($paper::ENTRY),*];
 
-        /// The systems that are not in the paper: what is claimed of them was found by `kahan discover`.
+        /// The systems that are not in the paper: what is claimed of them was found by `kahan
+        /// discover`.
         pub static FURTHER: &[Entry] = &[$($further::ENTRY),*];
     };
 }

@@ -1,11 +1,12 @@
 //! What the explicit solutions have in common.
 //!
-//! Each system with a closed solution has two types in its module: `Solution`, the orbit of its Kahan map, with
-//! `Solution::through(&point, &eps)` and `.at(n)` for any integer n, and `FlowSolution`, the trajectory of
-//! its field, with `FlowSolution::through(&point)` and `.at(&t)`. Systems with parameters take them first.
-//! The numbers that fix a solution are public fields under the paper's names. `.at(0)` is the point given.
-//! Rational solutions work over every [`Scalar`], so exactly over big rationals; the others over every
-//! [`Real`](crate::special::Real). Who does not know the type of a system finds its trajectories through
+//! Each system with a closed solution has two types in its module: `Solution`, the orbit of its
+//! Kahan map, with `Solution::through(&point, &eps)` and `.at(n)` for any integer n, and
+//! `FlowSolution`, the trajectory of its field, with `FlowSolution::through(&point)` and `.at(&t)`.
+//! Systems with parameters take them first. The numbers that fix a solution are public fields under
+//! the paper's names. `.at(0)` is the point given. Rational solutions work over every [`Scalar`],
+//! so exactly over big rationals; the others over every [`Real`](crate::special::Real). Who does
+//! not know the type of a system finds its trajectories through
 //! [`Entry::flow`](crate::entry::Entry::flow), in 256 bits.
 
 use core::fmt;
@@ -20,7 +21,8 @@ pub type Trajectory = Box<dyn Fn(&Precise) -> Vec<Precise>>;
 
 /// The trajectories of a flow, from the parameters and the point at t = 0.
 ///
-/// `None` where no solution of the closed form passes through the point, and for a point or parameters of another number.
+/// `None` where no solution of the closed form passes through the point, and for a point or
+/// parameters of another number.
 pub type ClosedFlow = fn(parameters: &[Precise], start: &[Precise]) -> Option<Trajectory>;
 
 /// A solution as a trajectory.

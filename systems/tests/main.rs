@@ -1,7 +1,11 @@
 //! The catalog: its entries, what the steps of its systems cost, and its closed solutions.
 
-mod entries;
-mod operation_counts;
+mod catalog {
+    //! The entries, swept, and what the steps of the systems cost.
+
+    mod entries;
+    mod operation_counts;
+}
 
 mod solutions {
     //! Special functions and explicit solutions: against values of another program, against identities, against

@@ -1,7 +1,8 @@
-//! One face for the two back ends, so that one suite tests both: generated code and the run-time interpreter.
+//! One face for the two back ends, so that one suite tests both: generated code and the run-time
+//! interpreter.
 //!
-//! In: a system with its parameters given, points and ε (half the time step) as exact numbers. Out: every object of the
-//! method as plain vectors, and `None` where the map or a claim has no value.
+//! In: a system with its parameters given, points and ε (half the time step) as exact numbers. Out:
+//! every object of the method as plain vectors, and `None` where the map or a claim has no value.
 
 mod generated;
 mod interpreted;
@@ -9,7 +10,7 @@ mod interpreted;
 use crate::exact::{Matrix, Q, Vector};
 
 pub use generated::Generated;
-pub use interpreted::Interpreted;
+pub use interpreted::{Interpreted, Read};
 
 /// Everything that a system knows at a point.
 pub trait BackEnd {

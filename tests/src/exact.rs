@@ -1,7 +1,8 @@
 //! Exact numbers for tests: rationals, vectors and matrices of them, and seeded small ones.
 //!
-//! In: text `p/q`, pairs of integers, seeds. Out: [`Q`] and plain vectors of it, compared with `==`.
-//! Determinants are Laplace's expansion on purpose: slow, but not the elimination that is under test.
+//! In: text `p/q`, pairs of integers, seeds. Out: [`Q`] and plain vectors of it, compared with
+//! `==`. Determinants are Laplace's expansion on purpose: slow, but not the elimination that is
+//! under test.
 
 use kahan_algebra::prime_field::SplitMix64;
 use num_bigint::BigInt;
@@ -113,7 +114,8 @@ pub fn adjugate_product(m: &[Vec<Q>], b: &[Q]) -> Vector {
     (0..m.len()).map(|column| determinant(&replaced(column))).collect()
 }
 
-/// Seeded rationals p/d with |p| ≤ 9 and 1 ≤ d ≤ 4: small common denominators keep exact work on six states cheap.
+/// Seeded rationals p/d with |p| ≤ 9 and 1 ≤ d ≤ 4: small common denominators keep exact work on
+/// six states cheap.
 #[derive(Clone, Debug)]
 pub struct Rationals {
     random: SplitMix64,

@@ -1,7 +1,9 @@
-//! Formulas of the paper as text, read by the front end's own parser: to evaluate, or to compare as polynomials.
+//! Formulas of the paper as text, read by the front end's own parser: to evaluate, or to compare as
+//! polynomials.
 //!
-//! In: names and a formula in the language of claims, so with `eps` and any divisor. Out: its value at exact numbers, or its
-//! normal form. A formula is smuggled in as a claim of a block whose states are the names; nothing is proved.
+//! In: names and a formula in the language of claims, so with `eps` and any divisor. Out: its value
+//! at exact numbers, or its normal form. A formula is smuggled in as a claim of a block whose
+//! states are the names; nothing is proved.
 
 use kahan_algebra::arithmetic::{Exact, Function, Functions};
 use kahan_algebra::check::check;

@@ -1,16 +1,20 @@
-//! The flow itself, by Taylor series: what steps of Kahan's map are compared with, and shares nothing with them but the field.
+//! The flow itself, by Taylor series: what steps of Kahan's map are compared with, and shares
+//! nothing with them but the field.
 //!
-//! In: a field, a point, a time. Out: the point that the flow reaches, up to rounding where the steps are short enough.
+//! In: a field, a point, a time. Out: the point that the flow reaches, up to rounding where the
+//! steps are short enough.
 
 use kahan_core::prelude::*;
 
 /// The degree of the series.
 const DEGREE: usize = 30;
 
-/// The point that the flow of `field` reaches from `x` in `time`, by `steps` steps of a Taylor series of degree 30.
+/// The point that the flow of `field` reaches from `x` in `time`, by `steps` steps of a Taylor
+/// series of degree 30.
 ///
-/// With x(t) = Σ aₖtᵏ: (k+1)·aₖ₊₁ = Σ Q(aᵢ,aₖ₋ᵢ) + B·aₖ + [k = 0]·c. A step of length t loses |a₃₁|·t³¹; with a radius of
-/// convergence r that is of the size (t/r)³¹ of the state, 10⁻³⁷ for t = r/16.
+/// With x(t) = Σ aₖtᵏ: (k+1)·aₖ₊₁ = Σ Q(aᵢ,aₖ₋ᵢ) + B·aₖ + [k = 0]·c. A step of length t loses
+/// |a₃₁|·t³¹; with a radius of convergence r that is of the size (t/r)³¹ of the state, 10⁻³⁷ for t
+/// = r/16.
 pub fn flow<F, T, const N: usize>(field: &F, x: SVector<T, N>, time: T, steps: u32) -> SVector<T, N>
 where
     F: QuadraticField<T, N>,

@@ -1,6 +1,8 @@
-//! What the tests share: exact numbers, both back ends behind one face, the oracle, random fields, rounding bounds.
+//! What the tests share: exact numbers, both back ends behind one face, the oracle, random fields,
+//! rounding bounds.
 
 pub mod back_end;
+pub mod doubles;
 pub mod exact;
 pub mod expression;
 pub mod flow;

@@ -1,8 +1,9 @@
 //! Generated maps without their types: over any scalar, for points of any dimension.
 //!
-//! In: the catalog and the random fields, a scalar. Out: [`Steps`] and [`Map`]s, in the order of `subject::paper`,
-//! `subject::further` and `subject::random`, with the same parameters.
-//! What the tests do with a map is written over these traits, so that it is compiled once and not for every system.
+//! In: the catalog and the random fields, a scalar. Out: [`Steps`] and [`Map`]s, in the order of
+//! `subject::paper`, `subject::further` and `subject::random`, with the same parameters. What the
+//! tests do with a map is written over these traits, so that it is compiled once and not for every
+//! system.
 
 use kahan_core::prelude::*;
 use kahan_core::{Constant, KahanAt, Orbit, SingularStep};
@@ -256,7 +257,8 @@ pub fn paper_and_random<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
     paper().into_iter().chain(random()).collect()
 }
 
-/// x₁, …, x_steps by every way to take steps that a map has: `step` with ε each time, the prepared map's, its orbit, and the map's.
+/// x₁, …, x_steps by every way to take steps that a map has: `step` with ε each time, the prepared
+/// map's, its orbit, and the map's.
 pub fn every_way<T: Copy>(map: &dyn Map<T>, x: &[T], eps: T, steps: usize) -> [Vec<Vec<T>>; 4] {
     let prepared = map.at(eps);
     let by = |step: &dyn Fn(&[T]) -> Vec<T>| {

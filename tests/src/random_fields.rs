@@ -1,13 +1,14 @@
 //! The file `random_systems.rs`: random fields as the macro compiles them.
 //!
-//! Every field is interpreted. Compiled are those in [`COMPILED`], as code for each of them in each scalar is what building the
-//! tests costs most: every kind in two dimensions at least, and every dimension.
-//! The file is written anew by `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests back_ends`.
+//! Every field is interpreted. Compiled are those in [`COMPILED`], as code for each of them in each
+//! scalar is what building the tests costs most: every kind in two dimensions at least, and every
+//! dimension. The file is written anew by `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests
+//! back_ends`.
 
 pub use kahan_measure::random_fields::{RandomField, every_field};
 
-/// The fields that are compiled, by name: of those in six variables, `Sparse6` has a closed form within the budget of terms, and
-/// `Dense6` is eliminated in a loop.
+/// The fields that are compiled, by name: of those in six variables, `Sparse6` has a closed form
+/// within the budget of terms, and `Dense6` is eliminated in a loop.
 const COMPILED: [&str; 13] = [
     "Affine1", "Scaled1", "Sparse2", "Scaled2", "Spelled2", "Dense2", "Sparse3", "Affine3", "Spelled3",
     "Scaled4", "Affine5", "Sparse6", "Dense6",

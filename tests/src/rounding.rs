@@ -1,10 +1,12 @@
-//! How far a float step may be from the exact one: a bound derived from the plan that the code was written from, with and
-//! without fused multiply-adds.
+//! How far a float step may be from the exact one: a bound derived from the plan that the code was
+//! written from, with and without fused multiply-adds.
 //!
-//! In: a system, a point whose numbers the float has exactly, the unit roundoff u. Out: a bound on |x̂̃ − x̃| for each component.
-//! Notation: γ_k = k·u/(1 − k·u); a product of k factors (1 + δ), |δ| ≤ u, or their reciprocals, is 1 + θ with |θ| ≤ γ_k
-//! (Higham, Accuracy and Stability of Numerical Algorithms, Lemma 3.1). Underflow is not covered: callers choose points
-//! away from it. The bound itself is computed in f64 from positive terms, which errs by far less than the last factor.
+//! In: a system, a point whose numbers the float has exactly, the unit roundoff u. Out: a bound on
+//! |x̂̃ − x̃| for each component. Notation: γ_k = k·u/(1 − k·u); a product of k factors (1 + δ),
+//! |δ| ≤ u, or their reciprocals, is 1 + θ with |θ| ≤ γ_k (Higham, Accuracy and Stability of
+//! Numerical Algorithms, Lemma 3.1). Underflow is not covered: callers choose points away from it.
+//! The bound itself is computed in f64 from positive terms, which errs by far less than the last
+//! factor.
 
 mod running;
 
@@ -13,8 +15,8 @@ use kahan_algebra::kahan::{field_jacobian, scaled_matrix};
 use kahan_algebra::plan::{Plan, StepPlan};
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
-use num_traits::ToPrimitive;
 
+use crate::doubles::float;
 use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, q};
 use crate::expression::evaluate;
 use crate::subject::Subject;
@@ -35,10 +37,6 @@ fn gamma(k: usize, unit: f64) -> f64 {
     ku / (1.0 - ku)
 }
 
-fn float(value: &Q) -> f64 {
-    value.to_f64().expect("a rational has a nearby f64")
-}
-
 /// Where a float step is taken, with the exact step from there.
 #[derive(Clone, Debug)]
 pub struct Place {
@@ -50,7 +48,8 @@ pub struct Place {
     pub next: Vector,
 }
 
-/// Bounds on the errors of one system's float steps, by the closed form or by elimination, whichever the macro took.
+/// Bounds on the errors of one system's float steps, by the closed form or by elimination,
+/// whichever the macro took.
 #[derive(Debug)]
 pub struct StepBound<'a> {
     field: &'a Field,
@@ -67,7 +66,8 @@ impl<'a> StepBound<'a> {
         Self { field, parameters: &subject.parameters, step: StepPlan::of(field), unit }
     }
 
-    /// A bound for each component of x̃; `None` where it cannot promise a digit, because a divisor may round to zero.
+    /// A bound for each component of x̃; `None` where it cannot promise a digit, because a divisor
+    /// may round to zero.
     #[must_use]
     pub fn at(&self, place: &Place) -> Option<Vec<f64>> {
         let values: Vec<Q> = place.x.iter().chain(self.parameters).chain([&place.eps]).cloned().collect();
@@ -117,12 +117,13 @@ fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Optio
 
 /// The error of 2ε·v, v = A⁻¹f by elimination with partial pivoting.
 ///
-/// Elimination solves (Â + ΔA)v̂ = f̂ with |ΔA| ≤ γ_{3n}|L̂||Û| (Higham, Theorem 9.4); here multipliers and back substitution
-/// use a rounded reciprocal, one rounding more in each, so γ_{3n+2}. Partial pivoting has |L̂| ≤ 1 (a multiplier may round to
-/// at most 1 + 2u, covered by the factor 2 in what follows) and |Û| ≤ 2ⁿ⁻¹ max|Â|, so each row of |L̂||Û| sums to at most
-/// n²·2ⁿ·max|Â|. In Â and f̂ each slope and each component is a quotient of planned polynomials, rounded once; A takes two
-/// roundings more, of the product with ε and of 1 − εf′. With E the sum of the two matrix errors,
-/// ‖v̂ − v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖), maximum norms.
+/// Elimination solves (Â + ΔA)v̂ = f̂ with |ΔA| ≤ γ_{3n}|L̂||Û| (Higham, Theorem 9.4); here
+/// multipliers and back substitution use a rounded reciprocal, one rounding more in each, so
+/// γ_{3n+2}. Partial pivoting has |L̂| ≤ 1 (a multiplier may round to at most 1 + 2u, covered by
+/// the factor 2 in what follows) and |Û| ≤ 2ⁿ⁻¹ max|Â|, so each row of |L̂||Û| sums to at most
+/// n²·2ⁿ·max|Â|. In Â and f̂ each slope and each component is a quotient of planned polynomials,
+/// rounded once; A takes two roundings more, of the product with ε and of 1 − εf′. With E the sum
+/// of the two matrix errors, ‖v̂ − v‖ ≤ ‖A⁻¹‖(‖E‖‖v‖ + ‖f̂ − f‖)/(1 − ‖A⁻¹‖‖E‖), maximum norms.
 fn elimination(field: &Field, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let n = place.x.len();
     let components = &field.components;

@@ -1,7 +1,8 @@
 //! What the suites run over: a system with parameter values, in both back ends.
 //!
-//! In: the catalog with parameters from a test or from its entries, and the random fields with their own. Out: [`Subject`]s, and
-//! [`on_every_back_end`], which calls a law at seeded points of all of them.
+//! In: the catalog with parameters from a test or from its entries, and the random fields with
+//! their own. Out: [`Subject`]s, and [`on_every_back_end`], which calls a law at seeded points of
+//! all of them.
 
 use std::sync::LazyLock;
 
@@ -10,7 +11,7 @@ use kahan_algebra::system::System;
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::{FURTHER, SYSTEMS, all};
 
-use crate::back_end::{BackEnd, Generated, Interpreted};
+use crate::back_end::{BackEnd, Generated, Interpreted, Read};
 use crate::exact::{Q, Rationals, Vector, q, shown};
 use crate::expression::read_unproved;
 use crate::maps;
@@ -32,9 +33,9 @@ pub struct Subject {
 }
 
 impl Subject {
-    fn new(system: &'static System, parameters: Vector, generated: Generated) -> Self {
-        let generated = Box::new(generated);
-        let interpreted = Interpreted::new(system, &parameters);
+    fn new(read: &'static Read, parameters: Vector, generated: Generated) -> Self {
+        let interpreted = Interpreted::new(read, &parameters);
+        let (system, generated) = (&read.system, Box::new(generated));
         Self { name: system.name(), system, parameters, generated, interpreted }
     }
 
@@ -51,17 +52,18 @@ impl Subject {
     }
 }
 
-fn read(text: &str) -> System {
+fn read(text: &str) -> Read {
     let reading = kahan_algebra::read(&lex(text).tokens);
     assert!(reading.diagnostics.is_empty(), "{text}\n{:?}", reading.diagnostics);
-    reading.system
+    Read::new(reading.system)
 }
 
-static CATALOG: LazyLock<Vec<System>> = LazyLock::new(|| all().map(|entry| read(entry.text())).collect());
+static CATALOG: LazyLock<Vec<Read>> = LazyLock::new(|| all().map(|entry| read(entry.text())).collect());
 
 /// The random fields: those that are compiled, and those that are not.
-static RANDOM: LazyLock<[Vec<System>; 2]> = LazyLock::new(|| {
-    compiled_and_not().map(|fields| fields.iter().map(|field| read_unproved(&field.block())).collect())
+static RANDOM: LazyLock<[Vec<Read>; 2]> = LazyLock::new(|| {
+    compiled_and_not()
+        .map(|fields| fields.iter().map(|field| Read::new(read_unproved(&field.block()))).collect())
 });
 
 /// A system of the catalog by its command name, at these parameters.
@@ -98,8 +100,8 @@ pub fn random() -> Vec<Subject> {
     let [fields, _] = compiled_and_not();
     let maps = maps::random();
     assert_eq!(fields.len(), maps.len(), "the written file is of another set of fields");
-    let subject = |((system, field), map): ((&'static System, &RandomField), _)| {
-        Subject::new(system, field.parameter_values(), Generated::new(system.name(), map))
+    let subject = |((read, field), map): ((&'static Read, &RandomField), _)| {
+        Subject::new(read, field.parameter_values(), Generated::new(read.system.name(), map))
     };
     RANDOM[0].iter().zip(&fields).zip(maps).map(subject).collect()
 }
@@ -109,10 +111,11 @@ pub fn random() -> Vec<Subject> {
 pub fn interpreted_only() -> Vec<Interpreted> {
     let [_, fields] = compiled_and_not();
     let systems = RANDOM[1].iter().zip(&fields);
-    systems.map(|(system, field)| Interpreted::new(system, &field.parameter_values())).collect()
+    systems.map(|(read, field)| Interpreted::new(read, &field.parameter_values())).collect()
 }
 
-/// Seeded points of a system that are not on det A = 0, for each of which `law` gets the point, ε, and the source of more numbers.
+/// Seeded points of a system that are not on det A = 0, for each of which `law` gets the point, ε,
+/// and the source of more numbers.
 fn at_points(interpreted: &Interpreted, seed: u64, mut law: impl FnMut(&[Q], &Q, &mut Rationals)) {
     const POINTS: usize = 3;
     let mut rationals = Rationals::seeded(seed);
@@ -132,10 +135,12 @@ fn at_points(interpreted: &Interpreted, seed: u64, mut law: impl FnMut(&[Q], &Q,
     panic!("{} has too few points off det A = 0", interpreted.label());
 }
 
-/// Calls a law on every system that is compiled, of the catalog and random, at seeded points that are not on det A = 0.
+/// Calls a law on every system that is compiled, of the catalog and random, at seeded points that
+/// are not on det A = 0.
 ///
 /// # Panics
-/// If too few points are left. Whatever the law panics with stands below a line that names the point.
+/// If too few points are left. Whatever the law panics with stands below a line that names the
+/// point.
 pub fn on_every_subject(seed: u64, law: impl Fn(&Subject, &[Q], &Q, &mut Rationals)) {
     let subjects = [paper(), random(), further()].into_iter().flatten();
     for (index, subject) in (seed * 1000..).zip(subjects) {

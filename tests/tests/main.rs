@@ -1,5 +1,5 @@
-//! What no single crate can test. One program, so that what its modules share is compiled and linked once; `tests/README.md`
-//! says which test goes where.
+//! What no single crate can test. One program, so that what its modules share is compiled and
+//! linked once; `tests/README.md` says which test goes where.
 
 mod blocks {
     //! Blocks of `kahan!`: wherever they stand, whatever is in them, and from what is found.
@@ -23,6 +23,7 @@ mod exact {
 mod floats {
     //! Floats against exact numbers, within bounds that are derived.
 
+    mod allocation;
     mod compensated;
     mod derived_bounds;
     mod double_double_steps;

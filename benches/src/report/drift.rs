@@ -20,7 +20,7 @@ pub(crate) fn drift(effort: Effort) -> (Vec<Section>, Vec<Limit>) {
     let text = format!(
         "E6 at ε = {EPS}, one orbit: the relative change of the map's own integral, evaluated in double-double. It is exact for the\n\
          map; what changes it is rounding, a random walk. The law over 16 orbits is tested: `cargo test --release -p kahan-tests\n\
-         --test compensated -- --ignored --nocapture`."
+         compensated -- --ignored --nocapture`."
     );
     (vec![Section { title: "A long orbit".to_owned(), text, table }], Vec::new())
 }

@@ -1,9 +1,10 @@
 //! Steps at the extremes, judged by exact arithmetic.
 //!
-//! In: systems, a number of trials, a seed. Out: for every regime, tier and scalar how large the errors are, how many trials are
-//! flagged, and how many are silently wrong. The judge knows the reduced map as polynomials and takes the floats as
-//! they are given, so no tolerance is between a step and its verdict. What a trial draws depends on the seed and its index
-//! only: the result is the same for every number of threads.
+//! In: systems, a number of trials, a seed. Out: for every regime, tier and scalar how large the
+//! errors are, how many trials are flagged, and how many are silently wrong. The judge knows the
+//! reduced map as polynomials and takes the floats as they are given, so no tolerance is between a
+//! step and its verdict. What a trial draws depends on the seed and its index only: the result is
+//! the same for every number of threads.
 
 mod dyadic;
 mod float;
@@ -48,8 +49,8 @@ pub struct Subject {
     values: Vec<BigRational>,
 }
 
-/// What is judged where no system is named: the paper's systems, and the lattice of three sites, whose det A cancels in long
-/// steps.
+/// What is judged where no system is named: the paper's systems, and the lattice of three sites,
+/// whose det A cancels in long steps.
 pub fn standard() -> impl Iterator<Item = &'static Entry> {
     SYSTEMS.iter().chain([&volterra::ENTRY])
 }
@@ -93,7 +94,8 @@ impl Subject {
     }
 }
 
-/// The value that is given, or for the k-th parameter a number that no field is likely to divide by its difference from.
+/// The value that is given, or for the k-th parameter a number that no field is likely to divide by
+/// its difference from.
 fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     match given {
         Some(value) => value.to_big(),
@@ -107,8 +109,8 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
 /// is judged besides, over all subjects in turn. Where none of them has a removable pole, that
 /// quarter goes to the poles.
 ///
-/// `threads` is the number of threads, by default as many as the machine runs at once; `progress` is told how many trials were
-/// made since it was last called, from any of them.
+/// `threads` is the number of threads, by default as many as the machine runs at once; `progress`
+/// is told how many trials were made since it was last called, from any of them.
 ///
 /// # Panics
 /// Without a subject.

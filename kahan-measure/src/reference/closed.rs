@@ -9,10 +9,11 @@ use kahan_systems::special::{Precise, Real};
 /// A solution as a function of time.
 pub(super) type Solution = Box<dyn Fn(Dd) -> Vec<Dd>>;
 
-/// The closed solution of the system with this command name that starts at this point, where there is one.
+/// The closed solution of the system with this command name that starts at this point, where there
+/// is one.
 ///
-/// `None` for systems without one (Lotka–Volterra, fields of the user's), and where the point lies outside the domain of the
-/// formula.
+/// `None` for systems without one (Lotka–Volterra, fields of the user's), and where the point lies
+/// outside the domain of the formula.
 pub(super) fn closed_solution(
     command: &str,
     parameters: &[BigRational],

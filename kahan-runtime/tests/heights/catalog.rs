@@ -13,6 +13,17 @@ fn expected() -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
+/// How the heights of the figures grow, and the factor by which each step multiplies them in the end.
+const GROWTH: [(&str, Growth, f64); 7] = [
+    ("lv", Growth::Exponential, 2.0),
+    ("e3", Growth::Linear, 1.0),
+    ("e4", Growth::Quadratic, 1.0),
+    ("e6", Growth::Quadratic, 1.0),
+    ("e7", Growth::Linear, 1.0),
+    ("e8", Growth::Linear, 1.0),
+    ("e9", Growth::Exponential, 3.0),
+];
+
 fn texts(value: &Value) -> Vec<&str> {
     value.as_array().into_iter().flatten().filter_map(Value::as_str).collect()
 }
@@ -47,17 +58,8 @@ fn check(name: &str, data: &Value) {
         assert_eq!(survey.heights.last().map(|last| last.digits[component]), digits, "{name}, {variable}");
     }
     assert_eq!(compared, data["n"].as_array().map_or(0, Vec::len) * system.field.dimension());
-    let growth = match name {
-        "e4" | "e6" => Growth::Quadratic,
-        "lv" | "e9" => Growth::Exponential,
-        _ => Growth::Linear,
-    };
-    assert_eq!(survey.growth, growth, "{name}");
-    let factor: f64 = match name {
-        "lv" => 2.0,
-        "e9" => 3.0,
-        _ => 1.0,
-    };
+    let (_, growth, factor) = GROWTH.iter().find(|(known, ..)| *known == name).expect("a figure's system");
+    assert_eq!(survey.growth, *growth, "{name}");
     assert!((survey.entropy - factor.ln()).abs() < 1e-3, "{name}: entropy {}", survey.entropy);
 }
 

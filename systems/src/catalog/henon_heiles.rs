@@ -1,7 +1,9 @@
-//! Hénon and Heiles' system with the Hamiltonian (p^2 + q^2 + a x^2 + b y^2)/2 + x^2 y - c y^3/3; not in the paper.
+//! Hénon and Heiles' system with the Hamiltonian (p^2 + q^2 + a x^2 + b y^2)/2 + x^2 y - c y^3/3;
+//! not in the paper.
 //!
-//! The degrees of the map's iterates grow exponentially for generic a, b, c: it is not integrable, yet keeps the modified
-//! Hamiltonian H, here times 6, and the volume with density 1/det A. No other integral of degree up to 6 shows.
+//! The degrees of the map's iterates grow exponentially for generic a, b, c: it is not integrable,
+//! yet keeps the modified Hamiltonian H, here times 6, and the volume with density 1/det A. No
+//! other integral of degree up to 6 shows.
 
 use kahan_core::prelude::*;
 
@@ -14,7 +16,8 @@ kahan! {
         a,
         /// The square of the frequency of y.
         b,
-        /// The coefficient of y² in q̇; 1 with a = b = 1 is the original system up to the sign of c.
+        /// The coefficient of y² in q̇; 1 with a = b = 1 is the original system up to the sign of
+        /// c.
         c
     }
 

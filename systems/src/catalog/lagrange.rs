@@ -1,15 +1,16 @@
-//! The Lagrange top in the frame of the body, m its angular momentum and p the direction of gravity; not in the paper.
+//! The Lagrange top in the frame of the body, m its angular momentum and p the direction of
+//! gravity; not in the paper.
 //!
-//! With `d = al (al-1) m3^2 - g p3`, `v = (1-al) m3 (m1,m2) + g (p1,p2)`, `w = m1 v1 + m2 v2` and `D1 = 1 + eps^2 d` the map keeps
-//! m3, as its equation says, and the three functions
+//! With `d = al (al-1) m3^2 - g p3`, `v = (1-al) m3 (m1,m2) + g (p1,p2)`, `w = m1 v1 + m2 v2` and
+//! `D1 = 1 + eps^2 d` the map keeps m3, as its equation says, and the three functions
 //!
 //! - `H = m1^2 + m2^2 - 2 d - eps^2 |v|^2`,
 //! - `J = (w - m3 d)/D1`,
 //! - `C = (|v|^2 + d^2 + eps^2 J^2)/(1 + eps^2 (m1^2 + m2^2) + eps^2 (m3 + eps^2 J)^2)`,
 //!
-//! which at eps = 0 are made of the energy, m·p, p·p and m3, and the density `1/(D1 F)`, where F is the denominator of C.
-//! `kahan discover` finds four integrals, expanded and combined with each other: J as it stands, H with multiples of m3, and C in
-//! the place of 1/(1/C + eps^4).
+//! which at eps = 0 are made of the energy, m·p, p·p and m3, and the density `1/(D1 F)`, where F is
+//! the denominator of C. `kahan discover` finds four integrals, expanded and combined with each
+//! other: J as it stands, H with multiples of m3, and C in the place of 1/(1/C + eps^4).
 
 use kahan_core::prelude::*;
 
@@ -18,7 +19,8 @@ use crate::entry::{Entry, FOUND};
 kahan! {
     /// The Lagrange top: angular momentum `m1`, `m2`, `m3`, direction of gravity `p1`, `p2`, `p3`.
     pub struct LagrangeTop {
-        /// The coefficient of the axial momentum in the angular velocity, where that of the others is 1.
+        /// The coefficient of the axial momentum in the angular velocity, where that of the others
+        /// is 1.
         al,
         /// The torque of gravity.
         g

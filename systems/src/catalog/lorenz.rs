@@ -1,7 +1,7 @@
 //! The Lorenz system, a negative control: `kahan discover` finds nothing; not in the paper.
 //!
-//! No integral of degree up to 9 and no density 1/P with P of degree up to 8 shows for generic s, r, b, and the degrees of the
-//! iterates triple. So there is nothing to claim.
+//! No integral of degree up to 9 and no density 1/P with P of degree up to 8 shows for generic s,
+//! r, b, and the degrees of the iterates triple. So there is nothing to claim.
 
 use kahan_core::prelude::*;
 

@@ -1,12 +1,12 @@
 //! The Lotka-Volterra system: section 1 of the paper; prey x, predators y.
 //!
-//! The flow has `{x,y} = x y` and the integral `log(x y) - (x + y)`, which is not rational, so not claimed. The map
-//! keeps the bracket and the area `dx dy/(x y)` for every eps. For eps = 1 and eps = -1, where one map is the inverse
-//! of the other, it has a rational integral H, and for no other eps: there the logarithmic heights of the orbits
-//! double in each step (section 7).
-//! At eps = 1 the map is the recurrence `x_{n+1} x_{n-1} = x_n (2 - x_n)`. H - 2 is the square of
-//! `(x - y)(x + y - 2)/(x y)`, which changes its sign in each step: a level set of H is a pair of conics that the map
-//! exchanges (erratum B8).
+//! The flow has `{x,y} = x y` and the integral `log(x y) - (x + y)`, which is not rational, so not
+//! claimed. The map keeps the bracket and the area `dx dy/(x y)` for every eps. For eps = 1 and eps
+//! = -1, where one map is the inverse of the other, it has a rational integral H, and for no other
+//! eps: there the logarithmic heights of the orbits double in each step (section 7). At eps = 1 the
+//! map is the recurrence `x_{n+1} x_{n-1} = x_n (2 - x_n)`. H - 2 is the square of `(x - y)(x + y -
+//! 2)/(x y)`, which changes its sign in each step: a level set of H is a pair of conics that the
+//! map exchanges (erratum B8).
 
 use kahan_core::prelude::*;
 

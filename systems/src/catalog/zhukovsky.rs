@@ -1,8 +1,9 @@
 //! The top of Zhukovsky and Volterra, a gyrostat; not in the paper.
 //!
-//! For generic coefficients the map keeps nothing that shows up to degree 9, and the degrees of its iterates triple. With one of
-//! the b zero an integral appears, with two of them zero a second one and a density; with all three zero it is the Euler top.
-//! The claims are therefore made on specialisations.
+//! For generic coefficients the map keeps nothing that shows up to degree 9, and the degrees of its
+//! iterates triple. With one of the b zero an integral appears, with two of them zero a second one
+//! and a density; with all three zero it is the Euler top. The claims are therefore made on
+//! specialisations.
 
 use kahan_core::prelude::*;
 

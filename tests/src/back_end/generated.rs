@@ -1,6 +1,7 @@
 //! The code that the macro wrote, over exact numbers.
 //!
-//! It insists that the ways to take a step agree: `step`, `try_step`, `at(ε)`, and a panic of `step` exactly at a pole.
+//! It insists that the ways to take a step agree: `step`, `try_step`, `at(ε)`, and a panic of
+//! `step` exactly at a pole.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -55,7 +56,8 @@ impl<M, const N: usize> Claims for Accessors<M, N> {
     }
 }
 
-/// What a type without an accessor has in its place: where it has one, that goes before a method of a trait.
+/// What a type without an accessor has in its place: where it has one, that goes before a method of
+/// a trait.
 #[allow(non_snake_case)]
 trait Unclaimed<const N: usize> {
     fn integrals(&self, _x: &SVector<Q, N>, _eps: Q) -> [Q; 0] {
@@ -115,7 +117,8 @@ macro_rules! generated_catalog {
 
 with_catalog!(generated_catalog);
 
-/// What a call gives, or `None` where it panics: an exact scalar has no other way to say that there is no value.
+/// What a call gives, or `None` where it panics: an exact scalar has no other way to say that there
+/// is no value.
 fn value_of<R>(call: impl FnOnce() -> R) -> Option<R> {
     catch_unwind(AssertUnwindSafe(call)).ok()
 }

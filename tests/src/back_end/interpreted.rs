@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
+use std::sync::OnceLock;
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::{Evaluation, Interpreter, Point};
@@ -15,15 +16,45 @@ use super::BackEnd;
 use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, q};
 use crate::expression::evaluate;
 
-/// The interpreter, at parameter values.
-///
-/// It evaluates all objects at once, so answers are kept, and what is free of ε is asked at ε = 0, where the rest costs little.
+/// A system as the front end reads it, and what is derived of it, once.
 #[derive(Debug)]
-pub struct Interpreted {
-    system: &'static System,
+pub struct Read {
+    /// The system.
+    pub system: System,
+    derived: OnceLock<Derived>,
+}
+
+/// What all points of a system share.
+#[derive(Debug)]
+struct Derived {
     interpreter: Interpreter,
     /// N and D as polynomials, within the budget.
     map: Option<RationalMap>,
+}
+
+impl Read {
+    /// A system, nothing derived.
+    #[must_use]
+    pub fn new(system: System) -> Self {
+        Self { system, derived: OnceLock::new() }
+    }
+
+    fn derived(&'static self) -> &'static Derived {
+        self.derived.get_or_init(|| Derived {
+            interpreter: Interpreter::new(&self.system),
+            map: RationalMap::of(&self.system.field),
+        })
+    }
+}
+
+/// The interpreter, at parameter values.
+///
+/// It evaluates all objects at once, so answers are kept, and what is free of ε is asked at ε = 0,
+/// where the rest costs little.
+#[derive(Debug)]
+pub struct Interpreted {
+    system: &'static System,
+    derived: &'static Derived,
     parameters: Vec<Rational>,
     known: RefCell<HashMap<Vec<Rational>, Rc<Evaluation<Rational>>>>,
 }
@@ -43,11 +74,10 @@ fn outward_rows(m: &[Vec<Rational>]) -> Matrix {
 impl Interpreted {
     /// The system at these parameters.
     #[must_use]
-    pub fn new(system: &'static System, parameters: &[Q]) -> Self {
+    pub fn new(read: &'static Read, parameters: &[Q]) -> Self {
         Self {
-            system,
-            interpreter: Interpreter::new(system),
-            map: RationalMap::of(&system.field),
+            system: &read.system,
+            derived: read.derived(),
             parameters: inward(parameters),
             known: RefCell::default(),
         }
@@ -74,8 +104,9 @@ impl Interpreted {
         if let Some(known) = self.known.borrow().get(&key) {
             return Rc::clone(known);
         }
-        let evaluation =
-            Rc::new(self.interpreter.evaluate(&Exact, &point).expect("the parameters suit the field"));
+        let evaluation = Rc::new(
+            self.derived.interpreter.evaluate(&Exact, &point).expect("the parameters suit the field"),
+        );
         self.known.borrow_mut().insert(key, Rc::clone(&evaluation));
         evaluation
     }
@@ -109,12 +140,12 @@ impl BackEnd for Interpreted {
 
     fn bilinear(&self, x: &[Q], y: &[Q]) -> Vector {
         let point = self.point(x, &q(0, 1));
-        outward(&self.interpreter.bilinear(&Exact, &point, &inward(y)).expect("a form has no poles"))
+        outward(&self.derived.interpreter.bilinear(&Exact, &point, &inward(y)).expect("a form has no poles"))
     }
 
     fn polarized(&self, x: &[Q], y: &[Q]) -> Vector {
         let point = self.point(x, &q(0, 1));
-        outward(&self.interpreter.polarized(&Exact, &point, &inward(y)).expect("a form has no poles"))
+        outward(&self.derived.interpreter.polarized(&Exact, &point, &inward(y)).expect("a form has no poles"))
     }
 
     fn matrix(&self, x: &[Q], eps: &Q) -> Matrix {
@@ -126,7 +157,7 @@ impl BackEnd for Interpreted {
     }
 
     fn step(&self, x: &[Q], eps: &Q) -> Option<Vector> {
-        self.interpreter.next(&Exact, &self.point(x, eps)).map(|next| outward(&next))
+        self.derived.interpreter.next(&Exact, &self.point(x, eps)).map(|next| outward(&next))
     }
 
     fn jacobian(&self, x: &[Q], eps: &Q) -> Option<Matrix> {
@@ -141,9 +172,10 @@ impl BackEnd for Interpreted {
         self.at(x, eps).det_jacobian.as_ref().map(Rational::to_big)
     }
 
-    /// The expanded polynomials N̂, D̂ and ∏q, term by term; beyond the budget there are none, and the definition is used.
+    /// The expanded polynomials N̂, D̂ and ∏q, term by term; beyond the budget there are none, and
+    /// the definition is used.
     fn rational_map(&self, x: &[Q], eps: &Q) -> (Vector, Q) {
-        let Some(map) = &self.map else {
+        let Some(map) = &self.derived.map else {
             let matrix = self.matrix(x, eps);
             return (adjugate_product(&matrix, &self.rhs(x, eps)), determinant(&matrix));
         };

@@ -1,6 +1,8 @@
-//! The laws of Kahan's map over ℚ with `==`: on the catalog and random fields, in both back ends, at seeded points.
+//! The laws of Kahan's map over ℚ with `==`: on the catalog and on random fields, in both back
+//! ends, at seeded points.
 //!
-//! The references use f alone, whose differences are exact for a quadratic f, so a wrong form cannot hide behind itself.
+//! The references use f alone, whose differences are exact for a quadratic f, so a wrong form
+//! cannot hide behind itself.
 
 use kahan_tests::back_end::BackEnd;
 use kahan_tests::exact::{

@@ -1,4 +1,5 @@
-//! A `const` pays: a parameter that is folded in before the map is reduced gives the smaller plan of the special system.
+//! A `const` pays: a parameter that is folded in before the map is reduced gives the smaller plan
+//! of the special system.
 
 use kahan_algebra::plan::{Operation, Plan, StepPlan};
 use kahan_tests::expression::read_unproved;

@@ -1,7 +1,8 @@
-//! Sections 1 to 4 of the paper, formula by formula: matrices, determinants, difference equations, poles, reductions.
+//! Sections 1 to 4 of the paper, formula by formula: matrices, determinants, difference equations,
+//! poles, reductions.
 //!
-//! Matrices and determinants are compared as polynomials with what is derived from the field, and as numbers with both
-//! back ends; the rest over ℚ with `==`, in both back ends.
+//! Matrices and determinants are compared as polynomials with what is derived from the field, and
+//! as numbers with both back ends; the rest over ℚ with `==`, in both back ends.
 
 use kahan_algebra::kahan::{RationalMap, scaled_matrix, scaled_rhs};
 use kahan_tests::exact::{Q, Rationals, numbers, q, shown};
@@ -142,13 +143,14 @@ fn the_determinants_are_as_verified() {
 
 #[test]
 fn only_lotka_volterra_has_a_right_hand_side_other_than_x() {
-    for (name, _, _) in MATRICES {
+    let right_hand_side_is = |name: &str, printed: &[&str]| {
         let subject = named(name);
-        let expected: Vec<_> = match name {
-            "lv" => ["(1 + eps)*x", "(1 - eps)*y"].map(|text| formula(&subject, text).polynomial()).to_vec(),
-            _ => ["x", "y", "z"].map(|text| formula(&subject, text).polynomial()).to_vec(),
-        };
+        let expected: Vec<_> = printed.iter().map(|text| formula(&subject, text).polynomial()).collect();
         assert_eq!(scaled_rhs(&subject.system.field), expected, "{name}");
+    };
+    right_hand_side_is("lv", &["(1 + eps)*x", "(1 - eps)*y"]);
+    for (name, _, _) in MATRICES.iter().filter(|(name, ..)| *name != "lv") {
+        right_hand_side_is(name, &["x", "y", "z"]);
     }
 }
 
@@ -224,7 +226,8 @@ fn the_two_removable_poles_have_their_values() {
     }
 }
 
-/// The value at a removable pole is the limit: the Jacobian there fits the steps beside it to first order.
+/// The value at a removable pole is the limit: the Jacobian there fits the steps beside it to first
+/// order.
 #[test]
 fn the_jacobian_at_a_removable_pole_is_the_slope_of_the_steps_beside_it() {
     for (name, x) in [("e1", "-2, 1, 1/3"), ("e3", "3/2, 1, -2")] {
@@ -240,7 +243,8 @@ fn the_jacobian_at_a_removable_pole_is_the_slope_of_the_steps_beside_it() {
                 let (right, left) = (right.expect("beside the pole"), left.expect("beside the pole"));
                 for i in 0..3 {
                     let slope = (&right[i] - &left[i]) / (q(2, 1) * &small);
-                    // The central difference errs by small²/6 times a third derivative; 10⁻⁶ allows one of 6·10⁶.
+                    // The central difference errs by small²/6 times a third derivative; 10⁻⁶ allows
+                    // one of 6·10⁶.
                     let error = slope - &jacobian[i][j];
                     assert!(error < small && -error < small, "{}: entry ({i},{j})", back_end.label());
                 }
@@ -313,7 +317,8 @@ fn lotka_volterra_at_eps_one_is_the_recurrence_of_section_1() {
     for _ in 0..5 {
         let x = rationals.point(2);
         for back_end in subject.back_ends() {
-            // ỹ = x, so the point after (x_n, x_{n−1}) is (x_{n+1}, x_n), with x_{n+1} x_{n−1} = x_n (2 − x_n).
+            // ỹ = x, so the point after (x_n, x_{n−1}) is (x_{n+1}, x_n), with x_{n+1} x_{n−1} =
+            // x_n (2 − x_n).
             let Some(next) = back_end.step(&x, &q(1, 1)) else { continue };
             assert_eq!(next[1], x[0], "{}", back_end.label());
             let values = [x[0].clone(), next[0].clone(), x[1].clone()];

@@ -1,7 +1,8 @@
 //! What carrying the rounding error buys: the drift of the map's own integral over long orbits.
 //!
-//! Ĥ is evaluated in `Dd`, with the very ε that the orbit has. The long runs are ignored by default:
-//! `cargo test --release -p kahan-tests --test compensated -- --ignored --nocapture` takes minutes and prints the figures.
+//! Ĥ is evaluated in `Dd`, with the very ε that the orbit has. The long runs are ignored by
+//! default: `cargo test --release -p kahan-tests compensated -- --ignored --nocapture` takes
+//! minutes and prints the figures.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
@@ -18,7 +19,8 @@ fn starts() -> impl Iterator<Item = SVector<f64, 3>> {
     })
 }
 
-/// Root of the mean square, and the mean, over the orbits, of how far Ĥ is from its first value after each number of steps.
+/// Root of the mean square, and the mean, over the orbits, of how far Ĥ is from its first value
+/// after each number of steps.
 #[derive(Debug)]
 struct Drift {
     steps: u64,
@@ -74,9 +76,10 @@ fn e6_integral(eps: f64) -> impl Fn(&SVector<f64, 3>) -> Dd {
 
 const E6_EPS: f64 = 1.0 / 1024.0;
 
-/// At 10⁵ steps a plain orbit's integral is off by √(10⁵)·½u and a factor of order 1, the rounding of three coordinates:
-/// 2·10⁻¹⁴ (measured 2.8·10⁻¹⁴). A compensated one's is off by the rounding of the point yielded, ½u in each
-/// coordinate, measured 1.2·10⁻¹⁶: ten times u leaves room for that and not for a random walk.
+/// At 10⁵ steps a plain orbit's integral is off by √(10⁵)·½u and a factor of order 1, the rounding
+/// of three coordinates: 2·10⁻¹⁴ (measured 2.8·10⁻¹⁴). A compensated one's is off by the rounding
+/// of the point yielded, ½u in each coordinate, measured 1.2·10⁻¹⁶: ten times u leaves room for
+/// that and not for a random walk.
 #[test]
 fn a_compensated_orbit_keeps_its_integral_to_the_rounding_of_its_last_point() {
     let milestones = [100_000];
@@ -129,7 +132,8 @@ fn the_remedies_for_a_badly_rounded_eps_give_the_same_law() {
     let shortened =
         drift(&LONG, top_integral(short), |x| Box::new(top(f64::from).orbit(x, short).compensated()));
     let shortened_plain = drift(&LONG, top_integral(short), |x| Box::new(top(f64::from).orbit(x, short)));
-    // X = εx at ε = 1 is the orbit, and its integral, evaluated where it is exact, is ε² times that of x.
+    // X = εx at ε = 1 is the orbit, and its integral, evaluated where it is exact, is ε² times that
+    // of x.
     let of_scaled = |x: &SVector<f64, 3>| top_integral(1.0)(x) / (Dd::from(bad) * Dd::from(bad));
     let scaled = drift(&LONG, of_scaled, |x| {
         let scaled = top(f64::from).orbit(x, bad).scaled().expect("a homogeneous field");

@@ -1,38 +1,23 @@
-//! One step in double-double, rounded to `f64`, against the exact step from the same inputs, near true poles.
+//! One step in double-double, rounded to `f64`, against the exact step from the same inputs, near
+//! true poles.
 //!
-//! Points and ε are doubles with all their bits, at a relative distance δ from a value of ε, or of one coordinate, where
-//! det A changes its sign and the map is unbounded. A component that does not cancel has the relative error of a few dozen
-//! u²/δ, and rounding to `f64` adds half an ulp: at most 0.5 + 1e-5 ulp in all down to δ = 1e-9, and 0.6 at 1e-12.
+//! Points and ε are doubles with all their bits, at a relative distance δ from a value of ε, or of
+//! one coordinate, where det A changes its sign and the map is unbounded. A component that does not
+//! cancel has the relative error of a few dozen u²/δ, and rounding to `f64` adds half an ulp: at
+//! most 0.5 + 1e-5 ulp in all down to δ = 1e-9, and 0.6 at 1e-12.
 //!
-//! Where x̃ᵢ = xᵢ + increment is nearly 0, the mathematics forbids that: the inputs' own digits are used up. There the error
-//! is as small against ‖x̃‖, and the last test shows such points.
+//! Where x̃ᵢ = xᵢ + increment is nearly 0, the mathematics forbids that: the inputs' own digits are
+//! used up. There the error is as small against ‖x̃‖, and the last test shows such points.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::Dd;
-use kahan_tests::exact::{Q, Vector};
+use kahan_tests::back_end::BackEnd;
+use kahan_tests::doubles::{exact, float, signed_unit, ulp};
+use kahan_tests::exact::Vector;
 use kahan_tests::maps::{Steps, steps};
 use kahan_tests::rounding::UNIT_F64;
 use kahan_tests::subject::{Subject, paper};
-use num_traits::{Signed, ToPrimitive, Zero};
-
-fn exact(value: f64) -> Q {
-    Q::from_float(value).expect("a finite number")
-}
-
-fn float(value: &Q) -> f64 {
-    value.to_f64().expect("a rational has a nearby f64")
-}
-
-fn signed_unit(draws: &mut SplitMix64) -> f64 {
-    let size = draws.below(1 << 53) as f64 / (1_u64 << 53) as f64;
-    if draws.below(2) == 0 { size } else { -size }
-}
-
-/// The distance of a double from the next one away from zero.
-fn ulp(value: f64) -> f64 {
-    let size = value.abs();
-    f64::from_bits(size.to_bits() + 1) - size
-}
+use num_traits::{Signed, Zero};
 
 /// Where to step from.
 #[derive(Clone, Debug)]
@@ -58,7 +43,7 @@ impl Place {
     }
 
     fn exact_step(&self, subject: &Subject) -> Option<Vector> {
-        subject.generated.step(&self.state(), &exact(self.eps))
+        subject.interpreted.step(&self.state(), &exact(self.eps))
     }
 
     /// The step in double-double, rounded.
@@ -73,7 +58,8 @@ fn is_positive(subject: &Subject, place: &Place) -> bool {
     subject.generated.det_matrix(&place.state(), &exact(place.eps)).is_positive()
 }
 
-/// The double next to a zero of det A along the i-th number between two places, by bisection of exact signs.
+/// The double next to a zero of det A along the i-th number between two places, by bisection of
+/// exact signs.
 fn zero_between(subject: &Subject, place: &Place, i: usize, mut low: f64, mut high: f64) -> Option<f64> {
     let sign_at = |value: f64| is_positive(subject, &place.with(i, value));
     let sign = sign_at(low);
@@ -178,7 +164,8 @@ fn a_step_near_a_pole_is_half_an_ulp_from_the_exact_one() {
     }
 }
 
-/// Steps onto a coordinate plane: from the rounded preimage of a point with x̃ᵢ = 0, x̃ᵢ is as small as the inputs' rounding.
+/// Steps onto a coordinate plane: from the rounded preimage of a point with x̃ᵢ = 0, x̃ᵢ is as
+/// small as the inputs' rounding.
 #[test]
 fn a_component_that_cancels_is_exact_against_the_others() {
     /// Error of a component beyond its half ulp, in u²·‖x̃‖/|det A|; measured: 1.6.
@@ -193,7 +180,7 @@ fn a_component_that_cancels_is_exact_against_the_others() {
             target[i] = 0.0;
             let eps = signed_unit(&mut draws) / 8.0;
             let target: Vector = target.into_iter().map(exact).collect();
-            let Some(before) = subject.generated.step(&target, &exact(-eps)) else { continue };
+            let Some(before) = subject.interpreted.step(&target, &exact(-eps)) else { continue };
             let place = Place { x: before.iter().map(float).collect(), eps };
             let determinant = float(&subject.generated.det_matrix(&place.state(), &exact(eps)).abs());
             let Some(next) = place.exact_step(subject) else { continue };

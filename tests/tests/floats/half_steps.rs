@@ -1,10 +1,14 @@
-//! Every size of ε. Steps of floats that are divided by the time step have another form for an ε that is zero, tiny or huge: on
-//! either side of the border between the two, and far beyond it, a step is what it is elsewhere.
+//! Every size of ε. Steps of floats that are divided by the time step have another form for an ε
+//! that is zero, tiny or huge: on either side of the border between the two, and far beyond it, a
+//! step is what it is elsewhere.
 //!
-//! The bounds: a small step, ε‖f′‖ ≪ u, is off by the one rounding of x + increment, ½ ulp, and what an increment far below the last
-//! digit can add to that; where ε is large, by what the stable tier promises, 64 u of ‖exact‖∞.
+//! The bounds: a small step, ε‖f′‖ ≪ u, is off by the one rounding of x + increment, ½ ulp, and
+//! what an increment far below the last digit can add to that; where ε is large, by what the stable
+//! tier promises, 64 u of ‖exact‖∞.
 
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_tests::back_end::BackEnd;
+use kahan_tests::doubles::exact;
 use kahan_tests::exact::{Q, Vector};
 use kahan_tests::maps::{Steps, steps};
 use kahan_tests::rounding::UNIT_F64;
@@ -30,10 +34,6 @@ fn point(draws: &mut SplitMix64, n: usize) -> Vec<f32> {
     (0..n).map(|_| coordinate(draws)).collect()
 }
 
-fn exact(value: impl Into<f64>) -> Q {
-    Q::from_float(value.into()).expect("a finite number")
-}
-
 fn largest(values: &[Q]) -> f64 {
     let size = values.iter().map(Signed::abs).max().unwrap_or_else(Q::zero);
     size.to_f64().expect("a rational has a nearby f64")
@@ -54,7 +54,8 @@ fn at_zero_every_map_is_the_identity() {
     }
 }
 
-/// From the smallest double to just above the border: the increment is far below the last digit, and the step is x.
+/// From the smallest double to just above the border: the increment is far below the last digit,
+/// and the step is x.
 #[test]
 fn a_tiny_half_step_moves_nothing() {
     let mut draws = SplitMix64::new(72);
@@ -77,7 +78,8 @@ fn a_tiny_half_step_moves_nothing() {
     }
 }
 
-/// `f32` at its border, where an increment reaches the last digits: within one ulp of `f32` of the exact step on either side.
+/// `f32` at its border, where an increment reaches the last digits: within one ulp of `f32` of the
+/// exact step on either side.
 #[test]
 fn steps_on_either_side_of_the_border_agree() {
     let mut draws = SplitMix64::new(73);
@@ -86,7 +88,7 @@ fn steps_on_either_side_of_the_border_agree() {
         let x = point(&mut draws, subject.dimension());
         let state: Vector = x.iter().map(|entry| exact(*entry)).collect();
         for eps in [border.next_down(), border, -border, (-border).next_up(), 1.5 * border, 0.75 * border] {
-            let next = subject.generated.step(&state, &exact(eps)).expect("no pole is near");
+            let next = subject.interpreted.step(&state, &exact(eps)).expect("no pole is near");
             for (component, true_component) in single.step(&x, eps).iter().zip(&next) {
                 let error = largest(&[exact(*component) - true_component]);
                 let ulp = f64::from(component.abs().next_up() - component.abs());
@@ -96,7 +98,8 @@ fn steps_on_either_side_of_the_border_agree() {
     }
 }
 
-/// On either side of the upper border and far beyond, the stable tier keeps its promise or says that it cannot.
+/// On either side of the upper border and far beyond, the stable tier keeps its promise or says
+/// that it cannot.
 #[test]
 fn huge_half_steps_keep_the_promise() {
     let mut draws = SplitMix64::new(74);
@@ -108,7 +111,7 @@ fn huge_half_steps_keep_the_promise() {
         for eps in [1e6, border.next_down(), border, border.next_up(), -border, 1e40, -1e100] {
             let Ok(computed) = double.try_step(&x, eps) else { continue };
             kept += 1;
-            let next = subject.generated.step(&state, &exact(eps)).expect("no pole where there is a step");
+            let next = subject.interpreted.step(&state, &exact(eps)).expect("no pole where there is a step");
             let errors: Vec<Q> =
                 computed.iter().zip(&next).map(|(value, exact_value)| exact(*value) - exact_value).collect();
             assert!(largest(&errors) <= 64.0 * UNIT_F64 * largest(&next), "{} at {eps:e}", subject.name);

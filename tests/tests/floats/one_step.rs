@@ -9,31 +9,19 @@
 //!   nearly always (Lotka–Volterra is the first to exceed it, 22.6 u once in 10⁶ points), but a step that leads near the origin
 //!   cancels: Weierstrass' equation reached 207 u of ‖exact‖∞ = 0.009 from ‖x‖∞ = 0.15.
 //!
-//! Inputs are doubles with all their bits; the exact step is taken from the very numbers. In the large samples, which are not part of
-//! `cargo test`, the judge is double-double.
+//! Inputs are doubles with all their bits; the exact step is taken from the very numbers. In the
+//! large samples, which are not part of `cargo test`, the judge is double-double.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::symbols::Symbol;
 use kahan_core::Dd;
-use kahan_tests::exact::{Matrix, Q, Vector};
+use kahan_tests::back_end::BackEnd;
+use kahan_tests::doubles::{exact, float, signed_unit, ulp};
+use kahan_tests::exact::{Matrix, Vector};
 use kahan_tests::maps::{Steps, steps};
 use kahan_tests::rounding::UNIT_F64;
 use kahan_tests::subject::{Subject, further, paper};
-use num_traits::{Signed, ToPrimitive};
-
-fn exact(value: f64) -> Q {
-    Q::from_float(value).expect("a finite number")
-}
-
-fn float(value: &Q) -> f64 {
-    value.to_f64().expect("a rational has a nearby f64")
-}
-
-/// Uniform in ±[0, 1), all bits random.
-fn signed_unit(draws: &mut SplitMix64) -> f64 {
-    let size = draws.below(1 << 53) as f64 / (1_u64 << 53) as f64;
-    if draws.below(2) == 0 { size } else { -size }
-}
+use num_traits::Signed;
 
 /// ‖f′(x)‖∞
 fn slope(subject: &Subject, x: &Vector) -> f64 {
@@ -41,7 +29,8 @@ fn slope(subject: &Subject, x: &Vector) -> f64 {
     rows.iter().map(|row| row.iter().map(|entry| float(&entry.abs())).sum()).fold(0.0, f64::max)
 }
 
-/// Σ|monomials of fᵢ| at the point whose coordinates are the larger of |xⱼ| and |yⱼ|, each component.
+/// Σ|monomials of fᵢ| at the point whose coordinates are the larger of |xⱼ| and |yⱼ|, each
+/// component.
 fn monomials(subject: &Subject, x: &Vector, y: &Vector) -> Vec<f64> {
     let symbols = &subject.system.field.symbols;
     let value = |variable| match symbols.symbol(variable) {
@@ -62,12 +51,6 @@ fn monomials(subject: &Subject, x: &Vector, y: &Vector) -> Vec<f64> {
     sums.collect()
 }
 
-/// The distance of a double from the next one away from zero.
-fn ulp(value: f64) -> f64 {
-    let size = value.abs();
-    f64::from_bits(size.to_bits() + 1) - size
-}
-
 /// A system with its map over doubles, and what judges that.
 struct Case {
     subject: Subject,
@@ -81,7 +64,7 @@ impl Case {
         let next = match &self.judge {
             None => {
                 let state: Vector = x.iter().map(|entry| exact(*entry)).collect();
-                self.subject.generated.step(&state, &exact(eps))?
+                self.subject.interpreted.step(&state, &exact(eps))?
             }
             Some(wide) => {
                 let state: Vec<Dd> = x.iter().map(|entry| Dd::from(*entry)).collect();
@@ -141,7 +124,8 @@ fn small_steps(case: &Case, seed: u64, points: usize) -> Worst {
     worst
 }
 
-/// So many steps of one system from ordinary points: the largest error in units of u times the larger of ‖x‖∞ and ‖x̃‖∞.
+/// So many steps of one system from ordinary points: the largest error in units of u times the
+/// larger of ‖x‖∞ and ‖x̃‖∞.
 fn ordinary_steps(case: &Case, seed: u64, points: usize) -> Worst {
     let subject = &case.subject;
     let (mut worst, mut draws) = (Worst::default(), SplitMix64::new(seed));

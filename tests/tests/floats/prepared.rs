@@ -1,4 +1,5 @@
-//! One arithmetic for every way to take a step: `step`, the prepared map, orbits, and the interpreter, bit for bit.
+//! One arithmetic for every way to take a step: `step`, the prepared map, orbits, and the
+//! interpreter, bit for bit.
 
 use kahan_algebra::arithmetic::{Arithmetic, Float32, Float64};
 use kahan_algebra::interpret::Stepper;
@@ -59,8 +60,9 @@ fn every_way_to_step_gives_the_same_bits_in_single_precision() {
     every_way_gives_the_same_bits::<f32>(502);
 }
 
-/// The interpreter against generated code. Where the target fuses, generated code rounds a multiply-add once and the
-/// interpreter twice: there they agree to within rounding only, which `floats` bounds for both.
+/// The interpreter against generated code. Where the target fuses, generated code rounds a
+/// multiply-add once and the interpreter twice: there they agree to within rounding only, which
+/// `floats` bounds for both.
 #[cfg_attr(any(target_feature = "fma", target_arch = "aarch64"), ignore = "this target fuses multiply-adds")]
 #[test]
 fn the_interpreter_steps_with_the_same_bits() {
@@ -94,7 +96,8 @@ where
             }
             let [by_step, ..] = every_way(map.as_ref(), &state, A::Value::from(eps), STEPS);
             for point in by_step {
-                // Near a pole numbers leave the range, and what is not a number may come about in another order.
+                // Near a pole numbers leave the range, and what is not a number may come about in
+                // another order.
                 if stepper.advance(&mut state).is_err() || !point.iter().all(A::Value::is_finite_number) {
                     break;
                 }

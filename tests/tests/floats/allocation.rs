@@ -1,6 +1,6 @@
 //! A step over floats allocates nothing, in whichever way it is taken.
 //!
-//! The allocator of this program counts; nothing else is tested here, so that nothing else allocates meanwhile.
+//! The allocator of this program counts what a thread allocates while it is measured.
 
 use allocation_counter::measure;
 use kahan_core::prelude::*;
@@ -31,7 +31,8 @@ where
         let composed = prepared.composed(Composition::SUZUKI_4).step(&start);
         assert!(both.is_some_and(|x| x.iter().chain(composed.iter()).all(|entry| entry.is_finite())));
         assert!(last == Some(x) && also == Some(x) && x == y && z == w);
-        // The stable tier may take another way, whose rounding differs: compared at one step, as an orbit can magnify it.
+        // The stable tier may take another way, whose rounding differs: compared at one step, as an
+        // orbit can magnify it.
         let stable = map.try_step(&start, eps).unwrap_or(start);
         assert!(stable != start && (stable - map.step(&start, eps)).amax() <= 1e-13);
         assert!(z.iter().all(|entry| entry.is_finite()));

@@ -1,0 +1,107 @@
+//! Clebsch's case of a rigid body in an ideal fluid, m its angular and p its linear momentum; not
+//! in the paper.
+//!
+//! Kirchhoff's equations with the energy `(m.m + w1 p1^2 + w2 p2^2 + w3 p3^2)/2` (Clebsch, Math.
+//! Ann. 3, 1870). The flow has four quadratic integrals. So has the map, not quadratic, of which H
+//! alone is short; Petrera, Pfadler and Suris found them by computer (Experimental Mathematics 18,
+//! 2009). `kahan discover` finds H, with w3 p.p taken from its denominator, the density, and of the
+//! other three integrals bases: along every orbit the functions 1, p2^2, p3^2, m1 p1, m2 p2, m3 p3
+//! satisfy one linear relation, and so do 1, p2^2, p3^2, m1^2, m3^2, m2 p2, m3 p3; the quotients of
+//! its coefficients are integrals. The degrees of the map's iterates grow quadratically.
+
+use kahan_core::prelude::*;
+
+use crate::entry::{Entry, FOUND};
+
+kahan! {
+    /// Clebsch's system: angular momentum `m1`, `m2`, `m3`, linear momentum `p1`, `p2`, `p3`.
+    pub struct Clebsch {
+        /// The coefficient of p₁² in twice the energy.
+        w1,
+        /// The coefficient of p₂² in twice the energy.
+        w2,
+        /// The coefficient of p₃² in twice the energy.
+        w3
+    }
+
+    m1dot = (w3 - w2)*p2*p3;
+    m2dot = (w1 - w3)*p3*p1;
+    m3dot = (w2 - w1)*p1*p2;
+    p1dot = m3*p2 - m2*p3;
+    p2dot = m1*p3 - m3*p1;
+    p3dot = m2*p1 - m1*p2;
+
+    integral H = (p1^2 + p2^2 + p3^2)/(1 - eps^2*(w1*p1^2 + w2*p2^2 + w3*p3^2));
+    density rho = 1/(1 + eps^2*m1^2 + eps^2*m2^2 + eps^2*m3^2 - eps^2*w1*p1^2 + eps^2*w3*p1^2
+        + eps^2*w1*p2^2 - 2*eps^2*w2*p2^2 + eps^2*w3*p2^2 + eps^2*w1*p3^2 - eps^2*w3*p3^2
+        + eps^4*w1*m1^2*p1^2 - eps^4*w2*m1^2*p1^2 + eps^4*w1*m1^2*p2^2 - eps^4*w2*m1^2*p2^2
+        + eps^4*w1*m1^2*p3^2 + eps^4*w2*m1^2*p3^2 - 2*eps^4*w3*m1^2*p3^2 + 2*eps^4*w1*m1*m2*p1*p2
+        - 2*eps^4*w2*m1*m2*p1*p2 + 2*eps^4*w1*m1*m3*p1*p3 - 4*eps^4*w2*m1*m3*p1*p3
+        + 2*eps^4*w3*m1*m3*p1*p3 - 2*eps^4*w1*m2^2*p1^2 + 2*eps^4*w2*m2^2*p1^2
+        + 2*eps^4*w2*m2^2*p3^2 - 2*eps^4*w3*m2^2*p3^2 - 2*eps^4*w2*m2*m3*p2*p3
+        + 2*eps^4*w3*m2*m3*p2*p3 - 2*eps^4*w1*m3^2*p1^2 + eps^4*w2*m3^2*p1^2 + eps^4*w3*m3^2*p1^2
+        - eps^4*w2*m3^2*p2^2 + eps^4*w3*m3^2*p2^2 - eps^4*w2*m3^2*p3^2 + eps^4*w3*m3^2*p3^2
+        - eps^4*w1^2*p1^4 + 2*eps^4*w1*w2*p1^4 - eps^4*w2^2*p1^4 - 2*eps^4*w1^2*p1^2*p2^2
+        + 3*eps^4*w1*w2*p1^2*p2^2 + eps^4*w1*w3*p1^2*p2^2 - eps^4*w2^2*p1^2*p2^2
+        - eps^4*w2*w3*p1^2*p2^2 - 2*eps^4*w1^2*p1^2*p3^2 + 2*eps^4*w1*w2*p1^2*p3^2
+        + 2*eps^4*w1*w3*p1^2*p3^2 - 2*eps^4*w2^2*p1^2*p3^2 + 2*eps^4*w2*w3*p1^2*p3^2
+        - 2*eps^4*w3^2*p1^2*p3^2 - eps^4*w1*w2*p2^4 + eps^4*w1*w3*p2^4 + eps^4*w2^2*p2^4
+        - eps^4*w2*w3*p2^4 - eps^4*w1*w2*p2^2*p3^2 + eps^4*w1*w3*p2^2*p3^2 - eps^4*w2^2*p2^2*p3^2
+        + 3*eps^4*w2*w3*p2^2*p3^2 - 2*eps^4*w3^2*p2^2*p3^2 - eps^4*w2^2*p3^4 + 2*eps^4*w2*w3*p3^4
+        - eps^4*w3^2*p3^4 + eps^6*w1^2*m1^2*p1^2*p2^2 - 2*eps^6*w1*w2*m1^2*p1^2*p2^2
+        + eps^6*w2^2*m1^2*p1^2*p2^2 + eps^6*w1^2*m1^2*p1^2*p3^2 - eps^6*w1*w2*m1^2*p1^2*p3^2
+        - eps^6*w1*w3*m1^2*p1^2*p3^2 + eps^6*w2*w3*m1^2*p1^2*p3^2 + eps^6*w1*w2*m1^2*p2^2*p3^2
+        - eps^6*w1*w3*m1^2*p2^2*p3^2 - eps^6*w2^2*m1^2*p2^2*p3^2 + eps^6*w2*w3*m1^2*p2^2*p3^2
+        + eps^6*w1*w2*m1^2*p3^4 - eps^6*w1*w3*m1^2*p3^4 - eps^6*w2*w3*m1^2*p3^4
+        + eps^6*w3^2*m1^2*p3^4 - 2*eps^6*w1^2*m1*m2*p1^3*p2 + 4*eps^6*w1*w2*m1*m2*p1^3*p2
+        - 2*eps^6*w2^2*m1*m2*p1^3*p2 + 2*eps^6*w1*w2*m1*m2*p1*p2*p3^2
+        - 2*eps^6*w1*w3*m1*m2*p1*p2*p3^2 - 2*eps^6*w2^2*m1*m2*p1*p2*p3^2
+        + 2*eps^6*w2*w3*m1*m2*p1*p2*p3^2 - 2*eps^6*w1^2*m1*m3*p1^3*p3 + 2*eps^6*w1*w2*m1*m3*p1^3*p3
+        + 2*eps^6*w1*w3*m1*m3*p1^3*p3 - 2*eps^6*w2*w3*m1*m3*p1^3*p3 - 4*eps^6*w1*w2*m1*m3*p1*p2^2*p3
+        + 4*eps^6*w1*w3*m1*m3*p1*p2^2*p3 + 4*eps^6*w2^2*m1*m3*p1*p2^2*p3
+        - 4*eps^6*w2*w3*m1*m3*p1*p2^2*p3 - 2*eps^6*w1*w2*m1*m3*p1*p3^3 + 2*eps^6*w1*w3*m1*m3*p1*p3^3
+        + 2*eps^6*w2*w3*m1*m3*p1*p3^3 - 2*eps^6*w3^2*m1*m3*p1*p3^3 + eps^6*w1^2*m2^2*p1^4
+        - 2*eps^6*w1*w2*m2^2*p1^4 + eps^6*w2^2*m2^2*p1^4 - 2*eps^6*w1*w2*m2^2*p1^2*p3^2
+        + 2*eps^6*w1*w3*m2^2*p1^2*p3^2 + 2*eps^6*w2^2*m2^2*p1^2*p3^2 - 2*eps^6*w2*w3*m2^2*p1^2*p3^2
+        + eps^6*w2^2*m2^2*p3^4 - 2*eps^6*w2*w3*m2^2*p3^4 + eps^6*w3^2*m2^2*p3^4
+        + 2*eps^6*w1*w2*m2*m3*p1^2*p2*p3 - 2*eps^6*w1*w3*m2*m3*p1^2*p2*p3
+        - 2*eps^6*w2^2*m2*m3*p1^2*p2*p3 + 2*eps^6*w2*w3*m2*m3*p1^2*p2*p3
+        - 2*eps^6*w2^2*m2*m3*p2*p3^3 + 4*eps^6*w2*w3*m2*m3*p2*p3^3 - 2*eps^6*w3^2*m2*m3*p2*p3^3
+        + eps^6*w1^2*m3^2*p1^4 - eps^6*w1*w2*m3^2*p1^4 - eps^6*w1*w3*m3^2*p1^4
+        + eps^6*w2*w3*m3^2*p1^4 + eps^6*w1*w2*m3^2*p1^2*p2^2 - eps^6*w1*w3*m3^2*p1^2*p2^2
+        - eps^6*w2^2*m3^2*p1^2*p2^2 + eps^6*w2*w3*m3^2*p1^2*p2^2 + eps^6*w1*w2*m3^2*p1^2*p3^2
+        - eps^6*w1*w3*m3^2*p1^2*p3^2 - eps^6*w2*w3*m3^2*p1^2*p3^2 + eps^6*w3^2*m3^2*p1^2*p3^2
+        + eps^6*w2^2*m3^2*p2^2*p3^2 - 2*eps^6*w2*w3*m3^2*p2^2*p3^2 + eps^6*w3^2*m3^2*p2^2*p3^2
+        + eps^6*w1^3*p1^6 - 2*eps^6*w1^2*w2*p1^6 - eps^6*w1^2*w3*p1^6 + eps^6*w1*w2^2*p1^6
+        + 2*eps^6*w1*w2*w3*p1^6 - eps^6*w2^2*w3*p1^6 + eps^6*w1^3*p1^4*p2^2
+        - eps^6*w1^2*w2*p1^4*p2^2 - 2*eps^6*w1^2*w3*p1^4*p2^2 - eps^6*w1*w2^2*p1^4*p2^2
+        + 4*eps^6*w1*w2*w3*p1^4*p2^2 + eps^6*w2^3*p1^4*p2^2 - 2*eps^6*w2^2*w3*p1^4*p2^2
+        + eps^6*w1^3*p1^4*p3^2 - 2*eps^6*w1^2*w2*p1^4*p3^2 - eps^6*w1^2*w3*p1^4*p3^2
+        + eps^6*w1*w2^2*p1^4*p3^2 + 2*eps^6*w1*w2*w3*p1^4*p3^2 - eps^6*w2^2*w3*p1^4*p3^2
+        + eps^6*w1^2*w2*p1^2*p2^4 - eps^6*w1^2*w3*p1^2*p2^4 - 2*eps^6*w1*w2^2*p1^2*p2^4
+        + 2*eps^6*w1*w2*w3*p1^2*p2^4 + eps^6*w2^3*p1^2*p2^4 - eps^6*w2^2*w3*p1^2*p2^4
+        + eps^6*w1^2*w2*p1^2*p2^2*p3^2 - eps^6*w1^2*w3*p1^2*p2^2*p3^2
+        - 3*eps^6*w1*w2^2*p1^2*p2^2*p3^2 + 4*eps^6*w1*w2*w3*p1^2*p2^2*p3^2
+        - eps^6*w1*w3^2*p1^2*p2^2*p3^2 + 2*eps^6*w2^3*p1^2*p2^2*p3^2
+        - 3*eps^6*w2^2*w3*p1^2*p2^2*p3^2 + eps^6*w2*w3^2*p1^2*p2^2*p3^2 - eps^6*w1*w2^2*p1^2*p3^4
+        + 2*eps^6*w1*w2*w3*p1^2*p3^4 - eps^6*w1*w3^2*p1^2*p3^4 + eps^6*w2^2*w3*p1^2*p3^4
+        - 2*eps^6*w2*w3^2*p1^2*p3^4 + eps^6*w3^3*p1^2*p3^4 - eps^6*w1*w2^2*p2^4*p3^2
+        + 2*eps^6*w1*w2*w3*p2^4*p3^2 - eps^6*w1*w3^2*p2^4*p3^2 + eps^6*w2^3*p2^4*p3^2
+        - 2*eps^6*w2^2*w3*p2^4*p3^2 + eps^6*w2*w3^2*p2^4*p3^2 - 2*eps^6*w1*w2^2*p2^2*p3^4
+        + 4*eps^6*w1*w2*w3*p2^2*p3^4 - 2*eps^6*w1*w3^2*p2^2*p3^4 + eps^6*w2^3*p2^2*p3^4
+        - eps^6*w2^2*w3*p2^2*p3^4 - eps^6*w2*w3^2*p2^2*p3^4 + eps^6*w3^3*p2^2*p3^4
+        - eps^6*w1*w2^2*p3^6 + 2*eps^6*w1*w2*w3*p3^6 - eps^6*w1*w3^2*p3^6 + eps^6*w2^2*w3*p3^6
+        - 2*eps^6*w2*w3^2*p3^6 + eps^6*w3^3*p3^6);
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "clebsch",
+    type_name: "Clebsch",
+    name: "Clebsch’s system",
+    title: "Clebsch's case of a rigid body in an ideal fluid; four integrals in six variables",
+    file: include_str!("clebsch.rs"),
+    parameters: &[(1, 2), (5, 4), (7, 4)],
+    flow: None,
+    sources: &[("H", "found by kahan discover, then made symmetric"), ("rho", FOUND)],
+};

@@ -1,0 +1,47 @@
+//! The Maxwell-Bloch equations of light in a medium of two levels, for real amplitudes, without
+//! losses; not in the paper.
+//!
+//! x is the field, y the polarisation, z the inversion. The flow keeps `x^2/2 + z` and `y^2 + z^2`,
+//! and is Hamiltonian in two ways (David and Holm, J. Nonlinear Sci. 2, 1992). The map keeps both
+//! functions deformed, and two compatible brackets. The degrees of the map's iterates grow
+//! quadratically, as 2n^2 + 1. `P` has the Casimir H and `Q` the Casimir K: they are `{x,y} =
+//! rho^-1 I_z` and so on with I = H/2 and I = K/2.
+
+use kahan_core::prelude::*;
+
+use crate::entry::{Entry, FOUND};
+
+kahan! {
+    /// The Maxwell–Bloch equations: field `x`, polarisation `y`, inversion `z`.
+    pub struct MaxwellBloch;
+
+    xdot = y;
+    ydot = x*z;
+    zdot = -x*y;
+
+    integral H = (y^2 + z^2)/(1 + eps^2*x^2);
+    integral K = 2*z + x^2 - eps^2*y^2;
+    density rho = 1/(1 + eps^2*x^2);
+    bracket P {
+        {x,y} = z;
+        {y,z} = -eps^2*x*(y^2 + z^2)/(1 + eps^2*x^2);
+        {z,x} = y;
+    }
+    bracket Q {
+        {x,y} = 1 + eps^2*x^2;
+        {y,z} = x*(1 + eps^2*x^2);
+        {z,x} = -eps^2*y*(1 + eps^2*x^2);
+    }
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "maxwell-bloch",
+    type_name: "MaxwellBloch",
+    name: "Maxwell–Bloch",
+    title: "the Maxwell-Bloch equations of light in a medium of two levels",
+    file: include_str!("maxwell_bloch.rs"),
+    parameters: &[],
+    flow: None,
+    sources: &[("H", FOUND), ("K", FOUND), ("rho", FOUND), ("P", FOUND), ("Q", FOUND)],
+};

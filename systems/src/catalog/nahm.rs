@@ -1,0 +1,38 @@
+//! Nahm's equations of magnetic monopoles, reduced by the symmetry of the octahedron; not in the
+//! paper.
+//!
+//! The system of Hitchin, Manton and Murray (Nonlinearity 8, 1995). The flow keeps `y (2x + 3y) (x
+//! - y)^2`, of degree 4, whose level curves are elliptic. The map keeps it over a denominator
+//! (Petrera, Pfadler and Suris, Regul. Chaotic Dyn. 16, 2011), and the area `dx dy/(y (2x + 3y) (x
+//! - y))` of the flow as it stands. The degrees of the map's iterates grow quadratically.
+
+use kahan_core::prelude::*;
+
+use crate::entry::{Entry, FOUND};
+
+kahan! {
+    /// Nahm's equations with the symmetry of the octahedron.
+    pub struct OctahedralNahm;
+
+    xdot = 2*x^2 - 12*y^2;
+    ydot = -6*x*y - 4*y^2;
+
+    integral H = y*(2*x + 3*y)*(x - y)^2/(1 - 40*eps^2*x^2 - 160*eps^2*y^2 + 144*eps^4*x^4
+        - 3072*eps^4*x^3*y + 3712*eps^4*x^2*y^2 + 9216*eps^4*x*y^3);
+    density rho = 1/(y*(2*x + 3*y)*(x - y));
+    bracket P {
+        {x,y} = y*(2*x + 3*y)*(x - y);
+    }
+}
+
+/// The catalog's entry.
+pub const ENTRY: Entry = Entry {
+    command: "nahm",
+    type_name: "OctahedralNahm",
+    name: "Nahm’s equations, octahedral",
+    title: "Nahm's equations of monopoles with the symmetry of the octahedron",
+    file: include_str!("nahm.rs"),
+    parameters: &[],
+    flow: None,
+    sources: &[("H", FOUND), ("rho", FOUND), ("P", FOUND)],
+};
