@@ -11,6 +11,7 @@
 pub mod atlas;
 mod commands;
 mod numbers;
+mod plot;
 mod printing;
 mod reading;
 
@@ -18,7 +19,7 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
     atlas::Atlas, completions::Completions, discover::Discover, eval::Eval, extremes::Extremes,
@@ -33,7 +34,7 @@ use printing::{Answer, Refusal, finish};
 /// their orbits. Every number is exact: 3/7, -2, 0.25, 1e-3. `eps` is half the time step. Without a command it runs
 /// `verify`.
 #[derive(Debug, Parser)]
-#[command(name = "kahan", version, after_long_help = EXAMPLES)]
+#[command(name = "kahan", version, after_help = EXAMPLES)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -41,13 +42,11 @@ struct Cli {
 
 const EXAMPLES: &str = "\
 Examples:
-  kahan                                       prove every claim of the catalog
+  kahan                                       prove every claim, and say what came of it
   kahan show e6                               the formulas of E6
   kahan eval e1 --eps 1/2 --at -2,1,1/3       every object at a point
   kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
-  kahan trade e6 --at 1,1/2,1/3 --horizon 100   the cheapest step that is accurate enough
-  kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
-  kahan show --field 'xdot = y; ydot = x^2 - a;'";
+  kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -67,9 +66,25 @@ enum Command {
 
 /// Runs the command with these arguments, the program's name first; what it prints goes to standard output and standard error.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    finish(match Cli::try_parse_from(arguments) {
+    let read = command().try_get_matches_from(arguments).and_then(|matches| Cli::from_arg_matches(&matches));
+    finish(match read {
         Ok(cli) => answer(&cli),
         Err(error) => usage(&error),
+    })
+}
+
+/// The command line. `--help` fits a screen everywhere; `kahan help COMMAND` says all.
+fn command() -> clap::Command {
+    let names: Vec<String> = Cli::command().get_subcommands().map(|one| one.get_name().to_owned()).collect();
+    let on_a_screen = |one: clap::Command| {
+        let help = Arg::new("help").short('h').long("help").help("Print help").action(ArgAction::HelpShort);
+        one.disable_help_flag(true).arg(help)
+    };
+    names.iter().fold(on_a_screen(Cli::command()), |command, name| {
+        command.mut_subcommand(name, |one| {
+            let examples = one.get_after_help().map(ToString::to_string).unwrap_or_default();
+            on_a_screen(one).after_help(format!("{examples}\n\n`kahan help {name}` says more."))
+        })
     })
 }
 
@@ -87,7 +102,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Discover(command)) => command.run(),
         Some(Command::Scan(command)) => command.run(),
         Some(Command::Atlas(command)) => command.run(),
-        Some(Command::Completions(command)) => command.run(Cli::command()),
+        Some(Command::Completions(command)) => command.run(self::command()),
     }
 }
 

@@ -4,15 +4,13 @@
 //! from that. No number is stored here: figures come from the measured orbits, tables from the text that the claims check,
 //! outcomes from the claims. The page needs no network and no script; formulas are MathML, drawings are SVG.
 //!
-//! `math` (LaTeX to MathML) and `plot` (points to SVG) know nothing of the paper; `figures` and the other modules are one
-//! section of the page each.
+//! `math` (LaTeX to MathML) knows nothing of the paper; `figures` and the other modules are one section of the page each.
 
 mod contents;
 mod errata;
 mod figures;
 mod found;
 mod math;
-pub(crate) mod plot;
 mod readable;
 mod solutions;
 mod structures;

@@ -5,11 +5,6 @@ use maud::{Markup, html};
 use super::found::Checked;
 use kahan_paper::{Id, Outcome};
 
-/// A number with this many decimals and a typographic minus sign.
-pub(super) fn decimal(value: f64, decimals: usize) -> String {
-    format!("{value:.decimals$}").replace('-', "−")
-}
-
 /// A small or large number as 1.2·10⁻¹⁶.
 pub(super) fn scientific(value: f64) -> Markup {
     let text = format!("{value:.1e}");
@@ -60,11 +55,10 @@ pub(super) fn badge(outcome: Outcome) -> Markup {
 
 #[cfg(test)]
 mod tests {
-    use super::{decimal, grouped};
+    use super::grouped;
 
     #[test]
-    fn numbers_are_rounded_and_grouped() {
-        assert_eq!(decimal(-1.005, 1), "−1.0");
+    fn digits_are_grouped() {
         assert_eq!(grouped(95_282).replace('\u{202f}', " "), "95 282");
         assert_eq!(grouped(999), "999");
         assert_eq!(grouped(1_000_000).replace('\u{202f}', " "), "1 000 000");

@@ -8,7 +8,7 @@ use crate::atlas::{Found, Making, page};
 use clap::Args;
 use kahan_paper::Paper;
 
-use crate::printing::{Answer, Broken, Progress, Refusal, Sink};
+use crate::printing::{Answer, Progress, Refusal, Sink};
 
 /// Writes the paper's tables, solutions, figures and claims into one page, DIR/index.html.
 ///
@@ -16,7 +16,7 @@ use crate::printing::{Answer, Broken, Progress, Refusal, Sink};
 /// followed. The page needs no network and no script. It appears whole or not at all, in place of an older one. The exit status
 /// is 1 if a claim does not hold; the page is written all the same, and says which.
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Atlas {
     /// The folder for index.html; it is made if it is not there.
     #[arg(long, value_name = "DIR")]
@@ -42,12 +42,9 @@ impl Atlas {
         // The date alone: the time of day says nothing to a reader.
         let date = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         let date = date.split('T').next().unwrap_or_default().to_owned();
-        let mut sink = Sink::file(&path, "--out")?;
+        let sink = Sink::file(&path, "--out")?;
         let text = page(&found, &Making { date, seconds: clock.elapsed().as_secs_f64() });
-        sink.write(&text).and_then(|()| sink.finish()).map_err(|broken| match broken {
-            Broken::Failed(reason) => Refusal::new(reason),
-            Broken::ReaderGone => Refusal::new(format!("--out: cannot write {}", path.display())),
-        })?;
+        sink.put(&text)?;
         let written = Answer::text(format!(
             "{} written: {} claims, {:.1} MB, {:.1} s\n",
             path.display(),

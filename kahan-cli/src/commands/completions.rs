@@ -9,7 +9,7 @@ use crate::printing::{Answer, Refusal};
 
 /// Prints a script for a shell that completes commands, options, and the systems of the catalog.
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Completions {
     /// The shell.
     #[arg(value_enum)]

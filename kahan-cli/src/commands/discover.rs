@@ -1,24 +1,19 @@
 //! `kahan discover`: what a field's map preserves, found from its equations alone. What is found is `kahan-discover`'s; this
 //! only prints it.
 
+mod discovery;
+
 use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Formulas, Notation, PAGE_WIDTH, folded, latex_equation, macro_block};
-use kahan_algebra::system::System;
-use kahan_discover::basis::Basis;
-use kahan_discover::claims::Formula;
-use kahan_discover::report::HamiltonianReport;
-use kahan_discover::{Options, Report, discover};
-use serde_json::{Map, Value, json};
+use kahan_algebra::render::{folded, macro_block};
+use kahan_discover::{Options, discover};
 
 use super::search::{Search, refused};
-use super::show::page::{Page, aligned};
-use crate::printing::layout::{labelled, matrix};
-use crate::printing::{Answer, Broken, Progress, Refusal, Sink};
-use crate::reading::{Block, number};
+use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::reading::number;
+use discovery::Discovery;
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
 /// densities and Poisson brackets, structure, growth.
@@ -29,8 +24,12 @@ use crate::reading::{Block, number};
 /// monomials with one linear relation along every orbit, whose coefficients are integrals. Where
 /// nothing is found, a sentence says up to which degree it was looked for. Claims that the field
 /// brings along are not looked at.
+///
+/// The JSON object holds hilbert, independent_integrals, degrees, growth, entropy, linear_integrals,
+/// integrals, densities, brackets, bases, hamiltonian and more. `hilbert` says how many monomials of
+/// degree at most 1, 2, ... are independent on an orbit.
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Discover {
     #[command(flatten)]
     search: Search,
@@ -49,9 +48,6 @@ pub(crate) struct Discover {
 }
 
 const EXAMPLES: &str = "\
-The JSON object holds hilbert, independent_integrals, degrees, growth, entropy, linear_integrals, integrals, densities,
-brackets, bases, hamiltonian and more. hilbert: how many monomials of degree at most 1, 2, ... are independent on an orbit.
-
 Examples:
   kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
   kahan discover e6
@@ -60,16 +56,6 @@ Examples:
   kahan discover lagrange --macro --out lagrange.rs
   kahan discover euler --latex
   kahan discover lorenz --degree 12";
-
-/// What was found, and of what.
-struct Finding {
-    name: String,
-    system: System,
-    fixed: Vec<(String, Rational)>,
-    eps: Option<Rational>,
-    report: Report,
-    seconds: f64,
-}
 
 impl Discover {
     /// The report.
@@ -93,191 +79,22 @@ impl Discover {
         let report = discover(&system, &options, &mut |stage| progress.say(&stage.to_string()));
         progress.finish();
         let report = report.map_err(|error| refused(&name, &error))?;
-        let finding = Finding { name, system, fixed, eps, report, seconds: clock.elapsed().as_secs_f64() };
+        let discovery =
+            Discovery { name, system, fixed, eps, report, seconds: clock.elapsed().as_secs_f64() };
         let answer = if search.json {
-            Answer::json(&finding.object())
+            Answer::json(&discovery.object())
         } else if self.latex {
-            Answer::verbatim(finding.latex()?)
+            Answer::verbatim(discovery.latex()?)
         } else if self.as_macro {
-            Answer::verbatim(folded(&macro_block(&finding.claimed()?), SOURCE_WIDTH))
+            Answer::verbatim(folded(&macro_block(&discovery.claimed()?), SOURCE_WIDTH))
         } else {
-            Answer::text(finding.text())
+            Answer::text(discovery.text())
         };
-        let Some(mut sink) = sink else { return Ok(answer) };
-        sink.write(&answer.text).and_then(|()| sink.finish()).map_err(|broken| match broken {
-            Broken::Failed(reason) => Refusal::new(reason),
-            Broken::ReaderGone => Refusal::new("--out: the file cannot be written"),
-        })?;
+        let Some(sink) = sink else { return Ok(answer) };
+        sink.put(&answer.text)?;
         Ok(Answer { text: String::new(), ..answer })
     }
 }
 
 /// The width of lines of Rust.
 const SOURCE_WIDTH: usize = 100;
-
-impl Finding {
-    fn object(&self) -> Value {
-        let report = &self.report;
-        let fixed = self.fixed.iter().map(|(name, value)| (name.clone(), json!(value.to_string())));
-        let generic = report.parameters.iter().map(|name| (name.clone(), Value::Null));
-        let hilbert = report.hilbert.as_ref();
-        let structure = &report.structure;
-        let texts =
-            |formulas: &[Formula]| formulas.iter().map(|formula| json!(formula.text)).collect::<Value>();
-        json!({
-            "system": self.name,
-            "variables": report.variables,
-            // null is generic.
-            "parameters": fixed.chain(generic).collect::<Map<_, _>>(),
-            "eps": self.eps.as_ref().map(ToString::to_string),
-            "hilbert": hilbert.map_or_else(Vec::new, |hilbert| hilbert.values.clone()),
-            "monomials": hilbert.map_or_else(Vec::new, |hilbert| hilbert.full.clone()),
-            "independent_integrals": report.independent_integrals(),
-            "degrees": report.degrees,
-            "growth": report.growth.growth.word(),
-            "entropy": report.growth.growth.entropy(),
-            "linear_integrals": structure.linear_integrals,
-            "quadratic_integrals_of_the_flow": structure.quadratic_integrals,
-            "integrals": texts(&report.integrals),
-            "densities": texts(&report.densities),
-            "brackets": report.brackets,
-            "bases": report.bases.iter().map(|basis| basis_object(basis, &report.variables)).collect::<Value>(),
-            "divergence": structure.divergence,
-            "is_even": structure.is_even,
-            "hamiltonian": structure.hamiltonian.as_ref().map(hamiltonian_object),
-            "survivors": self.survivors(),
-            "sentences": report.sentences,
-            "out_of_time": report.out_of_time,
-            "seconds": self.seconds,
-        })
-    }
-
-    /// What composition leaves: how many independent integrals, which of the formulas, and which quotients of two.
-    fn survivors(&self) -> Option<Value> {
-        let survivors = self.report.survivors.as_ref()?;
-        let name = |index: usize| self.report.integrals[index].name().unwrap_or_default().to_owned();
-        let kept = (0..survivors.formulas.len()).filter(|&index| survivors.formulas[index]).map(name);
-        let quotients =
-            survivors.quotients.iter().map(|&(above, below)| format!("{}/{}", name(above), name(below)));
-        Some(json!({
-            "independent_integrals": survivors.hilbert.integrals,
-            "hilbert": survivors.hilbert.values,
-            "formulas": kept.collect::<Vec<_>>(),
-            "quotients": quotients.collect::<Vec<_>>(),
-        }))
-    }
-
-    /// Summary, sentences, and last the claims, so that they paste as a whole.
-    fn text(&self) -> String {
-        let report = &self.report;
-        let head = self.head();
-        let mut lines: Vec<String> =
-            head.iter().flat_map(|row| labelled(&row[0], &row[1], KEY_WIDTH)).collect();
-        lines.push(String::new());
-        lines.extend(report.sentences.iter().cloned());
-        if let Some(hamiltonian) = &report.structure.hamiltonian {
-            lines.push(String::new());
-            lines.push("K =".to_owned());
-            lines.extend(matrix(&hamiltonian.tensor, '[', ']').iter().map(|row| format!("  {row}")));
-        }
-        let claims = self.claims();
-        if !claims.is_empty() {
-            lines.push(String::new());
-            lines.extend(claims.iter().map(|claim| (*claim).to_owned()));
-        }
-        lines.join("\n") + "\n"
-    }
-
-    /// The claims as text.
-    fn claims(&self) -> Vec<&str> {
-        let report = &self.report;
-        let formulas = report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str());
-        formulas.chain(report.brackets.iter().map(String::as_str)).collect()
-    }
-
-    /// The field with what was found as its claims.
-    fn claimed(&self) -> Result<System, Refusal> {
-        let symbols = &self.system.field.symbols;
-        let values = Formulas { field: &self.system.field, map: None, notation: Notation::Text }.field();
-        let equations =
-            symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};"));
-        let text: Vec<String> = equations.chain(self.claims().into_iter().map(str::to_owned)).collect();
-        let claimed = Block::of_text(text.join("\n"), self.name.clone()).unproved_system()?;
-        Ok(System { header: self.system.header.clone(), ..claimed })
-    }
-
-    fn latex(&self) -> Result<String, Refusal> {
-        let system = self.claimed()?;
-        let notation = Notation::Latex;
-        let mut page = Page::default();
-        page.line(&format!("% {}", self.name));
-        let values = Formulas { field: &system.field, map: None, notation }.field();
-        let states =
-            system.field.symbols.states.iter().map(|state| format!("\\dot {}", notation.name(state)));
-        page.display(&aligned(
-            states.zip(&values).map(|(left, right)| latex_equation(&left, right, PAGE_WIDTH)).collect(),
-        ));
-        for claim in &system.claims {
-            page.claim(&system, claim, None);
-        }
-        Ok(page.text)
-    }
-
-    /// The numbers, one kind a line.
-    fn head(&self) -> Vec<[String; 2]> {
-        let report = &self.report;
-        let numbers =
-            |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-        let listed = |texts: &[String]| if texts.is_empty() { "none".to_owned() } else { texts.join(", ") };
-        let mut fixed: Vec<String> =
-            self.fixed.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        let mut generic = report.parameters.clone();
-        match &self.eps {
-            Some(eps) => fixed.push(format!("eps = {eps}")),
-            None => generic.push("eps".to_owned()),
-        }
-        let mut rows = vec![
-            ["system".to_owned(), self.name.clone()],
-            ["variables".to_owned(), report.variables.join(", ")],
-            ["generic".to_owned(), listed(&generic)],
-        ];
-        if !fixed.is_empty() {
-            rows.push(["fixed".to_owned(), fixed.join(", ")]);
-        }
-        rows.push(["degrees of iterates".to_owned(), numbers(&report.degrees)]);
-        if let Some(hilbert) = &report.hilbert {
-            let degrees: Vec<usize> = (1..=hilbert.values.len()).collect();
-            rows.push(["monomials of degree".to_owned(), format!("≤ {}", numbers(&degrees))]);
-            rows.push(["  on an orbit".to_owned(), numbers(&hilbert.values)]);
-            rows.push(["  of all".to_owned(), numbers(&hilbert.full)]);
-        }
-        let structure = &report.structure;
-        // Those of higher degree are not looked for, so that silence says nothing of them.
-        let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
-        if !of_flow.is_empty() {
-            rows.push(["integrals of the flow".to_owned(), of_flow.join(", ")]);
-        }
-        rows.push(["seconds".to_owned(), format!("{:.2}", self.seconds)]);
-        rows
-    }
-}
-
-/// The width of the words before the numbers.
-const KEY_WIDTH: usize = 21;
-
-fn hamiltonian_object(found: &HamiltonianReport) -> Value {
-    json!({ "K": found.tensor, "H": found.hamiltonian, "modified_is_proved": found.modified_is_proved })
-}
-
-/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an orbit.
-fn basis_object(basis: &Basis, variables: &[String]) -> Value {
-    let monomials = basis.monomial_texts(variables);
-    let unit = &monomials[basis.unit];
-    let quotients: Vec<String> =
-        basis.integrals.iter().map(|&place| format!("c[{}]/c[{unit}]", monomials[place])).collect();
-    json!({
-        "monomials": monomials,
-        "integrals": quotients,
-        "outcome": if basis.proof.is_some() { "proved-mod-p" } else { "seen" },
-    })
-}

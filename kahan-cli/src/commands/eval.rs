@@ -19,7 +19,7 @@ use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 /// A value that is undefined at the point is null. At a pole of the map (det A = 0, unless the factor that vanishes was
 /// divided out) the rest is printed all the same, and the exit status is 1.
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Eval {
     #[command(flatten)]
     start: Start,

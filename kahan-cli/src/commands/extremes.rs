@@ -31,7 +31,7 @@ use crate::reading::{Block, Source, whole};
 ///
 /// The exit status is 1 if the stable tier is silently wrong anywhere, or flags without right.
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Extremes {
     #[command(flatten)]
     source: Source,
@@ -52,8 +52,9 @@ pub(crate) struct Extremes {
     #[arg(long, value_name = "S", default_value = "1", allow_hyphen_values = true, value_parser = seed)]
     seed: u64,
 
-    /// Print one JSON object: system, systems, trials, seed, seconds, random_fields (name, text),
-    /// cells (regime, tier, scalar, trials, max_error_u, flagged, unjustified_flags,
+    /// Print one JSON object.
+    ///
+    /// It holds system, systems, trials, seed, seconds, random_fields (name, text), cells (regime, tier, scalar, trials, max_error_u, flagged, unjustified_flags,
     /// silently_wrong), failures.
     #[arg(long)]
     json: bool,

@@ -10,7 +10,7 @@ use kahan_runtime::heights::{Bounds, Growth, HeightsOrbit, Stop, Survey};
 use serde_json::{Map, Value, json};
 
 use crate::printing::layout::table;
-use crate::printing::{Answer, Broken, Progress, Refusal, Sink};
+use crate::printing::{Answer, Progress, Refusal, Sink};
 use crate::reading::{Start, coordinates, number, seconds, whole};
 
 /// Follows an exact orbit and measures how its heights grow: slowly where the map is integrable, exponentially where not.
@@ -24,7 +24,7 @@ use crate::reading::{Start, coordinates, number, seconds, whole};
 /// printed with a note, and the exit status is 0. At a pole of the map (det A = 0) what is known is printed too, the pole is
 /// reported, and the exit status is 1.
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Heights {
     #[command(flatten)]
     start: Start,
@@ -66,7 +66,7 @@ fn digits(text: &str) -> Result<u64, String> {
 }
 
 /// What was found, and what it is about.
-struct Finding<'a> {
+struct Record<'a> {
     name: &'a str,
     system: &'a System,
     survey: Survey,
@@ -92,21 +92,16 @@ impl Heights {
         let survey =
             Survey::of(&mut orbit, self.steps, |heights| progress.advance(u64::from(heights.step > 0)));
         progress.finish();
-        let finding =
-            Finding { name: &name, system: &system, survey, seconds: clock.elapsed().as_secs_f64() };
+        let record = Record { name: &name, system: &system, survey, seconds: clock.elapsed().as_secs_f64() };
         if let Some(sink) = sink {
-            finding.write(sink).map_err(|broken| match broken {
-                Broken::Failed(reason) => Refusal::new(reason),
-                Broken::ReaderGone => Refusal::new("--csv: the file cannot be written"),
-            })?;
+            record.write(sink)?;
         }
-        let answer =
-            if self.json { Answer::json(&finding.object()) } else { Answer::text(finding.text(self)) };
-        Ok(Answer { complaint: finding.complaint(), ..answer })
+        let answer = if self.json { Answer::json(&record.object()) } else { Answer::text(record.text(self)) };
+        Ok(Answer { complaint: record.complaint(), ..answer })
     }
 }
 
-impl Finding<'_> {
+impl Record<'_> {
     fn variables(&self) -> &[String] {
         &self.system.field.symbols.states
     }
@@ -152,7 +147,7 @@ impl Finding<'_> {
         ["n".to_owned()].into_iter().chain(heights).chain(["digits".to_owned()]).collect()
     }
 
-    fn write(&self, mut sink: Sink) -> Result<(), Broken> {
+    fn write(&self, mut sink: Sink) -> Result<(), Refusal> {
         let names = self.variables().iter().map(|name| format!("h_{name}"));
         let names: Vec<String> =
             ["n".to_owned()].into_iter().chain(names).chain(["digits".to_owned()]).collect();
@@ -160,7 +155,7 @@ impl Finding<'_> {
         for row in (0..self.survey.heights.len()).filter_map(|index| self.row(index)) {
             sink.write(&(row.join(",") + "\n"))?;
         }
-        sink.finish()
+        Ok(sink.finish()?)
     }
 
     fn text(&self, asked: &Heights) -> String {

@@ -10,7 +10,7 @@ use crate::reading::Block;
 
 /// Lists the systems of the catalog: name, variables, parameters, number of claims, title.
 #[derive(Args, Debug)]
-#[command(after_long_help = "Examples:\n  kahan list\n  kahan list --json")]
+#[command(after_help = "Examples:\n  kahan list\n  kahan list --json")]
 pub(crate) struct List {
     /// Print one JSON object.
     #[arg(long)]

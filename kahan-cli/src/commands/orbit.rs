@@ -31,7 +31,7 @@ use request::Request;
 /// library, bit for bit; parameters are put in after the map is reduced. At a pole (det A = 0), or where floats overflow, the orbit ends:
 /// the rows up to there are kept, the place is reported, and the exit status is 1. A negative eps steps back.
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Orbit {
     #[command(flatten)]
     start: Start,
@@ -44,8 +44,10 @@ pub(crate) struct Orbit {
     #[arg(long, value_enum, default_value = "f64")]
     scalar: ScalarKind,
 
-    /// The order of the method: 2 is Kahan's map; 4, 6 and 8 compose 5, 9 and 17 steps of it into one, over floats only. A
-    /// composition keeps no integral that depends on eps: its column then oscillates about a value.
+    /// The order of the method: 2 is Kahan's map, the others compose steps of it, over floats only.
+    ///
+    /// Orders 4, 6 and 8 compose 5, 9 and 17 steps into one. A composition keeps no integral that depends on eps: its column
+    /// then oscillates about a value.
     #[arg(long, value_name = "P", default_value = "2", value_parser = PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse::<u32>().unwrap_or(2)))]
     order: u32,
 

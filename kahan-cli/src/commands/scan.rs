@@ -26,7 +26,7 @@ use crate::reading::number;
 /// and printed as claims `when` the relation holds, each proved; where none is, the relation is
 /// only seen.
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Scan {
     #[command(flatten)]
     search: Search,

@@ -1,6 +1,5 @@
 //! `kahan show`: the formulas of a system as text, as LaTeX, or as the block of the macro; or the plan of its code.
 
-pub(super) mod page;
 mod plan;
 mod sheet;
 
@@ -21,7 +20,7 @@ use sheet::Sheet;
 /// the bilinear form Q(x,x'). For a field whose map is beyond the budget of terms, det A is shown as a
 /// determinant. With --plan: what the generated code computes, in straight lines, and what that costs.
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Show {
     #[command(flatten)]
     source: Source,

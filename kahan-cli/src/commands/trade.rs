@@ -1,5 +1,6 @@
 //! `kahan trade`: speed against accuracy on one scene, and the cheapest setting that does.
 
+mod comparison;
 mod paste;
 mod picture;
 mod table;
@@ -7,15 +8,11 @@ mod table;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
-use kahan_measure::reference::Method;
-use kahan_measure::trade::{Need, Scene, Setting, Trade as Measured};
-use serde_json::{Value, json};
+use kahan_measure::trade::{Need, Scene, Trade as Measured};
 
-use crate::printing::{Answer, Broken, Progress, Refusal, Sink};
-use crate::reading::{Block, Source, coordinates, number, seconds};
-use paste::rust_of;
+use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::reading::{Source, coordinates, number, seconds};
+use comparison::Comparison;
 use picture::picture;
 
 /// Measures what accuracy costs on one scene, on this machine, and names the cheapest setting that serves.
@@ -51,7 +48,7 @@ use picture::picture;
 /// than f64 there, as how compilers pack its steps is not foreseen. Where no setting meets the
 /// tolerance the exit status is 1.
 #[derive(Args, Debug)]
-#[command(after_long_help = EXAMPLES)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Trade {
     #[command(flatten)]
     source: Source,
@@ -100,19 +97,6 @@ enum NeedName {
     Integrals,
 }
 
-/// What was measured, and on what.
-struct Finding<'a> {
-    name: &'a str,
-    block: &'a Block,
-    system: &'a System,
-    parameters: &'a [Rational],
-    start: &'a [Rational],
-    horizon: f64,
-    need: Need,
-    tolerance: f64,
-    trade: Measured,
-}
-
 impl Trade {
     /// The front and the choice; a complaint where nothing meets the tolerance.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
@@ -143,7 +127,7 @@ impl Trade {
         let trade = Measured::of(&scene, &mut |_| progress.advance(1));
         progress.finish();
         let trade = trade.map_err(|why| Refusal::new(format!("{name}: {why}")))?;
-        let finding = Finding {
+        let comparison = Comparison {
             name: &name,
             block: &block,
             system: &system,
@@ -154,15 +138,12 @@ impl Trade {
             tolerance,
             trade,
         };
-        if let Some(mut sink) = sink {
-            let picture = picture(&finding.trade, &finding.title(), need, tolerance);
-            sink.write(&picture).and_then(|()| sink.finish()).map_err(|broken| match broken {
-                Broken::Failed(reason) => Refusal::new(reason),
-                Broken::ReaderGone => Refusal::new("--out: the file cannot be written"),
-            })?;
+        if let Some(sink) = sink {
+            sink.put(&picture(&comparison.trade, &comparison.title(), need, tolerance))?;
         }
-        let answer = if self.json { Answer::json(&finding.object()) } else { Answer::text(finding.text()) };
-        Ok(Answer { complaint: finding.complaint(), ..answer })
+        let answer =
+            if self.json { Answer::json(&comparison.object()) } else { Answer::text(comparison.text()) };
+        Ok(Answer { complaint: comparison.complaint(), ..answer })
     }
 }
 
@@ -177,105 +158,4 @@ fn positive(text: &str, what: &str) -> Result<f64, Refusal> {
             text.trim()
         )))
     }
-}
-
-impl Finding<'_> {
-    fn need_name(&self) -> &'static str {
-        match self.need {
-            Need::Trajectory => "trajectory",
-            Need::Integrals => "integrals",
-        }
-    }
-
-    fn title(&self) -> String {
-        let point: Vec<String> = self.start.iter().map(ToString::to_string).collect();
-        format!("{} from ({}) over {} units of time", self.name, point.join(", "), self.horizon)
-    }
-
-    fn choice(&self) -> Option<&Setting> {
-        self.trade.choice.map(|choice| &self.trade.settings[choice])
-    }
-
-    /// The setting that comes nearest to the tolerance.
-    fn most_accurate(&self) -> Option<&Setting> {
-        self.trade.settings.iter().min_by(|a, b| a.error(self.need).total_cmp(&b.error(self.need)))
-    }
-
-    fn complaint(&self) -> Option<String> {
-        if self.choice().is_some() {
-            return None;
-        }
-        if self.trade.settings.is_empty() {
-            return Some(format!(
-                "nothing was measured on {}, there was no time for it; try more --seconds, or a shorter --horizon",
-                self.title()
-            ));
-        }
-        let wanted = format!("no setting reaches the tolerance {:e} on {}", self.tolerance, self.title());
-        let best = match self.most_accurate() {
-            Some(best) if best.error(self.need).is_finite() => {
-                format!("the best is {}, eps = {:?}, with {:.1e}", best.kind, best.eps, best.error(self.need))
-            }
-            _ => "none gives finite numbers".to_owned(),
-        };
-        let way_out = if self.trade.skipped.is_empty() {
-            "a larger --tolerance or a shorter --horizon"
-        } else {
-            "more --seconds, a larger --tolerance or a shorter --horizon"
-        };
-        Some(format!("{wanted}: {best}; try {way_out}"))
-    }
-
-    fn object(&self) -> Value {
-        let exact = |values: &[Rational]| values.iter().map(ToString::to_string).collect::<Vec<_>>();
-        let names = self.system.field.symbols.parameters.iter().cloned();
-        let parameters = names.zip(exact(self.parameters).into_iter().map(Value::from));
-        let choice = self.choice().map(|choice| {
-            let mut object = setting_object(choice);
-            object["rust"] = json!(rust_of(self, choice));
-            object
-        });
-        let skipped = self.trade.skipped.iter().map(|(kind, eps)| {
-            json!({
-                "scalar": kind.scalar.name(), "order": kind.order, "compensated": kind.compensated, "eps": eps,
-            })
-        });
-        json!({
-            "system": self.name,
-            "parameters": parameters.collect::<serde_json::Map<_, _>>(),
-            "x": exact(self.start),
-            "horizon": self.horizon,
-            "need": self.need_name(),
-            "tolerance": self.tolerance,
-            "scale": self.trade.scale,
-            "reference": self.trade.certificate.map(|certificate| json!({
-                "second_method": match certificate.method {
-                    Method::ClosedSolution => "closed solution",
-                    Method::Composition { .. } => "composition",
-                },
-                "difference": certificate.difference,
-            })),
-            "timing": if self.trade.is_compiled { "measured" } else { "predicted" },
-            "settings": self.trade.settings.iter().map(setting_object).collect::<Vec<_>>(),
-            "choice": choice,
-            "skipped": skipped.collect::<Vec<_>>(),
-        })
-    }
-}
-
-/// What is not finite is `null`.
-fn setting_object(setting: &Setting) -> Value {
-    json!({
-        "scalar": setting.kind.scalar.name(),
-        "order": setting.kind.order,
-        "compensated": setting.kind.compensated,
-        "eps": setting.eps,
-        "steps": setting.steps,
-        "nanoseconds_per_unit_time": setting.nanoseconds_per_unit_time,
-        "trajectory_error": setting.trajectory_error,
-        "integral_drift": setting.integral_drift,
-        "flow_integral_drift": setting.flow_integral_drift,
-        "return_error": setting.return_error,
-        "on_front": setting.on_front,
-    })
 }

@@ -3,6 +3,7 @@
 mod interrupt;
 pub(crate) mod layout;
 mod output;
+pub(crate) mod page;
 mod progress;
 mod sink;
 mod table;

@@ -32,6 +32,15 @@ pub(crate) enum Broken {
     Failed(String),
 }
 
+impl From<Broken> for Refusal {
+    fn from(broken: Broken) -> Self {
+        Refusal::new(match broken {
+            Broken::ReaderGone => "the reader of the output has gone away".to_owned(),
+            Broken::Failed(reason) => reason,
+        })
+    }
+}
+
 /// The longest time for which rows wait for company.
 const PATIENCE: Duration = Duration::from_millis(100);
 
@@ -92,6 +101,12 @@ impl Sink {
             }),
         };
         written.map_err(|error| self.broken(&error))
+    }
+
+    /// Writes a whole text, and nothing after it.
+    pub(crate) fn put(mut self, text: &str) -> Result<(), Refusal> {
+        self.write(text)?;
+        Ok(self.finish()?)
     }
 
     /// Writes what is left; a file now appears under its name.

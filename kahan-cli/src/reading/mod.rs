@@ -3,10 +3,12 @@
 //! In: arguments and files. Out: checked systems and numbers; what is wrong with them becomes a
 //! [`Refusal`](crate::printing::Refusal).
 
+mod block;
 mod file;
-mod input;
 mod rust_file;
+mod source;
 mod values;
 
-pub(crate) use input::{Block, Source, Start};
+pub(crate) use block::Block;
+pub(crate) use source::{Source, Start};
 pub(crate) use values::{coordinates, number, seconds, whole};

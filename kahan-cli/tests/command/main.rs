@@ -1,7 +1,7 @@
 //! The `kahan` command from outside: what it prints, and with which exit status. A module for each subcommand, and for what is
 //! common to all.
 
-mod atlas;
+mod atlas_folders;
 mod completions;
 mod discovering;
 mod double_double;

@@ -48,6 +48,21 @@ fn what_the_macro_makes_of_a_block_is_shown_as_it_is() {
 }
 
 #[test]
+fn the_help_of_every_command_fits_a_screen() {
+    let commands = [
+        "list", "show", "eval", "orbit", "heights", "extremes", "trade", "discover", "scan", "atlas",
+        "verify",
+    ];
+    for command in commands.map(Some).into_iter().chain([None]) {
+        let help = answer(&[command.as_slice(), &["--help"]].concat());
+        assert!(help.lines().count() <= 40, "{help}");
+        assert!(help.lines().all(|line| line.chars().count() <= 100), "{help}");
+        assert!(help.contains("Examples:"), "{help}");
+    }
+    assert!(answer(&["help", "trade"]).contains("to keep the claimed integrals"));
+}
+
+#[test]
 fn what_no_macro_can_read_is_not_expanded() {
     assert!(refusal(&["show", "--expand", "--field", "xdot = x²;"]).contains("`^2`"));
     assert!(refusal(&["show", "--expand", "--field", "xdot = x^3;"]).contains("degree 3"));
@@ -97,10 +112,11 @@ fn a_field_beyond_the_budget_keeps_its_determinant() {
 
 #[test]
 fn help_and_version_are_answers() {
-    for command in ["verify", "list", "show", "eval"] {
-        let (long, short) = (answer(&[command, "--help"]), answer(&[command, "-h"]));
-        assert!(long.contains("Examples:") && !short.contains("Examples:"), "{command}");
+    for command in ["verify", "trade", "show", "eval"] {
+        let (long, short) = (answer(&["help", command]), answer(&[command, "-h"]));
+        assert!(long.contains("Examples:") && short.contains("Examples:"), "{command}");
         assert!(short.len() < long.len());
+        assert_eq!(answer(&[command, "--help"]), short);
     }
     assert!(answer(&["--help"]).contains("Examples:"));
     assert!(answer(&["--version"]).starts_with("kahan "));

@@ -5,9 +5,10 @@ use std::f64::consts::TAU;
 use kahan_core::prelude::*;
 use maud::{Markup, html};
 
-use super::super::plot::{Axis, Mark, Plot, Series, dots, line, polyline, text};
-use super::super::words::{decimal, scientific};
+use super::super::words::scientific;
 use super::Plate;
+use crate::numbers::decimal;
+use crate::plot::{Mark, NumberLine, Plot, Series, dots, line, polyline, text};
 use kahan_paper::figures::DE4;
 use kahan_systems::{E4, e4};
 
@@ -81,7 +82,7 @@ pub(super) fn plate() -> Option<Plate> {
 
 fn projection(a: &str, i: usize, b: &str, j: usize, orbit: &[Point], curve: &[Point]) -> Markup {
     let flat = |points: &[Point]| points.iter().map(|point| (point[i], point[j])).collect::<Vec<_>>();
-    let axis = |label: &str, k: usize| Axis::around(label, curve.iter().map(|point| point[k]));
+    let axis = |label: &str, k: usize| NumberLine::around(label, curve.iter().map(|point| point[k]));
     Plot {
         description: format!("The orbit of dE4 projected to {a} and {b}: points on a closed curve"),
         size: (360.0, 300.0),

@@ -3,10 +3,11 @@
 use maud::{Markup, html};
 
 use super::super::found::Orbits;
-use super::super::plot::{Axis, Mark, Plot, SIZE, Series, Side};
-use super::super::words::{decimal, grouped};
+use super::super::words::grouped;
 use super::Plate;
 use super::orbit::{Heights, Orbit, h};
+use crate::numbers::decimal;
+use crate::plot::{Mark, NumberLine, Plot, SIZE, Series, Side};
 use kahan_paper::figures::{DE1, DE3, DE4, DE7, DE9, Figure, LV};
 
 fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
@@ -14,8 +15,8 @@ fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
     Plot {
         description: description.to_owned(),
         size: SIZE,
-        x: Axis::around("log n", all().map(|point| point.0)),
-        y: Axis::around(&format!("log h({of})"), all().map(|point| point.1)),
+        x: NumberLine::around("log n", all().map(|point| point.0)),
+        y: NumberLine::around(&format!("log h({of})"), all().map(|point| point.1)),
         levels: Vec::new(),
         series,
     }
@@ -28,8 +29,8 @@ fn against_n(description: &str, label: &str, levels: Vec<(f64, String)>, series:
     Plot {
         description: description.to_owned(),
         size: SIZE,
-        x: Axis::around("n", all().map(|point| point.0)),
-        y: Axis::around(label, heights),
+        x: NumberLine::around("n", all().map(|point| point.0)),
+        y: NumberLine::around(label, heights),
         levels,
         series,
     }

@@ -3,9 +3,10 @@
 use kahan_core::prelude::*;
 use maud::{Markup, html};
 
-use super::super::plot::{Axis, Mark, Plot, Series};
-use super::super::words::{decimal, scientific};
+use super::super::words::scientific;
 use super::Plate;
+use crate::numbers::decimal;
+use crate::plot::{Mark, NumberLine, Plot, Series};
 use kahan_systems::LotkaVolterra;
 
 /// Half the time step: about twenty steps a cycle.
@@ -75,7 +76,7 @@ fn inner_euler_steps(orbit: &[Point]) -> usize {
 }
 
 fn portrait(title: &str, seen: &str, mark: Mark, orbits: &[Vec<Point>]) -> Markup {
-    let axis = |label: &str| Axis { label: label.to_owned(), low: 0.0, high: SHOWN };
+    let axis = |label: &str| NumberLine { label: label.to_owned(), low: 0.0, high: SHOWN };
     let series = orbits.iter().enumerate().map(|(index, orbit)| {
         let points = orbit.iter().map(|point| (point[0], point[1])).collect();
         Series::new("", index + 1, mark, points)

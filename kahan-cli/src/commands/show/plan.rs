@@ -10,7 +10,7 @@ use kahan_algebra::poly::Variable;
 use kahan_algebra::system::System;
 use serde_json::{Value, json};
 
-use super::page::{Page, paragraph};
+use crate::printing::page::{Page, paragraph};
 
 /// The width of the column of names.
 const NAMES: usize = 23;

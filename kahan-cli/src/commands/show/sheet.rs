@@ -8,7 +8,7 @@ use kahan_algebra::render::{
 use kahan_algebra::system::{Claim, System};
 use serde_json::{Value, json};
 
-use super::page::{Page, aligned, column, matrix, singletons};
+use crate::printing::page::{Page, aligned, column, matrix, singletons};
 use crate::reading::Block;
 
 /// Everything that is shown, in one notation.

@@ -3,16 +3,16 @@
 use kahan_algebra::rational::Rational;
 use kahan_measure::trade::{Kind, ScalarKind, Setting};
 
-use super::Finding;
+use super::comparison::Comparison;
 
 /// The orbit of a setting: one statement, after the field where that is the user's own.
-pub(super) fn rust_of(finding: &Finding<'_>, setting: &Setting) -> String {
+pub(super) fn rust_of(comparison: &Comparison<'_>, setting: &Setting) -> String {
     let Kind { scalar, compensated, .. } = setting.kind;
-    let symbols = &finding.system.field.symbols;
+    let symbols = &comparison.system.field.symbols;
     let value = |value: &Rational| literal(scalar, value);
-    let named = || symbols.parameters.iter().zip(finding.parameters);
-    let type_name = finding.block.entry.map(|entry| entry.type_name);
-    let header = finding.system.header.as_ref().map(|header| header.name.text.as_str());
+    let named = || symbols.parameters.iter().zip(comparison.parameters);
+    let type_name = comparison.block.entry.map(|entry| entry.type_name);
+    let header = comparison.system.header.as_ref().map(|header| header.name.text.as_str());
     let (before, map) = match type_name.or(header) {
         Some(name) if symbols.parameters.is_empty() => (String::new(), name.to_owned()),
         Some(name) => {
@@ -21,7 +21,7 @@ pub(super) fn rust_of(finding: &Finding<'_>, setting: &Setting) -> String {
         }
         None => {
             let bindings = named().map(|(name, v)| format!("let {name} = {};\n", value(v)));
-            let field = finding.block.text().trim();
+            let field = comparison.block.text().trim();
             (
                 format!("{}let field = kahan! {{ {field} }};\n", bindings.collect::<String>()),
                 "field".to_owned(),
@@ -29,7 +29,7 @@ pub(super) fn rust_of(finding: &Finding<'_>, setting: &Setting) -> String {
         }
     };
     let map = if scalar == ScalarKind::F32ThroughF64 { format!("ThroughF64({map})") } else { map };
-    let mut point: Vec<String> = finding.start.iter().map(value).collect();
+    let mut point: Vec<String> = comparison.start.iter().map(value).collect();
     if let (ScalarKind::F32 | ScalarKind::F32ThroughF64, Some(first)) = (scalar, point.first_mut()) {
         // One suffix tells the scalar of all.
         if !first.contains('_') {

@@ -1,7 +1,7 @@
 //! The work–precision picture: price against error, a line for each order in doubles, small dots for other scalars and for
 //! compensation, the front above all.
 
-use crate::atlas::plot::{Axis, Mark, Plot, Series, Side};
+use crate::plot::{Mark, NumberLine, Plot, Series, Side};
 
 use kahan_measure::trade::{Need, ScalarKind, Setting, Trade};
 
@@ -60,11 +60,11 @@ pub(super) fn picture(trade: &Trade, title: &str, need: Need, tolerance: f64) ->
             "{title}: {what} against nanoseconds per unit of simulated time, both as decimal logarithms"
         ),
         size: SIZE,
-        x: Axis::around(
+        x: NumberLine::around(
             "log10 of nanoseconds per unit of time; small dots: other scalars than f64",
             places().map(|(x, _)| x),
         ),
-        y: Axis::around(&format!("log10 of {what}"), places().map(|(_, y)| y).chain([level.0])),
+        y: NumberLine::around(&format!("log10 of {what}"), places().map(|(_, y)| y).chain([level.0])),
         levels: vec![level],
         series,
     };

@@ -3,7 +3,7 @@
 use kahan_measure::reference::Method;
 use kahan_measure::trade::{Need, ScalarKind, Setting};
 
-use super::Finding;
+use super::comparison::Comparison;
 use super::paste::rust_of;
 use crate::printing::layout::table;
 
@@ -15,7 +15,7 @@ fn size(value: f64) -> String {
     if (1e-2..1e6).contains(&value) { format!("{value:.4}") } else { format!("{value:.3e}") }
 }
 
-impl Finding<'_> {
+impl Comparison<'_> {
     pub(super) fn text(&self) -> String {
         let mut lines = vec![
             format!("{}: need {}, tolerance {:e}", self.title(), self.need_name(), self.tolerance),

@@ -70,11 +70,11 @@ impl Report<'_> {
         let count =
             |keep: fn(Outcome) -> bool| self.rows.iter().filter(|row| keep(row.established.outcome)).count();
         let kinds = [
-            (count(|o| o == Outcome::Proved), "proved by normal forms over Q"),
-            (count(|o| o == Outcome::ProvedModP), "proved mod p (error < 2^-100)"),
+            (count(|o| o == Outcome::Proved), "proved over Q"),
+            (count(|o| o == Outcome::ProvedModP), "proved mod p"),
             (count(|o| matches!(o, Outcome::Exact(_))), "exact at points"),
             (count(|o| matches!(o, Outcome::Numerical(_))), "numerical"),
-            (count(|o| o == Outcome::Misprint), "misprinted and corrected"),
+            (count(|o| o == Outcome::Misprint), "misprinted"),
         ];
         let found = kinds.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!("{n} {what}, "));
         let claims = if self.rows.len() == 1 { "claim" } else { "claims" };

@@ -80,7 +80,7 @@ fn the_examples_of_the_help_run() {
     let (_, examples) = help.split_once("Examples:\n").expect("the help has examples");
     let folder = folder();
     let mut run = 0;
-    for example in examples.lines().map(str::trim).filter(|line| !line.is_empty()) {
+    for example in examples.lines().map(str::trim).take_while(|line| !line.is_empty()) {
         let arguments = example.strip_prefix("kahan ").expect("a command");
         let output = Command::new("sh")
             .args(["-c", &format!("\"$KAHAN\" {arguments}")])

@@ -3,15 +3,17 @@
 //! The drawings take colours and type from the page (`currentColor` and classes), scale with the window, and are read out by
 //! their label. Lengths are units of the view box; text stays legible on a telephone because the box is small.
 
-mod axis;
+mod number_line;
+#[cfg(test)]
+mod tests;
 
 use std::fmt::Write as _;
 
 use maud::{Markup, html};
 
-use super::words::decimal;
+use crate::numbers::decimal;
 
-pub(crate) use axis::Axis;
+pub(crate) use number_line::NumberLine;
 
 /// How the points of a series are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,8 +68,8 @@ pub(crate) struct Plot {
     pub(crate) description: String,
     /// Width and height of the view box.
     pub(crate) size: (f64, f64),
-    pub(crate) x: Axis,
-    pub(crate) y: Axis,
+    pub(crate) x: NumberLine,
+    pub(crate) y: NumberLine,
     /// Horizontal lines for comparison: height and label.
     pub(crate) levels: Vec<(f64, String)>,
     pub(crate) series: Vec<Series>,
@@ -214,42 +216,4 @@ pub(crate) fn dots(places: &[(f64, f64)]) -> String {
 fn tenths(value: f64) -> String {
     let text = format!("{value:.1}");
     text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Axis, Mark, Plot, SIZE, Series, polyline};
-
-    #[test]
-    fn points_are_placed_by_both_axes_and_repeated_places_are_dropped() {
-        let axis = |low, high| Axis { label: String::new(), low, high };
-        let plot = Plot {
-            description: String::new(),
-            size: SIZE,
-            x: axis(0.0, 10.0),
-            y: axis(-1.0, 1.0),
-            levels: Vec::new(),
-            series: Vec::new(),
-        };
-        assert_eq!(plot.place((0.0, -1.0)), (66.0, 270.0));
-        assert_eq!(plot.place((10.0, 1.0)), (462.0, 16.0));
-        assert_eq!(polyline(&[(1.0, 2.0), (1.01, 2.04), (3.25, 4.0)]), "M1 2L3.2 4");
-    }
-
-    #[test]
-    fn a_description_and_labels_are_escaped() {
-        let axis = Axis::around("a < b", [0.0, 1.0].into_iter());
-        let series = Series::new("\"x\" & y", 1, Mark::Both, vec![(0.0, 0.0), (1.0, 1.0)]);
-        let plot = Plot {
-            description: "x<y".into(),
-            size: SIZE,
-            x: axis.clone(),
-            y: axis,
-            levels: vec![(0.5, "1<2".into())],
-            series: vec![series],
-        };
-        let svg = plot.svg().into_string();
-        assert!(svg.contains("aria-label=\"x&lt;y\"") && svg.contains("a &lt; b") && svg.contains("1&lt;2"));
-        assert!(svg.contains("&quot;x&quot; &amp; y"), "{svg}");
-    }
 }

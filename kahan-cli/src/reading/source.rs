@@ -1,24 +1,17 @@
-//! What the commands read: a system of the catalog, a field from the command line or from a file, values of its parameters.
-//!
-//! Texts become checked systems here; everything that is wrong with them becomes a [`Refusal`].
+//! The system that a command is about, as arguments name it: of the catalog, from the command line, or from a file; and
+//! the values of its parameters.
 
-use std::ops::Range;
 use std::path::PathBuf;
 
 use clap::Args;
-use kahan_algebra::diagnostics::{Diagnostic, Diagnostics};
-use kahan_algebra::lexer::{Lexed, lex};
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::report;
 use kahan_algebra::system::System;
-use kahan_algebra::{check, parse, read};
-use kahan_systems::entry::Entry;
 use kahan_systems::registry::{all, find};
 
 use crate::printing::Refusal;
 
+use super::block::Block;
 use super::file::{chosen, read_file};
-use super::rust_file::blocks;
 use super::values::given_values;
 
 /// The system that a command is about.
@@ -41,8 +34,10 @@ pub(crate) struct Source {
     #[arg(long, value_name = "NAME", requires = "file", visible_alias = "struct")]
     block: Option<String>,
 
-    /// The value of a parameter; once for each. `show` and `verify` put it in before the map is reduced, `eval` and `orbit`
-    /// after; `discover` leaves the others generic, and `scan` takes FROM:TO:STEP in the place of V.
+    /// The value of a parameter; once for each.
+    ///
+    /// `show` and `verify` put it in before the map is reduced, `eval` and `orbit` after. `discover` leaves the others
+    /// generic. `scan` takes FROM:TO:STEP in the place of V.
     #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
     parameters: Vec<String>,
 }
@@ -60,19 +55,6 @@ pub(crate) struct Start {
     /// The (first) point, its coordinates separated by commas: 1,-2/3,0.5.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) at: String,
-}
-
-/// A text with a block in it.
-#[derive(Debug)]
-pub(crate) struct Block {
-    /// The catalog's entry, where it is one.
-    pub(crate) entry: Option<&'static Entry>,
-    text: String,
-    /// Where in the text the block stands.
-    body: Range<usize>,
-    lexed: Lexed,
-    /// What the text is called in reports.
-    origin: String,
 }
 
 impl Source {
@@ -120,11 +102,11 @@ impl Source {
                 Some(entry) => Ok(Some(Block::of_catalog(entry))),
                 None => Err(unknown_system(name)),
             },
-            (None, Some(text), None) => Ok(Some(Block::new(None, text.clone(), "--field".to_owned()))),
+            (None, Some(text), None) => Ok(Some(Block::of_text(text.clone(), "--field".to_owned()))),
             (None, None, Some(path)) => {
                 let (text, origin) = read_file(path)?;
                 let body = chosen(&text, &origin, self.block.as_deref())?;
-                Ok(Some(Block::within(None, text, body, origin)))
+                Ok(Some(Block::within(text, body, origin)))
             }
             _ => Err(Refusal::new("one field at a time: give a SYSTEM, or --field, or --file")),
         }
@@ -189,79 +171,6 @@ impl Source {
                 names().join(", ")
             ))
         })
-    }
-}
-
-impl Block {
-    /// A block of the catalog.
-    pub(crate) fn of_catalog(entry: &'static Entry) -> Self {
-        Block::new(Some(entry), entry.text().to_owned(), entry.command.to_owned())
-    }
-
-    /// A text from elsewhere; `origin` is what it is called in reports.
-    pub(crate) fn of_text(text: String, origin: String) -> Self {
-        Block::new(None, text, origin)
-    }
-
-    /// The text itself, or the one call of `kahan!` in it.
-    fn new(entry: Option<&'static Entry>, text: String, origin: String) -> Self {
-        let body = blocks(&text).into_iter().next().map_or(0..text.len(), |block| block.range);
-        Block::within(entry, text, body, origin)
-    }
-
-    /// A part of a text.
-    fn within(entry: Option<&'static Entry>, text: String, mut body: Range<usize>, origin: String) -> Self {
-        // A mark of the byte order, as some editors put it in front.
-        body.start += if text[body.clone()].starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-        let mut lexed = lex(&text[body.clone()]);
-        for range in &mut lexed.ranges {
-            *range = range.start + body.start..range.end + body.start;
-        }
-        Block { entry, text, body, lexed, origin }
-    }
-
-    /// The system, with its claims proved as the macro does it.
-    pub(crate) fn system(&self) -> Result<System, Refusal> {
-        let reading = read(&self.lexed.tokens);
-        self.accept(reading.system, &reading.diagnostics)
-    }
-
-    /// The system, its claims read but not proved.
-    pub(crate) fn unproved_system(&self) -> Result<System, Refusal> {
-        let mut diagnostics = Diagnostics::default();
-        let block = parse::parse(&self.lexed.tokens, &mut diagnostics);
-        let system = check::check(block, &mut diagnostics);
-        self.accept(system, &diagnostics.finish())
-    }
-
-    /// The text of the block, as it was given.
-    pub(crate) fn text(&self) -> &str {
-        &self.text[self.body.clone()]
-    }
-
-    /// The seed of the macro's proof.
-    pub(crate) fn seed(&self) -> u64 {
-        kahan_algebra::seed(&self.lexed.tokens)
-    }
-
-    /// The name of the system in answers: the catalog's, or the header's, or `field`.
-    pub(crate) fn name(&self, system: &System) -> String {
-        self.entry.map_or_else(|| system.name().to_owned(), |entry| entry.command.to_owned())
-    }
-
-    fn accept(&self, system: System, diagnostics: &[Diagnostic]) -> Result<System, Refusal> {
-        if diagnostics.is_empty() {
-            return Ok(system);
-        }
-        /// Nobody reads more at once.
-        const MOST: usize = 8;
-        let shown = diagnostics.iter().take(MOST);
-        let reports = shown.map(|one| report(one, &self.text, &self.lexed.ranges, &self.origin));
-        let reports: String = reports.collect();
-        Err(Refusal::reports(match diagnostics.len().saturating_sub(MOST) {
-            0 => reports,
-            more => format!("{reports}error: {more} more mistakes are not shown\n"),
-        }))
     }
 }
 

@@ -1,4 +1,4 @@
-//! What `kahan show` writes is put together from: sections of plain text, displays of LaTeX, matrices.
+//! What pages of formulas are put together from: sections of plain text, displays of LaTeX, matrices.
 
 use kahan_algebra::render::{
     MatrixText, Notation, PAGE_WIDTH, claim_statement, condition_statement, condition_text, latex_equation,
@@ -7,7 +7,7 @@ use kahan_algebra::render::{
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
 
-use crate::printing::layout::{matrix_within, screen_width};
+use super::layout::{matrix_within, screen_width};
 
 /// Text that grows downwards.
 #[derive(Default)]
@@ -22,13 +22,13 @@ impl Page {
     }
 
     /// Sentences, as many lines as the screen takes.
-    pub(super) fn prose(&mut self, text: &str) {
+    pub(crate) fn prose(&mut self, text: &str) {
         for line in lines(text, screen_width()) {
             self.line(&line);
         }
     }
 
-    pub(super) fn section(&mut self, title: &str, lines: Vec<String>) {
+    pub(crate) fn section(&mut self, title: &str, lines: Vec<String>) {
         self.line("");
         self.line(title);
         for line in lines {
@@ -63,7 +63,7 @@ impl Page {
 }
 
 /// A column as a matrix.
-pub(super) fn singletons(entries: &[String]) -> MatrixText {
+pub(crate) fn singletons(entries: &[String]) -> MatrixText {
     entries.iter().map(|entry| vec![entry.clone()]).collect()
 }
 
@@ -71,17 +71,17 @@ pub(super) fn singletons(entries: &[String]) -> MatrixText {
 const INDENT: usize = 2;
 
 /// A matrix as lines of a section.
-pub(super) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
+pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
     matrix_within(rows, left, right, screen_width().saturating_sub(INDENT))
 }
 
 /// Sentences as lines of a section.
-pub(super) fn paragraph(text: &str) -> Vec<String> {
+pub(crate) fn paragraph(text: &str) -> Vec<String> {
     lines(text, screen_width().saturating_sub(INDENT))
 }
 
 /// A column in brackets, a line a row.
-pub(super) fn column(entries: &[String]) -> Vec<String> {
+pub(crate) fn column(entries: &[String]) -> Vec<String> {
     matrix(&singletons(entries), '[', ']')
 }
 

@@ -2,7 +2,7 @@
 
 /// A number line.
 #[derive(Clone, Debug)]
-pub(crate) struct Axis {
+pub(crate) struct NumberLine {
     /// What it shows: `log n`.
     pub(crate) label: String,
     /// The least value shown.
@@ -11,18 +11,18 @@ pub(crate) struct Axis {
     pub(crate) high: f64,
 }
 
-impl Axis {
-    /// An axis that shows all these values, with a little room.
+impl NumberLine {
+    /// One that shows all these values, with a little room.
     pub(crate) fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = values
             .filter(|value| value.is_finite())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
         let room = if high > low { 0.04 * (high - low) } else { 0.5 };
-        Axis { label: label.to_owned(), low: low - room, high: high + room }
+        NumberLine { label: label.to_owned(), low: low - room, high: high + room }
     }
 
-    /// Round values on the axis, three to eight of them, and how many decimals they need.
+    /// Round values on it, three to eight of them, and how many decimals they need.
     pub(super) fn ticks(&self) -> (Vec<f64>, usize) {
         let rough = (self.high - self.low) / 7.0;
         let power = rough.log10().floor();
@@ -46,15 +46,15 @@ impl Axis {
 
 #[cfg(test)]
 mod tests {
-    use super::Axis;
+    use super::NumberLine;
 
     #[test]
     fn ticks_are_round_and_lie_on_the_axis() {
         for (low, high) in [(0.0, 1.0), (-3.2, 7.9), (0.0, 812_345.0), (1.59, 1.64), (-1e-9, 1e-9)] {
-            let axis = Axis { label: String::new(), low, high };
-            let (ticks, decimals) = axis.ticks();
+            let line = NumberLine { label: String::new(), low, high };
+            let (ticks, decimals) = line.ticks();
             assert!((3..=8).contains(&ticks.len()), "{low}..{high}: {ticks:?}");
-            assert!(ticks.iter().all(|tick| axis.shows(*tick)), "{low}..{high}: {ticks:?}");
+            assert!(ticks.iter().all(|tick| line.shows(*tick)), "{low}..{high}: {ticks:?}");
             let labels: std::collections::BTreeSet<String> =
                 ticks.iter().map(|tick| format!("{tick:.decimals$}")).collect();
             assert_eq!(labels.len(), ticks.len(), "the labels differ: {labels:?}");
@@ -64,8 +64,8 @@ mod tests {
     #[test]
     fn an_axis_around_one_value_or_none_still_has_a_length() {
         for values in [vec![], vec![2.0], vec![f64::NAN, 2.0, f64::INFINITY]] {
-            let axis = Axis::around("", values.into_iter());
-            assert!(axis.high > axis.low, "{axis:?}");
+            let line = NumberLine::around("", values.into_iter());
+            assert!(line.high > line.low, "{line:?}");
         }
     }
 }

@@ -1,0 +1,192 @@
+//! What `kahan discover` found, as JSON, as text, as LaTeX, and as a block of the macro.
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::{Formulas, Notation, PAGE_WIDTH, latex_equation};
+use kahan_algebra::system::System;
+use kahan_discover::Report;
+use kahan_discover::basis::Basis;
+use kahan_discover::claims::Formula;
+use kahan_discover::report::HamiltonianReport;
+use serde_json::{Map, Value, json};
+
+use crate::printing::Refusal;
+use crate::printing::layout::{labelled, matrix};
+use crate::printing::page::{Page, aligned};
+use crate::reading::Block;
+
+/// What was found, and of what.
+pub(super) struct Discovery {
+    pub(super) name: String,
+    pub(super) system: System,
+    pub(super) fixed: Vec<(String, Rational)>,
+    pub(super) eps: Option<Rational>,
+    pub(super) report: Report,
+    pub(super) seconds: f64,
+}
+
+impl Discovery {
+    pub(super) fn object(&self) -> Value {
+        let report = &self.report;
+        let fixed = self.fixed.iter().map(|(name, value)| (name.clone(), json!(value.to_string())));
+        let generic = report.parameters.iter().map(|name| (name.clone(), Value::Null));
+        let hilbert = report.hilbert.as_ref();
+        let structure = &report.structure;
+        let texts =
+            |formulas: &[Formula]| formulas.iter().map(|formula| json!(formula.text)).collect::<Value>();
+        json!({
+            "system": self.name,
+            "variables": report.variables,
+            // null is generic.
+            "parameters": fixed.chain(generic).collect::<Map<_, _>>(),
+            "eps": self.eps.as_ref().map(ToString::to_string),
+            "hilbert": hilbert.map_or_else(Vec::new, |hilbert| hilbert.values.clone()),
+            "monomials": hilbert.map_or_else(Vec::new, |hilbert| hilbert.full.clone()),
+            "independent_integrals": report.independent_integrals(),
+            "degrees": report.degrees,
+            "growth": report.growth.growth.word(),
+            "entropy": report.growth.growth.entropy(),
+            "linear_integrals": structure.linear_integrals,
+            "quadratic_integrals_of_the_flow": structure.quadratic_integrals,
+            "integrals": texts(&report.integrals),
+            "densities": texts(&report.densities),
+            "brackets": report.brackets,
+            "bases": report.bases.iter().map(|basis| basis_object(basis, &report.variables)).collect::<Value>(),
+            "divergence": structure.divergence,
+            "is_even": structure.is_even,
+            "hamiltonian": structure.hamiltonian.as_ref().map(hamiltonian_object),
+            "survivors": self.survivors(),
+            "sentences": report.sentences,
+            "out_of_time": report.out_of_time,
+            "seconds": self.seconds,
+        })
+    }
+
+    /// What composition leaves: how many independent integrals, which of the formulas, and which quotients of two.
+    fn survivors(&self) -> Option<Value> {
+        let survivors = self.report.survivors.as_ref()?;
+        let name = |index: usize| self.report.integrals[index].name().unwrap_or_default().to_owned();
+        let kept = (0..survivors.formulas.len()).filter(|&index| survivors.formulas[index]).map(name);
+        let quotients =
+            survivors.quotients.iter().map(|&(above, below)| format!("{}/{}", name(above), name(below)));
+        Some(json!({
+            "independent_integrals": survivors.hilbert.integrals,
+            "hilbert": survivors.hilbert.values,
+            "formulas": kept.collect::<Vec<_>>(),
+            "quotients": quotients.collect::<Vec<_>>(),
+        }))
+    }
+
+    /// Summary, sentences, and last the claims, so that they paste as a whole.
+    pub(super) fn text(&self) -> String {
+        let report = &self.report;
+        let head = self.head();
+        let mut lines: Vec<String> =
+            head.iter().flat_map(|row| labelled(&row[0], &row[1], KEY_WIDTH)).collect();
+        lines.push(String::new());
+        lines.extend(report.sentences.iter().cloned());
+        if let Some(hamiltonian) = &report.structure.hamiltonian {
+            lines.push(String::new());
+            lines.push("K =".to_owned());
+            lines.extend(matrix(&hamiltonian.tensor, '[', ']').iter().map(|row| format!("  {row}")));
+        }
+        let claims = self.claims();
+        if !claims.is_empty() {
+            lines.push(String::new());
+            lines.extend(claims.iter().map(|claim| (*claim).to_owned()));
+        }
+        lines.join("\n") + "\n"
+    }
+
+    /// The claims as text.
+    fn claims(&self) -> Vec<&str> {
+        let report = &self.report;
+        let formulas = report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str());
+        formulas.chain(report.brackets.iter().map(String::as_str)).collect()
+    }
+
+    /// The field with what was found as its claims.
+    pub(super) fn claimed(&self) -> Result<System, Refusal> {
+        let symbols = &self.system.field.symbols;
+        let values = Formulas { field: &self.system.field, map: None, notation: Notation::Text }.field();
+        let equations =
+            symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};"));
+        let text: Vec<String> = equations.chain(self.claims().into_iter().map(str::to_owned)).collect();
+        let claimed = Block::of_text(text.join("\n"), self.name.clone()).unproved_system()?;
+        Ok(System { header: self.system.header.clone(), ..claimed })
+    }
+
+    pub(super) fn latex(&self) -> Result<String, Refusal> {
+        let system = self.claimed()?;
+        let notation = Notation::Latex;
+        let mut page = Page::default();
+        page.line(&format!("% {}", self.name));
+        let values = Formulas { field: &system.field, map: None, notation }.field();
+        let states =
+            system.field.symbols.states.iter().map(|state| format!("\\dot {}", notation.name(state)));
+        page.display(&aligned(
+            states.zip(&values).map(|(left, right)| latex_equation(&left, right, PAGE_WIDTH)).collect(),
+        ));
+        for claim in &system.claims {
+            page.claim(&system, claim, None);
+        }
+        Ok(page.text)
+    }
+
+    /// The numbers, one kind a line.
+    fn head(&self) -> Vec<[String; 2]> {
+        let report = &self.report;
+        let numbers =
+            |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        let listed = |texts: &[String]| if texts.is_empty() { "none".to_owned() } else { texts.join(", ") };
+        let mut fixed: Vec<String> =
+            self.fixed.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        let mut generic = report.parameters.clone();
+        match &self.eps {
+            Some(eps) => fixed.push(format!("eps = {eps}")),
+            None => generic.push("eps".to_owned()),
+        }
+        let mut rows = vec![
+            ["system".to_owned(), self.name.clone()],
+            ["variables".to_owned(), report.variables.join(", ")],
+            ["generic".to_owned(), listed(&generic)],
+        ];
+        if !fixed.is_empty() {
+            rows.push(["fixed".to_owned(), fixed.join(", ")]);
+        }
+        rows.push(["degrees of iterates".to_owned(), numbers(&report.degrees)]);
+        if let Some(hilbert) = &report.hilbert {
+            let degrees: Vec<usize> = (1..=hilbert.values.len()).collect();
+            rows.push(["monomials of degree".to_owned(), format!("≤ {}", numbers(&degrees))]);
+            rows.push(["  on an orbit".to_owned(), numbers(&hilbert.values)]);
+            rows.push(["  of all".to_owned(), numbers(&hilbert.full)]);
+        }
+        let structure = &report.structure;
+        // Those of higher degree are not looked for, so that silence says nothing of them.
+        let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
+        if !of_flow.is_empty() {
+            rows.push(["integrals of the flow".to_owned(), of_flow.join(", ")]);
+        }
+        rows.push(["seconds".to_owned(), format!("{:.2}", self.seconds)]);
+        rows
+    }
+}
+
+/// The width of the words before the numbers.
+const KEY_WIDTH: usize = 21;
+
+fn hamiltonian_object(found: &HamiltonianReport) -> Value {
+    json!({ "K": found.tensor, "H": found.hamiltonian, "modified_is_proved": found.modified_is_proved })
+}
+
+/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an orbit.
+fn basis_object(basis: &Basis, variables: &[String]) -> Value {
+    let monomials = basis.monomial_texts(variables);
+    let unit = &monomials[basis.unit];
+    let quotients: Vec<String> =
+        basis.integrals.iter().map(|&place| format!("c[{}]/c[{unit}]", monomials[place])).collect();
+    json!({
+        "monomials": monomials,
+        "integrals": quotients,
+        "outcome": if basis.proof.is_some() { "proved-mod-p" } else { "seen" },
+    })
+}
