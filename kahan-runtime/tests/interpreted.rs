@@ -201,7 +201,7 @@ fn what_cannot_be_interpreted_is_told() {
 }
 
 #[test]
-fn a_dimension_known_at_run_time_becomes_a_type() {
+fn a_dimension_known_at_run_time_becomes_a_type_that_holds_it() {
     struct Dimension;
     impl VisitDimension for Dimension {
         type Output = usize;
@@ -210,12 +210,47 @@ fn a_dimension_known_at_run_time_becomes_a_type() {
         }
     }
     for n in 1..=LARGEST_DIMENSION {
-        assert_eq!(visit_dimension(n, Dimension), Ok(n));
+        let type_for = visit_dimension(n, Dimension).expect("a type");
+        assert!((n..=LARGEST_DIMENSION).contains(&type_for), "{n} variables in {type_for}");
     }
     for n in [0, LARGEST_DIMENSION + 1] {
         let refusal = visit_dimension(n, Dimension).expect_err("no such type");
         assert!(refusal.to_string().contains(&format!("{n} variables")), "{refusal}");
     }
+}
+
+/// Three variables among eight: the same bits in each object, and the others stay where they are.
+#[test]
+fn variables_that_stand_still_change_nothing() {
+    for (command, parameters) in [("e1", vec![]), ("e3", vec![]), ("e9", vec![q("0.1")])] {
+        let field = system(find(command).expect("in the catalog").text());
+        let own = Interpreted::<BigRational, 3>::new(&field, &parameters).expect("a system").rounded::<f64>();
+        let among = Interpreted::<BigRational, 8>::padded(&field, &parameters).expect("room for it");
+        let among = among.rounded::<f64>();
+        for (x, eps) in samples::<f64, 3>(40) {
+            let wide = SVector::<f64, 8>::from_fn(|i, _| x.get(i).copied().unwrap_or(0.0));
+            let same = |next: SVector<f64, 3>, wide: SVector<f64, 8>| {
+                assert_eq!(next.as_slice(), &wide.as_slice()[..3], "{command} at {x:?}, {eps}");
+                assert_eq!(wide.as_slice()[3..], [0.0; 5], "{command}");
+            };
+            same(own.step(&x, eps), among.step(&wide, eps));
+            same(own.field(&x), among.field(&wide));
+            same(own.bilinear(&x, &own.field(&x)), among.bilinear(&wide, &among.field(&wide)));
+            same(own.rational_map(&x, eps).0, among.rational_map(&wide, eps).0);
+            assert_eq!(own.rational_map(&x, eps).1, among.rational_map(&wide, eps).1, "{command}");
+            assert_eq!(own.det_matrix(&x, eps), among.det_matrix(&wide, eps), "{command}");
+            let stable = (own.try_step(&x, eps).ok(), among.try_step(&wide, eps).ok());
+            match stable {
+                (Some(next), Some(wide)) => same(next, wide),
+                (one, other) => assert!(one.is_none() && other.is_none(), "{command}: a flag of one"),
+            }
+            let (slopes, wide_slopes) = (own.field_jacobian(&x), among.field_jacobian(&wide));
+            assert_eq!(slopes, wide_slopes.fixed_view::<3, 3>(0, 0).into_owned(), "{command}");
+        }
+    }
+    let field = system("xdot = x*y; ydot = x;");
+    let narrow = Interpreted::<BigRational, 1>::padded(&field, &[]).map(|_| ());
+    assert_eq!(narrow, Err(CannotInterpret::Dimension { found: 2, expected: 1 }));
 }
 
 /// 1 + εx = 0 is a removable pole of E1; a field read at run time has the value there as well.

@@ -28,6 +28,8 @@ pub use refusal::NoReference;
 pub struct Reference {
     flow: Flow<Dd>,
     certificate: Certificate,
+    /// The coordinates of the flow; those beyond the system's own stay 0.
+    variables: usize,
 }
 
 /// What a reference is made for.
@@ -51,11 +53,10 @@ impl Reference {
     /// Cost: about 250 evaluations of the bilinear form a step of the series, whose length is a tenth of the distance to the
     /// nearest singularity in complex time, and the composition's steps.
     ///
+    /// A start of fewer than N coordinates is at 0 in the others.
+    ///
     /// # Errors
     /// [`NoReference`].
-    ///
-    /// # Panics
-    /// If the start has not N coordinates.
     pub fn of<M, const N: usize>(map: &M, asked: &Trajectory<'_>) -> Result<Self, NoReference>
     where
         M: KahanMap<Dd, N>,
@@ -65,11 +66,10 @@ impl Reference {
 
     /// The same within limits.
     ///
+    /// A start of fewer than N coordinates is at 0 in the others.
+    ///
     /// # Errors
     /// [`NoReference`].
-    ///
-    /// # Panics
-    /// If the start has not N coordinates.
     pub fn within<M, const N: usize>(
         map: &M,
         asked: &Trajectory<'_>,
@@ -78,15 +78,17 @@ impl Reference {
     where
         M: KahanMap<Dd, N>,
     {
-        let start = SVector::from_fn(|i, _| Dd::constant(&constant(&asked.start[i].clone().into())));
+        let start = SVector::from_fn(|i, _| {
+            asked.start.get(i).map_or(Dd::from(0.0), |x| Dd::constant(&constant(&x.clone().into())))
+        });
         let flow = path(map, start, asked.end, limits)?;
         let certificate = match closed::closed_solution(asked.command, asked.parameters, asked.start) {
-            Some(solution) => Certificate::by_solution(&flow, &solution, asked.allowed),
+            Some(solution) => Certificate::by_solution(&flow, &|t| padded(&solution(t), N), asked.allowed),
             None => Certificate::by_composition(&flow, map, start, asked.allowed, limits)?,
         };
         let Certificate { difference, agreed_until: until, .. } = certificate;
         if difference <= asked.allowed {
-            Ok(Reference { flow, certificate })
+            Ok(Reference { flow, certificate, variables: N })
         } else {
             Err(NoReference::Disagree { difference, allowed: asked.allowed, until })
         }
@@ -131,6 +133,11 @@ impl Reference {
 
     /// The distance of a point from x(t) in the maximum norm, relative to the scale; what is not a number is infinitely far.
     pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
-        self.flow.distance(t, x)
+        self.flow.distance(t, &padded(x, self.variables))
     }
+}
+
+/// The point in so many coordinates, those that it lacks being 0.
+fn padded(x: &[Dd], variables: usize) -> Vec<Dd> {
+    (0..variables).map(|i| x.get(i).copied().unwrap_or_default()).collect()
 }
