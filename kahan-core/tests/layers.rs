@@ -96,7 +96,7 @@ fn needs(file: &Path, text: &str) -> Vec<Vec<String>> {
     }
     let mut needs: Vec<Vec<String>> =
         ["crate::", "kahan_core::"].iter().flat_map(|root| after(text, root)).flat_map(paths).collect();
-    for path in after(text, "super::").flat_map(|tail| paths(tail)) {
+    for path in after(text, "super::").flat_map(paths) {
         // Modules within a file only make this climb seem higher than it is.
         let climbed = 1 + path.iter().take_while(|name| *name == "super").count();
         let rest = path.into_iter().skip(climbed - 1);

@@ -1,11 +1,11 @@
 //! Ensembles against single steps, bit for bit.
 //!
 //! 1. `levels`: every level, system, width of float and awkward length against plain steps of the
-//!   same arithmetic.
+//!    same arithmetic.
 //! 2. `neighbours`: what is not finite stays alone; the place of a trajectory and the number of
-//!   threads change nothing.
+//!    threads change nothing.
 //! 3. `contents`: points, columns and grids come back as they were given; visits come when they
-//!   should.
+//!    should.
 //!
 //! What a processor lacks is left out, and the test says so. The same tests run under Miri,
 //!
