@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use kahan_algebra::rational::Rational;
-//! use crate::heights::{Growth, HeightsOrbit, Survey};
+//! use kahan_runtime::heights::{Growth, HeightsOrbit, Survey};
 //!
 //! let text = kahan_systems::registry::find("lv").unwrap().text();
 //! let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system;

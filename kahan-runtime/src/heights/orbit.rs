@@ -60,7 +60,7 @@ pub struct Bounds {
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
-/// use crate::heights::{Growth, HeightsOrbit};
+/// use kahan_runtime::heights::{Growth, HeightsOrbit};
 ///
 /// let text = kahan_systems::registry::find("e3").unwrap().text();
 /// let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system;

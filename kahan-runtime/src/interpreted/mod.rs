@@ -39,7 +39,7 @@ pub use step::InterpretedStep;
 /// ```
 /// use kahan_algebra::lexer::lex;
 /// use kahan_core::prelude::*;
-/// use crate::interpreted::Interpreted;
+/// use kahan_runtime::interpreted::Interpreted;
 ///
 /// let reading = kahan_algebra::read(&lex("xdot = mu*x*y; ydot = x - y;").tokens);
 /// let exact = Interpreted::<BigRational, 2>::new(&reading.system, &["1/3".parse::<BigRational>().unwrap()]).unwrap();
