@@ -1,7 +1,9 @@
-//! What a block costs while compiling: the macro's own time, and the compiler's beyond that of a crate without a block.
+//! What a block costs while compiling: the macro's own time, and the compiler's beyond that of a
+//! crate without a block.
 //!
-//! For each block a crate in a temporary folder, a library of one block and one call of its step, so that nothing is
-//! linked; its dependencies are built before. The least of several builds counts, taken in turns with the others.
+//! For each block a crate in a temporary folder, a library of one block and one call of its step,
+//! so that nothing is linked; its dependencies are built before. The least of several builds
+//! counts, taken in turns with the others.
 
 use std::fs;
 use std::path::Path;
@@ -45,7 +47,8 @@ struct Probe {
     source: String,
 }
 
-/// Measures every block with the `kahan-core` of a checkout: rounds in which each is built once, and an empty crate.
+/// Measures every block with the `kahan-core` of a checkout: rounds in which each is built once,
+/// and an empty crate.
 pub(crate) fn measure(checkout: &Path, quick: bool) -> Result<Vec<Cost>> {
     let core = fs::canonicalize(checkout.join("kahan-core"))
         .with_context(|| format!("{} has no folder kahan-core; is it a checkout?", checkout.display()))?;

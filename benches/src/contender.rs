@@ -1,8 +1,9 @@
 //! One way of advancing a state, as something that can be run for a number of steps.
 //!
-//! In: a starting point and a function from state to state. Out: a loop of dependent steps, compiled on its own for
-//! each contender, so that all loops are alike. Chains begin anew every [`SEGMENT`] steps: no orbit has time to leave
-//! the range in which arithmetic takes its usual time.
+//! In: a starting point and a function from state to state. Out: a loop of dependent steps,
+//! compiled on its own for each contender, so that all loops are alike. Chains begin anew every
+//! [`SEGMENT`] steps: no orbit has time to leave the range in which arithmetic takes its usual
+//! time.
 
 use std::hint::black_box;
 
@@ -46,7 +47,8 @@ impl Contender {
         Self { name, role, run: Box::new(run) }
     }
 
-    /// A contender that runs by itself: `orbit` is called with a starting point and a number of steps.
+    /// A contender that runs by itself: `orbit` is called with a starting point and a number of
+    /// steps.
     pub(crate) fn of_orbit<const N: usize>(
         name: &'static str,
         role: Role,

@@ -1,7 +1,7 @@
 //! How far rounding carries an integral of the map over a very long orbit.
 //!
-//! In: nothing. Out: for E6 at ε = 2⁻¹⁰ the relative change of Ĥ after 10⁵ … 10⁹ steps, plain and compensated; Ĥ is evaluated in
-//! double-double with the ε of the orbit.
+//! In: nothing. Out: for E6 at ε = 2⁻¹⁰ the relative change of Ĥ after 10⁵ … 10⁹ steps, plain and
+//! compensated; Ĥ is evaluated in double-double with the ε of the orbit.
 
 use kahan_core::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Instructions per step, counted by valgrind's callgrind: the figure that noise cannot touch.
 //!
-//! This program is run under it with a contender and a number of steps, twice; the difference of the counts over the
-//! difference of the steps leaves out everything but the loop.
+//! This program is run under it with a contender and a number of steps, twice; the difference of
+//! the counts over the difference of the steps leaves out everything but the loop.
 
 use std::env;
 use std::process::{Command, Stdio};

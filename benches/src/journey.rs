@@ -1,7 +1,7 @@
 //! From one time to a later one: what integrators of different kinds can be compared on.
 //!
-//! In: a system and its starting point. Out: named ways of reaching [`SPAN`], with their tolerances, and how far from
-//! the flow they end.
+//! In: a system and its starting point. Out: named ways of reaching [`SPAN`], with their
+//! tolerances, and how far from the flow they end.
 
 use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};

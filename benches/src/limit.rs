@@ -2,7 +2,8 @@
 
 use crate::table::Table;
 
-/// A figure with the most that it may be, if it has to hold and does not only stand beside one that has to.
+/// A figure with the most that it may be, if it has to hold and does not only stand beside one that
+/// has to.
 pub(crate) struct Limit {
     pub(crate) figure: String,
     pub(crate) at_most: Option<f64>,

@@ -1,5 +1,5 @@
-//! Benchmarks: the generated step against hand-written code and against what a user would have taken instead, ensembles
-//! against the machine's bounds, the cost of compiling.
+//! Benchmarks: the generated step against hand-written code and against what a user would have
+//! taken instead, ensembles against the machine's bounds, the cost of compiling.
 
 mod by_hand;
 mod cli;

@@ -1,7 +1,9 @@
-//! Order 8 against DOP853, each at the cheapest setting that keeps the error of the trajectory below [`ERROR`].
+//! Order 8 against DOP853, each at the cheapest setting that keeps the error of the trajectory
+//! below [`ERROR`].
 //!
-//! In: a system and its start. Out: what it takes from t = 0 to [`HORIZON`]. The reference is the same composition in
-//! double-double at a sixteenth of the step, where its error is 16⁸ times smaller.
+//! In: a system and its start. Out: what it takes from t = 0 to [`HORIZON`]. The reference is the
+//! same composition in double-double at a sixteenth of the step, where its error is 16⁸ times
+//! smaller.
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Lift};

@@ -1,7 +1,8 @@
 //! Interleaved timing.
 //!
-//! In: several things that can be timed. Out: for each the quartiles of its times, and of its ratios to the first,
-//! formed round by round: what slows the machine for a while slows both sides of a ratio.
+//! In: several things that can be timed. Out: for each the quartiles of its times, and of its
+//! ratios to the first, formed round by round: what slows the machine for a while slows both sides
+//! of a ratio.
 
 use std::time::{Duration, Instant};
 
@@ -60,8 +61,8 @@ pub(crate) fn seconds(run: impl FnOnce()) -> f64 {
     begun.elapsed().as_secs_f64()
 }
 
-/// Times `runners` in turns. `seconds(i, units)` runs `units` units of work of runner i and says how long they took; the
-/// order rotates from round to round.
+/// Times `runners` in turns. `seconds(i, units)` runs `units` units of work of runner i and says
+/// how long they took; the order rotates from round to round.
 ///
 /// # Panics
 /// If there is no runner.
@@ -92,10 +93,11 @@ pub(crate) fn race(
 /// Passes of [`least_times`].
 const PASSES: usize = 3;
 
-/// The least nanoseconds a unit, of several races of so many `runners`, all run one after the other and that several times: a
-/// neighbour on the machine can be busy for longer than one race lasts. For code that fills the processor's units, which such a
-/// neighbour delays more than it delays a chain of dependent operations, so that medians of the two do not meet.
-/// `seconds(race, i, units)` runs `units` units of work of runner i.
+/// The least nanoseconds a unit, of several races of so many `runners`, all run one after the other
+/// and that several times: a neighbour on the machine can be busy for longer than one race lasts.
+/// For code that fills the processor's units, which such a neighbour delays more than it delays a
+/// chain of dependent operations, so that medians of the two do not meet. `seconds(race, i, units)`
+/// runs `units` units of work of runner i.
 ///
 /// # Errors
 /// The first one of `seconds`.

@@ -1,7 +1,8 @@
-//! The measured parts of the README and of `docs/speed.md`: the picture of a trade, the tables of speed, tiers and extremes.
+//! The measured parts of the README and of `docs/speed.md`: the picture of a trade, the tables of
+//! speed, tiers and extremes.
 //!
-//! In: this checkout's command and the timings. Out: both pages anew, with what stands between the markers
-//! `<!-- begin: NAME -->` and `<!-- end: NAME -->` replaced; all else is left as it is.
+//! In: this checkout's command and the timings. Out: both pages anew, with what stands between the
+//! markers `<!-- begin: NAME -->` and `<!-- end: NAME -->` replaced; all else is left as it is.
 
 use std::path::Path;
 use std::process::Command;
@@ -24,7 +25,8 @@ const SCENE: [&str; 8] = ["trade", "e6", "--at", "1,1/2,1/3", "--horizon", "100"
 /// Trials a scalar.
 const TRIALS: &str = "1000000";
 
-/// The tiers with their promises, in the order of the table: name in the timings, how it is called, what it promises.
+/// The tiers with their promises, in the order of the table: name in the timings, how it is called,
+/// what it promises.
 const PROMISES: [(&str, &str, &str); 6] = [
     ("fast", "`step`, `orbit`", "a few u in short steps away from poles; nothing is looked at"),
     ("compensated", "`orbit(..).compensated()`", "the same, and the rounding of a step falls to O(ε)·u"),

@@ -27,7 +27,8 @@ pub(crate) struct Worker {
     tasks: Vec<Task>,
 }
 
-/// Builds a worker, with `native` for this processor in a target folder of its own, and says where it lies.
+/// Builds a worker, with `native` for this processor in a target folder of its own, and says where
+/// it lies.
 pub(crate) fn build(package: &str, native: bool) -> Result<PathBuf> {
     let program = env::current_exe().context("the path of this program is unknown")?;
     // …/target/release/program

@@ -1,7 +1,8 @@
 //! Mistakes as data: what kind, where, what is wrong in the user's terms, what to write instead.
 //!
-//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens, the command into a paragraph with a caret:
-//! the same text from the same place. [`Diagnostics`] collects them and cannot be forgotten.
+//! The macro turns a [`Diagnostic`] into `compile_error!` at its tokens, the command into a
+//! paragraph with a caret: the same text from the same place. [`Diagnostics`] collects them and
+//! cannot be forgotten.
 
 use std::fmt;
 
@@ -107,7 +108,8 @@ fn without_middle(text: &str, longest: usize, first: usize, last: usize) -> Stri
     format!("{head}…{tail}")
 }
 
-/// The mistakes found so far. Dropping a collector without [`Diagnostics::finish`] is a bug and panics.
+/// The mistakes found so far. Dropping a collector without [`Diagnostics::finish`] is a bug and
+/// panics.
 #[derive(Debug)]
 pub struct Diagnostics {
     list: Option<Vec<Diagnostic>>,

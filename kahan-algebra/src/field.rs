@@ -1,7 +1,7 @@
 //! The checked quadratic field: from here on nothing can be wrong.
 //!
-//! ẋᵢ = pᵢ/qᵢ with pᵢ of degree at most two in the states and qᵢ free of them, reduced. Everything that the map needs
-//! (f′, the bilinear form, A, b) is derived in [`crate::kahan`].
+//! ẋᵢ = pᵢ/qᵢ with pᵢ of degree at most two in the states and qᵢ free of them, reduced. Everything
+//! that the map needs (f′, the bilinear form, A, b) is derived in [`crate::kahan`].
 
 use crate::poly::{Monomial, Polynomial};
 use crate::symbols::Symbols;

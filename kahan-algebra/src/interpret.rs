@@ -1,6 +1,7 @@
 //! Every object of Kahan's method at a point, at run time, in any arithmetic: the second back end.
 //!
-//! Exact arithmetic gives exact answers and says where something has no value; floats give what floats give.
+//! Exact arithmetic gives exact answers and says where something has no value; floats give what
+//! floats give.
 
 mod map;
 mod program;

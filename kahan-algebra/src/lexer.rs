@@ -1,7 +1,9 @@
-//! Text to tokens, with Rust's rules where Rust has any (comments, raw identifiers, `1.` is a number, `.5` is not).
+//! Text to tokens, with Rust's rules where Rust has any (comments, raw identifiers, `1.` is a
+//! number, `.5` is not).
 //!
-//! The macro never comes here: rustc has lexed its input already. What stops rustc's lexer (`x' = …`, `x²`, `3eps`)
-//! becomes a token that carries its explanation, so that the command reports it like any other mistake.
+//! The macro never comes here: rustc has lexed its input already. What stops rustc's lexer (`x' =
+//! …`, `x²`, `3eps`) becomes a token that carries its explanation, so that the command reports it
+//! like any other mistake.
 
 use std::ops::Range;
 

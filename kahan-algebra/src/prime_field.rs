@@ -1,9 +1,9 @@
 //! Arithmetic modulo a prime of up to 62 bits, and the primes themselves.
 //!
-//! Identities between rational functions are tested by evaluating them in such a field at seeded points. In
-//! go seeds and rationals, out go residues in 0..p. What holds: primality is decided, not guessed, and equal
-//! seeds give equal primes and points on every machine. Absent on purpose: Montgomery form; one `u128`
-//! remainder is fast enough here.
+//! Identities between rational functions are tested by evaluating them in such a field at seeded
+//! points. In go seeds and rationals, out go residues in 0..p. What holds: primality is decided,
+//! not guessed, and equal seeds give equal primes and points on every machine. Absent on purpose:
+//! Montgomery form; one `u128` remainder is fast enough here.
 
 #[cfg(test)]
 mod tests;
@@ -123,8 +123,8 @@ fn pow_mod(mut base: u64, mut exponent: u64, modulus: u64) -> u64 {
     power
 }
 
-/// The first twelve primes. As Miller–Rabin bases they decide primality below 3.3·10^24 (Sorenson and
-/// Webster, "Strong pseudoprimes to twelve prime bases", Math. Comp. 86, 2017).
+/// The first twelve primes. As Miller–Rabin bases they decide primality below 3.3·10^24 (Sorenson
+/// and Webster, "Strong pseudoprimes to twelve prime bases", Math. Comp. 86, 2017).
 const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
 
 /// Trial divisors beyond the bases: cheap, and they settle most composites.
@@ -167,7 +167,8 @@ fn is_strong_probable_prime(n: u64, base: u64) -> bool {
     false
 }
 
-/// A prime drawn uniformly among those between 2^60 and 2^61, about 42 odd numbers tried on average.
+/// A prime drawn uniformly among those between 2^60 and 2^61, about 42 odd numbers tried on
+/// average.
 pub fn random_prime_61(rng: &mut SplitMix64) -> u64 {
     loop {
         let candidate = (1 << 60) | (rng.next_u64() >> 4) | 1;
@@ -177,8 +178,8 @@ pub fn random_prime_61(rng: &mut SplitMix64) -> u64 {
     }
 }
 
-/// A small reproducible generator: SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number
-/// generators", OOPSLA 2014). Not for secrets.
+/// A small reproducible generator: SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom
+/// number generators", OOPSLA 2014). Not for secrets.
 #[derive(Clone, Debug)]
 pub struct SplitMix64 {
     state: u64,

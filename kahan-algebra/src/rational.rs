@@ -1,10 +1,10 @@
 //! Exact rational numbers, the coefficients of everything in this crate.
 //!
-//! In come integers, decimals as written, and other rationals; out go sums, products, quotients and the one
-//! correctly rounded float. What holds: every value is in lowest terms with a positive denominator, and it
-//! lives in two machine words whenever it fits there, so equal numbers have equal representations. Absent on
-//! purpose: conversion *from* decimal text through floats, and a division operator, since
-//! [`Rational::checked_div`] makes the zero divisor visible.
+//! In come integers, decimals as written, and other rationals; out go sums, products, quotients and
+//! the one correctly rounded float. What holds: every value is in lowest terms with a positive
+//! denominator, and it lives in two machine words whenever it fits there, so equal numbers have
+//! equal representations. Absent on purpose: conversion *from* decimal text through floats, and a
+//! division operator, since [`Rational::checked_div`] makes the zero divisor visible.
 
 mod arithmetic;
 mod rounding;
@@ -20,13 +20,13 @@ use num_traits::{One, Signed, ToPrimitive};
 
 /// An exact rational number p/q in lowest terms, q > 0.
 ///
-/// Arithmetic on small values costs a few machine operations and never allocates; beyond 63 bits it moves to
-/// big integers, and back as soon as the value fits again.
+/// Arithmetic on small values costs a few machine operations and never allocates; beyond 63 bits it
+/// moves to big integers, and back as soon as the value fits again.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Repr);
 
-/// Canonical: `Big` only where |p| or q exceeds `i64::MAX`, so the derived equality and hash are those of the
-/// numbers. `i64::MIN` counts as big, which makes negation total on the small case.
+/// Canonical: `Big` only where |p| or q exceeds `i64::MAX`, so the derived equality and hash are
+/// those of the numbers. `i64::MIN` counts as big, which makes negation total on the small case.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Repr {
     Small { num: i64, den: i64 },

@@ -1,10 +1,11 @@
 //! Rational functions over ℚ in normal form.
 //!
-//! In come polynomials, out go sums, products, quotients, powers and derivatives of their quotients. What
-//! holds: numerator and denominator are coprime, and the denominator is primitive with a positive leading
-//! coefficient, so two equal functions are equal as data. Each operation exists within a [`Budget`] and
-//! without one; cancellation uses that the operands are reduced already (Henrici: only factors named below
-//! can be common), which keeps each gcd small. Absent on purpose: evaluation, and quotients left unreduced.
+//! In come polynomials, out go sums, products, quotients, powers and derivatives of their
+//! quotients. What holds: numerator and denominator are coprime, and the denominator is primitive
+//! with a positive leading coefficient, so two equal functions are equal as data. Each operation
+//! exists within a [`Budget`] and without one; cancellation uses that the operands are reduced
+//! already (Henrici: only factors named below can be common), which keeps each gcd small. Absent on
+//! purpose: evaluation, and quotients left unreduced.
 
 mod compose;
 #[cfg(test)]
@@ -102,7 +103,8 @@ impl RationalFunction {
 
     /// The sum, within a budget.
     pub fn add_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
-        // a/b + c/d = (a·d/g + c·b/g) / (b·d/g) with g = gcd(b, d); only divisors of g can still cancel.
+        // a/b + c/d = (a·d/g + c·b/g) / (b·d/g) with g = gcd(b, d); only divisors of g can still
+        // cancel.
         let common = gcd_within(&self.denominator, &other.denominator, budget)?;
         let own_cofactor = divide(&self.denominator, &common, budget)?;
         let other_cofactor = divide(&other.denominator, &common, budget)?;

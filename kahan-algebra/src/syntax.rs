@@ -1,8 +1,8 @@
 //! What was written: a block of `kahan!`, item by item, with the place of everything.
 //!
-//! Nothing here is checked: names may be unknown, degrees too high, claims false. [`crate::check`] turns a block into
-//! a [`crate::field::Field`] and claims about it. Sums and products are flat lists, so that a sum of 20 000 terms is
-//! as shallow as one of two.
+//! Nothing here is checked: names may be unknown, degrees too high, claims false. [`crate::check`]
+//! turns a block into a [`crate::field::Field`] and claims about it. Sums and products are flat
+//! lists, so that a sum of 20 000 terms is as shallow as one of two.
 
 use std::ops::Range;
 
@@ -29,7 +29,8 @@ pub struct Block {
     pub equations: Vec<Equation>,
     /// `integral`, `density`, `bracket`.
     pub claims: Vec<Claim>,
-    /// Left-hand sides without `dot`: mistakes already, but their names are not to be reported a second time.
+    /// Left-hand sides without `dot`: mistakes already, but their names are not to be reported a
+    /// second time.
     pub misspelt_states: Vec<Name>,
 }
 
@@ -85,7 +86,8 @@ impl ClaimKind {
     }
 }
 
-/// `integral NAME = expr [when];`, `density NAME = expr [when];`, `bracket NAME { {x,y} = expr; … } [when] [;]`.
+/// `integral NAME = expr [when];`, `density NAME = expr [when];`, `bracket NAME { {x,y} = expr; … }
+/// [when] [;]`.
 #[derive(Clone, Debug)]
 pub struct Claim {
     /// What is claimed.

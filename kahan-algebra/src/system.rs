@@ -1,5 +1,5 @@
-//! A checked block: the field, and claims about its map that can be evaluated (whether they hold is the prover's
-//! question).
+//! A checked block: the field, and claims about its map that can be evaluated (whether they hold is
+//! the prover's question).
 
 use std::ops::Range;
 
@@ -37,7 +37,8 @@ pub struct Claim {
     pub name: Name,
     /// What was written, for display; absent where it was not understood.
     pub body: Option<ClaimBody>,
-    /// The function (one result), or the tensor's entries above the diagonal, row by row (n(n−1)/2 results).
+    /// The function (one result), or the tensor's entries above the diagonal, row by row (n(n−1)/2
+    /// results).
     pub plan: Plan,
     /// The specialisation on which the claim is made.
     pub conditions: Vec<Condition>,
@@ -100,7 +101,8 @@ impl Claim {
     }
 }
 
-/// The index of entry (i, j), i < j, among the entries above the diagonal of an n×n matrix, row by row.
+/// The index of entry (i, j), i < j, among the entries above the diagonal of an n×n matrix, row by
+/// row.
 #[must_use]
 pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
     i * (2 * n - i - 1) / 2 + (j - i - 1)

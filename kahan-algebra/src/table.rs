@@ -1,14 +1,15 @@
 //! Sorted lists and tables of a few dozen entries.
 //!
-//! The sort and the trees of the standard library are made for millions of entries and are compiled anew for every type:
-//! they were a third of this crate's code, which every user of the macro compiles. Here entries are inserted where they
-//! belong, which is as fast for short lists and a few lines of code for each type.
+//! The sort and the trees of the standard library are made for millions of entries and are compiled
+//! anew for every type: they were a third of this crate's code, which every user of the macro
+//! compiles. Here entries are inserted where they belong, which is as fast for short lists and a
+//! few lines of code for each type.
 
 use std::cmp::Ordering;
 use std::ops::Index;
 
-/// The list in order, equal items in the order in which they were. Costs a move of what lies behind for each item that
-/// comes late.
+/// The list in order, equal items in the order in which they were. Costs a move of what lies behind
+/// for each item that comes late.
 pub(crate) fn sorted_by<T>(
     list: impl IntoIterator<Item = T>,
     compare: impl Fn(&T, &T) -> Ordering,

@@ -1,8 +1,9 @@
-//! Tokens: the one input of the parser, made from text ([`crate::lexer`]) or from a macro's tokens (`kahan-derive`).
+//! Tokens: the one input of the parser, made from text ([`crate::lexer`]) or from a macro's tokens
+//! (`kahan-derive`).
 //!
-//! A token knows its text and whether the next one touches it, not where it stands: places are indices into the
-//! token list ([`Span`]), and whoever made the list keeps the map from index to byte range or compiler span.
-//! So one parser and one set of messages serve both.
+//! A token knows its text and whether the next one touches it, not where it stands: places are
+//! indices into the token list ([`Span`]), and whoever made the list keeps the map from index to
+//! byte range or compiler span. So one parser and one set of messages serve both.
 
 /// A run of tokens, from `first` to `last` inclusive, as indices into the token list of its block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

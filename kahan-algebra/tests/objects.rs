@@ -1,5 +1,5 @@
-//! The plans of the objects compute what the objects are: each is run over ℚ and compared with the interpreter, and the
-//! listing of a step is read back and computed line by line.
+//! The plans of the objects compute what the objects are: each is run over ℚ and compared with the
+//! interpreter, and the listing of a step is read back and computed line by line.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,5 @@
-//! The provers: what is true is proved, what is false is refuted at a point that shows it, and both provers agree.
+//! The provers: what is true is proved, what is false is refuted at a point that shows it, and both
+//! provers agree.
 
 use kahan_algebra::diagnostics::Kind;
 use kahan_algebra::prove::{Refutation, Verdict, points_needed, prove_all, prove_by_normal_form};

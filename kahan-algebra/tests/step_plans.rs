@@ -1,6 +1,7 @@
-//! The plan of a step solves Kahan's scheme, whatever form was chosen: (x̃ − x)/(2ε) = P(x, x̃) over ℚ, P being the
-//! polarised field. The fields take every way through the planner: reduced and unreduced maps, one and several blocks,
-//! independent sets, parameters, denominators, nothing to divide.
+//! The plan of a step solves Kahan's scheme, whatever form was chosen: (x̃ − x)/(2ε) = P(x, x̃)
+//! over ℚ, P being the polarised field. The fields take every way through the planner: reduced and
+//! unreduced maps, one and several blocks, independent sets, parameters, denominators, nothing to
+//! divide.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;
@@ -129,7 +130,8 @@ fn every_form_solves_the_scheme() {
     }
 }
 
-/// Fields of four to seven states with one to three terms an equation: too large to be written out, in one block or many.
+/// Fields of four to seven states with one to three terms an equation: too large to be written out,
+/// in one block or many.
 #[test]
 fn random_sparse_fields_are_stepped_by_their_structure() {
     let mut numbers = Numbers(SplitMix64::new(42));
@@ -153,8 +155,9 @@ fn random_sparse_fields_are_stepped_by_their_structure() {
     }
 }
 
-/// Fields of one to three states with constants of either sign, parameters and divisors: reduced maps with factors and signs of
-/// every kind, one division or two. A driven equation (no state of the others in it) makes the denominator a product.
+/// Fields of one to three states with constants of either sign, parameters and divisors: reduced
+/// maps with factors and signs of every kind, one division or two. A driven equation (no state of
+/// the others in it) makes the denominator a product.
 #[test]
 fn random_small_fields_are_stepped_by_their_reduced_maps() {
     let mut numbers = Numbers(SplitMix64::new(43));
@@ -199,8 +202,8 @@ fn poles_of_the_reduced_map_are_poles_of_the_plan_and_removable_ones_are_not() {
     assert!(next(&e1, &step, &at(Rational::from(-2))).is_some());
 }
 
-/// One division serves all components, but in E1, where x waits for 1 + 2εx alone, and E5, and where there are two, which are
-/// divided at once; lanes have one everywhere.
+/// One division serves all components, but in E1, where x waits for 1 + 2εx alone, and E5, and
+/// where there are two, which are divided at once; lanes have one everywhere.
 #[test]
 fn divisions_are_as_few_as_possible() {
     for (name, text) in &FIELDS[..8] {
@@ -213,9 +216,9 @@ fn divisions_are_as_few_as_possible() {
     }
 }
 
-/// Where ε in the denominator is what each step waits for, the step is divided by it; E1, E3 and E5 then have no rounded constants
-/// but 1/(2ε) and its doubles, so that they are exactly Kahan's map at a half step near ε. What serves every scalar has no division
-/// but the step's own.
+/// Where ε in the denominator is what each step waits for, the step is divided by it; E1, E3 and E5
+/// then have no rounded constants but 1/(2ε) and its doubles, so that they are exactly Kahan's map
+/// at a half step near ε. What serves every scalar has no division but the step's own.
 #[test]
 fn steps_are_divided_by_the_time_step_where_that_shortens_the_chain() {
     for (name, text) in &FIELDS[..8] {

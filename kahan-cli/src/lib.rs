@@ -1,12 +1,13 @@
 //! The command `kahan`: proofs, formulas, orbits, searches, tables, pictures and pages at a prompt.
 //!
-//! In: arguments. Out: text, JSON or files. It must not know mathematics: each command reads its input, asks one of the
-//! libraries, and lays out the answer.
+//! In: arguments. Out: text, JSON or files. It must not know mathematics: each command reads its
+//! input, asks one of the libraries, and lays out the answer.
 //!
-//! Data flows one way: [`reading`] makes checked systems and numbers of arguments, a command of [`commands`] makes an
-//! [`Answer`] or a [`Refusal`] of them, and only [`run`] prints and chooses the exit status: 0, or 1 for a failed check or a
-//! pole, or 2 for bad usage or input. Nothing is printed before all of it is known, except the rows of a table that may be
-//! long: a [`Sink`](printing::Sink) takes those while they are made.
+//! Data flows one way: `reading` makes checked systems and numbers of arguments, a command of
+//! `commands` makes an `Answer` or a `Refusal` of them, and only [`run`] prints and chooses the
+//! exit status: 0, or 1 for a failed check or a pole, or 2 for bad usage or input. Nothing is
+//! printed before all of it is known, except the rows of a table that may be long: a `Sink` takes
+//! those while they are made.
 
 pub mod atlas;
 mod commands;
@@ -29,10 +30,10 @@ use printing::{Answer, Refusal, finish};
 
 /// Kahan's method for quadratic differential equations, exactly.
 ///
-/// A quadratic vector field x' = f(x) has a birational map x ↦ x~ that approximates its flow over the time step 2 eps.
-/// This command proves what is claimed of the maps of the catalog, shows their formulas, evaluates them and follows
-/// their orbits. Every number is exact: 3/7, -2, 0.25, 1e-3. `eps` is half the time step. Without a command it runs
-/// `verify`.
+/// A quadratic vector field x' = f(x) has a birational map x ↦ x~ that approximates its flow over
+/// the time step 2 eps. This command proves what is claimed of the maps of the catalog, shows their
+/// formulas, evaluates them and follows their orbits. Every number is exact: 3/7, -2, 0.25, 1e-3.
+/// `eps` is half the time step. Without a command it runs `verify`.
 #[derive(Debug, Parser)]
 #[command(name = "kahan", version, after_help = EXAMPLES)]
 struct Cli {
@@ -64,7 +65,8 @@ enum Command {
     Completions(Completions),
 }
 
-/// Runs the command with these arguments, the program's name first; what it prints goes to standard output and standard error.
+/// Runs the command with these arguments, the program's name first; what it prints goes to standard
+/// output and standard error.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let read = command().try_get_matches_from(arguments).and_then(|matches| Cli::from_arg_matches(&matches));
     finish(match read {

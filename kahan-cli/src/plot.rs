@@ -1,7 +1,8 @@
 //! Points to SVG: axes with round ticks, lines and dots, labels where the curves end.
 //!
-//! The drawings take colours and type from the page (`currentColor` and classes), scale with the window, and are read out by
-//! their label. Lengths are units of the view box; text stays legible on a telephone because the box is small.
+//! The drawings take colours and type from the page (`currentColor` and classes), scale with the
+//! window, and are read out by their label. Lengths are units of the view box; text stays legible
+//! on a telephone because the box is small.
 
 mod number_line;
 #[cfg(test)]
@@ -205,7 +206,8 @@ pub(crate) fn polyline(places: &[(f64, f64)]) -> String {
     path
 }
 
-/// A dot at each place: lines of no length with round ends, which is a third of the size of circles.
+/// A dot at each place: lines of no length with round ends, which is a third of the size of
+/// circles.
 pub(crate) fn dots(places: &[(f64, f64)]) -> String {
     places.iter().fold(String::new(), |mut path, &(x, y)| {
         let _ = write!(path, "M{} {}h0", tenths(x), tenths(y));

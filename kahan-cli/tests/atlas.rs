@@ -1,6 +1,7 @@
 //! The atlas: well formed, self-contained, complete, computed, and written whole or not at all.
 //!
-//! The page is made here from short orbits and from outcomes that are given, so that it takes seconds without optimisation.
+//! The page is made here from short orbits and from outcomes that are given, so that it takes
+//! seconds without optimisation.
 
 use std::collections::BTreeSet;
 use std::time::Duration;

@@ -1,7 +1,7 @@
 //! Speed against accuracy: which numbers, order and ε reach a tolerance at the least cost?
 //!
-//! A `Scene` tries settings against the flow itself, over the whole horizon, and without a clock: the
-//! same answer on every run. It prints as a line of Rust.
+//! A `Scene` tries settings against the flow itself, over the whole horizon, and without a clock:
+//! the same answer on every run. It prints as a line of Rust.
 
 use kahan_core::prelude::*;
 
@@ -12,7 +12,8 @@ kahan! {
     ydot = y*(x - 1);
 }
 
-/// Prints the choices; returns each tolerance, the order chosen, and the change of the flow's integral.
+/// Prints the choices; returns each tolerance, the order chosen, and the change of the flow's
+/// integral.
 pub(crate) fn run() -> Vec<(f64, u32, f64)> {
     let start = vector![1.5, 1.0];
     let level = |x: SVector<f64, 2>| x[0] - x[0].ln() + x[1] - x[1].ln();

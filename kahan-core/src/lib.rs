@@ -5,8 +5,9 @@
 //! (x̃ − x)/(2ε) = Q(x,x̃) + ½B(x + x̃) + c, which is linear in x̃ and is inverted by ε ↦ −ε.
 //! **ε is half the time step** everywhere in this crate; [`eps_from_dt`] converts.
 //!
-//! In: the code that the macro makes of a block, a point, ε. Out: steps, orbits, many trajectories at once, and the setting
-//! that reaches a tolerance. It must not know syntax, polynomials or claims: these are `kahan-algebra`'s, while compiling.
+//! In: the code that the macro makes of a block, a point, ε. Out: steps, orbits, many trajectories
+//! at once, and the setting that reaches a tolerance. It must not know syntax, polynomials or
+//! claims: these are `kahan-algebra`'s, while compiling.
 //!
 //! ```
 //! use kahan_core::prelude::*;

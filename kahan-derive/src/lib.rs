@@ -1,14 +1,15 @@
 //! The procedural macro behind `kahan_core::kahan!`.
 //!
-//! In: the compiler's tokens. Out: those that `kahan-emit` makes of them. It must not know anything else: a crate of this type can
-//! export only macros.
+//! In: the compiler's tokens. Out: those that `kahan-emit` makes of them. It must not know anything
+//! else: a crate of this type can export only macros.
 
 use std::time::Instant;
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 
-/// Expands a block. The first token is `[path]`, the path of the crate that holds `__private`; `kahan_core::kahan!` puts
-/// it there. With the environment variable `KAHAN_TIMING` set, the time of the expansion goes to standard error.
+/// Expands a block. The first token is `[path]`, the path of the crate that holds `__private`;
+/// `kahan_core::kahan!` puts it there. With the environment variable `KAHAN_TIMING` set, the time
+/// of the expansion goes to standard error.
 #[proc_macro]
 pub fn kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let start = Instant::now();

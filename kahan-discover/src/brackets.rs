@@ -71,8 +71,8 @@ fn choices(of: usize, count: usize) -> Vec<Vec<usize>> {
     (0..of).flat_map(with_last).collect()
 }
 
-/// The bracket with the chosen integrals as Casimir functions, its entries above the diagonal row by row; `None` beyond the
-/// budget.
+/// The bracket with the chosen integrals as Casimir functions, its entries above the diagonal row
+/// by row; `None` beyond the budget.
 fn tensor(
     symbols: &Symbols,
     chosen: &[usize],

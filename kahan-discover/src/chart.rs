@@ -1,4 +1,5 @@
-//! A leaf together with the formulas of what chooses it, by which formulas on the leaf become formulas everywhere.
+//! A leaf together with the formulas of what chooses it, by which formulas on the leaf become
+//! formulas everywhere.
 
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational_function::RationalFunction;
@@ -11,7 +12,8 @@ use crate::space::Names;
 /// The work that putting the formulas of a leaf's coordinates in may take, in products of terms.
 const SUBSTITUTION_WORK: u64 = 20_000_000;
 
-/// A leaf with the formulas of what chooses it: its entries, and perhaps the value of an integral on it.
+/// A leaf with the formulas of what chooses it: its entries, and perhaps the value of an integral
+/// on it.
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// The leaf.
@@ -38,7 +40,8 @@ impl Chart {
         names
     }
 
-    /// P/Q in lowest terms with every coordinate replaced by its formula; `None` beyond the budget, and where Q becomes 0.
+    /// P/Q in lowest terms with every coordinate replaced by its formula; `None` beyond the budget,
+    /// and where Q becomes 0.
     #[must_use]
     pub fn substituted(
         &self,

@@ -1,7 +1,7 @@
 //! Formulas as claims in the language of `kahan!`: written, read again, and proved.
 //!
-//! What is printed is what was proved: the text of the claim is parsed behind the equations of the field and goes through
-//! the prover of claims. A formula that does not pass is not returned.
+//! What is printed is what was proved: the text of the claim is parsed behind the equations of the
+//! field and goes through the prover of claims. A formula that does not pass is not returned.
 
 use std::slice::from_ref;
 
@@ -87,16 +87,16 @@ impl<'a> Claims<'a> {
         Claims { system, equations: lines.join(" "), condition, taken }
     }
 
-    /// The name of the density that the field brings along, if one found here would have to stand in its place: a block
-    /// takes one density without `when`.
+    /// The name of the density that the field brings along, if one found here would have to stand
+    /// in its place: a block takes one density without `when`.
     #[must_use]
     pub fn own_density(&self) -> Option<&str> {
         let own = self.system.accessors(ClaimKind::Density).next()?;
         self.condition.is_empty().then_some(own.name.text.as_str())
     }
 
-    /// A name that nothing else in the block has, but for a density that is replaced: the stem, or with a number or more
-    /// letters.
+    /// A name that nothing else in the block has, but for a density that is replaced: the stem, or
+    /// with a number or more letters.
     fn name(&self, stem: &str, index: Option<usize>) -> String {
         let mut name = match index {
             Some(index) => format!("{stem}{index}"),
@@ -153,7 +153,8 @@ impl<'a> Claims<'a> {
         self.proved(symbols, ClaimKind::Density, text, &product(&above), &product(&below))
     }
 
-    /// The entries of a bracket in factors, as they stand in a claim; `tensor` has those above the diagonal, row by row.
+    /// The entries of a bracket in factors, as they stand in a claim; `tensor` has those above the
+    /// diagonal, row by row.
     pub(crate) fn bracket_entries(&self, symbols: &Symbols, tensor: &[RationalFunction]) -> String {
         let states = &symbols.states;
         let places = (0..states.len()).flat_map(|i| (i + 1..states.len()).map(move |j| (i, j)));

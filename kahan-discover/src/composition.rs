@@ -1,5 +1,5 @@
-//! What survives composition: the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ, the pattern of every
-//! composition of higher order.
+//! What survives composition: the symmetric product φ_{γ₁ε} ∘ φ_{γ₂ε} ∘ φ_{γ₁ε} with random γ, the
+//! pattern of every composition of higher order.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -42,8 +42,9 @@ impl Stepping for Composed {
     }
 }
 
-/// Looks at one orbit of the composed map modulo one prime, at parameters, ε and γ drawn at random; `None` where it has no
-/// value, or the deadline passes. A formula that contains ε is meant at the ε of the whole, as it would be used.
+/// Looks at one orbit of the composed map modulo one prime, at parameters, ε and γ drawn at random;
+/// `None` where it has no value, or the deadline passes. A formula that contains ε is meant at the
+/// ε of the whole, as it would be used.
 pub fn survivors(
     setting: &Setting,
     formulas: &[Formula],

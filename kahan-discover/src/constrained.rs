@@ -1,7 +1,8 @@
 //! Orbits on which an integral that is known already has a chosen value.
 //!
-//! Where relations mix several integrals and one of them, F = P/Q, is found, starts are drawn with F = c, that is on
-//! P − cQ = 0, with c as one more unknown. Relations of such orbits mix one integral less.
+//! Where relations mix several integrals and one of them, F = P/Q, is found, starts are drawn with
+//! F = c, that is on P − cQ = 0, with c as one more unknown. Relations of such orbits mix one
+//! integral less.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -31,8 +32,8 @@ pub struct ConstrainedMap<'a> {
 }
 
 impl Constraint {
-    /// The constraint that P/Q is given; `coefficients` are those of P and Q on the monomials. `None` where they are linear
-    /// in no coordinate.
+    /// The constraint that P/Q is given; `coefficients` are those of P and Q on the monomials.
+    /// `None` where they are linear in no coordinate.
     #[must_use]
     pub fn new(monomials: Monomials, coefficients: Vec<(Polynomial, Polynomial)>) -> Option<Self> {
         let is_used = |index: &usize| !(coefficients[*index].0.is_zero() && coefficients[*index].1.is_zero());

@@ -41,8 +41,8 @@ pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(
     })
 }
 
-/// The null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on some monomials; `None` if the map has no value, or
-/// the deadline passes.
+/// The null vectors of P(φ(x)) − det(∂x̃/∂x) P(x) on some monomials; `None` if the map has no
+/// value, or the deadline passes.
 fn null_vectors(
     map: &ModularMap,
     monomials: &Monomials,
@@ -62,8 +62,8 @@ fn null_vectors(
     Echelon::null_vectors(modulus, rows, support.len(), deadline)
 }
 
-/// The space of the P of degree at most `degree` with the cofactor det ∂x̃/∂x, perhaps of dimension 0; `None` where the map
-/// has no value, or the deadline passes.
+/// The space of the P of degree at most `degree` with the cofactor det ∂x̃/∂x, perhaps of dimension
+/// 0; `None` where the map has no value, or the deadline passes.
 pub fn measure_space(
     map: &ModularMap,
     degree: u32,
@@ -89,12 +89,13 @@ pub enum MeasureSearch {
     Found(Measure),
     /// A polynomial of this degree was seen modulo a prime, and no formula of it was reached.
     Seen(u32),
-    /// None of degree at most this; of none at all where the time ran out before anything was looked at.
+    /// None of degree at most this; of none at all where the time ran out before anything was
+    /// looked at.
     NoneUpTo(Option<u32>),
 }
 
-/// The measure of least degree, over ℚ with all unknowns; products of `factors` are preferred to anything else. All P are
-/// looked at up to the degree `highest`, products up to 12.
+/// The measure of least degree, over ℚ with all unknowns; products of `factors` are preferred to
+/// anything else. All P are looked at up to the degree `highest`, products up to 12.
 pub fn measure(
     setting: &Setting,
     factors: &[Polynomial],

@@ -3,8 +3,8 @@
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
-/// A time after which nothing is begun, and which remembers whether something was left out for it: a sentence about what was
-/// not found may only be written where nothing was.
+/// A time after which nothing is begun, and which remembers whether something was left out for it:
+/// a sentence about what was not found may only be written where nothing was.
 #[derive(Debug)]
 pub struct Deadline {
     end: Option<Instant>,

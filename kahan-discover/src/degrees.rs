@@ -1,9 +1,10 @@
 //! The degrees of the iterates of the map, common factors removed.
 //!
-//! The n-th iterate is evaluated along a line through random points (with a random Möbius parameter, so that infinity is
-//! not special on it); a random combination of its components is a rational function of the parameter, and its degree is
-//! that of the iterate as a projective map: a factor common to all numerators and the denominator never appears in values.
-//! No polynomial is ever formed.
+//! The n-th iterate is evaluated along a line through random points (with a random Möbius
+//! parameter, so that infinity is not special on it); a random combination of its components is a
+//! rational function of the parameter, and its degree is that of the iterate as a projective map: a
+//! factor common to all numerators and the denominator never appears in values. No polynomial is
+//! ever formed.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -18,8 +19,8 @@ use crate::thiele::{SPARE, degree};
 pub struct DegreeLimits<'a> {
     /// The number of iterates.
     pub iterates: usize,
-    /// The degree beyond which no further iterate is taken; up to four times as much for the first five while nothing can
-    /// be said of growth.
+    /// The degree beyond which no further iterate is taken; up to four times as much for the first
+    /// five while nothing can be said of growth.
     pub degree: usize,
     /// When to stop in any case.
     pub deadline: &'a Deadline,
@@ -28,8 +29,8 @@ pub struct DegreeLimits<'a> {
 /// As many degrees are taken while growth is undecided, and four times as far.
 const FEWEST: usize = 6;
 
-/// d₀ = 1, d₁, d₂, … of one map at one ε: the degrees of its iterates on a random line. Empty if the map has no value
-/// anywhere on it.
+/// d₀ = 1, d₁, d₂, … of one map at one ε: the degrees of its iterates on a random line. Empty if
+/// the map has no value anywhere on it.
 ///
 /// Cost: for degree d, 2d evaluations of each iterate and 8d² products.
 pub fn degrees(map: &ModularMap, random: &mut SplitMix64, limits: DegreeLimits<'_>) -> Vec<usize> {
@@ -102,8 +103,8 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Brings at least `count` samples to the iterate `steps`; `false` if points keep ending at poles, or the deadline
-    /// passes.
+    /// Brings at least `count` samples to the iterate `steps`; `false` if points keep ending at
+    /// poles, or the deadline passes.
     fn prepare(&mut self, count: usize, steps: usize, random: &mut SplitMix64, deadline: &Deadline) -> bool {
         let map = self.map;
         self.samples.retain_mut(|sample| sample.advance(map, steps));

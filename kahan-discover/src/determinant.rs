@@ -1,4 +1,5 @@
-//! det A(x,ε) as a polynomial, and the numerators over it, where N and D written out are beyond the budget of the map.
+//! det A(x,ε) as a polynomial, and the numerators over it, where N and D written out are beyond the
+//! budget of the map.
 
 use std::collections::BTreeMap;
 
@@ -17,7 +18,8 @@ pub fn determinant(field: &Field, budget: &mut Budget) -> Result<Polynomial, Ove
     of_matrix(&scaled_matrix(field), budget)
 }
 
-/// ∏q · gᵀ adj(A) f, so that gᵀ A⁻¹ f is this over [`determinant`]: minus the determinant of A bordered by f and g.
+/// ∏q · gᵀ adj(A) f, so that gᵀ A⁻¹ f is this over [`determinant`]: minus the determinant of A
+/// bordered by f and g.
 ///
 /// # Errors
 /// As [`determinant`].
@@ -30,7 +32,8 @@ pub fn along(field: &Field, covector: &[Polynomial], budget: &mut Budget) -> Res
     Ok(-&of_matrix(&rows, budget)?)
 }
 
-/// Laplace expansion: from the minors of the first k rows on all sets of k columns those of one row more.
+/// Laplace expansion: from the minors of the first k rows on all sets of k columns those of one row
+/// more.
 fn of_matrix(rows: &[Vec<Polynomial>], budget: &mut Budget) -> Result<Polynomial, OverBudget> {
     if rows.len() > MOST_VARIABLES + 1 {
         return Err(OverBudget);

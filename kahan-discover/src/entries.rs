@@ -1,7 +1,7 @@
 //! Integrals among the entries of reduced relations.
 //!
-//! Where relations of several integrals are mixed, an entry c of the reduced relations is an integral, and c = P/Q at many
-//! starts is a linear system for P and Q.
+//! Where relations of several integrals are mixed, an entry c of the reduced relations is an
+//! integral, and c = P/Q at many starts is a linear system for P and Q.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -27,7 +27,8 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     let modulus = map.modulus();
     let n = map.dimension();
     let monomials = Monomials::new(n, relation_degree);
-    // P and Q have the signs of their entry and none, so that few monomials of high degree are left.
+    // P and Q have the signs of their entry and none, so that few monomials of high degree are
+    // left.
     let generators = map.sign_changes();
     if Monomials::count(n, degree) > reach.coefficients << generators.len() {
         return;
@@ -86,7 +87,8 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     }
 }
 
-/// The entries worth looking at: those of relations whose leading monomial no lower one divides, if they vary.
+/// The entries worth looking at: those of relations whose leading monomial no lower one divides, if
+/// they vary.
 fn entry_places(orbits: &[Relations], monomials: &Monomials) -> Vec<(usize, usize)> {
     let [first, second, ..] = orbits else { return Vec::new() };
     let divides = |a: usize, b: usize| {

@@ -1,4 +1,5 @@
-//! A field with its coefficients as polynomials in the parameters, from which it comes modulo a prime at values of them.
+//! A field with its coefficients as polynomials in the parameters, from which it comes modulo a
+//! prime at values of them.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
@@ -56,7 +57,8 @@ impl Family {
         &self.symbols
     }
 
-    /// The map at these parameters and ε (half the time step); `None` where the field then divides by zero.
+    /// The map at these parameters and ε (half the time step); `None` where the field then divides
+    /// by zero.
     ///
     /// # Panics
     /// If there are fewer values than parameters.

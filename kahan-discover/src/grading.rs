@@ -1,5 +1,5 @@
-//! Lifting with the help of weights: as many unknowns as the weights separate are set to 1, and every term gets its powers of
-//! them back from its weight.
+//! Lifting with the help of weights: as many unknowns as the weights separate are set to 1, and
+//! every term gets its powers of them back from its weight.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -21,7 +21,8 @@ pub struct Grading {
 }
 
 impl Grading {
-    /// Unknowns whose weights are independent, the last ones first: their values can be scaled to 1.
+    /// Unknowns whose weights are independent, the last ones first: their values can be scaled to
+    /// 1.
     fn separated(&self) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for unknown in (0..self.unknowns.len()).rev() {
@@ -114,7 +115,8 @@ impl Grading {
     }
 }
 
-/// [`lift`] with some unknowns scaled to 1 where the entries are homogeneous; without, where that comes to nothing.
+/// [`lift`] with some unknowns scaled to 1 where the entries are homogeneous; without, where that
+/// comes to nothing.
 pub fn lift_graded(
     oracle: &mut dyn Oracle,
     variables: &[Variable],

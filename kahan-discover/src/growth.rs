@@ -58,17 +58,20 @@ impl fmt::Display for Growth {
     }
 }
 
-/// Two successive ratios of an exponential sequence differ by at most this; those of n^k fall like 1 + k/n.
+/// Two successive ratios of an exponential sequence differ by at most this; those of n^k fall like
+/// 1 + k/n.
 const STEADY: f64 = 0.08;
 
 impl GrowthVerdict {
     /// The class of d₀, d₁, …, by these rules, the first that applies:
     ///
-    /// 1. The differences over k steps, dₙ₊ₖ − dₙ, are constant over the last max(4, 2k) of them, for the least such
-    ///    k: *bounded* where the constant is 0 and k = 1, *linear* else. (k > 1 is a pattern that repeats.)
+    /// 1. The differences over k steps, dₙ₊ₖ − dₙ, are constant over the last max(4, 2k) of them,
+    ///    for the least such k: *bounded* where the constant is 0 and k = 1, *linear* else. (k > 1
+    ///    is a pattern that repeats.)
     /// 2. The same of the second differences over k steps: *quadratic*.
-    /// 3. *Exponential* if the last four ratios dₙ₊₁/dₙ exceed 1.15, and the last is neither 8 % from the one two steps
-    ///    before nor has the excess over 1 fallen by a third over the second half of the sequence.
+    /// 3. *Exponential* if the last four ratios dₙ₊₁/dₙ exceed 1.15, and the last is neither 8 %
+    ///    from the one two steps before nor has the excess over 1 fallen by a third over the second
+    ///    half of the sequence.
     /// 4. *Undecided*.
     #[must_use]
     pub fn of(degrees: &[usize]) -> Self {
@@ -118,8 +121,8 @@ fn steps(period: usize, difference: i128, what: &str) -> String {
     }
 }
 
-/// The least k for which the differences of this order over k steps are constant at the end, with the constant and how
-/// many of them agree.
+/// The least k for which the differences of this order over k steps are constant at the end, with
+/// the constant and how many of them agree.
 fn settled(values: &[i128], order: usize) -> Option<(usize, i128, usize)> {
     (1..=values.len() / (order + 2)).find_map(|period| {
         let mut differences = values.to_vec();

@@ -43,9 +43,9 @@ pub fn is_within_reach(n: usize) -> bool {
     Monomials::count(n, 3) <= MOST_COEFFICIENTS
 }
 
-/// K and H with f = K∇H, found by linear algebra: f′(x)K is symmetric for all x, which is linear in K; then H is cubic, which
-/// is linear in H. `None` where there is none among the K of a basis and their sum, where H has more than 400 coefficients,
-/// or where the field is zero.
+/// K and H with f = K∇H, found by linear algebra: f′(x)K is symmetric for all x, which is linear in
+/// K; then H is cubic, which is linear in H. `None` where there is none among the K of a basis and
+/// their sum, where H has more than 400 coefficients, or where the field is zero.
 pub fn hamiltonian(setting: &Setting, random: &mut SplitMix64, deadline: &Deadline) -> Option<Hamiltonian> {
     let n = setting.dimension();
     if n < 2 || !is_within_reach(n) {
@@ -97,7 +97,8 @@ fn pairs(n: usize) -> Vec<(usize, usize)> {
     (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect()
 }
 
-/// A basis of the antisymmetric K with f′(x)K symmetric for all x, each by its entries above the diagonal.
+/// A basis of the antisymmetric K with f′(x)K symmetric for all x, each by its entries above the
+/// diagonal.
 fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
     let modulus = map.modulus();
     let n = map.dimension();
@@ -140,8 +141,8 @@ fn chosen(map: &ModularMap, tensors: &[Vec<u64>], choice: usize) -> Option<Vec<u
     Some(others.iter().fold(first.clone(), add))
 }
 
-/// The coefficients, without that of 1, of a cubic H with K∇H = f; `None` where there is none, or the deadline
-/// passes.
+/// The coefficients, without that of 1, of a cubic H with K∇H = f; `None` where there is none, or
+/// the deadline passes.
 fn potential(
     map: &ModularMap,
     monomials: &Monomials,
@@ -183,9 +184,10 @@ fn potential(
 }
 
 impl Hamiltonian {
-    /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε, an integral of the map (Celledoni, McLachlan, Owren, Quispel,
-    /// "Geometric properties of Kahan's method", 2013), as numerator and denominator up to a factor free of states. `None`
-    /// where ε makes det A vanish, or beyond 1500 terms.
+    /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε, an integral of the map (Celledoni,
+    /// McLachlan, Owren, Quispel, "Geometric properties of Kahan's method", 2013), as numerator and
+    /// denominator up to a factor free of states. `None` where ε makes det A vanish, or beyond 1500
+    /// terms.
     ///
     /// A common factor of numerator and denominator may be left where it is expensive to find.
     #[must_use]

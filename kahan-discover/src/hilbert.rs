@@ -11,16 +11,16 @@ use crate::stepping::Stepping;
 
 /// h(d) for a generic orbit: the number of monomials of degree ≤ d that are independent on it.
 ///
-/// That all monomials up to degree d are independent bounds the degree of a relation from below; it does not prove that
-/// there is none.
+/// That all monomials up to degree d are independent bounds the degree of a relation from below; it
+/// does not prove that there is none.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hilbert {
     /// h(1), h(2), ….
     pub values: Vec<usize>,
     /// The number of monomials of degree ≤ 1, ≤ 2, …: what h is where nothing is conserved.
     pub full: Vec<usize>,
-    /// The codimension of the orbit's closure as cut out by the relations seen: the number of independent algebraic
-    /// integrals visible up to this degree.
+    /// The codimension of the orbit's closure as cut out by the relations seen: the number of
+    /// independent algebraic integrals visible up to this degree.
     pub integrals: usize,
     /// The least degree of a relation.
     pub relation_degree: Option<u32>,
@@ -46,8 +46,8 @@ const HIGHEST_DEGREE: u32 = 10;
 /// How often a start is drawn again when its orbit ends at a pole.
 const MOST_DRAWS: usize = 8;
 
-/// The degree up to which relations in n variables are looked for: as high as 220 monomials allow, between 2 and 10 (in more
-/// than 40 variables 1).
+/// The degree up to which relations in n variables are looked for: as high as 220 monomials allow,
+/// between 2 and 10 (in more than 40 variables 1).
 #[must_use]
 pub fn default_degree(variables: usize) -> u32 {
     let most = |degree: u32| if degree == 2 { MOST_QUADRATIC_MONOMIALS } else { MOST_MONOMIALS };
@@ -77,8 +77,9 @@ pub fn random_relations(
 }
 
 impl Hilbert {
-    /// Looks at orbits modulo two primes from two points each, with random unknowns, as many as the deadline allows.
-    /// `None` if the map, or every orbit, has no value, or not even one is done in time.
+    /// Looks at orbits modulo two primes from two points each, with random unknowns, as many as the
+    /// deadline allows. `None` if the map, or every orbit, has no value, or not even one is done in
+    /// time.
     ///
     /// Cost: with N = C(n + degree, n) monomials and h = h(degree), 4 N² h products.
     pub fn of(setting: &Setting, degree: u32, random: &mut SplitMix64, deadline: &Deadline) -> Option<Self> {
@@ -132,8 +133,8 @@ impl Hilbert {
         self
     }
 
-    /// The least degree up to which the relations of a generic orbit of `map` define its closure; `None` if there are none, or the
-    /// deadline passes.
+    /// The least degree up to which the relations of a generic orbit of `map` define its closure;
+    /// `None` if there are none, or the deadline passes.
     pub fn defining_degree(
         &self,
         map: &impl Stepping,

@@ -1,4 +1,5 @@
-//! Functional independence of quotients of polynomials: the rank of their gradients at a random point.
+//! Functional independence of quotients of polynomials: the rank of their gradients at a random
+//! point.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -8,7 +9,8 @@ use crate::modulus::Modulus;
 use crate::setting::{Draw, Setting};
 use crate::stepping::Stepping;
 
-/// ∇(P/Q) Q² at a point of a drawn map; `None` where the prime divides a denominator of the coefficients.
+/// ∇(P/Q) Q² at a point of a drawn map; `None` where the prime divides a denominator of the
+/// coefficients.
 #[must_use]
 pub fn quotient_gradient(
     setting: &Setting,
@@ -30,7 +32,8 @@ pub fn quotient_gradient(
         .collect()
 }
 
-/// Functional independence: the rank of gradients at one random point modulo one prime. (A rank seen is a rank over ℚ.)
+/// Functional independence: the rank of gradients at one random point modulo one prime. (A rank
+/// seen is a rank over ℚ.)
 #[derive(Debug)]
 pub struct Independent<'a> {
     setting: &'a Setting,

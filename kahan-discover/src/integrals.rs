@@ -21,7 +21,8 @@ use crate::setting::{Draw, Setting};
 use crate::space::lift_space;
 use crate::stepping::Stepping;
 
-/// Integrals P/Q are looked for up to this degree at least, as far as the number of their coefficients allows.
+/// Integrals P/Q are looked for up to this degree at least, as far as the number of their
+/// coefficients allows.
 const HIGHEST: u32 = 8;
 
 /// So few monomials are looked at in every order of the variables.
@@ -39,8 +40,8 @@ pub struct Aims<'a> {
     pub reach: Reach,
 }
 
-/// Independent integrals over ℚ with all unknowns, each proved, of least degree first: as many as there are, or as were
-/// found before the deadline.
+/// Independent integrals over ℚ with all unknowns, each proved, of least degree first: as many as
+/// there are, or as were found before the deadline.
 pub fn integrals(
     setting: &Setting,
     claims: &Claims<'_>,
@@ -170,7 +171,8 @@ impl Collector<'_> {
         bases
     }
 
-    /// Keeps the quotients of a basis by the simplest of its elements that does not vanish on the leaf.
+    /// Keeps the quotients of a basis by the simplest of its elements that does not vanish on the
+    /// leaf.
     fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
         let symbols = self.setting.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();
@@ -189,7 +191,8 @@ impl Collector<'_> {
         }
     }
 
-    /// Looks on a leaf among orbits with a chosen value of an integral found there, the quotient of the basis.
+    /// Looks on a leaf among orbits with a chosen value of an integral found there, the quotient of
+    /// the basis.
     fn search_constrained(
         &mut self,
         basis: &[Polynomial],

@@ -1,8 +1,9 @@
 //! Affine leaves: orbits that satisfy linear relations are looked at inside them.
 //!
-//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace; their varying entries c₁, c₂, … are
-//! integrals. On one such leaf, with the entries as further unknowns and fewer variables, other integrals are not mixed with
-//! multiples of the linear relations. Formulas found there hold everywhere once cⱼ is replaced by its own formula.
+//! Relations of degree 1 (y = Hx, x + y + z = c) confine an orbit to an affine subspace; their
+//! varying entries c₁, c₂, … are integrals. On one such leaf, with the entries as further unknowns
+//! and fewer variables, other integrals are not mixed with multiples of the linear relations.
+//! Formulas found there hold everywhere once cⱼ is replaced by its own formula.
 
 use kahan_algebra::poly::{Monomial, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
@@ -64,8 +65,8 @@ impl Leaf {
         Leaf { places: Vec::new(), order }
     }
 
-    /// The leaves of a map; the whole space where there are no linear relations, or where their entries depend on each
-    /// other so that they cannot be chosen.
+    /// The leaves of a map; the whole space where there are no linear relations, or where their
+    /// entries depend on each other so that they cannot be chosen.
     pub fn of(map: &ModularMap, random: &mut SplitMix64) -> Self {
         let n = map.dimension();
         let whole = Leaf::whole((0..n).collect());
@@ -131,7 +132,8 @@ impl Leaf {
         &self.order
     }
 
-    /// The map on the leaf chosen by `entries`; `None` where the linear relations have another form.
+    /// The map on the leaf chosen by `entries`; `None` where the linear relations have another
+    /// form.
     pub fn map_at(&self, map: ModularMap, entries: &[u64], random: &mut SplitMix64) -> Option<LeafMap> {
         let modulus = *map.modulus();
         let n = map.dimension();
@@ -162,7 +164,8 @@ impl Leaf {
         Some(LeafMap { map, order: self.order.clone(), leading })
     }
 
-    /// The formulas of the cⱼ, where they are quotients of polynomials of degree 1 that can be lifted.
+    /// The formulas of the cⱼ, where they are quotients of polynomials of degree 1 that can be
+    /// lifted.
     pub fn coordinates(
         &self,
         setting: &Setting,

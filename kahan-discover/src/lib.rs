@@ -1,7 +1,7 @@
 //! What the Kahan map of a quadratic field preserves, found from its equations alone.
 //!
-//! In: a checked system. Out: a [`Report`] of what its map keeps, with formulas that are proved. It must not know how a
-//! report is printed.
+//! In: a checked system. Out: a [`Report`] of what its map keeps, with formulas that are proved. It
+//! must not know how a report is printed.
 //!
 //! [`discover`] answers what can be asked of a new field: how fast the degrees of the map's
 //! iterates grow, how many independent algebraic integrals its orbits show, their formulas, an

@@ -1,9 +1,11 @@
-//! From residues to formulas: functions that can be evaluated modulo primes become rational functions over ℚ.
+//! From residues to formulas: functions that can be evaluated modulo primes become rational
+//! functions over ℚ.
 //!
-//! An [`Oracle`] gives a vector of values at any values of the unknowns (the parameters and ε). Its degrees in each
-//! unknown and in all together bound an ansatz N/D for each entry, whose coefficients are a null vector; coefficients
-//! modulo one prime, or several by the Chinese remainder theorem, become rationals. What holds: the result agrees with the
-//! oracle at a random point modulo a prime that was not used. That is evidence; proofs are made elsewhere.
+//! An [`Oracle`] gives a vector of values at any values of the unknowns (the parameters and ε). Its
+//! degrees in each unknown and in all together bound an ansatz N/D for each entry, whose
+//! coefficients are a null vector; coefficients modulo one prime, or several by the Chinese
+//! remainder theorem, become rationals. What holds: the result agrees with the oracle at a random
+//! point modulo a prime that was not used. That is evidence; proofs are made elsewhere.
 
 use kahan_algebra::poly::Variable;
 use kahan_algebra::prime_field::SplitMix64;
@@ -37,10 +39,12 @@ const MOST_PRIMES: usize = 24;
 /// How often a point is drawn again where the oracle has no value.
 const MOST_DRAWS: usize = 8;
 
-/// The functions behind an oracle, over ℚ; unknown k becomes `variables[k]`. `None` if degrees or coefficients are out of
-/// reach, the deadline passes, or the values are those of no rational function.
+/// The functions behind an oracle, over ℚ; unknown k becomes `variables[k]`. `None` if degrees or
+/// coefficients are out of reach, the deadline passes, or the values are those of no rational
+/// function.
 ///
-/// Cost: for ansatz functions of m coefficients in all, m + 4 calls a prime and m³ products for each entry.
+/// Cost: for ansatz functions of m coefficients in all, m + 4 calls a prime and m³ products for
+/// each entry.
 pub fn lift(
     oracle: &mut dyn Oracle,
     variables: &[Variable],
@@ -151,7 +155,8 @@ impl Lifter<'_> {
             .collect()
     }
 
-    /// The coefficients of each entry: numerator, then denominator, the last that is not zero being 1.
+    /// The coefficients of each entry: numerator, then denominator, the last that is not zero being
+    /// 1.
     fn coefficients(&mut self, modulus: Modulus, shapes: &[Shape]) -> Option<Vec<Vec<u64>>> {
         let wanted = shapes.iter().map(|shape| 2 * shape.monomials.len()).max()? + SPARE;
         let mut samples = Vec::with_capacity(wanted);

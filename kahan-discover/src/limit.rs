@@ -1,4 +1,5 @@
-//! Integrals that keep a limit at ε = 0: where P/Q becomes a constant there, what it begins with beyond that is written instead.
+//! Integrals that keep a limit at ε = 0: where P/Q becomes a constant there, what it begins with
+//! beyond that is written instead.
 
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::rational::Rational;
@@ -10,8 +11,8 @@ use crate::space::tidy;
 /// The work that one look at ε = 0 may take, in products of terms.
 const LIMIT_WORK: u64 = 2_000_000;
 
-/// P such that P/Q depends on the states at ε = 0 too: where it is a constant c there, (P − cQ)/εᵏ instead. On a leaf what
-/// chooses it counts as constant.
+/// P such that P/Q depends on the states at ε = 0 too: where it is a constant c there, (P − cQ)/εᵏ
+/// instead. On a leaf what chooses it counts as constant.
 pub(crate) fn with_a_limit(
     symbols: &Symbols,
     mut numerator: Polynomial,

@@ -1,7 +1,7 @@
 //! Kahan's map modulo a prime, at parameters and ε that are residues.
 //!
-//! It comes from a [`Family`](crate::family::Family) at values of the parameters, and steps by elimination on A(x,ε). Removable poles count as poles here: random points meet
-//! neither.
+//! It comes from a [`Family`](crate::family::Family) at values of the parameters, and steps by
+//! elimination on A(x,ε). Removable poles count as poles here: random points meet neither.
 
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
@@ -153,7 +153,8 @@ impl ModularMap {
         matrix
     }
 
-    /// x̃ = x + 2ε A⁻¹f and det A, with one inversion: elimination multiplies rows instead of dividing them.
+    /// x̃ = x + 2ε A⁻¹f and det A, with one inversion: elimination multiplies rows instead of
+    /// dividing them.
     fn solve(&self, point: &[u64], eps: u64) -> Option<(Vec<u64>, u64)> {
         let (modulus, n) = (&self.modulus, self.dimension);
         let width = n + 1;

@@ -1,7 +1,8 @@
 //! Matrices modulo a prime: reduced echelon form, rank and null space.
 //!
-//! Rows are equations, columns unknowns in an order that matters: a column becomes a pivot if it is no combination of the
-//! columns before it, so with monomials in ascending order every null vector expresses one monomial by lower ones.
+//! Rows are equations, columns unknowns in an order that matters: a column becomes a pivot if it is
+//! no combination of the columns before it, so with monomials in ascending order every null vector
+//! expresses one monomial by lower ones.
 
 use crate::deadline::Deadline;
 use crate::modulus::Modulus;
@@ -17,7 +18,8 @@ pub struct Echelon {
 }
 
 impl Echelon {
-    /// The echelon form of `rows`, each with `columns` entries. Cost: rows · rank · columns products.
+    /// The echelon form of `rows`, each with `columns` entries. Cost: rows · rank · columns
+    /// products.
     #[must_use]
     pub fn of(modulus: &Modulus, rows: Vec<Vec<u64>>, columns: usize) -> Self {
         Self::reduced(modulus, rows, columns, &Deadline::never()).0
@@ -98,7 +100,8 @@ impl Echelon {
         Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
     }
 
-    /// A basis of the null space: for each column without a pivot the vector with 1 there, 0 in the other such columns.
+    /// A basis of the null space: for each column without a pivot the vector with 1 there, 0 in the
+    /// other such columns.
     #[must_use]
     pub fn null_space(&self, modulus: &Modulus) -> Vec<NullVector> {
         let mut is_pivot = vec![false; self.columns];

@@ -1,8 +1,10 @@
-//! Arithmetic modulo a prime of 61 bits in Montgomery form: the orbits, matrices and interpolations of this crate are
-//! some millions of products each, and a remainder of 128 bits a product would be most of their time.
+//! Arithmetic modulo a prime of 61 bits in Montgomery form: the orbits, matrices and interpolations
+//! of this crate are some millions of products each, and a remainder of 128 bits a product would be
+//! most of their time.
 //!
-//! In and out go rationals; between them every residue a stands for a·2⁶⁴ mod p. What holds: residues are below p, so
-//! equal residues are equal numbers. Conversions back to ℚ ([`rational_from_residue`]) are guesses that a proof confirms.
+//! In and out go rationals; between them every residue a stands for a·2⁶⁴ mod p. What holds:
+//! residues are below p, so equal residues are equal numbers. Conversions back to ℚ
+//! ([`rational_from_residue`]) are guesses that a proof confirms.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
@@ -37,7 +39,8 @@ impl Modulus {
 
     fn of(plain: PrimeField) -> Self {
         let prime = plain.prime();
-        // Newton's iteration doubles the correct bits of 1/p modulo a power of two; p itself is right to three.
+        // Newton's iteration doubles the correct bits of 1/p modulo a power of two; p itself is
+        // right to three.
         let mut inverse = prime;
         for _ in 0..5 {
             inverse = inverse.wrapping_mul(2u64.wrapping_sub(prime.wrapping_mul(inverse)));
@@ -105,7 +108,8 @@ impl Modulus {
         Some(self.times(self.times(inverse, self.square), self.square))
     }
 
-    /// Replaces every value by its inverse at the price of one inversion; `false`, and nothing is changed, if one is 0.
+    /// Replaces every value by its inverse at the price of one inversion; `false`, and nothing is
+    /// changed, if one is 0.
     pub fn invert_all(&self, values: &mut [u64]) -> bool {
         let mut products = Vec::with_capacity(values.len());
         let mut product = self.one;
@@ -186,8 +190,9 @@ impl Arithmetic for Modulus {
     }
 }
 
-/// The fraction num/den with |num|, den ≤ √(m/2) that is r modulo m, by Euclid's algorithm; there is at most one, and
-/// `None` where there is none (Wang, Guy and Davenport, "P-adic reconstruction of rational numbers", SIGSAM 1982).
+/// The fraction num/den with |num|, den ≤ √(m/2) that is r modulo m, by Euclid's algorithm; there
+/// is at most one, and `None` where there is none (Wang, Guy and Davenport, "P-adic reconstruction
+/// of rational numbers", SIGSAM 1982).
 #[must_use]
 pub fn rational_from_residue(r: &BigInt, m: &BigInt) -> Option<Rational> {
     let bound = (m / 2i32).sqrt();

@@ -2,8 +2,8 @@
 
 use crate::modulus::Modulus;
 
-/// The monomials of n variables of degree 0, 1, 2, …: by degree, and within a degree in lexicographic order with the last
-/// variable lowest.
+/// The monomials of n variables of degree 0, 1, 2, …: by degree, and within a degree in
+/// lexicographic order with the last variable lowest.
 #[derive(Clone, Debug)]
 pub struct Monomials {
     variables: usize,

@@ -1,17 +1,19 @@
 //! Sign changes of states that carry orbits to orbits, and the characters of monomials under them.
 //!
-//! If f(Sx) = ±S f(x) with S = diag(±1), the map satisfies φ(Sx) = Sφ(x), or the same with −ε, the inverse: the closure of the
-//! orbit of Sx is S times that of x. An entry of the reduced relations then changes by the signs of its two monomials, and P and
-//! Q with P/Q equal to it may be looked for among monomials of one sign each.
+//! If f(Sx) = ±S f(x) with S = diag(±1), the map satisfies φ(Sx) = Sφ(x), or the same with −ε, the
+//! inverse: the closure of the orbit of Sx is S times that of x. An entry of the reduced relations
+//! then changes by the signs of its two monomials, and P and Q with P/Q equal to it may be looked
+//! for among monomials of one sign each.
 
 /// As many generators are enough; all products of them are gone through.
 const MOST: usize = 8;
 
-/// xⱼxₖ, xⱼ or 1 in component i of a field, as the sum over F₂ of their unit vectors and that of xᵢ.
+/// xⱼxₖ, xⱼ or 1 in component i of a field, as the sum over F₂ of their unit vectors and that of
+/// xᵢ.
 pub type TermSigns = u64;
 
-/// Generators of the sign changes S, each as the set of states whose sign it changes, one bit a state; `terms` are all terms
-/// of the field in `states` states (at most 63: none beyond).
+/// Generators of the sign changes S, each as the set of states whose sign it changes, one bit a
+/// state; `terms` are all terms of the field in `states` states (at most 63: none beyond).
 #[must_use]
 pub fn sign_changes(states: usize, terms: &[TermSigns]) -> Vec<u64> {
     if states > 63 {
@@ -54,7 +56,8 @@ mod tests {
 
     #[test]
     fn the_euler_top_has_three_sign_changes() {
-        // ẋ = yz, ẏ = zx, ż = xy: every term is xyz, so each state may change its sign, and time with it.
+        // ẋ = yz, ẏ = zx, ż = xy: every term is xyz, so each state may change its sign, and time
+        // with it.
         let generators = sign_changes(3, &[0b111; 3]);
         assert_eq!(generators.len(), 3);
         assert_eq!(character(&generators, &[2, 0, 4]), 0);

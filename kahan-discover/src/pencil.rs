@@ -1,4 +1,5 @@
-//! A space of polynomials any two of which have an integral as their quotient, and how it is found again elsewhere.
+//! A space of polynomials any two of which have an integral as their quotient, and how it is found
+//! again elsewhere.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -14,7 +15,8 @@ use crate::stepping::Stepping;
 /// Equations beyond the number of unknowns.
 pub(crate) const SPARE: usize = 4;
 
-/// A space of polynomials whose quotients are integrals, at one choice of the unknowns, with the way to find it at others.
+/// A space of polynomials whose quotients are integrals, at one choice of the unknowns, with the
+/// way to find it at others.
 #[derive(Clone, Debug)]
 pub struct Pencil {
     /// The degree of the polynomials.
@@ -44,8 +46,8 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
-    /// P and Q, on all monomials of the given values, from P − cQ = 0 at the starts; `None` unless they are unique,
-    /// and found before the deadline.
+    /// P and Q, on all monomials of the given values, from P − cQ = 0 at the starts; `None` unless
+    /// they are unique, and found before the deadline.
     pub(crate) fn quotient(
         &self,
         modulus: &Modulus,
@@ -77,8 +79,8 @@ impl Entry {
 }
 
 impl Pencil {
-    /// The space of another map of the family; `None` where it has another form, the map has no value, or
-    /// the deadline passes.
+    /// The space of another map of the family; `None` where it has another form, the map has no
+    /// value, or the deadline passes.
     pub fn at(&self, map: &impl Stepping, random: &mut SplitMix64, deadline: &Deadline) -> Option<Space> {
         let modulus = *map.modulus();
         let monomials = Monomials::new(map.dimension(), self.degree);
@@ -106,7 +108,8 @@ impl Pencil {
         Space::of_form(&modulus, form, vectors)
     }
 
-    /// The span of the relations of two orbits on the space's own monomials, if that is all they have.
+    /// The span of the relations of two orbits on the space's own monomials, if that is all they
+    /// have.
     fn span_at(
         &self,
         map: &impl Stepping,

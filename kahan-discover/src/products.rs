@@ -64,8 +64,8 @@ pub(crate) fn product(
     Some(used.collect())
 }
 
-/// Exponents of these signs with Σ |exponent|·degree = total: all, or as many as half a million steps
-/// reach. Many factors have more combinations than can be looked at.
+/// Exponents of these signs with Σ |exponent|·degree = total: all, or as many as half a million
+/// steps reach. Many factors have more combinations than can be looked at.
 pub(crate) fn exponents(degrees: &[u32], total: u32, signs: &[i32]) -> Vec<Vec<i32>> {
     const MOST_STEPS: usize = 500_000;
     let mut found = Vec::new();

@@ -1,9 +1,10 @@
 //! The polynomial relations that hold on one orbit.
 //!
-//! The values of all monomials up to a degree along an orbit form a matrix; its null vectors are the polynomials that
-//! vanish on the orbit, hence on its Zariski closure. In reduced form each expresses one monomial by lower ones, and what it
-//! expresses it by is the same along the orbit: every entry, as a function of the orbit's start, is an integral
-//! (Petrera, Pfadler, Suris, "On integrability of Hirota–Kimura type discretizations", 2011).
+//! The values of all monomials up to a degree along an orbit form a matrix; its null vectors are
+//! the polynomials that vanish on the orbit, hence on its Zariski closure. In reduced form each
+//! expresses one monomial by lower ones, and what it expresses it by is the same along the orbit:
+//! every entry, as a function of the orbit's start, is an integral (Petrera, Pfadler, Suris, "On
+//! integrability of Hirota–Kimura type discretizations", 2011).
 
 use crate::deadline::Deadline;
 use crate::matrix::{Echelon, NullVector};
@@ -11,8 +12,8 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::stepping::Stepping;
 
-/// The points of an orbit beyond the number of monomials: a polynomial that vanishes on all by accident is one that
-/// vanishes on so many random points.
+/// The points of an orbit beyond the number of monomials: a polynomial that vanishes on all by
+/// accident is one that vanishes on so many random points.
 const SPARE: usize = 6;
 
 /// What holds on one orbit.
@@ -31,8 +32,8 @@ pub struct Relations {
 }
 
 impl Relations {
-    /// The relations up to the degree of `monomials` on the orbit of `start`; `None` where that ends at a pole, or the
-    /// deadline passes.
+    /// The relations up to the degree of `monomials` on the orbit of `start`; `None` where that
+    /// ends at a pole, or the deadline passes.
     ///
     /// Cost: with N monomials and rank r, N + 6 steps and N² r products.
     #[must_use]
@@ -57,8 +58,8 @@ impl Relations {
         Some(Relations { start: orbit[0].clone(), ranks, vectors, points: distinct, period })
     }
 
-    /// The rank of the gradients of all relations at the start: the codimension of the orbit's closure, as far as the
-    /// relations up to this degree define it.
+    /// The rank of the gradients of all relations at the start: the codimension of the orbit's
+    /// closure, as far as the relations up to this degree define it.
     #[must_use]
     pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
         let gradients = monomial_gradients(modulus, monomials, &self.start);

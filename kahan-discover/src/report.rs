@@ -17,13 +17,16 @@ pub struct Options {
     pub eps: Option<Rational>,
     /// The parameters that are fixed, by name; the others are generic.
     pub parameters: Vec<(String, Rational)>,
-    /// The degree up to which relations are looked for; chosen by the number of variables otherwise.
+    /// The degree up to which relations are looked for; chosen by the number of variables
+    /// otherwise.
     pub degree: Option<u32>,
     /// The number of iterates whose degrees are taken, at most.
     pub iterates: usize,
-    /// The degree beyond which no further iterate is taken; up to four times as much for the first five.
+    /// The degree beyond which no further iterate is taken; up to four times as much for the first
+    /// five.
     pub iterate_degree: usize,
-    /// The time to spend, in seconds; what is not finished then is left out, and the report says so.
+    /// The time to spend, in seconds; what is not finished then is left out, and the report says
+    /// so.
     pub seconds: f64,
 }
 
@@ -82,9 +85,11 @@ pub struct StructureReport {
     pub is_even: bool,
     /// Linear integrals of the flow, which the map keeps.
     pub linear_integrals: Vec<String>,
-    /// Quadratic integrals of the flow, independent of these and of each other; the map need not keep them.
+    /// Quadratic integrals of the flow, independent of these and of each other; the map need not
+    /// keep them.
     pub quadratic_integrals: Vec<String>,
-    /// The degree up to which these are all: 2, or less where the time ran out or a formula was out of reach.
+    /// The degree up to which these are all: 2, or less where the time ran out or a formula was out
+    /// of reach.
     pub flow_degree: u32,
     /// How many of these the map keeps as they stand.
     pub kept: usize,
@@ -149,8 +154,9 @@ pub struct Report {
 }
 
 impl Report {
-    /// The number of independent algebraic integrals: those that orbits show up to the degree looked at, or those that are
-    /// proved, where these are more (a modified Hamiltonian may have a higher degree).
+    /// The number of independent algebraic integrals: those that orbits show up to the degree
+    /// looked at, or those that are proved, where these are more (a modified Hamiltonian may have a
+    /// higher degree).
     #[must_use]
     pub fn independent_integrals(&self) -> usize {
         self.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals).max(self.integrals.len())

@@ -1,4 +1,5 @@
-//! Special values of parameters and of ε: where degrees or ranks on a rational grid are not the generic ones.
+//! Special values of parameters and of ε: where degrees or ranks on a rational grid are not the
+//! generic ones.
 
 mod proposals;
 mod shapes;
@@ -33,7 +34,8 @@ pub struct Scanned {
 const MOST_VALUES: usize = 100_000;
 
 impl Scanned {
-    /// from, from + step, … up to `to`; `None` unless the step is positive and `to` is reached within 100 000 values.
+    /// from, from + step, … up to `to`; `None` unless the step is positive and `to` is reached
+    /// within 100 000 values.
     #[must_use]
     pub fn range(name: &str, from: &Rational, to: &Rational, step: &Rational) -> Option<Self> {
         if step.is_zero() || step.is_negative() {
@@ -68,8 +70,8 @@ pub struct Sight {
 pub struct GridPoint {
     /// The values, in the order of the names.
     pub values: Vec<Rational>,
-    /// What was seen there; absent where there is no map, or none that can be inverted, or its orbits end
-    /// at poles.
+    /// What was seen there; absent where there is no map, or none that can be inverted, or its
+    /// orbits end at poles.
     pub sight: Option<Sight>,
 }
 
@@ -96,15 +98,15 @@ impl Scan {
     }
 }
 
-/// Iterates, the degree of the last of them, and monomials of relations: enough to tell special values, little enough for
-/// thousands of points.
+/// Iterates, the degree of the last of them, and monomials of relations: enough to tell special
+/// values, little enough for thousands of points.
 const ITERATES: usize = 6;
 const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
-/// Degrees and ranks on the grid of all quantities, and what is proved where relations between them hold.
-/// `options` fixes further parameters and ε, the degree of relations and the time; `progress` is
-/// told of every point (done, of how many).
+/// Degrees and ranks on the grid of all quantities, and what is proved where relations between them
+/// hold. `options` fixes further parameters and ε, the degree of relations and the time; `progress`
+/// is told of every point (done, of how many).
 ///
 /// # Errors
 /// As [`discover`](crate::discover()), for the field at generic values of what is scanned.

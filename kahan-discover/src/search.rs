@@ -1,8 +1,9 @@
 //! Rational integrals from the relations of orbits.
 //!
-//! Let U be a space of polynomials any two of which have an integral as their quotient (they share their cofactor under
-//! the map). On one orbit the elements of U that vanish are all of those that vanish at its start: one dimension less.
-//! Conversely, relations on orbits span such a space where their span has one dimension more than those on one orbit.
+//! Let U be a space of polynomials any two of which have an integral as their quotient (they share
+//! their cofactor under the map). On one orbit the elements of U that vanish are all of those that
+//! vanish at its start: one dimension less. Conversely, relations on orbits span such a space where
+//! their span has one dimension more than those on one orbit.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -37,8 +38,8 @@ impl Reach {
     pub const SHORT: Self = Reach { coefficients: 300, terms: 60, orders: 2 };
 }
 
-/// The pencils that relations of orbits span, of least degree first, up to `relation_degree`, until `wanted` independent
-/// integrals are found.
+/// The pencils that relations of orbits span, of least degree first, up to `relation_degree`, until
+/// `wanted` independent integrals are found.
 pub fn spanned_pencils<M: Stepping>(
     map: &M,
     relation_degree: u32,
@@ -58,11 +59,12 @@ pub fn spanned_pencils<M: Stepping>(
     search.pencils
 }
 
-/// The pencils of one degree in which entries of the relations up to `relation_degree` are quotients P/Q, and of no lower
-/// degree, as far as they bring integrals that are independent of those whose gradients at a point `known` gives; none if the
-/// deadline passes first.
+/// The pencils of one degree in which entries of the relations up to `relation_degree` are
+/// quotients P/Q, and of no lower degree, as far as they bring integrals that are independent of
+/// those whose gradients at a point `known` gives; none if the deadline passes first.
 ///
-/// Cost: for P and Q with N monomials each, 2N orbits and (2N)³ products for each entry of the relations.
+/// Cost: for P and Q with N monomials each, 2N orbits and (2N)³ products for each entry of the
+/// relations.
 pub fn pencils_of_entries<M: Stepping>(
     map: &M,
     relation_degree: u32,
@@ -140,7 +142,8 @@ pub fn quotient_gradients(
     others.iter().map(quotient).collect()
 }
 
-/// The span of the relations of all orbits up to a degree, if it has one dimension more than those of one orbit.
+/// The span of the relations of all orbits up to a degree, if it has one dimension more than those
+/// of one orbit.
 fn span_of_relations(
     map: &impl Stepping,
     degree: u32,

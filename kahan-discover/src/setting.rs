@@ -89,7 +89,8 @@ impl Setting {
         parameters.chain(self.eps.is_none().then(|| symbols.epsilon())).collect()
     }
 
-    /// The map at these values of the unknowns; `None` where the field divides by zero, or p divides the denominator of ε.
+    /// The map at these values of the unknowns; `None` where the field divides by zero, or p
+    /// divides the denominator of ε.
     #[must_use]
     pub fn at(&self, modulus: Modulus, unknowns: &[u64]) -> Option<ModularMap> {
         let (parameters, eps) = match &self.eps {
@@ -102,7 +103,8 @@ impl Setting {
         self.family.at(modulus, parameters, eps)
     }
 
-    /// The map at random values of the unknowns, at which a random point has an image; `None` if 16 draws bring none.
+    /// The map at random values of the unknowns, at which a random point has an image; `None` if 16
+    /// draws bring none.
     pub fn draw(&self, modulus: Modulus, random: &mut SplitMix64) -> Option<Draw> {
         (0..MOST_DRAWS).find_map(|_| {
             let unknowns: Vec<u64> = (0..self.unknowns()).map(|_| modulus.sample(random)).collect();
@@ -120,8 +122,9 @@ impl Setting {
         Some(DrawnStep { draw, here, there })
     }
 
-    /// Whether the map can be inverted: whether det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε) is another than 0, as it is seen at one of
-    /// three random points modulo a prime. At a fixed ε a map may collapse the space.
+    /// Whether the map can be inverted: whether det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε) is another
+    /// than 0, as it is seen at one of three random points modulo a prime. At a fixed ε a map may
+    /// collapse the space.
     pub fn is_invertible(&self, random: &mut SplitMix64) -> bool {
         (0..3).any(|_| {
             self.draw(Modulus::mersenne_61(), random).is_some_and(|draw| {
@@ -131,8 +134,8 @@ impl Setting {
         })
     }
 
-    /// The value of a polynomial in states, parameters and ε at a point of a drawn map; `None` where the prime divides a
-    /// denominator of its coefficients.
+    /// The value of a polynomial in states, parameters and ε at a point of a drawn map; `None`
+    /// where the prime divides a denominator of its coefficients.
     #[must_use]
     pub fn evaluate(
         &self,

@@ -1,4 +1,5 @@
-//! The ansatz for one function that is lifted: N/D, each a sum over the same monomials of the unknowns.
+//! The ansatz for one function that is lifted: N/D, each a sum over the same monomials of the
+//! unknowns.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -44,7 +45,8 @@ impl Shape {
         self.monomials.iter().map(value).collect()
     }
 
-    /// The function whose coefficients modulo several primes are known; `None` if those are not of small rationals.
+    /// The function whose coefficients modulo several primes are known; `None` if those are not of
+    /// small rationals.
     pub(crate) fn function(
         &self,
         primes: &[(Modulus, Vec<Vec<u64>>)],

@@ -1,7 +1,7 @@
 //! Spaces of polynomials in the states, given by bases in reduced echelon form on fixed monomials.
 //!
-//! A space that depends on parameters and ε has a basis in reduced form whose entries are rational functions of them; this
-//! is what is lifted.
+//! A space that depends on parameters and ε has a basis in reduced form whose entries are rational
+//! functions of them; this is what is lifted.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable, gcd};
 use kahan_algebra::prime_field::SplitMix64;
@@ -27,8 +27,8 @@ pub struct Form {
     pub pivots: Vec<usize>,
 }
 
-/// A basis in reduced form: each element begins, in the order of the support, with the monomial of its pivot with
-/// coefficient 1, and the others lack it.
+/// A basis in reduced form: each element begins, in the order of the support, with the monomial of
+/// its pivot with coefficient 1, and the others lack it.
 #[derive(Clone, Debug)]
 pub struct Space {
     /// The shape.
@@ -38,8 +38,8 @@ pub struct Space {
 }
 
 impl Space {
-    /// The space spanned by vectors of coefficients of all monomials: of the two reduced bases, that begin with low monomials
-    /// or with high ones, the one with fewer terms.
+    /// The space spanned by vectors of coefficients of all monomials: of the two reduced bases,
+    /// that begin with low monomials or with high ones, the one with fewer terms.
     #[must_use]
     pub fn spanned(modulus: &Modulus, vectors: Vec<Vec<u64>>) -> Self {
         let columns = vectors.first().map_or(0, Vec::len);
@@ -112,7 +112,8 @@ impl Names {
         }
     }
 
-    /// The coefficient of m in a basis element that begins with the monomial p weighs as much as p/m.
+    /// The coefficient of m in a basis element that begins with the monomial p weighs as much as
+    /// p/m.
     fn grading(
         &self,
         weights: &(Weights, Vec<Vec<Rational>>),
@@ -134,8 +135,8 @@ impl Names {
     }
 }
 
-/// The basis of a space over ℚ as polynomials with coprime integer coefficients. `at` gives the space at any values of the unknowns, always of the same form; `None`
-/// as for [`lift`].
+/// The basis of a space over ℚ as polynomials with coprime integer coefficients. `at` gives the
+/// space at any values of the unknowns, always of the same form; `None` as for [`lift`].
 pub fn lift_space(
     names: &Names,
     monomials: &Monomials,
@@ -181,7 +182,8 @@ pub fn cleared(
     sum.primitive_part()
 }
 
-/// The polynomial divided by every factor that is free of states, its first term in writing positive.
+/// The polynomial divided by every factor that is free of states, its first term in writing
+/// positive.
 #[must_use]
 pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
     let groups = polynomial.group(|variable| symbols.is_state(variable));

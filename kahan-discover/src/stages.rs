@@ -35,8 +35,9 @@ use crate::writing::state_factors_of;
 /// A formula of more characters is left to a basis, where there is one.
 const MOST_CHARACTERS: usize = 4000;
 
-/// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked at, so that nothing is
-/// found but from the equations; `progress` is told of every stage as it begins.
+/// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked
+/// at, so that nothing is found but from the equations; `progress` is told of every stage as it
+/// begins.
 ///
 /// Equal fields and options give equal results, unless time runs out.
 ///
@@ -76,7 +77,8 @@ pub fn discover(
     let usual = default_degree(setting.dimension());
     let degree = options.degree.unwrap_or(usual);
     let mut hilbert = Hilbert::of(&setting, degree, random, &for_orbits);
-    // A lower degree is a fraction of the work, and better than nothing: the usual one, or half of that.
+    // A lower degree is a fraction of the work, and better than nothing: the usual one, or half of
+    // that.
     if hilbert.is_none() && for_orbits.has_stopped() && degree > 1 {
         let lower = if degree > usual { usual } else { degree / 2 };
         hilbert = Hilbert::of(&setting, lower, random, &for_structure);

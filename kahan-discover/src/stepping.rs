@@ -1,4 +1,5 @@
-//! What every search asks of a map modulo a prime: the map itself, on a leaf of it, or composed with itself.
+//! What every search asks of a map modulo a prime: the map itself, on a leaf of it, or composed
+//! with itself.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -15,8 +16,8 @@ pub trait Stepping {
     /// The image of a point; `None` at a pole.
     fn next(&self, point: &[u64]) -> Option<Vec<u64>>;
 
-    /// Generators of the sign changes of states that carry orbits to orbits, as far as they are known: each as the set of
-    /// states whose sign it changes, one bit a state.
+    /// Generators of the sign changes of states that carry orbits to orbits, as far as they are
+    /// known: each as the set of states whose sign it changes, one bit a state.
     fn sign_changes(&self) -> Vec<u64> {
         Vec::new()
     }
@@ -26,7 +27,8 @@ pub trait Stepping {
         (0..self.dimension()).map(|_| self.modulus().sample(random)).collect()
     }
 
-    /// The orbit of `length` points from `start`, which is the first; shorter where it ends at a pole.
+    /// The orbit of `length` points from `start`, which is the first; shorter where it ends at a
+    /// pole.
     fn orbit(&self, start: Vec<u64>, length: usize) -> Vec<Vec<u64>> {
         let mut orbit = vec![start];
         while orbit.len() < length {

@@ -1,4 +1,5 @@
-//! Structure of the field itself: its divergence, its linear and quadratic integrals, whether det(I − t f′) is even in t.
+//! Structure of the field itself: its divergence, its linear and quadratic integrals, whether det(I
+//! − t f′) is even in t.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
@@ -29,8 +30,8 @@ pub fn divergence(field: &Field) -> RationalFunction {
     })
 }
 
-/// Whether det(I − t f′(x)) is even in t, as it is at three random points modulo a prime. Then dx/det A(x,ε) is an invariant
-/// measure of the map, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
+/// Whether det(I − t f′(x)) is even in t, as it is at three random points modulo a prime. Then
+/// dx/det A(x,ε) is an invariant measure of the map, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
 pub fn is_even(setting: &Setting, random: &mut SplitMix64) -> bool {
     (0..3).all(|_| {
         let modulus = Modulus::mersenne_61();
@@ -46,7 +47,8 @@ pub fn is_even(setting: &Setting, random: &mut SplitMix64) -> bool {
 pub struct FlowIntegrals {
     /// Functionally independent ones, lowest degree first.
     pub found: Vec<Polynomial>,
-    /// The degree up to which these are all: lower than asked for where the time ran out, or a formula was out of reach.
+    /// The degree up to which these are all: lower than asked for where the time ran out, or a
+    /// formula was out of reach.
     pub degree: u32,
 }
 
@@ -66,8 +68,8 @@ impl FlowIntegrals {
 /// More monomials are not looked at: the cost grows with their cube.
 const MOST_MONOMIALS: usize = 900;
 
-/// Functionally independent polynomial integrals of the flow ẋ = f(x), of degree at most `degree`, lifted over the
-/// parameters: exactly the P with ∇P·f = 0 modulo a prime at random parameters.
+/// Functionally independent polynomial integrals of the flow ẋ = f(x), of degree at most `degree`,
+/// lifted over the parameters: exactly the P with ∇P·f = 0 modulo a prime at random parameters.
 pub fn flow_integrals(
     setting: &Setting,
     degree: u32,

@@ -1,18 +1,19 @@
 //! The degree of a rational function of one variable, from its values.
 //!
-//! Thiele's continued fraction v₀ + (t − t₀)/(v₁ + (t − t₁)/(v₂ + …)) of a rational function ends: after the coefficient
-//! with index L its inverted differences are the same at all further points, and the function has degree ⌈L/2⌉. The points
-//! that are left over then are the verification.
+//! Thiele's continued fraction v₀ + (t − t₀)/(v₁ + (t − t₁)/(v₂ + …)) of a rational function ends:
+//! after the coefficient with index L its inverted differences are the same at all further points,
+//! and the function has degree ⌈L/2⌉. The points that are left over then are the verification.
 
 use crate::deadline::Deadline;
 use crate::modulus::Modulus;
 
-/// The number of points beyond those needed on which a function must agree with its continued fraction: a wrong degree
-/// passes with a probability below (degree/p)^4.
+/// The number of points beyond those needed on which a function must agree with its continued
+/// fraction: a wrong degree passes with a probability below (degree/p)^4.
 pub(crate) const SPARE: usize = 4;
 
-/// max(deg P, deg Q) of the function P/Q in lowest terms with `values` at the different `points`; `None` if it needs more
-/// points, or the deadline passes. Cost: 4 products for each pair of points, up to twice the degree of them.
+/// max(deg P, deg Q) of the function P/Q in lowest terms with `values` at the different `points`;
+/// `None` if it needs more points, or the deadline passes. Cost: 4 products for each pair of
+/// points, up to twice the degree of them.
 #[must_use]
 pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Deadline) -> Option<usize> {
     let mut points = points.to_vec();

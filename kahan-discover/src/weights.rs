@@ -1,8 +1,9 @@
 //! Scaling symmetries, so that fewer unknowns have to be interpolated.
 //!
-//! Weights of states, parameters and ε under which every equation ε ẋᵢ ~ xᵢ is homogeneous form a lattice; under each of them
-//! the coefficients of what the map preserves are homogeneous too. As many unknowns as the weights separate are set to 1,
-//! and every term gets its powers of them back from its weight.
+//! Weights of states, parameters and ε under which every equation ε ẋᵢ ~ xᵢ is homogeneous form a
+//! lattice; under each of them the coefficients of what the map preserves are homogeneous too. As
+//! many unknowns as the weights separate are set to 1, and every term gets its powers of them back
+//! from its weight.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Monomial, Variable};
@@ -16,7 +17,8 @@ pub struct Weights {
 }
 
 impl Weights {
-    /// The scaling symmetries of a field's map; with ε (half the time step) fixed only those that leave ε alone.
+    /// The scaling symmetries of a field's map; with ε (half the time step) fixed only those that
+    /// leave ε alone.
     #[must_use]
     pub fn of(field: &Field, eps_is_fixed: bool) -> Self {
         let count = usize::from(field.symbols.epsilon().0) + 1;

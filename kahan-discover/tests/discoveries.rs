@@ -1,5 +1,5 @@
-//! From bare equations to proved lines: integrals and densities of the systems whose answers are known, and true sentences
-//! for fields where there is little to find.
+//! From bare equations to proved lines: integrals and densities of the systems whose answers are
+//! known, and true sentences for fields where there is little to find.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
@@ -247,7 +247,8 @@ fn fields_with_little_in_them_end_in_true_sentences() {
 
 #[test]
 fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
-    // The dressing chain of period five: N and D have more than 500 terms. H̃ has degree 7, beyond what orbits show.
+    // The dressing chain of period five: N and D have more than 500 terms. H̃ has degree 7, beyond
+    // what orbits show.
     let chain = "adot = a*(b - c + d - e); bdot = b*(c - d + e - a); cdot = c*(d - e + a - b);
         ddot = d*(e - a + b - c); edot = e*(a - b + c - d);";
     let report = report(chain, &options());

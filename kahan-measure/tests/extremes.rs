@@ -1,8 +1,9 @@
-//! The promise of the stable tier at the extremes, on a seeded sample; `kahan extremes --trials 1000000` takes the
-//! large one.
+//! The promise of the stable tier at the extremes, on a seeded sample; `kahan extremes --trials
+//! 1000000` takes the large one.
 //!
-//! Judged exactly: an `Ok` of `try_step` is within 64 u of the exact step's largest component, and there is no flag where the
-//! condition number is below 1e12 (f32: 1e4) and the format holds the result.
+//! Judged exactly: an `Ok` of `try_step` is within 64 u of the exact step's largest component, and
+//! there is no flag where the condition number is below 1e12 (f32: 1e4) and the format holds the
+//! result.
 
 use kahan_algebra::check::check;
 use kahan_algebra::diagnostics::Diagnostics;
@@ -43,7 +44,8 @@ fn the_stable_tier_keeps_its_promise_at_the_extremes() {
     assert_eq!((wrong, flags), (0, 0), "silently wrong, and flagged without right: {:#?}", tally.failures);
 }
 
-/// z̃ = z + 2ε(…) leaves the range by its last multiply-add, behind every error bound; found by the large sample.
+/// z̃ = z + 2ε(…) leaves the range by its last multiply-add, behind every error bound; found by the
+/// large sample.
 #[test]
 fn a_result_beyond_the_largest_float_is_flagged() {
     for (x, eps) in [(12.0, 0.125), (40.0, 0.03125)] {
@@ -53,8 +55,8 @@ fn a_result_beyond_the_largest_float_is_flagged() {
     assert!(E2.try_step(&vector![12.0, 1e153, 1.0], 0.125).is_ok());
 }
 
-/// The other side of the first test: the points are hard enough to show a step without a promise at fault, everywhere but
-/// at ordinary points.
+/// The other side of the first test: the points are hard enough to show a step without a promise at
+/// fault, everywhere but at ordinary points.
 #[test]
 fn the_fast_tier_is_caught_near_poles_and_not_at_ordinary_points() {
     let tally = survey(&everything(), TRIALS, 21, None, &|_| ());

@@ -27,8 +27,8 @@ fn reference<M: KahanMap<Dd, N>, const N: usize>(
     Reference::of(map, &Trajectory { command, parameters: &parameters, start: &start, end, allowed })
 }
 
-/// The series has errors of some units of double-double (u = 2⁻¹⁰⁶ ≈ 1.2e-32) a step, carried along by a flow that here does
-/// not amplify them by more than 10⁴.
+/// The series has errors of some units of double-double (u = 2⁻¹⁰⁶ ≈ 1.2e-32) a step, carried along
+/// by a flow that here does not amplify them by more than 10⁴.
 const AGREEMENT: f64 = 1e-27;
 
 #[test]
@@ -129,8 +129,8 @@ fn more_agreement_than_two_double_doubles_can_have_is_refused() {
     assert!(refusal.to_string().contains("1.0e-36"), "{refusal}");
 }
 
-/// (1, 2, 3) lies on a separatrix of E6, xz + y² = ½(x² + y² + z²): near the fixed point to which it leads every error grows
-/// like exp(2√7 t), so that 32 digits last until t ≈ 13.
+/// (1, 2, 3) lies on a separatrix of E6, xz + y² = ½(x² + y² + z²): near the fixed point to which
+/// it leads every error grows like exp(2√7 t), so that 32 digits last until t ≈ 13.
 #[test]
 fn a_separatrix_is_followed_as_far_as_32_digits_last() {
     let refusal = reference(&E6, "e6", &[], &["1", "2", "3"], 20.0, 1e-11).expect_err("too sensitive");

@@ -1,7 +1,8 @@
 //! Claims of `kahan!` blocks, proved again from their text.
 //!
-//! The macro proves a claim modulo primes. Here a claim must pass that proof and a second one that shares no step with
-//! it: both sides expanded over ℚ. Where the expansion would be too large, the first proof stands alone.
+//! The macro proves a claim modulo primes. Here a claim must pass that proof and a second one that
+//! shares no step with it: both sides expanded over ℚ. Where the expansion would be too large, the
+//! first proof stands alone.
 
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lexer::lex;
@@ -14,7 +15,8 @@ use kahan_algebra::{check, parse, seed};
 use super::claim::Outcome;
 use super::formula::mutations;
 
-/// Decides one claim of a system, and says on what the decision rests. Costs milliseconds, a second at worst.
+/// Decides one claim of a system, and says on what the decision rests. Costs milliseconds, a second
+/// at worst.
 #[must_use]
 pub fn establish_block_claim(system: &System, claim: &Claim, seed: u64) -> (Outcome, String) {
     let alone = System { claims: vec![claim.clone()], ..system.clone() };

@@ -23,7 +23,8 @@ pub struct Claim {
     pub place: String,
     /// The erratum that it corrects or explains.
     pub erratum: Option<Erratum>,
-    /// What it says: a statement of the language of [`formula`](super::formula), or a claim of `kahan!`.
+    /// What it says: a statement of the language of [`formula`](super::formula), or a claim of
+    /// `kahan!`.
     pub statement: String,
     pub(super) basis: Basis,
 }
@@ -145,7 +146,8 @@ impl Claim {
         self
     }
 
-    /// Puts those of the definitions that the statement uses before it: they are shown, checked and mutated with it.
+    /// Puts those of the definitions that the statement uses before it: they are shown, checked and
+    /// mutated with it.
     pub(super) fn spelling(mut self, definitions: &str) -> Self {
         self.statement = with_definitions(definitions, &self.statement);
         self

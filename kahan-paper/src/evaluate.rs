@@ -1,4 +1,5 @@
-//! The value of a formula at a point, in any arithmetic: rational functions, primes, rationals, degree bounds, decimals.
+//! The value of a formula at a point, in any arithmetic: rational functions, primes, rationals,
+//! degree bounds, decimals.
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
@@ -53,7 +54,8 @@ impl<V: Clone> Frame<V> {
     }
 }
 
-/// What a formula is evaluated with: an arithmetic, the systems, and the one that the statement is about.
+/// What a formula is evaluated with: an arithmetic, the systems, and the one that the statement is
+/// about.
 pub(super) struct Evaluator<'a, A> {
     pub(super) arithmetic: &'a A,
     pub(super) models: &'a Models,

@@ -1,4 +1,5 @@
-//! The limits C₁ of h(yₙ)/n for dE7 and dE8, which follow from the closed solutions by the prime number theorem.
+//! The limits C₁ of h(yₙ)/n for dE7 and dE8, which follow from the closed solutions by the prime
+//! number theorem.
 
 use kahan_algebra::rational::Rational;
 
@@ -18,11 +19,13 @@ pub(super) fn put_into(formula: &Formula) -> Result<Formula, String> {
     })
 }
 
-/// dE7: with a = τ + 1 − ξ/2 and b = τ + ξ/2 of one denominator M, the mean over the units r modulo M of
-/// max(0, ψ(b_r) − ψ(a_r)), where M a_r is M a / r modulo M, and b_r likewise. `None` if the denominators differ.
+/// dE7: with a = τ + 1 − ξ/2 and b = τ + ξ/2 of one denominator M, the mean over the units r modulo
+/// M of max(0, ψ(b_r) − ψ(a_r)), where M a_r is M a / r modulo M, and b_r likewise. `None` if the
+/// denominators differ.
 ///
-/// The product ∏ (j + a)/(j + b) loses a prime p of the residue class r exactly where its numerators meet p before its
-/// denominators do; log p summed over such p gives the differences of digamma functions.
+/// The product ∏ (j + a)/(j + b) loses a prime p of the residue class r exactly where its
+/// numerators meet p before its denominators do; log p summed over such p gives the differences of
+/// digamma functions.
 fn c1_of_de7(xi: &Rational, tau: &Rational) -> Option<Rational> {
     let half = Rational::new(1, 2);
     let b = tau + &(xi * &half);

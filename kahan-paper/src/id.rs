@@ -4,7 +4,8 @@ use std::fmt;
 
 /// The stable name of a claim, part by part: `table3`, `e4`, `P23`, shown as `table3.e4.P23`.
 ///
-/// The first parts say what the claim belongs to, the last is its own name there, which may have dots of its own.
+/// The first parts say what the claim belongs to, the last is its own name there, which may have
+/// dots of its own.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Id(Vec<String>);
 

@@ -1,11 +1,13 @@
 //! The paper as running mathematics: every formula a claim, every claim established.
 //!
-//! In: the claims, as text, and the catalog. Out: for each claim what came of it: proved by expansion over ℚ or modulo
-//! primes, seen at exact points, compared in 256-bit arithmetic, or a misprint. It must not know how that is printed.
+//! In: the claims, as text, and the catalog. Out: for each claim what came of it: proved by
+//! expansion over ℚ or modulo primes, seen at exact points, compared in 256-bit arithmetic, or a
+//! misprint. It must not know how that is printed.
 //!
-//! A [`Claim`] says where a formula stands and what it says; [`Paper`] lists the claims and establishes them. The command
-//! `kahan verify`, the tests and the atlas read this one list. Data flows one way: `sections` (the claims) and `figures` (the orbits) →
-//! [`formula`] (text to expressions) → `evaluate` (values in any arithmetic) → `identity` (evidence) → [`Paper`].
+//! A [`Claim`] says where a formula stands and what it says; [`Paper`] lists the claims and
+//! establishes them. The command `kahan verify`, the tests and the atlas read this one list. Data
+//! flows one way: `sections` (the claims) and `figures` (the orbits) → [`formula`] (text to
+//! expressions) → `evaluate` (values in any arithmetic) → `identity` (evidence) → [`Paper`].
 
 mod block;
 mod claim;

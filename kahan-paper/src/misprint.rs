@@ -13,7 +13,8 @@ use super::registry::{Paper, outcome};
 impl Claim {
     /// The item that is misprinted, and the one that is right in its place.
     ///
-    /// They are the two, of those that are only printed and those that only hold, which have most words in common.
+    /// They are the two, of those that are only printed and those that only hold, which have most
+    /// words in common.
     #[must_use]
     pub fn correction(&self) -> Option<(String, String)> {
         let (printed, right) = (items(self.printed()?), items(&self.statement));
@@ -38,7 +39,8 @@ fn in_common(a: &str, b: &str) -> usize {
 }
 
 impl Paper {
-    /// Shows that the printed form is wrong at its counterexample, with the values that are stated there.
+    /// Shows that the printed form is wrong at its counterexample, with the values that are stated
+    /// there.
     pub(super) fn misprint(
         &self,
         claim: &Claim,
@@ -110,7 +112,8 @@ impl Paper {
         let [left, right] = self.sides(claim, left, right, definitions)?;
         let identity = self.identity(claim, [&left, &right], *relation, digit.as_ref())?;
         if *relation == Relation::Different {
-            // That two functions differ is refuted by their being equal everywhere, not at one point.
+            // That two functions differ is refuted by their being equal everywhere, not at one
+            // point.
             let differ = identity.establish().is_ok();
             return Ok(("one function".to_owned(), "the same function".to_owned(), differ));
         }

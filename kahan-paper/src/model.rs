@@ -1,4 +1,5 @@
-//! A system of the catalog made ready for the evaluation of formulas: its field and matrices as plans.
+//! A system of the catalog made ready for the evaluation of formulas: its field and matrices as
+//! plans.
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual, solve};
 use kahan_algebra::diagnostics::Diagnostics;

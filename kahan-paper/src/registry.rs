@@ -80,7 +80,8 @@ impl Paper {
         self.establish_as(claim, &claim.statement)
     }
 
-    /// Establishes many claims, on as many threads as the machine has cores; `each` hears of every one as it is done.
+    /// Establishes many claims, on as many threads as the machine has cores; `each` hears of every
+    /// one as it is done.
     #[must_use]
     pub fn establish_all(&self, claims: &[&Claim], each: &(dyn Fn() + Sync)) -> Vec<Established> {
         self.for_all(claims, |claim| {
@@ -92,7 +93,8 @@ impl Paper {
 
     /// `work` on every claim, in parallel; the results in the order of the claims.
     pub fn for_all<R: Send>(&self, claims: &[&Claim], work: impl Fn(&Claim) -> R + Sync) -> Vec<R> {
-        // What is measured on a long orbit comes first, so that no thread is left alone with it at the end.
+        // What is measured on a long orbit comes first, so that no thread is left alone with it at
+        // the end.
         let mut order: Vec<usize> = (0..claims.len()).collect();
         order.sort_by_key(|&index| !claims[index].is_measured());
         let mut results = threads::map(order.len(), |turn| (order[turn], work(claims[order[turn]])));
@@ -121,7 +123,8 @@ impl Paper {
         Established { outcome, detail, elapsed: start.elapsed() }
     }
 
-    /// The definitions that are in force in a claim: those of every statement, those given, its own.
+    /// The definitions that are in force in a claim: those of every statement, those given, its
+    /// own.
     pub(super) fn definitions(
         &self,
         claim: &Claim,

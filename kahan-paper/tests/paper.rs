@@ -102,7 +102,8 @@ fn a_correction_sets_what_is_printed_beside_what_is_right() {
         paper.claims().iter().find(corrects).and_then(Claim::correction).expect("a correction")
     };
     let pair = |printed: &str, right: &str| (printed.to_owned(), right.to_owned());
-    // The definition of the same name; the equation that differs in one number; the same number at the end.
+    // The definition of the same name; the equation that differs in one number; the same number at
+    // the end.
     assert_eq!(correction(Erratum::A(3)), pair("Z(n) := solution(n, 2)", "Z(n) := solution(n, 4)"));
     assert_eq!(
         correction(Erratum::A(6)),

@@ -1,6 +1,8 @@
-//! How long the paper's Diophantine tests take: `cargo run --release -p kahan-runtime --example heights_speed`.
+//! How long the paper's Diophantine tests take: `cargo run --release -p kahan-runtime --example
+//! heights_speed`.
 //!
-//! Each is run three times, heights of every component at every step included, and the best time is printed.
+//! Each is run three times, heights of every component at every step included, and the best time is
+//! printed.
 
 use std::time::Instant;
 

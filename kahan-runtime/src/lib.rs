@@ -1,9 +1,9 @@
 //! Quadratic vector fields that are read at run time, as Kahan maps.
 //!
-//! In: a checked [`System`](kahan_algebra::system::System) and exact values of its parameters. Out: a
-//! [`KahanMap`](kahan_core::KahanMap) over any scalar ([`interpreted`]), and exact orbits with the growth of their heights
-//! ([`heights`]). It must not know the catalog: a system comes from its caller. Beside them, how work is spread over
-//! processors ([`threads`]).
+//! In: a checked [`System`](kahan_algebra::system::System) and exact values of its parameters. Out:
+//! a [`KahanMap`](kahan_core::KahanMap) over any scalar ([`interpreted`]), and exact orbits with
+//! the growth of their heights ([`heights`]). It must not know the catalog: a system comes from its
+//! caller. Beside them, how work is spread over processors ([`threads`]).
 
 pub mod heights;
 pub mod interpreted;

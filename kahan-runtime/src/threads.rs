@@ -4,10 +4,11 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{available_parallelism, scope};
 
-/// Runs `work` for each index below `count`, in about this order, each on whichever thread comes free.
+/// Runs `work` for each index below `count`, in about this order, each on whichever thread comes
+/// free.
 ///
-/// `threads` is the number of threads, by default as many as the machine runs at once. A thread that panics ends the call
-/// with its panic.
+/// `threads` is the number of threads, by default as many as the machine runs at once. A thread
+/// that panics ends the call with its panic.
 pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
     let threads = threads.or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1);
     let next = AtomicUsize::new(0);

@@ -1,4 +1,5 @@
-//! A system read at run time is the system that the macro compiled: the same bits in floats, the same numbers over ℚ.
+//! A system read at run time is the system that the macro compiled: the same bits in floats, the
+//! same numbers over ℚ.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
@@ -25,7 +26,8 @@ fn number<T: Scalar>(value: &Rational) -> T {
     T::constant(&constant(value))
 }
 
-/// Points and steps of ordinary size whose coordinates are no short floats: sevenths and elevenths from a fixed sequence.
+/// Points and steps of ordinary size whose coordinates are no short floats: sevenths and elevenths
+/// from a fixed sequence.
 fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
     let mut state = 20_260_801_u64;
     let mut next = |modulus: u64| {

@@ -1,7 +1,8 @@
-//! The compile-error cases as data: each file's blocks of `kahan!` as text, and what rustc is expected to print.
+//! The compile-error cases as data: each file's blocks of `kahan!` as text, and what rustc is
+//! expected to print.
 //!
-//! So that the front end can be asked about the very text that the macro was given. Blocks are found by their brackets;
-//! the cases hold no brackets in comments or strings.
+//! So that the front end can be asked about the very text that the macro was given. Blocks are
+//! found by their brackets; the cases hold no brackets in comments or strings.
 
 use std::fs;
 use std::ops::Range;

@@ -1,12 +1,15 @@
-//! The packages as users get them: unpacked outside the repository, with a program that has nothing else.
+//! The packages as users get them: unpacked outside the repository, with a program that has nothing
+//! else.
 //!
 //! 1. Every published crate is packed, and unpacked into a temporary folder.
 //! 2. Each has its licences and its README as files.
-//! 3. A crate that asks for `kahan-core` of the registry gets these folders, and runs the example of the packed README.
+//! 3. A crate that asks for `kahan-core` of the registry gets these folders, and runs the example
+//!    of the packed README.
 //! 4. No file of the repository took part.
 //!
-//! `cargo test -p kahan-macro-tests --test packages -- --ignored` compiles everything once more, so the
-//! usual run of the tests leaves it out. Whether every packed crate compiles, `cargo package --workspace` tells.
+//! `cargo test -p kahan-macro-tests --test packages -- --ignored` compiles everything once more, so
+//! the usual run of the tests leaves it out. Whether every packed crate compiles, `cargo package
+//! --workspace` tells.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

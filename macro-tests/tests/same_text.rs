@@ -1,7 +1,7 @@
 //! One mistake has one text and one place, whether rustc prints it or the command does.
 //!
-//! The blocks of the compile-error cases go through the front end as text, as `kahan show --field` reads them; each
-//! mistake it finds must stand in rustc's output, and rustc must print no other.
+//! The blocks of the compile-error cases go through the front end as text, as `kahan show --field`
+//! reads them; each mistake it finds must stand in rustc's output, and rustc must print no other.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::render::report;

@@ -1,14 +1,17 @@
-//! Crates of a user's own, with kahan-core as their one dependency, built by cargo as a user builds them.
+//! Crates of a user's own, with kahan-core as their one dependency, built by cargo as a user builds
+//! them.
 //!
 //! They share the target folder of the compile-error cases, so that dependencies are compiled once.
-//! That clippy has nothing to say of them is a step of `.ci/run`, since it would check every dependency once more.
+//! That clippy has nothing to say of them is a step of `.ci/run`, since it would check every
+//! dependency once more.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Once;
 use std::{env, fs};
 
-/// What trybuild passes to rustc; with other flags cargo would compile every dependency a second time.
+/// What trybuild passes to rustc; with other flags cargo would compile every dependency a second
+/// time.
 const FLAGS: &str = r#"build.rustflags=["--cfg","trybuild","--verbose","-A","dead_code"]"#;
 
 fn folder() -> PathBuf {

@@ -1,4 +1,5 @@
-//! Draws the picture of the README: orbits of Kahan's Lotka–Volterra map, one colour an orbit, one dot a step.
+//! Draws the picture of the README: orbits of Kahan's Lotka–Volterra map, one colour an orbit, one
+//! dot a step.
 //!
 //! `cargo run --release -p kahan-systems --example phase_portrait > docs/lotka_volterra.svg`
 

@@ -8,8 +8,8 @@ mod catalog {
 }
 
 mod solutions {
-    //! Special functions and explicit solutions: against values of another program, against identities, against
-    //! each other in two precisions, and against exact orbits.
+    //! Special functions and explicit solutions: against values of another program, against
+    //! identities, against each other in two precisions, and against exact orbits.
 
     mod e9_quadrature;
     mod exact_orbits;

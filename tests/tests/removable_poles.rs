@@ -1,7 +1,9 @@
-//! Where det A = 0 and the reduced map has a value, every back end returns it, and where it has none, every back end
-//! says so: generated code, the same system read at run time, the interpreter, its stepper and projective integers.
+//! Where det A = 0 and the reduced map has a value, every back end returns it, and where it has
+//! none, every back end says so: generated code, the same system read at run time, the interpreter,
+//! its stepper and projective integers.
 //!
-//! A point on a removable pole: random coordinates, and the common factor that was divided out solved for one variable.
+//! A point on a removable pole: random coordinates, and the common factor that was divided out
+//! solved for one variable.
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::interpret::{Interpreter, Point, Stepper};
@@ -86,7 +88,8 @@ fn vector<const N: usize>(x: &[Rational]) -> SVector<BigRational, N> {
     SVector::from_fn(|i, _| x[i].to_big())
 }
 
-/// Generated code against the same system read at run time: exact steps, and float steps with their promise, bit for bit.
+/// Generated code against the same system read at run time: exact steps, and float steps with their
+/// promise, bit for bit.
 fn compiled_and_read_agree<M, const N: usize>(
     name: &str,
     map: &M,
@@ -114,7 +117,8 @@ fn compiled_and_read_agree<M, const N: usize>(
     }
 }
 
-/// What is made at run time from the same text: the interpreter, its stepper, projective integers, and the map's own step.
+/// What is made at run time from the same text: the interpreter, its stepper, projective integers,
+/// and the map's own step.
 fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Place) -> Option<Vec<Rational>> {
     let parameters: Vec<BigRational> = place.parameters.iter().map(Rational::to_big).collect();
     let read = Interpreted::<BigRational, N>::new(system, &parameters).expect("a field");
@@ -155,7 +159,8 @@ fn the_catalog_has_its_values() {
     agree("e3", text("e3"), &[], &E3);
 }
 
-/// What E3 loses, E9 keeps at ξ = 1, as parameters are put in after the map is reduced: a pole for all.
+/// What E3 loses, E9 keeps at ξ = 1, as parameters are put in after the map is reduced: a pole for
+/// all.
 #[test]
 fn e9_at_xi_1_has_the_pole_that_e3_loses() {
     let [e3, e9] = ["e3", "e9"].map(|name| read_unproved(find(name).expect("in the catalog").text()));
@@ -193,7 +198,8 @@ fn fields_in_four_to_six_variables_have_their_values() {
     );
 }
 
-/// A random field that moves all variables but the last along one ray: 1 − εu·z is divided out n − 2 times.
+/// A random field that moves all variables but the last along one ray: 1 − εu·z is divided out n −
+/// 2 times.
 fn random_field(n: usize, draws: &mut SplitMix64) -> String {
     let names = ["a", "b", "c", "d", "e", "f"];
     let (last, u) = (names[n - 1], number(draws));
@@ -225,7 +231,8 @@ fn random_fields_have_their_values() {
     random_fields_agree::<6>(606);
 }
 
-/// In floats the stepper has the bits of the map's own step, also where it rounds to a point beside a removable pole.
+/// In floats the stepper has the bits of the map's own step, also where it rounds to a point beside
+/// a removable pole.
 #[test]
 fn float_steppers_agree_beside_removable_poles() {
     let system = read_unproved(find("e3").expect("E3").text());

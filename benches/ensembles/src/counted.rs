@@ -23,8 +23,8 @@ fn counted(operations: usize, value: f64) -> Counted {
     Counted(value)
 }
 
-/// Additions, multiplications and multiply-adds of one step, the last one of each component and estimated divisions
-/// included; 0 for a step without lanes.
+/// Additions, multiplications and multiply-adds of one step, the last one of each component and
+/// estimated divisions included; 0 for a step without lanes.
 pub(crate) fn operations<const N: usize>(step: &impl WideStep<f64, N>) -> usize {
     fn of<S: WideStep<f64, N>, const N: usize>(step: &S) -> usize {
         if !S::HAS_LANES {

@@ -1,7 +1,8 @@
 //! What can be timed, and in which units.
 //!
-//! A unit is one step of [`POINTS`] trajectories, whether together or, for a single trajectory, that many steps; of a
-//! bound it is what [`POINTS`] trajectories need of the instruction: [`POINTS`] divisions or multiply-adds.
+//! A unit is one step of [`POINTS`] trajectories, whether together or, for a single trajectory,
+//! that many steps; of a bound it is what [`POINTS`] trajectories need of the instruction:
+//! [`POINTS`] divisions or multiply-adds.
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -1,7 +1,8 @@
 use kahan_core::prelude::*;
 
 kahan! {
-    /// Clebsch's case of a body in a fluid, ṁ = p × Wp, ṗ = p × m with W = diag(w1, w2, w3): m = (k, l, m), p = (p, q, r).
+    /// Clebsch's case of a body in a fluid, ṁ = p × Wp, ṗ = p × m with W = diag(w1, w2, w3): m =
+    /// (k, l, m), p = (p, q, r).
     ///
     /// Integrals of the flow: |p|², m·p, ½(|m|² + p·Wp).
     pub struct Clebsch { w1, w2, w3 }

@@ -1,7 +1,7 @@
 //! The eight systems of the benchmarks, and what the processes that time them share ([`serve`]).
 //!
-//! One file a system, holding its `kahan!` block and nothing else, so that the cost of compiling it can be measured on
-//! the very text.
+//! One file a system, holding its `kahan!` block and nothing else, so that the cost of compiling it
+//! can be measured on the very text.
 
 mod clebsch;
 mod e1;

@@ -1,7 +1,9 @@
-//! A process that times things when it is asked to, so that several builds of it can be timed in turns.
+//! A process that times things when it is asked to, so that several builds of it can be timed in
+//! turns.
 //!
-//! First it writes its tasks, a line each: the system, what is done, and the operations of one step besides divisions, where they
-//! are counted; an empty line ends them. Then a line `TASK UNITS` is answered by the seconds that so many units took.
+//! First it writes its tasks, a line each: the system, what is done, and the operations of one step
+//! besides divisions, where they are counted; an empty line ends them. Then a line `TASK UNITS` is
+//! answered by the seconds that so many units took.
 
 use std::io::{self, BufRead, Write};
 

@@ -1,4 +1,5 @@
-//! E1: with k = 1 + 2X and t = 1 − X the map is x̃ = x − 2Xx/k, ỹ = y − 2Xy/k, z̃ = z + 2ε(2y² + xz(1+X))/(kt).
+//! E1: with k = 1 + 2X and t = 1 − X the map is x̃ = x − 2Xx/k, ỹ = y − 2Xy/k, z̃ = z + 2ε(2y² +
+//! xz(1+X))/(kt).
 
 use crate::contender::{Contender, Role};
 
@@ -25,7 +26,8 @@ pub(crate) fn one_reciprocal(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// 1/k first: x and y need no more than that, and only x closes the chain; z is divided by t at the end.
+/// 1/k first: x and y need no more than that, and only x closes the chain; z is divided by t at the
+/// end.
 pub(crate) fn two_reciprocals(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let two_eps = 2.0 * eps;
     move |[x, y, z]| {
@@ -47,7 +49,8 @@ pub(crate) fn three_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// k/(2ε) = h + x with h = 1/(2ε), t/ε = 2h − x: one addition leads to the division that closes the chain.
+/// k/(2ε) = h + x with h = 1/(2ε), t/ε = 2h − x: one addition leads to the division that closes the
+/// chain.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h, four_h) = (0.5 / eps, 1.0 / eps, 2.0 / eps);
     move |[x, y, z]| {

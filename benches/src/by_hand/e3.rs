@@ -1,5 +1,5 @@
-//! E3: with r = x² + y² the map is x̃ = x − 2ε(z + εr)x/D, ỹ = y − 2ε(z + εr)y/D, z̃ = z + 2εr(1 − Z)/D,
-//! D = 1 + Z + 2ε²r.
+//! E3: with r = x² + y² the map is x̃ = x − 2ε(z + εr)x/D, ỹ = y − 2ε(z + εr)y/D, z̃ = z + 2εr(1 −
+//! Z)/D, D = 1 + Z + 2ε²r.
 
 use crate::contender::{Contender, Role};
 

@@ -1,5 +1,5 @@
-//! E5: with u = 1 + Y, v = 1 − Y, p = y − Xx and D = v + 2X² the map is x̃ = x + 2εxp/D, ỹ = y − 2εx²u/D,
-//! z̃ = z + 2εp(2x − zv)/(Du).
+//! E5: with u = 1 + Y, v = 1 − Y, p = y − Xx and D = v + 2X² the map is x̃ = x + 2εxp/D, ỹ = y −
+//! 2εx²u/D, z̃ = z + 2εp(2x − zv)/(Du).
 
 use crate::contender::{Contender, Role};
 
@@ -51,7 +51,8 @@ pub(crate) fn mixed_divisions(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     }
 }
 
-/// D/(2ε²) = h(2h − y) + x² with h = 1/(2ε), u/ε = 2h + y, and z from the new x and y: (2h + y)Δz = (2x − z)(y + ỹ) + 2yΔx.
+/// D/(2ε²) = h(2h − y) + x² with h = 1/(2ε), u/ε = 2h + y, and z from the new x and y: (2h + y)Δz =
+/// (2x − z)(y + ỹ) + 2yΔx.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 3]) -> [f64; 3] {
     let (h, two_h) = (0.5 / eps, 1.0 / eps);
     move |[x, y, z]| {

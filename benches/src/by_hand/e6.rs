@@ -1,6 +1,7 @@
-//! E6 is the Euler top with the coefficients −3, 1, 1 in s = x + z, d = x − z, y. With T = 3Y, u = 1 + T, v = 1 − T,
-//! a = y + εsd, b = d + Ys, c = s − Td, g = 2z − xu, h = zv − 2x the map is x̃ = x + 2εag/D, ỹ = y + 2εbc/D,
-//! z̃ = z + 2εah/D, D = 1 + TY + 2ε²(zh − xg) = 1 + 3Y² − 8XZ + 2X²u + 2Z²v.
+//! E6 is the Euler top with the coefficients −3, 1, 1 in s = x + z, d = x − z, y. With T = 3Y, u =
+//! 1 + T, v = 1 − T, a = y + εsd, b = d + Ys, c = s − Td, g = 2z − xu, h = zv − 2x the map is x̃ =
+//! x + 2εag/D, ỹ = y + 2εbc/D, z̃ = z + 2εah/D, D = 1 + TY + 2ε²(zh − xg) = 1 + 3Y² − 8XZ + 2X²u +
+//! 2Z²v.
 //!
 //! 3ε is not prepared: it would be rounded, and the integrals would drift.
 

@@ -1,5 +1,5 @@
-//! Lotka–Volterra: with u = 1 − y, v = x − 1, p = u − εv, q = v + εu the map is x̃ = x + 2εxp/D, ỹ = y + 2εyq/D,
-//! D = 1 − ε(u+v) + ε²(x+y−1).
+//! Lotka–Volterra: with u = 1 − y, v = x − 1, p = u − εv, q = v + εu the map is x̃ = x + 2εxp/D, ỹ
+//! = y + 2εyq/D, D = 1 − ε(u+v) + ε²(x+y−1).
 
 use crate::contender::{Contender, Role};
 
@@ -48,7 +48,8 @@ pub(crate) fn two_divisions(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     }
 }
 
-/// Numerators and D/(2ε), its coefficients prepared: two multiplications side by side and two sums lead to the division.
+/// Numerators and D/(2ε), its coefficients prepared: two multiplications side by side and two sums
+/// lead to the division.
 pub(crate) fn over_time_step(eps: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
     let (h, more, less) = (0.5 / eps, 1.0 + eps, 1.0 - eps);
     let (half_more, half_less, half_eps) = (0.5 * more, 0.5 * less, 0.5 * eps);

@@ -4,7 +4,8 @@ use kahan_bench_fields as fields;
 use kahan_core::num_traits::ToPrimitive;
 use kahan_core::prelude::*;
 
-/// ½ ulp is the least possible; the increments of the points below add a few roundings of their own size.
+/// ½ ulp is the least possible; the increments of the points below add a few roundings of their own
+/// size.
 const BOUND: f64 = 3.0 * f64::EPSILON;
 
 /// Not a power of two, and large enough for every power of ε to show.

@@ -57,7 +57,8 @@ pub(crate) fn ensembles(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     Ok((vec![Section { title: "Ensembles".to_owned(), text, table }], limits))
 }
 
-/// Nanoseconds of one trajectory's step in an ensemble of the default build, of each system that is run as one.
+/// Nanoseconds of one trajectory's step in an ensemble of the default build, of each system that is
+/// run as one.
 pub(crate) fn ensemble_times(effort: Effort) -> Result<Vec<(String, f64)>> {
     let mut worker = Worker::start(&worker::build(worker::ENSEMBLES, false)?)?;
     let tasks = worker.tasks().iter().enumerate().filter(|(_, task)| task.what == ENSEMBLE);
@@ -67,8 +68,9 @@ pub(crate) fn ensemble_times(effort: Effort) -> Result<Vec<(String, f64)>> {
     Ok(systems.into_iter().zip(times).map(|(system, times)| (system, times[0] / POINTS)).collect())
 }
 
-/// Times everything of one system in both builds, and the bounds, in turns; each system's lines, then those of the bounds. What
-/// all ratios of a system refer to, the ensemble of the default build, is its first line.
+/// Times everything of one system in both builds, and the bounds, in turns; each system's lines,
+/// then those of the bounds. What all ratios of a system refer to, the ensemble of the default
+/// build, is its first line.
 fn measure(workers: &mut [Worker; 2], effort: Effort) -> Result<Vec<Vec<Line>>> {
     let mut systems: Vec<&str> = workers[0].tasks().iter().map(|task| task.system.as_str()).collect();
     systems.sort_by_key(|&system| system == BOUND);

@@ -20,7 +20,8 @@ struct Row {
     instructions: Option<f64>,
 }
 
-/// Times the steps of `systems`, unless there is no `effort`, and counts their instructions, unless there is no valgrind.
+/// Times the steps of `systems`, unless there is no `effort`, and counts their instructions, unless
+/// there is no valgrind.
 pub(crate) fn steps(systems: &[System], effort: Option<Effort>) -> Result<(Vec<Section>, Vec<Limit>)> {
     let progress = Progress::new(systems.len());
     let (mut sections, mut limits, mut by_lu) = (Vec::new(), Vec::new(), Vec::new());

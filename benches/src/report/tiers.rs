@@ -14,8 +14,8 @@ const FAST: &str = "fast";
 /// The same, asked for one step at a time, as the stable tier is.
 const STEP: &str = "fast, a step at a time";
 
-/// The tiers with a limit: what they are compared with, whether in the build for this processor (with multiply-adds), and the
-/// most that the ratio may be.
+/// The tiers with a limit: what they are compared with, whether in the build for this processor
+/// (with multiply-adds), and the most that the ratio may be.
 const LIMITS: [(&str, &str, bool, f64); 3] =
     [("compensated", FAST, false, 1.20), ("stable", STEP, false, 1.5), ("accurate", FAST, true, 10.0)];
 
@@ -57,7 +57,8 @@ pub(crate) fn tiers(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     Ok((vec![Section { title: "Tiers".to_owned(), text, table }], limits))
 }
 
-/// Each tier's price against the fast one in the build for every processor, for systems of two and three variables.
+/// Each tier's price against the fast one in the build for every processor, for systems of two and
+/// three variables.
 pub(crate) fn tier_prices(effort: Effort) -> Result<Vec<(String, f64)>> {
     let mut worker = Worker::start(&worker::build(worker::TIERS, false)?)?;
     let lines = measure(&mut worker, effort)?;

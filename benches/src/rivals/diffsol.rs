@@ -1,4 +1,5 @@
-//! The Tsitouras method of order 5(4) with step control, of the crate `diffsol`, without its compilers.
+//! The Tsitouras method of order 5(4) with step control, of the crate `diffsol`, without its
+//! compilers.
 
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use kahan_core::prelude::*;

@@ -1,4 +1,5 @@
-//! The implicit midpoint rule, x̃ = x + h·f(½(x + x̃)), by Newton's method: the geometric integrator one writes first.
+//! The implicit midpoint rule, x̃ = x + h·f(½(x + x̃)), by Newton's method: the geometric
+//! integrator one writes first.
 
 use kahan_core::prelude::*;
 use nalgebra::{Const, DimMin};
@@ -8,7 +9,8 @@ pub(crate) const NAME: &str = "implicit midpoint, Newton";
 /// Newton's method ends with an update below this, relative to max(1, |x̃|), in the maximum norm.
 pub(crate) const TOLERANCE: f64 = 1e-14;
 
-/// One step of h = 2ε: analytic Jacobian I − ½h·f′, LU with partial pivoting, Euler's step as the first guess.
+/// One step of h = 2ε: analytic Jacobian I − ½h·f′, LU with partial pivoting, Euler's step as the
+/// first guess.
 ///
 /// # Panics
 /// Where the Jacobian is singular, which no chain here meets.
@@ -21,7 +23,8 @@ where
     move |x| {
         let x = SVector::from(x);
         let mut next = x + map.field(&x) * h;
-        // Quadratic convergence: more than a few iterations mean that rounding keeps the update above the tolerance.
+        // Quadratic convergence: more than a few iterations mean that rounding keeps the update
+        // above the tolerance.
         for _ in 0..8 {
             let middle = (x + next) * 0.5;
             let residual = x + map.field(&middle) * h - next;

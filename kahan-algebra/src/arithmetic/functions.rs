@@ -1,7 +1,9 @@
-//! Rational functions over ℚ with factored denominators: numerators in normal form (expanded), so that a value is zero
-//! exactly when its numerator has no terms. No gcd is taken; common denominators and quotients share their factors.
+//! Rational functions over ℚ with factored denominators: numerators in normal form (expanded), so
+//! that a value is zero exactly when its numerator has no terms. No gcd is taken; common
+//! denominators and quotients share their factors.
 //!
-//! Work is bounded: once the budget is spent every further value is [`Function::TooLarge`], and nothing can be said.
+//! Work is bounded: once the budget is spent every further value is [`Function::TooLarge`], and
+//! nothing can be said.
 
 use std::cell::RefCell;
 
@@ -106,7 +108,8 @@ impl Functions {
         Some(Function::Known { numerator: self.product(&a, &b)?, denominator })
     }
 
-    /// Moves the factors of `below` into `denominator`, except where one equals `numerator`, which it then cancels.
+    /// Moves the factors of `below` into `denominator`, except where one equals `numerator`, which
+    /// it then cancels.
     fn cancel(
         &self,
         numerator: &mut Polynomial,

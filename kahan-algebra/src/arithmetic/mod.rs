@@ -18,7 +18,8 @@ pub use sizes::{Size, Sizes};
 
 use crate::rational::Rational;
 
-/// Field operations on values of one sort. Division may fail; so may a constant (a prime that divides a denominator).
+/// Field operations on values of one sort. Division may fail; so may a constant (a prime that
+/// divides a denominator).
 pub trait Arithmetic {
     /// The values.
     type Value: Clone;
@@ -50,14 +51,15 @@ pub trait Arithmetic {
     fn subtract_product(&self, a: &Self::Value, b: &Self::Value, c: &Self::Value) -> Self::Value {
         self.subtract(a, &self.multiply(b, c))
     }
-    /// Whether a step with this ε may be computed from 1/(2ε), see [`StepPlan`](crate::plan::StepPlan::has_inverse_step); never but
-    /// for floats.
+    /// Whether a step with this ε may be computed from 1/(2ε), see
+    /// [`StepPlan`](crate::plan::StepPlan::has_inverse_step); never but for floats.
     fn has_inverse_step(&self, _eps: &Self::Value) -> bool {
         false
     }
     /// Whether a is zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
-    /// Whether elimination should rather divide by a: for floats the larger, elsewhere what is not zero.
+    /// Whether elimination should rather divide by a: for floats the larger, elsewhere what is not
+    /// zero.
     fn is_better_pivot(&self, a: &Self::Value, than: &Self::Value) -> bool {
         self.is_zero(than) && !self.is_zero(a)
     }

@@ -1,9 +1,10 @@
 //! Sizes of formal fractions: degree and coefficient size, for the error bound of the prover.
 //!
-//! Every value of a plan is a fraction N/M of integer polynomials, formed by the rules of arithmetic without any
-//! cancellation. A [`Size`] bounds the total degrees of N and M and the logarithms of their 1-norms (the sums of the
-//! absolute values of their coefficients, which are submultiplicative). Running a plan in [`Sizes`] so gives bounds
-//! for its results; they saturate instead of overflowing.
+//! Every value of a plan is a fraction N/M of integer polynomials, formed by the rules of
+//! arithmetic without any cancellation. A [`Size`] bounds the total degrees of N and M and the
+//! logarithms of their 1-norms (the sums of the absolute values of their coefficients, which are
+//! submultiplicative). Running a plan in [`Sizes`] so gives bounds for its results; they saturate
+//! instead of overflowing.
 
 use crate::rational::Rational;
 
@@ -41,9 +42,9 @@ impl Size {
 pub struct Sizes;
 
 impl Sizes {
-    /// A bound for the determinant of any n×n matrix with columns among those of `rows` (n rows, at least n columns):
-    /// over the product of all denominators, each of the n! terms has one numerator a row and no more than all
-    /// denominators.
+    /// A bound for the determinant of any n×n matrix with columns among those of `rows` (n rows, at
+    /// least n columns): over the product of all denominators, each of the n! terms has one
+    /// numerator a row and no more than all denominators.
     #[must_use]
     pub fn determinant(self, rows: &[Vec<Size>]) -> Size {
         let all = || rows.iter().flatten();

@@ -16,7 +16,8 @@ use super::names::{Meaning, Scope, expressions};
 /// The largest exponent in a claim.
 const HIGHEST_POWER: i64 = 64;
 
-/// Compiles the claims in order. One that is broken keeps its name and a harmless zero, and is not proved.
+/// Compiles the claims in order. One that is broken keeps its name and a harmless zero, and is not
+/// proved.
 pub(super) fn compile_all(
     block: &Block,
     components: &[Component],
@@ -206,8 +207,8 @@ impl Compiler {
     }
 }
 
-/// The indices of the states of a bracket's entries, none for other claims; `None` if an entry is wrong. All wrong
-/// entries are reported.
+/// The indices of the states of a bracket's entries, none for other claims; `None` if an entry is
+/// wrong. All wrong entries are reported.
 fn entry_places(
     claim: &syntax::Claim,
     scope: &Scope,

@@ -34,7 +34,8 @@ pub(super) fn evaluate(
     values
 }
 
-/// The value of an expression of numbers and constants; `Ok(None)` where a mistake in it was reported elsewhere.
+/// The value of an expression of numbers and constants; `Ok(None)` where a mistake in it was
+/// reported elsewhere.
 fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagnostic> {
     let mut foreign: Option<(String, Span)> = None;
     let mut poisoned = false;

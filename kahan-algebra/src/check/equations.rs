@@ -80,8 +80,8 @@ fn describe(monomial: &Monomial, scope: &Scope) -> String {
     format!("the term `{}`", powers.join("*"))
 }
 
-/// The place that raises the degree above two: of a sum its first term that is too high, of a product the factor at
-/// which the degree passes two, of a power the whole of it.
+/// The place that raises the degree above two: of a sum its first term that is too high, of a
+/// product the factor at which the degree passes two, of a power the whole of it.
 fn raising_factor(expr: &Expr, scope: &Scope) -> Span {
     let degree = |expr: &Expr| {
         expand(expr, scope).map_or(0, |expansion| {

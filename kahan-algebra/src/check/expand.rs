@@ -1,8 +1,8 @@
 //! An expression of an equation, or of a relation behind `when`, to a fraction p/q, p expanded in
 //! states and parameters, q free of states.
 //!
-//! What cancels, cancels: only the result counts, not what it passed through. Sizes are limited, so that no input hangs
-//! the compiler.
+//! What cancels, cancels: only the result counts, not what it passed through. Sizes are limited, so
+//! that no input hangs the compiler.
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::poly::{Budget, Polynomial};
@@ -16,7 +16,8 @@ use super::names::{Meaning, Scope};
 pub(super) const MOST_TERMS: usize = 100_000;
 /// The largest number of products of terms in one expansion.
 pub(super) const MOST_WORK: u64 = 300_000;
-/// The largest degree in the states that a power of a sum may have; more does not cancel in earnest, and takes long.
+/// The largest degree in the states that a power of a sum may have; more does not cancel in
+/// earnest, and takes long.
 const HIGHEST_DEGREE: u64 = 64;
 /// The largest exponent of something that depends on parameters.
 const HIGHEST_PARAMETER_POWER: i64 = 64;

@@ -1,8 +1,8 @@
 //! Syntax to a checked system, one rule a function.
 //!
-//! Names first, then constants, equations and claims. What is broken is reported once and replaced by something
-//! harmless (a zero right-hand side, a claim that is not proved), so that one mistake makes one error and the emitter
-//! can always emit.
+//! Names first, then constants, equations and claims. What is broken is reported once and replaced
+//! by something harmless (a zero right-hand side, a claim that is not proved), so that one mistake
+//! makes one error and the emitter can always emit.
 
 mod claims;
 mod conditions;

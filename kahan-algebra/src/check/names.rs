@@ -201,7 +201,8 @@ impl Scope {
         self.variable(name).map(Meaning::Variable)
     }
 
-    /// Reports every name of `expr` that means nothing here; `true` if all mean something and none is poisoned.
+    /// Reports every name of `expr` that means nothing here; `true` if all mean something and none
+    /// is poisoned.
     pub(super) fn resolve(&mut self, expr: &Expr, in_claim: bool, diagnostics: &mut Diagnostics) -> bool {
         let mut names = Vec::new();
         expr.visit_names(&mut |name, span| names.push((name.to_owned(), span)));

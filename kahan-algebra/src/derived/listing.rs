@@ -5,9 +5,11 @@ use crate::symbols::Symbols;
 
 use super::names::{constant_names, listed_constants, listed_kernel};
 
-/// A step's plan in lines `name = left + right`; a line with a product and a sum is one multiply-add.
+/// A step's plan in lines `name = left + right`; a line with a product and a sum is one
+/// multiply-add.
 ///
-/// ε stands as `eps`, half the time step; a power of two by a denominator of the map is called `reciprocal_1`, ….
+/// ε stands as `eps`, half the time step; a power of two by a denominator of the map is called
+/// `reciprocal_1`, ….
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepListing {
     /// What ε and the parameters fix, computed once; a name alone is kept as it is.
@@ -66,7 +68,8 @@ impl StepListing {
     }
 }
 
-/// A line for each step that is computed and not `hidden`: inputs and literals stand where they are used.
+/// A line for each step that is computed and not `hidden`: inputs and literals stand where they are
+/// used.
 fn lines(plan: &Plan, names: &[String], hidden: impl Fn(usize) -> bool) -> Vec<String> {
     let is_literal = |node: Node| matches!(plan.operations[node.0], Operation::Constant(_));
     let name = |node: Node| names[node.0].as_str();

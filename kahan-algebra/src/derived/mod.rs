@@ -1,7 +1,9 @@
-//! Everything of a system that is evaluated, as straight-line plans: they are assembled here and nowhere else.
+//! Everything of a system that is evaluated, as straight-line plans: they are assembled here and
+//! nowhere else.
 //!
-//! In: a checked system. Out: a [`Derived`], in which each plan has a name. Whoever writes code, runs a map, proves
-//! or prints reads it from there, so that all of them compute the same operations in the same order.
+//! In: a checked system. Out: a [`Derived`], in which each plan has a name. Whoever writes code,
+//! runs a map, proves or prints reads it from there, so that all of them compute the same
+//! operations in the same order.
 
 mod listing;
 mod names;
@@ -26,7 +28,8 @@ use crate::system::System;
 pub struct Derived {
     /// The system itself.
     pub system: System,
-    /// What each component of the field divides by, free of states: where one is zero there is no field.
+    /// What each component of the field divides by, free of states: where one is zero there is no
+    /// field.
     pub divisors: Plan,
     /// f(x), a component a result.
     pub field: Plan,
@@ -46,8 +49,8 @@ pub struct Derived {
     pub det_matrix: Option<Plan>,
     /// (N, D), the numerators before the denominator, unreduced; `None` beyond the budget.
     pub rational_map: Option<Plan>,
-    /// The numerators of the reduced map before its denominator; `None` where nothing that depends on a state was
-    /// divided out, so that they are (N, D) up to a factor without poles.
+    /// The numerators of the reduced map before its denominator; `None` where nothing that depends
+    /// on a state was divided out, so that they are (N, D) up to a factor without poles.
     pub reduced_map: Option<Plan>,
     /// The integrals that are claimed without `when`, together.
     pub integrals: Plan,
@@ -55,15 +58,16 @@ pub struct Derived {
     pub integral_names: Vec<String>,
     /// The density that is claimed without `when`.
     pub density: Option<Plan>,
-    /// The brackets that are claimed without `when`: name, and the entries above the diagonal row by row.
+    /// The brackets that are claimed without `when`: name, and the entries above the diagonal row
+    /// by row.
     pub brackets: Vec<(String, Plan)>,
     step: OnceLock<Option<StepPlan>>,
 }
 
 /// Derives the plans of a system.
 ///
-/// Cost: that of [`RationalMap::of`], some milliseconds for a system of the catalog; the step is planned when it is
-/// first asked for.
+/// Cost: that of [`RationalMap::of`], some milliseconds for a system of the catalog; the step is
+/// planned when it is first asked for.
 #[must_use]
 pub fn derive(system: &System) -> Derived {
     let field = &system.field;
@@ -102,8 +106,8 @@ impl Derived {
         self.step.get_or_init(|| StepPlan::of_map(&self.system.field, self.map.as_ref())).as_ref()
     }
 
-    /// The plan of each function that generated code has, with the words for it: `det A`, `bracket P`. `None` stands
-    /// for elimination in a loop.
+    /// The plan of each function that generated code has, with the words for it: `det A`, `bracket
+    /// P`. `None` stands for elimination in a loop.
     #[must_use]
     pub fn functions(&self) -> Vec<(String, Option<Plan>)> {
         let symbols = &self.system.field.symbols;
@@ -167,7 +171,8 @@ fn over_product<'a>(map: &RationalMap, polynomials: impl IntoIterator<Item = &'a
     builder.finish(&outputs)
 }
 
-/// The numerators of the reduced map and its denominator, where a factor that depends on states was divided out.
+/// The numerators of the reduced map and its denominator, where a factor that depends on states was
+/// divided out.
 fn reduced_map(symbols: &Symbols, reduced: &Reduced) -> Option<Plan> {
     let is_shorter = reduced.common_factor.variables().into_iter().any(|variable| symbols.is_state(variable));
     is_shorter.then(|| Plan::of(reduced.numerators(symbols).iter().chain([&reduced.denominator])))

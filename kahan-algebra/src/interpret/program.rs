@@ -1,5 +1,5 @@
-//! A plan whose parameters are known, ready to be run many times: what depends on no state is computed once, and no run
-//! allocates more than the arithmetic itself does.
+//! A plan whose parameters are known, ready to be run many times: what depends on no state is
+//! computed once, and no run allocates more than the arithmetic itself does.
 
 use crate::arithmetic::Arithmetic;
 use crate::plan::{Node, Operation, Plan};
@@ -26,7 +26,8 @@ pub(super) struct Program<V> {
 }
 
 impl<V: Clone> Program<V> {
-    /// Prepares a plan, given its prepared constants; the same operations in the same order as [`Plan::evaluate`].
+    /// Prepares a plan, given its prepared constants; the same operations in the same order as
+    /// [`Plan::evaluate`].
     pub(super) fn new<A: Arithmetic<Value = V>>(
         plan: &Plan,
         arithmetic: &A,

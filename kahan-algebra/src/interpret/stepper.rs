@@ -1,9 +1,10 @@
 //! Long orbits at run time: one map at fixed parameters and ε, stepped many times.
 //!
-//! [`Interpreter`](super::Interpreter) computes everything at one point; a [`Stepper`] computes the next point and the
-//! integrals only, with everything prepared that does not depend on the state. Its operations and their order are those of
-//! the generated code's `step`, so over floats the orbits of a field with a [`StepPlan`] are the same bit for bit, unless
-//! that code is compiled for a target with fused multiply-adds: those round once where this rounds twice.
+//! [`Interpreter`](super::Interpreter) computes everything at one point; a [`Stepper`] computes the
+//! next point and the integrals only, with everything prepared that does not depend on the state.
+//! Its operations and their order are those of the generated code's `step`, so over floats the
+//! orbits of a field with a [`StepPlan`] are the same bit for bit, unless that code is compiled for
+//! a target with fused multiply-adds: those round once where this rounds twice.
 
 use crate::arithmetic::{Arithmetic, Solved, solve};
 use crate::derived::derive;
@@ -15,8 +16,9 @@ use crate::system::System;
 use super::UndefinedField;
 use super::program::{Input, Program};
 
-/// The step from a point has no value: a pole of the reduced map, or det A = 0 where the map is not reduced (see
-/// [`Stepper::is_reduced`]). Floats are at a pole only where the rounded denominator is zero.
+/// The step from a point has no value: a pole of the reduced map, or det A = 0 where the map is not
+/// reduced (see [`Stepper::is_reduced`]). Floats are at a pole only where the rounded denominator
+/// is zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pole;
 
@@ -34,8 +36,8 @@ pub struct Stepper<'a, A: Arithmetic> {
 /// How x̃ − x is computed.
 #[derive(Clone, Debug)]
 enum Increment<V> {
-    /// The kernel of the step: numerators, reciprocals, and after these `results` everything that it divides by;
-    /// `reciprocals` are the places of each component's reciprocal among them.
+    /// The kernel of the step: numerators, reciprocals, and after these `results` everything that
+    /// it divides by; `reciprocals` are the places of each component's reciprocal among them.
     Planned { kernel: Program<V>, reciprocals: Vec<Option<usize>>, results: usize },
     /// A, row by row, and f: A (x̃ − x)/(2ε) = f.
     Elimination { matrix: Program<V>, right: Program<V> },
@@ -85,7 +87,8 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
             .map(|mut steppers| steppers.remove(0))
     }
 
-    /// A stepper for each of several ε, as the stages of a composition need them; the map is derived once.
+    /// A stepper for each of several ε, as the stages of a composition need them; the map is
+    /// derived once.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -131,8 +134,8 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
         eps.iter().map(stepper).collect()
     }
 
-    /// Whether the map is the reduced rational map; if not, it is beyond the budget of terms, and every point with
-    /// det A = 0 counts as a pole.
+    /// Whether the map is the reduced rational map; if not, it is beyond the budget of terms, and
+    /// every point with det A = 0 counts as a pole.
     #[must_use]
     pub fn is_reduced(&self) -> bool {
         self.is_reduced
@@ -144,12 +147,12 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
         &self.two_eps
     }
 
-    /// Replaces the state x by x̃. Cost: one operation a step of the plan; over floats nothing is allocated, except by
-    /// elimination.
+    /// Replaces the state x by x̃. Cost: one operation a step of the plan; over floats nothing is
+    /// allocated, except by elimination.
     ///
     /// # Errors
-    /// [`Pole`], and the state is then as before. A float step near a pole or beyond the range may be `Ok` with values that
-    /// are not finite.
+    /// [`Pole`], and the state is then as before. A float step near a pole or beyond the range may
+    /// be `Ok` with values that are not finite.
     ///
     /// # Panics
     /// If the state has too few entries.
@@ -197,7 +200,8 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
         &self.integral_names
     }
 
-    /// The values of the unconditional integrals at a state; `None` for one that divides by zero there.
+    /// The values of the unconditional integrals at a state; `None` for one that divides by zero
+    /// there.
     ///
     /// # Panics
     /// If the state has too few entries.

@@ -1,4 +1,5 @@
-//! The symmetric bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)] and the polarised field Q(x,y) + ½B(x+y) + c.
+//! The symmetric bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)] and the polarised field Q(x,y) +
+//! ½B(x+y) + c.
 
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial};

@@ -1,7 +1,7 @@
 //! All maximal minors of an n×(n+1) polynomial matrix at once, within a budget.
 //!
-//! Laplace expansion row by row: after k rows, the minor of every set of k columns is known, each from those of k−1.
-//! Zero minors are left out, so sparse matrices stay cheap.
+//! Laplace expansion row by row: after k rows, the minor of every set of k columns is known, each
+//! from those of k−1. Zero minors are left out, so sparse matrices stay cheap.
 
 use crate::poly::{Budget, OverBudget, Polynomial};
 use crate::table::Table;

@@ -1,7 +1,9 @@
-//! Kahan's objects, derived from a checked field as exact polynomials; one object of the theory a file.
+//! Kahan's objects, derived from a checked field as exact polynomials; one object of the theory a
+//! file.
 //!
-//! Every row of A x̃ = b is multiplied by its component's denominator qᵢ, which depends on parameters only. So all
-//! objects here are polynomials: Â = diag(q)·A, b̂ = diag(q)·b, D̂ = det Â = ∏q · det A.
+//! Every row of A x̃ = b is multiplied by its component's denominator qᵢ, which depends on
+//! parameters only. So all objects here are polynomials: Â = diag(q)·A, b̂ = diag(q)·b, D̂ = det Â
+//! = ∏q · det A.
 
 mod bilinear;
 mod matrix;

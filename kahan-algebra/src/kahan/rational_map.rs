@@ -1,8 +1,10 @@
-//! The map as rational functions: x̃ᵢ = Nᵢ/D unreduced, and the reduced increment x̃ᵢ − xᵢ = 2ε nᵢ/d.
+//! The map as rational functions: x̃ᵢ = Nᵢ/D unreduced, and the reduced increment x̃ᵢ − xᵢ = 2ε
+//! nᵢ/d.
 //!
-//! By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂ with n̂ⱼ the determinant of Â with column j replaced by p, so x̃ has the
-//! numerators N̂ = xD̂ + 2εn̂. Common factors of n̂₁ … n̂ₙ and D̂ are those of N̂ and D̂ too, because D̂ is not divisible by
-//! ε (at ε = 0 it is ∏q). The greatest of them is divided out: where it alone vanishes the map has a removable pole.
+//! By Cramer's rule (x̃ − x)/(2ε) = Â⁻¹p = n̂/D̂ with n̂ⱼ the determinant of Â with column j
+//! replaced by p, so x̃ has the numerators N̂ = xD̂ + 2εn̂. Common factors of n̂₁ … n̂ₙ and D̂ are
+//! those of N̂ and D̂ too, because D̂ is not divisible by ε (at ε = 0 it is ∏q). The greatest of
+//! them is divided out: where it alone vanishes the map has a removable pole.
 
 use crate::field::Field;
 use crate::poly::{Budget, OverBudget, Polynomial, gcd_all_within};
@@ -12,11 +14,12 @@ use crate::symbols::Symbols;
 use super::matrix::scaled_matrix;
 use super::minors::maximal_minors;
 
-/// The largest number of terms of N and D together, and of every intermediate minor. Beyond it the map is computed by
-/// elimination on the numeric matrix.
+/// The largest number of terms of N and D together, and of every intermediate minor. Beyond it the
+/// map is computed by elimination on the numeric matrix.
 pub const TERM_BUDGET: usize = 500;
 
-/// The work that deriving and reducing one map may take, in products of terms: some tens of milliseconds unoptimised.
+/// The work that deriving and reducing one map may take, in products of terms: some tens of
+/// milliseconds unoptimised.
 const WORK_BUDGET: u64 = 40_000;
 
 /// The map of a field whose N and D stay within the budget.

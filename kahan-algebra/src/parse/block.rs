@@ -13,7 +13,8 @@ use super::keyword::wrong_keyword;
 const SHAPES: &str =
     "a block holds equations `xdot = …;`, constants `const c = …;` and claims `integral H = …;`";
 
-/// Reads one item. On a mistake the cursor stays inside the item; what was learnt of it is in the block already.
+/// Reads one item. On a mistake the cursor stays inside the item; what was learnt of it is in the
+/// block already.
 pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     if let Some(diagnostic) = cursor.unreadable() {
         return Err(diagnostic);

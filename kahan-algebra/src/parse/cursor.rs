@@ -114,7 +114,8 @@ impl<'a> Cursor<'a> {
         self.peek(0).map_or_else(|| "the end of the block".to_owned(), |token| format!("`{}`", token.text))
     }
 
-    /// Whether an item begins `ahead` tokens from here: `xdot =`, `const c =`, `integral H =`, `bracket P {`.
+    /// Whether an item begins `ahead` tokens from here: `xdot =`, `const c =`, `integral H =`,
+    /// `bracket P {`.
     pub(super) fn begins_item(&self, ahead: usize) -> bool {
         let Some(word) = self.identifier(ahead) else { return false };
         let equation = word.len() > 3 && word.ends_with("dot") && self.is_punctuation(ahead + 1, '=');
@@ -123,8 +124,8 @@ impl<'a> Cursor<'a> {
         equation || (named && matches!(word, "const" | "integral" | "density" | "bracket"))
     }
 
-    /// Leaves a broken item that began at `start`: past its `;`, or up to the line that begins the next item. Always
-    /// moves on.
+    /// Leaves a broken item that began at `start`: past its `;`, or up to the line that begins the
+    /// next item. Always moves on.
     pub(super) fn skip_item(&mut self, start: usize) {
         let mut depth = 0usize;
         while let Some(token) = self.peek(0) {
@@ -142,7 +143,8 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Skips a bracketed group that begins here and returns its span; to the end if it never closes.
+    /// Skips a bracketed group that begins here and returns its span; to the end if it never
+    /// closes.
     pub(super) fn skip_group(&mut self) -> Span {
         let start = self.here();
         let mut depth = 0usize;

@@ -7,8 +7,9 @@
 //! | | `*`, `/` | from left to right |
 //! | loosest | `+`, `-` | from left to right |
 //!
-//! Operands are numbers, names and parentheses. Everything else that may stand there in other languages (calls, paths,
-//! indices, `**`, juxtaposition) is recognised and answered with the way to write it here.
+//! Operands are numbers, names and parentheses. Everything else that may stand there in other
+//! languages (calls, paths, indices, `**`, juxtaposition) is recognised and answered with the way
+//! to write it here.
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::syntax::{Expr, ExprKind, Factor, Term};
@@ -21,7 +22,8 @@ use super::number::parse_number;
 /// How deep parentheses and unary signs may nest.
 const DEEPEST_NESTING: usize = 256;
 
-/// Reads an expression that ends before `;`, `,`, a closing bracket, `when` or the end of the block.
+/// Reads an expression that ends before `;`, `,`, a closing bracket, `when` or the end of the
+/// block.
 pub(super) fn parse_expr(cursor: &mut Cursor<'_>) -> Parsed<Expr> {
     let expr = sum(cursor, 0)?;
     match cursor.unreadable() {
@@ -235,7 +237,8 @@ fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<(
     Ok(())
 }
 
-/// `self.mu`, `physics::RATE` or `mu[0]` stands where a name should; the cursor is behind its first name.
+/// `self.mu`, `physics::RATE` or `mu[0]` stands where a name should; the cursor is behind its first
+/// name.
 fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<T> {
     let mut access = name.to_owned();
     let mut last = name;
@@ -273,7 +276,8 @@ fn is_function(name: &str) -> bool {
     FUNCTIONS.contains(&name)
 }
 
-/// Whether the operand just read begins a statement of Rust. (A state may have the name of a keyword; what follows tells.)
+/// Whether the operand just read begins a statement of Rust. (A state may have the name of a
+/// keyword; what follows tells.)
 fn is_statement(operand: &Expr) -> bool {
     matches!(&operand.kind, ExprKind::Name(name) if matches!(name.as_str(), "if" | "match" | "let" | "for" | "while"))
 }

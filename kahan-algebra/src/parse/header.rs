@@ -1,7 +1,7 @@
 //! The header: `attributes visibility struct Name;` or `… struct Name { a, b }`.
 //!
-//! Parameters are bare names: the macro adds their type, and the type's parameter. Attributes are skipped, not read;
-//! whoever emits Rust keeps them.
+//! Parameters are bare names: the macro adds their type, and the type's parameter. Attributes are
+//! skipped, not read; whoever emits Rust keeps them.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::{Block, Header, Name};

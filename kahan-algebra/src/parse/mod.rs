@@ -1,8 +1,9 @@
 //! Tokens to syntax: a recursive-descent parser of the language of `kahan!`.
 //!
-//! Never through Rust's own expression parser, whose `^` binds looser than `+`. A mistake ends its item, not the block:
-//! the parser skips to the next `;` (or to the next line that begins an item) and goes on, so that several mistakes
-//! are reported at once. Whatever the tokens, it returns a block and never panics.
+//! Never through Rust's own expression parser, whose `^` binds looser than `+`. A mistake ends its
+//! item, not the block: the parser skips to the next `;` (or to the next line that begins an item)
+//! and goes on, so that several mistakes are reported at once. Whatever the tokens, it returns a
+//! block and never panics.
 
 mod block;
 mod cursor;

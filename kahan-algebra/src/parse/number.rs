@@ -1,4 +1,5 @@
-//! Literal text to an exact rational: `0.1` is 1/10, with as many digits as are written, never through `f64`.
+//! Literal text to an exact rational: `0.1` is 1/10, with as many digits as are written, never
+//! through `f64`.
 
 use num_bigint::BigInt;
 use num_traits::Num;

@@ -51,8 +51,8 @@ const CLEAR: f64 = 0.2;
 const DOUBTFUL: f64 = 3.0 * REFUSED;
 /// A median of n errors lies within the quantiles ½ ± this/√n, nine times in ten.
 const BAND: f64 = 0.8;
-/// A step is said to hold where it stays within this part of the limits: other points differ from those that were
-/// looked at.
+/// A step is said to hold where it stays within this part of the limits: other points differ from
+/// those that were looked at.
 const CLAIMED: f64 = 0.6;
 /// The quantile that stands for the tail.
 const TAIL: f64 = 0.9;

@@ -1,8 +1,10 @@
-//! The step from the structure of A, without expanding its determinant: block after block, the states of an independent set
-//! eliminated by their pivots, which are 1, and the rest by Cramer's rule.
+//! The step from the structure of A, without expanding its determinant: block after block, the
+//! states of an independent set eliminated by their pivots, which are 1, and the rest by Cramer's
+//! rule.
 //!
-//! For a block with states K, A_KK·(x̃ − x)_K = 2ε P_K(x, x̃) with P the polarised field, x̃ being known in earlier blocks and x
-//! standing for x̃ in this one. For an independent set S of K and R the others, A_SS = I, so that
+//! For a block with states K, A_KK·(x̃ − x)_K = 2ε P_K(x, x̃) with P the polarised field, x̃ being
+//! known in earlier blocks and x standing for x̃ in this one. For an independent set S of K and R
+//! the others, A_SS = I, so that
 //!
 //! ```text
 //! (A_RR − A_RS·A_SR)·(x̃ − x)_R = 2ε (P_R − A_RS·P_S),      (x̃ − x)_S = 2ε P_S(x, x̃) with x̃_R put in.
@@ -25,7 +27,8 @@ use super::nesting::Goal;
 use super::structure::Structure;
 use super::writer::{Entry, Writer};
 
-/// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop is faster.
+/// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop
+/// is faster.
 const MOST_OPERATIONS: usize = 600;
 /// The most terms of a right-hand side for which all ways to distribute ε are compared.
 const COMPARED_TERMS: usize = 12;
@@ -164,7 +167,8 @@ impl<'a> Blocks<'a> {
         rows.iter().flatten().all(|entry| entry.len() <= ENTRY_TERMS).then_some(rows)
     }
 
-    /// The polarised field with x for x̃ in the states of the block, but for those that are known already.
+    /// The polarised field with x for x̃ in the states of the block, but for those that are known
+    /// already.
     fn with_known(&self, polarized: &Polynomial, block: &[usize], known: &[usize]) -> Polynomial {
         let symbols = &self.field.symbols;
         polarized.map_variables(|variable| match symbols.symbol(variable) {

@@ -1,6 +1,8 @@
-//! Building plans: hash-consed operations with the obvious simplifications, and polynomials in nested (Horner) form.
+//! Building plans: hash-consed operations with the obvious simplifications, and polynomials in
+//! nested (Horner) form.
 //!
-//! Simplifications are exact identities only (0 + a, 1 · a, a − (−b), …), so a plan computes what was asked over ℚ.
+//! Simplifications are exact identities only (0 + a, 1 · a, a − (−b), …), so a plan computes what
+//! was asked over ℚ.
 
 use rustc_hash::FxHashMap;
 
@@ -45,7 +47,8 @@ impl PlanBuilder {
         self.include_mapped(plan, Self::input)
     }
 
-    /// Adds the steps of another plan, `input` standing for its variables, and returns its results here.
+    /// Adds the steps of another plan, `input` standing for its variables, and returns its results
+    /// here.
     pub fn include_mapped(
         &mut self,
         plan: &Plan,
@@ -112,7 +115,8 @@ impl PlanBuilder {
         self.known.contains_key(&Operation::Multiply(a.min(b), a.max(b)))
     }
 
-    /// This very operation, without simplification; the same one as before, if it is a step already.
+    /// This very operation, without simplification; the same one as before, if it is a step
+    /// already.
     pub(super) fn intern(&mut self, operation: Operation) -> Node {
         if let Some(&node) = self.known.get(&operation) {
             return node;
@@ -262,7 +266,8 @@ impl PlanBuilder {
         (exponent > 0).then(|| self.power(a, exponent))
     }
 
-    /// A polynomial in nested form: content and common monomial first, then v·q + r in the variable v of most terms.
+    /// A polynomial in nested form: content and common monomial first, then v·q + r in the variable
+    /// v of most terms.
     pub fn polynomial(&mut self, polynomial: &Polynomial) -> Node {
         if let Some(value) = polynomial.as_constant() {
             return self.constant(&value);
@@ -314,7 +319,8 @@ impl PlanBuilder {
     }
 }
 
-/// The variable that most terms contain, the later one of equals; none where no variable is in two terms.
+/// The variable that most terms contain, the later one of equals; none where no variable is in two
+/// terms.
 fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
     let mut counts: Vec<(Variable, usize)> = Vec::new();
     for (variable, _) in polynomial.terms().flat_map(|(monomial, _)| monomial.powers().iter().copied()) {

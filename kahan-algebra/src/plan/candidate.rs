@@ -48,7 +48,8 @@ impl Candidate {
     }
 }
 
-/// Operations and cycles to the next state, and a fine for prepared constants that were rounded more than once.
+/// Operations and cycles to the next state, and a fine for prepared constants that were rounded
+/// more than once.
 fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
     let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));

@@ -1,5 +1,5 @@
-//! The forms of a step that are compared: for each a draft of the denominator and the numerators of εn and d, from the
-//! reduced polynomials or from the determinants of A.
+//! The forms of a step that are compared: for each a draft of the denominator and the numerators of
+//! εn and d, from the reduced polynomials or from the determinants of A.
 
 use crate::field::Field;
 use crate::kahan::{RationalMap, scaled_matrix};
@@ -24,9 +24,11 @@ struct WithDenominator {
     numerators: Option<Vec<Signed>>,
 }
 
-/// Numerators are written as products of their factors for this many denominators, the cheapest ones.
+/// Numerators are written as products of their factors for this many denominators, the cheapest
+/// ones.
 const TRIED: usize = 2;
-/// Where determinants give the numerators, too, products are tried if their factors have at most this many terms together.
+/// Where determinants give the numerators, too, products are tried if their factors have at most
+/// this many terms together.
 const FACTOR_TERMS: usize = 32;
 
 /// How many orders of the rows of a block are compared in a field of few terms.
@@ -49,8 +51,8 @@ pub(super) struct Forms {
     pub(super) over_time_step: Vec<Candidate>,
 }
 
-/// The forms of a field's step: of the reduced map, if that is within the budget, or of A; `None` where the field is too large
-/// for straight lines.
+/// The forms of a field's step: of the reduced map, if that is within the budget, or of A; `None`
+/// where the field is too large for straight lines.
 pub(super) fn forms(field: &Field, map: Option<&RationalMap>) -> Option<Forms> {
     let mut candidates: Vec<Candidate> = Vec::new();
     if has_blocks(field, map) {
@@ -166,7 +168,8 @@ impl FactoredMap<'_> {
         starts
     }
 
-    /// Where nothing was divided out, A itself: its entries are shorter than what their determinant expands to.
+    /// Where nothing was divided out, A itself: its entries are shorter than what their determinant
+    /// expands to.
     fn determinants(&self, empty: &Writer) -> Vec<WithDenominator> {
         let n = self.field.dimension();
         if self.map.reduced.common_factor.as_constant().is_none() || !(2..=3).contains(&n) {
@@ -220,8 +223,8 @@ impl FactoredMap<'_> {
         self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative))
     }
 
-    /// A form with two divisions, for [two factors](Self::two_factors). What closes the cycle of an orbit then waits for a shorter
-    /// denominator.
+    /// A form with two divisions, for [two factors](Self::two_factors). What closes the cycle of an
+    /// orbit then waits for a shorter denominator.
     fn with_two_divisions(&self) -> Option<Candidate> {
         let (needed, other) = self.two_factors()?;
         self.divided_twice([needed, other], other, &Rational::from(2), [Power::Eps, Power::Eps])

@@ -1,7 +1,9 @@
-//! What a plan costs: operations counted, and the length of the chain from a state to the next state.
+//! What a plan costs: operations counted, and the length of the chain from a state to the next
+//! state.
 //!
-//! The latencies are those of the x86-64 cores of the last ten years, in cycles; others differ by one or two, which changes
-//! no choice between plans by much. They serve to compare plans, and never enter a promise.
+//! The latencies are those of the x86-64 cores of the last ten years, in cycles; others differ by
+//! one or two, which changes no choice between plans by much. They serve to compare plans, and
+//! never enter a promise.
 
 use super::{Node, Operation, Plan};
 
@@ -28,8 +30,8 @@ pub struct Cost {
     pub fused: usize,
     /// Divisions.
     pub divisions: usize,
-    /// Cycles from the inputs to the last result, if nothing else hinders: additions 3, multiplications and
-    /// multiply-adds 4, divisions 14.
+    /// Cycles from the inputs to the last result, if nothing else hinders: additions 3,
+    /// multiplications and multiply-adds 4, divisions 14.
     pub chain: u32,
 }
 

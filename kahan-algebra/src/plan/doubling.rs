@@ -1,7 +1,7 @@
 //! (2ε)·x as εx + εx, where εx is there anyway and nothing waits for it.
 //!
-//! Both are the same number. But machines have two ports for multiplications and a third one for additions, and in lanes the
-//! ports are what a step is bound by.
+//! Both are the same number. But machines have two ports for multiplications and a third one for
+//! additions, and in lanes the ports are what a step is bound by.
 
 use super::cost::ADD;
 use super::{Node, Operation, Plan, PlanBuilder};

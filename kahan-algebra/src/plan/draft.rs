@@ -1,5 +1,5 @@
-//! A plan in the making that knows when each of its values is ready, so that sums and products can be grouped with what
-//! arrives last at the end.
+//! A plan in the making that knows when each of its values is ready, so that sums and products can
+//! be grouped with what arrives last at the end.
 
 use crate::poly::Variable;
 use crate::rational::Rational;
@@ -119,10 +119,12 @@ impl Draft {
         self.builder.multiply(a, b)
     }
 
-    /// The product of all, the earliest two first; a product that exists already comes before a new one.
+    /// The product of all, the earliest two first; a product that exists already comes before a new
+    /// one.
     ///
-    /// Unless the draft folds, two constants are not multiplied with each other as long as there is a state: their product
-    /// would be rounded the same way in every step, and the integrals of a long orbit would drift.
+    /// Unless the draft folds, two constants are not multiplied with each other as long as there is
+    /// a state: their product would be rounded the same way in every step, and the integrals of a
+    /// long orbit would drift.
     pub(super) fn product(&mut self, factors: &[Node]) -> Node {
         let mut factors = factors.to_vec();
         if factors.is_empty() {
@@ -141,7 +143,8 @@ impl Draft {
         factors[0]
     }
 
-    /// Two factors whose product is a step already; first those of a factor that has no other such partner.
+    /// Two factors whose product is a step already; first those of a factor that has no other such
+    /// partner.
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
         let pairs = (0..factors.len()).flat_map(|i| (i + 1..factors.len()).map(move |j| (i, j)));
         let known: Vec<(usize, usize)> =

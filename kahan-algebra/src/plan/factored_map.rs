@@ -1,4 +1,5 @@
-//! What all forms of a reduced map are made from: its numerators and its denominator as products over one base of factors.
+//! What all forms of a reduced map are made from: its numerators and its denominator as products
+//! over one base of factors.
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
@@ -78,8 +79,8 @@ impl<'a> FactoredMap<'a> {
         Candidate::new(writer, nodes, reciprocals)
     }
 
-    /// Where the denominator is a product of two factors of which all components need one and some do not need the other: E1
-    /// and E5. The first is the one that all need.
+    /// Where the denominator is a product of two factors of which all components need one and some
+    /// do not need the other: E1 and E5. The first is the one that all need.
     pub(super) fn two_factors(&self) -> Option<(&Polynomial, &Polynomial)> {
         let [(one, 1), (two, 1)] = &self.denominator.factors[..] else { return None };
         if !self.denominator.monomial.is_one()
@@ -95,8 +96,9 @@ impl<'a> FactoredMap<'a> {
         }
     }
 
-    /// Numerators over one written factor, the short ones, or over both. `other` is the factor that short ones contain; the powers
-    /// are those of short numerators and of long ones, c/d the first reciprocal.
+    /// Numerators over one written factor, the short ones, or over both. `other` is the factor that
+    /// short ones contain; the powers are those of short numerators and of long ones, c/d the first
+    /// reciprocal.
     pub(super) fn divided_twice(
         &self,
         factors: [&Polynomial; 2],
@@ -113,7 +115,8 @@ impl<'a> FactoredMap<'a> {
         let power = |numerator: &Factored| if is_short(numerator) { short } else { long };
         let numerators = self.written_numerators(&mut writer, power, Some(other));
         let constant_flips = self.denominator.coefficient.is_negative();
-        // A short quotient divides by one of the written factors, a long one by both, each with the sign it was written with.
+        // A short quotient divides by one of the written factors, a long one by both, each with the
+        // sign it was written with.
         let candidate = self.with_reciprocals(writer, &numerators, |numerator| {
             let flips = constant_flips ^ needed.negative;
             if is_short(numerator) { (reciprocal, flips) } else { (both, flips ^ partner.negative) }

@@ -1,6 +1,7 @@
-//! Several polynomials as products over one base of factors: what two of them share is a factor, and so is what the
-//! coefficients in one variable share, and a quadratic in one variable with a square discriminant falls apart. No complete
-//! factorisation: what is found this way is what a step can reuse.
+//! Several polynomials as products over one base of factors: what two of them share is a factor,
+//! and so is what the coefficients in one variable share, and a quadratic in one variable with a
+//! square discriminant falls apart. No complete factorisation: what is found this way is what a
+//! step can reuse.
 
 use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
 use crate::rational::Rational;
@@ -104,7 +105,8 @@ fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     })
 }
 
-/// A factor of av² + bv + c in some variable v: there is one if b² − 4ac is a square s², and it is shared with 2av + b − s.
+/// A factor of av² + bv + c in some variable v: there is one if b² − 4ac is a square s², and it is
+/// shared with 2av + b − s.
 fn quadratic_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     if polynomial.len() > QUADRATIC_TERMS || polynomial.len() < 4 {
         return None;
@@ -186,8 +188,8 @@ mod tests {
         }
     }
 
-    /// Two numerators of E6 share y + ε(x² − z²); the third one, without a common factor and without a content, is a product
-    /// by its discriminant.
+    /// Two numerators of E6 share y + ε(x² − z²); the third one, without a common factor and
+    /// without a content, is a product by its discriminant.
     #[test]
     fn the_numerators_of_e6_are_products() {
         let (_, _, factored) = factors_of("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
@@ -195,7 +197,8 @@ mod tests {
         assert_eq!(lengths, [vec![3, 3], vec![4, 4], vec![3, 3], vec![7]]);
     }
 
-    /// E3: z + ε(x² + y²) is shared, x² + y² is what the coefficients of z in the third numerator have in common.
+    /// E3: z + ε(x² + y²) is shared, x² + y² is what the coefficients of z in the third numerator
+    /// have in common.
     #[test]
     fn what_coefficients_share_is_a_factor() {
         let (_, _, factored) = factors_of("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;");

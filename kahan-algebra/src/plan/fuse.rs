@@ -1,7 +1,8 @@
 //! Multiply-adds: where a product is used once, in a sum, and the chain does not become longer.
 //!
-//! A multiply-add saves an instruction and takes 4 cycles from the last of its operands, where an addition takes 3. So it is
-//! right unless the addend comes late on the chain that everything waits for.
+//! A multiply-add saves an instruction and takes 4 cycles from the last of its operands, where an
+//! addition takes 3. So it is right unless the addend comes late on the chain that everything waits
+//! for.
 
 use super::cost::{ADD, FUSED};
 use super::{Node, Operation, Plan};

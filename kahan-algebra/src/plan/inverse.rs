@@ -1,11 +1,13 @@
 //! Forms divided by the time step: with h = 1/(2ε), the inverse time step, 1 + 2εx becomes h + x.
 //!
-//! A denominator d is 1 + O(ε) up to a constant, and what multiplies ε in it is on the way from each state to the next. Divided by
-//! a power of ε it has that factor on a constant instead, which a prepared step knows: E1's 1/(h + x) waits for one addition. Where
-//! h alone is left, as for homogeneous fields of degree two in ε, it is the only rounded constant: the step is that of Kahan's map
-//! at the half step 1/(2h), which differs from ε by half an ulp.
+//! A denominator d is 1 + O(ε) up to a constant, and what multiplies ε in it is on the way from
+//! each state to the next. Divided by a power of ε it has that factor on a constant instead, which
+//! a prepared step knows: E1's 1/(h + x) waits for one addition. Where h alone is left, as for
+//! homogeneous fields of degree two in ε, it is the only rounded constant: the step is that of
+//! Kahan's map at the half step 1/(2h), which differs from ε by half an ulp.
 //!
-//! Such a step has no value at ε = 0 and leaves the range of the scalar earlier, so whoever takes it has another one besides.
+//! Such a step has no value at ε = 0 and leaves the range of the scalar earlier, so whoever takes
+//! it has another one besides.
 
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Monomial, Polynomial};
@@ -24,7 +26,8 @@ use super::{Operation, StepPlan};
 const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
-    /// The forms over ε and over ε², and the one with two divisions, as far as no constant in them is rounded twice.
+    /// The forms over ε and over ε², and the one with two divisions, as far as no constant in them
+    /// is rounded twice.
     pub(super) fn over_time_step(&self) -> Vec<Candidate> {
         let scalings = scalings(self.field);
         if scalings.iter().any(|scaling| scaling.folds) {
@@ -51,7 +54,8 @@ impl FactoredMap<'_> {
         forms
     }
 
-    /// Whether a product of states has a coefficient that is a sum, which is prepared as one where ε is left in it.
+    /// Whether a product of states has a coefficient that is a sum, which is prepared as one where
+    /// ε is left in it.
     fn has_sums_of_constants(&self, polynomial: &Polynomial) -> bool {
         let groups = polynomial.group(|variable| self.field.symbols.is_state(variable));
         groups.iter().any(|(states, coefficient)| !states.is_one() && coefficient.len() > 1)
@@ -75,7 +79,8 @@ impl FactoredMap<'_> {
         self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative))
     }
 
-    /// 2(n/εᵏ⁻¹)/(p/εᵏ) for numerators that one factor p divides, 2(n/εᵏ)/(p/εᵏ)/(q/ε) for those that both do.
+    /// 2(n/εᵏ⁻¹)/(p/εᵏ) for numerators that one factor p divides, 2(n/εᵏ)/(p/εᵏ)/(q/ε) for those
+    /// that both do.
     fn two_divisions_over_time_step(&self) -> Vec<Candidate> {
         let Some((needed, other)) = self.two_factors() else { return Vec::new() };
         let epsilon = self.field.symbols.epsilon();
@@ -100,7 +105,8 @@ impl FactoredMap<'_> {
 }
 
 impl StepPlan {
-    /// Whether the step divides by ε when it is prepared: then it serves floats only, and an ε that is away from zero.
+    /// Whether the step divides by ε when it is prepared: then it serves floats only, and an ε that
+    /// is away from zero.
     #[must_use]
     pub fn has_inverse_step(&self) -> bool {
         self.constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)))

@@ -1,19 +1,22 @@
-//! Cramer's rule on steps: the determinants of A and of A with one column replaced by the right-hand side, without a
-//! division. After k rows the minor of every set of k columns is known, each from those of one row less, so that all the
-//! determinants share them; zero entries leave out what they would multiply.
+//! Cramer's rule on steps: the determinants of A and of A with one column replaced by the
+//! right-hand side, without a division. After k rows the minor of every set of k columns is known,
+//! each from those of one row less, so that all the determinants share them; zero entries leave out
+//! what they would multiply.
 
 use crate::table::{Table, sorted_by_key};
 
 use super::draft::{Draft, Signed};
 use super::writer::{Entry, Writer};
 
-/// The determinant of A, and for each column the determinant with that column replaced by the right-hand side.
+/// The determinant of A, and for each column the determinant with that column replaced by the
+/// right-hand side.
 pub(super) struct Determinants {
     pub(super) denominator: Signed,
     pub(super) numerators: Vec<Signed>,
 }
 
-/// The rows are those of A with the right-hand side appended; the last one is the row of the last expansion.
+/// The rows are those of A with the right-hand side appended; the last one is the row of the last
+/// expansion.
 pub(super) fn determinants(writer: &mut Writer, rows: &[Vec<Entry>]) -> Determinants {
     let n = rows.len();
     let mut minors: Table<u64, Signed> = Table::new();

@@ -1,19 +1,24 @@
 //! Straight-line steps: what is computed, in which order, with every common subexpression once.
 //!
-//! A plan is data. The emitter turns it into Rust, [`Plan::evaluate`] runs it in any [`Arithmetic`]: rationals, a prime
-//! field, dual numbers, degree bounds, rational functions, floats. Both see the same operations in the same order.
+//! A plan is data. The emitter turns it into Rust, [`Plan::evaluate`] runs it in any
+//! [`Arithmetic`]: rationals, a prime field, dual numbers, degree bounds, rational functions,
+//! floats. Both see the same operations in the same order.
 //!
 //! A [`StepPlan`] is made in these passes, a module each:
 //!
 //! 1. `structure` finds blocks of the field, and states in them that do not act on each other.
 //! 2. `factors` and `factored_map` write the reduced map as products over one base of factors.
 //! 3. `scaling` says which products of ε, parameters and states become variables of their own.
-//! 4. `nesting` and `numerators` decide how polynomials are nested, and in which order factors are multiplied.
-//! 5. `writer` writes a polynomial into a `draft`, which knows when each value is ready, and reuses what is there.
-//! 6. `minors` and `blocks` write determinants of A, `inverse` writes forms divided by the time step.
+//! 4. `nesting` and `numerators` decide how polynomials are nested, and in which order factors are
+//!    multiplied.
+//! 5. `writer` writes a polynomial into a `draft`, which knows when each value is ready, and reuses
+//!    what is there.
+//! 6. `minors` and `blocks` write determinants of A, `inverse` writes forms divided by the time
+//!    step.
 //! 7. `candidates` makes the forms of a step and compares their prices (`candidate`, `cost`).
 //! 8. `split` separates prepared constants from the kernel.
-//! 9. `doubling`, `fuse`, `signs` and `reciprocals` rewrite the kernel: doubled constants, multiply-adds, signs.
+//! 9. `doubling`, `fuse`, `signs` and `reciprocals` rewrite the kernel: doubled constants,
+//!    multiply-adds, signs.
 //! 10. `single_divisions` gives each component a division of its own.
 //! 11. `recurrence` measures the way from a state to the next, `accuracy` what a long step loses.
 //! 12. `step` chooses among all of these. `words` describes a plan's values for whoever names them.
@@ -123,9 +128,9 @@ impl Operation {
         }
     }
 
-    /// The value of the operation from those of its operands; `None` where it, or one of them, has none, and for an input.
-    /// A multiply-add of the machine's floats is a multiplication and an addition here: those that fuse are the generated
-    /// code's business.
+    /// The value of the operation from those of its operands; `None` where it, or one of them, has
+    /// none, and for an input. A multiply-add of the machine's floats is a multiplication and an
+    /// addition here: those that fuse are the generated code's business.
     #[inline]
     pub fn compute<'a, A: Arithmetic>(
         &self,
@@ -187,8 +192,9 @@ impl Plan {
         Plan::together([&Plan { operations: self.operations.clone(), outputs: vec![self.outputs[index]] }])
     }
 
-    /// Runs the plan; `input` gives the value of each variable. A result that divides by zero on its way is `None`;
-    /// the others are not touched by that. Cost: one arithmetic operation a step.
+    /// Runs the plan; `input` gives the value of each variable. A result that divides by zero on
+    /// its way is `None`; the others are not touched by that. Cost: one arithmetic operation a
+    /// step.
     pub fn evaluate<A: Arithmetic>(
         &self,
         arithmetic: &A,
@@ -197,7 +203,8 @@ impl Plan {
         self.evaluate_prepared(arithmetic, &[], |variable| Some(input(variable)))
     }
 
-    /// The same with values for the prepared constants; an input without a value leaves what depends on it without one.
+    /// The same with values for the prepared constants; an input without a value leaves what
+    /// depends on it without one.
     pub fn evaluate_prepared<A: Arithmetic>(
         &self,
         arithmetic: &A,

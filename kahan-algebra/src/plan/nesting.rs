@@ -1,7 +1,8 @@
 //! How to nest one polynomial: which variable to take out of which terms, by what that costs.
 //!
-//! A polynomial is a sum of terms and of products v·q; every choice of v gives another form. The estimate of a form counts
-//! its operations and the cycle in which its value is ready, no step being shared; the cheapest form is kept.
+//! A polynomial is a sum of terms and of products v·q; every choice of v gives another form. The
+//! estimate of a form counts its operations and the cycle in which its value is ready, no step
+//! being shared; the cheapest form is kept.
 
 use rustc_hash::FxHashMap;
 use std::cell::RefCell;
@@ -15,7 +16,8 @@ use crate::table::sorted_by_key;
 use super::cost::{ADD, DERIVED, MULTIPLY};
 use super::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
-/// The most terms for which all forms are compared; longer polynomials are nested by their most frequent variable.
+/// The most terms for which all forms are compared; longer polynomials are nested by their most
+/// frequent variable.
 const COMPARED: usize = 12;
 
 /// What a form should be.

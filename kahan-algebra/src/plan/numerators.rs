@@ -1,4 +1,5 @@
-//! The numerators εn, or n divided by a power of ε, as products of factors, with what several of them share multiplied once.
+//! The numerators εn, or n divided by a power of ε, as products of factors, with what several of
+//! them share multiplied once.
 
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
@@ -27,7 +28,8 @@ impl Power {
         }
     }
 
-    /// The product with each factor divided by the ε's that cancel in it, as far as there are any, and what is left to multiply.
+    /// The product with each factor divided by the ε's that cancel in it, as far as there are any,
+    /// and what is left to multiply.
     fn cancelled(self, product: &Factored, epsilon: Variable) -> (Factored, Self) {
         let Power::OverEps(mut rest) = self else { return (product.clone(), self) };
         let mut product = product.clone();
@@ -68,7 +70,8 @@ impl Products {
         self.lists.push(list);
     }
 
-    /// Adds the product times a power of ε, which goes where it costs the fewest steps: to the monomial or to one of the factors.
+    /// Adds the product times a power of ε, which goes where it costs the fewest steps: to the
+    /// monomial or to one of the factors.
     pub(super) fn push_with(&mut self, writer: &mut Writer, product: &Factored, power: Power) {
         if product.coefficient.is_zero() {
             let zero = writer.draft.zero();

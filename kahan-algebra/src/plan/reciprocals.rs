@@ -1,15 +1,17 @@
 //! The sign of each reciprocal: c/d or −c/d.
 //!
-//! In: the kernel of a step. Out: the same, a reciprocal carried with the other sign where more of its numerators are negated
-//! than are not. Rounding is symmetric, so no bit of x̃ changes; floats fold a negation into the last subtraction, but a step over
-//! anything else (error bounds, lanes, double-doubles) would carry it out.
+//! In: the kernel of a step. Out: the same, a reciprocal carried with the other sign where more of
+//! its numerators are negated than are not. Rounding is symmetric, so no bit of x̃ changes; floats
+//! fold a negation into the last subtraction, but a step over anything else (error bounds, lanes,
+//! double-doubles) would carry it out.
 
 use crate::rational::Rational;
 
 use super::{Node, Operation, Plan, PlanBuilder};
 
-/// The kernel, its first outputs being the numerators, with the signs of its reciprocals chosen; `reciprocals` says for each
-/// numerator which of the other outputs it is multiplied by. Cost: operations · components.
+/// The kernel, its first outputs being the numerators, with the signs of its reciprocals chosen;
+/// `reciprocals` says for each numerator which of the other outputs it is multiplied by. Cost:
+/// operations · components.
 #[must_use]
 pub(super) fn with_signs_of_reciprocals(kernel: Plan, reciprocals: &[Option<usize>]) -> Plan {
     let (numerators, quotients) = kernel.outputs.split_at(reciprocals.len());
@@ -81,8 +83,9 @@ fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
     }
 }
 
-/// Whether no other step computes with a quotient than those that divide it further, down to results: where one component is
-/// eliminated before others, increments are made of reciprocals, too.
+/// Whether no other step computes with a quotient than those that divide it further, down to
+/// results: where one component is eliminated before others, increments are made of reciprocals,
+/// too.
 fn is_only_divided(kernel: &Plan, quotient: Node) -> bool {
     kernel.operations.iter().enumerate().filter(|(_, user)| user.operands().any(|operand| operand == quotient)).all(
         |(index, user)| {

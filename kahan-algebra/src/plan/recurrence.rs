@@ -1,7 +1,7 @@
 //! How long a step takes in an orbit, where each waits for the one before.
 //!
-//! What counts is not the longest way through one step, but the longest cycle from a state through several steps back to
-//! itself: a component that no denominator depends on may come late.
+//! What counts is not the longest way through one step, but the longest cycle from a state through
+//! several steps back to itself: a component that no denominator depends on may come late.
 
 use crate::poly::Variable;
 
@@ -15,7 +15,8 @@ impl StepPlan {
         self.recurrence().div_ceil(UNIT)
     }
 
-    /// Cycles a step in an orbit: the largest mean over cycles of up to n steps, in units of 1/60 so that it is an integer.
+    /// Cycles a step in an orbit: the largest mean over cycles of up to n steps, in units of 1/60
+    /// so that it is an integer.
     pub(super) fn recurrence(&self) -> u64 {
         let n = self.reciprocals.len();
         let mut longest = 0;

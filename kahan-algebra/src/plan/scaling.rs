@@ -1,9 +1,11 @@
 //! Powers of ε distributed over the states and parameters of each term: ε²x²y becomes (εx)(εx)y.
 //!
-//! With X = εx computed first, a term needs no multiplication by ε of its own, and only ε itself enters as a rounded
-//! constant. A scaled symbol is a variable of its own, numbered after all others.
+//! With X = εx computed first, a term needs no multiplication by ε of its own, and only ε itself
+//! enters as a rounded constant. A scaled symbol is a variable of its own, numbered after all
+//! others.
 //!
-//! A form divided by the time step has the [inverse time step](super::inverse) besides, the last of these variables.
+//! A form divided by the time step has the [inverse time step](super::inverse) besides, the last of
+//! these variables.
 
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
@@ -84,8 +86,9 @@ impl Scaling {
         u16::try_from(2 * self.states + self.parameters + 1).unwrap_or(u16::MAX)
     }
 
-    /// Every way to scale the terms that the orders of preference allow, without repetition: where a term has fewer powers of
-    /// ε than states, the states that come first in the order stay plain.
+    /// Every way to scale the terms that the orders of preference allow, without repetition: where
+    /// a term has fewer powers of ε than states, the states that come first in the order stay
+    /// plain.
     pub(super) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
         let mut ways: Vec<Polynomial> = Vec::new();
         for order in orders(self.states) {
@@ -135,8 +138,8 @@ impl Scaling {
     }
 }
 
-/// Whether volumes shrink or grow everywhere at one rate, div f being a constant other than 0. Such a field keeps no measure
-/// and no integral that a constant rounded twice could make drift.
+/// Whether volumes shrink or grow everywhere at one rate, div f being a constant other than 0. Such
+/// a field keeps no measure and no integral that a constant rounded twice could make drift.
 fn is_dissipative(field: &Field) -> bool {
     let n = field.dimension();
     let slopes = (0..n).map(|i| field.components[i].numerator.derivative(field.symbols.state(i)));

@@ -1,11 +1,12 @@
 //! The sign in which each value is carried, where a prepared difference has the wrong one.
 //!
-//! In: the constants and the kernel of a step. Out: the same with a constant a − b prepared as b − a, and the values that
-//! depend on it carried with the other sign, where fewer sums then subtract and fewer results are negated. Nothing
-//! is rounded otherwise, as rounding is symmetric. Which of the two a polynomial in normal form begins with is an accident;
-//! with the right one, components of one kind are computed by instructions of one kind, and compilers that pack scalar
-//! code into vectors save a fifth of a large step's instructions rather than shuffle. Kernels without such a constant are
-//! left as the draft has written them.
+//! In: the constants and the kernel of a step. Out: the same with a constant a − b prepared as b −
+//! a, and the values that depend on it carried with the other sign, where fewer sums then subtract
+//! and fewer results are negated. Nothing is rounded otherwise, as rounding is symmetric. Which of
+//! the two a polynomial in normal form begins with is an accident; with the right one, components
+//! of one kind are computed by instructions of one kind, and compilers that pack scalar code into
+//! vectors save a fifth of a large step's instructions rather than shuffle. Kernels without such a
+//! constant are left as the draft has written them.
 
 use super::{Node, Operation, Plan, PlanBuilder};
 
@@ -20,12 +21,14 @@ const ROUNDS: usize = 4;
 pub(super) enum Wanted {
     /// A constant with the other sign.
     TurnedConstants,
-    /// Results that are added to the state rather than subtracted: where each is a quotient, there is no reciprocal to take a sign.
+    /// Results that are added to the state rather than subtracted: where each is a quotient, there
+    /// is no reciprocal to take a sign.
     Additions,
 }
 
-/// The constants and the kernel with their signs chosen; neither operations nor chain are more than before. Cost:
-/// operations² for each difference among the constants and each sum that subtracts, a few times over.
+/// The constants and the kernel with their signs chosen; neither operations nor chain are more than
+/// before. Cost: operations² for each difference among the constants and each sum that subtracts, a
+/// few times over.
 #[must_use]
 pub(super) fn with_signs(constants: Plan, kernel: Plan, wanted: Wanted) -> (Plan, Plan) {
     let search = Search::new(&constants, &kernel);
@@ -51,7 +54,8 @@ pub(super) fn with_signs(constants: Plan, kernel: Plan, wanted: Wanted) -> (Plan
 /// Each sum with both signs may be carried either way: `reversed` says which.
 struct Search<'a> {
     kernel: &'a Plan,
-    /// Where each prepared constant is in the kernel, if it is a difference, which can be prepared either way.
+    /// Where each prepared constant is in the kernel, if it is a difference, which can be prepared
+    /// either way.
     prepared: Vec<Option<Node>>,
     /// The constants as the kernel has them.
     is_free: Vec<bool>,
@@ -88,9 +92,10 @@ impl<'a> Search<'a> {
         Search { kernel, prepared, is_free }
     }
 
-    /// The choice after [`Self::descended`], then with each constant turned round, alone and in addition, and with all that a
-    /// negated result depends on, if what follows from that costs less: a constant that appears in several sums pays only
-    /// together with them, and so does a sum of several terms.
+    /// The choice after [`Self::descended`], then with each constant turned round, alone and in
+    /// addition, and with all that a negated result depends on, if what follows from that costs
+    /// less: a constant that appears in several sums pays only together with them, and so does a
+    /// sum of several terms.
     fn best(&self) -> Vec<bool> {
         let none = vec![false; self.kernel.operations.len()];
         let mut best = self.descended(none.clone());

@@ -1,7 +1,9 @@
-//! Each component divided for itself: x̃ᵢ = xᵢ ± 2εnᵢ/d, without the multiplication that follows a shared reciprocal.
+//! Each component divided for itself: x̃ᵢ = xᵢ ± 2εnᵢ/d, without the multiplication that follows a
+//! shared reciprocal.
 //!
-//! In an orbit that multiplication is on the way from each state to the next. Two quotients by one divisor are a single
-//! instruction over two lanes, as fast as one division; a third would have to wait.
+//! In an orbit that multiplication is on the way from each state to the next. Two quotients by one
+//! divisor are a single instruction over two lanes, as fast as one division; a third would have to
+//! wait.
 
 use super::signs::{Wanted, with_signs};
 use super::{Node, Operation, PlanBuilder, StepPlan};
@@ -10,8 +12,8 @@ use super::{Node, Operation, PlanBuilder, StepPlan};
 const TOGETHER: usize = 2;
 
 impl StepPlan {
-    /// The step with a division a component; `None` where there is no reciprocal that serves all of them, and nothing else, or
-    /// where there are too many components.
+    /// The step with a division a component; `None` where there is no reciprocal that serves all of
+    /// them, and nothing else, or where there are too many components.
     pub(super) fn with_single_divisions(&self) -> Option<Self> {
         let (numerators, reciprocals) = self.kernel.outputs.split_at(self.reciprocals.len());
         let [reciprocal] = reciprocals else { return None };

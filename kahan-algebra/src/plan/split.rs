@@ -5,7 +5,8 @@ use crate::poly::Variable;
 use super::{Node, Operation, Plan, PlanBuilder};
 
 impl Plan {
-    /// How many results are products of two values that both contain ε: constants rounded more than once.
+    /// How many results are products of two values that both contain ε: constants rounded more than
+    /// once.
     pub(super) fn derived_constants(&self, epsilon: Variable) -> usize {
         let mut contains = vec![false; self.operations.len()];
         let mut derived = vec![false; self.operations.len()];
@@ -20,16 +21,17 @@ impl Plan {
         self.outputs.iter().filter(|output| derived[output.0]).count()
     }
 
-    /// Separates what depends on no variable that `varies` from the rest: the results of the first plan are the prepared
-    /// constants of the second. Exact literals are not prepared; they cost nothing.
+    /// Separates what depends on no variable that `varies` from the rest: the results of the first
+    /// plan are the prepared constants of the second. Exact literals are not prepared; they cost
+    /// nothing.
     #[must_use]
     pub(super) fn split(&self, epsilon: Variable, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
         let mut fixed = vec![true; self.operations.len()];
         for (index, operation) in self.operations.iter().enumerate() {
             fixed[index] = match operation {
                 Operation::Input(variable) => !varies(*variable),
-                // A divisor may be zero, which is a pole of the step and no mistake in preparing it; but where a form contains 1/ε,
-                // whoever prepares it has looked at ε.
+                // A divisor may be zero, which is a pole of the step and no mistake in preparing
+                // it; but where a form contains 1/ε, whoever prepares it has looked at ε.
                 Operation::Divide(_, divisor) => self.operations[divisor.0] == Operation::Input(epsilon),
                 _ => operation.operands().all(|operand| fixed[operand.0]),
             };

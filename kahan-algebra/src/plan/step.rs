@@ -1,4 +1,5 @@
-//! The plan of a step: what is computed once, when ε and the parameters are known, and what is computed for each state.
+//! The plan of a step: what is computed once, when ε and the parameters are known, and what is
+//! computed for each state.
 
 use std::iter::once;
 
@@ -32,11 +33,12 @@ pub struct StepPlan {
     /// one a component, followed by the reciprocals, each a quotient ±c/d, or ±c/d/d′, c being a
     /// power of two.
     pub kernel: Plan,
-    /// For each component the index of its reciprocal among the kernel's reciprocals; `None` where there is no division.
+    /// For each component the index of its reciprocal among the kernel's reciprocals; `None` where
+    /// there is no division.
     pub reciprocals: Vec<Option<usize>>,
-    /// The plan for lanes, where it is another one: a second division can shorten the chain of one orbit, but many orbits at once
-    /// are bound by the divider. Where this plan [divides by ε](Self::has_inverse_step), also the one for all scalars but
-    /// floats, and for an ε near zero.
+    /// The plan for lanes, where it is another one: a second division can shorten the chain of one
+    /// orbit, but many orbits at once are bound by the divider. Where this plan [divides by
+    /// ε](Self::has_inverse_step), also the one for all scalars but floats, and for an ε near zero.
     pub general: Option<Box<StepPlan>>,
     /// The largest of the sizes ‖εf′‖∞ = 1, 10, 100, 1000 up to which this step loses about as
     /// little as elimination with partial pivoting does: measured by the planner, at seeded points.
@@ -45,7 +47,8 @@ pub struct StepPlan {
 }
 
 impl StepPlan {
-    /// The plan of a field's step; `None` where the field is too large for straight lines, and is stepped by elimination.
+    /// The plan of a field's step; `None` where the field is too large for straight lines, and is
+    /// stepped by elimination.
     #[must_use]
     pub fn of(field: &Field) -> Option<Self> {
         Self::of_map(field, RationalMap::of(field).as_ref())
@@ -86,8 +89,8 @@ impl StepPlan {
         })
     }
 
-    /// Operations from a state to the next: the kernel's, the last multiplication where there is one, and an addition a
-    /// component.
+    /// Operations from a state to the next: the kernel's, the last multiplication where there is
+    /// one, and an addition a component.
     #[must_use]
     pub fn operations(&self) -> usize {
         let products = self.reciprocals.iter().flatten().count();
@@ -136,8 +139,9 @@ impl StepPlan {
 
     /// Whether values with a name are kept from being packed into vectors.
     ///
-    /// Of three components one is left over from every pair, and the shuffles cost up to an eighth of a step. Two make one vector;
-    /// for more, what says it would make steps so large that compilers no longer inline them into loops.
+    /// Of three components one is left over from every pair, and the shuffles cost up to an eighth
+    /// of a step. Two make one vector; for more, what says it would make steps so large that
+    /// compilers no longer inline them into loops.
     #[must_use]
     pub fn fences_values(&self) -> bool {
         self.reciprocals.len() == 3

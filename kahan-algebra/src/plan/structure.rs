@@ -1,4 +1,5 @@
-//! The structure of a field that its step can use: which states move without others, and which do not act on each other.
+//! The structure of a field that its step can use: which states move without others, and which do
+//! not act on each other.
 
 use crate::field::Field;
 use crate::kahan::field_jacobian;
@@ -26,8 +27,8 @@ impl Structure {
         self.depends[i][j]
     }
 
-    /// The strongly connected components of the graph in which i points to the states that fᵢ depends on, each after those
-    /// that it depends on: A is block triangular in this order.
+    /// The strongly connected components of the graph in which i points to the states that fᵢ
+    /// depends on, each after those that it depends on: A is block triangular in this order.
     pub(super) fn blocks(&self) -> Vec<Vec<usize>> {
         let reaches = self.reaches();
         let mut blocks: Vec<Vec<usize>> = Vec::new();
@@ -59,8 +60,8 @@ impl Structure {
         reaches
     }
 
-    /// States of a block that do not act on each other or themselves: their rows and columns of A are those of the identity.
-    /// Chosen greedily, those with the fewest ties first.
+    /// States of a block that do not act on each other or themselves: their rows and columns of A
+    /// are those of the identity. Chosen greedily, those with the fewest ties first.
     pub(super) fn independent(&self, block: &[usize]) -> Vec<usize> {
         let ties = |i: usize| block.iter().filter(|&&j| self.depends(i, j) || self.depends(j, i)).count();
         let free = block.iter().copied().filter(|&i| !self.depends(i, i) && self.is_whole[i]);

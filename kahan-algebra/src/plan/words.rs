@@ -1,5 +1,5 @@
-//! Steps in words, by what they compute: `two_eps`, `eps_a1`, `one_plus_eps_x`. Whoever names steps, in generated code or in a
-//! listing, begins with these.
+//! Steps in words, by what they compute: `two_eps`, `eps_a1`, `one_plus_eps_x`. Whoever names
+//! steps, in generated code or in a listing, begins with these.
 
 use crate::rational::Rational;
 use crate::symbols::Symbols;
@@ -24,8 +24,9 @@ struct Description {
     kind: Kind,
 }
 
-/// What each step of a plan computes, in words that make a name; `None` where that would be long, and for every quotient but that
-/// of a constant by ε. `prepared` are the names of the prepared constants.
+/// What each step of a plan computes, in words that make a name; `None` where that would be long,
+/// and for every quotient but that of a constant by ε. `prepared` are the names of the prepared
+/// constants.
 #[must_use]
 pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());

@@ -1,5 +1,5 @@
-//! Writes scaled polynomials as steps, reusing what is there already: a polynomial that was computed before, up to its
-//! sign, and one of which a multiple shortens the polynomial at hand.
+//! Writes scaled polynomials as steps, reusing what is there already: a polynomial that was
+//! computed before, up to its sign, and one of which a multiple shortens the polynomial at hand.
 
 mod cheapest;
 mod coefficients;
@@ -17,11 +17,12 @@ use super::draft::{Draft, Signed};
 use super::nesting::{Goal, Nesting, Summand};
 use super::scaling::{INVERSE_STEP, Scaling};
 
-/// The most terms of a polynomial for which multiples of others are looked for: their number grows with its square.
+/// The most terms of a polynomial for which multiples of others are looked for: their number grows
+/// with its square.
 const REUSED: usize = 24;
 
-/// The most terms for which a constant that they have in common may stay inside: its product with each of their factors may be
-/// a step already.
+/// The most terms for which a constant that they have in common may stay inside: its product with
+/// each of their factors may be a step already.
 const SHARED: usize = 3;
 
 /// An entry of a matrix: its polynomial over scaled symbols, and the step that computes it.

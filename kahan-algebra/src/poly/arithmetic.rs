@@ -1,8 +1,9 @@
 //! Sums and products of polynomials.
 //!
-//! Everything is a merge of sorted runs of terms. A product forms one run for each term of the shorter
-//! factor, sorted by itself since the order is admissible, and merges runs of like length as a binary counter
-//! carries: n·m term products and n·m·log₂ min(n, m) comparisons, without a hash or a tree.
+//! Everything is a merge of sorted runs of terms. A product forms one run for each term of the
+//! shorter factor, sorted by itself since the order is admissible, and merges runs of like length
+//! as a binary counter carries: n·m term products and n·m·log₂ min(n, m) comparisons, without a
+//! hash or a tree.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -82,8 +83,8 @@ pub(super) fn merge(left: Vec<Term>, right: Vec<Term>) -> Vec<Term> {
     }
 }
 
-/// The sum of many sorted runs. Runs wait until one comes that is at least half as long, so each term takes
-/// part in logarithmically many merges.
+/// The sum of many sorted runs. Runs wait until one comes that is at least half as long, so each
+/// term takes part in logarithmically many merges.
 struct Accumulator {
     runs: Vec<Vec<Term>>,
 }
@@ -146,7 +147,8 @@ impl Neg for &Polynomial {
     }
 }
 
-/// By value, where a chain of operations drops its intermediate results; nothing is cloned for a sum.
+/// By value, where a chain of operations drops its intermediate results; nothing is cloned for a
+/// sum.
 impl Add for Polynomial {
     type Output = Self;
 

@@ -1,9 +1,9 @@
 //! Products and powers that stop before they grow out of hand.
 //!
-//! A [`Budget`] limits the terms of any one result and the work of everything charged to it. Work is counted
-//! in term products, a product of longer coefficients counting as often as it has pairs of machine words;
-//! sizes that can be predicted are refused before any work is done. What holds: whatever returns `Ok` is
-//! exact.
+//! A [`Budget`] limits the terms of any one result and the work of everything charged to it. Work
+//! is counted in term products, a product of longer coefficients counting as often as it has pairs
+//! of machine words; sizes that can be predicted are refused before any work is done. What holds:
+//! whatever returns `Ok` is exact.
 
 use std::error::Error;
 use std::fmt;
@@ -92,8 +92,9 @@ impl Polynomial {
 
     /// The power, if the budget allows for it; the zeroth power is 1.
     ///
-    /// The size is bounded beforehand: by the number C(e+t−1, t−1) of products of e out of t terms, and by
-    /// the number of monomials whose degree in each variable is at most e times that of the base.
+    /// The size is bounded beforehand: by the number C(e+t−1, t−1) of products of e out of t terms,
+    /// and by the number of monomials whose degree in each variable is at most e times that of the
+    /// base.
     pub fn pow_within(&self, exponent: u32, budget: &mut Budget) -> Result<Self, OverBudget> {
         if u64::from(self.degree()) * u64::from(exponent) > MAX_DEGREE {
             return Err(OverBudget);

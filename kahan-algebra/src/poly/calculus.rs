@@ -37,7 +37,8 @@ impl Polynomial {
         }))
     }
 
-    /// The coefficients cₖ of Σ cₖ `variable`^k, by exponent; none is zero and none contains the variable.
+    /// The coefficients cₖ of Σ cₖ `variable`^k, by exponent; none is zero and none contains the
+    /// variable.
     pub fn coefficients_in(&self, variable: Variable) -> Table<u32, Self> {
         self.group(|other| other == variable)
             .into_iter()
@@ -45,8 +46,8 @@ impl Polynomial {
             .collect()
     }
 
-    /// The polynomial as one in the variables that `belongs` picks, its coefficients polynomials in the
-    /// others.
+    /// The polynomial as one in the variables that `belongs` picks, its coefficients polynomials in
+    /// the others.
     pub fn group(&self, mut belongs: impl FnMut(Variable) -> bool) -> Table<Monomial, Self> {
         let split = self.terms.iter().map(|(monomial, _)| monomial.split(&mut belongs));
         self.grouped(split.collect())

@@ -4,8 +4,9 @@ use super::{Monomial, Polynomial};
 use crate::rational::Rational;
 
 impl Polynomial {
-    /// The rational c such that self/c is primitive: integer coefficients without a common factor, the
-    /// leading one positive. Its sign is that of the leading coefficient; the content of 0 is 1.
+    /// The rational c such that self/c is primitive: integer coefficients without a common factor,
+    /// the leading one positive. Its sign is that of the leading coefficient; the content of 0 is
+    /// 1.
     pub fn content(&self) -> Rational {
         let Some((_, leading)) = self.leading_term() else { return Rational::ONE };
         let mut content = leading.abs();

@@ -1,8 +1,8 @@
 //! Exact division: the quotient where there is one, and nothing where there is a remainder.
 //!
-//! Leading terms are divided out one after another; the order is admissible, so the first leading term that
-//! the divisor's does not divide proves that no polynomial quotient exists. Degrees and lowest terms are
-//! compared first: in most cases that do not divide, they tell.
+//! Leading terms are divided out one after another; the order is admissible, so the first leading
+//! term that the divisor's does not divide proves that no polynomial quotient exists. Degrees and
+//! lowest terms are compared first: in most cases that do not divide, they tell.
 
 use super::arithmetic::merge;
 use super::{Budget, OverBudget, Polynomial};

@@ -1,18 +1,19 @@
 //! Greatest common divisors of multivariate polynomials over ℚ.
 //!
-//! In go two polynomials, out comes their gcd with coprime integer coefficients, the leading one positive.
-//! Monomials are taken out first; images modulo a prime then bound the degree in each variable, which settles
-//! the common case (the gcd is 1) and removes every variable that the gcd does not contain. What is left goes
-//! through trial division and the subresultant remainder sequence in the variable of least degree, stopped as
-//! soon as the bound is met. All results are exact: the prime decides how fast, never what.
+//! In go two polynomials, out comes their gcd with coprime integer coefficients, the leading one
+//! positive. Monomials are taken out first; images modulo a prime then bound the degree in each
+//! variable, which settles the common case (the gcd is 1) and removes every variable that the gcd
+//! does not contain. What is left goes through trial division and the subresultant remainder
+//! sequence in the variable of least degree, stopped as soon as the bound is met. All results are
+//! exact: the prime decides how fast, never what.
 
 use super::images::degree_bounds;
 use super::{Budget, Monomial, OverBudget, Polynomial, Variable};
 use crate::rational::Rational;
 use crate::table::{Table, sorted_by_key};
 
-/// The greatest common divisor, primitive with positive leading coefficient; gcd(0, b) is the primitive part
-/// of b.
+/// The greatest common divisor, primitive with positive leading coefficient; gcd(0, b) is the
+/// primitive part of b.
 ///
 /// # Panics
 /// If a total degree exceeds 2^24 on the way.
@@ -86,8 +87,8 @@ fn gcd_stripped(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Result<P
     gcd_in_main_variable(a, b, &bounds, budget)
 }
 
-/// Only the variables in `bounds` occur in the gcd, so it is the gcd of all coefficients with respect to the
-/// others.
+/// Only the variables in `bounds` occur in the gcd, so it is the gcd of all coefficients with
+/// respect to the others.
 fn gcd_of_coefficients(
     a: &Polynomial,
     b: &Polynomial,
@@ -123,9 +124,9 @@ fn gcd_in_main_variable(
 
 /// The gcd of a and b, both primitive in `main`, whose degree in it is at most `bound`.
 ///
-/// Knuth, The Art of Computer Programming 4.6.1, Algorithm C. The gcd divides every member of the sequence over
-/// the field of the coefficients, so a member whose primitive part divides a and b is the gcd; it is tried as
-/// soon as the degree has come down to `bound`.
+/// Knuth, The Art of Computer Programming 4.6.1, Algorithm C. The gcd divides every member of the
+/// sequence over the field of the coefficients, so a member whose primitive part divides a and b is
+/// the gcd; it is tried as soon as the degree has come down to `bound`.
 fn subresultants(
     a: &Polynomial,
     b: &Polynomial,
@@ -165,7 +166,8 @@ fn subresultants(
     }
 }
 
-/// lc(divisor)^(δ+1)·dividend modulo divisor, as polynomials in `main`, δ the difference of the degrees.
+/// lc(divisor)^(δ+1)·dividend modulo divisor, as polynomials in `main`, δ the difference of the
+/// degrees.
 fn pseudo_remainder(
     dividend: &Polynomial,
     divisor: &Polynomial,

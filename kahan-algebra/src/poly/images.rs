@@ -1,15 +1,17 @@
 //! Bounds for the degrees of a greatest common divisor, from images modulo a prime.
 //!
 //! For each variable v, all other variables are replaced by fixed points of F_p; the gcd of the two
-//! univariate images bounds the degree of the true gcd in v. A bound of zero for every variable proves that
-//! two polynomials are coprime.
+//! univariate images bounds the degree of the true gcd in v. A bound of zero for every variable
+//! proves that two polynomials are coprime.
 //!
-//! *Proof.* Let a, b have integer coefficients, a primitive, g their primitive gcd. By Gauss's lemma a = g·h
-//! with h integral, so lc_v(a) = lc_v(g)·lc_v(h). If the image of a keeps its degree in v, the image of lc_v(a)
-//! is not zero, hence neither is that of lc_v(g): the image of g has degree deg_v g, and it divides both
-//! images. So deg_v g ≤ deg gcd(images). The same holds with b in place of a; one of the two is enough. ∎
+//! *Proof.* Let a, b have integer coefficients, a primitive, g their primitive gcd. By Gauss's
+//! lemma a = g·h with h integral, so lc_v(a) = lc_v(g)·lc_v(h). If the image of a keeps its degree
+//! in v, the image of lc_v(a) is not zero, hence neither is that of lc_v(g): the image of g has
+//! degree deg_v g, and it divides both images. So deg_v g ≤ deg gcd(images). The same holds with b
+//! in place of a; one of the two is enough. ∎
 //!
-//! The points are fixed, so results are reproducible; unlucky points loosen a bound and never falsify it.
+//! The points are fixed, so results are reproducible; unlucky points loosen a bound and never
+//! falsify it.
 
 use super::{Budget, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64};
@@ -24,9 +26,9 @@ pub(super) const RESIDUES_PER_TERM: u64 = 32;
 /// Coefficients in F_p by exponent, without zeros at the end.
 type Univariate = Vec<u64>;
 
-/// For each variable that both contain, an upper bound of the degree of gcd(a, b) in it. Both must be
-/// primitive. Costs a few multiplications in F_p for each factor of each term, and one univariate gcd a
-/// variable.
+/// For each variable that both contain, an upper bound of the degree of gcd(a, b) in it. Both must
+/// be primitive. Costs a few multiplications in F_p for each factor of each term, and one
+/// univariate gcd a variable.
 pub(super) fn degree_bounds(
     a: &Polynomial,
     b: &Polynomial,
@@ -123,7 +125,8 @@ fn trim(polynomial: &mut Univariate) {
     }
 }
 
-/// The degree of the gcd by Euclid's algorithm; `u32::MAX` where both are zero, as then nothing is known.
+/// The degree of the gcd by Euclid's algorithm; `u32::MAX` where both are zero, as then nothing is
+/// known.
 fn gcd_degree(a: &Univariate, b: &Univariate) -> u32 {
     let (mut a, mut b) = (a.clone(), b.clone());
     while let Some(&lead) = b.last() {

@@ -1,10 +1,10 @@
 //! Variables and their power products.
 //!
-//! A monomial is a sparse list of (variable, exponent), variables increasing, exponents positive. The order
-//! is graded lexicographic: the higher total degree is greater; at equal degree, the first variable (by
-//! index) in which two monomials differ decides, the higher exponent being greater. It is admissible: 1 is
-//! least, and m < n implies mk < nk, so multiplying or dividing sorted terms by a monomial leaves them
-//! sorted.
+//! A monomial is a sparse list of (variable, exponent), variables increasing, exponents positive.
+//! The order is graded lexicographic: the higher total degree is greater; at equal degree, the
+//! first variable (by index) in which two monomials differ decides, the higher exponent being
+//! greater. It is admissible: 1 is least, and m < n implies mk < nk, so multiplying or dividing
+//! sorted terms by a monomial leaves them sorted.
 
 use std::cmp::Ordering;
 

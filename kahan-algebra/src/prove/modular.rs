@@ -1,5 +1,5 @@
-//! The quick proof: random points modulo random primes, and one exact point. The error bound is derived in
-//! [`super::sizes`].
+//! The quick proof: random points modulo random primes, and one exact point. The error bound is
+//! derived in [`super::sizes`].
 
 use crate::arithmetic::{Arithmetic, Exact};
 use crate::syntax::ClaimKind;
@@ -21,7 +21,8 @@ pub struct Proof {
 /// What one point says of a claim.
 struct Evidence {
     holds: bool,
-    /// Whether the claim says something at this point: an integral has a gradient, a density or bracket is not zero.
+    /// Whether the claim says something at this point: an integral has a gradient, a density or
+    /// bracket is not zero.
     says_something: bool,
 }
 

@@ -1,5 +1,5 @@
-//! The thorough proof: both sides of every identity as rational functions over ℚ, compared by expanding their
-//! difference. Independent of the modular proof, and of any probability.
+//! The thorough proof: both sides of every identity as rational functions over ℚ, compared by
+//! expanding their difference. Independent of the modular proof, and of any probability.
 
 use crate::arithmetic::{Arithmetic, Function, Functions};
 use crate::kahan::RationalMap;
@@ -12,11 +12,13 @@ use crate::system::{Claim, System};
 use super::residual::pairs;
 use super::sample::{Sample, Scheme, impose, rows, run};
 
-/// Terms of any intermediate result, and products of terms in all: about a second at worst, with long coefficients.
+/// Terms of any intermediate result, and products of terms in all: about a second at worst, with
+/// long coefficients.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 1_000_000;
 
-/// `Some(true)` if the claim holds, `Some(false)` if not, `None` if expanding it takes more than the budget.
+/// `Some(true)` if the claim holds, `Some(false)` if not, `None` if expanding it takes more than
+/// the budget.
 #[must_use]
 pub fn prove_by_normal_form(system: &System, claim: &Claim) -> Option<bool> {
     let map = RationalMap::of(&system.field)?;

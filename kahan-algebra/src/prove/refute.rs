@@ -1,4 +1,5 @@
-//! A counterexample to a false claim: the first point of small rationals at which its two sides differ.
+//! A counterexample to a false claim: the first point of small rationals at which its two sides
+//! differ.
 
 use crate::arithmetic::{Arithmetic, Exact, solve};
 use crate::prime_field::SplitMix64;

@@ -7,8 +7,8 @@
 //! | bracket P, invariance | Â(x̃,−ε) P(x) Â(x̃,−ε)ᵀ | Â(x,ε) P(x̃) Â(x,ε)ᵀ |
 //! | bracket P, Jacobi | Σ Pᵢₗ ∂ₗPⱼₖ over the cyclic permutations of i, j, k | 0 |
 //!
-//! Because ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the third line is J P Jᵀ = P(x̃) without an inverse. Derivatives are those of
-//! dual numbers.
+//! Because ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the third line is J P Jᵀ = P(x̃) without an inverse.
+//! Derivatives are those of dual numbers.
 
 use crate::arithmetic::{Arithmetic, Dual, DualNumber};
 use crate::rational::Rational;

@@ -100,7 +100,8 @@ impl Samples {
         Samples { random: SplitMix64::new(seed), modular: Vec::new(), exact: Vec::new() }
     }
 
-    /// The point `index` modulo a prime of its own; `None` if no step could be taken in [`MOST_DRAWS`] draws.
+    /// The point `index` modulo a prime of its own; `None` if no step could be taken in
+    /// [`MOST_DRAWS`] draws.
     pub(super) fn modular(
         &mut self,
         scheme: &Scheme,

@@ -1,18 +1,21 @@
 //! How many points prove a claim: a degree and size bound of its residuals, computed, not assumed.
 //!
-//! Let F/G be one residual (left − right) as the formal fraction that the evaluation forms, F and G integer
-//! polynomials in the states, parameters and ε. If the claim is false, some F is not the zero polynomial. A point is a
-//! fresh random prime p between 2⁶⁰ and 2⁶¹ and random residues for all variables. The claim passes it wrongly only if
+//! Let F/G be one residual (left − right) as the formal fraction that the evaluation forms, F and G
+//! integer polynomials in the states, parameters and ε. If the claim is false, some F is not the
+//! zero polynomial. A point is a fresh random prime p between 2⁶⁰ and 2⁶¹ and random residues for
+//! all variables. The claim passes it wrongly only if
 //!
-//! * p divides every coefficient of F: at most b/60 primes do, b = log₂ ‖F‖₁, out of more than 2⁵⁴ primes in that
-//!   range (there are about 2⁶⁰/ln 2^60.5 ≈ 2^54.6), or
-//! * F is not zero modulo p but vanishes at the point: at most deg F / p < deg F · 2⁻⁶⁰ (Schwartz and Zippel).
+//! * p divides every coefficient of F: at most b/60 primes do, b = log₂ ‖F‖₁, out of more than 2⁵⁴
+//!   primes in that range (there are about 2⁶⁰/ln 2^60.5 ≈ 2^54.6), or
+//! * F is not zero modulo p but vanishes at the point: at most deg F / p < deg F · 2⁻⁶⁰ (Schwartz
+//!   and Zippel).
 //!
-//! A point where something divides by zero is drawn again, up to 16 times, which multiplies both by at most 16. Points
-//! are independent, so k of them err with probability at most e^k, e = 16 (b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰), and k is chosen
-//! such that e^k < 2⁻¹⁰⁰; it is never below 3. "Random" is a generator seeded by a hash of the block: whoever writes a block cannot
-//! aim at its primes except by trial, and builds are reproducible. deg F and b come from running the very same residuals
-//! in the arithmetic of sizes ([`Sizes`]).
+//! A point where something divides by zero is drawn again, up to 16 times, which multiplies both by
+//! at most 16. Points are independent, so k of them err with probability at most e^k, e = 16 (b/60
+//! · 2⁻⁵⁴ + deg F · 2⁻⁶⁰), and k is chosen such that e^k < 2⁻¹⁰⁰; it is never below 3. "Random" is
+//! a generator seeded by a hash of the block: whoever writes a block cannot aim at its primes
+//! except by trial, and builds are reproducible. deg F and b come from running the very same
+//! residuals in the arithmetic of sizes ([`Sizes`]).
 
 use crate::arithmetic::{Arithmetic, Size, Sizes};
 use crate::system::Claim;
@@ -23,7 +26,8 @@ use super::sample::{Sample, Scheme, impose, rows, run};
 /// The error of a proof is below 2 to minus this.
 pub const ERROR_EXPONENT: u32 = 100;
 
-/// Beyond this degree the exact point alone, with its numbers of millions of digits, would take too long.
+/// Beyond this degree the exact point alone, with its numbers of millions of digits, would take too
+/// long.
 const HIGHEST_DEGREE: u64 = 1 << 20;
 
 /// The number of points that proves a claim; `None` if no reasonable number does.
@@ -41,7 +45,8 @@ pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
 /// The number of points for residuals of this degree and size: the least k with e^k < 2⁻¹⁰⁰.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
-    // Everything in units of 2⁻⁶⁰: e·2⁶⁰ ≤ 16 (64·(b/60 + 1) + deg F), rounded up to a power of two.
+    // Everything in units of 2⁻⁶⁰: e·2⁶⁰ ≤ 16 (64·(b/60 + 1) + deg F), rounded up to a power of
+    // two.
     let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(16)?;
     let lost = u64::BITS - units.leading_zeros();
     let gained = 60u32.checked_sub(lost).filter(|&gained| gained > 0)?;

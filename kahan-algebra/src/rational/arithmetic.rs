@@ -1,8 +1,8 @@
 //! Sums, products, quotients and powers of rationals.
 //!
-//! Small operands stay in machine words: a product is reduced crosswise before it is formed, a sum by Knuth's
-//! rule (The Art of Computer Programming 4.5.1), so no result ever needs a second gcd and only true growth
-//! goes to big integers.
+//! Small operands stay in machine words: a product is reduced crosswise before it is formed, a sum
+//! by Knuth's rule (The Art of Computer Programming 4.5.1), so no result ever needs a second gcd
+//! and only true growth goes to big integers.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -31,8 +31,8 @@ impl Rational {
         }
     }
 
-    /// The power, `None` for zero to a negative exponent; 0^0 is 1. The result has about |exponent| times the
-    /// bits.
+    /// The power, `None` for zero to a negative exponent; 0^0 is 1. The result has about |exponent|
+    /// times the bits.
     pub fn pow(&self, exponent: i32) -> Option<Self> {
         let base = if exponent < 0 { self.recip()? } else { self.clone() };
         let exponent = exponent.unsigned_abs();
@@ -51,8 +51,8 @@ impl Rational {
         if self.is_negative() { -self } else { self.clone() }
     }
 
-    /// The greatest positive rational g such that self/g and other/g are integers: gcd of the numerators over
-    /// lcm of the denominators; gcd(0, b) = |b|.
+    /// The greatest positive rational g such that self/g and other/g are integers: gcd of the
+    /// numerators over lcm of the denominators; gcd(0, b) = |b|.
     pub fn gcd(&self, other: &Self) -> Self {
         if let (Repr::Small { num: a, den: b }, Repr::Small { num: c, den: d }) = (&self.0, &other.0) {
             let num = gcd(a.unsigned_abs(), c.unsigned_abs());

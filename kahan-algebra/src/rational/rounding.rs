@@ -1,8 +1,8 @@
 //! From an exact rational to the nearest float.
 //!
 //! In goes p/q, out comes the float nearest to it, ties to even, straight from the exact value: no
-//! intermediate float is rounded first. Subnormals are exact to their last bit, and what exceeds the largest
-//! float by half an ulp or more is infinite, as IEEE 754 has it.
+//! intermediate float is rounded first. Subnormals are exact to their last bit, and what exceeds
+//! the largest float by half an ulp or more is infinite, as IEEE 754 has it.
 
 use num_bigint::BigUint;
 use num_integer::Integer;
@@ -10,8 +10,8 @@ use num_traits::{ToPrimitive, Zero};
 
 use super::{Rational, Repr};
 
-/// A binary interchange format: `precision` bits with the hidden one, exponents of normal numbers from
-/// `min_exponent` to `-min_exponent + 1`.
+/// A binary interchange format: `precision` bits with the hidden one, exponents of normal numbers
+/// from `min_exponent` to `-min_exponent + 1`.
 #[derive(Clone, Copy)]
 struct Format {
     precision: i64,
@@ -26,7 +26,8 @@ impl Rational {
     pub fn to_f64(&self) -> f64 {
         const EXACT: u64 = 1 << 53;
         match &self.0 {
-            // Both are floats, so IEEE division rounds the true quotient, which is far from the subnormals.
+            // Both are floats, so IEEE division rounds the true quotient, which is far from the
+            // subnormals.
             Repr::Small { num, den } if num.unsigned_abs() <= EXACT && *den as u64 <= EXACT => {
                 *num as f64 / *den as f64
             }
@@ -51,8 +52,8 @@ impl Rational {
         }
     }
 
-    /// The nearest double-double `(hi, lo)`: `hi` is [`to_f64`](Self::to_f64) and `lo` the nearest `f64` to
-    /// what `hi` leaves; `lo` is 0 where `hi` is infinite.
+    /// The nearest double-double `(hi, lo)`: `hi` is [`to_f64`](Self::to_f64) and `lo` the nearest
+    /// `f64` to what `hi` leaves; `lo` is 0 where `hi` is infinite.
     pub fn to_double_double(&self) -> (f64, f64) {
         let hi = self.to_f64();
         let lo = match Self::from_f64(hi) {
@@ -104,8 +105,8 @@ fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64 {
     if twice > scaled_den || (twice == scaled_den && significand % 2 == 1) {
         significand += 1;
     }
-    // The hidden bit of the significand adds one to the exponent field, and so does a carry out of rounding,
-    // up to infinity; a subnormal has neither.
+    // The hidden bit of the significand adds one to the exponent field, and so does a carry out of
+    // rounding, up to infinity; a subnormal has neither.
     (((binade - format.min_exponent) as u64) << (format.precision - 1)) + significand
 }
 

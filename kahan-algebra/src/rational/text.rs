@@ -1,6 +1,7 @@
 //! Rationals as text: `p`, `p/q` and decimals in, `p` or `p/q` out.
 //!
-//! A decimal means exactly what its digits say: 0.1 is one tenth. Nothing here passes through a float.
+//! A decimal means exactly what its digits say: 0.1 is one tenth. Nothing here passes through a
+//! float.
 
 use std::fmt;
 
@@ -12,10 +13,11 @@ use super::{Rational, Repr};
 const MAX_DECIMAL_EXPONENT: i64 = 4096;
 
 impl Rational {
-    /// Reads `p`, `p/q` or a decimal such as `0.25`, `1e-3`, `-1.5E3`, with an optional sign in front.
+    /// Reads `p`, `p/q` or a decimal such as `0.25`, `1e-3`, `-1.5E3`, with an optional sign in
+    /// front.
     ///
-    /// `None` for anything else: spaces, `.5`, `1.`, a zero denominator, a decimal exponent beyond 4096 in
-    /// size.
+    /// `None` for anything else: spaces, `.5`, `1.`, a zero denominator, a decimal exponent beyond
+    /// 4096 in size.
     pub fn parse(text: &str) -> Option<Self> {
         let (negative, unsigned) = match text.strip_prefix('-') {
             Some(rest) => (true, rest),

@@ -1,11 +1,13 @@
-//! A mistake as a paragraph: what is wrong, the source line with a caret under the place, what to write instead.
+//! A mistake as a paragraph: what is wrong, the source line with a caret under the place, what to
+//! write instead.
 
 use std::fmt::Write;
 use std::ops::Range;
 
 use crate::diagnostics::Diagnostic;
 
-/// Writes `diagnostic` about `text`; `ranges` are the byte ranges of its tokens, `origin` names the text.
+/// Writes `diagnostic` about `text`; `ranges` are the byte ranges of its tokens, `origin` names the
+/// text.
 #[must_use]
 pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], origin: &str) -> String {
     let mut out = format!("error: {}\n", diagnostic.message);

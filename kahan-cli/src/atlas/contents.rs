@@ -18,8 +18,8 @@ const TITLE: &str = "An atlas of Kahan’s maps";
 /// No style sheet, font or script is fetched, and the browser is told to refuse any.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'";
 
-/// The page: one HTML document with everything in it. Costs a second; nothing is computed but what it draws in double
-/// precision.
+/// The page: one HTML document with everything in it. Costs a second; nothing is computed but what
+/// it draws in double precision.
 #[must_use]
 pub fn page(found: &Found<'_>, making: &Making) -> String {
     let document = html! {

@@ -1,4 +1,5 @@
-//! The errata: misprinted formulas as their claims refute them, and statements with what was measured instead.
+//! The errata: misprinted formulas as their claims refute them, and statements with what was
+//! measured instead.
 
 use maud::{Markup, html};
 

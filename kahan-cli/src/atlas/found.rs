@@ -29,8 +29,8 @@ pub struct Found<'a> {
 }
 
 impl<'a> Found<'a> {
-    /// Establishes every claim and follows every orbit; `each` hears of every claim and of every orbit as it is done.
-    /// Costs half a minute on two cores.
+    /// Establishes every claim and follows every orbit; `each` hears of every claim and of every
+    /// orbit as it is done. Costs half a minute on two cores.
     #[must_use]
     pub fn compute(paper: &'a Paper, each: impl Fn() + Sync) -> Self {
         let claims: Vec<&Claim> = paper.claims().iter().collect();

@@ -1,10 +1,12 @@
 //! The atlas: the paper as one page, drawn and written from what was established while it was made.
 //!
-//! [`Found::compute`] establishes every claim and follows every orbit; [`page`] writes one self-contained HTML document
-//! from that. No number is stored here: figures come from the measured orbits, tables from the text that the claims check,
-//! outcomes from the claims. The page needs no network and no script; formulas are MathML, drawings are SVG.
+//! [`Found::compute`] establishes every claim and follows every orbit; [`page`] writes one
+//! self-contained HTML document from that. No number is stored here: figures come from the measured
+//! orbits, tables from the text that the claims check, outcomes from the claims. The page needs no
+//! network and no script; formulas are MathML, drawings are SVG.
 //!
-//! `math` (LaTeX to MathML) knows nothing of the paper; `figures` and the other modules are one section of the page each.
+//! `math` (LaTeX to MathML) knows nothing of the paper; `figures` and the other modules are one
+//! section of the page each.
 
 mod contents;
 mod errata;

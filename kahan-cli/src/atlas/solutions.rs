@@ -1,4 +1,5 @@
-//! Table 5 and Theorem 3: the solutions of the flows and of the maps, from the statements of their claims.
+//! Table 5 and Theorem 3: the solutions of the flows and of the maps, from the statements of their
+//! claims.
 
 use maud::{Markup, html};
 

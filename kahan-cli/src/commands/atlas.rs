@@ -12,9 +12,10 @@ use crate::printing::{Answer, Progress, Refusal, Sink};
 
 /// Writes the paper's tables, solutions, figures and claims into one page, DIR/index.html.
 ///
-/// Everything on the page is computed when it is written, in about half a minute: every claim is established and every orbit
-/// followed. The page needs no network and no script. It appears whole or not at all, in place of an older one. The exit status
-/// is 1 if a claim does not hold; the page is written all the same, and says which.
+/// Everything on the page is computed when it is written, in about half a minute: every claim is
+/// established and every orbit followed. The page needs no network and no script. It appears whole
+/// or not at all, in place of an older one. The exit status is 1 if a claim does not hold; the page
+/// is written all the same, and says which.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Atlas {
@@ -33,7 +34,8 @@ impl Atlas {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let clock = Instant::now();
         let path = self.page_path()?;
-        // Whether the file can be written shows before half a minute is spent; no trace is left if the work is interrupted.
+        // Whether the file can be written shows before half a minute is spent; no trace is left if
+        // the work is interrupted.
         drop(Sink::file(&path, "--out")?);
         let paper = Paper::new();
         let progress = Progress::new(Found::steps(&paper) as u64, "claims and orbits");

@@ -1,5 +1,5 @@
-//! `kahan discover`: what a field's map preserves, found from its equations alone. What is found is `kahan-discover`'s; this
-//! only prints it.
+//! `kahan discover`: what a field's map preserves, found from its equations alone. What is found is
+//! `kahan-discover`'s; this only prints it.
 
 mod discovery;
 
@@ -25,9 +25,9 @@ use discovery::Discovery;
 /// nothing is found, a sentence says up to which degree it was looked for. Claims that the field
 /// brings along are not looked at.
 ///
-/// The JSON object holds hilbert, independent_integrals, degrees, growth, entropy, linear_integrals,
-/// integrals, densities, brackets, bases, hamiltonian and more. `hilbert` says how many monomials of
-/// degree at most 1, 2, ... are independent on an orbit.
+/// The JSON object holds hilbert, independent_integrals, degrees, growth, entropy,
+/// linear_integrals, integrals, densities, brackets, bases, hamiltonian and more. `hilbert` says
+/// how many monomials of degree at most 1, 2, ... are independent on an orbit.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Discover {

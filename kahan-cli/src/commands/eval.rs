@@ -16,8 +16,9 @@ use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 
 /// Evaluates every object of a system at a point: field, matrices, next point, Jacobian, claims.
 ///
-/// A value that is undefined at the point is null. At a pole of the map (det A = 0, unless the factor that vanishes was
-/// divided out) the rest is printed all the same, and the exit status is 1.
+/// A value that is undefined at the point is null. At a pole of the map (det A = 0, unless the
+/// factor that vanishes was divided out) the rest is printed all the same, and the exit status is
+/// 1.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Eval {

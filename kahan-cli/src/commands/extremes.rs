@@ -11,7 +11,8 @@ use crate::printing::layout::{labelled, table};
 use crate::printing::{Answer, Progress, Refusal};
 use crate::reading::{Block, Source, whole};
 
-/// Tries steps at the extremes and judges each by exact arithmetic from the very floats that it was given.
+/// Tries steps at the extremes and judges each by exact arithmetic from the very floats that it was
+/// given.
 ///
 /// The points are seeded and stratified: a quarter each near poles, near removable poles, of mixed
 /// magnitudes, and ordinary; besides a few with subnormal, infinite and NaN inputs, and a few large
@@ -22,12 +23,15 @@ use crate::reading::{Block, Source, whole};
 /// for each trial: of ordinary size, but for some of the points of mixed magnitudes, and some below
 /// the normal range.
 ///
-/// `step` is the fast tier, in dd the accurate one: silently wrong is a finite result that is off by more than 1e-3 of the exact one's largest component.
-/// `try_step` is the stable tier: silently wrong is an Ok that is off by more than 64 u of it (u = 2^-24 for f32, 2^-53 for f64, 2^-102 for dd), or
-/// not finite, or at a pole. A flag has no right where the condition number of the step in (x, eps) is below 1e12 (f32: 1e4) and no
-/// component of the exact result is below the normal range or above the largest float; of dd no such thing is promised.
+/// `step` is the fast tier, in dd the accurate one: silently wrong is a finite result that is off
+/// by more than 1e-3 of the exact one's largest component. `try_step` is the stable tier: silently
+/// wrong is an Ok that is off by more than 64 u of it (u = 2^-24 for f32, 2^-53 for f64, 2^-102 for
+/// dd), or not finite, or at a pole. A flag has no right where the condition number of the step in
+/// (x, eps) is below 1e12 (f32: 1e4) and no component of the exact result is below the normal range
+/// or above the largest float; of dd no such thing is promised.
 ///
-/// A trial is one step, for which any eps is as good as another. In long runs it matters how many bits eps has: see `kahan trade --help`.
+/// A trial is one step, for which any eps is as good as another. In long runs it matters how many
+/// bits eps has: see `kahan trade --help`.
 ///
 /// The exit status is 1 if the stable tier is silently wrong anywhere, or flags without right.
 #[derive(Args, Debug)]
@@ -54,8 +58,8 @@ pub(crate) struct Extremes {
 
     /// Print one JSON object.
     ///
-    /// It holds system, systems, trials, seed, seconds, random_fields (name, text), cells (regime, tier, scalar, trials, max_error_u, flagged, unjustified_flags,
-    /// silently_wrong), failures.
+    /// It holds system, systems, trials, seed, seconds, random_fields (name, text), cells (regime,
+    /// tier, scalar, trials, max_error_u, flagged, unjustified_flags, silently_wrong), failures.
     #[arg(long)]
     json: bool,
 }
@@ -231,7 +235,8 @@ fn row((place, cell): (&Place, &Cell)) -> Vec<String> {
     ]
 }
 
-/// The count; none among n trials bounds the rate by 3/n with a confidence of 95 %, as (1 − 3/n)ⁿ is about 1/20.
+/// The count; none among n trials bounds the rate by 3/n with a confidence of 95 %, as (1 − 3/n)ⁿ
+/// is about 1/20.
 fn silently_wrong(cell: &Cell) -> String {
     match cell.silently_wrong {
         0 => format!("0, < 3/{} at 95 %", cell.trials),

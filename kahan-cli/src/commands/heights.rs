@@ -13,16 +13,18 @@ use crate::printing::layout::table;
 use crate::printing::{Answer, Progress, Refusal, Sink};
 use crate::reading::{Start, coordinates, number, seconds, whole};
 
-/// Follows an exact orbit and measures how its heights grow: slowly where the map is integrable, exponentially where not.
+/// Follows an exact orbit and measures how its heights grow: slowly where the map is integrable,
+/// exponentially where not.
 ///
-/// The logarithmic height of p/q in lowest terms is log max(|p|, |q|), the natural logarithm; it is printed for every variable
-/// at every step. From the finite differences of the heights follows the growth: bounded, logarithmic, linear, quadratic,
-/// exponential or undecided; the entropy is log(h_n/h_{n-1}) at the last step for the largest variable, 0 unless growth is
-/// exponential. Parameters are put in after the map is reduced.
+/// The logarithmic height of p/q in lowest terms is log max(|p|, |q|), the natural logarithm; it is
+/// printed for every variable at every step. From the finite differences of the heights follows the
+/// growth: bounded, logarithmic, linear, quadratic, exponential or undecided; the entropy is
+/// log(h_n/h_{n-1}) at the last step for the largest variable, 0 unless growth is exponential.
+/// Parameters are put in after the map is reduced.
 ///
-/// Exact orbits grow, so there are two bounds, --max-digits and --seconds. Where one of them ends the orbit, what is known is
-/// printed with a note, and the exit status is 0. At a pole of the map (det A = 0) what is known is printed too, the pole is
-/// reported, and the exit status is 1.
+/// Exact orbits grow, so there are two bounds, --max-digits and --seconds. Where one of them ends
+/// the orbit, what is known is printed with a note, and the exit status is 0. At a pole of the map
+/// (det A = 0) what is known is printed too, the pole is reported, and the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Heights {
@@ -41,7 +43,8 @@ pub(crate) struct Heights {
     #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
     seconds: f64,
 
-    /// Print one JSON object: steps, log_heights, growth, entropy, seconds, stopped (null, digits, seconds or pole).
+    /// Print one JSON object: steps, log_heights, growth, entropy, seconds, stopped (null, digits,
+    /// seconds or pole).
     #[arg(long)]
     json: bool,
 
@@ -222,7 +225,8 @@ fn fifteen_digits(height: f64) -> f64 {
     format!("{height:.14e}").parse().unwrap_or(height)
 }
 
-/// The rows of a table that fits a screen: all of a short one; of a long one the first, then ever fewer, and the last.
+/// The rows of a table that fits a screen: all of a short one; of a long one the first, then ever
+/// fewer, and the last.
 fn shown_rows(count: usize) -> Vec<usize> {
     const ALL: usize = 26;
     if count <= ALL {

@@ -1,8 +1,9 @@
 //! `kahan orbit`: the points of an orbit with their integrals, row by row.
 //!
-//! Rows are written as they are computed and then forgotten, so the length of an orbit costs no memory. Floats
-//! step as the compiled library does, exact numbers as projective integers ([`exact`]). The table is plain text with
-//! commas: names are identifiers and numbers have no commas, so nothing in it ever needs quoting.
+//! Rows are written as they are computed and then forgotten, so the length of an orbit costs no
+//! memory. Floats step as the compiled library does, exact numbers as projective integers
+//! ([`exact`]). The table is plain text with commas: names are identifiers and numbers have no
+//! commas, so nothing in it ever needs quoting.
 
 mod exact;
 mod float;
@@ -24,12 +25,15 @@ use exact::ExactOrbit;
 use float::FloatOrbit;
 use request::Request;
 
-/// Prints an orbit x0, x1, … of a system's map as CSV: n, t = 2 eps n, the variables, the integrals.
+/// Prints an orbit x0, x1, … of a system's map as CSV: n, t = 2 eps n, the variables, the
+/// integrals.
 ///
-/// The integrals are those of the block without `when`. A cell is empty where an integral is undefined, or beyond the range
-/// of the scalar. Floats are written so that they read back exactly, dd with 32 digits, and the steps are those of the compiled
-/// library, bit for bit; parameters are put in after the map is reduced. At a pole (det A = 0), or where floats overflow, the orbit ends:
-/// the rows up to there are kept, the place is reported, and the exit status is 1. A negative eps steps back.
+/// The integrals are those of the block without `when`. A cell is empty where an integral is
+/// undefined, or beyond the range of the scalar. Floats are written so that they read back exactly,
+/// dd with 32 digits, and the steps are those of the compiled library, bit for bit; parameters are
+/// put in after the map is reduced. At a pole (det A = 0), or where floats overflow, the orbit
+/// ends: the rows up to there are kept, the place is reported, and the exit status is 1. A negative
+/// eps steps back.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Orbit {
@@ -46,8 +50,8 @@ pub(crate) struct Orbit {
 
     /// The order of the method: 2 is Kahan's map, the others compose steps of it, over floats only.
     ///
-    /// Orders 4, 6 and 8 compose 5, 9 and 17 steps into one. A composition keeps no integral that depends on eps: its column
-    /// then oscillates about a value.
+    /// Orders 4, 6 and 8 compose 5, 9 and 17 steps into one. A composition keeps no integral that
+    /// depends on eps: its column then oscillates about a value.
     #[arg(long, value_name = "P", default_value = "2", value_parser = PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse::<u32>().unwrap_or(2)))]
     order: u32,
 
@@ -59,7 +63,8 @@ pub(crate) struct Orbit {
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object; exact numbers are strings p/q, floats are numbers (dd: of 32 digits). With --out the rows are in the file only.
+    /// Print one JSON object; exact numbers are strings p/q, floats are numbers (dd: of 32 digits).
+    /// With --out the rows are in the file only.
     #[arg(long)]
     json: bool,
 }
@@ -234,7 +239,8 @@ impl Rows<'_> {
     }
 }
 
-/// The names of all columns: n and t, with a `_` behind them where a variable or an integral has that name.
+/// The names of all columns: n and t, with a `_` behind them where a variable or an integral has
+/// that name.
 fn columns(states: &[String], integrals: &[String]) -> Vec<String> {
     let named: Vec<String> = states.iter().chain(integrals).cloned().collect();
     let free = |name: &str| {

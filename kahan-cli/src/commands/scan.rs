@@ -1,4 +1,5 @@
-//! `kahan scan`: which values of parameters, and of ε, are special. What is seen is `kahan-discover`'s; this only prints it.
+//! `kahan scan`: which values of parameters, and of ε, are special. What is seen is
+//! `kahan-discover`'s; this only prints it.
 
 use std::time::Instant;
 
@@ -14,12 +15,13 @@ use crate::printing::layout::table;
 use crate::printing::{Answer, Progress, Refusal};
 use crate::reading::number;
 
-/// Looks at a grid of rational values of parameters, and of eps, for those at which a field's map is special.
+/// Looks at a grid of rational values of parameters, and of eps, for those at which a field's map
+/// is special.
 ///
-/// At every point of the grid it takes the degrees of some iterates and the Hilbert function of an orbit, and counts the
-/// algebraic integrals that the orbit shows. Special are the points where something else is seen than at generic values; they
-/// are printed. A range is FROM:TO:STEP with TO included where it is met; what has a single value is fixed, and what is not
-/// given is generic.
+/// At every point of the grid it takes the degrees of some iterates and the Hilbert function of an
+/// orbit, and counts the algebraic integrals that the orbit shows. Special are the points where
+/// something else is seen than at generic values; they are printed. A range is FROM:TO:STEP with TO
+/// included where it is met; what has a single value is fixed, and what is not given is generic.
 ///
 /// With two ranges or more it looks for relations as well, as c = -a - b or a1*a2 = a5*a6: all
 /// points of the grid on them are special. In the time that is left formulas are looked for there,

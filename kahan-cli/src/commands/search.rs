@@ -20,14 +20,15 @@ pub(crate) struct Search {
 
     /// The degree up to which relations on orbits are looked for.
     ///
-    /// Where it is not given, the number of variables chooses: as high as some 200 monomials allow, in `scan` some 80.
+    /// Where it is not given, the number of variables chooses: as high as some 200 monomials allow,
+    /// in `scan` some 80.
     #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = degree)]
     degree: Option<u32>,
 
     /// The time that the search may take.
     ///
-    /// Each stage has its share, orbits and their relations up to two fifths. What is not finished then is left out, and the
-    /// answer says so.
+    /// Each stage has its share, orbits and their relations up to two fifths. What is not finished
+    /// then is left out, and the answer says so.
     #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
     pub(crate) seconds: f64,
 

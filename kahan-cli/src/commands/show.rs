@@ -1,4 +1,5 @@
-//! `kahan show`: the formulas of a system as text, as LaTeX, or as the block of the macro; or the plan of its code.
+//! `kahan show`: the formulas of a system as text, as LaTeX, or as the block of the macro; or the
+//! plan of its code.
 
 mod plan;
 mod sheet;
@@ -16,9 +17,10 @@ use sheet::Sheet;
 
 /// Shows a system: field, f', A, b, bilinear form, det A, reduced map, Jacobian, claims.
 ///
-/// The map is x~ = x + 2 eps n/d in lowest terms, where eps is half the time step; a prime marks the second argument of
-/// the bilinear form Q(x,x'). For a field whose map is beyond the budget of terms, det A is shown as a
-/// determinant. With --plan: what the generated code computes, in straight lines, and what that costs.
+/// The map is x~ = x + 2 eps n/d in lowest terms, where eps is half the time step; a prime marks
+/// the second argument of the bilinear form Q(x,x'). For a field whose map is beyond the budget of
+/// terms, det A is shown as a determinant. With --plan: what the generated code computes, in
+/// straight lines, and what that costs.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Show {
@@ -33,11 +35,13 @@ pub(crate) struct Show {
     #[arg(long = "macro")]
     as_macro: bool,
 
-    /// Show the operations, the machine code and the compile time of everything that is generated, and the step's plan.
+    /// Show the operations, the machine code and the compile time of everything that is generated,
+    /// and the step's plan.
     #[arg(long, conflicts_with_all = ["as_macro", "latex"])]
     plan: bool,
 
-    /// Print the Rust that the macro makes of the block; without a header, as the value of a variable.
+    /// Print the Rust that the macro makes of the block; without a header, as the value of a
+    /// variable.
     #[arg(long, conflicts_with_all = ["as_macro", "latex", "plan"])]
     expand: bool,
 
@@ -89,7 +93,8 @@ impl Show {
 }
 
 impl Show {
-    /// The block as the macro expands it; with values of parameters, the block that `--macro` prints.
+    /// The block as the macro expands it; with values of parameters, the block that `--macro`
+    /// prints.
     fn expansion(&self, block: &Block, system: &System) -> Result<String, Refusal> {
         let core = "::kahan_core".parse().expect("a path");
         let expanded = if self.source.has_parameters() {

@@ -15,11 +15,12 @@ use crate::reading::{Source, coordinates, number, seconds};
 use comparison::Comparison;
 use picture::picture;
 
-/// Measures what accuracy costs on one scene, on this machine, and names the cheapest setting that serves.
+/// Measures what accuracy costs on one scene, on this machine, and names the cheapest setting that
+/// serves.
 ///
-/// A setting is a scalar (f32; f32 with every step computed through f64; f64; dd, 32 digits), an order (2 is Kahan's map, 4, 6 and
-/// 8 its compositions), whether the state carries its rounding error (compensated), and eps. Its price is nanoseconds per unit of
-/// simulated time. Two needs:
+/// A setting is a scalar (f32; f32 with every step computed through f64; f64; dd, 32 digits), an
+/// order (2 is Kahan's map, 4, 6 and 8 its compositions), whether the state carries its rounding
+/// error (compensated), and eps. Its price is nanoseconds per unit of simulated time. Two needs:
 ///
 /// trajectory: to follow the flow. The error is the largest distance from the flow's trajectory
 /// over the whole horizon, at the times of the steps and with the last point standing for the
@@ -28,13 +29,14 @@ use picture::picture;
 /// catalog has one, else a composition of order 8) to a thousandth of the tolerance; where they do
 /// not agree, or the solution escapes to infinity within the horizon, the command refuses.
 ///
-/// integrals: to keep the claimed integrals (those without `when`). The error is the largest change over the horizon relative to the
-/// value at the beginning, evaluated in 32 digits at the eps of the orbit: of the map's own integrals at order 2, of the
-/// flow's (the claims at eps = 0) for compositions, which have none of their own. The trajectory may be far off then.
+/// integrals: to keep the claimed integrals (those without `when`). The error is the largest change
+/// over the horizon relative to the value at the beginning, evaluated in 32 digits at the eps of
+/// the orbit: of the map's own integrals at order 2, of the flow's (the claims at eps = 0) for
+/// compositions, which have none of their own. The trajectory may be far off then.
 ///
-/// An orbit that follows a trajectory ends at the horizon, but for the rounding of its eps; one that keeps integrals at the step that
-/// is nearest to it. In the table, `return` is how far from the first point an orbit comes home that goes all its steps forward
-/// and back.
+/// An orbit that follows a trajectory ends at the horizon, but for the rounding of its eps; one
+/// that keeps integrals at the step that is nearest to it. In the table, `return` is how far from
+/// the first point an orbit comes home that goes all its steps forward and back.
 ///
 /// Settings are measured until the answer is clear: nothing finer than what does, nothing dearer.
 /// The table shows the front, which no other setting beats in price and error together; --json has
@@ -69,7 +71,8 @@ pub(crate) struct Trade {
     #[arg(long, value_name = "TOL", default_value = "1e-8", allow_hyphen_values = true)]
     tolerance: String,
 
-    /// The time that it may take, three quarters of it for the reference; what is likely to end later is not begun.
+    /// The time that it may take, three quarters of it for the reference; what is likely to end
+    /// later is not begun.
     #[arg(long, value_name = "S", default_value = "10", allow_hyphen_values = true, value_parser = seconds)]
     seconds: f64,
 

@@ -1,7 +1,8 @@
 //! Double-double numbers as the command computes with them and prints them.
 //!
-//! The operations are those of the library's [`Dd`], its multiply-adds included, so a step is the compiled one bit for bit.
-//! Numbers are written with 32 significant digits, in JSON too, where a number may have as many digits as it likes.
+//! The operations are those of the library's [`Dd`], its multiply-adds included, so a step is the
+//! compiled one bit for bit. Numbers are written with 32 significant digits, in JSON too, where a
+//! number may have as many digits as it likes.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;

@@ -1,4 +1,5 @@
-//! What the commands print: answers and refusals, tables and lines that fit the screen, files that appear whole or not at all.
+//! What the commands print: answers and refusals, tables and lines that fit the screen, files that
+//! appear whole or not at all.
 
 mod interrupt;
 pub(crate) mod layout;

@@ -58,7 +58,8 @@ fn paragraph(message: &str) -> String {
     format!("error: {}\n", brief(message))
 }
 
-/// Prints a result and chooses the exit status. A reader that has gone away (`kahan | head`) is no error.
+/// Prints a result and chooses the exit status. A reader that has gone away (`kahan | head`) is no
+/// error.
 pub(crate) fn finish(result: Result<Answer, Refusal>) -> ExitCode {
     let (text, complaint, status) = match result {
         Ok(Answer { text, breaks, complaint }) => {

@@ -1,4 +1,5 @@
-//! What pages of formulas are put together from: sections of plain text, displays of LaTeX, matrices.
+//! What pages of formulas are put together from: sections of plain text, displays of LaTeX,
+//! matrices.
 
 use kahan_algebra::render::{
     MatrixText, Notation, PAGE_WIDTH, claim_statement, condition_statement, condition_text, latex_equation,

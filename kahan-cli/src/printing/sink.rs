@@ -1,4 +1,5 @@
-//! Where long output goes while it is made: standard output as it comes, or a file that appears whole or not at all.
+//! Where long output goes while it is made: standard output as it comes, or a file that appears
+//! whole or not at all.
 //!
 //! A file is written beside its final place under a temporary name and renamed at the end; one that
 //! is not finished is removed, also where a signal ends the command. Rows for standard output are
@@ -50,14 +51,16 @@ impl Sink {
         Sink(Place::Standard { writer: BufWriter::new(io::stdout()), flushed: Instant::now() })
     }
 
-    /// A file at this path, in place of one that may be there. Nothing is there before [`finish`](Self::finish).
+    /// A file at this path, in place of one that may be there. Nothing is there before
+    /// [`finish`](Self::finish).
     ///
     /// `option` is the argument that named it, for the refusal.
     pub(crate) fn file(path: &Path, option: &str) -> Result<Self, Refusal> {
         let refused = |reason: &str| {
             Refusal::new(format!("{option}: cannot write the file {}: {reason}", path.display()))
         };
-        // What a link points to is replaced, not the link; a device or a directory is not replaced by a file.
+        // What a link points to is replaced, not the link; a device or a directory is not replaced
+        // by a file.
         let path = match fs::canonicalize(path) {
             Ok(found) if found.is_file() => found,
             Ok(found) if found.is_dir() => return Err(refused("it is a directory; add a file name")),
@@ -152,7 +155,8 @@ fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder)
 }
 
-/// Whether a progress bar on standard error does not disturb the rows: they go elsewhere than to the terminal.
+/// Whether a progress bar on standard error does not disturb the rows: they go elsewhere than to
+/// the terminal.
 pub(crate) fn has_room_for_progress(to_file: bool) -> bool {
     to_file || !io::stdout().is_terminal()
 }

@@ -110,7 +110,8 @@ impl Table {
         }
     }
 
-    /// Writes what stands behind the rows, and closes the sink; `stopped` says why the rows ended early, or is null.
+    /// Writes what stands behind the rows, and closes the sink; `stopped` says why the rows ended
+    /// early, or is null.
     pub(crate) fn end(mut self, stopped: &Value) -> Result<(), Broken> {
         if self.format == Format::Json {
             self.sink.write(&format!("\n  ],\n  \"stopped\": {stopped}\n}}\n"))?;

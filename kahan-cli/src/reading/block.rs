@@ -1,4 +1,5 @@
-//! A text with a block in it, as a checked system; everything that is wrong with it becomes a [`Refusal`].
+//! A text with a block in it, as a checked system; everything that is wrong with it becomes a
+//! [`Refusal`].
 
 use std::ops::Range;
 

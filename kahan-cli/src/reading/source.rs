@@ -1,5 +1,5 @@
-//! The system that a command is about, as arguments name it: of the catalog, from the command line, or from a file; and
-//! the values of its parameters.
+//! The system that a command is about, as arguments name it: of the catalog, from the command line,
+//! or from a file; and the values of its parameters.
 
 use std::path::PathBuf;
 
@@ -36,8 +36,8 @@ pub(crate) struct Source {
 
     /// The value of a parameter; once for each.
     ///
-    /// `show` and `verify` put it in before the map is reduced, `eval` and `orbit` after. `discover` leaves the others
-    /// generic. `scan` takes FROM:TO:STEP in the place of V.
+    /// `show` and `verify` put it in before the map is reduced, `eval` and `orbit` after.
+    /// `discover` leaves the others generic. `scan` takes FROM:TO:STEP in the place of V.
     #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
     parameters: Vec<String>,
 }
@@ -63,7 +63,8 @@ impl Source {
         Source { system: Some(name), ..Source::default() }
     }
 
-    /// The block that was named, unless it is the catalog's as it stands: then the paper's claims are meant.
+    /// The block that was named, unless it is the catalog's as it stands: then the paper's claims
+    /// are meant.
     pub(crate) fn block_outside_the_paper(&self) -> Result<Option<Block>, Refusal> {
         if self.field.is_none() && self.file.is_none() && self.parameters.is_empty() {
             return Ok(None);
@@ -131,7 +132,8 @@ impl Source {
         Ok(values.into_iter().flatten().collect())
     }
 
-    /// This source with single values only, and the parameters that are given as ranges: `xi=-2:2:1/12` as `xi` and the rest.
+    /// This source with single values only, and the parameters that are given as ranges:
+    /// `xi=-2:2:1/12` as `xi` and the rest.
     pub(crate) fn without_ranges(&self) -> (Self, Vec<(&str, &str)>) {
         let mut single = self.clone();
         single.parameters.retain(|given| !given.contains(':'));

@@ -1,4 +1,5 @@
-//! Exact numbers, times and coordinates behind options; what is wrong with them becomes a [`Refusal`].
+//! Exact numbers, times and coordinates behind options; what is wrong with them becomes a
+//! [`Refusal`].
 
 use std::fmt::Display;
 

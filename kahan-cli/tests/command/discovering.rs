@@ -1,5 +1,5 @@
-//! `kahan discover` and `kahan scan`: what is printed parses and proves again, JSON has its keys, refusals say why; and the
-//! catalog's further systems claim what is found of them.
+//! `kahan discover` and `kahan scan`: what is printed parses and proves again, JSON has its keys,
+//! refusals say why; and the catalog's further systems claim what is found of them.
 
 use kahan_algebra::{Reading, lexer, read};
 use kahan_systems::registry::{FURTHER, all, find};
@@ -60,7 +60,8 @@ fn printed_lines_go_into_a_block_as_they_stand() {
         let block = find(name).expect("a system of the catalog").text();
         let equations: Vec<&str> = block.lines().filter(|line| line.contains("dot = ")).collect();
         assert_eq!(reading(&equations.join(" "), &lines).system.claims.len(), lines.len());
-        // Integrals also behind the catalog's own claims, as no name is taken twice; a block has one density.
+        // Integrals also behind the catalog's own claims, as no name is taken twice; a block has
+        // one density.
         let own = reading(block, &[]).system.claims.len();
         let (densities, new): (Vec<String>, Vec<String>) =
             lines.iter().cloned().partition(|line| line.starts_with("density "));
@@ -104,7 +105,8 @@ fn what_is_fixed_is_kept_apart_from_what_is_generic() {
     assert_eq!(found["hilbert"], json!([4, 8, 12, 16]));
 }
 
-/// The integrals and densities that the blocks of the further systems claim for generic parameters, against those found.
+/// The integrals and densities that the blocks of the further systems claim for generic parameters,
+/// against those found.
 #[test]
 fn the_further_systems_claim_as_many_integrals_as_are_found() {
     for entry in FURTHER.iter().filter(|entry| entry.command != "lagrange") {

@@ -1,4 +1,5 @@
-//! `--scalar dd` from outside: 32 digits, the steps of the compiled library, exact inputs, poles and overflow.
+//! `--scalar dd` from outside: 32 digits, the steps of the compiled library, exact inputs, poles
+//! and overflow.
 
 use std::process::Output;
 
@@ -68,7 +69,8 @@ fn rational(text: &str) -> BigRational {
     digits * ten.pow(exponent.parse::<i32>().expect("an exponent") - fraction.len() as i32)
 }
 
-/// Inputs are rounded to 32 digits and not to 16 (0.1 is no double), and so is what is computed from them.
+/// Inputs are rounded to 32 digits and not to 16 (0.1 is no double), and so is what is computed
+/// from them.
 #[test]
 fn every_object_has_the_exact_value_to_30_digits() {
     let arguments = "eval e6 --eps 0.1 --at 1/3,2/7,0.7 --json";

@@ -1,5 +1,5 @@
-//! The `kahan` command from outside: what it prints, and with which exit status. A module for each subcommand, and for what is
-//! common to all.
+//! The `kahan` command from outside: what it prints, and with which exit status. A module for each
+//! subcommand, and for what is common to all.
 
 mod atlas_folders;
 mod completions;

@@ -1,4 +1,5 @@
-//! `kahan show --plan` from outside: a row for every object, the step line by line, and what is said where it eliminates.
+//! `kahan show --plan` from outside: a row for every object, the step line by line, and what is
+//! said where it eliminates.
 
 use crate::running::{answer, kahan, object, text};
 

@@ -1,4 +1,5 @@
-//! Fields that are nowhere else in this repository: each as compiled code, and as the text that the command is given.
+//! Fields that are nowhere else in this repository: each as compiled code, and as the text that the
+//! command is given.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,5 @@
-//! The choices of `kahan trade` and of the library against every setting there is, on scenes of their own, timed side by side.
+//! The choices of `kahan trade` and of the library against every setting there is, on scenes of
+//! their own, timed side by side.
 //!
 //! It measures times, so it is not part of `cargo test`: run it on a quiet machine, with
 //! `cargo test --release -p kahan-cli --test trade_sweep -- --ignored --nocapture`.

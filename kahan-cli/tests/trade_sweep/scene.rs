@@ -111,13 +111,16 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
 
     /// Nanoseconds a unit of time, once.
     pub(crate) fn price(&self, setting: &Setting) -> f64 {
-        /// As many steps, at least, as are timed, and as are timed in one piece: a start takes time, too.
+        /// As many steps, at least, as are timed, and as are timed in one piece: a start takes
+        /// time, too.
         const STEPS: usize = 400;
         const PIECE: usize = 64;
-        // Far beyond the horizon a state may come where arithmetic takes longer: an epidemic's end is subnormal in `f32`.
+        // Far beyond the horizon a state may come where arithmetic takes longer: an epidemic's end
+        // is subnormal in `f32`.
         let steps = ((self.horizon / (2.0 * setting.eps)).round() as usize).clamp(PIECE, STEPS);
         let repeats = STEPS.div_ceil(steps);
-        /// A function of its own for each kind of orbit: one that holds them all is too large to be compiled well.
+        /// A function of its own for each kind of orbit: one that holds them all is too large to be
+        /// compiled well.
         #[inline(never)]
         fn seconds<X>(orbit: impl Iterator<Item = X> + Clone, steps: usize, repeats: usize) -> f64 {
             let clock = Instant::now();
@@ -135,8 +138,8 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
         1e9 * seconds / ((steps * repeats) as f64 * 2.0 * setting.eps)
     }
 
-    /// The coarsest eps of each kind that does, on a grid of a tenth, as far as it may cost less than `dearest`: what costs more
-    /// is not the best.
+    /// The coarsest eps of each kind that does, on a grid of a tenth, as far as it may cost less
+    /// than `dearest`: what costs more is not the best.
     pub(crate) fn sweep(&self, tolerance: f64, dearest: f64) -> Vec<Setting> {
         let mut found = Vec::new();
         for scalar in SCALARS {

@@ -1,7 +1,7 @@
 //! A type of one's own: over complex numbers an orbit goes round a pole of its solution.
 //!
-//! x(t) = tan t has a pole at π/2. In complex time a half circle leads from 0 to 3 round it, to tan 3.
-//! The numbers are a type of this program, in `complex.rs`.
+//! x(t) = tan t has a pole at π/2. In complex time a half circle leads from 0 to 3 round it, to tan
+//! 3. The numbers are a type of this program, in `complex.rs`.
 
 mod complex;
 

@@ -1,7 +1,8 @@
 //! The tensor of a density and n − 2 integrals: gradients, their minors, signs.
 //!
-//! Each gradient is brought over one denominator and freed of what its entries share, so that the minors are those of small
-//! polynomials; all the denominators come back as one factor of the whole tensor.
+//! Each gradient is brought over one denominator and freed of what its entries share, so that the
+//! minors are those of small polynomials; all the denominators come back as one factor of the whole
+//! tensor.
 
 use std::collections::BTreeMap;
 
@@ -9,15 +10,16 @@ use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within, gcd_within};
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
-/// The bracket {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂ of section 4 of the paper, for the n ≥ 2 states of `symbols`: the
-/// entries above the diagonal, row by row.
+/// The bracket {F,G} ρ dx₁∧…∧dxₙ = dF∧dG∧dI₁∧…∧dIₙ₋₂ of section 4 of the paper, for the n ≥ 2
+/// states of `symbols`: the entries above the diagonal, row by row.
 ///
-/// `density` is ρ and `integrals` are the n − 2 functions I. The result satisfies Jacobi's identity and has the I's as Casimirs,
-/// whatever they are; it is invariant under a map that preserves ρ dx and the I's. With n = 2 the one entry is 1/ρ.
-/// `None` for a zero density, for integrals that are functions of one another, and beyond the budget.
+/// `density` is ρ and `integrals` are the n − 2 functions I. The result satisfies Jacobi's identity
+/// and has the I's as Casimirs, whatever they are; it is invariant under a map that preserves ρ dx
+/// and the I's. With n = 2 the one entry is 1/ρ. `None` for a zero density, for integrals that are
+/// functions of one another, and beyond the budget.
 ///
-/// Cost: n gcds a gradient, and the minors of n−2 rows by Laplace expansion, at most n·2ⁿ⁻¹ products of polynomials; zero
-/// minors cost nothing.
+/// Cost: n gcds a gradient, and the minors of n−2 rows by Laplace expansion, at most n·2ⁿ⁻¹
+/// products of polynomials; zero minors cost nothing.
 pub(super) fn invariant_tensor(
     symbols: &Symbols,
     density: &RationalFunction,
@@ -87,7 +89,8 @@ fn quotient(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) ->
     multiple.div_within(divisor, budget).ok()?
 }
 
-/// From the nonzero minors of some rows, by their columns, those with one row more: Laplace expansion along the last row.
+/// From the nonzero minors of some rows, by their columns, those with one row more: Laplace
+/// expansion along the last row.
 fn expand(
     minors: &BTreeMap<Vec<usize>, Polynomial>,
     row: &[Polynomial],
@@ -99,7 +102,8 @@ fn expand(
         for (column, entry) in row.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
             let Err(place) = columns.binary_search(&column) else { continue };
             let product = minor.mul_within(entry, budget).ok()?;
-            // The last row's entry stands in the last column and moves left past those behind its own.
+            // The last row's entry stands in the last column and moves left past those behind its
+            // own.
             let product = if (columns.len() - place) % 2 == 1 { -&product } else { product };
             let mut widened = columns.clone();
             widened.insert(place, column);

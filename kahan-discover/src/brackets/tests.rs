@@ -1,4 +1,5 @@
-//! The tables of the paper come out of densities and integrals exactly, and the prover agrees in any dimension.
+//! The tables of the paper come out of densities and integrals exactly, and the prover agrees in
+//! any dimension.
 
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::system::System;

@@ -85,8 +85,8 @@ fn usual<'a>(sights: impl Iterator<Item = &'a Sight>) -> Option<&'a Sight> {
     counts.into_iter().max_by_key(rank).map(|(_, (_, sight))| sight)
 }
 
-/// The polynomial as an equation: a name with coefficient ±1 by itself on the left, else a number by itself
-/// on the right, else the terms with `-` there.
+/// The polynomial as an equation: a name with coefficient ±1 by itself on the left, else a number
+/// by itself on the right, else the terms with `-` there.
 fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     let is_linear = polynomial.degree() == 1;
     let mut terms = polynomial.terms();

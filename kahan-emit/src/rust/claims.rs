@@ -20,7 +20,8 @@ pub(super) struct EmittedClaims {
     pub(super) implementations: TokenStream,
 }
 
-/// Emits the accessors of all claims. Where there are no integrals, or no density, rustc is told what a call lacks.
+/// Emits the accessors of all claims. Where there are no integrals, or no density, rustc is told
+/// what a call lacks.
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let density = context.system.accessors(ClaimKind::Density).zip(&context.derived.density);
@@ -46,7 +47,8 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     emitted
 }
 
-/// `pub fn …(&self, …)`, in an implementation for scalars where there are parameters, else with the scalar as its own.
+/// `pub fn …(&self, …)`, in an implementation for scalars where there are parameters, else with the
+/// scalar as its own.
 fn emit_method(
     context: &Context<'_>,
     documentation: &TokenStream,

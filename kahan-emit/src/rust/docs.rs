@@ -15,7 +15,8 @@ fn emit_lines(lines: &[String]) -> TokenStream {
     lines.iter().map(|line| quote!(#[doc = #line])).collect()
 }
 
-/// The documentation of a system: field, A(x,ε), reduced map, claims. `follows` tells that the user's own comes first.
+/// The documentation of a system: field, A(x,ε), reduced map, claims. `follows` tells that the
+/// user's own comes first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     let system = context.system;
     let states = &system.field.symbols.states;

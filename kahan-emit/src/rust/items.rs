@@ -46,7 +46,8 @@ pub(super) fn emit_struct(context: &Context<'_>, header: Option<&RustHeader>) ->
     quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
 }
 
-/// Expands to `impl<T> Named for E7<T> { … }`, and what stands for it in the type itself: `pub const VARIABLES …`.
+/// Expands to `impl<T> Named for E7<T> { … }`, and what stands for it in the type itself: `pub
+/// const VARIABLES …`.
 pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     let symbols = &context.system.field.symbols;
     let this = context.self_type();
@@ -84,8 +85,8 @@ pub(super) fn emit_list(constant: &str, documentation: &str, names: &[String]) -
     }
 }
 
-/// Expands to `Field { mu: Clone::clone(&mu) }`: the value of a block without a header. The names of the parameters are
-/// the user's own tokens, so that they mean what they mean there.
+/// Expands to `Field { mu: Clone::clone(&mu) }`: the value of a block without a header. The names
+/// of the parameters are the user's own tokens, so that they mean what they mean there.
 pub(super) fn emit_captured_value(context: &Context<'_>, input: &Flat) -> TokenStream {
     let name = &context.name;
     if !context.has_parameters() {

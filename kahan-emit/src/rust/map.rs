@@ -1,4 +1,5 @@
-//! `KahanMap`: how the step is prepared, and the closed forms of N and D where they are within the budget.
+//! `KahanMap`: how the step is prepared, and the closed forms of N and D where they are within the
+//! budget.
 
 use kahan_algebra::plan::Plan;
 use proc_macro2::{Span, TokenStream};
@@ -9,8 +10,8 @@ use super::field::emit_body;
 use super::items::identifier;
 use super::step::{EmittedStep, emit_step};
 
-/// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`; what is not written here, is a default
-/// method.
+/// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`; what is not
+/// written here, is a default method.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
     let (items, prepared) = match context.derived.step() {
@@ -33,7 +34,8 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// The step of a plan, and what follows from running it over other scalars: the Jacobian and the step with a promise.
+/// The step of a plan, and what follows from running it over other scalars: the Jacobian and the
+/// step with a promise.
 fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
     let (scalar, vector, matrix) = (&context.scalar, context.vector(), context.matrix());
     quote! {
@@ -125,7 +127,8 @@ fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     quote! { #det_matrix #rational_map #reduced_map }
 }
 
-/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`: numerators and a denominator.
+/// Expands to `fn rational_map(&self, …) -> (SVector<T, 3>, T) { … }`: numerators and a
+/// denominator.
 fn emit_quotient(context: &Context<'_>, name: &str, plan: &Plan) -> TokenStream {
     let (bindings, mut numerators) = emit_body(context, plan);
     let denominator = numerators.pop();

@@ -14,14 +14,14 @@
 //! };
 //! ```
 //!
-//! and without one to `{ …the same with an anonymous type…; Field { mu: mu.clone() } }`. Mistakes become
-//! `compile_error!` beside all of that, so that code which uses the type stays quiet.
+//! and without one to `{ …the same with an anonymous type…; Field { mu: mu.clone() } }`. Mistakes
+//! become `compile_error!` beside all of that, so that code which uses the type stays quiet.
 //!
 //! Names: everything of ours is reached through `__kahan`, and bindings begin with `__` (a state
 //! `x` is `__s_x`, a parameter `mu` is `__p_mu`): a constant or a unit struct of the user's in
 //! scope would capture a pattern of its name. Only arguments, which rustdoc shows, have names for
-//! reading; a function of each name is imported, which hides the user's, and a pattern may have the name
-//! of a function.
+//! reading; a function of each name is imported, which hides the user's, and a pattern may have the
+//! name of a function.
 
 mod claims;
 mod docs;
@@ -73,8 +73,8 @@ pub struct Expansion {
     pub tokens: TokenStream,
 }
 
-/// Expands a block, the compiler's tokens between the brackets of `kahan!`; `core` is the path of the crate that holds
-/// `__private`.
+/// Expands a block, the compiler's tokens between the brackets of `kahan!`; `core` is the path of
+/// the crate that holds `__private`.
 ///
 /// Mistakes become `compile_error!` at the places of the tokens.
 #[must_use]
@@ -138,7 +138,8 @@ fn emit_without_field(
     errors: &TokenStream,
 ) -> TokenStream {
     if header.is_none() {
-        // A single `compile_error!` is right as an item and as an expression; there is no telling which is wanted.
+        // A single `compile_error!` is right as an item and as an expression; there is no telling
+        // which is wanted.
         return if reading.diagnostics.len() == 1 {
             errors.clone()
         } else {

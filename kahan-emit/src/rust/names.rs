@@ -4,7 +4,8 @@ use kahan_algebra::derived::{StepName, StepNames};
 use kahan_algebra::plan::{Node, Operation};
 use proc_macro2::{Ident, Span};
 
-/// `__t_eps_x` for ε·x, `__c_3` for a constant, `__reciprocal_1`, `__sum_1` for what has no short description.
+/// `__t_eps_x` for ε·x, `__c_3` for a constant, `__reciprocal_1`, `__sum_1` for what has no short
+/// description.
 pub(super) fn binding(names: &mut StepNames, node: Node, operation: &Operation) -> Ident {
     let ratio = match operation {
         Operation::Constant(value) => value.as_small_ratio(),

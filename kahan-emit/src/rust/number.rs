@@ -7,7 +7,8 @@ use quote::quote;
 /// Quotients of integers up to this size are rounded correctly by one division, in `f32` too.
 const EXACT_IN_F32: i64 = 1 << 24;
 
-/// A constant of type `scalar`: `__kahan::integer::<T>(3)`, `__kahan::ratio::<T>(1, 2)`, or all its digits.
+/// A constant of type `scalar`: `__kahan::integer::<T>(3)`, `__kahan::ratio::<T>(1, 2)`, or all its
+/// digits.
 pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
     if let Some(integer) = value.as_i64() {
         let integer = Literal::i64_unsuffixed(integer);

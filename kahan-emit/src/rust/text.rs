@@ -5,7 +5,8 @@ use quote::quote;
 
 use super::expand;
 
-/// What `kahan! { block }` expands to, formatted; a block without a header stands where an expression may.
+/// What `kahan! { block }` expands to, formatted; a block without a header stands where an
+/// expression may.
 ///
 /// # Errors
 /// Where the block is not made of Rust tokens, as `x²` is not.

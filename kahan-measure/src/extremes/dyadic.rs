@@ -76,7 +76,8 @@ impl Dyadic {
         if self.exponent < 0 { (self.integer.clone(), power).into() } else { (&self.integer * power).into() }
     }
 
-    /// A float near self and its binade: self = significand·2^binade with 1 ≤ |significand| < 2, cut off after 53 bits; 0 for 0.
+    /// A float near self and its binade: self = significand·2^binade with 1 ≤ |significand| < 2,
+    /// cut off after 53 bits; 0 for 0.
     pub(crate) fn leading(&self) -> (f64, i64) {
         let Some(binade) = self.binade() else { return (0.0, 0) };
         let excess = self.integer.bits().saturating_sub(53);

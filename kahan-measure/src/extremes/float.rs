@@ -1,4 +1,5 @@
-//! What is asked of a scalar whose steps are judged: its values as exact numbers, and the limits of its format.
+//! What is asked of a scalar whose steps are judged: its values as exact numbers, and the limits of
+//! its format.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Dd, KahanMap, Lift, Pivot, ThroughF64};
@@ -11,7 +12,8 @@ pub(crate) trait Float: Pivot + Copy + Send + Sync {
     const NAME: &'static str;
     /// The tier whose `step` it is: `fast`, or `accurate`.
     const STEP_TIER: &'static str;
-    /// The tier of the step that is computed in a wider format and rounded once, where there is one.
+    /// The tier of the step that is computed in a wider format and rounded once, where there is
+    /// one.
     const WIDER_TIER: Option<&'static str> = None;
     /// The unit u of the promise is 2^−PRECISION.
     const PRECISION: i64;
@@ -25,7 +27,8 @@ pub(crate) trait Float: Pivot + Copy + Send + Sync {
     const EPS_BINADES: i64;
     /// ‖x‖ is drawn from 2^±STATE_BINADES, 1e±150 for `f64`.
     const STATE_BINADES: i64;
-    /// A stable step may not be flagged below this condition number; `None` where nothing is promised.
+    /// A stable step may not be flagged below this condition number; `None` where nothing is
+    /// promised.
     const FLAG_CONDITION: Option<f64>;
 
     /// The exact value; `None` if it is not finite.

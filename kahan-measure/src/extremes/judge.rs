@@ -1,7 +1,8 @@
 //! The exact step from a point of floats, and what a float result is worth beside it.
 //!
-//! x̃ᵢ = xᵢ + 2ε nᵢ/d in lowest terms, so with Nᵢ = xᵢd + 2ε nᵢ the error of a result y is |yᵢd − Nᵢ|/|d|, and it is
-//! compared with max |Nᵢ|/|d| without a division: every verdict is exact, only what is printed is rounded.
+//! x̃ᵢ = xᵢ + 2ε nᵢ/d in lowest terms, so with Nᵢ = xᵢd + 2ε nᵢ the error of a result y is |yᵢd −
+//! Nᵢ|/|d|, and it is compared with max |Nᵢ|/|d| without a division: every verdict is exact, only
+//! what is printed is rounded.
 
 use std::cmp::Ordering;
 
@@ -119,7 +120,8 @@ impl Judge {
         Some(Exact { point, numerators, denominator, size })
     }
 
-    /// The condition number of the step in (x, ε): max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞; infinite where x̃ is 0.
+    /// The condition number of the step in (x, ε): max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞;
+    /// infinite where x̃ is 0.
     pub(crate) fn condition(&self, exact: &Exact) -> f64 {
         let Exact { point, numerators, denominator, size } = exact;
         let mut sums = vec![Dyadic::zero(); self.states];
@@ -149,8 +151,8 @@ impl Exact {
         }
     }
 
-    /// Whether the format holds every component with all of its bits: none beyond its range, none but 0 below its
-    /// normal numbers.
+    /// Whether the format holds every component with all of its bits: none beyond its range, none
+    /// but 0 below its normal numbers.
     pub(crate) fn fits<T: Float>(&self) -> bool {
         let d = self.denominator.clone().abs();
         // The largest number is (2 − 2^(1−p))·2^greatest.

@@ -68,7 +68,8 @@ impl Subject {
     /// A system under a name, with a value or none for each parameter.
     ///
     /// # Errors
-    /// Where the map is too large to be reduced or to be run, or divides by zero at the given parameters.
+    /// Where the map is too large to be reduced or to be run, or divides by zero at the given
+    /// parameters.
     pub fn new(name: &str, system: &System, parameters: Vec<Option<Rational>>) -> Result<Self, Unjudged> {
         let judge = Judge::of(system).ok_or(Unjudged::BeyondBudget)?;
         let values: Vec<BigRational> = (1..).zip(&parameters).map(value_or_any).collect();

@@ -1,7 +1,8 @@
 //! Seeded points: each trial draws its own from its index, whoever runs it.
 //!
-//! In: a regime, the exact map, a generator. Out: floats as they are given to the step. Everything is drawn by binades, so
-//! sizes are uniform in their logarithm; a quarter of the significands have few bits, so that exact poles occur.
+//! In: a regime, the exact map, a generator. Out: floats as they are given to the step. Everything
+//! is drawn by binades, so sizes are uniform in their logarithm; a quarter of the significands have
+//! few bits, so that exact poles occur.
 
 use kahan_algebra::prime_field::SplitMix64;
 
@@ -18,7 +19,8 @@ pub(crate) struct Inputs<T> {
     pub(crate) parameters: Vec<T>,
     pub(crate) x: Vec<T>,
     pub(crate) eps: T,
-    /// The stratum that it came from: mixed magnitudes where a pole was asked for and none was found.
+    /// The stratum that it came from: mixed magnitudes where a pole was asked for and none was
+    /// found.
     pub(crate) regime: Regime,
 }
 
@@ -71,7 +73,8 @@ impl<T: Float> Points<'_, T> {
         self.scaled(0)
     }
 
-    /// An ordinary point times 2^binade, with the step divided by it: the same point of a homogeneous field.
+    /// An ordinary point times 2^binade, with the step divided by it: the same point of a
+    /// homogeneous field.
     fn scaled(&mut self, binade: i64) -> Inputs<T> {
         let sizes: Vec<i64> = (0..self.judge.dimension()).map(|_| binade + self.between(-5, 1)).collect();
         let eps = self.between(-10, -1) - binade;

@@ -1,7 +1,8 @@
 //! Polynomials with integer coefficients at exact points.
 //!
-//! In: polynomials of the algebra, whose coefficients are rational. Out: their values, all multiplied by one integer, so that
-//! ratios are unchanged. They are evaluated term by term, by other code than the steps that they judge.
+//! In: polynomials of the algebra, whose coefficients are rational. Out: their values, all
+//! multiplied by one integer, so that ratios are unchanged. They are evaluated term by term, by
+//! other code than the steps that they judge.
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use num_bigint::BigInt;
@@ -68,7 +69,8 @@ pub(crate) fn greatest_power<'a>(polynomials: impl IntoIterator<Item = &'a Polyn
     powers.map(|(_, power)| power as usize).max().unwrap_or(0).max(1)
 }
 
-/// A polynomial as one in a single variable, its coefficients in the others, the constant term first.
+/// A polynomial as one in a single variable, its coefficients in the others, the constant term
+/// first.
 #[derive(Clone, Debug)]
 pub(crate) struct Univariate {
     /// The variable.

@@ -1,16 +1,17 @@
 //! A real root of a polynomial in one variable with exact coefficients, to any number of bits.
 //!
-//! Signs are exact, so a bracket is a proof; roots where the sign does not change are not looked for.
+//! Signs are exact, so a bracket is a proof; roots where the sign does not change are not looked
+//! for.
 
 use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 
-/// One of the roots of Σ coefficients[k]·v^k, or `None` if no change of sign was met; to a relative 2^−bits, or exactly
-/// where bisection meets it.
+/// One of the roots of Σ coefficients[k]·v^k, or `None` if no change of sign was met; to a relative
+/// 2^−bits, or exactly where bisection meets it.
 ///
-/// A root has about the size |c_i/c_j|^(1/(j−i)) of some pair of terms that balance there; signs are taken at powers
-/// of two around these sizes.
+/// A root has about the size |c_i/c_j|^(1/(j−i)) of some pair of terms that balance there; signs
+/// are taken at powers of two around these sizes.
 pub(super) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
     let mut binades: Vec<i64> = balances(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();
@@ -19,7 +20,8 @@ pub(super) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) 
     let positive = binades.iter().map(|&b| Dyadic::new(1, b));
     let places: Vec<(Dyadic, bool)> =
         negative.chain(positive).map(|v| (v.clone(), value(coefficients, &v).is_negative())).collect();
-    // A bracket across 0 has ends of different signs, and no relative width; a root there is met beside it.
+    // A bracket across 0 has ends of different signs, and no relative width; a root there is met
+    // beside it.
     let brackets: Vec<usize> =
         (1..places.len()).filter(|&i| places[i - 1].1 != places[i].1 && i != binades.len()).collect();
     if brackets.is_empty() {

@@ -1,7 +1,8 @@
 //! The steps that are judged: a system's plans, run one operation after the other.
 //!
-//! In: a system, and values of its parameters at which it is defined. Out: every step of its map over one scalar, with the bits of
-//! the code that the macro writes for it (which tests show on the whole catalog), so that a verdict on these is a verdict on that.
+//! In: a system, and values of its parameters at which it is defined. Out: every step of its map
+//! over one scalar, with the bits of the code that the macro writes for it (which tests show on the
+//! whole catalog), so that a verdict on these is a verdict on that.
 
 use std::marker::PhantomData;
 

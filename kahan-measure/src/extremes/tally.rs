@@ -1,4 +1,5 @@
-//! Counts of trials, a cell for each regime, tier and scalar; sums of cells do not depend on their order.
+//! Counts of trials, a cell for each regime, tier and scalar; sums of cells do not depend on their
+//! order.
 
 use std::collections::BTreeMap;
 
@@ -9,13 +10,13 @@ use super::regime::Regime;
 pub struct Cell {
     /// How many there were.
     pub trials: u64,
-    /// The largest ‖error‖∞/‖exact‖∞ of a finite result where the exact step has a value, in units of the scalar; `None`
-    /// without such a result, infinite beside an exact 0.
+    /// The largest ‖error‖∞/‖exact‖∞ of a finite result where the exact step has a value, in units
+    /// of the scalar; `None` without such a result, infinite beside an exact 0.
     pub max_error_u: Option<f64>,
     /// How many have no result: refused by `try_step`, or not finite.
     pub flagged: u64,
-    /// How many flags of the stable tier are against its promise: a condition number below the bound, and an exact result that
-    /// the format holds.
+    /// How many flags of the stable tier are against its promise: a condition number below the
+    /// bound, and an exact result that the format holds.
     pub unjustified: u64,
     /// How many results are outside their promise, without a flag.
     pub silently_wrong: u64,
@@ -40,7 +41,8 @@ pub struct Failure {
 pub struct Tally {
     /// The cells.
     pub cells: BTreeMap<Place, Cell>,
-    /// The first failures of the stable tier: silently wrong, then flagged without right, each by its index.
+    /// The first failures of the stable tier: silently wrong, then flagged without right, each by
+    /// its index.
     pub failures: Vec<Failure>,
 }
 

@@ -91,7 +91,8 @@ impl<'a, T: Float> Ready<'a, T> {
         runner.stable(index, &inputs, exact.as_ref(), tally);
     }
 
-    /// The regime and the subject of a trial: regimes in turn, and within each the subjects that it has, in turn.
+    /// The regime and the subject of a trial: regimes in turn, and within each the subjects that it
+    /// has, in turn.
     fn stratum(&self, index: u64) -> (Regime, &Runner<'a, T>) {
         let (regime, turn) = match index.checked_sub(self.strata) {
             Some(special) => {
@@ -121,7 +122,8 @@ impl<'a, T: Float> Ready<'a, T> {
 /// What the exact map says of the inputs: nothing where they are not finite, a pole, or a value.
 type Known<'a> = Option<&'a Option<Exact>>;
 
-/// A step without a promise: wrong is a finite result that is off by more than 1e-3, or where there is none.
+/// A step without a promise: wrong is a finite result that is off by more than 1e-3, or where there
+/// is none.
 fn count_plain<T: Float>(cell: &mut Cell, next: &[T], known: Known<'_>) {
     cell.trials += 1;
     match (exact_values(next), known) {

@@ -1,6 +1,7 @@
 //! The second method: what a path is compared with, and how far the two differ.
 //!
-//! In: the path of the series. Out: the largest difference from the closed solution, or from Kahan's map composed to order 8.
+//! In: the path of the series. Out: the largest difference from the closed solution, or from
+//! Kahan's map composed to order 8.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Composition, Dd, Flow, KahanMap};
@@ -20,7 +21,8 @@ const SAMPLES: u64 = 4096;
 pub struct Certificate {
     /// The second method.
     pub method: Method,
-    /// The largest difference from it that was seen, relative to the trajectory's [`scale`](super::Reference::scale).
+    /// The largest difference from it that was seen, relative to the trajectory's
+    /// [`scale`](super::Reference::scale).
     pub difference: f64,
     /// The last time before which every difference was as small as was asked for.
     pub agreed_until: f64,
@@ -49,7 +51,8 @@ impl Certificate {
         comparison.certificate(Method::ClosedSolution)
     }
 
-    /// The differences from the composition: more and more steps, until the two are as near as was asked for, or come no nearer.
+    /// The differences from the composition: more and more steps, until the two are as near as was
+    /// asked for, or come no nearer.
     pub(super) fn by_composition<M, const N: usize>(
         path: &Flow<Dd>,
         map: &M,
@@ -67,7 +70,8 @@ impl Certificate {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
             let difference = comparison.difference;
-            // Order 8 gains a factor of 256 with each doubling; without a gain it is roundings that differ.
+            // Order 8 gains a factor of 256 with each doubling; without a gain it is roundings that
+            // differ.
             let has_stalled = difference.is_finite() && before.is_finite() && difference > 0.5 * before;
             if difference <= allowed || has_stalled || steps >= MOST_STEPS {
                 return Ok(comparison.certificate(Method::Composition { steps }));

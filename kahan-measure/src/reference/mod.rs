@@ -1,10 +1,12 @@
-//! A trajectory to measure others by: a solution of the flow, with an error bound that a second, independent method has earned.
+//! A trajectory to measure others by: a solution of the flow, with an error bound that a second,
+//! independent method has earned.
 //!
-//! In: a field, a point, a time. Out: a function of time in double-double numbers, and by how much the second method differs. The
-//! first method is a Taylor series in time, the second the closed solution, where the catalog has one, or Kahan's map
-//! composed to order 8: a composition knows nothing of derivatives in time, a series nothing of the map. Two settings of one method
-//! could share a mistake.
-//! Deliberately absent: interval arithmetic. The difference of two methods is evidence, not a proof.
+//! In: a field, a point, a time. Out: a function of time in double-double numbers, and by how much
+//! the second method differs. The first method is a Taylor series in time, the second the closed
+//! solution, where the catalog has one, or Kahan's map composed to order 8: a composition knows
+//! nothing of derivatives in time, a series nothing of the map. Two settings of one method could
+//! share a mistake. Deliberately absent: interval arithmetic. The difference of two methods is
+//! evidence, not a proof.
 
 mod certificate;
 mod closed;
@@ -48,10 +50,12 @@ pub struct Trajectory<'a> {
 }
 
 impl Reference {
-    /// The trajectory of a field (the catalog's system, at its parameters, over double-double numbers).
+    /// The trajectory of a field (the catalog's system, at its parameters, over double-double
+    /// numbers).
     ///
-    /// Cost: about 250 evaluations of the bilinear form a step of the series, whose length is a tenth of the distance to the
-    /// nearest singularity in complex time, and the composition's steps.
+    /// Cost: about 250 evaluations of the bilinear form a step of the series, whose length is a
+    /// tenth of the distance to the nearest singularity in complex time, and the composition's
+    /// steps.
     ///
     /// A start of fewer than N coordinates is at 0 in the others.
     ///
@@ -104,7 +108,8 @@ impl Reference {
         self.flow.end()
     }
 
-    /// The largest |xᵢ(t)|, over all components and times up to [`Trajectory::end`]: what errors are relative to.
+    /// The largest |xᵢ(t)|, over all components and times up to [`Trajectory::end`]: what errors
+    /// are relative to.
     pub fn scale(&self) -> f64 {
         self.flow.scale()
     }
@@ -114,8 +119,8 @@ impl Reference {
         self.flow.slope()
     }
 
-    /// The integral of ‖ẍ‖/‖ẋ‖ over the time, in the maximum norm: by what angle, so to say, the motion turns. Unlike the slope it says
-    /// nothing of directions in which nothing moves.
+    /// The integral of ‖ẍ‖/‖ẋ‖ over the time, in the maximum norm: by what angle, so to say, the
+    /// motion turns. Unlike the slope it says nothing of directions in which nothing moves.
     pub fn turning(&self) -> f64 {
         self.flow.turning()
     }
@@ -131,7 +136,8 @@ impl Reference {
         self.certificate
     }
 
-    /// The distance of a point from x(t) in the maximum norm, relative to the scale; what is not a number is infinitely far.
+    /// The distance of a point from x(t) in the maximum norm, relative to the scale; what is not a
+    /// number is infinitely far.
     pub fn distance(&self, t: Dd, x: &[Dd]) -> f64 {
         self.flow.distance(t, &padded(x, self.variables))
     }

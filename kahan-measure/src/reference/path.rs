@@ -16,8 +16,9 @@ pub(super) const MOST_PIECES: usize = 50_000;
 /// How far beyond its end a trajectory is followed, and how long that may take.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Limits {
-    /// The part of [`Trajectory::end`](super::Trajectory::end) by which orbits that do not end there exactly may go further.
-    /// Where the solution escapes to infinity first, nothing is added.
+    /// The part of [`Trajectory::end`](super::Trajectory::end) by which orbits that do not end
+    /// there exactly may go further. Where the solution escapes to infinity first, nothing is
+    /// added.
     pub margin: f64,
     /// When to give up.
     pub deadline: Option<Instant>,

@@ -85,5 +85,6 @@ impl core::fmt::Display for Time {
     }
 }
 
-/// Where two methods come as near as this, it is the digits that end, and not the sensitivity that begins.
+/// Where two methods come as near as this, it is the digits that end, and not the sensitivity that
+/// begins.
 const LEAST_DIFFERENCE: f64 = 1e-26;

@@ -14,7 +14,8 @@ macro_rules! compiled_maps {
     ($($group:ident {
         $($module:ident::$type:ident $({ $($parameter:ident),* })? in $n:literal;)*
     })*) => {
-        /// The orbits of the catalog's compiled map under this name, where there is one with so many parameters.
+        /// The orbits of the catalog's compiled map under this name, where there is one with so
+        /// many parameters.
         pub(super) fn compiled(command: &str, parameters: &[BigRational]) -> Option<Compiled> {
             $($(
                 if command == kahan_systems::$module::ENTRY.command {

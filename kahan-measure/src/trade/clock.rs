@@ -1,9 +1,9 @@
 //! What a step costs on this machine: nanoseconds, for every kind.
 //!
-//! A system of the catalog is timed as the library steps it, from the scene's own point. A field that is given as text has no
-//! compiled code, and how fast it is interpreted says nothing about how fast it will be; so E6 is timed in its place, and each
-//! time scaled by what the plans say the two steps cost. The ratios between orders are exact either way: an order is a number
-//! of stages.
+//! A system of the catalog is timed as the library steps it, from the scene's own point. A field
+//! that is given as text has no compiled code, and how fast it is interpreted says nothing about
+//! how fast it will be; so E6 is timed in its place, and each time scaled by what the plans say the
+//! two steps cost. The ratios between orders are exact either way: an order is a number of stages.
 
 use std::collections::HashMap;
 use std::iter::once;
@@ -18,7 +18,8 @@ use super::runner::Runner;
 #[derive(Clone, Debug)]
 pub(super) struct Clock(HashMap<Kind, f64>);
 
-/// Rounds, in each of which every kind has its turn; the least time counts, since nothing makes a step faster than it is.
+/// Rounds, in each of which every kind has its turn; the least time counts, since nothing makes a
+/// step faster than it is.
 const ROUNDS: usize = 15;
 /// Stages a turn.
 const STAGES: u64 = 2040;
@@ -66,7 +67,8 @@ impl Clock {
     }
 }
 
-/// The longer of what a step waits for and what it has to do, at two operations a cycle and four cycles a division.
+/// The longer of what a step waits for and what it has to do, at two operations a cycle and four
+/// cycles a division.
 fn cycles(cost: StepCost) -> f64 {
     let (operations, divisions) = (f64::from(cost.operations), f64::from(cost.divisions));
     f64::from(cost.chain).max(operations / 2.0 + 4.0 * divisions)

@@ -6,8 +6,9 @@ use super::runner::Runner;
 
 /// The declared integrals, as what a map and a flow conserve.
 ///
-/// A map's own integral is the claim at its ε; the flow's is the claim at ε = 0. Where that is a constant (the Euler top's
-/// claims are 1 at ε = 0), the coefficient of ε² takes its place, and the claim is measured from the constant.
+/// A map's own integral is the claim at its ε; the flow's is the claim at ε = 0. Where that is a
+/// constant (the Euler top's claims are 1 at ε = 0), the coefficient of ε² takes its place, and the
+/// claim is measured from the constant.
 #[derive(Debug)]
 pub(super) struct Integrals {
     /// For each claim which coefficient in ε depends on the state; `None` where neither does.
@@ -82,7 +83,8 @@ impl<'a> Drift<'a> {
     }
 }
 
-/// The largest change relative to the value at the beginning, or as it is where that is 0; infinite where there is no number.
+/// The largest change relative to the value at the beginning, or as it is where that is 0; infinite
+/// where there is no number.
 fn change(begin: &[Dd], now: &[Dd]) -> f64 {
     let relative = begin.iter().zip(now).map(|(begin, now)| {
         let size = f64::from(begin.abs());

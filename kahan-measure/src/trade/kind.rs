@@ -1,4 +1,5 @@
-//! What can be chosen besides ε: the scalar, the order, and whether the state carries its rounding error.
+//! What can be chosen besides ε: the scalar, the order, and whether the state carries its rounding
+//! error.
 
 use kahan_core::{Composition, nearest_short_eps};
 
@@ -56,8 +57,9 @@ impl ScalarKind {
         }
     }
 
-    /// The ε to take for this one: to keep integrals one near it of so few bits that its powers are exact, for `Dd` too; to follow
-    /// a trajectory, which must end at its horizon, the nearest number.
+    /// The ε to take for this one: to keep integrals one near it of so few bits that its powers are
+    /// exact, for `Dd` too; to follow a trajectory, which must end at its horizon, the nearest
+    /// number.
     #[must_use]
     pub fn eps_near(self, eps: f64, need: Need) -> f64 {
         let is_short = need == Need::Integrals;

@@ -1,8 +1,10 @@
-//! Speed against accuracy, measured on one scene: which scalar, which order, compensated or not, and which ε.
+//! Speed against accuracy, measured on one scene: which scalar, which order, compensated or not,
+//! and which ε.
 //!
-//! In: a system, a point, a horizon, and what is needed of the orbit. Out: settings with their price (nanoseconds a unit of
-//! simulated time, on this machine) and their error, the front that no other setting beats, and the cheapest that meets the need.
-//! The library's own orbits are run and timed; errors are against a certified [`Reference`].
+//! In: a system, a point, a horizon, and what is needed of the orbit. Out: settings with their
+//! price (nanoseconds a unit of simulated time, on this machine) and their error, the front that no
+//! other setting beats, and the cheapest that meets the need. The library's own orbits are run and
+//! timed; errors are against a certified [`Reference`].
 
 mod catalog;
 mod clock;
@@ -39,8 +41,9 @@ pub enum Need {
     /// at the times of the steps and with the last point standing for the horizon, in the maximum
     /// norm, relative to the largest coordinate of the trajectory.
     Trajectory,
-    /// To keep the integrals: the error is the largest change of the map's own (at its ε; of a composition, which has none of
-    /// its own, of the flow's) over the horizon, relative to the value at the beginning.
+    /// To keep the integrals: the error is the largest change of the map's own (at its ε; of a
+    /// composition, which has none of its own, of the flow's) over the horizon, relative to the
+    /// value at the beginning.
     Integrals,
 }
 
@@ -82,7 +85,8 @@ pub struct Setting {
     pub integral_drift: Option<f64>,
     /// The same of the flow's integrals.
     pub flow_integral_drift: Option<f64>,
-    /// The distance from home after all steps forward and back, relative to the first point; measured on the front.
+    /// The distance from home after all steps forward and back, relative to the first point;
+    /// measured on the front.
     pub return_error: Option<f64>,
     /// Whether no other setting is both cheaper and more accurate.
     pub on_front: bool,
@@ -99,7 +103,8 @@ pub struct Trade {
     pub certificate: Option<Certificate>,
     /// What those errors are relative to.
     pub scale: Option<f64>,
-    /// Whether prices were measured on this system's compiled steps; else on E6's, and scaled by the cost of the plans.
+    /// Whether prices were measured on this system's compiled steps; else on E6's, and scaled by
+    /// the cost of the plans.
     pub is_compiled: bool,
     /// Kinds that there was no time for, and the ε from which on.
     pub skipped: Vec<(Kind, f64)>,
@@ -168,7 +173,8 @@ impl Trade {
             Need::Integrals => None,
             Need::Trajectory => Some(reference(scene, subject, &parameters, &start, after(REFERENCE_SHARE))?),
         };
-        // ε times the rate, on an average: compositions, whose stages are shorter, follow trajectories up to 2 or so, with errors to match.
+        // ε times the rate, on an average: compositions, whose stages are shorter, follow
+        // trajectories up to 2 or so, with errors to match.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.turning() / 4.0,
             None => 0.5 * scene.horizon * subject.slope(),
@@ -206,7 +212,8 @@ const REFERENCE_SHARE: f64 = 0.75;
 /// As good as no limit; a clock cannot tell times that are much later.
 const LONG: Duration = Duration::from_secs(1 << 32);
 
-/// The trajectory, a little beyond the horizon: n steps of an ε that was rounded do not end there exactly.
+/// The trajectory, a little beyond the horizon: n steps of an ε that was rounded do not end there
+/// exactly.
 fn reference(
     scene: &Scene<'_>,
     subject: &Runner,

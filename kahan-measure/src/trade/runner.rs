@@ -19,7 +19,8 @@ use super::walk::{Walker, point, rational, walk};
 /// A system at a starting point.
 pub(super) struct Runner {
     map: Box<dyn Map>,
-    /// The orbits of compiled code, for a system of the catalog: the interpreter's take ten to fifty times as long.
+    /// The orbits of compiled code, for a system of the catalog: the interpreter's take ten to
+    /// fifty times as long.
     compiled: Option<Compiled>,
     start: Vec<BigRational>,
 }

@@ -1,17 +1,18 @@
 //! Which settings to measure: as few as make the answer clear.
 //!
-//! For each kind a ladder, the number of steps doubled from the coarsest sensible one, until it meets the tolerance, or costs more
-//! than a setting that does (then so does everything finer), or is sure to by the law error ∝ ε^order, or gains nothing
-//! any more. Then between the last rung that fails and the first that would be too dear, by the same law.
+//! For each kind a ladder, the number of steps doubled from the coarsest sensible one, until it
+//! meets the tolerance, or costs more than a setting that does (then so does everything finer), or
+//! is sure to by the law error ∝ ε^order, or gains nothing any more. Then between the last rung
+//! that fails and the first that would be too dear, by the same law.
 
 use super::kind::{Kind, ORDERS, ScalarKind};
 use super::study::Study;
 
-/// A ladder ends where two rungs in a row gained less than this factor, below errors of a tenth (above, trajectories have lost
-/// their phase, and the error says nothing).
+/// A ladder ends where two rungs in a row gained less than this factor, below errors of a tenth
+/// (above, trajectories have lost their phase, and the error says nothing).
 const STALL: f64 = 0.7;
-/// Where no rung has gained anything yet, it takes so many: a motion that grows from next to nothing is small to begin with,
-/// whatever coarse steps make of it.
+/// Where no rung has gained anything yet, it takes so many: a motion that grows from next to
+/// nothing is small to begin with, whatever coarse steps make of it.
 const PATIENCE: u32 = 6;
 /// The most rungs of a ladder.
 const RUNGS: u32 = 34;
@@ -25,7 +26,8 @@ const UNEVEN: f64 = 1e-11;
 /// Where errors fall unevenly, steps that differ by this factor are tried.
 const GRID: f64 = 1.1;
 
-/// A ladder is given up where the law says that its end will cost this factor more than what is known to do,
+/// A ladder is given up where the law says that its end will cost this factor more than what is
+/// known to do,
 const SURELY: f64 = 2.0;
 /// or that it will take this part of the time that is left.
 const SHARE: f64 = 0.3;
@@ -40,19 +42,23 @@ enum Roundings {
 }
 
 impl Study<'_> {
-    /// Measures until the answer is clear; `coarsest` is the least number of steps over the horizon.
+    /// Measures until the answer is clear; `coarsest` is the least number of steps over the
+    /// horizon.
     pub(super) fn search(&mut self, coarsest: u64) {
         let plain = |scalar, order| Kind { scalar, order, compensated: false };
-        // First something that does, which ends the ladders of others early: high orders before low ones.
+        // First something that does, which ends the ladders of others early: high orders before low
+        // ones.
         let first = self.with_and_without(plain(ScalarKind::F64, 8), coarsest);
         if self.best().is_none() {
             self.ladder(plain(ScalarKind::Dd, 8), coarsest);
         }
-        // Where the roundings of f64 are felt, ten times the price for none can be the better bargain.
+        // Where the roundings of f64 are felt, ten times the price for none can be the better
+        // bargain.
         let mut wide: Vec<u32> = if first == Roundings::Felt { vec![8] } else { Vec::new() };
         for scalar in [ScalarKind::F64, ScalarKind::F32, ScalarKind::F32ThroughF64] {
             for order in ORDERS.into_iter().rev() {
-                // No point is nearer to a trajectory than its own rounding: one order shows how near that is.
+                // No point is nearer to a trajectory than its own rounding: one order shows how
+                // near that is.
                 let is_hopeless = self.tolerance < scalar.unit() / 8.0;
                 let is_known = scalar == ScalarKind::F64 && order == 8;
                 if !(is_known || is_hopeless && order < 8) {
@@ -193,7 +199,8 @@ impl Study<'_> {
         }
     }
 
-    /// Between the finest setting of a kind that fails and what would be as dear as the best: steps and their error.
+    /// Between the finest setting of a kind that fails and what would be as dear as the best: steps
+    /// and their error.
     fn gap(&self, kind: Kind) -> Option<(u64, f64, f64)> {
         let dearest = self.least_cost() * self.horizon / self.clock.nanoseconds(kind);
         if !dearest.is_finite() {

@@ -38,7 +38,8 @@ pub(super) struct Study<'a> {
 }
 
 impl Study<'_> {
-    /// The error that the need is about, at about so many steps over the horizon; `None` where there is no time for it.
+    /// The error that the need is about, at about so many steps over the horizon; `None` where
+    /// there is no time for it.
     pub(super) fn error(&mut self, kind: Kind, steps: u64) -> Option<f64> {
         // A power of 2 where the end is to be met more accurately than an ε that is rounded, to
         // `f64` for `dd` too, has it.

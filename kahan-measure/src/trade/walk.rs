@@ -1,7 +1,8 @@
 //! Orbits in every kind of arithmetic, behind one face.
 //!
-//! In: a map over ℚ, from which every scalar rounds its own, a first point, a kind, ε. Out: the library's own orbit of that kind,
-//! as something that walks. This is all of the trade that is compiled once for every map, so it holds nothing else.
+//! In: a map over ℚ, from which every scalar rounds its own, a first point, a kind, ε. Out: the
+//! library's own orbit of that kind, as something that walks. This is all of the trade that is
+//! compiled once for every map, so it holds nothing else.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
@@ -39,7 +40,8 @@ where
 /// What is done with an orbit.
 pub(super) type Walker<'a> = &'a mut dyn FnMut(&mut dyn Walk);
 
-/// Hands over the orbit of a map in a kind of arithmetic. `start` has at most N coordinates; those that lack are 0.
+/// Hands over the orbit of a map in a kind of arithmetic. `start` has at most N coordinates; those
+/// that lack are 0.
 pub(super) fn walk<M, const N: usize>(
     exact: &M,
     start: &[BigRational],

@@ -4,8 +4,8 @@
 //! The truth is a Taylor series in 32 digits that a second method agrees with to a tenth of the
 //! tolerance; scenes without one are not judged. No clock: every run of a seed gives the same
 //! numbers. Two thousand scenes take minutes, so they are not part of `cargo test`; repeat them, or
-//! others, with
-//! `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-measure --test scenes -- --ignored --nocapture`.
+//! others, with `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-measure --test scenes
+//! -- --ignored --nocapture`.
 
 mod fields;
 

@@ -1,8 +1,8 @@
 //! Exponentials, hyperbolic functions, logarithms and symbolic powers as new independent variables.
 //!
-//! For independent names v, w, … the functions v, w, exp v, exp w, log v, v^w, tan(v/2), … are algebraically independent
-//! over ℚ. So an identity between rational functions of them holds if and only if it holds with a fresh name for each,
-//! and it can be proved like any rational identity.
+//! For independent names v, w, … the functions v, w, exp v, exp w, log v, v^w, tan(v/2), … are
+//! algebraically independent over ℚ. So an identity between rational functions of them holds if and
+//! only if it holds with a fresh name for each, and it can be proved like any rational identity.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,8 @@ use kahan_algebra::rational::Rational;
 
 use super::Formula;
 
-/// The formula with its functions replaced by rational expressions in fresh names; `None` if some function stays.
+/// The formula with its functions replaced by rational expressions in fresh names; `None` if some
+/// function stays.
 pub(crate) fn rationalise(formula: &Formula) -> Option<Formula> {
     let parts = |parts: &[(bool, Formula)]| {
         parts.iter().map(|(mark, part)| Some((*mark, rationalise(part)?))).collect::<Option<Vec<_>>>()
@@ -69,7 +70,8 @@ pub(crate) fn has_functions(formula: &Formula) -> bool {
     rationalise(formula).is_none_or(|rational| rational != *formula)
 }
 
-/// base^exponent: an integer exponent as it is, a symbolic one of a name as a monomial in fresh names.
+/// base^exponent: an integer exponent as it is, a symbolic one of a name as a monomial in fresh
+/// names.
 fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
     if exponent.as_number().is_some() {
         return Some(Formula::Power(Box::new(rationalise(base)?), Box::new(exponent.clone())));
@@ -94,10 +96,11 @@ fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
     Some(if factors.is_empty() { Formula::integer(1) } else { Formula::Product(factors) })
 }
 
-/// exp(u): for an integer combination u of monomials in names a monomial in fresh names, else a fresh name for u itself.
+/// exp(u): for an integer combination u of monomials in names a monomial in fresh names, else a
+/// fresh name for u itself.
 ///
-/// Fresh names for arguments like y/x and 2 y/x are not independent: an identity that holds for independent ones holds,
-/// but one that does not may hold all the same.
+/// Fresh names for arguments like y/x and 2 y/x are not independent: an identity that holds for
+/// independent ones holds, but one that does not may hold all the same.
 fn exponential(u: &Formula) -> Option<Formula> {
     let Some(form) = expand(u) else { return Some(whole_exponential(u)) };
     let mut factors = Vec::new();

@@ -1,4 +1,5 @@
-//! Puts definitions in and carries derivatives out, so that only names, numbers, operators and primitive calls remain.
+//! Puts definitions in and carries derivatives out, so that only names, numbers, operators and
+//! primitive calls remain.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +22,8 @@ pub(crate) fn inline(
 
 struct Scope<'a> {
     definitions: &'a BTreeMap<String, Definition>,
-    /// The parameters of the definition whose body this is, with what is put in for them (inlined already).
+    /// The parameters of the definition whose body this is, with what is put in for them (inlined
+    /// already).
     locals: BTreeMap<String, Formula>,
     depth: usize,
 }

@@ -28,7 +28,8 @@ pub struct LatexItem {
     pub right: String,
 }
 
-/// A statement in LaTeX, item by item, so that a table can show the right-hand side of a definition alone.
+/// A statement in LaTeX, item by item, so that a table can show the right-hand side of a definition
+/// alone.
 ///
 /// # Errors
 /// What is wrong with the text.

@@ -1,8 +1,10 @@
-//! The language in which the paper's formulas are written down, and what is done to a formula before it is evaluated.
+//! The language in which the paper's formulas are written down, and what is done to a formula
+//! before it is evaluated.
 //!
-//! A [`Statement`] is a list of items between semicolons: definitions `name := expr` and `name(a, b) := expr`, equations
-//! `left = right`, inequations `left != right` (they differ as functions), and measured equations `left ~ right` (they
-//! agree in the digits that are written). Expressions have the operators of `kahan!`, any exponent, and calls:
+//! A [`Statement`] is a list of items between semicolons: definitions `name := expr` and `name(a,
+//! b) := expr`, equations `left = right`, inequations `left != right` (they differ as functions),
+//! and measured equations `left ~ right` (they agree in the digits that are written). Expressions
+//! have the operators of `kahan!`, any exponent, and calls:
 //!
 //! | call | meaning |
 //! |---|---|
@@ -14,8 +16,9 @@
 //! | `sum(j, a, b, E)` | the sum of E over j = a, …, b |
 //! | `exp`, `sinh`, `sn`, `gamma`, … | Jacobi's functions with the modulus second, Γ, ψ (`digamma`), theta functions, … |
 //!
-//! `f`, `A`, `b`, `J` and `next` take the name of another system as a first argument. The text of a statement is the one
-//! source of what is shown, of what is checked, and of the mutations that must fail.
+//! `f`, `A`, `b`, `J` and `next` take the name of another system as a first argument. The text of a
+//! statement is the one source of what is shown, of what is checked, and of the mutations that must
+//! fail.
 
 mod atoms;
 mod derivative;
@@ -129,7 +132,8 @@ impl Formula {
         Formula::Power(Box::new(self), Box::new(Formula::integer(exponent)))
     }
 
-    /// The formula with some names and calls replaced by numbers; `number` gets a name and its arguments.
+    /// The formula with some names and calls replaced by numbers; `number` gets a name and its
+    /// arguments.
     pub(crate) fn replaced(
         &self,
         number: &impl Fn(&str, &[Formula]) -> Result<Option<Rational>, String>,

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::TokenKind;
 
-/// The statement behind those of the `definitions` that it uses, directly or through others, in their order.
+/// The statement behind those of the `definitions` that it uses, directly or through others, in
+/// their order.
 pub(crate) fn with_definitions(definitions: &str, statement: &str) -> String {
     let pieces: Vec<&str> = definitions.split(';').map(str::trim).filter(|piece| !piece.is_empty()).collect();
     let own: BTreeSet<String> = statement.split(';').filter_map(defined).collect();

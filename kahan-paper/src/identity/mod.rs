@@ -1,4 +1,5 @@
-//! Does a relation hold? By normal forms over ℚ, modulo primes, at exact points, or in 256-bit arithmetic.
+//! Does a relation hold? By normal forms over ℚ, modulo primes, at exact points, or in 256-bit
+//! arithmetic.
 
 mod names;
 mod numerical;
@@ -62,7 +63,8 @@ impl Identity<'_> {
     /// Why it does not.
     pub(super) fn establish(&self) -> Result<Evidence, String> {
         let has_functions = has_functions(self.left) || has_functions(self.right);
-        // Functions become names that need not be independent: names that differ then say nothing of the functions.
+        // Functions become names that need not be independent: names that differ then say nothing
+        // of the functions.
         let is_decided_by_names = match self.relation {
             Relation::Equal => true,
             Relation::Different => !has_functions,
@@ -79,7 +81,8 @@ impl Identity<'_> {
         self.numerical()
     }
 
-    /// The values of both sides at given exact values of the names, and whether the relation holds there.
+    /// The values of both sides at given exact values of the names, and whether the relation holds
+    /// there.
     ///
     /// # Errors
     /// Where a side has no value.

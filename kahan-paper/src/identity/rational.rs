@@ -1,4 +1,5 @@
-//! Rational relations: modulo primes, then by normal forms; at exact points where both are too large.
+//! Rational relations: modulo primes, then by normal forms; at exact points where both are too
+//! large.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +14,8 @@ use super::super::formula::{Formula, Relation, rationalise};
 use super::names::uses_map;
 use super::{Evidence, Identity, MOST_DRAWS, words};
 
-/// What an expansion over ℚ may cost: terms of any result, products of terms in all (about a second at worst).
+/// What an expansion over ℚ may cost: terms of any result, products of terms in all (about a second
+/// at worst).
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 2_000_000;
 

@@ -1,5 +1,5 @@
-//! Section 7 and the appendix: the linearisation of dE3; the curve of dE4, its bilinear equations and theta
-//! functions.
+//! Section 7 and the appendix: the linearisation of dE3; the curve of dE4, its bilinear equations
+//! and theta functions.
 
 use super::super::claim::Claim;
 use super::super::erratum::Erratum::A;

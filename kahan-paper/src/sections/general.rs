@@ -1,4 +1,5 @@
-//! Section 1: what holds for Kahan's map of every quadratic field; section 2: brackets in three dimensions.
+//! Section 1: what holds for Kahan's map of every quadratic field; section 2: brackets in three
+//! dimensions.
 
 use super::super::claim::Claim;
 use super::super::section::Section;

@@ -97,8 +97,8 @@ fn at_unit_steps() -> Vec<Claim> {
             next(H_hat) - H_hat = (next(I) + I)*(next(I) - I)",
         )
         .spelling(INTEGRAL),
-        // The increments at two points have no common zero but 0, 1 and −1: u a + v b = 48 for their
-        // other factors.
+        // The increments at two points have no common zero but 0, 1 and −1: u a + v b = 48 for
+        // their other factors.
         claim(
             "no_other_step",
             "H is an integral for no other eps",

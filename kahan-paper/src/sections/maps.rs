@@ -1,5 +1,5 @@
-//! Sections 2, 3 and 5: the fields, the matrices A(x,ε) with their determinants, the difference equations, reductions of
-//! one system to another, and changes of variables.
+//! Sections 2, 3 and 5: the fields, the matrices A(x,ε) with their determinants, the difference
+//! equations, reductions of one system to another, and changes of variables.
 
 use super::super::claim::Claim;
 use super::super::erratum::Erratum::A;

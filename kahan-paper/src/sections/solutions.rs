@@ -96,8 +96,8 @@ impl Solution {
         format!("{}{components}{integrals}", self.given)
     }
 
-    /// Each component solves its equation, the integrals have the stated values. A sign `-` says that a
-    /// component changes its sign in each step besides.
+    /// Each component solves its equation, the integrals have the stated values. A sign `-` says
+    /// that a component changes its sign in each step besides.
     fn claims(&self, id: &str, place: &str, signs: [&str; 3]) -> Vec<Claim> {
         let system = self.system;
         let claim = |cell: &str, statement: String| {

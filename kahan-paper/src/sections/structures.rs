@@ -1,4 +1,5 @@
-//! The rows of Tables 1 to 4: the Lie-Poisson pairs of the flows, the integrals and the Poisson pairs of the maps.
+//! The rows of Tables 1 to 4: the Lie-Poisson pairs of the flows, the integrals and the Poisson
+//! pairs of the maps.
 
 /// One row of Tables 1 to 4. Tensors are triples ({x,y}, {y,z}, {z,x}).
 #[derive(Clone, Copy, Debug)]

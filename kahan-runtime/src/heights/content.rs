@@ -1,17 +1,21 @@
-//! The content of a step: the common factor of X̃₁ … X̃_n and W̃, divided out so that numbers stay as short as they can.
+//! The content of a step: the common factor of X̃₁ … X̃_n and W̃, divided out so that numbers stay
+//! as short as they can.
 //!
-//! *Integrable maps* live from it: two thirds of a step of dE4 are content. A gcd of such long numbers is the dearest part of a
-//! step, so it is predicted. Let γ be the factor of the step back, F₋(X) = γX₋ (F₋ the inverse map, X₋ the point before). A prime
-//! divides a content where the orbit modulo it meets a base point of the map, having been contracted a few steps earlier (singularity
-//! confinement); the orbit met a base point of the inverse map in between, so the same prime divides an earlier γ, always by
-//! the same number of steps: for dE4 the content of a step from X_n is γ_{n−1} up to a few digits. So the lags at which γ holds
-//! a good part of the content are learnt while numbers are short, and later gcd(γ, W̃) is tried first: γ costs one division, and
-//! the gcd is short where γ is little more than the content. A prediction decides nothing: exact divisions check it, and what
-//! it left is found by [`common_factors`](super::reduction::common_factors), on numbers that are short by then.
+//! *Integrable maps* live from it: two thirds of a step of dE4 are content. A gcd of such long
+//! numbers is the dearest part of a step, so it is predicted. Let γ be the factor of the step back,
+//! F₋(X) = γX₋ (F₋ the inverse map, X₋ the point before). A prime divides a content where the orbit
+//! modulo it meets a base point of the map, having been contracted a few steps earlier (singularity
+//! confinement); the orbit met a base point of the inverse map in between, so the same prime
+//! divides an earlier γ, always by the same number of steps: for dE4 the content of a step from X_n
+//! is γ_{n−1} up to a few digits. So the lags at which γ holds a good part of the content are
+//! learnt while numbers are short, and later gcd(γ, W̃) is tried first: γ costs one division, and
+//! the gcd is short where γ is little more than the content. A prediction decides nothing: exact
+//! divisions check it, and what it left is found by
+//! [`common_factors`](super::reduction::common_factors), on numbers that are short by then.
 //!
-//! *Other maps* have next to none, so the search stops after three finds in a row of less than one per cent of the digits.
-//! The little there is comes out all the same with the common factors that the heights need; if that is one per cent
-//! or more, the search begins again.
+//! *Other maps* have next to none, so the search stops after three finds in a row of less than one
+//! per cent of the digits. The little there is comes out all the same with the common factors that
+//! the heights need; if that is one per cent or more, the search begins again.
 
 use std::collections::VecDeque;
 use std::thread;
@@ -51,7 +55,8 @@ pub(crate) struct Content {
     behind: VecDeque<UBig>,
     /// The lag that predicts, once known.
     lag: Option<usize>,
-    /// Long steps for which nothing is predicted or learnt, and how many there will be after the next failure.
+    /// Long steps for which nothing is predicted or learnt, and how many there will be after the
+    /// next failure.
     pause: u32,
     next_pause: u32,
     /// Whether the last step was predicted.
@@ -59,8 +64,8 @@ pub(crate) struct Content {
 }
 
 impl Content {
-    /// Divides out what the search finds; then [`left`](Self::left) must be told of the rest. `before` is the point before the one
-    /// that was stepped, where there is one.
+    /// Divides out what the search finds; then [`left`](Self::left) must be told of the rest.
+    /// `before` is the point before the one that was stepped, where there is one.
     pub(crate) fn divide_out(&mut self, image: Image, before: Option<&[IBig]>) -> Primitive {
         let Image { point, weight_behind, weight_parts } = image;
         self.was_predicted = false;
@@ -123,8 +128,8 @@ impl Content {
     }
 }
 
-/// γ = W₋/W from the W of the point before and the last coordinate of the step back; none where the point before had a content
-/// of its own that does not divide.
+/// γ = W₋/W from the W of the point before and the last coordinate of the step back; none where the
+/// point before had a content of its own that does not divide.
 fn factor_behind((weight, behind): (&IBig, IBig)) -> Option<UBig> {
     let (gamma, rest) = behind.div_rem(weight);
     rest.is_zero().then(|| gamma.unsigned_abs())
@@ -154,7 +159,8 @@ fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
     None
 }
 
-/// The quotients by a common divisor; a remainder if it is none. Long divisions are shared out between two threads.
+/// The quotients by a common divisor; a remainder if it is none. Long divisions are shared out
+/// between two threads.
 fn quotients(point: &[IBig], divisor: &UBig) -> Result<Vec<IBig>, UBig> {
     if longest(point) > WORTH_A_THREAD && point.len() > 1 {
         let (left, right) = point.split_at(point.len() / 2);

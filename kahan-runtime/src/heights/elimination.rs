@@ -2,8 +2,9 @@
 
 use dashu_int::IBig;
 
-/// Solves M x = r for the n×(n+1) rows of (M | r): X₁ … X_n and W with xᵢ = Xᵢ/W, W = ± det M; all zeros where det M = 0.
-/// Every intermediate number is a minor of the rows, so it has no more than n times the digits of an entry.
+/// Solves M x = r for the n×(n+1) rows of (M | r): X₁ … X_n and W with xᵢ = Xᵢ/W, W = ± det M; all
+/// zeros where det M = 0. Every intermediate number is a minor of the rows, so it has no more than
+/// n times the digits of an entry.
 pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
     let n = rows.len();
     let mut last_pivot = IBig::ONE;

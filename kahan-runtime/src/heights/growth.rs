@@ -5,15 +5,19 @@ use std::fmt;
 /// How heights grow with the number of steps.
 ///
 /// **Rule.** Let h₁ … h_N be the heights of the component that rises most from h₁ to h_N.
-/// 1. *bounded*: N ≥ 4 and the second half holds no value above the greatest of the first half (a bounded orbit over ℚ is
-///    finite, so sooner or later it repeats itself, and this is so from then on).
-/// 2. Otherwise, with N ≥ 8, let m₁ … m₄ be the means over the last four quarters of ⌊N/4⌋ values each, d₁, d₂, d₃ their first
-///    differences, s₁, s₂ their second ones; means over quarters make little of fluctuations. If all d are positive, with ρ = d₃/d₂:
-///    *linear* if 0.87 ≤ ρ ≤ 1.15 (n: 1) and the least squares residual of a line in n is at most half that of a line in log n (else
-///    noise hides which it is; the other way round it is *logarithmic*); *logarithmic* if ρ < 0.75 and d₂/d₁ < 0.75 and N ≥ 16 (log n: 0.66; √n: 0.81); *quadratic* if ρ > 1.15 and
-///    0.7 ≤ s₂/s₁ ≤ 1.3 (n²: 1, n³: 1.67); *exponential* if ρ ≥ 1.5 and the differences of both orders grow by one factor:
-///    d₃/d₂ ≥ 0.9 d₂/d₁ and s₂/s₁ ≥ 0.9 ρ.
-/// 3. With 4 ≤ N < 8: *exponential* if the last three ratios h_n/h_{n−1} are all at least 1.5 and within 5 % of each other.
+/// 1. *bounded*: N ≥ 4 and the second half holds no value above the greatest of the first half (a
+///    bounded orbit over ℚ is finite, so sooner or later it repeats itself, and this is so from
+///    then on).
+/// 2. Otherwise, with N ≥ 8, let m₁ … m₄ be the means over the last four quarters of ⌊N/4⌋ values
+///    each, d₁, d₂, d₃ their first differences, s₁, s₂ their second ones; means over quarters make
+///    little of fluctuations. If all d are positive, with ρ = d₃/d₂: *linear* if 0.87 ≤ ρ ≤ 1.15
+///    (n: 1) and the least squares residual of a line in n is at most half that of a line in log n
+///    (else noise hides which it is; the other way round it is *logarithmic*); *logarithmic* if ρ <
+///    0.75 and d₂/d₁ < 0.75 and N ≥ 16 (log n: 0.66; √n: 0.81); *quadratic* if ρ > 1.15 and 0.7 ≤
+///    s₂/s₁ ≤ 1.3 (n²: 1, n³: 1.67); *exponential* if ρ ≥ 1.5 and the differences of both orders
+///    grow by one factor: d₃/d₂ ≥ 0.9 d₂/d₁ and s₂/s₁ ≥ 0.9 ρ.
+/// 3. With 4 ≤ N < 8: *exponential* if the last three ratios h_n/h_{n−1} are all at least 1.5 and
+///    within 5 % of each other.
 /// 4. *undecided* otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
@@ -32,8 +36,8 @@ pub enum Growth {
 }
 
 impl Growth {
-    /// The class of h₁, h₂, … by the [rule](Growth). h₀ is not among them: initial data may be as large as one
-    /// likes.
+    /// The class of h₁, h₂, … by the [rule](Growth). h₀ is not among them: initial data may be as
+    /// large as one likes.
     #[must_use]
     pub fn of(heights: &[f64]) -> Self {
         let n = heights.len();
@@ -88,7 +92,8 @@ impl Growth {
     }
 }
 
-/// The sum of squared residuals of the least squares line through the points (x(n), h_n), n = 1, 2, ….
+/// The sum of squared residuals of the least squares line through the points (x(n), h_n), n = 1, 2,
+/// ….
 fn residual(heights: &[f64], x: impl Fn(f64) -> f64) -> f64 {
     let points: Vec<(f64, f64)> = (1..).zip(heights).map(|(n, &h)| (x(f64::from(n)), h)).collect();
     let count = points.len() as f64;

@@ -72,8 +72,8 @@ pub(crate) fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Ration
     })
 }
 
-/// The greatest common divisor, 0 of nothing but zeros. The smallest two are taken first: what is left of the others modulo
-/// their divisor is no larger than that.
+/// The greatest common divisor, 0 of nothing but zeros. The smallest two are taken first: what is
+/// left of the others modulo their divisor is no larger than that.
 pub(crate) fn greatest_common_divisor<'a>(values: impl IntoIterator<Item = &'a IBig>) -> UBig {
     let mut values: Vec<&IBig> = values.into_iter().filter(|value| !value.is_zero()).collect();
     values.sort_by_key(|value| bits(value));

@@ -1,14 +1,16 @@
 //! Logarithms of big integers, good to the last digits of a double.
 //!
-//! log m = b·log 2 + log(m/2ᵇ) with b the number of bits, m/2ᵇ from the top 128 of them. For m < 2⁵³ the logarithm of the
-//! double itself is taken, so log 1 = 0. All parts have one sign, so nothing cancels.
+//! log m = b·log 2 + log(m/2ᵇ) with b the number of bits, m/2ᵇ from the top 128 of them. For m <
+//! 2⁵³ the logarithm of the double itself is taken, so log 1 = 0. All parts have one sign, so
+//! nothing cancels.
 
 use std::f64::consts::{LN_2, LN_10};
 
 use dashu_int::ops::BitTest;
 use dashu_int::{UBig, Word};
 
-/// The leading 32 bits of log 2: times a number below 2²¹ the product is exact, and within an ulp beyond.
+/// The leading 32 bits of log 2: times a number below 2²¹ the product is exact, and within an ulp
+/// beyond.
 const LN_2_HIGH: f64 = f64::from_bits(LN_2.to_bits() & !0x1f_ffff);
 /// log 2 − [`LN_2_HIGH`]: the rest of the double, and what the double lacks.
 const LN_2_LOW: f64 = (LN_2 - LN_2_HIGH) + 2.319_046_813_846_299_6e-17;
@@ -21,7 +23,8 @@ pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
         return if small == 0 { 0.0 } else { (small as f64).ln() };
     }
     let words = m.as_words();
-    // The top three words hold 128 bits whatever the leading zeros; a word is 64 bits here, and fewer do no harm.
+    // The top three words hold 128 bits whatever the leading zeros; a word is 64 bits here, and
+    // fewer do no harm.
     let fraction = words.iter().rev().take(3).enumerate().fold(0.0, |sum, (i, &word)| {
         let place = (words.len() - 1 - i) as i64 * i64::from(Word::BITS) - bits as i64;
         sum + word as f64 * (place as f64).exp2()
@@ -33,7 +36,8 @@ pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
 /// The number of decimal digits of m > 0, from its logarithm.
 pub(crate) fn decimal_digits(m: &UBig, logarithm: f64) -> u64 {
     let digits = logarithm / LN_10;
-    // A logarithm this near to an integer could be on either side of it: then the power of ten decides.
+    // A logarithm this near to an integer could be on either side of it: then the power of ten
+    // decides.
     let nearest = digits.round();
     if (digits - nearest).abs() > 1e-9 * nearest.max(1.0) {
         return digits.floor() as u64 + 1;

@@ -1,9 +1,10 @@
 //! Kahan's map on projective integers (X₁ : … : X_n : W), the point being xᵢ = σXᵢ/W.
 //!
-//! A system, values of its parameters and ε go in; out comes a step without fractions. Where the map was reduced, its
-//! numerators and its denominator are homogenised with W and their coefficients cleared of denominators, once. Where it is
-//! beyond the budget of terms, A x̃ = b is solved by fraction-free elimination on integers. For a homogeneous field ε is
-//! scaled out (σ = 1/ε), as (x, ε) ↦ (λx, ε/λ) is a symmetry: then no power of ε enters the numbers.
+//! A system, values of its parameters and ε go in; out comes a step without fractions. Where the
+//! map was reduced, its numerators and its denominator are homogenised with W and their
+//! coefficients cleared of denominators, once. Where it is beyond the budget of terms, A x̃ = b is
+//! solved by fraction-free elimination on integers. For a homogeneous field ε is scaled out (σ =
+//! 1/ε), as (x, ε) ↦ (λx, ε/λ) is a symmetry: then no power of ε enters the numbers.
 
 use dashu_int::{IBig, UBig};
 use kahan_algebra::field::Field;
@@ -35,7 +36,8 @@ pub struct ProjectiveMap {
 
 #[derive(Clone, Debug)]
 enum Formula {
-    /// N₁ … N_n and D/m of the reduced map, homogeneous, with m the monomial in D; then the D of the inverse map.
+    /// N₁ … N_n and D/m of the reduced map, homogeneous, with m the monomial in D; then the D of
+    /// the inverse map.
     Reduced { plan: Plan, monomial: Monomial, split: Splits },
     /// The n×n entries of A and then the n of b, homogeneous of degree one.
     Elimination(Plan),
@@ -53,8 +55,9 @@ pub(crate) struct Image {
 }
 
 impl ProjectiveMap {
-    /// The map of `system` at these parameters (in their order) and ε, half the time step. The values are put in *after* the
-    /// map is reduced over ℚ(ε, parameters), as everywhere: a factor that is common for these values only stays.
+    /// The map of `system` at these parameters (in their order) and ε, half the time step. The
+    /// values are put in *after* the map is reduced over ℚ(ε, parameters), as everywhere: a factor
+    /// that is common for these values only stays.
     ///
     /// # Errors
     /// Where a parameter makes the field divide by zero.
@@ -96,8 +99,8 @@ impl ProjectiveMap {
         self.dimension
     }
 
-    /// The degree of the step in the projective coordinates: a step multiplies the number of digits by it, before common
-    /// factors are divided out.
+    /// The degree of the step in the projective coordinates: a step multiplies the number of digits
+    /// by it, before common factors are divided out.
     #[must_use]
     pub fn degree(&self) -> usize {
         self.degree
@@ -125,8 +128,8 @@ impl ProjectiveMap {
         x.iter().map(|x| &rational(x, weight) * &self.unit).collect()
     }
 
-    /// One step; the content is not divided out, or only in part. `factors` are the gcd(Xᵢ, W). Cost: a few products of numbers
-    /// as long as the coordinates.
+    /// One step; the content is not divided out, or only in part. `factors` are the gcd(Xᵢ, W).
+    /// Cost: a few products of numbers as long as the coordinates.
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         let run = |plan: &Plan| {
             let values = plan.evaluate(&Integers, |variable| point[usize::from(variable.0)].clone());
@@ -190,7 +193,8 @@ impl Values<'_> {
         (degree as usize, self.homogeneous(&forms, degree))
     }
 
-    /// The entries of A row by row and then those of b, as forms of degree one; each row with coprime integers.
+    /// The entries of A row by row and then those of b, as forms of degree one; each row with
+    /// coprime integers.
     fn linear_system(&self) -> Vec<Polynomial> {
         let (mut entries, mut right) = (Vec::new(), Vec::new());
         for (row, b) in scaled_matrix(self.field).iter().zip(scaled_rhs(self.field)) {
@@ -203,8 +207,8 @@ impl Values<'_> {
         entries
     }
 
-    /// The polynomials as forms of this degree in the states and W, multiplied by one number so that their coefficients are
-    /// integers without a common factor.
+    /// The polynomials as forms of this degree in the states and W, multiplied by one number so
+    /// that their coefficients are integers without a common factor.
     fn homogeneous(&self, polynomials: &[Polynomial], degree: u32) -> Vec<Polynomial> {
         let coefficients = || polynomials.iter().flat_map(|p| p.terms().map(|(_, coefficient)| coefficient));
         let multiple = IBig::from(common_denominator(coefficients()));

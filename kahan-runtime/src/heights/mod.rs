@@ -1,8 +1,10 @@
 //! The Diophantine test: exact orbits and the growth of their heights (section 7 of the paper).
 //!
-//! The logarithmic height of p/q in lowest terms is h(p/q) = log max(|p|, |q|). Along an orbit of an integrable map over ℚ it grows
-//! polynomially, otherwise in general exponentially. [`HeightsOrbit`] yields the heights of any quadratic field's Kahan map, from any
-//! rational initial data, within [`Bounds`]; [`Growth`] classifies a sequence of them; [`Survey`] is the whole test in one call.
+//! The logarithmic height of p/q in lowest terms is h(p/q) = log max(|p|, |q|). Along an orbit of
+//! an integrable map over ℚ it grows polynomially, otherwise in general exponentially.
+//! [`HeightsOrbit`] yields the heights of any quadratic field's Kahan map, from any rational
+//! initial data, within [`Bounds`]; [`Growth`] classifies a sequence of them; [`Survey`] is the
+//! whole test in one call.
 //!
 //! ```
 //! use kahan_algebra::rational::Rational;
@@ -17,8 +19,9 @@
 //! assert!((survey.entropy - 2.0_f64.ln()).abs() < 0.01);
 //! ```
 //!
-//! Inside: [`map`](ProjectiveMap) puts numbers into the reduced map and clears denominators once; the content of each step
-//! is divided out; the gcds that heights need are taken; logarithms come from leading bits.
+//! Inside: [`map`](ProjectiveMap) puts numbers into the reduced map and clears denominators once;
+//! the content of each step is divided out; the gcds that heights need are taken; logarithms come
+//! from leading bits.
 
 mod content;
 mod elimination;

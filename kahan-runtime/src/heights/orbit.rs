@@ -18,7 +18,8 @@ use super::reduction::common_factors;
 pub struct Heights {
     /// n, the number of steps from the initial point.
     pub step: usize,
-    /// h(xᵢ) = log max(|p|, |q|) of each component p/q in lowest terms: natural logarithms, right to 15 digits; h(0) = 0.
+    /// h(xᵢ) = log max(|p|, |q|) of each component p/q in lowest terms: natural logarithms, right
+    /// to 15 digits; h(0) = 0.
     pub logarithms: Vec<f64>,
     /// The number of decimal digits of max(|p|, |q|) of each component.
     pub digits: Vec<u64>,
@@ -35,9 +36,11 @@ impl Heights {
 /// Why an orbit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The last point is a pole: the reduced map has no value there (W = 0), or det A = 0 where the map is not reduced.
+    /// The last point is a pole: the reduced map has no value there (W = 0), or det A = 0 where the
+    /// map is not reduced.
     Pole,
-    /// The next point is longer than [`Bounds::max_digits`], or would be more than twice as long if it grew like the last.
+    /// The next point is longer than [`Bounds::max_digits`], or would be more than twice as long if
+    /// it grew like the last.
     Digits,
     /// The next point would be later than [`Bounds::seconds`].
     Seconds,
@@ -48,15 +51,15 @@ pub enum Stop {
 pub struct Bounds {
     /// The greatest number of decimal digits of a height's integer.
     pub max_digits: Option<u64>,
-    /// The wall-clock time since the orbit was made. Before each step its time is estimated from the last one's, so that no
-    /// step begins that is likely to end late.
+    /// The wall-clock time since the orbit was made. Before each step its time is estimated from
+    /// the last one's, so that no step begins that is likely to end late.
     pub seconds: Option<f64>,
 }
 
 /// The heights h(x₀), h(x₁), … of an exact orbit of Kahan's map; x₀ first.
 ///
-/// The orbit goes over projective integers without a common factor. It ends at a pole or at a bound, and
-/// [`stopped`](Self::stopped) says which; nothing panics on the way.
+/// The orbit goes over projective integers without a common factor. It ends at a pole or at a
+/// bound, and [`stopped`](Self::stopped) says which; nothing panics on the way.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -96,8 +99,9 @@ struct Pace {
 }
 
 impl HeightsOrbit {
-    /// The orbit of `system` from `start` at these parameters (in their order) and ε, half the time step. Parameters are put in
-    /// after the map is reduced. The clock of [`Bounds::seconds`] starts here.
+    /// The orbit of `system` from `start` at these parameters (in their order) and ε, half the time
+    /// step. Parameters are put in after the map is reduced. The clock of [`Bounds::seconds`]
+    /// starts here.
     ///
     /// # Errors
     /// Where a parameter makes the field divide by zero.
@@ -145,14 +149,15 @@ impl HeightsOrbit {
         &self.map
     }
 
-    /// The point whose heights were yielded last (x₀ before any), in lowest terms. Costs a gcd and two divisions a component, and a
-    /// conversion to the integers of [`Rational`].
+    /// The point whose heights were yielded last (x₀ before any), in lowest terms. Costs a gcd and
+    /// two divisions a component, and a conversion to the integers of [`Rational`].
     #[must_use]
     pub fn point(&self) -> Vec<Rational> {
         self.map.coordinates(&self.point)
     }
 
-    /// The same point as integers (X₁, …, X_n, W) without a common factor: xᵢ = σXᵢ/W with σ = [`ProjectiveMap::unit`].
+    /// The same point as integers (X₁, …, X_n, W) without a common factor: xᵢ = σXᵢ/W with σ =
+    /// [`ProjectiveMap::unit`].
     #[must_use]
     pub fn projective_point(&self) -> &[IBig] {
         &self.point
@@ -193,8 +198,9 @@ impl HeightsOrbit {
         Ok(heights)
     }
 
-    /// Whether the bounds leave room for a step from a point of so many bits. The image is expected to grow as the last one
-    /// did, and the time with the square of the digits, which is what the longest gcds take.
+    /// Whether the bounds leave room for a step from a point of so many bits. The image is expected
+    /// to grow as the last one did, and the time with the square of the digits, which is what the
+    /// longest gcds take.
     fn foresee(&self, bits: usize) -> Result<(), Stop> {
         let ratio = |a: usize, b: usize| a as f64 / b.max(1) as f64;
         let Pace { time, bits: bits_then, image } = self.pace;

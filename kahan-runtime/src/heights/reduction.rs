@@ -1,9 +1,12 @@
-//! The common factor of each coordinate with W: what a height needs, and what the content is made of.
+//! The common factor of each coordinate with W: what a height needs, and what the content is made
+//! of.
 //!
-//! The height of xᵢ is that of Xᵢ/W in lowest terms, so gcd(Xᵢ, W) is needed for every i at every step. They are seldom large,
-//! and then one long gcd serves all: gcd(Xᵢ, W) = gcd(Xᵢ, P) with P = gcd(W, ∏Xᵢ mod W), because gcd(Xᵢ, W) divides P and P
-//! divides W. Where a coordinate shares much of W, as it does at every step if it does at one, P would be as long as W:
-//! it is left out of the product. Its own gcd is quick, as the quotients by it are short. Long numbers are shared out between two threads, where the machine has two.
+//! The height of xᵢ is that of Xᵢ/W in lowest terms, so gcd(Xᵢ, W) is needed for every i at every
+//! step. They are seldom large, and then one long gcd serves all: gcd(Xᵢ, W) = gcd(Xᵢ, P) with P =
+//! gcd(W, ∏Xᵢ mod W), because gcd(Xᵢ, W) divides P and P divides W. Where a coordinate shares much
+//! of W, as it does at every step if it does at one, P would be as long as W: it is left out of the
+//! product. Its own gcd is quick, as the quotients by it are short. Long numbers are shared out
+//! between two threads, where the machine has two.
 
 use std::thread;
 
@@ -12,7 +15,8 @@ use dashu_int::{IBig, UBig};
 
 use super::integers::{bits, short_gcd};
 
-/// From this many bits of W on the gcds of several coordinates are worth a thread: they take milliseconds.
+/// From this many bits of W on the gcds of several coordinates are worth a thread: they take
+/// milliseconds.
 const LONG: usize = 1 << 16;
 /// Below so many bits of W nothing is guessed.
 const WORTH_GUESSING: usize = 1 << 10;
@@ -20,9 +24,10 @@ const WORTH_GUESSING: usize = 1 << 10;
 /// Factors with at least one in so many digits of W are much of it.
 const MUCH: usize = 8;
 
-/// gcd(Xᵢ, W) for each i; W ≠ 0. `parts` are numbers whose product is W, or none; `before` are the factors of the last point,
-/// or none, from which it is guessed which are long. Cost: one gcd of long numbers where all factors are short, shorter ones where
-/// there are several parts; another for each factor that is long.
+/// gcd(Xᵢ, W) for each i; W ≠ 0. `parts` are numbers whose product is W, or none; `before` are the
+/// factors of the last point, or none, from which it is guessed which are long. Cost: one gcd of
+/// long numbers where all factors are short, shorter ones where there are several parts; another
+/// for each factor that is long.
 pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: &[UBig]) -> Vec<UBig> {
     let shares_much = |factor: &UBig| MUCH * factor.bit_len() >= weight.bit_len();
     if weight.bit_len() >= WORTH_GUESSING && before.iter().any(shares_much) {

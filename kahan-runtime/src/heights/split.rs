@@ -1,12 +1,15 @@
 //! A step from a point some of whose coordinates share most of W.
 //!
-//! Where a component is a short fraction beside long ones (x of dE7 has four digits, z ten thousand), its Xᵢ and W are a long common
-//! factor g times short numbers: Xᵢ = g aᵢ, W = g b. A form N of degree d is then Σ gʲ Nⱼ(a, b, the other coordinates), Nⱼ the part of
-//! degree j in the short ones: a few long products are left of it, and the least j of all forms is divided out for nothing.
+//! Where a component is a short fraction beside long ones (x of dE7 has four digits, z ten
+//! thousand), its Xᵢ and W are a long common factor g times short numbers: Xᵢ = g aᵢ, W = g b. A
+//! form N of degree d is then Σ gʲ Nⱼ(a, b, the other coordinates), Nⱼ the part of degree j in the
+//! short ones: a few long products are left of it, and the least j of all forms is divided out for
+//! nothing.
 //!
-//! After that every part is a multiple of g but those of degree 0, so what these share with g is content too. For dE7 they are
-//! multiples of y², whose denominator squared is nearly all of W: but for a few digits g is content, and the gcd that finds it is
-//! quick, because Euclid's algorithm ends after as many steps as the quotients by the gcd have digits.
+//! After that every part is a multiple of g but those of degree 0, so what these share with g is
+//! content too. For dE7 they are multiples of y², whose denominator squared is nearly all of W: but
+//! for a few digits g is content, and the gcd that finds it is quick, because Euclid's algorithm
+//! ends after as many steps as the quotients by the gcd have digits.
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
@@ -33,7 +36,8 @@ struct Split {
     is_short: Vec<bool>,
     /// The nonzero parts of all forms, one form after the other.
     plan: Plan,
-    /// The degree in the short coordinates of each part, less the least degree of all; form by form.
+    /// The degree in the short coordinates of each part, less the least degree of all; form by
+    /// form.
     degrees: Vec<Vec<usize>>,
 }
 
@@ -87,7 +91,8 @@ impl Split {
             .map(|(x, short)| if *short { x / g } else { x.clone() })
             .collect();
         let values = self.plan.evaluate(&Integers, |variable| scaled[usize::from(variable.0)].clone());
-        // The quotients by g of the parts of degree 0, and the remainders; all else remains of the others.
+        // The quotients by g of the parts of degree 0, and the remainders; all else remains of the
+        // others.
         let divisor = IBig::from(g.clone());
         let divided = |(part, &j): (Option<IBig>, &usize)| {
             let part = part.unwrap_or_default();

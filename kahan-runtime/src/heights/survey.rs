@@ -10,8 +10,8 @@ pub struct Survey {
     pub heights: Vec<Heights>,
     /// The class of the component that is largest at the end.
     pub growth: Growth,
-    /// log(h_n/h_{n−1}) at the last step for that component if growth is exponential, else 0. As n grows it tends to the
-    /// Diophantine entropy: log 2 for the Lotka–Volterra map, log 3 for dE9.
+    /// log(h_n/h_{n−1}) at the last step for that component if growth is exponential, else 0. As n
+    /// grows it tends to the Diophantine entropy: log 2 for the Lotka–Volterra map, log 3 for dE9.
     pub entropy: f64,
     /// Why the orbit ended before all steps were done.
     pub stopped: Option<Stop>,
@@ -56,7 +56,8 @@ fn largest(heights: &[Heights]) -> usize {
     (1..last.len()).fold(0, |best, i| if last[i] > last[best] { i } else { best })
 }
 
-/// The component that rises most from h₁ on: a tall one that hardly moves says nothing of the growth.
+/// The component that rises most from h₁ on: a tall one that hardly moves says nothing of the
+/// growth.
 fn steepest(heights: &[Heights]) -> usize {
     let (Some(first), Some(last)) = (heights.get(1), heights.last()) else { return 0 };
     let rise = |i: usize| last.logarithms[i] - first.logarithms[i];

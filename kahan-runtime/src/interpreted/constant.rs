@@ -8,8 +8,8 @@ const EXACT_IN_F32: i64 = 1 << 24;
 
 /// The constant that generated code writes for this number: every scalar rounds it once.
 ///
-/// A number beyond 64-bit integers and small ratios keeps its digits as static data, which generated code has too; here
-/// that is memory that is never given back, some bytes a number.
+/// A number beyond 64-bit integers and small ratios keeps its digits as static data, which
+/// generated code has too; here that is memory that is never given back, some bytes a number.
 #[must_use]
 pub fn constant(value: &Rational) -> Constant {
     if let Some(integer) = value.as_i64() {

@@ -1,7 +1,8 @@
 //! From a number of variables that is known at run time to types, whose dimension is a constant.
 //!
-//! Two types serve all: what is generic over maps is compiled for 4 and for 8 variables, and smaller systems are
-//! [padded](super::Interpreted::padded). A type for every number of variables took four times as long to compile.
+//! Two types serve all: what is generic over maps is compiled for 4 and for 8 variables, and
+//! smaller systems are [padded](super::Interpreted::padded). A type for every number of variables
+//! took four times as long to compile.
 
 /// What is to be done in some dimension.
 pub trait VisitDimension {

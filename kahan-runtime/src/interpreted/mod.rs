@@ -1,8 +1,10 @@
-//! A system read at run time as a map over any scalar: the traits of generated code, without generated code.
+//! A system read at run time as a map over any scalar: the traits of generated code, without
+//! generated code.
 //!
-//! In: a checked [`System`] and exact parameter values. Out: a [`KahanMap`] with the bits of the code that the macro would have
-//! written for it, so that everything that is generic over maps (orbits, compositions, the step with a promise) takes fields from
-//! the command line too. It runs the same plans in the same order, ten to fifty times as slowly.
+//! In: a checked [`System`] and exact parameter values. Out: a [`KahanMap`] with the bits of the
+//! code that the macro would have written for it, so that everything that is generic over maps
+//! (orbits, compositions, the step with a promise) takes fields from the command line too. It runs
+//! the same plans in the same order, ten to fifty times as slowly.
 
 mod code;
 mod constant;
@@ -95,7 +97,8 @@ impl core::fmt::Display for CannotInterpret {
 impl core::error::Error for CannotInterpret {}
 
 impl<const N: usize> Interpreted<BigRational, N> {
-    /// The system at these parameter values, in their order; over any other scalar by [`rounded`](Self::rounded).
+    /// The system at these parameter values, in their order; over any other scalar by
+    /// [`rounded`](Self::rounded).
     ///
     /// Cost: deriving and planning the map, some milliseconds for a system of the catalog.
     ///
@@ -110,7 +113,8 @@ impl<const N: usize> Interpreted<BigRational, N> {
 
     /// The system among N variables, of which those beyond its own stand still: ẋᵢ = 0.
     ///
-    /// Its own variables have the bits that [`new`](Self::new) gives them. Two or three types then serve every dimension.
+    /// Its own variables have the bits that [`new`](Self::new) gives them. Two or three types then
+    /// serve every dimension.
     ///
     /// # Errors
     /// [`CannotInterpret`].
@@ -155,7 +159,8 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.code.cost
     }
 
-    /// The same system at other parameters, in their order. Where the field divides by zero at them, a float step is not finite and an exact one panics.
+    /// The same system at other parameters, in their order. Where the field divides by zero at
+    /// them, a float step is not finite and an exact one panics.
     ///
     /// # Panics
     /// If they are not as many as before.
@@ -176,7 +181,8 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.code.integrals.iter().map(|integral| integral.name.as_str())
     }
 
-    /// The integrals at x; ε, half the time step, is `eps`. `None` for one that divides by zero there in an exact scalar.
+    /// The integrals at x; ε, half the time step, is `eps`. `None` for one that divides by zero
+    /// there in an exact scalar.
     pub fn integrals(&self, x: &SVector<T, N>, eps: &T) -> Vec<Option<T>> {
         let inputs =
             Inputs { state: x.as_slice(), parameters: &self.parameters, eps: Some(eps), ..Inputs::default() };

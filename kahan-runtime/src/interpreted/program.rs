@@ -1,7 +1,9 @@
-//! A plan made ready to run over any scalar: names resolved, constants in the form that scalars are built from.
+//! A plan made ready to run over any scalar: names resolved, constants in the form that scalars are
+//! built from.
 //!
-//! The instructions and their order are the plan's, and each is the call that generated code makes for it, so the bits are
-//! the same. Registers are a vector a run: this is the back end for what is asked a few million times, not for races.
+//! The instructions and their order are the plan's, and each is the call that generated code makes
+//! for it, so the bits are the same. Registers are a vector a run: this is the back end for what is
+//! asked a few million times, not for races.
 
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::poly::Variable;

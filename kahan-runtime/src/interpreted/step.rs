@@ -12,7 +12,8 @@ use super::program::Inputs;
 
 /// The step of an [`Interpreted`] system at one ε: its constants, and the kernel they belong to.
 ///
-/// Its `COST` is that of elimination, since a type cannot know what was read at run time: [`Interpreted::cost`] knows.
+/// Its `COST` is that of elimination, since a type cannot know what was read at run time:
+/// [`Interpreted::cost`] knows.
 #[derive(Clone, Debug)]
 pub struct InterpretedStep<T, const N: usize> {
     map: Interpreted<T, N>,

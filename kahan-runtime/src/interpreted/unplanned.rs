@@ -1,4 +1,5 @@
-//! An interpreted system without its closed forms: the defaults of [`KahanMap`], for what is beyond the budget of terms.
+//! An interpreted system without its closed forms: the defaults of [`KahanMap`], for what is beyond
+//! the budget of terms.
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 use kahan_core::{Elimination, KahanMap, QuadraticField, Scalar};

@@ -13,7 +13,8 @@ fn expected() -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// How the heights of the figures grow, and the factor by which each step multiplies them in the end.
+/// How the heights of the figures grow, and the factor by which each step multiplies them in the
+/// end.
 const GROWTH: [(&str, Growth, f64); 7] = [
     ("lv", Growth::Exponential, 2.0),
     ("e3", Growth::Linear, 1.0),

@@ -1,4 +1,5 @@
-//! Any field: exact against rational arithmetic, growth of linear and periodic orbits, poles, bounds.
+//! Any field: exact against rational arithmetic, growth of linear and periodic orbits, poles,
+//! bounds.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::{Interpreter, Point};
@@ -169,7 +170,8 @@ fn a_field_that_is_undefined_is_refused() {
     assert!(HeightsOrbit::new(&system, &[Rational::zero()], &Rational::one(), &[Rational::one()]).is_err());
 }
 
-/// Where noise hides the growth, no class is better than a wrong one; a tall coordinate that hardly moves decides nothing.
+/// Where noise hides the growth, no class is better than a wrong one; a tall coordinate that hardly
+/// moves decides nothing.
 #[test]
 fn noisy_logarithms_are_never_called_linear() {
     let growth = |name: &str, eps: &str, start: &str, steps: usize| {

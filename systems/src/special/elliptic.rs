@@ -32,10 +32,11 @@ impl<T: Real> Modulus<T> {
         Self { k: self.complement.clone(), complement: self.k.clone() }
     }
 
-    /// The complete integral K(k) = F(π/2, k), the quarter of the period of sn; not a number at k = 1.
+    /// The complete integral K(k) = F(π/2, k), the quarter of the period of sn; not a number at k =
+    /// 1.
     ///
-    /// K = π/(2 agm(1, k′)). In `f64` at most 4 ulp for every k (measured: 3.4; `ellip` 1.2, given k², has
-    /// 26, and 10⁶ next to k = 1).
+    /// K = π/(2 agm(1, k′)). In `f64` at most 4 ulp for every k (measured: 3.4; `ellip` 1.2, given
+    /// k², has 26, and 10⁶ next to k = 1).
     ///
     /// ```
     /// use kahan_systems::special::Modulus;
@@ -60,10 +61,12 @@ impl<T: Real> Modulus<T> {
         (-(T::pi() * complementary.quarter_period() / self.quarter_period())).exp()
     }
 
-    /// The incomplete integral F(φ, k) = ∫₀^φ dθ/√(1 − k² sin²θ), for any real φ (|φ| < π/2 at k = 1).
+    /// The incomplete integral F(φ, k) = ∫₀^φ dθ/√(1 − k² sin²θ), for any real φ (|φ| < π/2 at k =
+    /// 1).
     ///
-    /// By Carlson's R_F(cos²φ, 1 − k² sin²φ, 1) sin φ, after whole half turns are taken off. In `f64` at most
-    /// 6 ulp for |φ| ≤ π/2 and 8 for |φ| ≤ 50 (measured: 4.7; `ellip` 1.2 has 8.6, and 3800 next to k = 1).
+    /// By Carlson's R_F(cos²φ, 1 − k² sin²φ, 1) sin φ, after whole half turns are taken off. In
+    /// `f64` at most 6 ulp for |φ| ≤ π/2 and 8 for |φ| ≤ 50 (measured: 4.7; `ellip` 1.2 has 8.6,
+    /// and 3800 next to k = 1).
     pub fn incomplete(&self, phi: &T) -> T {
         let half_turns = (phi.clone() / T::pi() + T::half()).floor();
         let (sine, cosine) = phi.sin_cos();
@@ -74,8 +77,8 @@ impl<T: Real> Modulus<T> {
         whole + self.incomplete_of_point(&sine, &cosine)
     }
 
-    /// F of the angle of the point (cos φ, sin φ) on the unit circle, in (−2K, 2K]: the inverse of the pair
-    /// (sn, cn), which keeps the precision that an angle near ±π/2 would lose.
+    /// F of the angle of the point (cos φ, sin φ) on the unit circle, in (−2K, 2K]: the inverse of
+    /// the pair (sn, cn), which keeps the precision that an angle near ±π/2 would lose.
     pub fn inverse(&self, sn: &T, cn: &T) -> T {
         if cn.is_negative() {
             let rest = self.incomplete_of_point(&sn.abs(), &-cn.clone());
@@ -112,7 +115,8 @@ pub fn elliptic_k<T: Real>(k: &T) -> T {
 /// The common limit of arithmetic and geometric means, for positive a and b.
 pub fn arithmetic_geometric_mean<T: Real>(a: T, b: T) -> T {
     let (mut a, mut b) = (a, b);
-    // Each turn squares the relative difference; once it is below √ε the next mean is exact to rounding.
+    // Each turn squares the relative difference; once it is below √ε the next mean is exact to
+    // rounding.
     for _ in 0..64 {
         let done = ((a.clone() - b.clone()) / a.clone()).square() < T::epsilon();
         let mean = (a.clone() + b.clone()) * T::half();
@@ -125,10 +129,11 @@ pub fn arithmetic_geometric_mean<T: Real>(a: T, b: T) -> T {
     a
 }
 
-/// Carlson's symmetric integral R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)), for nonnegative arguments, at
-/// most one of them zero.
+/// Carlson's symmetric integral R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)), for nonnegative
+/// arguments, at most one of them zero.
 ///
-/// The duplication theorem brings the arguments together, where a series of degree 7 in their spread finishes.
+/// The duplication theorem brings the arguments together, where a series of degree 7 in their
+/// spread finishes.
 fn carlson_rf<T: Real>(x: T, y: T, z: T) -> T {
     let third = T::from_ratio(1, 3);
     let quarter = T::from_ratio(1, 4);
@@ -151,8 +156,8 @@ fn carlson_rf<T: Real>(x: T, y: T, z: T) -> T {
     }
 }
 
-/// The expansion of R_F about equal arguments, in E₂ = XY + YZ + ZX and E₃ = XYZ with X + Y + Z = 0: up to
-/// degree 7.
+/// The expansion of R_F about equal arguments, in E₂ = XY + YZ + ZX and E₃ = XYZ with X + Y + Z =
+/// 0: up to degree 7.
 fn rf_series<T: Real>(dx: &T, dy: &T, dz: &T) -> T {
     let e2 = dx.clone() * dy.clone() - dz.square();
     let e3 = dx.clone() * dy.clone() * dz.clone();

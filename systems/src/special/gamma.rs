@@ -1,15 +1,15 @@
 //! Γ and ψ, by their asymptotic series from a large argument back.
 //!
-//! The machine's floats have libraries for both (see [`Real::gamma`]); the series here serve the other
-//! precision.
+//! The machine's floats have libraries for both (see [`Real::gamma`]); the series here serve the
+//! other precision.
 
 use super::Real;
 use super::real::int;
 
 /// Γ(x), the factorial (x − 1)! of a real number; not a number at the poles 0, −1, −2, …
 ///
-/// For `f64` by `libm`: at most 8 ulp on (−30, 171) (measured: 6.7; `puruspe` 0.4 has 17, `statrs` 0.18 some
-/// 10⁵). For [`Precise`](super::Precise): relative error below 1e−72 for |x| ≤ 1000.
+/// For `f64` by `libm`: at most 8 ulp on (−30, 171) (measured: 6.7; `puruspe` 0.4 has 17, `statrs`
+/// 0.18 some 10⁵). For [`Precise`](super::Precise): relative error below 1e−72 for |x| ≤ 1000.
 ///
 /// ```
 /// use kahan_systems::special::{Precise, Real, gamma};
@@ -24,9 +24,9 @@ pub fn gamma<T: Real>(x: &T) -> T {
 
 /// ψ(x) = Γ′(x)/Γ(x); not a number at the poles 0, −1, −2, …
 ///
-/// For `f64` by `special`: error at most 16 units of 2⁻⁵² max(1, |ψ|) for x > −30 (measured: 11.7; `statrs`
-/// 0.18 has 56, and 10⁵ for x < 0). For [`Precise`](super::Precise): error below 1e−73·max(1, |ψ|) for |x| ≤
-/// 1000.
+/// For `f64` by `special`: error at most 16 units of 2⁻⁵² max(1, |ψ|) for x > −30 (measured: 11.7;
+/// `statrs` 0.18 has 56, and 10⁵ for x < 0). For [`Precise`](super::Precise): error below
+/// 1e−73·max(1, |ψ|) for |x| ≤ 1000.
 ///
 /// ```
 /// use kahan_systems::special::{Precise, Real, digamma};
@@ -71,8 +71,8 @@ pub(super) fn cos_pi<T: Real>(x: &T) -> T {
     (T::pi() * (T::half() - rest.abs())).sin()
 }
 
-/// Γ(x) = √(2π) x^(x−1/2) e^(−x) exp Σ B₂ₘ/(2m(2m−1) x^(2m−1)), from x + n back by Γ(x+1) = xΓ(x), and for x
-/// < 1/2 by Γ(x)Γ(1−x) = π/sin πx.
+/// Γ(x) = √(2π) x^(x−1/2) e^(−x) exp Σ B₂ₘ/(2m(2m−1) x^(2m−1)), from x + n back by Γ(x+1) = xΓ(x),
+/// and for x < 1/2 by Γ(x)Γ(1−x) = π/sin πx.
 pub(super) fn by_stirling<T: Real>(x: &T) -> T {
     if is_pole(x) || !x.is_finite_number() {
         return not_a_number();
@@ -91,8 +91,8 @@ pub(super) fn by_stirling<T: Real>(x: &T) -> T {
     (int::<T>(2) * T::pi()).sqrt() * power * (series - large).exp() / descent
 }
 
-/// ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)), from x + n back by ψ(x+1) = ψ(x) + 1/x, and for x < 1/2 by
-/// ψ(x) = ψ(1−x) − π cot πx.
+/// ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)), from x + n back by ψ(x+1) = ψ(x) + 1/x, and for x <
+/// 1/2 by ψ(x) = ψ(1−x) − π cot πx.
 pub(super) fn digamma_by_stirling<T: Real>(x: &T) -> T {
     if is_pole(x) || !x.is_finite_number() {
         return not_a_number();

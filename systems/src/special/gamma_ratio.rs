@@ -1,8 +1,9 @@
 //! Ratios of Γ and differences of ψ at neighbouring arguments, without cancellation.
 //!
-//! Everything rests on the centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ), whose logarithm has an
-//! asymptotic series in even powers of 1/w: ln R = 2σ ln w − Σ_{m≥1} B_{2m+1}(1/2 + σ)/(m(2m+1) w^(2m)), with
-//! Bernoulli polynomials (odd in σ). No two logarithms of Γ are ever subtracted.
+//! Everything rests on the centred ratio R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ), whose logarithm
+//! has an asymptotic series in even powers of 1/w: ln R = 2σ ln w − Σ_{m≥1} B_{2m+1}(1/2 +
+//! σ)/(m(2m+1) w^(2m)), with Bernoulli polynomials (odd in σ). No two logarithms of Γ are ever
+//! subtracted.
 
 use super::Real;
 use super::gamma::{asymptotic_from, cos_pi, sin_pi, steps_up};
@@ -10,9 +11,9 @@ use super::real::int;
 
 /// Γ(x + a)/Γ(x + b), for any real x, a, b, to full relative precision for every size of x.
 ///
-/// Zero where only the denominator has a pole, not a number where only the numerator has one; where both
-/// have, the limit. The sums (a + b − 1)/2 and (a − b)/2 are rounded; [`centered_gamma_ratio`] takes them
-/// directly.
+/// Zero where only the denominator has a pole, not a number where only the numerator has one; where
+/// both have, the limit. The sums (a + b − 1)/2 and (a − b)/2 are rounded; [`centered_gamma_ratio`]
+/// takes them directly.
 ///
 /// ```
 /// use kahan_systems::special::gamma_ratio;
@@ -27,10 +28,11 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
 
 /// R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ), for any real w and σ.
 ///
-/// For integer 2σ (up to 64 in size) it is evaluated as the polynomial, or its reciprocal, that it is then.
-/// Else by the series from a large w back, a product of at most about 12 + 2|σ| factors in `f64` and 40 +
-/// 2|σ| in [`Precise`](super::Precise); for w < −|σ| − 1/2 by reflection. In `f64`, for |σ| ≤ 3,
-/// at most 4 ulp for w ≥ 20, 40 ulp for 0 ≤ w ≤ 20 and 64 ulp for −20 ≤ w < 0 off the poles.
+/// For integer 2σ (up to 64 in size) it is evaluated as the polynomial, or its reciprocal, that it
+/// is then. Else by the series from a large w back, a product of at most about 12 + 2|σ| factors in
+/// `f64` and 40 + 2|σ| in [`Precise`](super::Precise); for w < −|σ| − 1/2 by reflection. In `f64`,
+/// for |σ| ≤ 3, at most 4 ulp for w ≥ 20, 40 ulp for 0 ≤ w ≤ 20 and 64 ulp for −20 ≤ w < 0 off the
+/// poles.
 pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     if let Some(n) = small_integer(&(int::<T>(2) * sigma.clone())) {
         return rational_ratio(w, n);
@@ -51,8 +53,9 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     large.power_real(&(int::<T>(2) * sigma.clone())) * (-series).exp() * (numerator / denominator)
 }
 
-/// ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ), the logarithmic derivative of [`centered_gamma_ratio`] in w, for any real
-/// w and σ off the poles; full relative precision also where both terms are nearly equal.
+/// ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ), the logarithmic derivative of [`centered_gamma_ratio`] in w,
+/// for any real w and σ off the poles; full relative precision also where both terms are nearly
+/// equal.
 ///
 /// ```
 /// use kahan_systems::special::centered_digamma_difference;
@@ -63,7 +66,8 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
 pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     let two = int::<T>(2);
     if is_reflected(w, sigma) {
-        // The derivative of the logarithm of the reflection: π tan π(σ−f) + π tan π(σ+f) = π sin 2πσ/(cos cos).
+        // The derivative of the logarithm of the reflection: π tan π(σ−f) + π tan π(σ+f) = π sin
+        // 2πσ/(cos cos).
         let fold = fold(w);
         let cosines = cos_pi(&(sigma.clone() - fold.clone())) * cos_pi(&(sigma.clone() + fold));
         let tangents = T::pi() * sin_pi(&(two * sigma.clone())) / cosines;
@@ -80,8 +84,8 @@ pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     two.clone() * (sigma.clone() / large + series + sigma.clone() * descent)
 }
 
-/// Whether w is so far on the left that reflection serves. For −|σ| − 1/2 ≤ w < 0 it could multiply a pole by
-/// a zero; there the few factors from w up are taken instead.
+/// Whether w is so far on the left that reflection serves. For −|σ| − 1/2 ≤ w < 0 it could multiply
+/// a pole by a zero; there the few factors from w up are taken instead.
 fn is_reflected<T: Real>(w: &T, sigma: &T) -> bool {
     *w < -(sigma.abs() + T::half())
 }
@@ -91,7 +95,8 @@ fn fold<T: Real>(w: &T) -> T {
     w.clone() - (w.clone() + T::half()).floor()
 }
 
-/// R(w, σ)/R(−w, σ) = cos π(σ − f)/cos π(σ + f), f = w less the nearest integer; from Γ(z)Γ(1−z) = π/sin πz.
+/// R(w, σ)/R(−w, σ) = cos π(σ − f)/cos π(σ + f), f = w less the nearest integer; from Γ(z)Γ(1−z) =
+/// π/sin πz.
 fn reflection<T: Real>(w: &T, sigma: &T) -> T {
     let fold = fold(w);
     cos_pi(&(sigma.clone() - fold.clone())) / cos_pi(&(sigma.clone() + fold))
@@ -103,7 +108,8 @@ fn small_integer<T: Real>(x: &T) -> Option<i64> {
     (n.abs() <= 64.0 && x.floor() == *x).then_some(n as i64)
 }
 
-/// R(w, n/2): the product of w + (1−n)/2 + j over 0 ≤ j < n for n ≥ 0, the reciprocal of R(w, −n/2) for n < 0.
+/// R(w, n/2): the product of w + (1−n)/2 + j over 0 ≤ j < n for n ≥ 0, the reciprocal of R(w, −n/2)
+/// for n < 0.
 fn rational_ratio<T: Real>(w: &T, n: i64) -> T {
     let product = (0..n.abs())
         .fold(T::one(), |product, j| product * (w.clone() + T::from_ratio(1 - n.abs() + 2 * j, 2)));
@@ -112,7 +118,8 @@ fn rational_ratio<T: Real>(w: &T, n: i64) -> T {
 
 /// Σ_{m≥1} term(m, B_{2m+1}(1/2 + σ)) w^(−2m) up to the precision of T.
 ///
-/// B_n(1/2 + σ) = Σ_k C(n, k) B_k(1/2) σ^(n−k) with B_k(1/2) = (2^(1−k) − 1) B_k, nonzero for even k only.
+/// B_n(1/2 + σ) = Σ_k C(n, k) B_k(1/2) σ^(n−k) with B_k(1/2) = (2^(1−k) − 1) B_k, nonzero for even
+/// k only.
 fn odd_bernoulli_sum<T: Real>(w: &T, sigma: &T, term: impl Fn(i64, T) -> T) -> T {
     let middle = middle_values::<T>();
     let inverse_square = T::one() / w.square();

@@ -17,12 +17,12 @@ pub struct Jacobi<T> {
 
 /// sn, cn, dn of any real u, modulus k with 0 ≤ k ≤ 1.
 ///
-/// u is reduced by whole half periods 2K, then Landen's descending transformation lowers the modulus until
-/// sine and cosine serve; every sum in it is of positive numbers. In `f64` the errors are at most 8 units of
-/// 2⁻⁵² for
+/// u is reduced by whole half periods 2K, then Landen's descending transformation lowers the
+/// modulus until sine and cosine serve; every sum in it is of positive numbers. In `f64` the errors
+/// are at most 8 units of 2⁻⁵² for
 /// |u| ≤ 2K and k ≤ 0.999, and 64 up to the last k below 1; a larger u adds the rounding of u itself.
-/// (Measured beside it, the port of Cephes in `spec_math` 0.1 errs by 51 units, and by 10¹⁵ next to k = 1,
-/// where it has the wrong values.)
+/// (Measured beside it, the port of Cephes in `spec_math` 0.1 errs by 51 units, and by 10¹⁵ next to
+/// k = 1, where it has the wrong values.)
 ///
 /// ```
 /// use kahan_systems::special::{Modulus, jacobi};
@@ -48,8 +48,8 @@ pub fn jacobi<T: Real>(u: &T, modulus: &Modulus<T>) -> Jacobi<T> {
 
 /// One step of Landen's transformation with k₁ = (1 − k′)/(1 + k′) and k₁′ = 2√k′/(1 + k′):
 ///
-/// sn = (1 + k₁)s/(1 + k₁s²), cn = cd/(1 + k₁s²), dn = (1 − k₁ + k₁c²)/(1 + k₁s²), with s, c, d at u/(1 +
-/// k₁), k₁.
+/// sn = (1 + k₁)s/(1 + k₁s²), cn = cd/(1 + k₁s²), dn = (1 − k₁ + k₁c²)/(1 + k₁s²), with s, c, d at
+/// u/(1 + k₁), k₁.
 fn descend<T: Real>(u: &T, modulus: &Modulus<T>) -> Jacobi<T> {
     // sn u = sin u + O(k²) and dn = 1 − O(k²).
     if modulus.k.square() < T::epsilon() * T::from_ratio(1, 16) {

@@ -1,10 +1,11 @@
 //! Real numbers with transcendental functions, in the machine's precision and in 256 bits.
 //!
-//! In: [`Real`], what an explicit solution asks of a number; [`Precise`], such a number of 77 decimal digits.
-//! Out: Γ, ψ, ratios of Γ, elliptic integrals, Jacobi's elliptic functions and theta functions, each once,
-//! for both. For `f64` a well-kept library computes what it computes well; the bounds in units of the last
-//! place stated there were measured against [`Precise`] and are tested.
-//! Nothing here panics on a value: what has no real value is "not a number" in either type.
+//! In: [`Real`], what an explicit solution asks of a number; [`Precise`], such a number of 77
+//! decimal digits. Out: Γ, ψ, ratios of Γ, elliptic integrals, Jacobi's elliptic functions and
+//! theta functions, each once, for both. For `f64` a well-kept library computes what it computes
+//! well; the bounds in units of the last place stated there were measured against [`Precise`] and
+//! are tested. Nothing here panics on a value: what has no real value is "not a number" in either
+//! type.
 
 mod bernoulli;
 mod elliptic;

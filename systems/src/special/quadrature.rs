@@ -8,18 +8,18 @@ use super::real::int;
 pub struct Integral<T> {
     /// The value.
     pub value: T,
-    /// The difference of the last two sums. Convergence is quadratic, so unless rounding stopped it the value
-    /// is far better than this; it stays large where f is not as smooth as it has to be.
+    /// The difference of the last two sums. Convergence is quadratic, so unless rounding stopped it
+    /// the value is far better than this; it stays large where f is not as smooth as it has to be.
     pub change: T,
 }
 
-/// ∫ f over [from, to] by the substitution x = tanh(½π sinh u) (Takahasi and Mori): for f analytic inside,
-/// with at most integrable singularities at the ends, which are never evaluated.
+/// ∫ f over [from, to] by the substitution x = tanh(½π sinh u) (Takahasi and Mori): for f analytic
+/// inside, with at most integrable singularities at the ends, which are never evaluated.
 ///
-/// The step in u is halved until two sums agree to 2⁸ units of the last place, or until they only differ by
-/// the noise of f, at most 10 times (for `f64` about 60 evaluations suffice for a smooth f, for
-/// [`Precise`](super::Precise) about 400). No maintained library integrates at a chosen precision; this is
-/// all that the solutions need.
+/// The step in u is halved until two sums agree to 2⁸ units of the last place, or until they only
+/// differ by the noise of f, at most 10 times (for `f64` about 60 evaluations suffice for a smooth
+/// f, for [`Precise`](super::Precise) about 400). No maintained library integrates at a chosen
+/// precision; this is all that the solutions need.
 ///
 /// ```
 /// use kahan_systems::special::integrate;
@@ -35,8 +35,8 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     let reach = (int::<T>(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
     let reach = (reach + (reach * reach + 1.0).sqrt()).ln() + 0.2;
     let quarter_turn = T::pi() * T::half();
-    // f at the two nodes ±u, with their weight: each node by its distance from its end, 1 − tanh s =
-    // 2/(e^{2s} + 1).
+    // f at the two nodes ±u, with their weight: each node by its distance from its end, 1 − tanh s
+    // = 2/(e^{2s} + 1).
     let pair = |u: &T| {
         let rise = u.exp_m1();
         let fall = rise.clone() / (rise.clone() + T::one());

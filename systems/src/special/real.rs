@@ -3,19 +3,20 @@
 use kahan_core::Pivot;
 use kahan_core::num_rational::BigRational;
 
-/// A real number of finite precision with the elementary functions and the few special ones that have a
-/// library.
+/// A real number of finite precision with the elementary functions and the few special ones that
+/// have a library.
 ///
-/// Implemented for `f64` and for [`Precise`](super::Precise). What has no real value (0/0, ln(−1), a pole of
-/// Γ) is not a number: it compares with nothing, and [`is_finite_number`](Pivot::is_finite_number) tells.
-/// Methods take references, since a number of many digits is not `Copy`; the operators of
-/// [`Scalar`](kahan_core::Scalar) take values.
+/// Implemented for `f64` and for [`Precise`](super::Precise). What has no real value (0/0, ln(−1),
+/// a pole of Γ) is not a number: it compares with nothing, and
+/// [`is_finite_number`](Pivot::is_finite_number) tells. Methods take references, since a number of
+/// many digits is not `Copy`; the operators of [`Scalar`](kahan_core::Scalar) take values.
 pub trait Real: Pivot + PartialOrd + core::fmt::Display {
-    /// Decimal digits that a value carries at least: 15 for `f64`, 76 for [`Precise`](super::Precise).
+    /// Decimal digits that a value carries at least: 15 for `f64`, 76 for
+    /// [`Precise`](super::Precise).
     const DIGITS: usize;
 
-    /// The distance from 1 to the next larger number; a correct rounding errs by at most half of it,
-    /// relatively.
+    /// The distance from 1 to the next larger number; a correct rounding errs by at most half of
+    /// it, relatively.
     fn epsilon() -> Self;
 
     /// An integer, rounded to nearest where it has too many digits.

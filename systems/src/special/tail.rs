@@ -1,8 +1,8 @@
 //! The tails of the two series whose terms hold Γ and ψ, summed by their asymptotic expansions.
 //!
-//! Both have terms t(w) at w = N + 1/2, N + 3/2, … with an expansion Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln²
-//! w) in which only even powers follow the first. The midpoint rule of Euler and Maclaurin, applied to every
-//! power, gives
+//! Both have terms t(w) at w = N + 1/2, N + 3/2, … with an expansion Σ_i w^(−s−2i)(a_i + b_i ln w +
+//! c_i ln² w) in which only even powers follow the first. The midpoint rule of Euler and Maclaurin,
+//! applied to every power, gives
 //!
 //! Σ_j w_j^(−s) = N^(1−s) [1/(s−1) + Σ_{k≥1} B₂ₖ(1/2) s(s+1)…(s+2k−2)/((2k)! N^(2k))],
 //!
@@ -26,11 +26,11 @@ fn order<T: Real>() -> usize {
     T::DIGITS / 2 + 5
 }
 
-/// Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h/R(N + j, σ), R the centred ratio of Γ and
-/// ξ = 2σ + 1, without the factor h²; for ξ > 0 and N at least [`asymptotic_start`].
+/// Σ_{j≥0} 4ξ Y_j Y_{j+1}/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h/R(N + j, σ), R the centred ratio
+/// of Γ and ξ = 2σ + 1, without the factor h²; for ξ > 0 and N at least [`asymptotic_start`].
 ///
-/// With w = N + j + 1/2 the term is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m 2p_{2m+1}(σ)/(m(2m+1) w^(2m)), where
-/// p_n(σ) is the Bernoulli polynomial without its term of degree n − 1.
+/// With w = N + j + 1/2 the term is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m 2p_{2m+1}(σ)/(m(2m+1) w^(2m)),
+/// where p_n(σ) is the Bernoulli polynomial without its term of degree n − 1.
 pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     let sigma = (xi.clone() - T::one()) * T::half();
     let numbers: Vec<T> = core::iter::once(T::one()).chain(T::bernoulli().iter().cloned()).collect();
@@ -47,8 +47,8 @@ pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     xi.clone() * T::half() * tail(n, &(int::<T>(2) * xi.clone() + T::one()), &terms)
 }
 
-/// Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h − ψ(N + j + 1/2), for N at
-/// least [`asymptotic_start`].
+/// Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h − ψ(N + j +
+/// 1/2), for N at least [`asymptotic_start`].
 ///
 /// With w = N + j + 1/2 and D = h − ψ(w) − 1/(2w) = h + Σ B₂ₘ/(2m w^(2m)) − ln w the term is
 /// (D + D² − 1/(4w²))/(2w(w² − 1)).

@@ -41,8 +41,8 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     if q.is_zero() {
         return sum;
     }
-    // Chebyshev's recurrence for sin jz and cos jz would lose digits near z = 0, so the angle is turned
-    // instead.
+    // Chebyshev's recurrence for sin jz and cos jz would lose digits near z = 0, so the angle is
+    // turned instead.
     let (mut s, mut c) = (T::zero(), T::one());
     let turn = |s: &T, c: &T| {
         (

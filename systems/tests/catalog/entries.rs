@@ -1,4 +1,5 @@
-//! The registry, swept: every block reads without a mistake (which proves its claims) and every claim has its source.
+//! The registry, swept: every block reads without a mistake (which proves its claims) and every
+//! claim has its source.
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::render::report;

@@ -1,4 +1,5 @@
-//! E9 by quadrature: against its closed cases, against the differential equation, and on its sphere.
+//! E9 by quadrature: against its closed cases, against the differential equation, and on its
+//! sphere.
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;
@@ -24,8 +25,8 @@ fn integrals_of_known_value() {
     assert!((integrate(&0.0, &1.0, |x: &f64| x.cos()).value - 1.0_f64.sin()).abs() < 4.0 * f64::EPSILON);
 }
 
-/// The time to reach z, known from a closed solution: at t the solution is at x, and the quadrature gives t
-/// back.
+/// The time to reach z, known from a closed solution: at t the solution is at x, and the quadrature
+/// gives t back.
 #[test]
 fn the_quadrature_is_the_time_of_the_closed_cases() {
     for xi in ["2", "1/2", "1", "-1"].map(number) {
@@ -102,7 +103,8 @@ fn fixed_points_are_fixed_and_on_the_sphere() {
 
 #[test]
 fn a_small_closed_trajectory_has_the_period_of_the_linearisation() {
-    // About (√(−ξ) a, a, 0) the field is linear in first order, with the frequency ω² = 2(1−ξ)(−ξ)a².
+    // About (√(−ξ) a, a, 0) the field is linear in first order, with the frequency ω² =
+    // 2(1−ξ)(−ξ)a².
     let xi = number("-1/2");
     let fixed = &e9::fixed_points(&xi, &number("1"))[2];
     let mut near = fixed.clone();

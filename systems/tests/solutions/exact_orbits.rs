@@ -35,8 +35,8 @@ pub(crate) fn cases(system: &str) -> Vec<Case> {
     data["cases"].as_array().expect("cases").iter().map(read).collect()
 }
 
-/// The points n = −back, …, forward of the orbit, with their n; shorter on a side where an exact orbit meets
-/// a pole.
+/// The points n = −back, …, forward of the orbit, with their n; shorter on a side where an exact
+/// orbit meets a pole.
 pub(crate) fn orbit<M, T>(
     map: M,
     start: &Point<T>,
@@ -68,8 +68,8 @@ pub(crate) fn norm(point: &Point<Precise>) -> Precise {
     point.iter().fold(Precise::from_int(0), |norm, value| if value.abs() > norm { value.abs() } else { norm })
 }
 
-/// Panics unless the solution agrees with the exact orbit to so many digits of each point's norm; returns how
-/// many points were compared.
+/// Panics unless the solution agrees with the exact orbit to so many digits of each point's norm;
+/// returns how many points were compared.
 pub(crate) fn assert_on_orbit(
     exact: &[(i64, Point<Rational>)],
     at: impl Fn(i64) -> Point<Precise>,
@@ -104,12 +104,13 @@ pub(crate) fn rounded(case: &Case) -> Rounded {
     }
 }
 
-/// The largest distance of a solution in `f64` from the orbit of the map in 256 bits through the same point,
-/// 8 steps back and 12 forward, in units of 2⁻⁵² of each point's norm times its condition.
+/// The largest distance of a solution in `f64` from the orbit of the map in 256 bits through the
+/// same point, 8 steps back and 12 forward, in units of 2⁻⁵² of each point's norm times its
+/// condition.
 ///
-/// A solution is a function of an argument (T, v or N) that is itself rounded, and large points are next to a
-/// pole of that function: the condition is (1 + |argument|) max(1, |ε| rate norm), where the rate is 1 unless
-/// the system has coefficients.
+/// A solution is a function of an argument (T, v or N) that is itself rounded, and large points are
+/// next to a pole of that function: the condition is (1 + |argument|) max(1, |ε| rate norm), where
+/// the rate is 1 unless the system has coefficients.
 pub(crate) fn ulps<M>(
     map: M,
     case: &Rounded,

@@ -1,7 +1,7 @@
 //! The solutions of Table 5 and their kin satisfy the differential equations, to 40 digits.
 //!
-//! The derivative is a symmetric difference of order 12 over ±6h with h = 10^(−6): its error is about h¹²
-//! against 10^(−71) of rounding.
+//! The derivative is a symmetric difference of order 12 over ±6h with h = 10^(−6): its error is
+//! about h¹² against 10^(−71) of rounding.
 
 use kahan_core::num_traits::Zero;
 use kahan_core::prelude::*;

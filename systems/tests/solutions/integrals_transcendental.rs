@@ -1,5 +1,5 @@
-//! The transcendental integrals of dE7 and dE8 along exact orbits, their special cases, and the digamma
-//! bracket.
+//! The transcendental integrals of dE7 and dE8 along exact orbits, their special cases, and the
+//! digamma bracket.
 
 use kahan_core::prelude::*;
 use kahan_systems::special::{Precise, Real};
@@ -21,8 +21,8 @@ fn starts() -> Vec<(Point<BigRational>, BigRational)> {
 
 #[test]
 fn values_at_the_point_of_the_paper() {
-    // By mpmath 1.3 at 80 digits: `gamma`, `digamma`; K7 by `hyper` (the 4F3 at 1), K8 by 200 terms of the
-    // series and the Abel-Plana formula for the rest (`quad`).
+    // By mpmath 1.3 at 80 digits: `gamma`, `digamma`; K7 by `hyper` (the 4F3 at 1), K8 by 200 terms
+    // of the series and the Abel-Plana formula for the rest (`quad`).
     let (start, eps) = paper();
     let xi = number("19/17");
     let h = e7::integral_h(&xi, &start, &eps);

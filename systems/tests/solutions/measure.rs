@@ -33,7 +33,8 @@ pub(crate) fn assert_close(value: &Precise, expected: &Precise, digits: i64, wha
     assert_close_above(value, expected, digits, &Precise::zero(), what);
 }
 
-/// The error of an `f64` in units of 2⁻⁵² of the expected size (or of `floor`, where that is larger).
+/// The error of an `f64` in units of 2⁻⁵² of the expected size (or of `floor`, where that is
+/// larger).
 pub(crate) fn ulps_above(value: f64, expected: &Precise, floor: f64) -> f64 {
     let size = expected.abs().to_f64().max(floor);
     ((Precise::from(value) - expected.clone()) / Precise::from(size * f64::EPSILON)).to_f64().abs()

@@ -10,7 +10,8 @@ use crate::solutions::exact_orbits::{
 };
 use crate::solutions::measure::assert_close;
 
-/// Every combination of signs, of ε too; both branches; points on the planes xy = 0 and next to |εz| = 1.
+/// Every combination of signs, of ε too; both branches; points on the planes xy = 0 and next to
+/// |εz| = 1.
 fn more() -> Vec<Case> {
     let mut all = Vec::new();
     let coordinates =

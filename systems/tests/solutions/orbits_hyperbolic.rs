@@ -11,7 +11,8 @@ use crate::solutions::exact_orbits::{
 use crate::solutions::measure::assert_close;
 
 fn more() -> Vec<Case> {
-    // Both branches, every sign, both signs of ε, and points next to the border between the branches.
+    // Both branches, every sign, both signs of ε, and points next to the border between the
+    // branches.
     let points = [
         ("1/2", ["3/2", "1/3", "5/2"]),
         ("1/2", ["3/2", "-1/3", "-5/2"]),
@@ -38,7 +39,8 @@ fn argument(delta: f64, kappa: f64, n: i64) -> f64 {
 
 type Exact = Vec<(i64, Point<Rational>)>;
 
-/// Runs a solution over all cases in 256 bits (50 digits) and in `f64` (returning the largest error in ulp).
+/// Runs a solution over all cases in 256 bits (50 digits) and in `f64` (returning the largest error
+/// in ulp).
 fn run(
     system: &str,
     exact: impl Fn(&Case) -> Exact,

@@ -98,8 +98,8 @@ impl Scalar for RootThree {
     }
 }
 
-/// (x, y, z) of E6 ↦ (X, Y, Z) of E4 with (X − Y, X + Y, Z) = (√3 y, √3 (x − z), x + z): a change of axes and
-/// the scaling (√3, √3, 1).
+/// (x, y, z) of E6 ↦ (X, Y, Z) of E4 with (X − Y, X + Y, Z) = (√3 y, √3 (x − z), x + z): a change
+/// of axes and the scaling (√3, √3, 1).
 fn to_e4(point: &Point<RootThree>) -> Point<RootThree> {
     let [x, y, z] = point.clone().into();
     let half_root = RootThree { a: Rational::zero(), b: rational("1/2") };

@@ -1,5 +1,5 @@
-//! The accuracy of the special functions in `f64`: the bounds that their documentation states, measured
-//! against 256 bits at seeded random arguments.
+//! The accuracy of the special functions in `f64`: the bounds that their documentation states,
+//! measured against 256 bits at seeded random arguments.
 
 use kahan_systems::special::{
     Jacobi, Modulus, Precise, Theta, centered_digamma_difference, centered_gamma_ratio, digamma, elliptic_f,

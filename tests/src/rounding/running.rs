@@ -1,10 +1,13 @@
-//! A running bound on the rounding errors of a plan: for each step, how far a float may be from the exact result.
+//! A running bound on the rounding errors of a plan: for each step, how far a float may be from the
+//! exact result.
 //!
-//! In: a plan, exact inputs that the float has, the unit roundoff u. Out: the exact value and a bound on the error of each
-//! result. Every operation returns fl(z) = z(1 + δ) with |δ| ≤ u, so an operation whose operands are â = a + α, b̂ = b + β
-//! with |α| ≤ e_a, |β| ≤ e_b returns its exact result to within e + u(|result| + e), where e is what the operands do
-//! (Higham, Accuracy and Stability of Numerical Algorithms, §3.3, with exact in place of computed values). Nothing is
-//! assumed of the plan: a sum may cancel. A multiply-add counts two roundings, so the bound holds with and without fusing.
+//! In: a plan, exact inputs that the float has, the unit roundoff u. Out: the exact value and a
+//! bound on the error of each result. Every operation returns fl(z) = z(1 + δ) with |δ| ≤ u, so an
+//! operation whose operands are â = a + α, b̂ = b + β with |α| ≤ e_a, |β| ≤ e_b returns its exact
+//! result to within e + u(|result| + e), where e is what the operands do (Higham, Accuracy and
+//! Stability of Numerical Algorithms, §3.3, with exact in place of computed values). Nothing is
+//! assumed of the plan: a sum may cancel. A multiply-add counts two roundings, so the bound holds
+//! with and without fusing.
 
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
@@ -40,8 +43,8 @@ impl Rounded {
         Self { exact: &self.exact * &other.exact, error }
     }
 
-    /// A quotient before it is rounded: |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b); `None` where b̂ may have lost every
-    /// digit.
+    /// A quotient before it is rounded: |â/b̂ − a/b| ≤ (e_a + |a/b| e_b)/(|b| − e_b); `None` where
+    /// b̂ may have lost every digit.
     pub(super) fn over(&self, divisor: &Self) -> Option<Self> {
         let exact = self.exact.checked_div(&divisor.exact)?;
         let size = divisor.size();
@@ -58,7 +61,8 @@ impl Rounded {
     }
 }
 
-/// The results of a plan as a float computes them; `None` where a divisor may have lost every digit.
+/// The results of a plan as a float computes them; `None` where a divisor may have lost every
+/// digit.
 pub(super) fn results(
     plan: &Plan,
     prepared: &[Option<Rounded>],

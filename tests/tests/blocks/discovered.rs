@@ -1,5 +1,6 @@
-//! What `discover` prints compiles unchanged: each file in `discovered/` is a block of equations with the lines found for
-//! them, compiled and so proved by the macro; and what the library finds today from the equations alone is that very text.
+//! What `discover` prints compiles unchanged: each file in `discovered/` is a block of equations
+//! with the lines found for them, compiled and so proved by the macro; and what the library finds
+//! today from the equations alone is that very text.
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};

@@ -1,7 +1,9 @@
-//! Blocks in hostile surroundings: whatever is in scope, a valid block compiles without a warning and means the same.
+//! Blocks in hostile surroundings: whatever is in scope, a valid block compiles without a warning
+//! and means the same.
 //!
-//! That it means the same is shown over ℚ: the step satisfies the defining equation of Kahan's map, and an integral
-//! keeps its value. Crates with another edition, without `std` or with a renamed dependency are in `user_crate.rs`.
+//! That it means the same is shown over ℚ: the step satisfies the defining equation of Kahan's map,
+//! and an integral keeps its value. Crates with another edition, without `std` or with a renamed
+//! dependency are in `user_crate.rs`.
 
 #![deny(warnings, missing_docs, unused, clippy::pedantic)]
 

@@ -1,7 +1,7 @@
 //! Whatever is written, the front end answers: it never panics, and what is too large is an error.
 //!
-//! Random token soups and mutated blocks go through lexer, parser, checker and prover. The generator's seed is fixed,
-//! so a failure comes back.
+//! Random token soups and mutated blocks go through lexer, parser, checker and prover. The
+//! generator's seed is fixed, so a failure comes back.
 
 use kahan_algebra::diagnostics::Kind;
 use kahan_algebra::lexer::lex;
@@ -212,7 +212,8 @@ fn a_sum_of_twenty_thousand_terms_is_read() {
     let others: String = (1..40).map(|i| format!("x{i}dot = 0;")).collect();
     let reading = read_text(&format!("x0dot = {}; {others}", long_sum()));
     assert!(reading.diagnostics.is_empty());
-    // xᵢxⱼ and xⱼxᵢ are one product: 820 of them for each full round of 1600 terms and power of `a`.
+    // xᵢxⱼ and xⱼxᵢ are one product: 820 of them for each full round of 1600 terms and power of
+    // `a`.
     let terms = reading.system.field.components[0].numerator.len();
     assert!((10_000..=20_000).contains(&terms), "{terms}");
 }

@@ -1,13 +1,16 @@
 //! One fast step against the exact one, over the catalog: two bounds that users may count on.
 //!
-//! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component is off by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials of fᵢ| with the larger of |xⱼ| and
+//! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component is off by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials
+//!   of fᵢ| with the larger of |xⱼ| and
 //!   |x̃ⱼ| for each variable. The half ulp is the one rounding of x + increment; the increment is a few roundings away from 2ε times the
-//!   polarised field between x and x̃, whose terms may cancel. With |xⱼ| alone it does not hold where one component is tiny beside
-//!   others: what moves it is then of second order, ε²f′f, far larger than its own fᵢ(x). E6 at ε ≈ 6.6e-5 from
-//!   (2.9, 3.0e-9, 4.0e-7) is 53 times beyond: there z̃ nearly cancels, and no sum of a rounded increment to z could do better.
-//! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u max(‖x‖∞, ‖exact‖∞). On the paper's systems ‖exact‖∞ alone does
-//!   nearly always (Lotka–Volterra is the first to exceed it, 22.6 u once in 10⁶ points), but a step that leads near the origin
-//!   cancels: Weierstrass' equation reached 207 u of ‖exact‖∞ = 0.009 from ‖x‖∞ = 0.15.
+//!   polarised field between x and x̃, whose terms may cancel. With |xⱼ| alone it does not hold
+//!   where one component is tiny beside others: what moves it is then of second order, ε²f′f, far
+//!   larger than its own fᵢ(x). E6 at ε ≈ 6.6e-5 from (2.9, 3.0e-9, 4.0e-7) is 53 times beyond:
+//!   there z̃ nearly cancels, and no sum of a rounded increment to z could do better.
+//! - Ordinary points, ε‖f′‖∞ ≤ 1 and |det A| ≥ 1/4: ‖x̃ − exact‖∞ ≤ 16 u max(‖x‖∞, ‖exact‖∞). On
+//!   the paper's systems ‖exact‖∞ alone does nearly always (Lotka–Volterra is the first to exceed
+//!   it, 22.6 u once in 10⁶ points), but a step that leads near the origin cancels: Weierstrass'
+//!   equation reached 207 u of ‖exact‖∞ = 0.009 from ‖x‖∞ = 0.15.
 //!
 //! Inputs are doubles with all their bits; the exact step is taken from the very numbers. In the
 //! large samples, which are not part of `cargo test`, the judge is double-double.

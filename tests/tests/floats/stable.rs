@@ -1,8 +1,10 @@
-//! The promise of `try_step`, judged by exact rationals from the floats as given: `Ok` is within 64 u of the exact step, and an
-//! error is justified: the exact point is a pole, or leaves the scalar's range, or the step is ill-conditioned there.
+//! The promise of `try_step`, judged by exact rationals from the floats as given: `Ok` is within 64
+//! u of the exact step, and an error is justified: the exact point is a pole, or leaves the
+//! scalar's range, or the step is ill-conditioned there.
 //!
-//! The points are seeded and of every kind: ordinary, of mixed magnitudes from 1e-150 to 1e150 with ε from 1e-300 to 1e300,
-//! and on either side of true and removable poles. A larger sample of all tiers is what `kahan extremes` judges.
+//! The points are seeded and of every kind: ordinary, of mixed magnitudes from 1e-150 to 1e150 with
+//! ε from 1e-300 to 1e300, and on either side of true and removable poles. A larger sample of all
+//! tiers is what `kahan extremes` judges.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::Lift;
@@ -12,7 +14,8 @@ use num_traits::{FromPrimitive, Signed, ToPrimitive, Zero};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
 
 kahan! {
-    /// The Volterra lattice with three sites: at ε = 1e17 elimination has a small backward error and a wrong answer.
+    /// The Volterra lattice with three sites: at ε = 1e17 elimination has a small backward error
+    /// and a wrong answer.
     struct Volterra;
     xdot = x*(y - z);
     ydot = y*(z - x);
@@ -198,7 +201,8 @@ where
     tally
 }
 
-/// An ε at which det A(x,ε) is small: a real root by bisection where there is a change of sign, moved by a relative 2⁻ᵏ.
+/// An ε at which det A(x,ε) is small: a real root by bisection where there is a change of sign,
+/// moved by a relative 2⁻ᵏ.
 fn near_a_pole<T, M, const N: usize>(map: &M, x: &SVector<T, N>, draws: &mut Draws) -> T
 where
     T: Judged,

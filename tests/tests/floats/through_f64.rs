@@ -23,9 +23,10 @@ struct Count {
     wrong: u32,
 }
 
-/// Seeded points in [−2, 2]ᴺ with |det A| ≥ ¼ and ε in [2⁻¹⁰, 2⁻⁴]: there an `f64` step is off by at most 2⁶ u, 2⁻⁴⁷ of
-/// the largest number in it, which is at most 2⁵ times the result unless that is small. So the error is at most half an ulp and 2⁻¹⁰
-/// for components of size 2⁻¹² or more, by a wide margin.
+/// Seeded points in [−2, 2]ᴺ with |det A| ≥ ¼ and ε in [2⁻¹⁰, 2⁻⁴]: there an `f64` step is off by
+/// at most 2⁶ u, 2⁻⁴⁷ of the largest number in it, which is at most 2⁵ times the result unless that
+/// is small. So the error is at most half an ulp and 2⁻¹⁰ for components of size 2⁻¹² or more, by a
+/// wide margin.
 fn compare<M, E, const N: usize>(map: &M, exact: &E, seed: u64, count: &mut Count)
 where
     M: KahanMap<f32, N>,
@@ -64,7 +65,8 @@ fn a_step_is_nearly_always_the_nearest_f32() {
     let top = |a: f32, b: f32, c: f32| EulerTop { a1: a, a2: b, a3: c };
     let exact = EulerTop { a1: rational(0.1), a2: rational(-0.7), a3: rational(1.3) };
     compare(&ThroughF64(top(0.1, -0.7, 1.3)), &exact, 5, &mut count);
-    // Ties within the error of the f64 step have a probability of about 10⁻⁷; one in 4000 is a defect.
+    // Ties within the error of the f64 step have a probability of about 10⁻⁷; one in 4000 is a
+    // defect.
     assert!(count.all > 3000 && count.wrong <= 1, "{} of {}", count.wrong, count.all);
 }
 
@@ -93,7 +95,8 @@ fn every_mode_of_an_orbit_goes_through_f64() {
     let plain = error(ThroughF64(E6).orbit(start, eps).nth(steps));
     let compensated = error(ThroughF64(E6).orbit(start, eps).compensated().nth(steps));
     let in_single = error(E6.orbit(start, eps).compensated().nth(steps));
-    // The increment is rounded to u·2ε|f| a step, and the point yielded to half an ulp; E6 does not magnify errors much.
+    // The increment is rounded to u·2ε|f| a step, and the point yielded to half an ulp; E6 does not
+    // magnify errors much.
     assert!(
         compensated < 1e-6 && compensated <= in_single && compensated < 0.1 * plain,
         "plain {plain:e}, compensated {compensated:e}, in f32 {in_single:e}"
@@ -102,7 +105,8 @@ fn every_mode_of_an_orbit_goes_through_f64() {
     assert_eq!(map.orbit(start).nth(5), ThroughF64(E6).orbit(start, eps).nth(5));
 }
 
-/// E1's map at ε = ½: x̃ = x/(1 + x), beyond the range of `f32` beside the pole x = −1 where x is −1 + 2⁻²⁴ and y is large.
+/// E1's map at ε = ½: x̃ = x/(1 + x), beyond the range of `f32` beside the pole x = −1 where x is
+/// −1 + 2⁻²⁴ and y is large.
 #[test]
 fn what_f32_cannot_hold_is_flagged() {
     let pole = ThroughF64(E1).try_step(&vector![-1.0_f32, 1.0, 0.0], 0.5);

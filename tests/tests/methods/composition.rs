@@ -8,7 +8,8 @@ use kahan_tests::flow::{distance, flow};
 
 type Point = SVector<Q, 3>;
 
-/// γ of a symmetric composition with rational coefficients; what survives does not depend on which they are.
+/// γ of a symmetric composition with rational coefficients; what survives does not depend on which
+/// they are.
 fn gammas() -> [Q; 5] {
     [q(2, 3), q(-3, 4), q(7, 6), q(-3, 4), q(2, 3)]
 }
@@ -56,7 +57,8 @@ fn integrals_without_eps_survive_and_those_with_eps_do_not() {
     assert_ne!(E3.integrals(&e3, eps.clone())[1], E3.integrals(&x, eps)[1]);
 }
 
-/// H and K have one denominator, and det ∂x̃/∂x is its cofactor's square: H/K and c/(HK) survive, H and K change.
+/// H and K have one denominator, and det ∂x̃/∂x is its cofactor's square: H/K and c/(HK) survive, H
+/// and K change.
 fn keeps_the_ratio_and_the_measure<M>(name: &str, map: &M, density: impl Fn(&M, &Point, Q) -> Q)
 where
     M: KahanMap<Q, 3> + Integrals<Q, 3, 2>,
@@ -109,8 +111,9 @@ where
     })
 }
 
-/// The slope over each halving. The times are such that all errors lie above 10⁻²⁶, where rounding (10⁻³¹) and the series (below
-/// 10⁻³⁰) do not show, and that the next order, 2 more, changes a slope by less than the band.
+/// The slope over each halving. The times are such that all errors lie above 10⁻²⁶, where rounding
+/// (10⁻³¹) and the series (below 10⁻³⁰) do not show, and that the next order, 2 more, changes a
+/// slope by less than the band.
 fn has_its_order<M, const N: usize>(name: &str, map: &M, start: [f64; N])
 where
     M: KahanMap<Dd, N>,

@@ -23,7 +23,8 @@ fn local<M: KahanMap<Dd, N>, const N: usize>(map: &M, start: [f64; N], eps: f64)
     [distance(&next, &flow), distance(&corrected, &flow)]
 }
 
-/// Errors of 10⁻¹² to 10⁻²⁰, far above rounding; the terms left out change a slope by O(ε), 2⁻¹⁰ and less.
+/// Errors of 10⁻¹² to 10⁻²⁰, far above rounding; the terms left out change a slope by O(ε), 2⁻¹⁰
+/// and less.
 fn estimates_the_step<M: KahanMap<Dd, N>, const N: usize>(name: &str, map: &M, start: [f64; N]) {
     let sizes = [11, 12, 13].map(|k| local(map, start, 2_f64.powi(-k)));
     for pair in sizes.windows(2) {
@@ -42,7 +43,8 @@ fn the_estimate_is_the_leading_term_of_a_step() {
     estimates_the_step("LV", &LotkaVolterra, [1.5, 0.75]);
 }
 
-/// At a fixed time the error is of order 2 and what the accumulated estimate leaves of it of order 4.
+/// At a fixed time the error is of order 2 and what the accumulated estimate leaves of it of order
+/// 4.
 fn estimates_the_orbit<M: Lift<Dd, N>, const N: usize>(name: &str, map: &M, start: [f64; N]) {
     let (time, x) = (Dd::from(4.0), point(start));
     let end = flow(map, x, time, 64);

@@ -1,5 +1,6 @@
-//! The order of the method, measured: the slope of log(error) over log(ε) at a fixed time, on nonlinear fields whose flows
-//! are known in closed form (Table 5). On a linear field the map is a Cayley transform and a wrong bilinear form goes unseen.
+//! The order of the method, measured: the slope of log(error) over log(ε) at a fixed time, on
+//! nonlinear fields whose flows are known in closed form (Table 5). On a linear field the map is a
+//! Cayley transform and a wrong bilinear form goes unseen.
 
 use kahan_core::prelude::*;
 use kahan_systems::{E1, E2, E3, E5};
@@ -16,7 +17,8 @@ fn slope(points: &[(f64, f64)]) -> f64 {
     rise / points.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
 }
 
-/// Errors at `TIME` for steps of TIME/n, as (log ε, log error); all far above the rounding floor of about 10⁻¹⁴.
+/// Errors at `TIME` for steps of TIME/n, as (log ε, log error); all far above the rounding floor of
+/// about 10⁻¹⁴.
 fn errors<M: KahanMap<f64, 3> + Clone>(map: &M, flow: impl Fn(f64) -> [f64; 3]) -> Vec<(f64, f64)> {
     [16, 32, 64, 128, 256, 512]
         .map(|n: u16| {
@@ -29,8 +31,8 @@ fn errors<M: KahanMap<f64, 3> + Clone>(map: &M, flow: impl Fn(f64) -> [f64; 3]) 
         .to_vec()
 }
 
-/// Six points over a factor of 32. The next term is of order ε⁴; with it the slopes measured are within 2.1·10⁻⁴ of 2, and the
-/// band leaves room for other orbits, not for another order.
+/// Six points over a factor of 32. The next term is of order ε⁴; with it the slopes measured are
+/// within 2.1·10⁻⁴ of 2, and the band leaves room for other orbits, not for another order.
 fn has_order_two<M: KahanMap<f64, 3> + Clone>(name: &str, map: &M, flow: impl Fn(f64) -> [f64; 3]) {
     let points = errors(map, flow);
     let slope = slope(&points);

@@ -8,7 +8,8 @@ use super::super::nesting::Goal;
 use super::{Entry, Writer};
 
 impl Writer {
-    /// A polynomial in plain symbols and ε, its powers of ε distributed in the way that adds the fewest steps.
+    /// A polynomial in plain symbols and ε, its powers of ε distributed in the way that adds the
+    /// fewest steps.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
         let written = self.cheapest(&ways, |writer, way| writer.write(way, Goal::Few), |_| 0);
@@ -40,7 +41,8 @@ impl Writer {
         self.cheapest(&ways, factors, |(nodes, _)| nodes.len()).unwrap_or_default()
     }
 
-    /// The attempt that makes the fewest steps, its result's own price added; the others leave no trace.
+    /// The attempt that makes the fewest steps, its result's own price added; the others leave no
+    /// trace.
     pub(in crate::plan) fn cheapest<A, R>(
         &mut self,
         attempts: &[A],

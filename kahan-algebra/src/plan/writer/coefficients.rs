@@ -1,4 +1,5 @@
-//! Constants: sums of them that multiply one product of states are one coefficient, computed when the map is prepared.
+//! Constants: sums of them that multiply one product of states are one coefficient, computed when
+//! the map is prepared.
 
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
@@ -7,8 +8,9 @@ use super::super::draft::Signed;
 use super::Writer;
 
 impl Writer {
-    /// The polynomial with each sum of constants that multiplies one product of states as one coefficient; of products of
-    /// constants only where they may be rounded twice. `None` where there is no such sum.
+    /// The polynomial with each sum of constants that multiplies one product of states as one
+    /// coefficient; of products of constants only where they may be rounded twice. `None` where
+    /// there is no such sum.
     pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
         let groups = polynomial.group(|variable| self.scaling.ready(variable).is_some());
         let folds = self.scaling.folds;

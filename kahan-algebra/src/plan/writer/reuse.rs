@@ -9,7 +9,8 @@ use super::super::nesting::Goal;
 use super::Writer;
 
 impl Writer {
-    /// The polynomial as multiples of sums that exist already, and a rest; `None` where no multiple shortens it.
+    /// The polynomial as multiples of sums that exist already, and a rest; `None` where no multiple
+    /// shortens it.
     pub(super) fn write_reusing(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let mut rest = polynomial.clone();
         let mut multipliers: Table<usize, Polynomial> = Table::new();
@@ -34,7 +35,8 @@ impl Writer {
         Some(self.draft.signed_sum(&terms))
     }
 
-    /// The sum g and the term m for which P − m·g is shortest, if it is shorter by two terms, or nothing.
+    /// The sum g and the term m for which P − m·g is shortest, if it is shorter by two terms, or
+    /// nothing.
     pub(super) fn best_multiple(&self, polynomial: &Polynomial) -> Option<(usize, Polynomial, Polynomial)> {
         let mut best: Option<(usize, usize, Multiple)> = None;
         for (index, sum) in self.sums.iter().enumerate().filter(|(_, sum)| sum.len() <= polynomial.len()) {

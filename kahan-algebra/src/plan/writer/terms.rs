@@ -21,7 +21,8 @@ impl Writer {
         Signed { node: self.draft.product(&factors), negative }
     }
 
-    /// The factors of a term and its sign. A power of two goes into the ε of a scaled symbol, where it costs nothing.
+    /// The factors of a term and its sign. A power of two goes into the ε of a scaled symbol, where
+    /// it costs nothing.
     pub(in crate::plan) fn factors_of_term(
         &mut self,
         monomial: &Monomial,

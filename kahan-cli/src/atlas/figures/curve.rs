@@ -17,9 +17,9 @@ const CURVE: usize = 720;
 
 type Point = SVector<f64, 3>;
 
-/// A component of the level curve of H(ε) and K(ε) through a point with xy > 0 and |εz| < 1, from the integrals alone:
-/// with s = x + y, d = x − y, h = 2ε²H, g = 2ε²K it is (1−h)s² − (1+h)d² = 4H, (1−g)(s² + d²) + 2z² = 4K. Eliminating
-/// s leaves an ellipse in d and z.
+/// A component of the level curve of H(ε) and K(ε) through a point with xy > 0 and |εz| < 1, from
+/// the integrals alone: with s = x + y, d = x − y, h = 2ε²H, g = 2ε²K it is (1−h)s² − (1+h)d² = 4H,
+/// (1−g)(s² + d²) + 2z² = 4K. Eliminating s leaves an ellipse in d and z.
 fn level_curve(point: &Point, eps: f64) -> Vec<Point> {
     let integrals = E4.integrals(point, eps);
     let (big_h, big_k) = (integrals[0], integrals[1]);
@@ -97,13 +97,15 @@ fn projection(a: &str, i: usize, b: &str, j: usize, orbit: &[Point], curve: &[Po
     .svg()
 }
 
-/// Parallel projection from the front, a little from the right and from above, that fills the drawing with a box.
+/// Parallel projection from the front, a little from the right and from above, that fills the
+/// drawing with a box.
 struct View {
     middle: Point,
     scale: f64,
 }
 
-/// Width and height of the view box of the spatial drawing, and the room that is left around the box.
+/// Width and height of the view box of the spatial drawing, and the room that is left around the
+/// box.
 const SPACE: (f64, f64) = (480.0, 400.0);
 const ROOM: f64 = 34.0;
 const TURN: f64 = 0.62;

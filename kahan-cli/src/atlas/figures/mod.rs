@@ -1,4 +1,5 @@
-//! The figures: the paper's, one by one, and two more, drawn from orbits that were computed for this page.
+//! The figures: the paper's, one by one, and two more, drawn from orbits that were computed for
+//! this page.
 
 mod curve;
 mod heights;

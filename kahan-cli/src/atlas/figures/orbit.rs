@@ -50,7 +50,8 @@ impl Heights {
         slope(self.pairs())
     }
 
-    /// The leading coefficient of a quadratic through the first, middle and last heights of the second half.
+    /// The leading coefficient of a quadratic through the first, middle and last heights of the
+    /// second half.
     pub(super) fn half_second_difference(&self) -> f64 {
         let step = self.last().0 / 4;
         let (end, middle, start) = (self.last().0, self.last().0 - step, self.last().0 - 2 * step);

@@ -61,7 +61,8 @@ impl Discovery {
         })
     }
 
-    /// What composition leaves: how many independent integrals, which of the formulas, and which quotients of two.
+    /// What composition leaves: how many independent integrals, which of the formulas, and which
+    /// quotients of two.
     fn survivors(&self) -> Option<Value> {
         let survivors = self.report.survivors.as_ref()?;
         let name = |index: usize| self.report.integrals[index].name().unwrap_or_default().to_owned();
@@ -178,7 +179,8 @@ fn hamiltonian_object(found: &HamiltonianReport) -> Value {
     json!({ "K": found.tensor, "H": found.hamiltonian, "modified_is_proved": found.modified_is_proved })
 }
 
-/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an orbit.
+/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an
+/// orbit.
 fn basis_object(basis: &Basis, variables: &[String]) -> Value {
     let monomials = basis.monomial_texts(variables);
     let unit = &monomials[basis.unit];

@@ -1,7 +1,8 @@
 //! Exact orbits: projective integers from point to point, fractions only where a row is printed.
 //!
-//! An integral has one value along the whole orbit. That it has it at a row is checked by multiplication (N q = D p for N/D the
-//! integral there, p/q at the first point), which is far cheaper than to reduce N/D again; only where that fails is it reduced.
+//! An integral has one value along the whole orbit. That it has it at a row is checked by
+//! multiplication (N q = D p for N/D the integral there, p/q at the first point), which is far
+//! cheaper than to reduce N/D again; only where that fails is it reduced.
 
 use dashu_int::IBig;
 use dashu_int::ops::Gcd;
@@ -48,7 +49,8 @@ impl<'a> ExactOrbit<'a> {
         &self.derived.integral_names
     }
 
-    /// t, the state and the integrals at the point n; `None` for an integral that divides by zero there.
+    /// t, the state and the integrals at the point n; `None` for an integral that divides by zero
+    /// there.
     pub(super) fn row(&self, n: i64) -> Vec<Option<String>> {
         let state = self.state();
         let integrals = self.integrals(&state).into_iter().zip(&self.first).map(|(value, first)| {
@@ -130,7 +132,8 @@ impl From<&Rational> for Fraction {
     }
 }
 
-/// ℚ without a gcd: values are [`Fraction`]s, and equal denominators are recognised, because all coordinates have the same.
+/// ℚ without a gcd: values are [`Fraction`]s, and equal denominators are recognised, because all
+/// coordinates have the same.
 struct Fractions;
 
 impl Arithmetic for Fractions {

@@ -1,6 +1,7 @@
 //! Orbits in rounded numbers: Kahan's map, or a composition of it.
 //!
-//! The integrals are evaluated at the orbit's own ε; the stages of a composition are steppers at theirs.
+//! The integrals are evaluated at the orbit's own ε; the stages of a composition are steppers at
+//! theirs.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::interpret::{Pole, Stepper, UndefinedField};
@@ -70,7 +71,8 @@ impl<'a, A: Printable> FloatOrbit<'a, A> {
         }
     }
 
-    /// One step of the map, or all stages of the composition: the first half, the middle one, and the half backwards.
+    /// One step of the map, or all stages of the composition: the first half, the middle one, and
+    /// the half backwards.
     fn step(&mut self) -> Result<(), Pole> {
         let Some(last) = self.stages.len().checked_sub(1) else {
             return self.map.advance(&mut self.state);

@@ -18,7 +18,8 @@ pub(super) struct Request<'a> {
 }
 
 impl Request<'_> {
-    /// Parameters and ε in the scalar; numbers that it cannot hold are refused, those of the first point too.
+    /// Parameters and ε in the scalar; numbers that it cannot hold are refused, those of the first
+    /// point too.
     pub(super) fn rounded<A: Printable>(&self) -> Result<(Vec<A::Value>, A::Value), Refusal> {
         let symbols = &self.system.field.symbols;
         let given =

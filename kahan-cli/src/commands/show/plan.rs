@@ -22,7 +22,8 @@ const COLUMNS: [(&str, usize); 6] =
 pub(super) struct PlanSheet {
     name: String,
     derived: Derived,
-    /// Each function of the generated code with what it costs; `None` where it eliminates in a loop.
+    /// Each function of the generated code with what it costs; `None` where it eliminates in a
+    /// loop.
     functions: Vec<(String, Option<Cost>)>,
     step: Option<StepListing>,
     /// The step that serves every scalar, where the step is divided by the time step.

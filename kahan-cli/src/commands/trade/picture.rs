@@ -1,5 +1,5 @@
-//! The work–precision picture: price against error, a line for each order in doubles, small dots for other scalars and for
-//! compensation, the front above all.
+//! The work–precision picture: price against error, a line for each order in doubles, small dots
+//! for other scalars and for compensation, the front above all.
 
 use crate::plot::{Mark, NumberLine, Plot, Series, Side};
 
@@ -37,7 +37,8 @@ pub(super) fn picture(trade: &Trade, title: &str, need: Need, tolerance: f64) ->
     kinds.sort_by_key(|kind| (kind.order, kind.scalar.name(), kind.compensated));
     kinds.dedup();
     for kind in kinds {
-        // One label an order, at the line of plain doubles; other scalars of the order share its colour.
+        // One label an order, at the line of plain doubles; other scalars of the order share its
+        // colour.
         let (label, mark) = match (kind.scalar, kind.compensated) {
             (ScalarKind::F64, false) => (format!("order {}", kind.order), Mark::Both),
             (ScalarKind::Dd, false) => (format!("order {}, dd", kind.order), Mark::Both),

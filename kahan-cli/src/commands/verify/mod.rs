@@ -1,4 +1,5 @@
-//! `kahan verify`: every formula of the paper established again, or the claims of a field of one's own.
+//! `kahan verify`: every formula of the paper established again, or the claims of a field of one's
+//! own.
 
 mod lines;
 mod mutate;
@@ -18,9 +19,10 @@ use report::{Form, Report, Row, in_one_line};
 
 /// Proves every formula of the paper, those of one system, or the claims of a field of your own.
 ///
-/// Rational formulas are expanded over the rational numbers and tested modulo primes; what is not rational is compared
-/// in 256-bit arithmetic; what the paper misprints is refuted as printed and established as corrected. With a field of
-/// your own, or with --param, the claims of that block are proved. The exit status is 1 if a claim does not hold.
+/// Rational formulas are expanded over the rational numbers and tested modulo primes; what is not
+/// rational is compared in 256-bit arithmetic; what the paper misprints is refuted as printed and
+/// established as corrected. With a field of your own, or with --param, the claims of that block
+/// are proved. The exit status is 1 if a claim does not hold.
 #[derive(Args, Debug, Default)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Verify {

@@ -112,7 +112,8 @@ fn misprints(report: &Report<'_>) -> Vec<String> {
     std::iter::once("Misprints: what is printed → what is right".to_owned()).chain(rows).collect()
 }
 
-/// `printed → right` in at most `room` characters: where that is too long, without the words that both have in common.
+/// `printed → right` in at most `room` characters: where that is too long, without the words that
+/// both have in common.
 fn replaced(printed: &str, right: &str, room: usize) -> String {
     let (printed, right): (Vec<&str>, Vec<&str>) = (printed.split(' ').collect(), right.split(' ').collect());
     let first = printed.iter().zip(&right).take_while(|(a, b)| a == b).count();

@@ -1,4 +1,5 @@
-//! `kahan orbit` from outside: its numbers against known orbits and the generated maps, its files, its manners.
+//! `kahan orbit` from outside: its numbers against known orbits and the generated maps, its files,
+//! its manners.
 
 mod files;
 mod manners;

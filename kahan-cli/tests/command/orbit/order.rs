@@ -1,4 +1,5 @@
-//! `kahan orbit --order` from outside: the library's compositions, what their integrals do, and where they end.
+//! `kahan orbit --order` from outside: the library's compositions, what their integrals do, and
+//! where they end.
 
 use kahan_core::Composition;
 use kahan_core::prelude::*;
@@ -54,8 +55,8 @@ fn change(order: &str, column: usize) -> f64 {
     rows.iter().map(|row| (row[column] - rows[0][column]).abs()).fold(0.0, f64::max)
 }
 
-/// Kahan's map keeps H at its ε to rounding; a composition does not, and the change is what its order leaves of the difference
-/// between the map's H and the flow's.
+/// Kahan's map keeps H at its ε to rounding; a composition does not, and the change is what its
+/// order leaves of the difference between the map's H and the flow's.
 #[test]
 fn a_composition_does_not_keep_the_map_s_integral() {
     assert!(change("2", 3) < 1e-14);

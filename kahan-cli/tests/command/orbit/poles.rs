@@ -22,7 +22,8 @@ fn the_rows_before_a_pole_are_kept_and_the_place_is_named() {
 
 #[test]
 fn a_pole_on_the_way_ends_an_orbit_where_the_map_says() {
-    // E1: x̃ = x/(1 + 2εx), so 1/x changes by 2ε: at ε = −1/4 it is 3/2, 1, 1/2, and 1 + 2εx = 0 at x = 2.
+    // E1: x̃ = x/(1 + 2εx), so 1/x changes by 2ε: at ε = −1/4 it is 3/2, 1, 1/2, and 1 + 2εx = 0 at
+    // x = 2.
     let output = kahan(&["e1", "--eps", "-1/4", "--at", "2/3,1,1", "--steps", "9", "--scalar", "exact"]);
     assert_eq!(output.status.code(), Some(1));
     let (_, rows) = table(&text(&output.stdout));

@@ -1,4 +1,5 @@
-//! `kahan trade` at the edges: near a pole, at numbers that are very large or small, with no time, and where `Dd` is the cheapest.
+//! `kahan trade` at the edges: near a pole, at numbers that are very large or small, with no time,
+//! and where `Dd` is the cheapest.
 
 use std::process::Output;
 
@@ -23,8 +24,8 @@ fn complaint(arguments: &[&str], status: i32) -> String {
     String::from_utf8(output.stderr).expect("UTF-8")
 }
 
-/// x = tan t, with a pole at t = π/2 ≈ 1.5708, 0.0068 after the horizon: errors are relative to what the trajectory reaches
-/// before the horizon, not to what it reaches soon after.
+/// x = tan t, with a pole at t = π/2 ≈ 1.5708, 0.0068 after the horizon: errors are relative to
+/// what the trajectory reaches before the horizon, not to what it reaches soon after.
 #[test]
 fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     let scene = ["--field", "xdot = x^2 + 1;", "--at", "0", "--horizon", "1.564", "--tolerance", "1e-4"];
@@ -33,11 +34,13 @@ fn near_a_pole_errors_are_relative_to_the_trajectory_before_the_horizon() {
     assert!((number(&object, "scale") / 1.564_f64.tan() - 1.0).abs() < 1e-11, "{}", object["scale"]);
     let choice = &object["choice"];
     assert!(number(choice, "trajectory_error") <= 1e-4);
-    // As steep as the end is, it is short: a step as fine as its slope, 300, asks for would be a waste.
+    // As steep as the end is, it is short: a step as fine as its slope, 300, asks for would be a
+    // waste.
     assert!(number(choice, "eps") > 0.02, "{choice}");
 }
 
-/// (x, ε) ↦ (λx, ε/λ) is a symmetry of E6: at λ = 2⁻¹²⁵ and 2¹²⁵, as small and as large as `f32` can bear, errors in `f64` are the same.
+/// (x, ε) ↦ (λx, ε/λ) is a symmetry of E6: at λ = 2⁻¹²⁵ and 2¹²⁵, as small and as large as `f32`
+/// can bear, errors in `f64` are the same.
 #[test]
 fn a_homogeneous_field_is_served_alike_at_every_scale() {
     let of = |point: &str, horizon: &str| {
@@ -87,8 +90,8 @@ fn systems_beyond_the_paper_are_timed_as_compiled_too() {
     assert_eq!(object["timing"], "measured");
 }
 
-/// The integrals of E6 to a few units of `f64`: it takes compensated steps fifty times as fine as they are in double-double, which cost ten
-/// times as much each.
+/// The integrals of E6 to a few units of `f64`: it takes compensated steps fifty times as fine as
+/// they are in double-double, which cost ten times as much each.
 #[test]
 fn double_double_is_tried_where_the_roundings_of_f64_are_felt() {
     let scene =

@@ -1,6 +1,7 @@
 //! `kahan trade`: the front is a front, the choice does what it says, and refusals say why.
 //!
-//! Prices are times and never asserted beyond being positive; errors are computed again, from the library's own orbits.
+//! Prices are times and never asserted beyond being positive; errors are computed again, from the
+//! library's own orbits.
 
 mod edges;
 
@@ -80,7 +81,8 @@ fn every_setting_has_the_keys_and_the_front_is_a_front() {
     assert!(cheaper.map(miss).all(|miss| miss > 1e-6), "a cheaper setting does too");
 }
 
-/// The largest distance of the setting's orbit from the trajectory, every point of it, relative to the trajectory's size.
+/// The largest distance of the setting's orbit from the trajectory, every point of it, relative to
+/// the trajectory's size.
 fn error_of(setting: &Value, horizon: f64) -> f64 {
     let start = ["1", "1/2", "1/3"].map(|text| Rational::parse(text).expect("a number").to_big());
     let asked =
@@ -141,7 +143,8 @@ fn the_choice_meets_its_tolerance_when_it_is_run_again() {
         let choice = &object["choice"];
         let (claimed, again) = (number(choice, "trajectory_error"), error_of(choice, 3.0));
         assert!(claimed <= limit, "{choice}");
-        // The same orbit against the same trajectory; a point that was not looked at may lie a little further off.
+        // The same orbit against the same trajectory; a point that was not looked at may lie a
+        // little further off.
         assert!(again >= 0.999 * claimed && again <= 1.05 * claimed, "{claimed} against {again}");
         let rust = choice["rust"].as_str().expect("a line");
         assert!(rust.starts_with("let orbit = ") && rust.contains("E6") && rust.ends_with(");"), "{rust}");
@@ -169,7 +172,8 @@ fn integrals_are_kept_by_a_coarse_step_of_the_map_itself() {
     assert!(number(choice, "flow_integral_drift") > 1e-4, "at this eps the flow's are not kept: {choice}");
 }
 
-/// The Euler top's claims are 1 at ε = 0, whatever the state: the coefficient of ε² is what a composition has to keep.
+/// The Euler top's claims are 1 at ε = 0, whatever the state: the coefficient of ε² is what a
+/// composition has to keep.
 #[test]
 fn an_integral_that_is_trivial_for_the_flow_is_measured_by_its_next_coefficient() {
     let scene = ["trade", "euler", "--param", "a1=1", "--param", "a2=-3", "--param", "a3=1"];

@@ -20,7 +20,8 @@ fn rational(x: f64) -> BigRational {
     BigRational::from_float(x).unwrap()
 }
 
-/// Nᵢ/d, and the condition number of a homogeneous map, where ε ∂x̃/∂ε = J x − x̃, at seeded points of three regimes.
+/// Nᵢ/d, and the condition number of a homogeneous map, where ε ∂x̃/∂ε = J x − x̃, at seeded points
+/// of three regimes.
 fn agrees<M: KahanMap<BigRational, 3>>(judge: &Judge, map: impl Fn(Option<&f64>) -> M) {
     let fixed = vec![None::<f64>; judge.parameters];
     for (seed, regime) in

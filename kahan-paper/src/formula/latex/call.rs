@@ -77,7 +77,8 @@ pub(super) fn call(function: &str, arguments: &[Formula], power: &str) -> String
     }
 }
 
-/// A named function, perhaps raised to a power. The braces keep the space before an operator out of the base of its power.
+/// A named function, perhaps raised to a power. The braces keep the space before an operator out of
+/// the base of its power.
 fn operator(function: &str, power: &str) -> String {
     if power.is_empty() {
         format!("\\operatorname{{{function}}}")

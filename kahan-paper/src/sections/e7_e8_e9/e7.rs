@@ -18,8 +18,8 @@ const SOLUTION: &str = "
     Z(n) := tau*gamma*(4*N(n)^2 - 1)/(2*eps*(4*tau^2 - 1)*N(n))
         + 2*tau^2*beta^2*xi*(4*N(n)^2 - 1)*G0^2/(eps*N(n))*W(n)";
 
-/// The same at one point of the orbit, with g = g_n and W = W_n as names; `step(F)` puts in what they are a
-/// step later.
+/// The same at one point of the orbit, with g = g_n and W = W_n as names; `step(F)` puts in what
+/// they are a step later.
 const STEP: &str = "
     X := 1/(2*eps*N); Y := tau*beta/(2*eps*N)*g*G0;
     Z := tau*gamma*(4*N^2 - 1)/(2*eps*(4*tau^2 - 1)*N) + 2*tau^2*beta^2*xi*(4*N^2 - 1)*G0^2/(eps*N)*W;

@@ -23,8 +23,8 @@ fn claim(id: &str, place: &str, statement: &str) -> Claim {
 fn quadrature() -> Vec<Claim> {
     let integrals = "H := 1/2*(x^2 + y^2 + z^2); K := y*x^(-xi)";
     let antiderivative = "R := 2*H - s^2 - K^2*s^4; root := sqrt(2*H)";
-    // For u = x² the square of du/dt is a polynomial in u: the integral is elementary where it is u² times a
-    // quadratic one, elliptic where it is a cubic one with simple roots.
+    // For u = x² the square of du/dt is a polynomial in u: the integral is elementary where it is
+    // u² times a quadratic one, elliptic where it is a cubic one with simple roots.
     let degree = |id: &str, place: &str, statement: &str| {
         let statement = format!("u := x^2; {statement}");
         claim(&format!("quadrature.{id}"), place, &statement).spelling(integrals)

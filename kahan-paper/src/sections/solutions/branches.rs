@@ -1,4 +1,5 @@
-//! The second real branches of the solutions of dE3 (|εz| > 1) and dE5 (|εy| > 1), and what separates them.
+//! The second real branches of the solutions of dE3 (|εz| > 1) and dE5 (|εy| > 1), and what
+//! separates them.
 
 use super::super::super::claim::Claim;
 use super::super::super::section::Section;

@@ -1,4 +1,5 @@
-//! The parameters of each solution from a point: the solution with these parameters passes through it.
+//! The parameters of each solution from a point: the solution with these parameters passes through
+//! it.
 
 use super::super::super::claim::Claim;
 use super::super::super::section::Section;
@@ -113,8 +114,8 @@ fn tau() -> impl Iterator<Item = Claim> {
     })
 }
 
-/// What lies behind the parameters of dE4: with sn²δ = s the values of H and K determine s and k², and every
-/// point of their level set is one of the orbit's curve.
+/// What lies behind the parameters of dE4: with sn²δ = s the values of H and K determine s and k²,
+/// and every point of their level set is one of the orbit's curve.
 fn elliptic() -> Vec<Claim> {
     let claim = |id: &str, place: &str, statement: &str, given: &str| {
         Claim::new(

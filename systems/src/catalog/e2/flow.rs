@@ -5,8 +5,8 @@ use kahan_core::{Scalar, vector};
 
 use crate::solution::{OutOfDomain, require};
 
-/// A trajectory of E2 (Table 5, i = 2), exact over big rationals: with T = t + α, x = 1/T, y = βT, z = T(γ −
-/// β²T²).
+/// A trajectory of E2 (Table 5, i = 2), exact over big rationals: with T = t + α, x = 1/T, y = βT,
+/// z = T(γ − β²T²).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// α = 1/x₀, the shift of time.
@@ -28,8 +28,8 @@ impl<T: Scalar> FlowSolution<T> {
         Ok(Self { alpha: T::one() / x.clone(), beta: x.clone() * y.clone(), gamma: x * z + y.clone() * y })
     }
 
-    /// The point at time t. At t = −α the trajectory has a pole: a panic for exact scalars, a result that is
-    /// not finite for floats; beyond it the formula continues analytically.
+    /// The point at time t. At t = −α the trajectory has a pole: a panic for exact scalars, a
+    /// result that is not finite for floats; beyond it the formula continues analytically.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, beta, gamma } = self.clone();
         let time = t.clone() + alpha;

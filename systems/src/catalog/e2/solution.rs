@@ -36,8 +36,8 @@ impl<T: Scalar> Solution<T> {
         })
     }
 
-    /// The point n steps on, or back for n < 0. At n = −τ the orbit has a pole: a panic for exact scalars, a
-    /// result that is not finite for floats.
+    /// The point n steps on, or back for n < 0. At n = −τ the orbit has a pole: a panic for exact
+    /// scalars, a result that is not finite for floats.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, tau, beta, gamma } = self.clone();
         let double = integer::<T>(2) * (integer::<T>(n) + tau);

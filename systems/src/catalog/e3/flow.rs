@@ -6,7 +6,8 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E3 (Table 5, i = 3): x = λ cos θ sech λT, y = λ sin θ sech λT, z = λ tanh λT with T = t + α.
+/// A trajectory of E3 (Table 5, i = 3): x = λ cos θ sech λT, y = λ sin θ sech λT, z = λ tanh λT
+/// with T = t + α.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// α, the shift of time.

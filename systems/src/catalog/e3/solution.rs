@@ -13,8 +13,8 @@ use crate::special::Real;
 /// * outer branch, |εz| > 1 (not in the paper): (x, y) = (−1)ⁿ (cos θ, sin θ) cosh δ/(ε sinh T),
 ///   z = coth δ coth T/ε, with K̂ = coth² δ/(2ε²).
 ///
-/// In both Ĥ = tan θ, and δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the point's norm
-/// times (1 + |T|) max(1, |ε| norm), the condition of the formula.
+/// In both Ĥ = tan θ, and δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the
+/// point's norm times (1 + |T|) max(1, |ε| norm), the condition of the formula.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// ε, half the time step.
@@ -33,8 +33,8 @@ impl<T: Real> Solution<T> {
     /// The orbit with this point at n = 0; ε is half the time step.
     ///
     /// # Errors
-    /// Unless ε ≠ 0, x² + y² > 0 (else a fixed point) and ε²z² ≠ 1: the step from εz = 1 ends in the fixed
-    /// point (0, 0, 1/ε), and at εz = −1 det A vanishes.
+    /// Unless ε ≠ 0, x² + y² > 0 (else a fixed point) and ε²z² ≠ 1: the step from εz = 1 ends in
+    /// the fixed point (0, 0, 1/ε), and at εz = −1 det A vanishes.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = point.clone().into();
         let radius_square = x.square() + y.square();

@@ -9,7 +9,8 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 /// A trajectory of E4 (Table 5, i = 4): with T = t + α and sn, cn, dn at λT, modulus k,
 ///
 /// x = (λ/2)(dn + k cn), y = (λ/2)(dn − k cn), z = kλ sn, up to the signs of x and y and the swap
-/// (x, y, z) → (y, x, −z), all symmetries of the field. With xy > 0: H = λ²(1 − k²)/4, K = λ²(1 + k²)/4.
+/// (x, y, z) → (y, x, −z), all symmetries of the field. With xy > 0: H = λ²(1 − k²)/4, K = λ²(1 +
+/// k²)/4.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// α, the shift of time.

@@ -1,14 +1,15 @@
 //! The symmetries of E4 and its map: x → −x, y → −y, and (x, y, z) → (y, x, −z).
 //!
-//! In: any point. Out: the point in the quarter where the elliptic functions are real, in the coordinates s =
-//! x + y and d = x − y, and the way back.
+//! In: any point. Out: the point in the quarter where the elliptic functions are real, in the
+//! coordinates s = x + y and d = x − y, and the way back.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
 use crate::special::Real;
 
-/// A point in s = x + y, d = x − y, z, moved by a [`Symmetry`] so that x and y have the signs asked for.
+/// A point in s = x + y, d = x − y, z, moved by a [`Symmetry`] so that x and y have the signs asked
+/// for.
 pub(super) struct NormalForm<T> {
     /// s = x + y.
     pub(super) sum: T,
@@ -55,8 +56,8 @@ impl<T: Real> NormalForm<T> {
         })
     }
 
-    /// The point with x and y negative or not as asked for, which may depend on z; a coordinate that is zero
-    /// becomes y, since at modulus 1 the curve has no point with x = 0.
+    /// The point with x and y negative or not as asked for, which may depend on z; a coordinate
+    /// that is zero becomes y, since at modulus 1 the curve has no point with x = 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
         let [x, y, z] = point.clone().into();
         let swap = x.is_zero();

@@ -12,12 +12,13 @@ use crate::special::{Jacobi, Modulus, Real, jacobi};
 /// * outer branch, |εz| > 1 (not in the paper; δ and κ shifted by iK′):
 ///   s = (−1)ⁿ cn v/(ε dn δ sn v), d = (−1)ⁿ dn v/(ε k cn δ sn v), z = 1/(ε k sn δ sn v).
 ///
-/// Both up to the signs of x and y and the swap (x, y, z) → (y, x, −z), which are symmetries of the map: the
-/// inner formula has xy > 0, the outer one xy < 0. Where xy = 0, k is 1 and the functions are hyperbolic.
-/// Together they cover every orbit but those through fixed points (0, 0, z) and through |εz| = 1.
+/// Both up to the signs of x and y and the swap (x, y, z) → (y, x, −z), which are symmetries of the
+/// map: the inner formula has xy > 0, the outer one xy < 0. Where xy = 0, k is 1 and the functions
+/// are hyperbolic. Together they cover every orbit but those through fixed points (0, 0, z) and
+/// through |εz| = 1.
 ///
-/// In `f64` the error at n is at most 6 ulp of the point's norm times (1 + |v|) max(1, |ε| norm), the
-/// condition of the formula. On the inner branch with xy > 0:
+/// In `f64` the error at n is at most 6 ulp of the point's norm times (1 + |v|) max(1, |ε| norm),
+/// the condition of the formula. On the inner branch with xy > 0:
 ///
 /// Ĥ = (1 − k²) sn² δ/(2ε²[2 − (1 + k²) sn² δ]), K̂ = (1/ε²)(1/2 − cn² δ dn² δ/(cn² δ + dn² δ)).
 #[derive(Clone, Debug, PartialEq)]
@@ -42,8 +43,8 @@ impl<T: Real> Solution<T> {
     /// The orbit with this point at n = 0; ε is half the time step.
     ///
     /// # Errors
-    /// Unless ε ≠ 0, x² + y² > 0 (else a fixed point) and ε²z² ≠ 1: there det A vanishes for one sign of ε,
-    /// or the step ends in a fixed point.
+    /// Unless ε ≠ 0, x² + y² > 0 (else a fixed point) and ε²z² ≠ 1: there det A vanishes for one
+    /// sign of ε, or the step ends in a fixed point.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         require(!eps.is_zero(), "eps != 0")?;
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
@@ -66,7 +67,8 @@ impl<T: Real> Solution<T> {
             cn: (width.clone() / sum).sqrt(),
             dn: (width.clone() / difference.clone()).sqrt(),
         };
-        // (k sn δ)² = ε²(d² + z²)/(1 + ε²d²), so (sn κ, cn κ) = (z √(1 + ε²d²), d √(1 − ε²z²))/√(d² + z²).
+        // (k sn δ)² = ε²(d² + z²)/(1 + ε²d²), so (sn κ, cn κ) = (z √(1 + ε²d²), d √(1 − ε²z²))/√(d²
+        // + z²).
         let kappa = if narrow.is_zero() {
             T::zero()
         } else {
@@ -96,7 +98,8 @@ impl<T: Real> Solution<T> {
         Self { eps: eps.clone(), delta, kappa, modulus, symmetry, branch: Branch::Outer, advance }
     }
 
-    /// The point n steps on, or back for n < 0; not finite where sn v = 0 on the outer branch, a pole.
+    /// The point n steps on, or back for n < 0; not finite where sn v = 0 on the outer branch, a
+    /// pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, modulus, symmetry, branch, advance } = self;
         let k = modulus.k.clone();

@@ -17,7 +17,8 @@ pub struct FlowSolution<T> {
     pub lambda: T,
     /// μ; K = λ(μ + λ).
     pub mu: T,
-    /// s, the sign of x: 1 or −1. The paper's table has s = 1; (x, y, z) → (−x, y, −z) is a symmetry.
+    /// s, the sign of x: 1 or −1. The paper's table has s = 1; (x, y, z) → (−x, y, −z) is a
+    /// symmetry.
     pub sign: T,
 }
 

@@ -8,13 +8,14 @@ use crate::special::Real;
 
 /// An orbit of dE5 (Theorem 3, i = 5): with T = 2δn + κ and a sign s,
 ///
-/// * inner branch, |εy| < 1: x = s sinh δ/(ε cosh T), y = −tanh δ tanh T/ε,
-///   z = s[μ cosh T + (1/ε + μ sinh δ) sinh δ/cosh T], with Ĥ = tanh² δ/(2ε²), K̂ = μ sinh δ/ε + tanh² δ/ε²;
+/// * inner branch, |εy| < 1: x = s sinh δ/(ε cosh T), y = −tanh δ tanh T/ε, z = s[μ cosh T + (1/ε +
+///   μ sinh δ) sinh δ/cosh T], with Ĥ = tanh² δ/(2ε²), K̂ = μ sinh δ/ε + tanh² δ/ε²;
 /// * outer branch, |εy| > 1 (not in the paper): x = s(−1)ⁿ cosh δ/(ε sinh T), y = −coth δ coth T/ε,
 ///   z = s(−1)ⁿ[μ sinh T + (1/ε + μ cosh δ) cosh δ/sinh T], with Ĥ = coth² δ/(2ε²),
 ///   K̂ = μ cosh δ/ε + coth² δ/ε².
 ///
-/// δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the point's norm times (1 + |T|) max(1,
+/// δ has the sign of ε. In `f64` the error at n is at most 4 ulp of the point's norm times (1 +
+/// |T|) max(1,
 /// |ε| norm), the condition of the formula.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
@@ -26,8 +27,8 @@ pub struct Solution<T> {
     pub kappa: T,
     /// μ, which fixes K̂.
     pub mu: T,
-    /// s, 1 or −1: the sign of x on the inner branch. The theorem has s = 1; (x, y, z) → (−x, y, −z) is a
-    /// symmetry.
+    /// s, 1 or −1: the sign of x on the inner branch. The theorem has s = 1; (x, y, z) → (−x, y,
+    /// −z) is a symmetry.
     pub sign: T,
     /// Whether |εy| is below or above 1.
     pub branch: Branch,
@@ -59,8 +60,8 @@ impl<T: Real> Solution<T> {
             let mu = sign.clone() * (z - x) * cosine.clone() / (cosine.square() + sine_delta.square());
             Self { delta: sine_delta.asinh(), kappa, mu, sign, branch: Branch::Inner, eps }
         } else {
-            // sinh²δ = (1 + ε²x²)/(ε²y² − 1), cosh²δ = ε²(x² + y²)/(ε²y² − 1), sinh²κ = (x² + y²)/(x²(ε²y² −
-            // 1))
+            // sinh²δ = (1 + ε²x²)/(ε²y² − 1), cosh²δ = ε²(x² + y²)/(ε²y² − 1), sinh²κ = (x² +
+            // y²)/(x²(ε²y² − 1))
             let cosine_delta_square = (eps.clone() * norm.clone() / width.clone()).square();
             let sine_kappa = -(y.sign() * norm / (x.abs() * width.clone()));
             let sign = (x.clone() * eps.clone() * sine_kappa.clone()).sign();

@@ -6,7 +6,8 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E7 (Table 5, i = 7): with T = t + α, x = 1/T, y = β|T|^(−ξ), z = T(γ − β²|T|^(−2ξ)).
+/// A trajectory of E7 (Table 5, i = 7): with T = t + α, x = 1/T, y = β|T|^(−ξ), z = T(γ −
+/// β²|T|^(−2ξ)).
 ///
 /// The paper has T > 0; the absolute value extends it to x < 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +38,8 @@ impl<T: Real> FlowSolution<T> {
         })
     }
 
-    /// The point at time t; not a number at the pole t = −α and beyond it, where no trajectory leads.
+    /// The point at time t; not a number at the pole t = −α and beyond it, where no trajectory
+    /// leads.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { xi, alpha, beta, gamma } = self;
         let time = t.clone() + alpha.clone();
@@ -45,7 +47,8 @@ impl<T: Real> FlowSolution<T> {
         let size = time.clone() * alpha.sign();
         let y = beta.clone() * size.power_real(&-xi.clone());
         let x = T::one() / time.clone();
-        // A base that is not positive has a value for some exponents; beyond the pole there is none to give.
+        // A base that is not positive has a value for some exponents; beyond the pole there is none
+        // to give.
         let defined = if size.is_positive() { T::one() } else { T::zero() / T::zero() };
         vector![
             x * defined.clone(),

@@ -17,11 +17,11 @@ fn sigma<T: Real>(xi: &T) -> T {
     (xi.clone() - T::one()) * T::half()
 }
 
-/// Ĥ₇ = (y/x) Γ(ξ/2 + u)/Γ(1 − ξ/2 + u) with u = 1/(2εx), an integral of dE7 (section 6.1); ε is half the
-/// time step.
+/// Ĥ₇ = (y/x) Γ(ξ/2 + u)/Γ(1 − ξ/2 + u) with u = 1/(2εx), an integral of dE7 (section 6.1); ε is
+/// half the time step.
 ///
-/// It is y/x at ξ = 1 and 4ε²xy/(1 − ε²x²) at ξ = −1. Real for every x ≠ 0 (not a number at x = 0), zero or
-/// not finite where a Γ has a pole.
+/// It is y/x at ξ = 1 and 4ε²xy/(1 − ε²x²) at ξ = −1. Real for every x ≠ 0 (not a number at x = 0),
+/// zero or not finite where a Γ has a pole.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -38,14 +38,14 @@ pub fn integral_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> T {
     point[1].clone() / point[0].clone() * ratio
 }
 
-/// K̂₇, the second integral of dE7, for ξ > 0 (not in the paper as a function of the point, see erratum B7):
-/// with N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j (N+j+1−ξ/2)/(N+j+ξ/2),
+/// K̂₇, the second integral of dE7, for ξ > 0 (not in the paper as a function of the point, see
+/// erratum B7): with N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j (N+j+1−ξ/2)/(N+j+ξ/2),
 ///
 /// ε²K̂₇ = (z/x)/(4N²−1) + Σ_{j≥0} 4ξ Y_jY_{j+1}/((4(N+j)²−1)(2(N+j)+3)).
 ///
-/// At ξ = 1 it is (xz + y²)/(1 − ε²x²). The series is summed term by term up to N + j of about 22 + 4ξ (78 +
-/// 4ξ for [`Precise`](crate::special::Precise)) and then by its asymptotic expansion: full precision, at a
-/// cost of about 1/(2ε|x|) terms for x < 0.
+/// At ξ = 1 it is (xz + y²)/(1 − ε²x²). The series is summed term by term up to N + j of about 22 +
+/// 4ξ (78 + 4ξ for [`Precise`](crate::special::Precise)) and then by its asymptotic expansion: full
+/// precision, at a cost of about 1/(2ε|x|) terms for x < 0.
 ///
 /// # Errors
 /// Unless ξ > 0 (for ξ ≤ 0 the series diverges) and εx ≠ 0.
@@ -79,8 +79,8 @@ fn cubic<T: Real>(level: &T) -> (T, T) {
 
 /// The invariant bracket of dE7 with the Casimir Ĥ₇ (section 6.1): {x,y} = 0, {z,x} = x(1 − ε²x²),
 ///
-/// {y,z} = y(1 − ε²x²)[(ψ(1 − ξ/2 + u) − ψ(ξ/2 + u))/(2εx) − 1], u = 1/(2εx), as the antisymmetric matrix of
-/// {x_i, x_j}. At ξ = 1 it is minus `P` of dE1, at ξ = −1 minus that of dE2.
+/// {y,z} = y(1 − ε²x²)[(ψ(1 − ξ/2 + u) − ψ(ξ/2 + u))/(2εx) − 1], u = 1/(2εx), as the antisymmetric
+/// matrix of {x_i, x_j}. At ξ = 1 it is minus `P` of dE1, at ξ = −1 minus that of dE2.
 pub fn bracket_of_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> SMatrix<T, 3, 3> {
     let [x, y, _] = point.clone().into();
     let scaled = eps.clone() * x.clone();

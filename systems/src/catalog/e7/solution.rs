@@ -12,8 +12,8 @@ use crate::special::{Real, centered_gamma_ratio};
 /// x = 1/(2εN), y = τβ g_n G₀/(2εN), z = τγ(4N²−1)/(2ε(4τ²−1)N) + 2τ²β²ξ(4N²−1)G₀²W_n/(εN).
 ///
 /// β and γ are not the values of integrals; those are [`integral_h`](super::integral_h) and
-/// [`integral_k`](super::integral_k). In `f64` the error is at most 16(1 + |n|) ulp of the point's norm times
-/// max(1, |ε| norm). The recurrences of [`Recurrence`](super::Recurrence) need no Γ.
+/// [`integral_k`](super::integral_k). In `f64` the error is at most 16(1 + |n|) ulp of the point's
+/// norm times max(1, |ε| norm). The recurrences of [`Recurrence`](super::Recurrence) need no Γ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution<T> {
     /// ε, half the time step.
@@ -58,8 +58,9 @@ impl<T: Real> Solution<T> {
         centered_gamma_ratio(&self.tau, &sigma) / centered_gamma_ratio(shifted, &sigma)
     }
 
-    /// G₀² W_n with W_n = Σ_{j<n} (2(M+1)−ξ) Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²), M = j + τ; for n <
-    /// 0 minus the sum over n ≤ j < 0. The quotients of Γ follow from each other, so that nothing overflows.
+    /// G₀² W_n with W_n = Σ_{j<n} (2(M+1)−ξ) Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²), M = j +
+    /// τ; for n < 0 minus the sum over n ≤ j < 0. The quotients of Γ follow from each other, so
+    /// that nothing overflows.
     pub fn scaled_sum(&self, n: i64) -> T {
         let Self { xi, tau, .. } = self;
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };

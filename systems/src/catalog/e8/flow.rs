@@ -6,7 +6,8 @@ use kahan_core::vector;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// A trajectory of E8 (Table 5, i = 8): with T = t + α and L = β − ln|T|, x = 1/T, y = L/T, z = γT − L²/T.
+/// A trajectory of E8 (Table 5, i = 8): with T = t + α and L = β − ln|T|, x = 1/T, y = L/T, z = γT
+/// − L²/T.
 ///
 /// The paper has T > 0; the absolute value extends it to x < 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,8 +35,8 @@ impl<T: Real> FlowSolution<T> {
         })
     }
 
-    /// The point at time t; not a number at the pole t = −α and beyond it (but for x), where no trajectory
-    /// leads.
+    /// The point at time t; not a number at the pole t = −α and beyond it (but for x), where no
+    /// trajectory leads.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, beta, gamma } = self;
         let time = t.clone() + alpha.clone();

@@ -5,7 +5,8 @@ use kahan_core::nalgebra::SVector;
 use crate::solution::{OutOfDomain, integer, require};
 use crate::special::{Real, asymptotic_start, digamma, digamma_product_tail};
 
-/// Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of dE8 (section 6.2); ε is half the time step.
+/// Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of dE8 (section 6.2); ε is half the time
+/// step.
 ///
 /// Real for every x ≠ 0 where 1/2 + u is not a pole of ψ; not a number there and at x = 0.
 pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
@@ -13,13 +14,14 @@ pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
     point[1].clone() / point[0].clone() + digamma(&(level + T::half()))
 }
 
-/// K̂₈, the second integral of dE8 (not in the paper as a function of the point, see erratum B7): with N =
-/// 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j − 1/(N+j+1/2),
+/// K̂₈, the second integral of dE8 (not in the paper as a function of the point, see erratum B7):
+/// with N = 1/(2εx), Y_0 = y/x, Y_{j+1} = Y_j − 1/(N+j+1/2),
 ///
 /// ε²K̂₈ = (z/x)/(4N²−1) + Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)²−1)(2(N+j)+3)).
 ///
-/// The series is summed term by term up to N + j of about 22 (78 for [`Precise`](crate::special::Precise))
-/// and then by its asymptotic expansion: full precision, at a cost of about 1/(2ε|x|) terms for x < 0.
+/// The series is summed term by term up to N + j of about 22 (78 for
+/// [`Precise`](crate::special::Precise)) and then by its asymptotic expansion: full precision, at a
+/// cost of about 1/(2ε|x|) terms for x < 0.
 ///
 /// # Errors
 /// Unless εx ≠ 0.

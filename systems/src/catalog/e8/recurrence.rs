@@ -33,8 +33,8 @@ impl<T: Scalar> Recurrence<T> {
         Ok(Self { eps: eps.clone(), tau, slope_y: y / x.clone(), slope_z: z / x })
     }
 
-    /// The point n steps on, or back for n < 0; |n| steps of the recurrences. At a pole on the way: a panic
-    /// for exact scalars, a result that is not finite for floats.
+    /// The point n steps on, or back for n < 0; |n| steps of the recurrences. At a pole on the way:
+    /// a panic for exact scalars, a result that is not finite for floats.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let half = T::one() / integer(2);
         let (mut y, mut z) = (self.slope_y.clone(), self.slope_z.clone());

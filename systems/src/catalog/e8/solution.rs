@@ -66,8 +66,8 @@ impl<T: Real> Solution<T> {
         range.fold(T::zero(), |sum, j| sum + sign.clone() / (integer::<T>(j) + middle.clone()))
     }
 
-    /// V_n = Σ_{j<n} {1+2βτ + U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)), M = j + τ; for n
-    /// < 0 minus the sum over n ≤ j < 0.
+    /// V_n = Σ_{j<n} {1+2βτ + U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)), M = j +
+    /// τ; for n < 0 minus the sum over n ≤ j < 0.
     pub fn sum(&self, n: i64) -> T {
         let Self { tau, beta, .. } = self;
         let two = integer::<T>(2);

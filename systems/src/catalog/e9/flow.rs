@@ -1,4 +1,5 @@
-//! The trajectories of E9 where they are elementary or have Jacobi's functions: ξ = 0, 1, −1, 2, 1/2.
+//! The trajectories of E9 where they are elementary or have Jacobi's functions: ξ = 0, 1, −1, 2,
+//! 1/2.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -7,10 +8,12 @@ use crate::solution::{OutOfDomain, integer, require};
 use crate::special::Real;
 use crate::{e3, e4};
 
-/// A trajectory of E9 in closed form (section 6.3); for other ξ there is the [`Quadrature`](super::Quadrature).
+/// A trajectory of E9 in closed form (section 6.3); for other ξ there is the
+/// [`Quadrature`](super::Quadrature).
 #[derive(Clone, Debug, PartialEq)]
 pub enum FlowSolution<T> {
-    /// ξ = 0 (erratum B9): y is constant and (x, 0, z) a trajectory of E3, x = λ sech λT, z = λ tanh λT.
+    /// ξ = 0 (erratum B9): y is constant and (x, 0, z) a trajectory of E3, x = λ sech λT, z = λ
+    /// tanh λT.
     Zero {
         /// The trajectory of (x, 0, z).
         plane: e3::FlowSolution<T>,
@@ -29,7 +32,8 @@ pub enum FlowSolution<T> {
 
 /// A trajectory of E9 with ξ = 2: with w = 1/x² = 2/k² + 2b cosh(kt + φ),
 ///
-/// x = s/√w, y = c/w, z = ẇ/(2w), where c = H₉ = y/x², k = 2√(2K₉) = 2√(x² + y² + z²), k²b² = c² + 1/k².
+/// x = s/√w, y = c/w, z = ẇ/(2w), where c = H₉ = y/x², k = 2√(2K₉) = 2√(x² + y² + z²), k²b² = c² +
+/// 1/k².
 #[derive(Clone, Debug, PartialEq)]
 pub struct Elementary<T> {
     /// k, twice the radius of the sphere.
@@ -48,8 +52,9 @@ impl<T: Real> FlowSolution<T> {
     /// The trajectory of E9 with this ξ that has this point at t = 0.
     ///
     /// # Errors
-    /// Unless ξ is 0, 1, −1, 2 or 1/2, and the point is not a fixed point: x ≠ 0 for ξ = 0 and ξ = 2, y ≠ 0 for
-    /// ξ = 1/2 (other points of these planes move, but as points of E3's form), x² + y² > 0 for ξ = ±1.
+    /// Unless ξ is 0, 1, −1, 2 or 1/2, and the point is not a fixed point: x ≠ 0 for ξ = 0 and ξ =
+    /// 2, y ≠ 0 for ξ = 1/2 (other points of these planes move, but as points of E3's form), x² +
+    /// y² > 0 for ξ = ±1.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = point.clone().into();
         let two = integer::<T>(2);

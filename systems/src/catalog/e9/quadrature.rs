@@ -1,4 +1,5 @@
-//! The trajectories of E9 for any ξ, as time by a quadrature; the sphere that they lie on and its fixed points.
+//! The trajectories of E9 for any ξ, as time by a quadrature; the sphere that they lie on and its
+//! fixed points.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -12,9 +13,9 @@ pub fn sphere_radius<T: Real>(point: &SVector<T, 3>) -> T {
     (x.square() + y.square() + z.square()).sqrt()
 }
 
-/// The fixed points of E9 with this ξ on the sphere of this radius: (0, 0, ±r), and for ξ < 0 also the four
-/// points (±a√(−ξ), ±a, 0) with a² (1 − ξ) = r². (For ξ = 0 every (0, y, z) is fixed; only the first two are
-/// listed.)
+/// The fixed points of E9 with this ξ on the sphere of this radius: (0, 0, ±r), and for ξ < 0 also
+/// the four points (±a√(−ξ), ±a, 0) with a² (1 − ξ) = r². (For ξ = 0 every (0, y, z) is fixed; only
+/// the first two are listed.)
 pub fn fixed_points<T: Real>(xi: &T, radius: &T) -> Vec<SVector<T, 3>> {
     let zero = T::zero;
     let mut points = vec![vector![zero(), zero(), radius.clone()], vector![zero(), zero(), -radius.clone()]];
@@ -28,13 +29,13 @@ pub fn fixed_points<T: Real>(xi: &T, radius: &T) -> Vec<SVector<T, 3>> {
     points
 }
 
-/// A trajectory of E9 in the quarter x > 0, y > 0 by its quadrature (section 6.3 with erratum A8): with
-/// c = H₉ = y x^(−ξ) and r² = 2K₉ = x² + y² + z²,
+/// A trajectory of E9 in the quarter x > 0, y > 0 by its quadrature (section 6.3 with erratum A8):
+/// with c = H₉ = y x^(−ξ) and r² = 2K₉ = x² + y² + z²,
 ///
 /// dt = ∓dx/(x √(r² − x² − c²x^{2ξ})), y = c x^ξ, z = ±√(r² − x² − c²x^{2ξ}).
 ///
-/// x → −x and y → −y are symmetries. For ξ > 0 the trajectory joins the fixed points (0, 0, ∓r) and has one
-/// turning point z = 0, the largest x; for ξ < 0 it is closed and has two.
+/// x → −x and y → −y are symmetries. For ξ > 0 the trajectory joins the fixed points (0, 0, ∓r) and
+/// has one turning point z = 0, the largest x; for ξ < 0 it is closed and has two.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quadrature<T> {
     /// ξ, the parameter of the system.
@@ -62,12 +63,13 @@ impl<T: Real> Quadrature<T> {
         let c = y * x.power_real(&-xi.clone());
         let turning = Turning { xi, radius: &radius, c: &c };
         if xi.is_positive() {
-            // z² falls in x from x > 0 on: the point itself is on the left, r on the right of its zero.
+            // z² falls in x from x > 0 on: the point itself is on the left, r on the right of its
+            // zero.
             let largest = turning.zero(x, radius.clone());
             return Ok(Self { xi: xi.clone(), largest, smallest: None, radius, c });
         }
-        // The middle, where x² + c²x^{2ξ} is least: x^{2−2ξ} = −ξc²; both zeros lie beyond, at most r away
-        // and at least where c²x^{2ξ} = r².
+        // The middle, where x² + c²x^{2ξ} is least: x^{2−2ξ} = −ξc²; both zeros lie beyond, at most
+        // r away and at least where c²x^{2ξ} = r².
         let base = (-xi.clone()) * c.square();
         let middle = base.power_real(&(T::half() / (T::one() - xi.clone())));
         require(turning.height_square(&middle).is_positive(), "not a fixed point")?;
@@ -77,20 +79,20 @@ impl<T: Real> Quadrature<T> {
         Ok(Self { xi: xi.clone(), largest, smallest: Some(smallest), radius, c })
     }
 
-    /// The point of the trajectory with this x, on the side z ≥ 0; not a number where x is beyond a turning
-    /// point.
+    /// The point of the trajectory with this x, on the side z ≥ 0; not a number where x is beyond a
+    /// turning point.
     pub fn point(&self, x: &T) -> SVector<T, 3> {
         let turning = Turning { xi: &self.xi, radius: &self.radius, c: &self.c };
         let y = self.c.clone() * x.power_real(&self.xi);
         vector![x.clone(), y, turning.height_square(x).sqrt()]
     }
 
-    /// The time from the turning point of the largest x to this x, on the side z > 0 where x falls; not a
-    /// number for x beyond a turning point, infinite in the limit x → 0 for ξ > 0.
+    /// The time from the turning point of the largest x to this x, on the side z > 0 where x falls;
+    /// not a number for x beyond a turning point, infinite in the limit x → 0 for ξ > 0.
     ///
-    /// With x = x_max e^(−s²) the integrand is analytic, and z² a difference of exponentials less one that
-    /// loses no digits near the turning point. Beside a fixed point at ξ < 0, where z² is small throughout,
-    /// the relative error is about that of the rounding of r² divided by z².
+    /// With x = x_max e^(−s²) the integrand is analytic, and z² a difference of exponentials less
+    /// one that loses no digits near the turning point. Beside a fixed point at ξ < 0, where z² is
+    /// small throughout, the relative error is about that of the rounding of r² divided by z².
     pub fn time_from_largest(&self, x: &T) -> T {
         self.time_from(&self.largest, x, -T::one())
     }
@@ -98,7 +100,8 @@ impl<T: Real> Quadrature<T> {
     /// The period of a closed trajectory; none for ξ > 0.
     pub fn period(&self) -> Option<T> {
         let smallest = self.smallest.as_ref()?;
-        // Each half by its own turning point, so that neither integrand meets the other's singularity.
+        // Each half by its own turning point, so that neither integrand meets the other's
+        // singularity.
         let middle = (self.largest.clone() * smallest.clone()).sqrt();
         let from_smallest = self.time_from(smallest, &middle, T::one());
         Some(integer::<T>(2) * (self.time_from_largest(&middle) + from_smallest))
@@ -134,8 +137,8 @@ impl<T: Real> Turning<'_, T> {
         self.radius.square() - x.square() - y.square()
     }
 
-    /// The zero of z² between a point where it is not negative and one where it is not positive, by Newton's
-    /// method kept inside by bisection.
+    /// The zero of z² between a point where it is not negative and one where it is not positive, by
+    /// Newton's method kept inside by bisection.
     fn zero(&self, inside: T, outside: T) -> T {
         let (mut inside, mut outside) = (inside, outside);
         let mut x = (inside.clone() + outside.clone()) * T::half();

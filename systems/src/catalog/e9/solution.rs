@@ -1,4 +1,5 @@
-//! The orbits of dE9 for ξ = 0, 1, −1; for other ξ the map is not integrable (the heights of section 7).
+//! The orbits of dE9 for ξ = 0, 1, −1; for other ξ the map is not integrable (the heights of
+//! section 7).
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
@@ -27,7 +28,8 @@ impl<T: Real> Solution<T> {
     /// The orbit of dE9 with this ξ that has this point at n = 0; ε is half the time step.
     ///
     /// # Errors
-    /// Unless ξ is 0, 1 or −1, and where [`e3::Solution::through`] or [`e4::Solution::through`] has one.
+    /// Unless ξ is 0, 1 or −1, and where [`e3::Solution::through`] or [`e4::Solution::through`] has
+    /// one.
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         if xi.is_zero() {
             let [x, y, z] = point.clone().into();

@@ -1,8 +1,8 @@
 //! The orbits and trajectories of the Euler top: those of E4 in other coordinates.
 //!
-//! E4 in (x − y, x + y, z) is the Euler top with α = (−1, −1, 1). Linear changes of variables commute with
-//! Kahan's map, so a scaling xᵢ = cᵢXᵢ carries any α that it brings to this form, together with a permutation
-//! of the axes.
+//! E4 in (x − y, x + y, z) is the Euler top with α = (−1, −1, 1). Linear changes of variables
+//! commute with Kahan's map, so a scaling xᵢ = cᵢXᵢ carries any α that it brings to this form,
+//! together with a permutation of the axes.
 
 use kahan_core::nalgebra::SVector;
 
@@ -10,11 +10,12 @@ use crate::e4;
 use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 
-/// The linear change of variables that makes an Euler top E4: a permutation and a scaling of the axes.
+/// The linear change of variables that makes an Euler top E4: a permutation and a scaling of the
+/// axes.
 ///
-/// With rᵢ = βᵢ/αᵢ, β = (−1, −1, 1), the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ when cⱼcₖ/cᵢ = rᵢ, so cᵢ² = rⱼrₖ:
-/// real when the rᵢ have one sign. The permutation puts the axis whose α has a sign of its own in the third
-/// place.
+/// With rᵢ = βᵢ/αᵢ, β = (−1, −1, 1), the scaling xᵢ = cᵢXᵢ turns αᵢ into βᵢ when cⱼcₖ/cᵢ = rᵢ, so
+/// cᵢ² = rⱼrₖ: real when the rᵢ have one sign. The permutation puts the axis whose α has a sign of
+/// its own in the third place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction<T> {
     /// The axis of the top that stands in the first, second and third place.
@@ -27,8 +28,8 @@ impl<T: Real> Reduction<T> {
     /// The change of variables for the coefficients α₁, α₂, α₃.
     ///
     /// # Errors
-    /// Unless no coefficient is zero and not all have the same sign: such tops are not E4 over the real
-    /// numbers.
+    /// Unless no coefficient is zero and not all have the same sign: such tops are not E4 over the
+    /// real numbers.
     pub fn of(coefficients: &[T; 3]) -> Result<Self, OutOfDomain> {
         let nonzero = coefficients.iter().all(|a| a.is_positive() || a.is_negative());
         require(nonzero, "a1, a2, a3 != 0")?;
@@ -66,10 +67,11 @@ impl<T: Real> Reduction<T> {
     }
 }
 
-/// An orbit of the Euler top's map, for coefficients that are not all of one sign (sections 2 and 5; derived
-/// here).
+/// An orbit of the Euler top's map, for coefficients that are not all of one sign (sections 2 and
+/// 5; derived here).
 ///
-/// In `f64` the error at n is at most 16 ulp of the point's norm times its condition, as for [`e4::Solution`].
+/// In `f64` the error at n is at most 16 ulp of the point's norm times its condition, as for
+/// [`e4::Solution`].
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -90,7 +92,8 @@ pub struct Solution<T> {
 }
 
 impl<T: Real> Solution<T> {
-    /// The orbit of the top with coefficients α₁, α₂, α₃ that has this point at n = 0; ε is half the time step.
+    /// The orbit of the top with coefficients α₁, α₂, α₃ that has this point at n = 0; ε is half
+    /// the time step.
     ///
     /// # Errors
     /// Where [`Reduction::of`] or [`e4::Solution::through`] has one.
@@ -106,7 +109,8 @@ impl<T: Real> Solution<T> {
     }
 }
 
-/// A trajectory of the Euler top, for coefficients that are not all of one sign (section 3; derived here).
+/// A trajectory of the Euler top, for coefficients that are not all of one sign (section 3; derived
+/// here).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<T> {
     /// The change of variables.

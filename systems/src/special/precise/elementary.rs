@@ -1,4 +1,5 @@
-//! The elementary functions of a [`Precise`], each rounded once by the library, and its special functions.
+//! The elementary functions of a [`Precise`], each rounded once by the library, and its special
+//! functions.
 
 use std::sync::OnceLock;
 

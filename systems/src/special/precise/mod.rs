@@ -1,9 +1,9 @@
 //! A real number of 256 bits, 77 decimal digits, every operation rounded once to nearest.
 //!
-//! In: arithmetic and correctly rounded elementary functions of `dashu-float`. Out: a number type of one fixed
-//! precision that runs through Kahan maps and formulas, and that never panics: what has no finite real value is
-//! undefined, and stays so.
-//! Deliberately absent: infinities and signed zeros.
+//! In: arithmetic and correctly rounded elementary functions of `dashu-float`. Out: a number type
+//! of one fixed precision that runs through Kahan maps and formulas, and that never panics: what
+//! has no finite real value is undefined, and stays so. Deliberately absent: infinities and signed
+//! zeros.
 
 mod arithmetic;
 mod elementary;
@@ -22,11 +22,11 @@ pub use text::ParsePreciseError;
 
 /// A real number of 256 bits (77 decimal digits), or undefined.
 ///
-/// The four operations, the square root, conversions and the elementary functions round once, to nearest. A
-/// result that is infinite or not real (1/0, ln 0, √−1) is *undefined*, the one value unequal to itself, as
-/// NaN is; so is everything computed from it. As text: [`Display`](core::fmt::Display) gives 60 significant
-/// digits, `{:.n}` gives n, and [`FromStr`](core::str::FromStr) reads decimals (`-1.5e-3`) and fractions
-/// (`3/7`), rounded once.
+/// The four operations, the square root, conversions and the elementary functions round once, to
+/// nearest. A result that is infinite or not real (1/0, ln 0, √−1) is *undefined*, the one value
+/// unequal to itself, as NaN is; so is everything computed from it. As text:
+/// [`Display`](core::fmt::Display) gives 60 significant digits, `{:.n}` gives n, and
+/// [`FromStr`](core::str::FromStr) reads decimals (`-1.5e-3`) and fractions (`3/7`), rounded once.
 ///
 /// A sum or product takes about 0.3 µs, an elementary function 30 to 250 µs.
 ///
@@ -120,8 +120,8 @@ fn quotient(p: &IBig, q: &IBig) -> Precise {
         return Precise::from_repr(Repr::zero());
     }
     let (p_bits, q_bits) = (p.bit_len() as isize, q.bit_len() as isize);
-    // Two bits more than asked for, and a sticky bit for the remainder: the rounding below is then the only
-    // one.
+    // Two bits more than asked for, and a sticky bit for the remainder: the rounding below is then
+    // the only one.
     let shift = (BITS as isize + 2 - (p_bits - q_bits)).max(0) as usize;
     let negative = p.sign() != q.sign();
     let (whole, rest) = (p.abs() << shift).div_rem(q.abs());

@@ -49,8 +49,8 @@ impl FromStr for Precise {
 }
 
 impl Precise {
-    /// The number with so many significant decimal digits (at least one), rounded to nearest: plain between
-    /// 10⁻⁵ and 10ⁿ, with an exponent elsewhere.
+    /// The number with so many significant decimal digits (at least one), rounded to nearest: plain
+    /// between 10⁻⁵ and 10ⁿ, with an exponent elsewhere.
     pub fn to_digits(&self, digits: usize) -> String {
         let Some(repr) = self.repr() else { return "undefined".to_owned() };
         if repr.significand().is_zero() {
@@ -62,7 +62,8 @@ impl Precise {
         let (significand, exponent) = decimal.into_repr().into_parts();
         let text = significand.to_string();
         let (sign, figures) = text.strip_prefix('-').map_or(("", text.as_str()), |rest| ("-", rest));
-        // Written as d.ddd × 10^scale; trailing zeros that the base conversion drops are given back.
+        // Written as d.ddd × 10^scale; trailing zeros that the base conversion drops are given
+        // back.
         let scale = exponent + figures.len() as isize - 1;
         let figures = format!("{figures:0<digits$}");
         if !(-5..digits as isize).contains(&scale) {

@@ -1,4 +1,5 @@
-//! Lotka and Volterra's equations at ε = 1, where the map has an integral that it has at no other step.
+//! Lotka and Volterra's equations at ε = 1, where the map has an integral that it has at no other
+//! step.
 
 use kahan_core::prelude::*;
 

@@ -1,4 +1,5 @@
-//! Scopes in which the names that generated code relies on mean something else, and so do the names of the states.
+//! Scopes in which the names that generated code relies on mean something else, and so do the names
+//! of the states.
 
 #[allow(
     dead_code,

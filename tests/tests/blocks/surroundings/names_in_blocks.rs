@@ -1,4 +1,5 @@
-//! Blocks whose own names are those of the prelude, of keywords, and of what the macro itself would like to use.
+//! Blocks whose own names are those of the prelude, of keywords, and of what the macro itself would
+//! like to use.
 
 use kahan_core::prelude::*;
 
