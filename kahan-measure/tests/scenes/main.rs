@@ -190,7 +190,8 @@ fn of_two_thousand_scenes_at_most_two_miss_their_tolerance() {
     check(setting("KAHAN_SEED", 1), setting("KAHAN_SCENES", 2000));
 }
 
+/// The first of the two thousand: none of them takes long to find the truth of.
 #[test]
 fn of_a_dozen_scenes_none_misses_its_tolerance() {
-    check(2026, 12);
+    check(1, 12);
 }
