@@ -10,6 +10,8 @@ use kahan_core::{Constant, KahanAt, Orbit, SingularStep};
 use kahan_systems::entry::Entry;
 use kahan_systems::with_catalog;
 
+use crate::exact::Q;
+
 /// A matrix, row by row.
 pub type Rows<T> = Vec<Vec<T>>;
 
@@ -237,24 +239,35 @@ macro_rules! maps_of_catalog {
 
 with_catalog!(maps_of_catalog);
 
+/// Random fields at their parameters.
+macro_rules! at_random_parameters {
+    ($($name:ident: $n:literal { $($parameter:ident = $p:literal / $d:literal),* },)*) => {
+        vec![$(erased::<_, _, $n>(crate::random_systems::$name { $($parameter: ratio(&($p, $d))),* })),*]
+    };
+}
+
 macro_rules! random_maps {
-    ($($name:ident: $n:literal { $($parameter:ident = $p:literal / $d:literal),* }),* $(,)?) => {
+    (in_floats { $($floats:tt)* } over_rationals { $($rationals:tt)* }) => {
+        /// The random fields that are compiled over floats.
+        #[must_use]
+        pub fn random_in_floats<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
+            at_random_parameters!($($floats)*)
+        }
+
         /// The random fields.
         #[must_use]
-        pub fn random<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
-            vec![$(erased::<T, _, $n>(
-                crate::random_systems::$name { $($parameter: ratio(&($p, $d))),* },
-            )),*]
+        pub fn random() -> Vec<Box<dyn Map<Q>>> {
+            at_random_parameters!($($floats)* $($rationals)*)
         }
     };
 }
 
 crate::with_random_systems!(random_maps);
 
-/// The paper's systems and the random fields.
+/// The paper's systems, and the random fields that are compiled over floats.
 #[must_use]
 pub fn paper_and_random<T: Pivot>() -> Vec<Box<dyn Map<T>>> {
-    paper().into_iter().chain(random()).collect()
+    paper().into_iter().chain(random_in_floats()).collect()
 }
 
 /// x₁, …, x_steps by every way to take steps that a map has: `step` with ε each time, the prepared

@@ -15,7 +15,7 @@ use crate::back_end::{BackEnd, Generated, Interpreted, Read};
 use crate::exact::{Q, Rationals, Vector, q, shown};
 use crate::expression::read_unproved;
 use crate::maps;
-use crate::random_fields::{RandomField, compiled_and_not};
+use crate::random_fields::in_order;
 
 /// One system with its parameters, in both back ends.
 #[allow(missing_debug_implementations)]
@@ -60,11 +60,8 @@ fn read(text: &str) -> Read {
 
 static CATALOG: LazyLock<Vec<Read>> = LazyLock::new(|| all().map(|entry| read(entry.text())).collect());
 
-/// The random fields: those that are compiled, and those that are not.
-static RANDOM: LazyLock<[Vec<Read>; 2]> = LazyLock::new(|| {
-    compiled_and_not()
-        .map(|fields| fields.iter().map(|field| Read::new(read_unproved(&field.block()))).collect())
-});
+static RANDOM: LazyLock<Vec<Read>> =
+    LazyLock::new(|| in_order().iter().map(|field| Read::new(read_unproved(&field.block()))).collect());
 
 /// A system of the catalog by its command name, at these parameters.
 ///
@@ -94,49 +91,40 @@ pub fn further() -> Vec<Subject> {
     FURTHER.iter().map(at_its_parameters).collect()
 }
 
-/// The random fields that are compiled, each at its parameters.
+/// The random fields, each at its parameters: those that are compiled over floats first.
 #[must_use]
 pub fn random() -> Vec<Subject> {
-    let [fields, _] = compiled_and_not();
-    let maps = maps::random();
+    let (fields, maps) = (in_order(), maps::random());
     assert_eq!(fields.len(), maps.len(), "the written file is of another set of fields");
-    let subject = |((read, field), map): ((&'static Read, &RandomField), _)| {
+    let fields = RANDOM.iter().zip(&fields).zip(maps);
+    let subjects = fields.map(|((read, field), map)| {
         Subject::new(read, field.parameter_values(), Generated::new(read.system.name(), map))
-    };
-    RANDOM[0].iter().zip(&fields).zip(maps).map(subject).collect()
+    });
+    subjects.collect()
 }
 
-/// The random fields that are not compiled, each at its parameters.
-#[must_use]
-pub fn interpreted_only() -> Vec<Interpreted> {
-    let [_, fields] = compiled_and_not();
-    let systems = RANDOM[1].iter().zip(&fields);
-    systems.map(|(read, field)| Interpreted::new(read, &field.parameter_values())).collect()
-}
-
-/// Seeded points of a system that are not on det A = 0, for each of which `law` gets the point, ε,
-/// and the source of more numbers.
-fn at_points(interpreted: &Interpreted, seed: u64, mut law: impl FnMut(&[Q], &Q, &mut Rationals)) {
+/// Calls a law at seeded points of a system that are not on det A = 0.
+fn at_points(subject: &Subject, seed: u64, law: &impl Fn(&Subject, &[Q], &Q, &mut Rationals)) {
     const POINTS: usize = 3;
     let mut rationals = Rationals::seeded(seed);
     let mut tested = 0;
     for _ in 0..4 * POINTS {
-        let (x, eps) = (rationals.point(interpreted.dimension()), rationals.nonzero());
-        if interpreted.det_matrix(&x, &eps) == q(0, 1) {
+        let (x, eps) = (rationals.point(subject.dimension()), rationals.nonzero());
+        if subject.interpreted.det_matrix(&x, &eps) == q(0, 1) {
             continue;
         }
-        eprintln!("{}: seed {seed}, x = ({}), eps = {eps}", interpreted.label(), shown(&x));
-        law(&x, &eps, &mut rationals);
+        eprintln!("{}: seed {seed}, x = ({}), eps = {eps}", subject.name, shown(&x));
+        law(subject, &x, &eps, &mut rationals);
         tested += 1;
         if tested == POINTS {
             return;
         }
     }
-    panic!("{} has too few points off det A = 0", interpreted.label());
+    panic!("{} has too few points off det A = 0", subject.name);
 }
 
-/// Calls a law on every system that is compiled, of the catalog and random, at seeded points that
-/// are not on det A = 0.
+/// Calls a law on every system of the catalog and every random field, at seeded points that are not
+/// on det A = 0.
 ///
 /// # Panics
 /// If too few points are left. Whatever the law panics with stands below a line that names the
@@ -144,11 +132,11 @@ fn at_points(interpreted: &Interpreted, seed: u64, mut law: impl FnMut(&[Q], &Q,
 pub fn on_every_subject(seed: u64, law: impl Fn(&Subject, &[Q], &Q, &mut Rationals)) {
     let subjects = [paper(), random(), further()].into_iter().flatten();
     for (index, subject) in (seed * 1000..).zip(subjects) {
-        at_points(&subject.interpreted, index, |x, eps, rationals| law(&subject, x, eps, rationals));
+        at_points(&subject, index, &law);
     }
 }
 
-/// [`on_every_subject`], once for each back end; and on the random fields that are not compiled.
+/// [`on_every_subject`], once for each back end.
 pub fn on_every_back_end(seed: u64, law: impl Fn(&dyn BackEnd, &[Q], &Q, &mut Rationals)) {
     on_every_subject(seed, |subject, x, eps, rationals| {
         for back_end in subject.back_ends() {
@@ -156,7 +144,4 @@ pub fn on_every_back_end(seed: u64, law: impl Fn(&dyn BackEnd, &[Q], &Q, &mut Ra
             law(back_end, x, eps, rationals);
         }
     });
-    for (index, field) in (seed * 1000 + 500..).zip(interpreted_only()) {
-        at_points(&field, index, |x, eps, rationals| law(&field, x, eps, rationals));
-    }
 }
