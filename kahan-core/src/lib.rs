@@ -111,7 +111,7 @@ pub use map::{
 };
 pub use scalar::{Constant, Dd, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
-pub use scene::{Need, NoSetting, Precision, Scene, Setting};
+pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};
 pub use step::{PreparedStep, Quotients, SingularStep, StepCost, WideStep};
 
 pub use nalgebra;
