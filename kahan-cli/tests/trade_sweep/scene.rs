@@ -6,7 +6,7 @@ use std::time::Instant;
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd, FloatScalar, Lift, Need, Precision, Scheme, ThroughF64};
 use kahan_measure::reference::Reference;
-use kahan_runtime::interpreted::constant;
+use kahan_runtime::interpreted::round;
 
 /// A scheme at an ε.
 #[derive(Clone, Copy, Debug)]
@@ -16,7 +16,7 @@ pub(crate) struct Setting {
 }
 
 pub(crate) fn to<T: Scalar>(value: &BigRational) -> T {
-    T::constant(&constant(&value.clone().into()))
+    round(&value.clone().into())
 }
 
 pub(crate) struct Scene<M, const N: usize> {

@@ -17,13 +17,13 @@ const fn over_ten_to_40(
     single: f32,
     double: f64,
     low: f64,
-) -> Constant {
+) -> Constant<'static> {
     Constant::exact(negative, limbs, &TEN_TO_40, single, double, low)
 }
 
-pub(super) const KAHAN: [Constant; 1] = [Constant::integer(1)];
+pub(super) const KAHAN: [Constant<'_>; 1] = [Constant::integer(1)];
 
-pub(super) const TRIPLE_JUMP: [Constant; 2] = [
+pub(super) const TRIPLE_JUMP: [Constant<'_>; 2] = [
     // 1.3512071919596576340476878089714608269220
     over_ten_to_40(
         false,
@@ -42,7 +42,7 @@ pub(super) const TRIPLE_JUMP: [Constant; 2] = [
     ),
 ];
 
-pub(super) const SUZUKI_4: [Constant; 3] = [
+pub(super) const SUZUKI_4: [Constant<'_>; 3] = [
     // 0.4144907717943757371423540628607614957118
     over_ten_to_40(
         false,
@@ -69,7 +69,7 @@ pub(super) const SUZUKI_4: [Constant; 3] = [
     ),
 ];
 
-pub(super) const KAHAN_LI_6: [Constant; 5] = [
+pub(super) const KAHAN_LI_6: [Constant<'_>; 5] = [
     // 0.3921614440073141392792505574226714038049
     over_ten_to_40(
         false,
@@ -112,7 +112,7 @@ pub(super) const KAHAN_LI_6: [Constant; 5] = [
     ),
 ];
 
-pub(super) const SUZUKI_UMENO_8: [Constant; 8] = [
+pub(super) const SUZUKI_UMENO_8: [Constant<'_>; 8] = [
     // 0.7416703643506129534482278017838063156035
     over_ten_to_40(
         false,
@@ -179,7 +179,7 @@ pub(super) const SUZUKI_UMENO_8: [Constant; 8] = [
     ),
 ];
 
-pub(super) const KAHAN_LI_8: [Constant; 9] = [
+pub(super) const KAHAN_LI_8: [Constant<'_>; 9] = [
     // 0.1302024830888900808788176320967005223572
     over_ten_to_40(
         false,

@@ -55,7 +55,7 @@ pub struct Composition {
     name: &'static str,
     order: u32,
     /// γ₁, …, γ_{(s+1)/2}: the last is the middle one.
-    first_half: &'static [Constant],
+    first_half: &'static [Constant<'static>],
 }
 
 /// What survives and what does not is the same for all; see above.
@@ -102,7 +102,7 @@ impl Composition {
         Self::KAHAN_LI_8,
     ];
 
-    const fn new(name: &'static str, order: u32, first_half: &'static [Constant]) -> Self {
+    const fn new(name: &'static str, order: u32, first_half: &'static [Constant<'static>]) -> Self {
         assert!(!first_half.is_empty() && first_half.len() <= Palindrome::<()>::MOST);
         Self { name, order, first_half }
     }
@@ -131,7 +131,9 @@ impl Composition {
     }
 
     /// γ₁, …, γₛ, exact decimals of 40 digits after the point whose sum is exactly 1.
-    pub fn coefficients(&self) -> impl DoubleEndedIterator<Item = &'static Constant> + ExactSizeIterator {
+    pub fn coefficients(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = &'static Constant<'static>> + ExactSizeIterator {
         let (half, last) = (self.first_half, self.stages() - 1);
         (0..self.stages()).map(move |k| &half[k.min(last - k)])
     }

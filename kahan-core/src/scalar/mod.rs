@@ -57,7 +57,7 @@ pub trait Scalar:
     + DivAssign
 {
     /// The scalar nearest to an exact rational.
-    fn constant(c: &Constant) -> Self;
+    fn constant(c: &Constant<'_>) -> Self;
 
     /// 1/self, or `None` where the scalar has no such value and dividing would panic.
     ///

@@ -7,7 +7,7 @@
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, FloatScalar, KahanMap, Lift, Precision, Scalar, Scheme, ThroughF64};
-use kahan_runtime::interpreted::constant;
+use kahan_runtime::interpreted;
 
 /// An orbit.
 pub(super) trait Walk {
@@ -96,7 +96,7 @@ pub(super) fn point<T: Scalar, const N: usize>(exact: &[BigRational]) -> SVector
 }
 
 pub(super) fn round<T: Scalar>(value: &BigRational) -> T {
-    T::constant(&constant(&value.clone().into()))
+    interpreted::round(&value.clone().into())
 }
 
 /// A float as the number that it is; 0 for what is none.

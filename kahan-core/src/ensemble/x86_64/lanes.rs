@@ -83,7 +83,7 @@ macro_rules! lanes {
 
         impl Scalar for $name {
             #[inline(always)]
-            fn constant(c: &Constant) -> Self {
+            fn constant(c: &Constant<'_>) -> Self {
                 Self::splat(c.$constant())
             }
 

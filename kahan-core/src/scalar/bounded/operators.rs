@@ -20,7 +20,7 @@ impl<V: Working, P: Pair<V>> PartialEq for Bounded<V, P> {
 impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
     /// Integers that the number and a double hold are exact; every other literal is rounded once.
     #[inline(always)]
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         let value = V::constant(c);
         let is_exact = c.is_whole() && value.approximate() == c.to_f64();
         Self::literal(value, u32::from(!is_exact))
