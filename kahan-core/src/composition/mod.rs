@@ -16,7 +16,6 @@ use core::fmt;
 
 use crate::{Constant, FloatScalar, KahanMap, StepCost};
 
-pub use composed_at::{ComposedAt, PreparedMap};
 pub use stages::Composed;
 use stages::Palindrome;
 
