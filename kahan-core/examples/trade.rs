@@ -23,7 +23,7 @@ pub(crate) fn run() -> Vec<(f64, u32, f64)> {
             Scene::trajectory(20.0, tolerance).choose(&LotkaVolterra, &start).expect("a setting serves");
         let change = (level(setting.run(&LotkaVolterra, start)) - level(start)).abs();
         println!("{tolerance:e}: {setting}\n      x − ln x + y − ln y changed by {change:.1e}");
-        choices.push((tolerance, setting.composition().order(), change));
+        choices.push((tolerance, setting.scheme().order(), change));
     }
     choices
 }

@@ -51,7 +51,7 @@
 //! | rounding that must not drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
 //! | errors as one goes | [`Orbit::with_error_estimate`] |
 //! | the solution of the equation itself | [`Flow`] |
-//! | what is inside: modes as types, costs, instruction sets | [`Method`], [`Accumulation`], [`PreparedMap`], [`StepCost`], [`Level`] |
+//! | what is inside: modes as types, costs, instruction sets | [`Method`], [`Accumulation`], [`StepCost`], [`Level`] |
 //!
 //! Without default features the crate is `no_std`; float scalars never allocate in any
 //! configuration.
@@ -99,7 +99,7 @@ pub mod __private;
 #[cfg(test)]
 mod tests;
 
-pub use composition::{Composed, ComposedAt, Composition, PreparedMap};
+pub use composition::{Composed, Composition};
 #[cfg(feature = "std")]
 pub use ensemble::{Advances, Axis, Ensemble, EnsembleScalar, Level, Reciprocal};
 pub use field::{Integrals, Named, QuadraticField};
@@ -111,7 +111,7 @@ pub use map::{
 };
 pub use scalar::{Constant, Dd, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
-pub use scene::{Need, NoSetting, Precision, Scene, Setting};
+pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};
 pub use step::{PreparedStep, Quotients, SingularStep, StepCost, WideStep};
 
 pub use nalgebra;

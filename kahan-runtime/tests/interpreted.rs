@@ -7,7 +7,7 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;
 use kahan_core::{KahanMap, Lift, Pivot, PreparedStep, Scalar, WideStep};
 use kahan_runtime::interpreted::{
-    CannotInterpret, Interpreted, LARGEST_DIMENSION, VisitDimension, constant, visit_dimension,
+    CannotInterpret, Interpreted, LARGEST_DIMENSION, VisitDimension, round, visit_dimension,
 };
 use kahan_systems::registry::find;
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
@@ -22,10 +22,6 @@ fn q(text: &str) -> BigRational {
     Rational::parse(text).expect("a number").to_big()
 }
 
-fn number<T: Scalar>(value: &Rational) -> T {
-    T::constant(&constant(value))
-}
-
 /// Points and steps of ordinary size whose coordinates are no short floats: sevenths and elevenths
 /// from a fixed sequence.
 fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
@@ -36,8 +32,8 @@ fn samples<T: Scalar, const N: usize>(count: usize) -> Vec<(SVector<T, N>, T)> {
     };
     (0..count)
         .map(|_| {
-            let point = SVector::from_fn(|_, _| number(&Rational::new(next(41) - 20, 7)));
-            (point, number(&Rational::new(2 * next(20) + 1, 11 * 23)))
+            let point = SVector::from_fn(|_, _| round(&Rational::new(next(41) - 20, 7)));
+            (point, round(&Rational::new(2 * next(20) + 1, 11 * 23)))
         })
         .collect()
 }
@@ -100,10 +96,10 @@ where
     let parameters: Vec<BigRational> = parameters.iter().map(|text| q(text)).collect();
     let interpreted = Interpreted::<BigRational, N>::new(&system, &parameters).expect("a system");
     agree(command, exact, &interpreted);
-    let double = exact.lift(|p| number::<f64>(&p.clone().into()));
+    let double = exact.lift(|p| round::<f64>(&p.clone().into()));
     agree(command, &double, &interpreted.rounded());
-    agree(command, &double, &interpreted.lift(|p| number::<f64>(&p.clone().into())));
-    agree(command, &exact.lift(|p| number::<f32>(&p.clone().into())), &interpreted.rounded());
+    agree(command, &double, &interpreted.lift(|p| round::<f64>(&p.clone().into())));
+    agree(command, &exact.lift(|p| round::<f32>(&p.clone().into())), &interpreted.rounded());
 }
 
 #[test]
@@ -124,10 +120,10 @@ fn the_catalog_read_at_run_time_is_the_catalog_compiled() {
 #[test]
 fn long_constants_are_rounded_once_for_each_scalar() {
     let third = Rational::parse("0.33333333333333333333333333333333333").expect("a number");
-    assert_eq!(number::<f64>(&third), 1.0 / 3.0);
-    assert_eq!(number::<f32>(&third), 1.0_f32 / 3.0);
-    assert_eq!(number::<BigRational>(&third), third.to_big());
-    assert_eq!(number::<BigRational>(&Rational::parse("-1e40").expect("a number")), q("-1e40"));
+    assert_eq!(round::<f64>(&third), 1.0 / 3.0);
+    assert_eq!(round::<f32>(&third), 1.0_f32 / 3.0);
+    assert_eq!(round::<BigRational>(&third), third.to_big());
+    assert_eq!(round::<BigRational>(&Rational::parse("-1e40").expect("a number")), q("-1e40"));
 
     let field = "xdot = 0.33333333333333333333333333333333333*x*y - 1e-20; ydot = 123456789.987654321*x;";
     let compiled =

@@ -8,7 +8,8 @@ mod table;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use kahan_measure::trade::{Need, Scene, Trade as Measured};
+use kahan_core::{Need, Scene};
+use kahan_measure::trade::{Subject, Trade as Measured};
 
 use crate::printing::{Answer, Progress, Refusal, Sink};
 use crate::reading::{Source, coordinates, number, seconds};
@@ -115,34 +116,17 @@ impl Trade {
             NeedName::Trajectory => Need::Trajectory,
             NeedName::Integrals => Need::Integrals,
         };
-        let scene = Scene {
-            system: &system,
-            command: block.entry.map_or("", |entry| entry.command),
-            parameters: &parameters,
-            start: &start,
-            horizon,
-            need,
-            tolerance,
-            seconds: self.seconds,
-        };
+        let command = block.entry.map_or("", |entry| entry.command);
+        let subject = Subject { system: &system, command, parameters: &parameters, start: &start };
+        let scene = Scene::new(horizon, need, tolerance);
         // How many there will be depends on what they show.
         let progress = Progress::new(60, "settings");
-        let trade = Measured::of(&scene, &mut |_| progress.advance(1));
+        let trade = Measured::of(&subject, &scene, self.seconds, &mut |_| progress.advance(1));
         progress.finish();
         let trade = trade.map_err(|why| Refusal::new(format!("{name}: {why}")))?;
-        let comparison = Comparison {
-            name: &name,
-            block: &block,
-            system: &system,
-            parameters: &parameters,
-            start: &start,
-            horizon,
-            need,
-            tolerance,
-            trade,
-        };
+        let comparison = Comparison { name: &name, block: &block, subject, scene, trade };
         if let Some(sink) = sink {
-            sink.put(&picture(&comparison.trade, &comparison.title(), need, tolerance))?;
+            sink.put(&picture(&comparison.trade, &comparison.title(), &scene))?;
         }
         let answer =
             if self.json { Answer::json(&comparison.object()) } else { Answer::text(comparison.text()) };

@@ -11,7 +11,7 @@ use std::process::Command;
 
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
-use kahan_core::{Dd, Lift, Precision};
+use kahan_core::{Composition, Dd, Lift, Need, Precision, Scheme};
 use kahan_measure::reference::{Limits, Reference, Trajectory};
 use serde_json::Value;
 
@@ -19,7 +19,7 @@ use fields::{
     Chain, Epidemic, Galaxy, Gyrostat, Kinetics, Nahm, Oscillators, Relaxation, Rotor, Slave, Text,
     ThreeWaves, Tired,
 };
-use scene::{SCALARS, Scene, Setting, eps_near, to};
+use scene::{Scene, Setting, to};
 
 /// What a choice costs over what the best setting does.
 struct Ratios {
@@ -39,14 +39,15 @@ fn command<M: Text>(start: &[&str], horizon: f64, tolerance: f64) -> (Setting, f
     assert!(output.status.success(), "{}: {}", M::TEXT, String::from_utf8_lossy(&output.stderr));
     let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
     let choice = &object["choice"];
-    let scalar = SCALARS.into_iter().find(|name| choice["scalar"] == **name);
-    let (scalar, order) = (scalar.expect("a scalar"), choice["order"].as_u64().expect("an order") as u32);
+    let precision = Precision::ALL.into_iter().find(|known| choice["scalar"] == known.name());
+    let precision = precision.expect("a scalar");
+    let order = choice["order"].as_u64().expect("an order") as u32;
+    let composition = Composition::of_order(order).expect("a composition");
+    let compensated = choice["compensated"] == true;
     let setting = Setting {
-        scalar,
-        order,
-        compensated: choice["compensated"] == true,
+        scheme: Scheme { precision, composition, compensated },
         // Reading JSON may miss the last bit.
-        eps: eps_near(scalar, choice["eps"].as_f64().expect("a float")),
+        eps: precision.eps_near(choice["eps"].as_f64().expect("a float"), Need::Trajectory),
     };
     (setting, choice["nanoseconds_per_unit_time"].as_f64().expect("a price"))
 }
@@ -65,14 +66,7 @@ where
     let start = SVector::from_fn(|i, _| to::<f64>(&start[i]));
     let chosen = kahan_core::Scene::trajectory(horizon, tolerance).choose(&map.lift::<f64>(to), &start);
     let chosen = chosen.inspect_err(|why| println!("    the library refuses: {why}")).ok()?;
-    let scalar = match chosen.precision() {
-        Precision::Single => "f32",
-        Precision::SingleThroughDouble => "f32-through-f64",
-        Precision::Double => "f64",
-        Precision::DoubleDouble => "dd",
-    };
-    let order = chosen.composition().order();
-    Some(Setting { scalar, order, compensated: chosen.is_compensated(), eps: chosen.eps() })
+    Some(Setting { scheme: chosen.scheme(), eps: chosen.eps() })
 }
 
 fn check<M, const N: usize>(map: M, start: [&str; N], horizon: f64, ratios: &mut Vec<Ratios>)

@@ -4,23 +4,19 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Dd, FloatScalar, Lift, ThroughF64};
+use kahan_core::{Composition, Dd, FloatScalar, Lift, Need, Precision, Scheme, ThroughF64};
 use kahan_measure::reference::Reference;
-use kahan_runtime::interpreted::constant;
+use kahan_runtime::interpreted::round;
 
+/// A scheme at an ε.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Setting {
-    pub(crate) scalar: &'static str,
-    pub(crate) order: u32,
-    pub(crate) compensated: bool,
+    pub(crate) scheme: Scheme,
     pub(crate) eps: f64,
 }
 
-/// The scalars by the command's names.
-pub(crate) const SCALARS: [&str; 4] = ["f32", "f32-through-f64", "f64", "dd"];
-
 pub(crate) fn to<T: Scalar>(value: &BigRational) -> T {
-    T::constant(&constant(&value.clone().into()))
+    round(&value.clone().into())
 }
 
 pub(crate) struct Scene<M, const N: usize> {
@@ -32,7 +28,10 @@ pub(crate) struct Scene<M, const N: usize> {
 
 macro_rules! with_orbit {
     ($map:expr, $start:expr, $eps:expr, $setting:expr, |$orbit:ident| $body:expr) => {
-        match (Composition::of_order($setting.order).filter(|_| $setting.order > 2), $setting.compensated) {
+        match (
+            Some($setting.scheme.composition).filter(|method| *method != Composition::KAHAN),
+            $setting.scheme.compensated,
+        ) {
             (None, false) => {
                 let $orbit = $map.orbit($start, $eps);
                 $body
@@ -55,31 +54,26 @@ macro_rules! with_orbit {
 
 macro_rules! with_scalar {
     ($scene:expr, $setting:expr, |$map:ident, $start:ident, $eps:ident| $body:expr) => {
-        match $setting.scalar {
-            "f32" => {
+        match $setting.scheme.precision {
+            Precision::Single => {
                 let ($map, $start, $eps) = $scene.parts::<f32>($setting.eps);
                 $body
             }
-            "f32-through-f64" => {
+            Precision::SingleThroughDouble => {
                 let (map, $start, $eps) = $scene.parts::<f32>($setting.eps);
                 let $map = ThroughF64(map);
                 $body
             }
-            "f64" => {
+            Precision::Double => {
                 let ($map, $start, $eps) = $scene.parts::<f64>($setting.eps);
                 $body
             }
-            _ => {
+            Precision::DoubleDouble => {
                 let ($map, $start, $eps) = $scene.parts::<Dd>($setting.eps);
                 $body
             }
         }
     };
-}
-
-/// The nearest ε of a scalar.
-pub(crate) fn eps_near(scalar: &str, eps: f64) -> f64 {
-    if scalar.starts_with("f32") { f64::from(eps as f32) } else { eps }
 }
 
 impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
@@ -142,24 +136,22 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
     /// than `dearest`: what costs more is not the best.
     pub(crate) fn sweep(&self, tolerance: f64, dearest: f64) -> Vec<Setting> {
         let mut found = Vec::new();
-        for scalar in SCALARS {
-            for (order, compensated) in [2, 4, 6, 8].into_iter().flat_map(|p| [(p, false), (p, true)]) {
-                let at = |steps: f64| {
-                    let eps = self.horizon / (2.0 * steps);
-                    Setting { scalar, order, compensated, eps: eps_near(scalar, eps) }
-                };
-                let unit = at(1e4 * self.horizon);
-                let price = (0..10).map(|_| self.price(&unit)).fold(f64::INFINITY, f64::min);
-                let most = self.horizon * dearest / (price * 2.0 * unit.eps);
-                let mut steps = 1.0;
-                while steps < most {
-                    let setting = at(steps);
-                    if self.error(&setting, tolerance) <= tolerance {
-                        found.push(setting);
-                        break;
-                    }
-                    steps = (1.1_f64 * steps).ceil();
+        for scheme in Scheme::all() {
+            let at = |steps: f64| {
+                let eps = self.horizon / (2.0 * steps);
+                Setting { scheme, eps: scheme.precision.eps_near(eps, Need::Trajectory) }
+            };
+            let unit = at(1e4 * self.horizon);
+            let price = (0..10).map(|_| self.price(&unit)).fold(f64::INFINITY, f64::min);
+            let most = self.horizon * dearest / (price * 2.0 * unit.eps);
+            let mut steps = 1.0;
+            while steps < most {
+                let setting = at(steps);
+                if self.error(&setting, tolerance) <= tolerance {
+                    found.push(setting);
+                    break;
                 }
+                steps = (1.1_f64 * steps).ceil();
             }
         }
         found

@@ -12,7 +12,7 @@ use kahan_core::{Constant, Scalar, nalgebra};
 pub(crate) struct Complex(pub(crate) nalgebra::Complex<f64>);
 
 impl Scalar for Complex {
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         Self(c.to_f64().into())
     }
 }

@@ -9,13 +9,13 @@
 mod coefficients;
 mod composed_at;
 mod composed_orbit;
+mod decimal;
 mod stages;
 
 use core::fmt;
 
 use crate::{Constant, FloatScalar, KahanMap, StepCost};
 
-pub use composed_at::{ComposedAt, PreparedMap};
 pub use stages::Composed;
 use stages::Palindrome;
 
@@ -55,42 +55,42 @@ pub struct Composition {
     name: &'static str,
     order: u32,
     /// γ₁, …, γ_{(s+1)/2}: the last is the middle one.
-    first_half: &'static [Constant],
+    first_half: &'static [Constant<'static>],
 }
 
 /// What survives and what does not is the same for all; see above.
 impl Composition {
     /// Kahan's map itself: order 2, one stage.
-    pub const KAHAN: Self = Self::new("KAHAN", 2, &coefficients::KAHAN);
+    pub const KAHAN: Self = Self::new("KAHAN", 2, coefficients::KAHAN);
 
     /// Order 4 with 3 stages, the fewest; γ₁ = 1/(2 − 2^{1/3}), Σ|γ| = 4.40.
     ///
     /// For reference: [`SUZUKI_4`](Self::SUZUKI_4) is more accurate for its cost. M. Creutz, A.
     /// Gocksch, Phys. Rev. Lett. 63 (1989) 9; E. Forest, R. D. Ruth, Physica D 43 (1990) 105; H.
     /// Yoshida, Phys. Lett. A 150 (1990) 262.
-    pub const TRIPLE_JUMP: Self = Self::new("TRIPLE_JUMP", 4, &coefficients::TRIPLE_JUMP);
+    pub const TRIPLE_JUMP: Self = Self::new("TRIPLE_JUMP", 4, coefficients::TRIPLE_JUMP);
 
     /// Order 4 with 5 stages, γ₁ = γ₂ = 1/(4 − 4^{1/3}), Σ|γ| = 2.32: the choice at order 4.
     ///
     /// M. Suzuki, Phys. Lett. A 146 (1990) 319.
-    pub const SUZUKI_4: Self = Self::new("SUZUKI_4", 4, &coefficients::SUZUKI_4);
+    pub const SUZUKI_4: Self = Self::new("SUZUKI_4", 4, coefficients::SUZUKI_4);
 
     /// Order 6 with 9 stages, Σ|γ| = 3.82, known as s9odr6a.
     ///
     /// W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
-    pub const KAHAN_LI_6: Self = Self::new("KAHAN_LI_6", 6, &coefficients::KAHAN_LI_6);
+    pub const KAHAN_LI_6: Self = Self::new("KAHAN_LI_6", 6, coefficients::KAHAN_LI_6);
 
     /// Order 8 with 15 stages, the fewest, Σ|γ| = 6.53.
     ///
     /// For reference: [`KAHAN_LI_8`](Self::KAHAN_LI_8) is more accurate for its cost. M. Suzuki, K.
     /// Umeno, in Computer Simulation Studies in Condensed-Matter Physics VI (1993) 74; R. I.
     /// McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
-    pub const SUZUKI_UMENO_8: Self = Self::new("SUZUKI_UMENO_8", 8, &coefficients::SUZUKI_UMENO_8);
+    pub const SUZUKI_UMENO_8: Self = Self::new("SUZUKI_UMENO_8", 8, coefficients::SUZUKI_UMENO_8);
 
     /// Order 8 with 17 stages, Σ|γ| = 5.35, known as s17odr8a: the choice at order 8.
     ///
     /// W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
-    pub const KAHAN_LI_8: Self = Self::new("KAHAN_LI_8", 8, &coefficients::KAHAN_LI_8);
+    pub const KAHAN_LI_8: Self = Self::new("KAHAN_LI_8", 8, coefficients::KAHAN_LI_8);
 
     /// All of them, by order and number of stages.
     pub const ALL: [Self; 6] = [
@@ -102,22 +102,17 @@ impl Composition {
         Self::KAHAN_LI_8,
     ];
 
-    const fn new(name: &'static str, order: u32, first_half: &'static [Constant]) -> Self {
+    const fn new(name: &'static str, order: u32, first_half: &'static [Constant<'static>]) -> Self {
         assert!(!first_half.is_empty() && first_half.len() <= Palindrome::<()>::MOST);
         Self { name, order, first_half }
     }
 
-    /// The composition to take at this order: [`KAHAN`](Self::KAHAN), [`SUZUKI_4`](Self::SUZUKI_4),
-    /// [`KAHAN_LI_6`](Self::KAHAN_LI_6) or [`KAHAN_LI_8`](Self::KAHAN_LI_8); `None` for any other
-    /// order.
-    pub const fn of_order(order: u32) -> Option<Self> {
-        match order {
-            2 => Some(Self::KAHAN),
-            4 => Some(Self::SUZUKI_4),
-            6 => Some(Self::KAHAN_LI_6),
-            8 => Some(Self::KAHAN_LI_8),
-            _ => None,
-        }
+    /// The ones to take, of orders 2, 4, 6 and 8; the others need more for the same error.
+    pub const BEST: [Self; 4] = [Self::KAHAN, Self::SUZUKI_4, Self::KAHAN_LI_6, Self::KAHAN_LI_8];
+
+    /// That one of the [`BEST`](Self::BEST) which has this order; `None` where there is none.
+    pub fn of_order(order: u32) -> Option<Self> {
+        Self::BEST.into_iter().find(|best| best.order == order)
     }
 
     /// The constant's name, as written in Rust.
@@ -136,7 +131,9 @@ impl Composition {
     }
 
     /// γ₁, …, γₛ, exact decimals of 40 digits after the point whose sum is exactly 1.
-    pub fn coefficients(&self) -> impl DoubleEndedIterator<Item = &'static Constant> + ExactSizeIterator {
+    pub fn coefficients(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = &'static Constant<'static>> + ExactSizeIterator {
         let (half, last) = (self.first_half, self.stages() - 1);
         (0..self.stages()).map(move |k| &half[k.min(last - k)])
     }

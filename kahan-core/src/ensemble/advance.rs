@@ -4,32 +4,61 @@
 //! later. However the columns are divided, each trajectory goes through the same operations, so its
 //! bits depend neither on its place nor on the threads.
 
+use crate::map::Sealed;
 use crate::step::error::pole;
-use crate::{Method, PreparedMap, Scalar, WideStep};
+use crate::{KahanAt, KahanMap, Method, WideStep};
 
 use super::columns::Group;
 use super::level::Instructions;
 use super::{Ensemble, EnsembleScalar};
 
-/// A map at a fixed ε that moves ensembles of points with N entries: every [`PreparedMap`] on such
-/// points.
+/// A map at a fixed ε that moves ensembles of points with N entries: every [`KahanAt`] on such
+/// points, composed or not.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not move points of {N} numbers of the type `{T}`",
     label = "another dimension, or another type of number, than that of the points",
     note = "a point has one entry for each equation: give `Ensemble::grid` as many axes, `Ensemble::new` such vectors"
 )]
-pub trait Advances<T: Scalar, const N: usize>: PreparedMap<T, N, Step: WideStep<T, N> + Sync> {}
+pub trait Advances<T: EnsembleScalar, const N: usize>: Sealed {
+    /// Advances columns of equal length; `None` at a pole of a scalar that has no reciprocal of
+    /// zero.
+    #[doc(hidden)]
+    fn advance(&self, columns: [&mut [Group<T>]; N], steps: usize, on: Instructions) -> Option<()>;
+
+    /// ε, half the time step.
+    #[doc(hidden)]
+    fn half_step(&self) -> &T;
+}
+
+impl<M, T, K, const N: usize> Sealed for KahanAt<M, T, N, K>
+where
+    M: KahanMap<T, N>,
+    T: EnsembleScalar,
+    K: Method,
+{
+}
 
 #[diagnostic::do_not_recommend]
-impl<M, T: Scalar, const N: usize> Advances<T, N> for M where M: PreparedMap<T, N, Step: WideStep<T, N> + Sync>
-{}
+impl<M, T, K, const N: usize> Advances<T, N> for KahanAt<M, T, N, K>
+where
+    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    T: EnsembleScalar,
+    K: Method<Stages<M::Prepared>: Sync>,
+{
+    fn advance(&self, columns: [&mut [Group<T>]; N], steps: usize, on: Instructions) -> Option<()> {
+        divide::<K, _, _, N>(&self.stages, columns, steps, on)
+    }
+
+    fn half_step(&self) -> &T {
+        self.eps()
+    }
+}
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map`
     /// (half the time step).
     ///
-    /// `map` is a [`KahanAt`](crate::KahanAt), or a [`ComposedAt`](crate::ComposedAt) for a higher
-    /// order.
+    /// `map` is a [`KahanAt`], for a higher order a [`composed`](KahanAt::composed) one.
     ///
     /// It allocates nothing. With the feature `parallel`, large ensembles run on rayon's current
     /// pool of threads, small ones on the calling thread; the results are the same bits. Where a
@@ -62,9 +91,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     where
         M: Advances<T, N>,
     {
-        let instructions = self.instructions;
-        let columns = self.columns.groups_mut();
-        if divide::<M::Method, _, _, N>(map.stages(), columns, steps, instructions).is_none() {
+        if map.advance(self.columns.groups_mut(), steps, self.instructions).is_none() {
             pole(map.half_step())
         }
     }
@@ -94,18 +121,37 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
 }
 
 /// Advances the columns, over threads where that is worth their cost.
-#[cfg(feature = "parallel")]
 fn divide<K, T, S, const N: usize>(
     stages: &K::Stages<S>,
-    mut columns: [&mut [Group<T>]; N],
+    columns: [&mut [Group<T>]; N],
     steps: usize,
     instructions: Instructions,
 ) -> Option<()>
 where
     K: Method<Stages<S>: Sync>,
     T: EnsembleScalar,
-    S: WideStep<T, N> + Sync,
+    S: WideStep<T, N>,
 {
+    #[cfg(feature = "parallel")]
+    let columns = match halves(columns, steps) {
+        Ok([left, right]) => {
+            let (left, right) = rayon::join(
+                || divide::<K, T, S, N>(stages, left, steps, instructions),
+                || divide::<K, T, S, N>(stages, right, steps, instructions),
+            );
+            return left.and(right);
+        }
+        Err(columns) => columns,
+    };
+    T::sweep::<K, S, N>(stages, columns, steps, instructions)
+}
+
+/// Two halves of whole tiles, or all of it again where two tasks are not worth their cost.
+#[cfg(feature = "parallel")]
+fn halves<T, const N: usize>(
+    mut columns: [&mut [Group<T>]; N],
+    steps: usize,
+) -> Result<[[&mut [Group<T>]; N]; 2], [&mut [Group<T>]; N]> {
     use super::columns::GROUP;
     use super::sweep::groups_per_tile;
 
@@ -116,7 +162,7 @@ where
     let groups = columns.first().map_or(0, |column| column.len());
     let enough = (groups / 2).saturating_mul(GROUP).saturating_mul(steps) >= STEPS_PER_TASK;
     if groups <= tile || !enough {
-        return T::sweep::<K, S, N>(stages, columns, steps, instructions);
+        return Err(columns);
     }
     let middle = (groups / 2).next_multiple_of(tile);
     let right = columns.each_mut().map(|column| {
@@ -124,25 +170,5 @@ where
         *column = left;
         right
     });
-    let (left, right) = rayon::join(
-        || divide::<K, T, S, N>(stages, columns, steps, instructions),
-        || divide::<K, T, S, N>(stages, right, steps, instructions),
-    );
-    left.and(right)
-}
-
-/// Advances the columns on this thread.
-#[cfg(not(feature = "parallel"))]
-fn divide<K, T, S, const N: usize>(
-    stages: &K::Stages<S>,
-    columns: [&mut [Group<T>]; N],
-    steps: usize,
-    instructions: Instructions,
-) -> Option<()>
-where
-    K: Method,
-    T: EnsembleScalar,
-    S: WideStep<T, N>,
-{
-    T::sweep::<K, S, N>(stages, columns, steps, instructions)
+    Ok([columns, right])
 }

@@ -1,4 +1,4 @@
-//! A map at a fixed ε.
+//! A map, or a composition of it, at a fixed ε.
 //!
 //! In: a map and ε, once. Out: steps that take a state only. It owns map, ε and what depends on
 //! nothing else, borrows nothing, allocates nothing and holds no `dyn`.
@@ -10,9 +10,10 @@ use nalgebra::{SMatrix, SVector};
 use crate::step::error::pole;
 use crate::{PreparedStep, Scalar, SingularStep};
 
-use super::{KahanMap, Orbit, Pivot};
+use super::{KahanMap, Method, Orbit, Pivot, Single};
 
-/// The Kahan map M at one ε, half the time step; made by [`KahanMap::at`].
+/// The Kahan map M at one ε, half the time step; made by [`KahanMap::at`]. A step of it is one of
+/// the map, or, of a [`composed`](Self::composed) one, several.
 ///
 /// What depends on ε and the parameters alone is computed once, when this is made; quotients are
 /// left to the step, where a zero below shows as a pole. Its type can be written out, so a struct
@@ -41,27 +42,23 @@ use super::{KahanMap, Orbit, Pivot};
 /// assert!(pond.state.iter().all(|entry| *entry > 0.0));
 /// ```
 #[derive(Clone, Copy)]
-pub struct KahanAt<M, T, const N: usize>
+pub struct KahanAt<M, T, const N: usize, K = Single>
 where
     M: KahanMap<T, N>,
     T: Scalar,
+    K: Method,
 {
-    map: M,
-    eps: T,
-    prepared: M::Prepared,
+    pub(crate) map: M,
+    pub(crate) eps: T,
+    pub(crate) stages: K::Stages<M::Prepared>,
 }
 
-impl<M, T, const N: usize> KahanAt<M, T, N>
+impl<M, T, K, const N: usize> KahanAt<M, T, N, K>
 where
     M: KahanMap<T, N>,
     T: Scalar,
+    K: Method,
 {
-    #[inline]
-    pub(crate) fn new(map: M, eps: T) -> Self {
-        let prepared = map.prepare(&eps);
-        Self { map, eps, prepared }
-    }
-
     /// The map.
     pub fn map(&self) -> &M {
         &self.map
@@ -72,9 +69,27 @@ where
         &self.eps
     }
 
+    /// The orbit that begins with `x`; it owns a copy of the prepared step.
+    #[inline]
+    pub fn orbit(&self, x: SVector<T, N>) -> Orbit<M, T, N, K> {
+        Orbit::begin(self.map.clone(), self.eps.clone(), self.stages.clone(), x)
+    }
+}
+
+impl<M, T, const N: usize> KahanAt<M, T, N>
+where
+    M: KahanMap<T, N>,
+    T: Scalar,
+{
+    #[inline]
+    pub(crate) fn new(map: M, eps: T) -> Self {
+        let stages = map.prepare(&eps);
+        Self { map, eps, stages }
+    }
+
     /// The prepared step, for code that finishes steps in its own way (in lanes, compensated).
     pub fn prepared(&self) -> &M::Prepared {
-        &self.prepared
+        &self.stages
     }
 
     /// x̃, as [`KahanMap::step`] and bit for bit the same.
@@ -83,7 +98,7 @@ where
     /// At a pole, for exact scalars.
     #[inline]
     pub fn step(&self, x: &SVector<T, N>) -> SVector<T, N> {
-        match self.prepared.next(x) {
+        match self.stages.next(x) {
             Some(next) => next,
             None => pole(&self.eps),
         }
@@ -98,7 +113,7 @@ where
     where
         T: Pivot,
     {
-        self.map.try_prepared(&self.prepared, x, &self.eps)
+        self.map.try_prepared(&self.stages, x, &self.eps)
     }
 
     /// ∂x̃/∂x, as [`KahanMap::jacobian`].
@@ -107,12 +122,6 @@ where
     /// At a pole, for exact scalars.
     pub fn jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         self.map.jacobian(x, self.eps.clone())
-    }
-
-    /// The orbit that begins with `x`; it owns a copy of the prepared step.
-    #[inline]
-    pub fn orbit(&self, x: SVector<T, N>) -> Orbit<M, T, N> {
-        Orbit::new(self.map.clone(), self.prepared.clone(), x, self.eps.clone())
     }
 }
 
@@ -127,10 +136,11 @@ where
     }
 }
 
-impl<M, T, const N: usize> fmt::Debug for KahanAt<M, T, N>
+impl<M, T, K, const N: usize> fmt::Debug for KahanAt<M, T, N, K>
 where
     M: KahanMap<T, N> + fmt::Debug,
     T: Scalar,
+    K: Method,
 {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("KahanAt").field("map", &self.map).field("eps", &self.eps).finish_non_exhaustive()

@@ -109,11 +109,11 @@ where
     /// The orbit with an estimate of each point's error against the flow through the next point to
     /// be yielded, where the error is 0.
     ///
-    /// With d the [local error](KahanAt::local_error) and φ′ the map's Jacobian, eₙ₊₁ = φ′(xₙ)·(eₙ
-    /// + ½d(xₙ)) + ½d(xₙ₊₁): every local error is carried along by the linearised map, as errors
-    /// are, half of it counted at either end of its step. The estimate is off by O(ε⁴) at a fixed
-    /// time, the error being of order ε², as long as the error stays small beside the scale on
-    /// which φ′ changes. Rounding is not in it.
+    /// With d the [local error](KahanAt::local_error) and φ′ the map's Jacobian, the recurrence is
+    /// eₙ₊₁ = φ′(xₙ)·(eₙ + ½d(xₙ)) + ½d(xₙ₊₁): every local error is carried along by the linearised
+    /// map, as errors are, half of it counted at either end of its step. The estimate is off by
+    /// O(ε⁴) at a fixed time, the error being of order ε², as long as the error stays small beside
+    /// the scale on which φ′ changes. Rounding is not in it.
     ///
     /// Cost: about four steps a step: one over dual numbers, and f, f′ and Q.
     ///

@@ -228,6 +228,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// The orbit x₀, x₁, …, beginning with x₀ = `x`; it owns all that it needs.
     #[inline]
     fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<Self, T, N> {
-        Orbit::new(self.clone(), self.prepare(&eps), x, eps)
+        let prepared = self.prepare(&eps);
+        Orbit::begin(self.clone(), eps, prepared, x)
     }
 }

@@ -1,30 +1,31 @@
-//! An exact rational literal as static data.
+//! An exact rational literal as data.
 //!
-//! In: the numbers of a field's text, written by the macro. Out: the ratio itself, or its nearest
+//! In: the numbers of a field's text, written by the macro or kept by what reads a text at run
+//! time. Out: the ratio itself, or its nearest
 //! `f32`, `f64` or pair of `f64`. Every rounding happens once: small ratios by one correctly
 //! rounded division, long ones by whoever wrote the data, since neither digits nor limbs are
 //! divided here.
 
 use super::wide::Wide;
 
-/// An exact rational number p/q, made while compiling, that every [`Scalar`](crate::Scalar) can be
-/// built from.
+/// An exact rational number p/q that every [`Scalar`](crate::Scalar) can be built from; its digits
+/// are borrowed, as a rule from the program's static data.
 #[derive(Clone, Copy, Debug)]
-pub struct Constant(Form);
+pub struct Constant<'a>(Form<'a>);
 
 #[derive(Clone, Copy, Debug)]
-enum Form {
+enum Form<'a> {
     Integer(i64),
     /// |p| and q at most 2²⁴: exact in `f32`, so that one division rounds correctly in either width.
     Ratio(i64, i64),
-    Long(Long),
+    Long(Long<'a>),
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Long {
+struct Long<'a> {
     negative: bool,
-    numerator: &'static [u64],
-    denominator: &'static [u64],
+    numerator: &'a [u64],
+    denominator: &'a [u64],
     single: f32,
     double: f64,
     low: f64,
@@ -33,7 +34,7 @@ struct Long {
 /// The largest numerator and denominator of [`Constant::ratio`].
 const RATIO_LIMIT: u64 = 1 << 24;
 
-impl Constant {
+impl<'a> Constant<'a> {
     /// The integer n.
     #[inline(always)]
     pub const fn integer(n: i64) -> Self {
@@ -61,8 +62,8 @@ impl Constant {
     #[inline(always)]
     pub const fn exact(
         negative: bool,
-        numerator: &'static [u64],
-        denominator: &'static [u64],
+        numerator: &'a [u64],
+        denominator: &'a [u64],
         single: f32,
         double: f64,
         low: f64,

@@ -142,7 +142,7 @@ impl<T: Scalar, const N: usize> One for Dual<T, N> {
 
 impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     #[inline]
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         Self::lift(T::constant(c))
     }
 

@@ -8,7 +8,7 @@ use num_traits::{ToPrimitive, Zero};
 use super::{Constant, Scalar};
 
 impl Scalar for BigRational {
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         c.to_ratio()
     }
 

@@ -27,7 +27,7 @@ macro_rules! implement_for_float {
     ($float:ty, $from_constant:ident) => {
         impl Scalar for $float {
             #[inline]
-            fn constant(c: &Constant) -> Self {
+            fn constant(c: &Constant<'_>) -> Self {
                 c.$from_constant()
             }
 

@@ -14,6 +14,7 @@ mod epsilon;
 mod exact;
 mod float;
 mod float_scalar;
+mod operators;
 pub(crate) mod tuning;
 mod wide;
 
@@ -27,6 +28,8 @@ pub use dd::Dd;
 pub use dual::Dual;
 pub use epsilon::nearest_short_eps;
 pub use float_scalar::FloatScalar;
+pub(crate) use operators::assignments;
+use operators::operators;
 pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.
@@ -57,7 +60,7 @@ pub trait Scalar:
     + DivAssign
 {
     /// The scalar nearest to an exact rational.
-    fn constant(c: &Constant) -> Self;
+    fn constant(c: &Constant<'_>) -> Self;
 
     /// 1/self, or `None` where the scalar has no such value and dividing would panic.
     ///

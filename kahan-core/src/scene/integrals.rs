@@ -8,10 +8,10 @@
 use nalgebra::SVector;
 
 use crate::flow::{norm, slope};
-use crate::{Composition, Lift};
+use crate::{Lift, PreparedStep};
 
-use super::setting::{Kind, Mode};
-use super::{NoSetting, Precision, Scene, Setting};
+use super::search::{PLAIN, WIDE};
+use super::{NoSetting, Scene, Setting};
 
 /// Roundings are taken times this: a random walk's end is within a factor of 2 of what is typical
 /// 19 times in 20.
@@ -40,26 +40,28 @@ where
     let coarsest =
         (0..HALVINGS).map(|k| first * f64::from(k).exp2()).find(|steps| is_borne(scene, map, x0, *steps));
     let Some(coarsest) = coarsest else { return Err(NoSetting::Lost { time: 0.0 }) };
+    let cost = |setting: &Setting| {
+        setting.steps as f64 * setting.scheme.cycles(<M::Prepared as PreparedStep<f64, N>>::COST)
+    };
     let (mut best, mut least_error): (Option<Setting>, f64) = (None, f64::INFINITY);
-    for mode in [Mode::PLAIN, Mode::COMPENSATED, Mode::WIDE] {
-        let kind @ Kind { precision, compensated, .. } = mode.kind(Composition::KAHAN);
+    for scheme in [PLAIN, PLAIN.compensated(), WIDE] {
         for k in 0..HALVINGS {
             let steps = coarsest * f64::from(k).exp2();
-            let mut setting = Setting::over(map, scene, kind, steps);
+            let mut setting = scene.setting(scheme, steps as u64);
             let (eps, steps) = (setting.eps, setting.steps as f64);
             if !(eps > 0.0 && steps < MOST_STEPS) {
                 break;
             }
             // Compensated, an increment is rounded, not the point.
-            let part = if compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
-            let error = SAFETY * scene.condition * precision.unit() * (1.0 + part * steps.sqrt());
+            let part = if scheme.compensated { (2.0 * eps * rate).min(1.0) } else { 1.0 };
+            let error = SAFETY * scene.condition * scheme.precision.unit() * (1.0 + part * steps.sqrt());
             least_error = least_error.min(error);
             if error > scene.tolerance {
                 continue;
             }
             setting.error = error;
-            let cost = setting.cost;
-            if best.as_ref().is_none_or(|known| (cost, error) < (known.cost, known.error)) {
+            let of = |known: &Setting| (cost(known), known.error);
+            if best.as_ref().is_none_or(|known| of(&setting) < of(known)) {
                 best = Some(setting);
             }
             break;
@@ -73,7 +75,7 @@ fn is_borne<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, ste
 where
     M: Lift<f64, N>,
 {
-    let eps = Precision::Double.eps_near(0.5 * scene.horizon / steps, scene.need);
+    let eps = scene.setting(PLAIN, steps as u64).eps;
     let count = steps.min(PILOT) as usize;
     let coarse = size(map.orbit(*x0, eps).take(count + 1));
     let fine = size(map.orbit(*x0, 0.25 * eps).take(4 * count + 1));

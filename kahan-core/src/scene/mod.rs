@@ -4,24 +4,25 @@
 //! be. Out: the [`Setting`] that serves at the least modelled cost. Nothing is timed, so the answer
 //! is the same on every machine of one kind, and every time: a trajectory is compared with the flow
 //! itself ([`trajectory`]), setting by setting ([`search`]), and the plan's own count of operations
-//! gives the price ([`price`]). The command `kahan trade` measures that, too. Deliberately absent:
+//! gives the price ([`cycles`]). The command `kahan trade` measures that, too. Deliberately absent:
 //! extrapolation. What is chosen has been run, over the whole horizon.
 
+mod cycles;
 mod error;
 mod integrals;
-mod price;
 mod run;
+mod scheme;
 mod search;
 mod setting;
 mod trajectory;
 
 use nalgebra::SVector;
 
-use crate::{Composition, Lift};
+use crate::Lift;
 
 pub use error::NoSetting;
-use setting::Kind;
-pub use setting::{Precision, Setting};
+pub use scheme::{Precision, Scheme};
+pub use setting::Setting;
 
 /// What an orbit is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,10 +31,10 @@ pub enum Need {
     /// at the times of the steps and with the last point standing for the horizon, in the maximum
     /// norm, relative to the largest coordinate of the trajectory.
     Trajectory,
-    /// To keep the map's own integrals, those at its ε: the error is the largest change over the
-    /// horizon, relative to the value at the beginning. Only Kahan's map itself keeps them, so no
-    /// composition is considered; the discretisation does nothing to them, only roundings do. See
-    /// [`Scene::condition`].
+    /// To keep the integrals: the error is the largest change of the map's own, those at its ε,
+    /// over the horizon, relative to the value at the beginning. The discretisation does nothing to
+    /// them, only roundings do ([`Scene::condition`]). A composition has none of its own, so its
+    /// error is that of the flow's.
     Integrals,
 }
 
@@ -53,7 +54,7 @@ pub enum Need {
 /// // Twenty units of time, to nine digits.
 /// let start = vector![1.5, 1.0];
 /// let setting = Scene::trajectory(20.0, 1e-9).choose(&LotkaVolterra, &start)?;
-/// assert_eq!(setting.composition().order(), 8);
+/// assert_eq!(setting.scheme().order(), 8);
 /// assert!(setting.error() <= 1e-9);
 ///
 /// // x − ln x + y − ln y is constant along the flow.
@@ -116,7 +117,7 @@ impl Scene {
     /// this is deterministic, so the choice run again from the same point errs by the same. What is
     /// known of it ends with the horizon, and with the point.
     ///
-    /// For [`Need::Integrals`], ε‖f′‖∞ is at most 1 at the start, and less if the beginning of the
+    /// For [`Need::Integrals`] no composition is considered. ε‖f′‖∞ is at most 1 at the start, and less if the beginning of the
     /// orbit then is not as large as it should be; the roundings of n steps are taken to be those
     /// of a random walk.
     ///
@@ -145,29 +146,22 @@ impl Scene {
         }
     }
 
-    /// A setting of one's own choosing over this scene's horizon, about so many steps, priced as
-    /// [`choose`](Self::choose) prices its own; what error to expect of it is not known, and is
-    /// said to be infinite.
-    ///
-    /// # Panics
-    /// If the horizon is not a finite number above 0, or `steps` is 0.
-    pub fn setting<M, const N: usize>(
-        &self,
-        map: &M,
-        precision: Precision,
-        composition: Composition,
-        compensated: bool,
-        steps: u64,
-    ) -> Setting
-    where
-        M: Lift<f64, N>,
-    {
-        assert!(
-            self.horizon.is_finite() && self.horizon > 0.0,
-            "the horizon must be a finite number above 0"
-        );
-        assert!(steps > 0, "an orbit over a horizon has at least one step");
-        Setting::over(map, self, Kind { precision, composition, compensated }, steps as f64)
+    /// The time to be simulated.
+    #[must_use]
+    pub const fn horizon(&self) -> f64 {
+        self.horizon
+    }
+
+    /// What the orbit is for.
+    #[must_use]
+    pub const fn need(&self) -> Need {
+        self.need
+    }
+
+    /// The largest error accepted.
+    #[must_use]
+    pub const fn tolerance(&self) -> f64 {
+        self.tolerance
     }
 
     fn check<const N: usize>(&self, x0: &SVector<f64, N>) -> Result<(), NoSetting> {

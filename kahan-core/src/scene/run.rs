@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::field::linear::{components, vector};
 use crate::{Composition, Dd, FloatScalar, KahanMap, Lift, ThroughF64};
 
-use super::{Precision, Setting};
+use super::{Precision, Scheme, Setting};
 
 /// What to do with an orbit of whatever type, whose points `widen` holds without a rounding.
 trait Task<const N: usize> {
@@ -99,7 +99,7 @@ impl Setting {
         K: Task<N>,
     {
         let single = |x: f64| x as f32;
-        match self.precision {
+        match self.scheme.precision {
             Precision::Single => {
                 let map = map.lift::<f32>(|parameter| single(*parameter));
                 self.with_mode(&map, x0.map(single), single(self.eps), Dd::from, task)
@@ -129,13 +129,14 @@ impl Setting {
         T: FloatScalar,
         K: Task<N>,
     {
+        let Scheme { composition, compensated, .. } = self.scheme;
         let orbit = map.orbit(x0, eps);
         let widen = |x: SVector<T, N>| components(&x).map(&widen);
-        match (self.composition == Composition::KAHAN, self.compensated) {
+        match (composition == Composition::KAHAN, compensated) {
             (true, false) => task.run(orbit, widen),
             (true, true) => task.run(orbit.compensated(), widen),
-            (false, false) => task.run(orbit.composed(self.composition), widen),
-            (false, true) => task.run(orbit.composed(self.composition).compensated(), widen),
+            (false, false) => task.run(orbit.composed(composition), widen),
+            (false, true) => task.run(orbit.composed(composition).compensated(), widen),
         }
     }
 }

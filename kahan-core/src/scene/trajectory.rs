@@ -13,9 +13,8 @@ use nalgebra::SVector;
 use crate::flow::{Flow, FlowScalar, NoFlow};
 use crate::{Dd, Lift, PreparedStep, QuadraticField};
 
-use super::search::{Search, Trials, VOUCHING, Verdict};
-use super::setting::{Kind, Mode};
-use super::{NoSetting, Precision, Scene, Setting, price};
+use super::search::{OF_DOUBLE, OTHERS, Search, Trials, VOUCHING, Verdict};
+use super::{NoSetting, Scene, Scheme, Setting};
 
 /// The most steps of the map that a choice may cost, all of its trials together.
 const MOST_WORK: f64 = 1e6;
@@ -27,8 +26,6 @@ const FINE: f64 = 1e-12;
 const ROUNDINGS: f64 = 1000.0 * f64::EPSILON;
 /// The relative distance of two beginnings that tells growth.
 const NEARBY: f64 = 1.0 / (1_u64 << 36) as f64;
-/// Below this tolerance the rounding of ε, which moves the end by as much of the horizon, is felt.
-const EPS_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// The part of what is left that the solution may take.
 const SHARE: f64 = 0.4;
 /// Trials end where they are so far off, relative to the trajectory's size, or a few tolerances:
@@ -48,7 +45,7 @@ where
     if scene.tolerance >= FINE
         && let Some(flow) = budget.sure_flow(scene, map, start)
     {
-        let attempt = Attempt { scene, map, x0, flow: &flow, modes: &Mode::OF_DOUBLE };
+        let attempt = Attempt { scene, map, x0, flow: &flow, others: &OF_DOUBLE };
         match attempt.choose(&mut budget) {
             Err(Refusal { is_rough: true, .. }) => {}
             answer => return answer.map_err(|refusal| refusal.why),
@@ -56,7 +53,7 @@ where
     }
     let wide = map.lift::<Dd>(|parameter| Dd::from(*parameter));
     let flow = budget.flow(scene, &wide, start.map(Dd::from))?;
-    let attempt = Attempt { scene, map, x0, flow: &flow, modes: &Mode::OTHERS };
+    let attempt = Attempt { scene, map, x0, flow: &flow, others: &OTHERS };
     attempt.choose(&mut budget).map_err(|refusal| refusal.why)
 }
 
@@ -121,7 +118,7 @@ struct Attempt<'a, T, M, const N: usize> {
     x0: &'a SVector<f64, N>,
     flow: &'a Flow<T>,
     /// The numbers that may be chosen besides plain `f64`.
-    modes: &'static [Mode],
+    others: &'static [Scheme],
 }
 
 /// Why an attempt found nothing.
@@ -141,13 +138,11 @@ where
         // stages are shorter, may be.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
         let runs = Runs { attempt: self, budget, agreed_until: 0.0, is_short_of_work: false };
-        let mut search = Search::new(runs, self.scene.tolerance, self.modes);
+        let mut search = Search::new(runs, self.scene.tolerance, self.others);
         let verdict = search.run(coarsest);
         let Runs { agreed_until, is_short_of_work, .. } = *search.trials();
         match verdict {
-            Verdict::Choice { kind, steps, error } => {
-                Ok(Setting { error, ..Setting::over(self.map, self.scene, kind, steps as f64) })
-            }
+            Verdict::Choice(setting) => Ok(setting),
             Verdict::None { least_error, is_rough } => {
                 let why = if least_error < LOST {
                     // As much again, as roundings differ from one ε to the next.
@@ -177,23 +172,18 @@ where
     T: FlowScalar,
     M: Lift<f64, N>,
 {
-    /// A power of 2 where the end is to be met more accurately than an ε that is rounded, an `f64`
-    /// in every kind, has it.
-    fn steps_near(&self, kind: Kind, steps: u64) -> u64 {
-        let is_finer =
-            kind.precision == Precision::DoubleDouble && self.attempt.scene.tolerance < EPS_ROUNDING;
-        if is_finer { steps.next_power_of_two() } else { steps }
+    fn setting(&self, scheme: Scheme, steps: u64) -> Setting {
+        self.attempt.scene.setting(scheme, steps)
     }
 
-    fn error(&mut self, kind: Kind, steps: u64, share: f64) -> Option<f64> {
+    fn error(&mut self, setting: &Setting, share: f64) -> Option<f64> {
         // A comparison counts as a step.
-        let work_of_step = kind.composition.stages() as f64 + 1.0;
-        if steps as f64 * work_of_step > share * self.budget.left {
+        let work_of_step = setting.scheme.composition.stages() as f64 + 1.0;
+        if setting.steps as f64 * work_of_step > share * self.budget.left {
             self.is_short_of_work = true;
             return None;
         }
         let Attempt { scene, map, x0, flow, .. } = *self.attempt;
-        let setting = Setting::over(map, scene, kind, steps as f64);
         let lost = LOST.max(4.0 * scene.tolerance);
         let dt = Dd::from(2.0 * setting.eps);
         let mut along = flow.along::<N>();
@@ -212,7 +202,7 @@ where
         Some(if worst <= lost { worst } else { f64::INFINITY })
     }
 
-    fn price(&self, kind: Kind) -> f64 {
-        price::of_step(<M::Prepared as PreparedStep<f64, N>>::COST, kind)
+    fn price(&self, scheme: Scheme) -> f64 {
+        scheme.cycles(<M::Prepared as PreparedStep<f64, N>>::COST)
     }
 }

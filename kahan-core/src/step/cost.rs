@@ -19,6 +19,13 @@ impl StepCost {
         StepCost { operations, divisions, chain }
     }
 
+    /// The cycles of a step: the longer of what it waits for and what it has to do, at two
+    /// operations a cycle and four cycles a division.
+    pub fn cycles(self) -> f64 {
+        let work = f64::from(self.operations) / 2.0 + 4.0 * f64::from(self.divisions);
+        work.max(f64::from(self.chain))
+    }
+
     /// What elimination in n variables costs, a multiplication and an addition an entry of each row
     /// below a pivot; A(x,ε) and f(x) are taken as dense.
     pub const fn of_elimination(n: usize) -> Self {

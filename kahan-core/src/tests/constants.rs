@@ -3,7 +3,7 @@
 use crate::{Constant, Scalar};
 
 /// −(2⁶⁴ + 1)/3 = −(5555555555555555₁₆ + 2/3), as the macro would write it.
-const LONG: Constant = Constant::exact(
+const LONG: Constant<'_> = Constant::exact(
     true,
     &[1, 1],
     &[3],
@@ -33,8 +33,8 @@ fn ratios_are_the_literals_that_they_spell() {
 
 #[test]
 fn constants_can_be_static_data() {
-    const TENTH: Constant = Constant::ratio(1, 10);
-    static ALL: [Constant; 3] = [Constant::integer(2), TENTH, LONG];
+    const TENTH: Constant<'_> = Constant::ratio(1, 10);
+    static ALL: [Constant<'_>; 3] = [Constant::integer(2), TENTH, LONG];
     assert_eq!(ALL.map(|c| c.to_f64() < 0.0), [false, false, true]);
 }
 

@@ -60,7 +60,7 @@ macro_rules! fused {
 
         /// Unlike a float, it has no reciprocal of zero.
         impl Scalar for Fused<$float> {
-            fn constant(c: &Constant) -> Self {
+            fn constant(c: &Constant<'_>) -> Self {
                 Self(c.$constant())
             }
 

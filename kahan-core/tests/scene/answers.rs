@@ -11,7 +11,7 @@ const START: [f64; 3] = [0.25, -0.5, 1.0];
 fn the_line_that_is_printed_is_the_orbit_that_is_run() {
     let start = vector![1.5, 1.0];
     let setting = Scene::trajectory(20.0, 1e-9).choose(&LotkaVolterra, &start).unwrap();
-    assert_eq!(setting.precision(), Precision::Double);
+    assert_eq!(setting.scheme().precision, Precision::Double);
     let (eps, steps) = (setting.eps(), setting.steps());
     let line =
         format!("let orbit = map.orbit(x, {eps:?}).composed(Composition::KAHAN_LI_8).take({});", steps + 1);

@@ -1,7 +1,7 @@
 //! The choice against a reference, and against everything cheaper.
 
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Lift, Precision, Scene};
+use kahan_core::{Composition, Lift, PreparedStep, Scene, Scheme};
 
 use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
 use crate::trajectory::Trajectory;
@@ -17,6 +17,7 @@ where
     let x0 = SVector::from(x0);
     let reference = Trajectory::new(&map, &x0, horizon, steps);
     let doubt = reference.doubt(&Trajectory::new(&map, &x0, horizon, steps / 2));
+    let stage = <M::Prepared as PreparedStep<f64, N>>::COST;
     for &tolerance in tolerances {
         // The difference from half the steps is 255 times the reference's own error, as it is of
         // order 8.
@@ -24,23 +25,18 @@ where
         let scene = Scene::trajectory(horizon, tolerance);
         let chosen = scene.choose(&map, &x0).unwrap_or_else(|why| panic!("{name}, {tolerance:e}: {why}"));
         let error = reference.error(&chosen, &map, x0, 256, f64::INFINITY);
-        println!("{name}, {tolerance:e}: {chosen} costs {:.0}, errs {error:.1e}", chosen.cost());
+        let cost = chosen.steps() as f64 * chosen.scheme().cycles(stage);
+        println!("{name}, {tolerance:e}: {chosen} costs {cost:.0}, errs {error:.1e}");
         assert!(error <= tolerance, "{name}: {chosen} errs {error:e} for {tolerance:e}");
 
-        let kinds = Precision::ALL.into_iter().flat_map(|precision| [(precision, false), (precision, true)]);
-        for ((precision, compensated), order) in
-            kinds.flat_map(|kind| [2, 4, 6, 8].map(|order| (kind, order)))
-        {
-            let composition = Composition::of_order(order).unwrap();
-            let setting = |steps| scene.setting(&map, precision, composition, compensated, steps);
-            let of_step = setting(1 << 20).cost() / setting(1 << 20).steps() as f64;
+        for scheme in Scheme::all() {
             // The dearest of what costs a third errs least; below, in case it is bad luck.
-            let mut steps = chosen.cost() / RATIO / of_step;
+            let mut steps = cost / RATIO / scheme.cycles(stage);
             for _ in 0..8 {
                 if steps < 1.0 {
                     break;
                 }
-                let cheap = setting(steps as u64);
+                let cheap = scene.setting(scheme, steps as u64);
                 let error = reference.error(&cheap, &map, x0, 64, tolerance);
                 assert!(error > tolerance, "{name}: {cheap} errs {error:e}, at a third of {chosen}");
                 steps /= 1.1;
@@ -92,7 +88,7 @@ fn the_integrals_of_e6_are_kept_as_was_asked_for() {
     let x0 = vector![0.25, -0.5, 1.0];
     for (horizon, tolerance) in [(500.0, 1e-6), (500.0, 3e-14), (500.0, 1e-14), (20_000.0, 2e-13)] {
         let setting = Scene::integrals(horizon, tolerance).choose(&E6, &x0).unwrap();
-        assert_eq!(setting.composition(), Composition::KAHAN);
+        assert_eq!(setting.scheme().composition, Composition::KAHAN);
         let values = |x: &SVector<f64, 3>| E6.integrals(&x.map(Dd::from), Dd::from(setting.eps()));
         let (mut begin, mut worst) = (None, 0.0_f64);
         setting.visit(&E6, x0, |_, x| {

@@ -15,9 +15,9 @@ mod refusal;
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, Flow, KahanMap, Scalar};
+use kahan_core::{Dd, Flow, KahanMap};
 
-use kahan_runtime::interpreted::constant;
+use kahan_runtime::interpreted::round;
 
 use path::path;
 
@@ -82,9 +82,8 @@ impl Reference {
     where
         M: KahanMap<Dd, N>,
     {
-        let start = SVector::from_fn(|i, _| {
-            asked.start.get(i).map_or(Dd::from(0.0), |x| Dd::constant(&constant(&x.clone().into())))
-        });
+        let start =
+            SVector::from_fn(|i, _| asked.start.get(i).map_or(Dd::from(0.0), |x| round(&x.clone().into())));
         let flow = path(map, start, asked.end, limits)?;
         let certificate = match closed::closed_solution(asked.command, asked.parameters, asked.start) {
             Some(solution) => Certificate::by_solution(&flow, &|t| padded(&solution(t), N), asked.allowed),

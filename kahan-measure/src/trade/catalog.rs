@@ -1,14 +1,13 @@
 //! From a system's name to the orbits of its compiled map.
 
-use kahan_core::Lift;
 use kahan_core::num_rational::BigRational;
+use kahan_core::{Lift, Scheme};
 use kahan_systems::with_catalog;
 
-use super::kind::Kind;
 use super::walk::{Walker, walk};
 
-/// Hands over the orbit from a point, in a kind of arithmetic, with an ε.
-pub(super) type Compiled = Box<dyn Fn(&[BigRational], Kind, f64, Walker<'_>)>;
+/// Hands over the orbit from a point, in a scheme, with an ε.
+pub(super) type Compiled = Box<dyn Fn(&[BigRational], Scheme, f64, Walker<'_>)>;
 
 macro_rules! compiled_maps {
     ($($group:ident {
@@ -34,5 +33,5 @@ fn orbits<M, const N: usize>(map: M) -> Compiled
 where
     M: Lift<BigRational, N> + 'static,
 {
-    Box::new(move |start, kind, eps, walker| walk(&map, start, kind, eps, walker))
+    Box::new(move |start, scheme, eps, walker| walk(&map, start, scheme, eps, walker))
 }

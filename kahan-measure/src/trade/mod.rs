@@ -10,7 +10,6 @@ mod catalog;
 mod clock;
 mod drift;
 mod front;
-mod kind;
 mod runner;
 mod search;
 mod stops;
@@ -21,8 +20,8 @@ use std::time::{Duration, Instant};
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
-use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
+use kahan_core::{Dd, Need, Scene, Scheme, Setting};
 
 use crate::reference::{Certificate, Limits, NoReference, Reference, Trajectory};
 use kahan_runtime::interpreted::{CannotInterpret, UnsupportedDimension};
@@ -32,24 +31,9 @@ use drift::Integrals;
 use runner::Runner;
 use study::Study;
 
-pub use kind::{Kind, ORDERS, ScalarKind};
-
-/// What an orbit is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Need {
-    /// To follow the flow's trajectory: the error is the largest distance from it over the horizon,
-    /// at the times of the steps and with the last point standing for the horizon, in the maximum
-    /// norm, relative to the largest coordinate of the trajectory.
-    Trajectory,
-    /// To keep the integrals: the error is the largest change of the map's own (at its ε; of a
-    /// composition, which has none of its own, of the flow's) over the horizon, relative to the
-    /// value at the beginning.
-    Integrals,
-}
-
-/// A scene.
+/// A system at a starting point.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<'a> {
+pub struct Subject<'a> {
     /// The system.
     pub system: &'a System,
     /// Its name in the catalog; anything else for a field that is not compiled.
@@ -58,25 +42,13 @@ pub struct Scene<'a> {
     pub parameters: &'a [Rational],
     /// The first point.
     pub start: &'a [Rational],
-    /// The time to be simulated, above 0.
-    pub horizon: f64,
-    /// What is needed.
-    pub need: Need,
-    /// The largest error that is accepted.
-    pub tolerance: f64,
-    /// The time that may be spent on it.
-    pub seconds: f64,
 }
 
-/// A kind at an ε, measured.
+/// A setting, measured.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Setting {
-    /// The scalar, the order, the accumulation.
-    pub kind: Kind,
-    /// Half the time step; for [`Need::Integrals`] of so few bits that its powers are exact.
-    pub eps: f64,
-    /// The steps over the horizon.
-    pub steps: u64,
+pub struct Measured {
+    /// The setting; what error to expect of it, this says.
+    pub setting: Setting,
     /// The price.
     pub nanoseconds_per_unit_time: f64,
     /// The error of [`Need::Trajectory`]; `None` where it was not asked for. May be infinite.
@@ -96,7 +68,7 @@ pub struct Setting {
 #[derive(Clone, Debug)]
 pub struct Trade {
     /// The settings, the cheapest first.
-    pub settings: Vec<Setting>,
+    pub settings: Vec<Measured>,
     /// The cheapest that meets the need.
     pub choice: Option<usize>,
     /// What stands behind the errors of trajectories.
@@ -106,10 +78,10 @@ pub struct Trade {
     /// Whether prices were measured on this system's compiled steps; else on E6's, and scaled by
     /// the cost of the plans.
     pub is_compiled: bool,
-    /// Kinds that there was no time for, and the ε from which on.
-    pub skipped: Vec<(Kind, f64)>,
-    /// Kinds that cannot: their errors fall no further, and stay above the tolerance.
-    pub stalled: Vec<Kind>,
+    /// Schemes that there was no time for, and the ε from which on.
+    pub skipped: Vec<(Scheme, f64)>,
+    /// Schemes that cannot: their errors fall no further, and stay above the tolerance.
+    pub stalled: Vec<Scheme>,
 }
 
 /// Why nothing was measured.
@@ -141,46 +113,61 @@ impl core::fmt::Display for CannotTrade {
 
 impl core::error::Error for CannotTrade {}
 
-impl Setting {
-    /// The error that a need is about; infinite where it was not measured.
+impl Measured {
+    /// The error that the need is about: of the trajectory where it was asked for, else of the
+    /// integrals.
     #[must_use]
-    pub fn error(&self, need: Need) -> f64 {
-        let error = match need {
-            Need::Trajectory => self.trajectory_error,
-            Need::Integrals => self.integral_drift,
-        };
-        error.unwrap_or(f64::INFINITY)
+    pub fn error(&self) -> f64 {
+        self.trajectory_error.or(self.integral_drift).unwrap_or(f64::INFINITY)
     }
 }
 
 impl Trade {
-    /// Measures, calling `progress` with the number of settings known so far.
+    /// Measures for so many seconds at most, calling `progress` with the number of settings known
+    /// so far.
     ///
     /// # Errors
     /// [`CannotTrade`].
-    pub fn of(scene: &Scene<'_>, progress: &mut dyn FnMut(u64)) -> Result<Self, CannotTrade> {
+    pub fn of(
+        subject: &Subject<'_>,
+        scene: &Scene,
+        seconds: f64,
+        progress: &mut dyn FnMut(u64),
+    ) -> Result<Self, CannotTrade> {
         let begin = Instant::now();
-        let after =
-            |part: f64| begin + Duration::try_from_secs_f64(part * scene.seconds).unwrap_or(LONG).min(LONG);
+        let after = |part: f64| begin + Duration::try_from_secs_f64(part * seconds).unwrap_or(LONG).min(LONG);
+        let Subject { system, command, parameters, start } = *subject;
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
-        let (parameters, start) = (exact(scene.parameters), exact(scene.start));
-        let subject = &Runner::new(scene.system, scene.command, &parameters, &start)?;
-        let wide = scene.start.iter().map(Rational::to_double_double);
+        let (exact_parameters, exact_start) = (exact(parameters), exact(start));
+        let subject = &Runner::new(system, command, &exact_parameters, &exact_start)?;
+        let wide = start.iter().map(Rational::to_double_double);
         let wide: Vec<Dd> = wide.map(|(high, low)| Dd::new(high, low)).collect();
         let integrals = Integrals::of(subject, &wide);
-        let reference = match scene.need {
+        let reference = match scene.need() {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
             Need::Integrals => None,
-            Need::Trajectory => Some(reference(scene, subject, &parameters, &start, after(REFERENCE_SHARE))?),
+            Need::Trajectory => {
+                // A little beyond the horizon: n steps of an ε that was rounded do not end there
+                // exactly.
+                let limits = Limits { margin: 1.0 / 256.0, deadline: Some(after(REFERENCE_SHARE)) };
+                let asked = Trajectory {
+                    command,
+                    parameters: &exact_parameters,
+                    start: &exact_start,
+                    end: scene.horizon(),
+                    allowed: 1e-3 * scene.tolerance(),
+                };
+                Some(subject.reference(&asked, &limits).map_err(CannotTrade::Reference)?)
+            }
         };
         // ε times the rate, on an average: compositions, whose stages are shorter, follow
         // trajectories up to 2 or so, with errors to match.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.turning() / 4.0,
-            None => 0.5 * scene.horizon * subject.slope(),
+            None => 0.5 * scene.horizon() * subject.slope(),
         };
         let coarsest = coarsest.ceil().clamp(1.0, 1e15) as u64;
-        let eps = scene.horizon / (2.0 * coarsest as f64);
+        let eps = scene.horizon() / (2.0 * coarsest as f64);
         let clock = if subject.is_compiled() {
             Clock::of(subject, 0.1 * eps)
         } else {
@@ -190,9 +177,7 @@ impl Trade {
         let mut study = Study {
             subject,
             clock,
-            need: scene.need,
-            tolerance: scene.tolerance,
-            horizon: scene.horizon,
+            scene: *scene,
             reference,
             integrals,
             deadline: after(1.0),
@@ -212,28 +197,13 @@ const REFERENCE_SHARE: f64 = 0.75;
 /// As good as no limit; a clock cannot tell times that are much later.
 const LONG: Duration = Duration::from_secs(1 << 32);
 
-/// The trajectory, a little beyond the horizon: n steps of an ε that was rounded do not end there
-/// exactly.
-fn reference(
-    scene: &Scene<'_>,
-    subject: &Runner,
-    parameters: &[BigRational],
-    start: &[BigRational],
-    deadline: Instant,
-) -> Result<Reference, CannotTrade> {
-    let Scene { command, horizon: end, tolerance, .. } = *scene;
-    let asked = Trajectory { command, parameters, start, end, allowed: 1e-3 * tolerance };
-    let limits = Limits { margin: 1.0 / 256.0, deadline: Some(deadline) };
-    subject.reference(&asked, &limits).map_err(CannotTrade::Reference)
-}
-
 impl Study<'_> {
     fn finish(mut self) -> Trade {
         self.settings.sort_by(|a, b| a.nanoseconds_per_unit_time.total_cmp(&b.nanoseconds_per_unit_time));
-        front::mark(&mut self.settings, self.need);
+        front::mark(&mut self.settings);
         for index in 0..self.settings.len() {
             if self.settings[index].on_front {
-                self.settings[index].return_error = self.return_error(&self.settings[index]);
+                self.settings[index].return_error = self.return_error(&self.settings[index].setting);
             }
         }
         Trade {

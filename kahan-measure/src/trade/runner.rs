@@ -6,14 +6,13 @@ use kahan_algebra::system::System;
 use kahan_core::__private::Dual;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, QuadraticField, Scalar, StepCost};
+use kahan_core::{Dd, QuadraticField, Scalar, Scheme, StepCost};
 use kahan_runtime::interpreted::{CannotInterpret, Interpreted, VisitDimension, visit_dimension};
 
 use crate::reference::{Limits, NoReference, Reference, Trajectory};
 
 use super::CannotTrade;
 use super::catalog::{Compiled, compiled};
-use super::kind::Kind;
 use super::walk::{Walker, point, rational, walk};
 
 /// A system at a starting point.
@@ -61,7 +60,7 @@ impl Runner {
     /// `from`, or at the scene's own point.
     pub(super) fn follow(
         &self,
-        kind: Kind,
+        scheme: Scheme,
         eps: f64,
         from: Option<&[Dd]>,
         stops: Stops<'_>,
@@ -82,8 +81,8 @@ impl Runner {
             seconds = clock.elapsed().as_secs_f64();
         };
         match &self.compiled {
-            Some(compiled) => compiled(&start, kind, eps, walker),
-            None => self.map.walk(&start, kind, eps, walker),
+            Some(compiled) => compiled(&start, scheme, eps, walker),
+            None => self.map.walk(&start, scheme, eps, walker),
         }
         seconds
     }
@@ -121,7 +120,7 @@ impl Runner {
 /// A system that was read, in whatever number of variables.
 trait Map {
     /// Hands over an orbit.
-    fn walk(&self, start: &[BigRational], kind: Kind, eps: f64, walker: Walker<'_>);
+    fn walk(&self, start: &[BigRational], scheme: Scheme, eps: f64, walker: Walker<'_>);
     fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference>;
     fn slope(&self, start: &[BigRational]) -> f64;
     fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd>;
@@ -130,8 +129,8 @@ trait Map {
 }
 
 impl<const N: usize> Map for Interpreted<BigRational, N> {
-    fn walk(&self, start: &[BigRational], kind: Kind, eps: f64, walker: Walker<'_>) {
-        walk(self, start, kind, eps, walker);
+    fn walk(&self, start: &[BigRational], scheme: Scheme, eps: f64, walker: Walker<'_>) {
+        walk(self, start, scheme, eps, walker);
     }
 
     fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference> {

@@ -1,15 +1,13 @@
 //! Orbits in every kind of arithmetic, behind one face.
 //!
-//! In: a map over ℚ, from which every scalar rounds its own, a first point, a kind, ε. Out: the
-//! library's own orbit of that kind, as something that walks. This is all of the trade that is
+//! In: a map over ℚ, from which every scalar rounds its own, a first point, a scheme, ε. Out: the
+//! library's own orbit of that scheme, as something that walks. This is all of the trade that is
 //! compiled once for every map, so it holds nothing else.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, FloatScalar, KahanMap, Lift, Scalar, ThroughF64};
-use kahan_runtime::interpreted::constant;
-
-use super::kind::{Kind, ScalarKind};
+use kahan_core::{Dd, FloatScalar, KahanMap, Lift, Precision, Scalar, Scheme, ThroughF64};
+use kahan_runtime::interpreted;
 
 /// An orbit.
 pub(super) trait Walk {
@@ -40,55 +38,55 @@ where
 /// What is done with an orbit.
 pub(super) type Walker<'a> = &'a mut dyn FnMut(&mut dyn Walk);
 
-/// Hands over the orbit of a map in a kind of arithmetic. `start` has at most N coordinates; those
+/// Hands over the orbit of a map in a scheme. `start` has at most N coordinates; those
 /// that lack are 0.
 pub(super) fn walk<M, const N: usize>(
     exact: &M,
     start: &[BigRational],
-    kind: Kind,
+    scheme: Scheme,
     eps: f64,
     walker: Walker<'_>,
 ) where
     M: Lift<BigRational, N>,
 {
-    match kind.scalar {
-        ScalarKind::F32 => carried(&exact.lift::<f32>(round), start, kind, eps, walker),
-        ScalarKind::F32ThroughF64 => {
-            carried(&ThroughF64(exact.lift::<f32>(round)), start, kind, eps, walker);
+    match scheme.precision {
+        Precision::Single => carried(&exact.lift::<f32>(round), start, scheme, eps, walker),
+        Precision::SingleThroughDouble => {
+            carried(&ThroughF64(exact.lift::<f32>(round)), start, scheme, eps, walker);
         }
-        ScalarKind::F64 => carried(&exact.lift::<f64>(round), start, kind, eps, walker),
+        Precision::Double => carried(&exact.lift::<f64>(round), start, scheme, eps, walker),
         // Compensation makes no sense where no rounding is ever seen.
-        ScalarKind::Dd => plain(&exact.lift::<Dd>(round), start, kind, eps, walker),
+        Precision::DoubleDouble => plain(&exact.lift::<Dd>(round), start, scheme, eps, walker),
     }
 }
 
-/// The orbit, compensated where the kind is.
-fn carried<M, T, const N: usize>(map: &M, start: &[BigRational], kind: Kind, eps: f64, walker: Walker<'_>)
+/// The orbit, compensated where the scheme is.
+fn carried<M, T, const N: usize>(map: &M, start: &[BigRational], scheme: Scheme, eps: f64, walker: Walker<'_>)
 where
     M: KahanMap<T, N>,
     T: FloatScalar,
     Dd: From<T>,
 {
-    if !kind.compensated {
-        return plain(map, start, kind, eps, walker);
+    if !scheme.compensated {
+        return plain(map, start, scheme, eps, walker);
     }
     let orbit = map.orbit(point(start), round(&rational(eps))).compensated();
-    match kind.order {
+    match scheme.order() {
         2 => walker(&mut { orbit }),
-        _ => walker(&mut orbit.composed(kind.composition())),
+        _ => walker(&mut orbit.composed(scheme.composition)),
     }
 }
 
-fn plain<M, T, const N: usize>(map: &M, start: &[BigRational], kind: Kind, eps: f64, walker: Walker<'_>)
+fn plain<M, T, const N: usize>(map: &M, start: &[BigRational], scheme: Scheme, eps: f64, walker: Walker<'_>)
 where
     M: KahanMap<T, N>,
     T: FloatScalar,
     Dd: From<T>,
 {
     let orbit = map.orbit(point(start), round(&rational(eps)));
-    match kind.order {
+    match scheme.order() {
         2 => walker(&mut { orbit }),
-        _ => walker(&mut orbit.composed(kind.composition())),
+        _ => walker(&mut orbit.composed(scheme.composition)),
     }
 }
 
@@ -98,7 +96,7 @@ pub(super) fn point<T: Scalar, const N: usize>(exact: &[BigRational]) -> SVector
 }
 
 pub(super) fn round<T: Scalar>(value: &BigRational) -> T {
-    T::constant(&constant(&value.clone().into()))
+    interpreted::round(&value.clone().into())
 }
 
 /// A float as the number that it is; 0 for what is none.

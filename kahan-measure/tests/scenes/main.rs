@@ -12,7 +12,7 @@ mod fields;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Dd, Lift, NoSetting, Precision, Scene, Setting};
+use kahan_core::{Composition, Dd, Lift, NoSetting, Precision, Scene, Scheme, Setting};
 use kahan_measure::reference::{Limits, Reference, Trajectory};
 
 use fields::*;
@@ -91,13 +91,12 @@ fn within_budget<M, const N: usize>(
 where
     M: Lift<f64, N>,
 {
-    let modes = [(Precision::Double, false), (Precision::Double, true), (Precision::DoubleDouble, false)];
+    let (plain, wide) = (Scheme::of(Precision::Double), Scheme::of(Precision::DoubleDouble));
     for part in [0.125, 0.25, 0.5, 0.75, 1.0] {
-        for order in [8, 6, 4, 2] {
-            let composition = Composition::of_order(order)?;
+        for composition in Composition::BEST.into_iter().rev() {
             let steps = (part * BUDGET / composition.stages() as f64) as u64;
-            for (precision, compensated) in modes {
-                let setting = scene.setting(map, precision, composition, compensated, steps);
+            for scheme in [plain, plain.compensated(), wide] {
+                let setting = scene.setting(scheme.composed(composition), steps);
                 if error(&setting, map, x0, truth) <= tolerance {
                     return Some(setting);
                 }
@@ -168,7 +167,8 @@ fn check(seed: u64, count: u64) {
                 refused += 1;
                 if let Some(setting) = exists {
                     lost += 1;
-                    let runs = BUDGET / (setting.steps() as f64 * setting.composition().stages() as f64);
+                    let runs =
+                        BUDGET / (setting.steps() as f64 * setting.scheme().composition.stages() as f64);
                     println!("refused: {scene}\n    {why}\n    1/{runs:.1}: {setting}");
                 }
             }

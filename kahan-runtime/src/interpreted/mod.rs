@@ -7,8 +7,8 @@
 //! the same plans in the same order, ten to fifty times as slowly.
 
 mod code;
-mod constant;
 mod dimension;
+mod literal;
 mod program;
 mod step;
 mod unplanned;
@@ -30,8 +30,8 @@ use code::Code;
 use program::{Inputs, Program};
 use unplanned::Unplanned;
 
-pub use constant::constant;
 pub use dimension::{LARGEST_DIMENSION, UnsupportedDimension, VisitDimension, visit_dimension};
+pub use literal::round;
 pub use step::InterpretedStep;
 
 /// A system read at run time, over the scalar T in N variables.
@@ -148,7 +148,7 @@ impl<const N: usize> Interpreted<BigRational, N> {
     /// The system over another scalar, each parameter rounded once from its exact value.
     #[must_use]
     pub fn rounded<T: Scalar>(&self) -> Interpreted<T, N> {
-        self.over(|parameter: &BigRational| T::constant(&constant(&Rational::from(parameter.clone()))))
+        self.over(|parameter: &BigRational| round(&Rational::from(parameter.clone())))
     }
 }
 

@@ -8,9 +8,9 @@
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
 use kahan_algebra::symbols::{Symbol, Symbols};
-use kahan_core::{Constant, Scalar};
+use kahan_core::Scalar;
 
-use super::constant;
+use super::literal::Literal;
 
 /// Where a program's inputs are.
 #[derive(Debug)]
@@ -36,7 +36,7 @@ impl<T> Default for Inputs<'_, T> {
 enum Instruction {
     Input(Symbol),
     Prepared(usize),
-    Constant(Constant),
+    Literal(Literal),
     Add(usize, usize),
     Subtract(usize, usize),
     Multiply(usize, usize),
@@ -73,7 +73,7 @@ impl Program {
         let instruction = |operation: &Operation| match *operation {
             Operation::Input(variable) => input(variable),
             Operation::Prepared(index) => Instruction::Prepared(index),
-            Operation::Constant(ref value) => Instruction::Constant(constant(value)),
+            Operation::Constant(ref value) => Instruction::Literal(Literal::from(value)),
             Operation::Negate(a) => Instruction::Negate(a.0),
             Operation::Add(a, b) => Instruction::Add(a.0, b.0),
             Operation::Subtract(a, b) => Instruction::Subtract(a.0, b.0),
@@ -117,7 +117,7 @@ impl Program {
             let value = match *instruction {
                 Instruction::Input(symbol) => inputs.value(symbol),
                 Instruction::Prepared(index) => inputs.prepared[index].clone(),
-                Instruction::Constant(ref constant) => T::constant(constant),
+                Instruction::Literal(ref literal) => T::constant(&literal.as_constant()),
                 Instruction::Add(a, b) => at(a) + at(b),
                 Instruction::Subtract(a, b) => at(a) - at(b),
                 Instruction::Multiply(a, b) => at(a) * at(b),

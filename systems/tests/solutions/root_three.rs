@@ -93,7 +93,7 @@ impl One for RootThree {
 }
 
 impl Scalar for RootThree {
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         plain(c.to_ratio())
     }
 }

@@ -38,7 +38,8 @@ impl<'a, A: Printable> FloatOrbit<'a, A> {
         let differing = composition
             .iter()
             .flat_map(|composition| composition.coefficients().take(composition.stages().div_ceil(2)));
-        let stage = |gamma: &Constant| arithmetic.multiply(&A::round(&Rational::from(gamma.to_ratio())), eps);
+        let stage =
+            |gamma: &Constant<'_>| arithmetic.multiply(&A::round(&Rational::from(gamma.to_ratio())), eps);
         let every_eps: Vec<A::Value> = std::iter::once(eps.clone()).chain(differing.map(stage)).collect();
         let mut steppers = Stepper::of_each(request.system, arithmetic, parameters, &every_eps)?;
         let stages = steppers.split_off(1);

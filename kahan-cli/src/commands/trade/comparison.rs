@@ -1,9 +1,9 @@
 //! Settings compared on one scene: the choice, why there is none, and all of it as JSON.
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
+use kahan_core::{Need, Scene};
 use kahan_measure::reference::Method;
-use kahan_measure::trade::{Need, Setting, Trade};
+use kahan_measure::trade::{Measured, Subject, Trade};
 use serde_json::{Value, json};
 
 use super::paste::rust_of;
@@ -13,35 +13,31 @@ use crate::reading::Block;
 pub(super) struct Comparison<'a> {
     pub(super) name: &'a str,
     pub(super) block: &'a Block,
-    pub(super) system: &'a System,
-    pub(super) parameters: &'a [Rational],
-    pub(super) start: &'a [Rational],
-    pub(super) horizon: f64,
-    pub(super) need: Need,
-    pub(super) tolerance: f64,
+    pub(super) subject: Subject<'a>,
+    pub(super) scene: Scene,
     pub(super) trade: Trade,
 }
 
 impl Comparison<'_> {
     pub(super) fn need_name(&self) -> &'static str {
-        match self.need {
+        match self.scene.need() {
             Need::Trajectory => "trajectory",
             Need::Integrals => "integrals",
         }
     }
 
     pub(super) fn title(&self) -> String {
-        let point: Vec<String> = self.start.iter().map(ToString::to_string).collect();
-        format!("{} from ({}) over {} units of time", self.name, point.join(", "), self.horizon)
+        let point: Vec<String> = self.subject.start.iter().map(ToString::to_string).collect();
+        format!("{} from ({}) over {} units of time", self.name, point.join(", "), self.scene.horizon())
     }
 
-    pub(super) fn choice(&self) -> Option<&Setting> {
+    pub(super) fn choice(&self) -> Option<&Measured> {
         self.trade.choice.map(|choice| &self.trade.settings[choice])
     }
 
     /// The setting that comes nearest to the tolerance.
-    pub(super) fn most_accurate(&self) -> Option<&Setting> {
-        self.trade.settings.iter().min_by(|a, b| a.error(self.need).total_cmp(&b.error(self.need)))
+    pub(super) fn most_accurate(&self) -> Option<&Measured> {
+        self.trade.settings.iter().min_by(|a, b| a.error().total_cmp(&b.error()))
     }
 
     pub(super) fn complaint(&self) -> Option<String> {
@@ -54,10 +50,16 @@ impl Comparison<'_> {
                 self.title()
             ));
         }
-        let wanted = format!("no setting reaches the tolerance {:e} on {}", self.tolerance, self.title());
+        let wanted =
+            format!("no setting reaches the tolerance {:e} on {}", self.scene.tolerance(), self.title());
         let best = match self.most_accurate() {
-            Some(best) if best.error(self.need).is_finite() => {
-                format!("the best is {}, eps = {:?}, with {:.1e}", best.kind, best.eps, best.error(self.need))
+            Some(best) if best.error().is_finite() => {
+                format!(
+                    "the best is {}, eps = {:?}, with {:.1e}",
+                    best.setting.scheme(),
+                    best.setting.eps(),
+                    best.error()
+                )
             }
             _ => "none gives finite numbers".to_owned(),
         };
@@ -71,25 +73,28 @@ impl Comparison<'_> {
 
     pub(super) fn object(&self) -> Value {
         let exact = |values: &[Rational]| values.iter().map(ToString::to_string).collect::<Vec<_>>();
-        let names = self.system.field.symbols.parameters.iter().cloned();
-        let parameters = names.zip(exact(self.parameters).into_iter().map(Value::from));
+        let names = self.subject.system.field.symbols.parameters.iter().cloned();
+        let parameters = names.zip(exact(self.subject.parameters).into_iter().map(Value::from));
         let choice = self.choice().map(|choice| {
             let mut object = setting_object(choice);
-            object["rust"] = json!(rust_of(self, choice));
+            object["rust"] = json!(rust_of(self, &choice.setting));
             object
         });
-        let skipped = self.trade.skipped.iter().map(|(kind, eps)| {
+        let skipped = self.trade.skipped.iter().map(|(scheme, eps)| {
             json!({
-                "scalar": kind.scalar.name(), "order": kind.order, "compensated": kind.compensated, "eps": eps,
+                "scalar": scheme.precision.name(),
+                "order": scheme.order(),
+                "compensated": scheme.compensated,
+                "eps": eps,
             })
         });
         json!({
             "system": self.name,
             "parameters": parameters.collect::<serde_json::Map<_, _>>(),
-            "x": exact(self.start),
-            "horizon": self.horizon,
+            "x": exact(self.subject.start),
+            "horizon": self.scene.horizon(),
             "need": self.need_name(),
-            "tolerance": self.tolerance,
+            "tolerance": self.scene.tolerance(),
             "scale": self.trade.scale,
             "reference": self.trade.certificate.map(|certificate| json!({
                 "second_method": match certificate.method {
@@ -107,18 +112,19 @@ impl Comparison<'_> {
 }
 
 /// What is not finite is `null`.
-fn setting_object(setting: &Setting) -> Value {
+fn setting_object(measured: &Measured) -> Value {
+    let scheme = measured.setting.scheme();
     json!({
-        "scalar": setting.kind.scalar.name(),
-        "order": setting.kind.order,
-        "compensated": setting.kind.compensated,
-        "eps": setting.eps,
-        "steps": setting.steps,
-        "nanoseconds_per_unit_time": setting.nanoseconds_per_unit_time,
-        "trajectory_error": setting.trajectory_error,
-        "integral_drift": setting.integral_drift,
-        "flow_integral_drift": setting.flow_integral_drift,
-        "return_error": setting.return_error,
-        "on_front": setting.on_front,
+        "scalar": scheme.precision.name(),
+        "order": scheme.order(),
+        "compensated": scheme.compensated,
+        "eps": measured.setting.eps(),
+        "steps": measured.setting.steps(),
+        "nanoseconds_per_unit_time": measured.nanoseconds_per_unit_time,
+        "trajectory_error": measured.trajectory_error,
+        "integral_drift": measured.integral_drift,
+        "flow_integral_drift": measured.flow_integral_drift,
+        "return_error": measured.return_error,
+        "on_front": measured.on_front,
     })
 }

@@ -3,7 +3,8 @@
 
 use crate::plot::{Mark, NumberLine, Plot, Series, Side};
 
-use kahan_measure::trade::{Need, ScalarKind, Setting, Trade};
+use kahan_core::{Need, Precision, Scene};
+use kahan_measure::trade::{Measured, Trade};
 
 /// Colours and type, which the atlas has from its page: light, and dark where the viewer is.
 const STYLE: &str = "\
@@ -23,39 +24,39 @@ text{fill:currentColor;font-size:13px}.grid line{stroke:var(--rule);stroke-width
 const SIZE: (f64, f64) = (720.0, 480.0);
 
 /// The picture as a file of its own, in SVG; `title` says what was measured.
-pub(super) fn picture(trade: &Trade, title: &str, need: Need, tolerance: f64) -> String {
-    let what = match need {
+pub(super) fn picture(trade: &Trade, title: &str, scene: &Scene) -> String {
+    let what = match scene.need() {
         Need::Trajectory => "trajectory error",
         Need::Integrals => "drift of integrals",
     };
-    let shown: Vec<&Setting> = trade.settings.iter().filter(|setting| is_shown(setting, need)).collect();
-    let points = |chosen: &dyn Fn(&Setting) -> bool| -> Vec<(f64, f64)> {
-        shown.iter().filter(|setting| chosen(setting)).map(|setting| place(setting, need)).collect()
+    let shown: Vec<&Measured> = trade.settings.iter().filter(is_shown).collect();
+    let points = |chosen: &dyn Fn(&Measured) -> bool| -> Vec<(f64, f64)> {
+        shown.iter().filter(|setting| chosen(setting)).map(|measured| place(measured)).collect()
     };
     let mut series = Vec::new();
-    let mut kinds: Vec<_> = shown.iter().map(|setting| setting.kind).collect();
-    kinds.sort_by_key(|kind| (kind.order, kind.scalar.name(), kind.compensated));
-    kinds.dedup();
-    for kind in kinds {
+    let mut schemes: Vec<_> = shown.iter().map(|measured| measured.setting.scheme()).collect();
+    schemes.sort_by_key(|scheme| (scheme.order(), scheme.precision.name(), scheme.compensated));
+    schemes.dedup();
+    for scheme in schemes {
         // One label an order, at the line of plain doubles; other scalars of the order share its
         // colour.
-        let (label, mark) = match (kind.scalar, kind.compensated) {
-            (ScalarKind::F64, false) => (format!("order {}", kind.order), Mark::Both),
-            (ScalarKind::Dd, false) => (format!("order {}, dd", kind.order), Mark::Both),
+        let (label, mark) = match (scheme.precision, scheme.compensated) {
+            (Precision::Double, false) => (format!("order {}", scheme.order()), Mark::Both),
+            (Precision::DoubleDouble, false) => (format!("order {}, dd", scheme.order()), Mark::Both),
             _ => (String::new(), Mark::Points),
         };
-        let colour = ORDER_COLOURS[kind.order as usize / 2 % ORDER_COLOURS.len()];
-        let mut points = points(&|setting| setting.kind == kind);
+        let colour = ORDER_COLOURS[scheme.order() as usize / 2 % ORDER_COLOURS.len()];
+        let mut points = points(&|measured| measured.setting.scheme() == scheme);
         points.sort_by(|one, other| one.0.total_cmp(&other.0));
         series.push(Series::new(&label, colour, mark, points));
     }
-    series.push(Series::new("", 6, Mark::Line, points(&|setting| setting.on_front)));
+    series.push(Series::new("", 6, Mark::Line, points(&|measured| measured.on_front)));
     if let Some(choice) = trade.choice.map(|choice| &trade.settings[choice]) {
-        let points = points(&|setting| setting == choice);
+        let points = points(&|measured| measured == choice);
         series.push(Series { side: Side::Left, ..Series::new("choice", 4, Mark::Dots, points) });
     }
-    let level = (tolerance.log10(), "tolerance".to_owned());
-    let places = || shown.iter().map(|setting| place(setting, need));
+    let level = (scene.tolerance().log10(), "tolerance".to_owned());
+    let places = || shown.iter().map(|measured| place(measured));
     let plot = Plot {
         description: format!(
             "{title}: {what} against nanoseconds per unit of simulated time, both as decimal logarithms"
@@ -79,12 +80,12 @@ pub(super) fn picture(trade: &Trade, title: &str, need: Need, tolerance: f64) ->
 /// The colour of each order: 2, 4, 6, 8.
 const ORDER_COLOURS: [usize; 5] = [6, 1, 2, 5, 3];
 
-fn place(setting: &Setting, need: Need) -> (f64, f64) {
-    (setting.nanoseconds_per_unit_time.log10(), setting.error(need).log10())
+fn place(measured: &Measured) -> (f64, f64) {
+    (measured.nanoseconds_per_unit_time.log10(), measured.error().log10())
 }
 
 /// An error of 0 has no place on a logarithmic axis, nor has one that is infinite.
-fn is_shown(setting: &&Setting, need: Need) -> bool {
-    let (x, y) = place(setting, need);
+fn is_shown(measured: &&Measured) -> bool {
+    let (x, y) = place(measured);
     x.is_finite() && y.is_finite()
 }

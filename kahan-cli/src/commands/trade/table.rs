@@ -1,7 +1,8 @@
 //! What `kahan trade` says in words.
 
+use kahan_core::{Composition, Need, Precision};
 use kahan_measure::reference::Method;
-use kahan_measure::trade::{Need, ScalarKind, Setting};
+use kahan_measure::trade::Measured;
 
 use super::comparison::Comparison;
 use super::paste::rust_of;
@@ -18,7 +19,7 @@ fn size(value: f64) -> String {
 impl Comparison<'_> {
     pub(super) fn text(&self) -> String {
         let mut lines = vec![
-            format!("{}: need {}, tolerance {:e}", self.title(), self.need_name(), self.tolerance),
+            format!("{}: need {}, tolerance {:e}", self.title(), self.need_name(), self.scene.tolerance()),
             String::new(),
         ];
         lines.extend(self.front());
@@ -26,13 +27,13 @@ impl Comparison<'_> {
         if let Some(choice) = self.choice() {
             lines.push(format!(
                 "choice     {}, eps = {:?}: {} ns per unit of time, {} {:.1e}",
-                choice.kind,
-                choice.eps,
+                choice.setting.scheme(),
+                choice.setting.eps(),
                 price(choice),
                 self.error_name(),
-                choice.error(self.need)
+                choice.error()
             ));
-            let rust = rust_of(self, choice);
+            let rust = rust_of(self, &choice.setting);
             lines.extend(rust.lines().map(|line| format!("           {line}")));
         }
         lines.extend(self.out_of_reach());
@@ -41,7 +42,7 @@ impl Comparison<'_> {
     }
 
     fn error_name(&self) -> &'static str {
-        match self.need {
+        match self.scene.need() {
             Need::Trajectory => "trajectory error",
             Need::Integrals => "drift of integrals",
         }
@@ -60,34 +61,35 @@ impl Comparison<'_> {
             "return",
         ];
         let mut rows = vec![header.map(str::to_owned).to_vec()];
-        rows.extend(self.trade.settings.iter().filter(|setting| setting.on_front).map(|setting| {
+        rows.extend(self.trade.settings.iter().filter(|measured| measured.on_front).map(|measured| {
+            let scheme = measured.setting.scheme();
             vec![
-                setting.kind.scalar.name().to_owned(),
-                setting.kind.order.to_string(),
-                if setting.kind.compensated { "yes" } else { "no" }.to_owned(),
-                format!("{:?}", setting.eps),
-                price(setting),
-                error(setting.trajectory_error),
-                error(setting.integral_drift),
-                error(setting.return_error),
+                scheme.precision.name().to_owned(),
+                scheme.order().to_string(),
+                if scheme.compensated { "yes" } else { "no" }.to_owned(),
+                format!("{:?}", measured.setting.eps()),
+                price(measured),
+                error(measured.trajectory_error),
+                error(measured.integral_drift),
+                error(measured.return_error),
             ]
         }));
         table(&rows, 3)
     }
 
-    /// The kinds that cannot reach the tolerance, with the best they reached.
+    /// The schemes that cannot reach the tolerance, with the best they reached.
     fn out_of_reach(&self) -> Vec<String> {
         let mut lines = Vec::new();
-        for &kind in &self.trade.stalled {
-            let settings = self.trade.settings.iter().filter(|setting| setting.kind == kind);
-            let best = settings.min_by(|a, b| a.error(self.need).total_cmp(&b.error(self.need)));
-            let Some(best) = best.filter(|best| best.error(self.need) > self.tolerance) else { continue };
-            let reached = match best.error(self.need) {
-                error if error.is_finite() => format!("{error:.1e} at eps = {:?}", best.eps),
+        for &scheme in &self.trade.stalled {
+            let settings = self.trade.settings.iter().filter(|measured| measured.setting.scheme() == scheme);
+            let best = settings.min_by(|a, b| a.error().total_cmp(&b.error()));
+            let Some(best) = best.filter(|best| best.error() > self.scene.tolerance()) else { continue };
+            let reached = match best.error() {
+                error if error.is_finite() => format!("{error:.1e} at eps = {:?}", best.setting.eps()),
                 _ => "no finite numbers".to_owned(),
             };
             let heading = if lines.is_empty() { "too coarse" } else { "" };
-            lines.push(format!("{heading:<10} {kind}: at best {reached}"));
+            lines.push(format!("{heading:<10} {scheme}: at best {reached}"));
         }
         lines
     }
@@ -110,31 +112,32 @@ impl Comparison<'_> {
             note("prices are predicted: the field is interpreted here; compiled E6 was timed, and scaled by the plans' costs".into());
         }
         if let Some(choice) = self.choice() {
-            if self.need == Need::Integrals && choice.kind.order == 2 {
+            let (scheme, eps, steps) =
+                (choice.setting.scheme(), choice.setting.eps(), choice.setting.steps());
+            let keeps = self.scene.need() == Need::Integrals && scheme.composition == Composition::KAHAN;
+            if keeps {
                 let flow = choice.flow_integral_drift.unwrap_or(0.0);
                 note(format!(
                     "the map's own integrals are kept at any eps; at this one the flow's vary by {flow:.1e}, and the orbit need not \
                      follow the flow"
                 ));
             }
-            let is_long = choice.steps >= LONG_RUN && choice.kind.scalar != ScalarKind::Dd;
-            if self.need == Need::Integrals && choice.kind.order == 2 && is_long {
+            if keeps && steps >= LONG_RUN && scheme.precision != Precision::DoubleDouble {
                 note(format!(
-                    "keep eps = {:?} to the last digit: where the step has powers of eps, one with more bits would have them rounded, and \
-                     over {} steps what the map conserves would drift linearly, compensated or not",
-                    choice.eps, choice.steps
+                    "keep eps = {eps:?} to the last digit: where the step has powers of eps, one with more bits would have them rounded, and \
+                     over {steps} steps what the map conserves would drift linearly, compensated or not"
                 ));
             }
         }
-        for (kind, eps) in &self.trade.skipped {
-            note(format!("no time for {kind} from eps = {eps:?} on; --seconds gives more"));
+        for (scheme, eps) in &self.trade.skipped {
+            note(format!("no time for {scheme} from eps = {eps:?} on; --seconds gives more"));
         }
         lines
     }
 }
 
-fn price(setting: &Setting) -> String {
-    let price = setting.nanoseconds_per_unit_time;
+fn price(measured: &Measured) -> String {
+    let price = measured.nanoseconds_per_unit_time;
     if price < 0.1 {
         return format!("{price:.1e}");
     }

@@ -6,28 +6,21 @@
 //! for `f64`, one for `f32`.
 
 use core::arch::x86_64::*;
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
 use crate::ensemble::columns::Group;
 use crate::ensemble::sweep::Register;
+use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
 use super::Spread;
 use super::lanes::{lanes, machine};
 
-lanes! {
-    F64x8Estimated(__m512d), 8 lanes of f64 as to_f64,
-    _mm512_loadu_pd, _mm512_storeu_pd, _mm512_set1_pd, _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd,
-    fused _mm512_fmadd_pd, _mm512_fmsub_pd, _mm512_fnmadd_pd, quotient estimated_f64
-}
+lanes!(F64x8Estimated(__m512d), quotient estimated_f64);
 
-lanes! {
-    F32x16Estimated(__m512), 16 lanes of f32 as to_f32,
-    _mm512_loadu_ps, _mm512_storeu_ps, _mm512_set1_ps, _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps,
-    fused _mm512_fmadd_ps, _mm512_fmsub_ps, _mm512_fnmadd_ps, quotient estimated_f32
-}
+lanes!(F32x16Estimated(__m512), quotient estimated_f32);
 
 #[inline(always)]
 fn estimated_f64(a: F64x8Estimated, b: F64x8Estimated) -> F64x8Estimated {

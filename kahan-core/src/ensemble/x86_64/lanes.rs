@@ -10,12 +10,13 @@
 )]
 
 use core::arch::x86_64::*;
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
 use crate::ensemble::columns::Group;
 use crate::ensemble::sweep::Register;
+use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
 use super::Spread;
@@ -34,6 +35,23 @@ macro_rules! machine {
 /// A lane type over a register: its name, register, number of lanes, float, and how each operation
 /// is done. The fused ones are a·b + c, a·b − c and c − a·b.
 macro_rules! lanes {
+    // The two registers of AVX-512 come in two ways each, which differ in their quotients.
+    ($name:ident(__m512d), quotient $quotient:path) => {
+        lanes! {
+            $name(__m512d), 8 lanes of f64 as to_f64,
+            _mm512_loadu_pd, _mm512_storeu_pd, _mm512_set1_pd,
+            _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd,
+            fused _mm512_fmadd_pd, _mm512_fmsub_pd, _mm512_fnmadd_pd, quotient $quotient
+        }
+    };
+    ($name:ident(__m512), quotient $quotient:path) => {
+        lanes! {
+            $name(__m512), 16 lanes of f32 as to_f32,
+            _mm512_loadu_ps, _mm512_storeu_ps, _mm512_set1_ps,
+            _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps,
+            fused _mm512_fmadd_ps, _mm512_fmsub_ps, _mm512_fnmadd_ps, quotient $quotient
+        }
+    };
     (
         $name:ident($register:ty), $lanes:literal lanes of $float:ident as $constant:ident,
         $load:ident, $store:ident, $set:ident, $add:ident, $sub:ident, $mul:ident, $div:ident,
@@ -83,7 +101,7 @@ macro_rules! lanes {
 
         impl Scalar for $name {
             #[inline(always)]
-            fn constant(c: &Constant) -> Self {
+            fn constant(c: &Constant<'_>) -> Self {
                 Self::splat(c.$constant())
             }
 
@@ -123,10 +141,9 @@ macro_rules! lanes {
             }
         }
 
-        lanes!(operator $name, Add, add, AddAssign, add_assign, $add);
-        lanes!(operator $name, Sub, sub, SubAssign, sub_assign, $sub);
-        lanes!(operator $name, Mul, mul, MulAssign, mul_assign, $mul);
-        lanes!(operator $name, Div, div, DivAssign, div_assign, $div);
+        lanes!(operators of $name: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
+
+        assignments!([] $name);
 
         impl Zero for $name {
             #[inline(always)]
@@ -152,7 +169,7 @@ macro_rules! lanes {
             }
         }
     };
-    (operator $name:ident, $operator:ident, $method:ident, $assign:ident, $assign_method:ident, $intrinsic:ident) => {
+    (operators of $name:ident: $($operator:ident $method:ident $intrinsic:ident),*) => { $(
         impl $operator for $name {
             type Output = Self;
 
@@ -161,14 +178,7 @@ macro_rules! lanes {
                 Self(machine!($intrinsic(self.0, other.0)))
             }
         }
-
-        impl $assign for $name {
-            #[inline(always)]
-            fn $assign_method(&mut self, other: Self) {
-                *self = $operator::$method(*self, other);
-            }
-        }
-    };
+    )* };
 }
 pub(super) use {lanes, machine};
 
@@ -202,17 +212,9 @@ lanes! {
     fused _mm256_fmadd_ps, _mm256_fmsub_ps, _mm256_fnmadd_ps, quotient divided
 }
 
-lanes! {
-    F64x8(__m512d), 8 lanes of f64 as to_f64,
-    _mm512_loadu_pd, _mm512_storeu_pd, _mm512_set1_pd, _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd,
-    fused _mm512_fmadd_pd, _mm512_fmsub_pd, _mm512_fnmadd_pd, quotient divided
-}
+lanes!(F64x8(__m512d), quotient divided);
 
-lanes! {
-    F32x16(__m512), 16 lanes of f32 as to_f32,
-    _mm512_loadu_ps, _mm512_storeu_ps, _mm512_set1_ps, _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps,
-    fused _mm512_fmadd_ps, _mm512_fmsub_ps, _mm512_fnmadd_ps, quotient divided
-}
+lanes!(F32x16(__m512), quotient divided);
 
 /// The multiply-adds of SSE2 registers, rounded as those of plain floats in the same build.
 mod of_the_build {

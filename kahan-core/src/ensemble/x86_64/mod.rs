@@ -64,49 +64,39 @@ macro_rules! dispatch_for_float {
 dispatch_for_float!(sweep_f32, f32: F32x4, F32x8, F32x16, F32x16Estimated);
 dispatch_for_float!(sweep_f64, f64: F64x2, F64x4, F64x8, F64x8Estimated);
 
-#[target_feature(enable = "avx2,fma")]
-fn avx2<K, R, T, S, const N: usize>(
-    stages: &K::Stages<S>,
-    columns: [&mut [Group<T>]; N],
-    steps: usize,
-) -> Option<()>
-where
-    K: Method,
-    T: crate::Scalar,
-    R: Spread<T>,
-    S: WideStep<T, N>,
-{
-    widen_and_sweep::<K, R, T, S, N>(stages, columns, steps)
+/// The stages over registers R, and the columns some steps later, as a function compiled so.
+macro_rules! over_registers {
+    ($(#[$attribute:meta])* $name:ident: |$stages:ident, $columns:ident, $steps:ident| $body:expr) => {
+        $(#[$attribute])*
+        fn $name<K, R, T, S, const N: usize>(
+            $stages: &K::Stages<S>,
+            $columns: [&mut [Group<T>]; N],
+            $steps: usize,
+        ) -> Option<()>
+        where
+            K: Method,
+            T: crate::Scalar,
+            R: Spread<T>,
+            S: WideStep<T, N>,
+        {
+            $body
+        }
+    };
 }
 
-#[target_feature(enable = "avx512f")]
-fn avx512<K, R, T, S, const N: usize>(
-    stages: &K::Stages<S>,
-    columns: [&mut [Group<T>]; N],
-    steps: usize,
-) -> Option<()>
-where
-    K: Method,
-    T: crate::Scalar,
-    R: Spread<T>,
-    S: WideStep<T, N>,
-{
-    widen_and_sweep::<K, R, T, S, N>(stages, columns, steps)
+over_registers! {
+    #[target_feature(enable = "avx2,fma")]
+    avx2: |stages, columns, steps| widen_and_sweep::<K, R, T, S, N>(stages, columns, steps)
 }
-
-/// Inlined into its caller, whose instructions it then is compiled with.
-#[inline(always)]
-fn widen_and_sweep<K, R, T, S, const N: usize>(
-    stages: &K::Stages<S>,
-    columns: [&mut [Group<T>]; N],
-    steps: usize,
-) -> Option<()>
-where
-    K: Method,
-    T: crate::Scalar,
-    R: Spread<T>,
-    S: WideStep<T, N>,
-{
-    let wide = K::map(stages, |step| step.widen(R::spread));
-    sweep::<K, R, T, _, N>(&wide, columns, steps)
+over_registers! {
+    #[target_feature(enable = "avx512f")]
+    avx512: |stages, columns, steps| widen_and_sweep::<K, R, T, S, N>(stages, columns, steps)
+}
+over_registers! {
+    /// Inlined into its caller, whose instructions it then is compiled with.
+    #[inline(always)]
+    widen_and_sweep: |stages, columns, steps| {
+        let wide = K::map(stages, |step| step.widen(R::spread));
+        sweep::<K, R, T, _, N>(&wide, columns, steps)
+    }
 }

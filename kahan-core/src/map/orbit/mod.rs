@@ -79,17 +79,6 @@ where
     stopped: Option<SingularStep>,
 }
 
-impl<M, T, const N: usize> Orbit<M, T, N>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-{
-    #[inline]
-    pub(crate) fn new(map: M, prepared: M::Prepared, start: SVector<T, N>, eps: T) -> Self {
-        Self::begin(map, eps, prepared, start)
-    }
-}
-
 impl<M, T, K, A, const N: usize> Orbit<M, T, N, K, A>
 where
     M: KahanMap<T, N>,

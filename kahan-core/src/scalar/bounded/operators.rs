@@ -1,9 +1,10 @@
 //! Bounded values as a scalar: the generated step runs over them as over a float.
 
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::Neg;
 
 use num_traits::{One, Zero};
 
+use crate::scalar::{assignments, operators};
 use crate::{Constant, Scalar};
 
 use super::pair::Pair;
@@ -20,7 +21,7 @@ impl<V: Working, P: Pair<V>> PartialEq for Bounded<V, P> {
 impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
     /// Integers that the number and a double hold are exact; every other literal is rounded once.
     #[inline(always)]
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         let value = V::constant(c);
         let is_exact = c.is_whole() && value.approximate() == c.to_f64();
         Self::literal(value, u32::from(!is_exact))
@@ -61,38 +62,12 @@ impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
     }
 }
 
-impl<V: Working, P: Pair<V>> Add for Bounded<V, P> {
-    type Output = Self;
+operators!([V: Working, P: Pair<V>] Bounded<V, P>: V::plus, V::minus, V::times, Self::divided);
+assignments!([V: Working, P: Pair<V>] Bounded<V, P>);
 
+impl<V: Working, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        V::plus(self, other)
-    }
-}
-
-impl<V: Working, P: Pair<V>> Sub for Bounded<V, P> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        V::minus(self, other)
-    }
-}
-
-impl<V: Working, P: Pair<V>> Mul for Bounded<V, P> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        V::times(self, other)
-    }
-}
-
-impl<V: Working, P: Pair<V>> Div for Bounded<V, P> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
+    fn divided(self, other: Self) -> Self {
         if self.is_literal() && other.is_ordinary_input() {
             return self.over_input(other);
         }
@@ -106,34 +81,6 @@ impl<V: Working, P: Pair<V>> Neg for Bounded<V, P> {
     #[inline(always)]
     fn neg(self) -> Self {
         self.negated()
-    }
-}
-
-impl<V: Working, P: Pair<V>> AddAssign for Bounded<V, P> {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl<V: Working, P: Pair<V>> SubAssign for Bounded<V, P> {
-    #[inline(always)]
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-
-impl<V: Working, P: Pair<V>> MulAssign for Bounded<V, P> {
-    #[inline(always)]
-    fn mul_assign(&mut self, other: Self) {
-        *self = *self * other;
-    }
-}
-
-impl<V: Working, P: Pair<V>> DivAssign for Bounded<V, P> {
-    #[inline(always)]
-    fn div_assign(&mut self, other: Self) {
-        *self = *self / other;
     }
 }
 

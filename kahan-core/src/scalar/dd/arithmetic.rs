@@ -34,6 +34,12 @@ pub(super) fn sum(x: Dd, y: Dd) -> Dd {
     if has_room(leading.0) { moderate::with_lower(leading, x.low, y.low) } else { extremes::sum(x, y) }
 }
 
+/// x − y, as the sum with −y.
+#[inline(always)]
+pub(super) fn difference(x: Dd, y: Dd) -> Dd {
+    sum(x, -y)
+}
+
 /// xy, off by at most 5u²·|xy| (DWTimesDW2; without fused multiply-adds DWTimesDW1).
 #[inline(always)]
 pub(super) fn product(x: Dd, y: Dd) -> Dd {

@@ -1,9 +1,10 @@
 //! `+`, `-`, `*`, `/` and their assignments, the sign, and the order.
 
 use core::cmp::Ordering;
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::Neg;
 
 use super::{Dd, arithmetic};
+use crate::scalar::{assignments, operators};
 
 impl Neg for Dd {
     type Output = Self;
@@ -14,59 +15,8 @@ impl Neg for Dd {
     }
 }
 
-impl Add for Dd {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        arithmetic::sum(self, other)
-    }
-}
-
-impl Sub for Dd {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        arithmetic::sum(self, -other)
-    }
-}
-
-impl Mul for Dd {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        arithmetic::product(self, other)
-    }
-}
-
-impl Div for Dd {
-    type Output = Self;
-
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        arithmetic::quotient(self, other)
-    }
-}
-
-macro_rules! assign {
-    ($($Trait:ident, $method:ident: $operator:tt;)*) => {$(
-        impl $Trait for Dd {
-            #[inline(always)]
-            fn $method(&mut self, other: Self) {
-                *self = *self $operator other;
-            }
-        }
-    )*};
-}
-
-assign! {
-    AddAssign, add_assign: +;
-    SubAssign, sub_assign: -;
-    MulAssign, mul_assign: *;
-    DivAssign, div_assign: /;
-}
+operators!([] Dd: arithmetic::sum, arithmetic::difference, arithmetic::product, arithmetic::quotient);
+assignments!([] Dd);
 
 /// By value; what is not a number has no place.
 impl PartialOrd for Dd {

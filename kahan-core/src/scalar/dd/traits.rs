@@ -26,7 +26,7 @@ impl One for Dd {
 
 impl Scalar for Dd {
     #[inline(always)]
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         let (high, low) = c.to_double_double();
         Self { high, low }
     }

@@ -4,12 +4,13 @@
 //! operands' radii grow to.
 
 use core::cmp::Ordering;
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
 use super::rows::Row;
 use super::{Size, Wide};
+use crate::scalar::assignments;
 
 /// The greatest common divisor.
 fn common(mut a: u64, mut b: u64) -> u64 {
@@ -176,22 +177,7 @@ impl PartialEq for Wide {
     }
 }
 
-macro_rules! assign {
-    ($($operator:ident, $method:ident, $by_value:ident;)*) => {$(
-        impl $operator for Wide {
-            fn $method(&mut self, other: Self) {
-                *self = self.$by_value(other);
-            }
-        }
-    )*};
-}
-
-assign! {
-    AddAssign, add_assign, add;
-    SubAssign, sub_assign, sub;
-    MulAssign, mul_assign, mul;
-    DivAssign, div_assign, div;
-}
+assignments!([] Wide);
 
 impl Zero for Wide {
     fn zero() -> Self {

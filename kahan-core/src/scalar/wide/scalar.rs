@@ -11,7 +11,7 @@ use super::Wide;
 use crate::{Constant, Scalar};
 
 impl Scalar for Wide {
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         c.to_wide()
     }
 

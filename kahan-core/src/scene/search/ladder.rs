@@ -1,6 +1,6 @@
 //! Ladders: an order at more and more steps.
 //!
-//! In: a kind and where to begin. Out: trials, until one serves, or costs more than a setting that
+//! In: a scheme and where to begin. Out: trials, until one serves, or costs more than a setting that
 //! does, or is sure to by the law error ∝ ε^order, or two rungs in a row gain nothing; and whether
 //! roundings were felt.
 
@@ -8,8 +8,8 @@ use std::vec::Vec;
 
 use crate::Composition;
 
-use super::super::setting::{Kind, Mode};
-use super::{ENOUGH, SHARE, SMALL, STALL, Search, Trial, Trials};
+use super::super::{Scheme, Setting};
+use super::{ENOUGH, PLAIN, SHARE, SMALL, STALL, Search, Trials, WIDE};
 
 /// By how much less than the law has it a rung may gain, in its logarithm, and is still taken to
 /// follow it.
@@ -50,9 +50,9 @@ impl Gain {
         (self.part - 1.0).abs() < LAWFUL && self.before < self.factor * USEFUL
     }
 
-    fn of(before: &Trial, now: &Trial) -> Self {
+    fn of(before: &Setting, now: &Setting) -> Self {
         let factor = before.error / now.error;
-        let by_law = (now.steps as f64 / before.steps as f64).powi(now.kind.composition.order() as i32);
+        let by_law = (now.steps as f64 / before.steps as f64).powi(now.scheme.order() as i32);
         Self { before: before.error, factor, part: factor.ln() / by_law.ln() }
     }
 }
@@ -67,12 +67,12 @@ struct Climb {
     /// How many rungs in a row gained nothing.
     stalls: u32,
     /// The finest rung.
-    finest: Option<Trial>,
+    finest: Option<Setting>,
 }
 
 impl Climb {
     /// Counts what a rung gained on the one before, if there was one that said something.
-    fn add(&mut self, trial: Trial) -> Option<Gain> {
+    fn add(&mut self, trial: Setting) -> Option<Gain> {
         let before = self.finest.replace(trial).filter(|before| before.error.is_finite())?;
         let gain = Gain::of(&before, &trial);
         let gained_nothing =
@@ -88,12 +88,12 @@ impl<L: Trials> Search<L> {
     /// The ladders of an order: that of plain `f64`, and where its roundings are felt the others',
     /// too. What then serves is vouched for.
     pub(super) fn climb(&mut self, composition: Composition, coarsest: u64) {
-        let climb = self.ladder(Mode::PLAIN.kind(composition), coarsest, RUNGS);
+        let climb = self.ladder(PLAIN.composed(composition), coarsest, RUNGS);
         if climb.gained_little && climb.finest.is_some_and(|finest| self.has_roundings(&finest)) {
             self.is_rough = true;
             let from = self.smooth(composition, coarsest);
-            for mode in self.modes {
-                self.ladder(mode.kind(composition), from, MORE_RUNGS);
+            for other in self.others {
+                self.ladder(other.composed(composition), from, MORE_RUNGS);
             }
         }
         if self.best().is_some() && !self.is_vouched_for() {
@@ -101,16 +101,16 @@ impl<L: Trials> Search<L> {
         }
     }
 
-    fn ladder(&mut self, kind: Kind, coarsest: u64, rungs: usize) -> Climb {
+    fn ladder(&mut self, scheme: Scheme, coarsest: u64, rungs: usize) -> Climb {
         let (mut steps, mut climb) = (coarsest, Climb::default());
         for _ in 0..rungs {
-            if self.cost(kind, steps as f64) >= self.least_cost() {
+            if self.cost(scheme, steps as f64) >= self.least_cost() {
                 break;
             }
             // Where a leap takes too long, the next rung may not.
             let next = climb.finest.map_or(steps, |before| 2 * before.steps);
             let mut rungs = [steps, next].into_iter();
-            let Some(trial) = rungs.find_map(|steps| self.trial(kind, steps, SHARE)) else { break };
+            let Some(trial) = rungs.find_map(|steps| self.trial(scheme, steps, SHARE)) else { break };
             let gain = climb.add(trial);
             if trial.error <= ENOUGH * self.tolerance {
                 break;
@@ -129,7 +129,7 @@ impl<L: Trials> Search<L> {
             steps = 2 * trial.steps;
             if let Some(gain) = gain.filter(|gain| trial.error < SMALL && gain.factor > 2.0) {
                 let enough = Self::by_law(&trial, 0.9 * ENOUGH * self.tolerance);
-                if self.cost(kind, enough) > SURELY * self.least_cost() {
+                if self.cost(scheme, enough) > SURELY * self.least_cost() {
                     break;
                 }
                 // Where the law is seen to hold, there is no need of the rungs between.
@@ -143,18 +143,18 @@ impl<L: Trials> Search<L> {
 
     /// Whether a trial errs by its roundings rather than by its order: double-double, which has
     /// none, errs less.
-    fn has_roundings(&mut self, trial: &Trial) -> bool {
-        let wide = Mode::WIDE.kind(trial.kind.composition);
-        let other = if trial.kind == wide { None } else { self.trial(wide, trial.steps, SHARE) };
+    fn has_roundings(&mut self, trial: &Setting) -> bool {
+        let wide = WIDE.composed(trial.scheme.composition);
+        let other = if trial.scheme == wide { None } else { self.trial(wide, trial.steps, SHARE) };
         other.is_none_or(|other| other.error < STALL * trial.error)
     }
 
     /// The finest steps of an order at which the errors of plain `f64` still fell by the law.
     fn smooth(&self, composition: Composition, coarsest: u64) -> u64 {
-        let kind = Mode::PLAIN.kind(composition);
-        let mut plain: Vec<&Trial> = self.tried.iter().filter(|trial| trial.kind == kind).collect();
+        let scheme = PLAIN.composed(composition);
+        let mut plain: Vec<&Setting> = self.tried.iter().filter(|trial| trial.scheme == scheme).collect();
         plain.sort_by_key(|trial| trial.steps);
-        let is_lawful = |pair: &&[&Trial]| Gain::of(pair[0], pair[1]).part > 1.0 - LAWFUL;
+        let is_lawful = |pair: &&[&Setting]| Gain::of(pair[0], pair[1]).part > 1.0 - LAWFUL;
         plain.windows(2).filter(is_lawful).map(|pair| pair[1].steps).max().unwrap_or(coarsest)
     }
 }

@@ -9,8 +9,8 @@ use std::vec::Vec;
 
 use crate::Composition;
 
-use super::super::setting::{Kind, Mode};
-use super::{ORDERS, SMALL, STALL, Search, Trial, Trials, VOUCHING};
+use super::super::{Scheme, Setting};
+use super::{SMALL, STALL, Search, Trials, VOUCHING, WIDE};
 
 /// Trials that may vouch for the flow.
 const VOUCHERS: usize = 16;
@@ -21,16 +21,17 @@ impl<L: Trials> Search<L> {
         let wanted = self.tolerance / VOUCHING;
         for _ in 0..VOUCHERS {
             // Of the order that gets there with the fewest stages, by what its last trials showed.
-            let next = ORDERS
-                .iter()
-                .filter_map(|order| Some((Mode::WIDE.kind(*order), self.steps_to(*order, wanted)?)));
-            let stages = |(kind, steps): &(Kind, u64)| *steps as f64 * kind.composition.stages() as f64;
-            let Some((kind, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
+            let next = Composition::BEST
+                .into_iter()
+                .rev()
+                .filter_map(|order| Some((WIDE.composed(order), self.steps_to(order, wanted)?)));
+            let stages = |(scheme, steps): &(Scheme, u64)| *steps as f64 * scheme.composition.stages() as f64;
+            let Some((scheme, steps)) = next.min_by(|a, b| stages(a).total_cmp(&stages(b))) else {
                 // It is the flow that has roundings.
                 self.is_rough = true;
                 return;
             };
-            if self.trial(kind, steps, 1.0).is_none_or(|trial| trial.error <= wanted) {
+            if self.trial(scheme, steps, 1.0).is_none_or(|trial| trial.error <= wanted) {
                 return;
             }
         }
@@ -39,10 +40,10 @@ impl<L: Trials> Search<L> {
     /// The steps at which an order may come so near: by the law, from its finest trial in
     /// double-double, or its best in `f64`. `None` where trials come no nearer.
     fn steps_to(&self, composition: Composition, wanted: f64) -> Option<u64> {
-        let of_order = || self.tried.iter().filter(|trial| trial.kind.composition == composition);
-        let by_law = |trial: &Trial| Self::by_law(trial, 0.7 * wanted);
-        let mut wide: Vec<&Trial> =
-            of_order().filter(|trial| trial.kind == Mode::WIDE.kind(composition)).collect();
+        let of_order = || self.tried.iter().filter(|trial| trial.scheme.composition == composition);
+        let by_law = |trial: &Setting| Self::by_law(trial, 0.7 * wanted);
+        let mut wide: Vec<&Setting> =
+            of_order().filter(|trial| trial.scheme == WIDE.composed(composition)).collect();
         wide.sort_by_key(|trial| Reverse(trial.steps));
         let Some(finest) = wide.first() else {
             let useful = of_order().filter(|trial| trial.error < SMALL.max(self.tolerance));

@@ -59,7 +59,7 @@ impl One for Precise {
 }
 
 impl Scalar for Precise {
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         Self::from_rational(&c.to_ratio())
     }
 

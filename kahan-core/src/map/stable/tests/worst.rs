@@ -67,7 +67,7 @@ impl<const BITS: i32> Worst<BITS> {
 
 impl<const BITS: i32> Scalar for Worst<BITS> {
     /// Integers are exact, other numbers are rounded.
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         let ratio = c.to_ratio();
         if ratio.is_integer() { Self::new(ratio) } else { Self::rounded(ratio) }
     }

@@ -10,7 +10,7 @@ use super::{Dyadic, Random, Wide};
 use crate::{Constant, Scalar};
 
 /// |w − p/q| ≤ r and r ≤ 2^unit·|p/q|, multiplied by q and by the denominator of w.
-fn is_close(wide: Wide, constant: &Constant, unit: i64) -> bool {
+fn is_close(wide: Wide, constant: &Constant<'_>, unit: i64) -> bool {
     let ratio = constant.to_ratio();
     let integer = |n: &BigInt| Dyadic { integer: n.clone(), exponent: 0 };
     let (p, q) = (integer(ratio.numer()), integer(ratio.denom()));

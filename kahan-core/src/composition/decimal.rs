@@ -1,0 +1,110 @@
+//! Decimals of 40 digits after the point as constants, rounded while compiling.
+//!
+//! In: digits. Out: the ratio to 10⁴⁰ and its nearest floats, by long division of whole numbers
+//! below 2²⁵⁶, so that nothing is rounded twice.
+
+use crate::Constant;
+
+/// 10⁴⁰
+const UNIT: Whole = Whole { high: 0x1d, low: 0x6329_f1c3_5ca4_bfab_b9f5_6100_0000_0000 };
+const LIMBS_OF_UNIT: [u64; 3] = UNIT.limbs();
+
+/// The number `high`·2¹²⁸ + `low`.
+#[derive(Clone, Copy)]
+struct Whole {
+    high: u128,
+    low: u128,
+}
+
+impl Whole {
+    const fn plus(self, other: Self) -> Self {
+        let (low, carry) = self.low.overflowing_add(other.low);
+        Self { high: self.high + other.high + carry as u128, low }
+    }
+
+    const fn minus(self, other: Self) -> Self {
+        let (low, borrow) = self.low.overflowing_sub(other.low);
+        Self { high: self.high - other.high - borrow as u128, low }
+    }
+
+    const fn doubled(self) -> Self {
+        self.plus(self)
+    }
+
+    const fn is_less_than(self, other: Self) -> bool {
+        self.high < other.high || (self.high == other.high && self.low < other.low)
+    }
+
+    const fn limbs(self) -> [u64; 3] {
+        [self.low as u64, (self.low >> 64) as u64, self.high as u64]
+    }
+}
+
+/// A decimal of size 10⁻⁸ to 2, its digits and its roundings.
+pub(super) struct Decimal {
+    negative: bool,
+    limbs: [u64; 3],
+    single: f32,
+    double: f64,
+    low: f64,
+}
+
+impl Decimal {
+    /// The number that is written so: a sign or none, digits, a point, 40 digits.
+    pub(super) const fn read(text: &str) -> Self {
+        let text = text.as_bytes();
+        let negative = text[0] == b'-';
+        let mut digits = Whole { high: 0, low: 0 };
+        let mut place = negative as usize;
+        while place < text.len() {
+            if text[place] != b'.' {
+                let four = digits.doubled().doubled();
+                let digit = Whole { high: 0, low: (text[place] - b'0') as u128 };
+                digits = digits.plus(four).doubled().plus(digit);
+            }
+            place += 1;
+        }
+        assert!(text[text.len() - 41] == b'.', "40 digits follow the point");
+        let sign = if negative { -1.0 } else { 1.0 };
+        let (single, _, _) = nearest(digits, f32::MANTISSA_DIGITS);
+        let (double, rest, unit) = nearest(digits, f64::MANTISSA_DIGITS);
+        let is_below = !rest.is_less_than(UNIT.minus(rest));
+        let (low, _, _) = nearest(if is_below { UNIT.minus(rest) } else { rest }, f64::MANTISSA_DIGITS);
+        let low = if is_below { -low } else { low } * unit;
+        Self {
+            negative,
+            limbs: digits.limbs(),
+            single: (sign * single) as f32,
+            double: sign * double,
+            low: sign * low,
+        }
+    }
+
+    pub(super) const fn as_constant(&self) -> Constant<'_> {
+        Constant::exact(self.negative, &self.limbs, &LIMBS_OF_UNIT, self.single, self.double, self.low)
+    }
+}
+
+/// The float of so many bits that is nearest to part/10⁴⁰, which is above 0 and less than 2; the
+/// remainder of the division, and the unit in which it and the last bit are counted.
+const fn nearest(part: Whole, bits: u32) -> (f64, Whole, f64) {
+    let (mut rest, mut unit) = (part, 1.0);
+    while rest.is_less_than(UNIT) {
+        rest = rest.doubled();
+        unit /= 2.0;
+    }
+    // The first bit is 1.
+    let mut mantissa = 1_u64;
+    rest = rest.minus(UNIT);
+    let mut count = 1;
+    while count < bits {
+        rest = rest.doubled();
+        unit /= 2.0;
+        let bit = !rest.is_less_than(UNIT);
+        mantissa = 2 * mantissa + bit as u64;
+        rest = if bit { rest.minus(UNIT) } else { rest };
+        count += 1;
+    }
+    let is_below = !rest.is_less_than(UNIT.minus(rest));
+    ((mantissa + is_below as u64) as f64 * unit, rest, unit)
+}

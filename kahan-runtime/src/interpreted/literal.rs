@@ -1,0 +1,60 @@
+//! Exact numbers known at run time as the constants that every scalar can be built from.
+
+use kahan_algebra::rational::Rational;
+use kahan_core::{Constant, Scalar};
+
+/// Up to this size numerators and denominators make a [`Constant::ratio`], as in generated code.
+const EXACT_IN_F32: i64 = 1 << 24;
+
+/// A number of a field's text, in the form that generated code writes for it.
+#[derive(Clone, Debug)]
+pub(super) enum Literal {
+    Short(Constant<'static>),
+    /// Its limbs of 64 bits in little-endian order, its nearest floats, and what `double` leaves.
+    Long {
+        negative: bool,
+        numerator: Vec<u64>,
+        denominator: Vec<u64>,
+        single: f32,
+        double: f64,
+        low: f64,
+    },
+}
+
+impl From<&Rational> for Literal {
+    fn from(value: &Rational) -> Self {
+        if let Some(integer) = value.as_i64() {
+            return Self::Short(Constant::integer(integer));
+        }
+        if let Some((p, q)) = value.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32) {
+            return Self::Short(Constant::ratio(p, q));
+        }
+        let (double, low) = value.to_double_double();
+        Self::Long {
+            negative: value.is_negative(),
+            numerator: value.numerator().iter_u64_digits().collect(),
+            denominator: value.denominator().iter_u64_digits().collect(),
+            single: value.to_f32(),
+            double,
+            low,
+        }
+    }
+}
+
+impl Literal {
+    /// The constant that every scalar rounds once.
+    pub(super) fn as_constant(&self) -> Constant<'_> {
+        match self {
+            Self::Short(constant) => *constant,
+            Self::Long { negative, numerator, denominator, single, double, low } => {
+                Constant::exact(*negative, numerator, denominator, *single, *double, *low)
+            }
+        }
+    }
+}
+
+/// The scalar nearest to a number, rounded once, as generated code rounds the numbers of a field.
+#[must_use]
+pub fn round<T: Scalar>(value: &Rational) -> T {
+    T::constant(&Literal::from(value).as_constant())
+}
