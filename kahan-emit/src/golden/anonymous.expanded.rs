@@ -35,18 +35,8 @@ fn scope() {
         const _: () = {
             use ::kahan_core::__private::{self as __kahan, arguments::*, Clone as _};
             impl<T> Field<T> {
-                /// The state variables, in order.
-                pub const VARIABLES: [&'static __kahan::str; 2] = ["x", "y"];
                 /// The parameters, in order.
                 pub const PARAMETERS: [&'static __kahan::str; 1] = ["mu"];
-            }
-            impl<T> __kahan::Named for Field<T> {
-                fn variables(&self) -> &'static [&'static __kahan::str] {
-                    &Self::VARIABLES
-                }
-                fn parameters(&self) -> &'static [&'static __kahan::str] {
-                    &Self::PARAMETERS
-                }
             }
             impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Field<T> {
                 fn field(&self, x: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
@@ -195,25 +185,6 @@ fn scope() {
                         },
                     )
                 }
-                fn jacobian(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
-                    eps: T,
-                ) -> __kahan::SMatrix<T, 2, 2> {
-                    __kahan::jacobian_by_duals(self, x, &eps)
-                }
-                #[inline(always)]
-                fn try_prepared(
-                    &self,
-                    prepared: &Self::Prepared,
-                    x: &__kahan::SVector<T, 2>,
-                    eps: &T,
-                ) -> __kahan::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
-                where
-                    T: __kahan::Pivot,
-                {
-                    __kahan::Pivot::stable_step(self, prepared, x, eps)
-                }
                 fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
                     let [__s_x, __s_y] = __kahan::components(x);
                     let __p_mu = &self.mu;
@@ -253,7 +224,6 @@ fn scope() {
                 }
             }
             impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Field<T> {
-                type Lifted<U: __kahan::Scalar> = Field<U>;
                 #[inline(always)]
                 fn lift<U: __kahan::Scalar>(
                     &self,
@@ -262,12 +232,6 @@ fn scope() {
                     Field { mu: lift(&self.mu) }
                 }
             }
-            #[doc(hidden)]
-            impl<T> __kahan::WithoutIntegrals for Field<T> {}
-            #[doc(hidden)]
-            impl<T> __kahan::WithoutDensity for Field<T> {}
-            #[doc(hidden)]
-            impl<T: __kahan::Integer> __kahan::IntegerParameters for Field<T> {}
         };
         Field {
             mu: ::core::clone::Clone::clone(&mu),
