@@ -55,7 +55,6 @@ pub fn integrals(
         wanted: aims.hilbert.map_or(0, |hilbert| hilbert.integrals).max(aims.kept.len()),
         known: aims.known,
         step: setting.step(random),
-        factors: Vec::new(),
         independent: Independent::new(setting, random),
         formulas: Vec::new(),
     };

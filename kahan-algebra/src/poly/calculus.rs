@@ -1,6 +1,6 @@
 //! Derivatives, substitution, renaming, and a polynomial seen as one in a single variable.
 
-use super::{Monomial, Polynomial, Term, Variable};
+use super::{Budget, Monomial, OverBudget, Polynomial, Term, Variable};
 use crate::rational::Rational;
 use crate::table::Table;
 
@@ -27,6 +27,28 @@ impl Polynomial {
             let power = powers.or_insert_with(power.degree(), |exponent| power_of(value, *exponent));
             (rest, coefficient * power)
         }))
+    }
+
+    /// Σ cₖ aᵏ bᵈ⁻ᵏ of self = Σ cₖ `variable`ᵏ: the polynomial at a/b, times bᵈ; d is at least the
+    /// degree in the variable.
+    ///
+    /// # Errors
+    /// Beyond the budget.
+    pub fn homogenised_at(
+        &self,
+        variable: Variable,
+        (a, b): (&Self, &Self),
+        degree: u32,
+        budget: &mut Budget,
+    ) -> Result<Self, OverBudget> {
+        let mut sum = Self::zero();
+        for (exponent, coefficient) in self.coefficients_in(variable) {
+            let power = a.pow_within(exponent, budget)?;
+            let rest = b.pow_within(degree - exponent, budget)?;
+            let term = coefficient.mul_within(&power, budget)?.mul_within(&rest, budget)?;
+            sum = sum.add_within(&term, budget)?;
+        }
+        Ok(sum)
     }
 
     /// The polynomial with each variable renamed. Variables that get the same name are identified.

@@ -166,12 +166,7 @@ impl<'a> Search<'a> {
         let mut quotients: Vec<u64> = chosen
             .filter_map(|&at| {
                 let point: Vec<u64> = self.names.iter().map(|&name| self.residues[at][name]).collect();
-                let value = |index: usize| {
-                    let powers = point.iter().zip(monomials.exponents(index));
-                    powers.fold(self.modulus.one(), |product, (&value, &exponent)| {
-                        self.modulus.times(product, self.modulus.power(value, exponent))
-                    })
-                };
+                let value = |index: usize| self.modulus.monomial(monomials.exponents(index), &point);
                 let quotient = self.modulus.times(value(high), self.modulus.inverse(value(low))?);
                 (quotient != 0).then_some(quotient)
             })
