@@ -34,6 +34,7 @@ mod draft;
 mod factored_map;
 mod factors;
 mod fuse;
+mod horner;
 mod inverse;
 mod minors;
 mod nesting;

@@ -189,17 +189,14 @@ impl<'a> Search<'a> {
 
     fn rebuilt(&self, signs: &Signs) -> Plan {
         let mut builder = PlanBuilder::default();
-        let mut renamed: Vec<Node> = Vec::with_capacity(self.kernel.operations.len());
-        for (index, operation) in self.kernel.operations.iter().enumerate() {
+        let renamed = builder.include_with(self.kernel, |builder, index, renamed| {
+            let operation = &self.kernel.operations[index];
             let new = |node: Node| renamed[node.0];
             let sum = parts(operation, |node| signs.negative[node.0]);
             let (first, second) = (sum.first != signs.negative[index], sum.second != signs.negative[index]);
             let operation = match *operation {
                 // The same value carried with the other sign.
-                Operation::Negate(a) => {
-                    renamed.push(renamed[a.0]);
-                    continue;
-                }
+                Operation::Negate(a) => return renamed[a.0],
                 Operation::Add(a, b) | Operation::Subtract(a, b) => match (first, second) {
                     (false, false) => Operation::Add(new(a), new(b)),
                     (false, true) => Operation::Subtract(new(a), new(b)),
@@ -220,8 +217,8 @@ impl<'a> Search<'a> {
                 }
                 _ => operation.with_operands(new),
             };
-            renamed.push(builder.intern(operation));
-        }
+            builder.intern(operation)
+        });
         let outputs: Vec<Node> = self
             .kernel
             .outputs
