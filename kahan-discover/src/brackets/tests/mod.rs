@@ -12,7 +12,7 @@ use kahan_algebra::{lexer, read};
 
 use super::construct::invariant_tensor;
 use super::*;
-use crate::testing::{claim, function, functions};
+use crate::tests::{claim, function, functions};
 
 fn system(text: &str) -> System {
     let reading = read(&lexer::lex(text).tokens);
