@@ -112,6 +112,10 @@ impl Operation {
     /// The same operation on other operands.
     #[must_use]
     pub fn with_operands(&self, mut rename: impl FnMut(Node) -> Node) -> Self {
+        self.renamed(&mut rename)
+    }
+
+    fn renamed(&self, rename: &mut dyn FnMut(Node) -> Node) -> Self {
         match *self {
             Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => self.clone(),
             Operation::Negate(a) => Operation::Negate(rename(a)),
@@ -129,18 +133,12 @@ impl Operation {
         }
     }
 
-    /// The value of the operation from those of its operands; `None` where it, or one of them, has
-    /// none, and for an input. A multiply-add of the machine's floats is a multiplication and an
-    /// addition here: those that fuse are the generated code's business.
+    /// The value of the operation from the `values` of all steps before it; `None` where it, or one
+    /// of its operands, has none, and for an input. A multiply-add of the machine's floats is a
+    /// multiplication and an addition here: those that fuse are the generated code's business.
     #[inline]
-    pub fn compute<'a, A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        value: impl Fn(Node) -> Option<&'a A::Value>,
-    ) -> Option<A::Value>
-    where
-        A::Value: 'a,
-    {
+    pub fn compute<A: Arithmetic>(&self, arithmetic: &A, values: &[Option<A::Value>]) -> Option<A::Value> {
+        let value = |node: Node| values[node.0].as_ref();
         match *self {
             Operation::Input(_) | Operation::Prepared(_) => None,
             Operation::Constant(ref constant) => arithmetic.constant(constant),
@@ -217,7 +215,7 @@ impl Plan {
             let value = match operation {
                 Operation::Input(variable) => input(*variable),
                 Operation::Prepared(index) => prepared.get(*index).cloned().flatten(),
-                _ => operation.compute(arithmetic, |node| values[node.0].as_ref()),
+                _ => operation.compute(arithmetic, &values),
             };
             values.push(value);
         }

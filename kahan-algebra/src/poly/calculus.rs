@@ -71,12 +71,12 @@ impl Polynomial {
     /// The polynomial as one in the variables that `belongs` picks, its coefficients polynomials in
     /// the others.
     pub fn group(&self, mut belongs: impl FnMut(Variable) -> bool) -> Table<Monomial, Self> {
-        let split = self.terms.iter().map(|(monomial, _)| monomial.split(&mut belongs));
-        self.grouped(split.collect())
+        self.grouped(&mut belongs)
     }
 
-    /// The terms by the first part of each split monomial.
-    fn grouped(&self, split: Vec<(Monomial, Monomial)>) -> Table<Monomial, Self> {
+    fn grouped(&self, belongs: &mut dyn FnMut(Variable) -> bool) -> Table<Monomial, Self> {
+        let split = self.terms.iter().map(|(monomial, _)| monomial.split(&mut *belongs));
+        let split: Vec<(Monomial, Monomial)> = split.collect();
         let mut order: Vec<usize> = (0..split.len()).collect();
         // Terms with the same key stay sorted when it is divided out.
         order.sort_by(|&left, &right| split[left].0.cmp(&split[right].0));
