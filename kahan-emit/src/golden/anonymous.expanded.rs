@@ -38,59 +38,6 @@ fn scope() {
                 /// The parameters, in order.
                 pub const PARAMETERS: [&'static __kahan::str; 1] = ["mu"];
             }
-            impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Field<T> {
-                fn field(&self, x: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let __p_mu = &self.mu;
-                    __kahan::vector([
-                        __s_x.clone() * __s_y.clone() * __p_mu.clone(),
-                        __s_x.clone() - __s_y.clone(),
-                    ])
-                }
-                fn field_jacobian(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
-                ) -> __kahan::SMatrix<T, 2, 2> {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let __p_mu = &self.mu;
-                    let __c_1 = __kahan::integer::<T>(1);
-                    __kahan::matrix([
-                        [__s_y.clone() * __p_mu.clone(), __p_mu.clone() * __s_x.clone()],
-                        [__c_1.clone(), -__c_1],
-                    ])
-                }
-                fn bilinear(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
-                    y: &__kahan::SVector<T, 2>,
-                ) -> __kahan::SVector<T, 2> {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let [__o_x, __o_y] = __kahan::components(y);
-                    let __p_mu = &self.mu;
-                    __kahan::vector([
-                        (__s_x.clone() * __o_y.clone() + __s_y.clone() * __o_x.clone())
-                            * __kahan::ratio::<T>(1, 2) * __p_mu.clone(),
-                        __kahan::integer::<T>(0),
-                    ])
-                }
-                fn polarized(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
-                    y: &__kahan::SVector<T, 2>,
-                ) -> __kahan::SVector<T, 2> {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let [__o_x, __o_y] = __kahan::components(y);
-                    let __p_mu = &self.mu;
-                    let __c_1_2 = __kahan::ratio::<T>(1, 2);
-                    __kahan::vector([
-                        (__s_x.clone() * __o_y.clone() + __s_y.clone() * __o_x.clone())
-                            * __c_1_2.clone() * __p_mu.clone(),
-                        __c_1_2
-                            * (__s_x.clone() - __s_y.clone() + __o_x.clone()
-                                - __o_y.clone()),
-                    ])
-                }
-            }
             pub struct __Step;
             impl __kahan::Kernel<2, 6> for __Step {
                 const COST: __kahan::StepCost = __kahan::StepCost::of(16, 2, 25);
@@ -183,43 +130,6 @@ fn scope() {
                                 eps.clone() + __kahan::integer::<T>(1),
                             ]
                         },
-                    )
-                }
-                fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let __p_mu = &self.mu;
-                    let __c_1 = __kahan::integer::<T>(1);
-                    __c_1.clone()
-                        - eps.clone()
-                            * ((__s_y.clone()
-                                + (__s_x.clone() + __s_y.clone()) * eps.clone())
-                                * __p_mu.clone() - __c_1)
-                }
-                fn rational_map(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
-                    eps: T,
-                ) -> (__kahan::SVector<T, 2>, T) {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let __p_mu = &self.mu;
-                    let __c_1 = __kahan::integer::<T>(1);
-                    let __sum_1 = __c_1.clone()
-                        + (__s_y.clone() + (__s_x.clone() - __s_y.clone()) * eps.clone())
-                            * __p_mu.clone();
-                    (
-                        __kahan::vector([
-                            __s_x.clone()
-                                * (__c_1.clone() + eps.clone() * __sum_1.clone()),
-                            __s_y.clone()
-                                - eps.clone()
-                                    * (__s_y.clone() * __sum_1
-                                        - __s_x.clone() * __kahan::integer::<T>(2)),
-                        ]),
-                        __c_1.clone()
-                            - eps.clone()
-                                * (__p_mu.clone()
-                                    * (__s_y.clone()
-                                        + eps.clone() * (__s_x.clone() + __s_y.clone())) - __c_1),
                     )
                 }
             }

@@ -67,56 +67,15 @@ const _: () = {
             __kahan::vector([__s_x.clone()])
         }
     }
-    impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Broken<T> {
-        fn field(&self, x: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
-            let __c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([__c_0.clone(), __c_0])
-        }
-        fn field_jacobian(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-        ) -> __kahan::SMatrix<T, 2, 2> {
-            let __c_0 = __kahan::integer::<T>(0);
-            __kahan::matrix([[__c_0.clone(), __c_0.clone()], [__c_0.clone(), __c_0]])
-        }
-        fn bilinear(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-            y: &__kahan::SVector<T, 2>,
-        ) -> __kahan::SVector<T, 2> {
-            let __c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([__c_0.clone(), __c_0])
-        }
-    }
     pub struct __Step;
     impl __kahan::Kernel<2, 0> for __Step {
         const COST: __kahan::StepCost = __kahan::StepCost::of(2, 0, 3);
-        #[inline(always)]
-        fn quotients<T: __kahan::Scalar>(
-            __constants: &[__kahan::Padded<T>; 0],
-            __state: [T; 2],
-        ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-            let [] = __constants;
-            let __c_0 = __kahan::integer::<T>(0);
-            __kahan::Some(__kahan::Quotients::whole([__c_0.clone(), __c_0]))
-        }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Broken<T> {
         type Prepared = __kahan::StraightStep<__Step, T, 0>;
         #[inline(always)]
         fn prepare(&self, eps: &T) -> Self::Prepared {
             Self::Prepared::new([])
-        }
-        fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
-            __kahan::integer::<T>(1)
-        }
-        fn rational_map(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-            eps: T,
-        ) -> (__kahan::SVector<T, 2>, T) {
-            let [__s_x, __s_y] = __kahan::components(x);
-            (__kahan::vector([__s_x.clone(), __s_y.clone()]), __kahan::integer::<T>(1))
         }
     }
 };
