@@ -229,19 +229,15 @@ impl Scope {
 
 /// Reports a name that the language keeps for itself; `true` if it was one.
 fn report_reserved(name: &Name, diagnostics: &mut Diagnostics) -> bool {
-    let reserved = is_epsilon(&name.text);
-    if reserved {
-        diagnostics.report(
-            Kind::Name,
-            name.span,
-            format!("`{}` is reserved: it is half the time step", name.text),
-            "choose another name",
-        );
+    let (message, help) = if is_epsilon(&name.text) {
+        (format!("`{}` is reserved: it is half the time step", name.text), "choose another name")
     } else if name.text.chars().all(|c| c == '_') {
-        diagnostics.report(Kind::Name, name.span, "an underscore is no name", "choose a name with a letter");
-        return true;
-    }
-    reserved
+        ("an underscore is no name".to_owned(), "choose a name with a letter")
+    } else {
+        return false;
+    };
+    diagnostics.report(Kind::Name, name.span, message, help);
+    true
 }
 
 /// The expressions of a claim's body.

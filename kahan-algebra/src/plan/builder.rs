@@ -217,19 +217,26 @@ impl PlanBuilder {
         if self.is_constant(b, 0) || self.is_constant(a, 1) {
             return b;
         }
-        match (self.operation(a).clone(), self.operation(b).clone()) {
-            (Operation::Negate(a), Operation::Negate(b)) => self.multiply(a, b),
-            (Operation::Negate(inner), _) => {
-                let product = self.multiply(inner, b);
-                self.negate(product)
-            }
-            (_, Operation::Negate(inner)) => {
-                let product = self.multiply(a, inner);
-                self.negate(product)
-            }
-            // One order for both orders: a·b and b·a are the same step.
-            _ => self.intern(Operation::Multiply(a.min(b), a.max(b))),
-        }
+        // One order for both orders: a·b and b·a are the same step.
+        self.with_sign_outside(a, b, Self::multiply)
+            .unwrap_or_else(|| self.intern(Operation::Multiply(a.min(b), a.max(b))))
+    }
+
+    /// The product or quotient of two values of which one is a negation, the sign in front.
+    fn with_sign_outside(
+        &mut self,
+        a: Node,
+        b: Node,
+        join: impl FnOnce(&mut Self, Node, Node) -> Node,
+    ) -> Option<Node> {
+        let size = |node: Node| match *self.operation(node) {
+            Operation::Negate(inner) => Some(inner),
+            _ => None,
+        };
+        let (own, other) = (size(a), size(b));
+        own.or(other)?;
+        let joined = join(self, own.unwrap_or(a), other.unwrap_or(b));
+        Some(if own.is_some() != other.is_some() { self.negate(joined) } else { joined })
     }
 
     /// a / b; a zero constant b stays, as a quotient without a value.
@@ -237,40 +244,23 @@ impl PlanBuilder {
         if self.is_constant(b, 1) {
             return a;
         }
-        match (self.operation(a).clone(), self.operation(b).clone()) {
-            (Operation::Constant(a), Operation::Constant(b)) if !b.is_zero() => {
-                let quotient = a.checked_div(&b).unwrap_or_default();
-                self.constant(&quotient)
-            }
-            (Operation::Negate(inner), _) => {
-                let quotient = self.divide(inner, b);
-                self.negate(quotient)
-            }
-            (_, Operation::Negate(inner)) => {
-                let quotient = self.divide(a, inner);
-                self.negate(quotient)
-            }
-            _ => self.intern(Operation::Divide(a, b)),
+        let quotient = self.value(a).zip(self.value(b)).and_then(|(a, b)| a.checked_div(b));
+        if let Some(quotient) = quotient {
+            return self.constant(&quotient);
         }
+        self.with_sign_outside(a, b, Self::divide).unwrap_or_else(|| self.intern(Operation::Divide(a, b)))
     }
 
     /// a^n by repeated squaring; a^0 is 1.
     pub fn power(&mut self, a: Node, exponent: u32) -> Node {
-        if exponent == 0 {
-            return self.constant(&Rational::one());
-        }
-        let half = self.power_or_self(a, exponent / 2);
-        match (half, exponent % 2) {
-            (None, _) => a,
-            (Some(half), 0) => self.multiply(half, half),
-            (Some(half), _) => {
+        match exponent {
+            0 => self.constant(&Rational::one()),
+            1 => a,
+            _ => {
+                let half = self.power(a, exponent / 2);
                 let square = self.multiply(half, half);
-                self.multiply(square, a)
+                if exponent.is_multiple_of(2) { square } else { self.multiply(square, a) }
             }
         }
-    }
-
-    fn power_or_self(&mut self, a: Node, exponent: u32) -> Option<Node> {
-        (exponent > 0).then(|| self.power(a, exponent))
     }
 }

@@ -116,21 +116,19 @@ impl Operation {
     }
 
     fn renamed(&self, rename: &mut dyn FnMut(Node) -> Node) -> Self {
-        match *self {
-            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => self.clone(),
-            Operation::Negate(a) => Operation::Negate(rename(a)),
-            Operation::Add(a, b) => Operation::Add(rename(a), rename(b)),
-            Operation::Subtract(a, b) => Operation::Subtract(rename(a), rename(b)),
-            Operation::Multiply(a, b) => Operation::Multiply(rename(a), rename(b)),
-            Operation::Divide(a, b) => Operation::Divide(rename(a), rename(b)),
-            Operation::MultiplyAdd(a, b, c) => Operation::MultiplyAdd(rename(a), rename(b), rename(c)),
-            Operation::MultiplySubtract(a, b, c) => {
-                Operation::MultiplySubtract(rename(a), rename(b), rename(c))
-            }
-            Operation::SubtractProduct(a, b, c) => {
-                Operation::SubtractProduct(rename(a), rename(b), rename(c))
-            }
+        let mut renamed = self.clone();
+        match &mut renamed {
+            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => {}
+            Operation::Negate(a) => *a = rename(*a),
+            Operation::Add(a, b)
+            | Operation::Subtract(a, b)
+            | Operation::Multiply(a, b)
+            | Operation::Divide(a, b) => (*a, *b) = (rename(*a), rename(*b)),
+            Operation::MultiplyAdd(a, b, c)
+            | Operation::MultiplySubtract(a, b, c)
+            | Operation::SubtractProduct(a, b, c) => (*a, *b, *c) = (rename(*a), rename(*b), rename(*c)),
         }
+        renamed
     }
 
     /// The value of the operation from the `values` of all steps before it; `None` where it, or one

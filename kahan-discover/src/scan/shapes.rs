@@ -208,14 +208,14 @@ impl<'a> Search<'a> {
         if own.len() < coefficients + SPARE_POINTS {
             return;
         }
-        let linear = u32::from(polynomial.degree() == 1);
+        let linear = usize::from(polynomial.degree() == 1);
         let row = |&at: &usize| {
             std::iter::once(modulus.one())
                 .chain(self.names.iter().map(|&name| self.residues[at][name]))
                 .collect()
         };
         let rank = Echelon::of(&modulus, own.iter().map(row).collect(), self.names.len() + 1).rank();
-        if rank + usize::try_from(linear).unwrap_or(0) < self.names.len() + 1 {
+        if rank + linear < self.names.len() + 1 {
             return;
         }
         let points: Vec<usize> = (0..self.grid.points.len()).filter(vanishes).collect();
