@@ -3,6 +3,7 @@
 //! Exact arithmetic gives exact answers and says where something has no value; floats give what
 //! floats give.
 
+mod increment;
 mod map;
 mod program;
 mod stepper;

@@ -205,29 +205,18 @@ impl From<Polynomial> for RationalFunction {
     }
 }
 
-impl Add for &RationalFunction {
-    type Output = RationalFunction;
+macro_rules! without_a_budget {
+    ($($operator:ident $method:ident $within:ident),*) => {$(
+        impl $operator for &RationalFunction {
+            type Output = RationalFunction;
 
-    fn add(self, other: &RationalFunction) -> RationalFunction {
-        unlimited(|budget| self.add_within(other, budget))
-    }
+            fn $method(self, other: &RationalFunction) -> RationalFunction {
+                unlimited(|budget| self.$within(other, budget))
+            }
+        }
+    )*};
 }
-
-impl Sub for &RationalFunction {
-    type Output = RationalFunction;
-
-    fn sub(self, other: &RationalFunction) -> RationalFunction {
-        unlimited(|budget| self.sub_within(other, budget))
-    }
-}
-
-impl Mul for &RationalFunction {
-    type Output = RationalFunction;
-
-    fn mul(self, other: &RationalFunction) -> RationalFunction {
-        unlimited(|budget| self.mul_within(other, budget))
-    }
-}
+without_a_budget!(Add add add_within, Sub sub sub_within, Mul mul mul_within);
 
 impl Neg for &RationalFunction {
     type Output = RationalFunction;

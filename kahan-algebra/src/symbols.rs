@@ -2,7 +2,7 @@
 //!
 //! The order is fixed: states, parameters, ε, then a second copy of the states for bilinear forms.
 
-use crate::poly::Variable;
+use crate::poly::{Polynomial, Variable};
 
 /// The names of a system, and the variables that stand for them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -81,6 +81,18 @@ impl Symbols {
     #[must_use]
     pub fn is_state(&self, variable: Variable) -> bool {
         usize::from(variable.0) < self.states.len()
+    }
+
+    /// The degree of a polynomial in the states.
+    #[must_use]
+    pub fn degree(&self, polynomial: &Polynomial) -> u32 {
+        polynomial.degree_where(|variable| self.is_state(variable))
+    }
+
+    /// Whether a polynomial depends on a state.
+    #[must_use]
+    pub fn has_state(&self, polynomial: &Polynomial) -> bool {
+        self.degree(polynomial) > 0
     }
 
     /// The name of a variable as the user wrote it; the second copy of a state with a prime.

@@ -58,14 +58,8 @@ impl Chart {
             let variable = self.variable(symbols, j);
             let highest = quotient.iter().map(|side| side.degree_in(variable)).max()?;
             for side in &mut quotient {
-                let mut sum = Polynomial::zero();
-                for (exponent, coefficient) in side.coefficients_in(variable) {
-                    let above = coordinate.numerator.pow_within(exponent, &mut budget).ok()?;
-                    let below = coordinate.denominator.pow_within(highest - exponent, &mut budget).ok()?;
-                    let power = above.mul_within(&below, &mut budget).ok()?;
-                    sum = sum + coefficient.mul_within(&power, &mut budget).ok()?;
-                }
-                *side = sum;
+                let value = (&coordinate.numerator, &coordinate.denominator);
+                *side = side.homogenised_at(variable, value, highest, &mut budget).ok()?;
             }
         }
         let [above, below] = quotient;

@@ -14,7 +14,7 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
 
-use crate::writing::{is_product, quotient};
+use crate::writing::{is_product, quotient, state_factors};
 
 /// What densities are called.
 const DENSITY: &str = "rho";
@@ -32,6 +32,8 @@ pub struct Formula {
     pub numerator: Polynomial,
     /// The denominator.
     pub denominator: Polynomial,
+    /// The irreducible factors of an integral that depend on states.
+    pub factors: Vec<Polynomial>,
 }
 
 impl Formula {
@@ -128,7 +130,9 @@ impl<'a> Claims<'a> {
     ) -> Option<Formula> {
         let value = unsigned(quotient(symbols, from_ref(numerator), from_ref(denominator), by));
         let text = format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition);
-        self.proved(symbols, ClaimKind::Integral, text, numerator, denominator)
+        let formula = self.proved(symbols, ClaimKind::Integral, text, numerator, denominator)?;
+        let factors = [numerator, denominator].map(|side| state_factors(symbols, side)).concat();
+        Some(Formula { factors, ..formula })
     }
 
     /// The claim that ∏ factorᵏ is an invariant density, if it is proved; written as integrals are.
@@ -171,7 +175,8 @@ impl<'a> Claims<'a> {
         self.is_proved(&text).then_some(text)
     }
 
-    fn is_proved(&self, text: &str) -> bool {
+    /// Whether a claim holds.
+    pub(crate) fn is_proved(&self, text: &str) -> bool {
         read(&lexer::lex(&format!("{} {text}", self.equations)).tokens).diagnostics.is_empty()
     }
 
@@ -186,13 +191,13 @@ impl<'a> Claims<'a> {
         if !self.is_proved(&text) {
             return None;
         }
-        let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));
         Some(Formula {
             kind,
             text,
-            degree: degree(numerator).max(degree(denominator)),
+            degree: symbols.degree(numerator).max(symbols.degree(denominator)),
             numerator: numerator.clone(),
             denominator: denominator.clone(),
+            factors: Vec::new(),
         })
     }
 }

@@ -11,8 +11,7 @@ use crate::monomials::Monomials;
 use crate::reduction::reduced;
 use crate::setting::{Draw, DrawnStep, Setting};
 use crate::space::tidy;
-use crate::stepping::Stepping;
-use crate::writing::add_state_factors;
+use crate::writing::factors_of;
 
 /// The most coefficients of P and Q together in a degree that is searched before an integral of
 /// higher degree is taken that is known already.
@@ -27,8 +26,6 @@ pub(crate) struct Collector<'a> {
     pub(crate) step: Option<DrawnStep>,
     pub(crate) independent: Independent<'a>,
     pub(crate) formulas: Vec<Formula>,
-    /// The factors with states of the formulas, each once.
-    pub(crate) factors: Vec<Polynomial>,
 }
 
 impl Collector<'_> {
@@ -36,19 +33,12 @@ impl Collector<'_> {
         self.formulas.len() >= self.wanted
     }
 
-    /// Whether the polynomial itself is an integral.
-    fn is_kept(&self, polynomial: &Polynomial) -> bool {
-        self.step.as_ref().is_some_and(|DrawnStep { draw, here, there }| {
-            let value = |point: &[u64]| self.setting.evaluate(draw.map.modulus(), polynomial, draw, point);
-            let own = value(here);
-            own.is_some() && own == value(there)
-        })
-    }
-
     /// Keeps P/Q, or P and Q where they are integrals each, if that is independent of what is known
     /// and is proved.
     pub(crate) fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
-        if denominator.as_constant().is_none() && self.is_kept(&denominator) {
+        if denominator.as_constant().is_none()
+            && self.step.as_ref().is_some_and(|step| step.keeps(self.setting, &denominator))
+        {
             self.offer_one(denominator, Polynomial::one());
             self.offer_one(numerator, Polynomial::one());
         } else {
@@ -60,10 +50,9 @@ impl Collector<'_> {
     /// one that costs more than is to be gained.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         let symbols = self.setting.family().symbols();
-        let own = |side: &Polynomial| side.degree_where(|variable| symbols.is_state(variable));
         let Some((above, below)) = self.known else { return };
         let is_expensive = 2 * Monomials::count(self.setting.dimension(), degree) > MOST_AHEAD;
-        if is_expensive || own(above).max(own(below)) <= degree {
+        if is_expensive || symbols.degree(above).max(symbols.degree(below)) <= degree {
             self.offer(above.clone(), below.clone());
         }
     }
@@ -77,10 +66,10 @@ impl Collector<'_> {
         let (numerator, denominator) = self.simplified(numerator, denominator);
         let numerator = with_a_limit(symbols, numerator, &denominator);
         let index = self.formulas.len() + 1;
-        let formula = self.claims.integral(symbols, index, &numerator, &denominator, &self.factors);
+        let formula =
+            self.claims.integral(symbols, index, &numerator, &denominator, &factors_of(&self.formulas));
         if let Some(formula) = formula {
             self.independent.keep(&numerator, &denominator);
-            add_state_factors(symbols, &mut self.factors, &formula);
             self.formulas.push(formula);
         }
     }
@@ -89,7 +78,7 @@ impl Collector<'_> {
     fn simplified(&self, numerator: Polynomial, denominator: Polynomial) -> (Polynomial, Polynomial) {
         let Some(step) = &self.step else { return (numerator, denominator) };
         let (above, below) =
-            reduced(self.setting, step, &self.factors, numerator.clone(), denominator.clone());
+            reduced(self.setting, step, &factors_of(&self.formulas), numerator.clone(), denominator.clone());
         // A product of known factors over a new denominator may have been all that was new.
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }

@@ -63,8 +63,8 @@ pub fn survivors(
     let hilbert = Hilbert::from_relations(&relations, &modulus, &monomials);
     let next = composed.next(&relations.start)?;
     let value = |formula: &Formula, point: &[u64]| {
-        let above = setting.evaluate(&modulus, &formula.numerator, &draw, point)?;
-        let below = setting.evaluate(&modulus, &formula.denominator, &draw, point)?;
+        let above = setting.evaluate(&formula.numerator, &draw, point)?;
+        let below = setting.evaluate(&formula.denominator, &draw, point)?;
         Some(modulus.times(above, modulus.inverse(below)?))
     };
     // By which factor each formula changes in a step of the composed map.

@@ -66,9 +66,7 @@ impl Constraint {
 impl ConstrainedMap<'_> {
     fn residual(&self, point: &[u64]) -> u64 {
         let modulus = self.base.modulus();
-        let values = self.constraint.monomials.values(modulus, point);
-        let products = values.iter().zip(&self.coefficients);
-        products.fold(0, |sum, (m, c)| modulus.plus(sum, modulus.times(*m, *c)))
+        modulus.dot(&self.constraint.monomials.values(modulus, point), &self.coefficients)
     }
 }
 

@@ -10,16 +10,14 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use crate::deadline::Deadline;
 use crate::map::{ModularMap, Step};
-use crate::matrix::Echelon;
+use crate::matrix::sampled_null_vectors;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::products::product;
+use crate::report::DensitySearch;
 use crate::setting::Setting;
 use crate::space::{Form, Names, Space, lift_space, tidy};
 use crate::stepping::Stepping;
-
-/// Equations beyond the number of unknowns.
-const SPARE: usize = 6;
 
 /// How often a point is drawn again.
 const MOST_DRAWS: usize = 16;
@@ -51,15 +49,13 @@ fn null_vectors(
     deadline: &Deadline,
 ) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
-    let mut rows = Vec::with_capacity(support.len() + SPARE);
-    for _ in 0..support.len() + SPARE {
+    sampled_null_vectors(modulus, support.len(), deadline, || {
         let (point, step) = random_step(map, random)?;
         let (here, there) = (monomials.values(modulus, &point), monomials.values(modulus, &step.next));
         let difference =
             |&index: &usize| modulus.minus(there[index], modulus.times(step.jacobian, here[index]));
-        rows.push(support.iter().map(difference).collect());
-    }
-    Echelon::null_vectors(modulus, rows, support.len(), deadline)
+        Some(support.iter().map(difference).collect())
+    })
 }
 
 /// The space of the P of degree at most `degree` with the cofactor det ∂x̃/∂x, perhaps of dimension
@@ -82,37 +78,28 @@ const HIGHEST_PRODUCT: u32 = 12;
 /// Quotients are tried up to this sum of the degrees above and below.
 const HIGHEST_QUOTIENT: u32 = 16;
 
-/// How a search for a measure ended.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum MeasureSearch {
-    /// With a formula.
-    Found(Measure),
-    /// A polynomial of this degree was seen modulo a prime, and no formula of it was reached.
-    Seen(u32),
-    /// None of degree at most this; of none at all where the time ran out before anything was
-    /// looked at.
-    NoneUpTo(Option<u32>),
-}
-
-/// The measure of least degree, over ℚ with all unknowns; products of `factors` are preferred to
-/// anything else. All P are looked at up to the degree `highest`, products up to 12.
+/// The measure of least degree, over ℚ with all unknowns, and how the search for it ended; products
+/// of `factors` are preferred to anything else. All P are looked at up to the degree `highest`,
+/// products up to 12.
 pub fn measure(
     setting: &Setting,
     factors: &[Polynomial],
     highest: u32,
     random: &mut SplitMix64,
     deadline: &Deadline,
-) -> MeasureSearch {
-    let mut looked_up_to = None;
-    let Some(draw) = setting.draw(Modulus::mersenne_61(), random) else {
-        return MeasureSearch::NoneUpTo(looked_up_to);
+) -> (Option<Measure>, DensitySearch) {
+    let mut search = DensitySearch::default();
+    let found = |measure: Measure| {
+        let search = DensitySearch { seen: Some(measure.degree), none_up_to: None };
+        (Some(measure), search)
     };
+    let Some(draw) = setting.draw(Modulus::mersenne_61(), random) else { return (None, search) };
     for degree in 0..=highest.max(HIGHEST_PRODUCT) {
         if deadline.passed() {
             break;
         }
         if let Some(factors) = product(setting, factors, degree, &[-1], random) {
-            return MeasureSearch::Found(Measure { factors, degree });
+            return found(Measure { factors, degree });
         }
         if degree > highest {
             continue;
@@ -120,15 +107,15 @@ pub fn measure(
         let Some(space) = measure_space(&draw.map, degree, random, deadline) else { break };
         if space.dimension() > 0 {
             let measure = lifted(setting, &draw.map, &space, degree, random, deadline);
-            return measure.map_or(MeasureSearch::Seen(degree), MeasureSearch::Found);
+            return (measure, DensitySearch { seen: Some(degree), none_up_to: None });
         }
-        looked_up_to = Some(degree);
+        search.none_up_to = Some(degree);
     }
     let quotient = (0..=HIGHEST_QUOTIENT).find_map(|degree| {
         let factors = product(setting, factors, degree, &[-1, 1], random)?;
         Some(Measure { factors, degree })
     });
-    quotient.map_or(MeasureSearch::NoneUpTo(looked_up_to), MeasureSearch::Found)
+    quotient.map_or((None, search), found)
 }
 
 /// The simplest element of a space of P, over ℚ.
@@ -177,6 +164,6 @@ mod tests {
         // One over a polynomial is not looked for up to degree 4, where there is one.
         let far = Deadline::never();
         let found = measure(&setting, &factors, 2, &mut SplitMix64::new(1), &far);
-        assert_eq!(found, MeasureSearch::Found(Measure { factors: vec![(long, -1), (y, 1)], degree: 6 }));
+        assert_eq!(found.0, Some(Measure { factors: vec![(long, -1), (y, 1)], degree: 6 }));
     }
 }

@@ -129,9 +129,7 @@ impl<'a> Line<'a> {
     }
 
     fn value(&self, sample: &Sample) -> u64 {
-        let modulus = self.map.modulus();
-        let products = self.weights.iter().zip(&sample.state);
-        products.fold(0, |sum, (weight, x)| modulus.plus(sum, modulus.times(*weight, *x)))
+        self.map.modulus().dot(&self.weights, &sample.state)
     }
 }
 

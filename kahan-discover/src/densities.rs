@@ -5,14 +5,14 @@ use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::claims::{Claims, Formula};
-use crate::darboux::{MeasureSearch, measure};
+use crate::darboux::measure;
 use crate::deadline::Deadline;
 use crate::determinant::determinant;
 use crate::monomials::Monomials;
 use crate::report::DensitySearch;
 use crate::setting::Setting;
 use crate::space::tidy;
-use crate::writing::state_factors_of;
+use crate::writing::factors_of;
 
 /// The most coefficients of the polynomial of a density.
 const MOST_DENSITY_COEFFICIENTS: usize = 220;
@@ -39,18 +39,11 @@ pub(crate) fn densities(
     deadline: &Deadline,
 ) -> (Vec<Formula>, DensitySearch) {
     let symbols = setting.family().symbols();
-    let factors = state_factors_of(symbols, integrals);
+    let factors = factors_of(integrals);
     let highest = density_degree(setting.dimension());
+    let (found, search) = measure(setting, &factors, highest, random, deadline);
     let mut densities = Vec::new();
-    let mut search = DensitySearch::default();
-    match measure(setting, &factors, highest, random, deadline) {
-        MeasureSearch::Found(found) => {
-            search.seen = Some(found.degree);
-            densities.extend(claims.density(symbols, None, &found.factors, &factors));
-        }
-        MeasureSearch::Seen(degree) => search.seen = Some(degree),
-        MeasureSearch::NoneUpTo(degree) => search.none_up_to = degree,
-    }
+    densities.extend(found.and_then(|found| claims.density(symbols, None, &found.factors, &factors)));
     if is_even
         && densities.is_empty()
         && let Some(written) = written_determinant(setting, field)
@@ -63,10 +56,6 @@ pub(crate) fn densities(
 /// det A(x,ε) up to factors free of states, ε put in where it is fixed, if that has few terms.
 fn written_determinant(setting: &Setting, field: &Field) -> Option<Polynomial> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
-    let written = determinant(field, &mut budget).ok()?;
-    let fixed = match setting.eps() {
-        Some(eps) => written.substitute(field.symbols.epsilon(), eps),
-        None => written,
-    };
+    let fixed = setting.at_eps(determinant(field, &mut budget).ok()?);
     Some(tidy(&field.symbols, &fixed)).filter(|fixed| !fixed.is_zero())
 }

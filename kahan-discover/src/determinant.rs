@@ -1,10 +1,8 @@
 //! det A(x,ε) as a polynomial, and the numerators over it, where N and D written out are beyond the
 //! budget of the map.
 
-use std::collections::BTreeMap;
-
 use kahan_algebra::field::Field;
-use kahan_algebra::kahan::scaled_matrix;
+use kahan_algebra::kahan::{maximal_minors, scaled_matrix};
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial};
 
 /// The most variables: so many columns' sets are kept.
@@ -32,31 +30,12 @@ pub fn along(field: &Field, covector: &[Polynomial], budget: &mut Budget) -> Res
     Ok(-&of_matrix(&rows, budget)?)
 }
 
-/// Laplace expansion: from the minors of the first k rows on all sets of k columns those of one row
-/// more.
+/// The determinant of a matrix of at most one row more than there may be variables.
 fn of_matrix(rows: &[Vec<Polynomial>], budget: &mut Budget) -> Result<Polynomial, OverBudget> {
     if rows.len() > MOST_VARIABLES + 1 {
         return Err(OverBudget);
     }
-    let mut minors = BTreeMap::from([(0u32, Polynomial::one())]);
-    for row in rows {
-        let mut longer: BTreeMap<u32, Polynomial> = BTreeMap::new();
-        for (columns, minor) in &minors {
-            for (column, entry) in row.iter().enumerate() {
-                if entry.is_zero() || columns & (1 << column) != 0 {
-                    continue;
-                }
-                let product = minor.mul_within(entry, budget)?;
-                let after = (columns >> column).count_ones();
-                let signed = if after.is_multiple_of(2) { product } else { -&product };
-                let sum = longer.entry(columns | (1 << column)).or_default();
-                *sum = sum.add_within(&signed, budget)?;
-            }
-        }
-        longer.retain(|_, minor| !minor.is_zero());
-        minors = longer;
-    }
-    Ok(minors.into_values().next().unwrap_or_default())
+    Ok(maximal_minors(rows, budget)?.into_values().next().unwrap_or_default())
 }
 
 #[cfg(test)]

@@ -125,13 +125,9 @@ fn merge_by_cofactor(
             Some((monomials.values(modulus, &point), monomials.values(modulus, &next)))
         })
         .collect();
-    let value = |element: &[u64], values: &[u64]| {
-        let products = element.iter().zip(values);
-        products.fold(0, |sum, (c, m)| modulus.plus(sum, modulus.times(*c, *m)))
-    };
     let cofactor = |element: &[u64]| -> Option<Vec<u64>> {
         let at = |(here, there): &(Vec<u64>, Vec<u64>)| {
-            Some(modulus.times(value(element, there), modulus.inverse(value(element, here))?))
+            Some(modulus.times(modulus.dot(element, there), modulus.inverse(modulus.dot(element, here))?))
         };
         samples.iter().map(at).collect()
     };

@@ -9,7 +9,7 @@ use kahan_algebra::rational_function::RationalFunction;
 use crate::deadline::Deadline;
 use crate::lift::{Oracle, confirms, lift};
 use crate::modulus::Modulus;
-use crate::weights::reduce;
+use crate::weights::{reduce, weight_of};
 
 /// The weights of the unknowns of a lift and of the entries it looks for.
 #[derive(Clone, Debug)]
@@ -67,15 +67,10 @@ impl Grading {
             return Some(function.clone());
         };
         let weight = |monomial: &Monomial| {
-            let mut sum = vec![Rational::zero(); self.entries[entry].len()];
-            for &(variable, exponent) in monomial.powers() {
+            weight_of(monomial, self.entries[entry].len(), |variable| {
                 let place = variables.iter().position(|known| *known == variable)?;
-                let factor = Rational::from(i64::from(exponent));
-                for (total, own) in sum.iter_mut().zip(&self.unknowns[place]) {
-                    *total = &*total + &(own * &factor);
-                }
-            }
-            Some(sum)
+                Some(&self.unknowns[place])
+            })
         };
         let base = weight(first)?;
         let side = |polynomial: &Polynomial, is_numerator: bool| {
@@ -118,7 +113,7 @@ impl Grading {
 /// [`lift`] with some unknowns scaled to 1 where the entries are homogeneous; without, where that
 /// comes to nothing.
 pub fn lift_graded(
-    oracle: &mut dyn Oracle,
+    oracle: &mut Oracle<'_>,
     variables: &[Variable],
     grading: &Grading,
     random: &mut SplitMix64,
@@ -134,7 +129,7 @@ pub fn lift_graded(
 }
 
 fn lift_scaled(
-    oracle: &mut dyn Oracle,
+    oracle: &mut Oracle<'_>,
     variables: &[Variable],
     grading: &Grading,
     chosen: &[usize],
@@ -147,7 +142,7 @@ fn lift_scaled(
         for (&unknown, &value) in kept.iter().zip(values) {
             all[unknown] = value;
         }
-        oracle.values(modulus, &all, random)
+        oracle(modulus, &all, random)
     };
     let remaining: Vec<Variable> = kept.iter().map(|&unknown| variables[unknown]).collect();
     let functions = lift(&mut scaled, &remaining, random, deadline)?;

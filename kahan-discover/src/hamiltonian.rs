@@ -1,7 +1,7 @@
 //! A constant Poisson structure of the field: f = K∇H, and what the map keeps of H.
 
 use kahan_algebra::field::Field;
-use kahan_algebra::poly::{Budget, Polynomial, gcd_within};
+use kahan_algebra::poly::{Budget, Polynomial, Variable, gcd_within};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -16,6 +16,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
 use crate::setting::Setting;
+use crate::space::{combination, over_common};
 use crate::stepping::Stepping;
 
 /// The most terms of the modified Hamiltonian, and the work it may take, in products of terms.
@@ -71,16 +72,11 @@ pub fn hamiltonian(setting: &Setting, random: &mut SplitMix64, deadline: &Deadli
     let entries = lift(&mut oracle, &setting.unknown_variables(), random, deadline)?;
     let (upper, coefficients) = entries.split_at(n * (n - 1) / 2);
     let symbols = setting.family().symbols();
-    let mut hamiltonian = RationalFunction::zero();
-    for (index, coefficient) in
-        coefficients.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero())
-    {
-        let powers = monomials.exponents(index + 1).iter().enumerate();
-        let states = powers.map(|(i, &exponent)| (symbols.state(i), exponent)).collect();
-        let term = Polynomial::term(states, Rational::one());
-        let numerator = coefficient.numerator() * &term;
-        hamiltonian = &hamiltonian + &RationalFunction::new(numerator, coefficient.denominator().clone())?;
-    }
+    let states: Vec<Variable> = (0..n).map(|i| symbols.state(i)).collect();
+    let support: Vec<usize> = (1..monomials.len()).collect();
+    let (coefficients, common) = over_common(coefficients);
+    let hamiltonian =
+        RationalFunction::new(combination(&states, &monomials, &support, &coefficients), common)?;
     if hamiltonian.is_zero() {
         return None;
     }
@@ -125,8 +121,7 @@ fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
             rows.push(row);
         }
     }
-    let echelon = Echelon::of(modulus, rows, places.len());
-    echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect()
+    Echelon::null_vectors(modulus, rows, places.len(), &Deadline::never()).unwrap_or_default()
 }
 
 /// Choice 0 is the sum of the basis, choice k its element k − 1.
@@ -203,11 +198,7 @@ impl Hamiltonian {
         let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
         let start = potential.mul_within(&below, &mut budget).ok()?.scale(&Rational::from(3));
         let above = start + along.mul_within(&two_eps, &mut budget).ok()?;
-        let fixed = |polynomial: &Polynomial| match setting.eps() {
-            Some(eps) => polynomial.substitute(symbols.epsilon(), eps),
-            None => polynomial.clone(),
-        };
-        let (above, below) = (fixed(&above), fixed(&below));
+        let (above, below) = (setting.at_eps(above), setting.at_eps(below));
         if below.is_zero() {
             return None;
         }

@@ -5,8 +5,7 @@ use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::matrix::Echelon;
-use crate::modulus::Modulus;
-use crate::setting::{Draw, Setting};
+use crate::setting::{Draw, DrawnStep, Setting};
 use crate::stepping::Stepping;
 
 /// ∇(P/Q) Q² at a point of a drawn map; `None` where the prime divides a denominator of the
@@ -20,7 +19,7 @@ pub fn quotient_gradient(
     denominator: &Polynomial,
 ) -> Option<Vec<u64>> {
     let modulus = draw.map.modulus();
-    let value = |polynomial: &Polynomial| setting.evaluate(modulus, polynomial, draw, point);
+    let value = |polynomial: &Polynomial| setting.evaluate(polynomial, draw, point);
     let (above, below) = (value(numerator)?, value(denominator)?);
     let symbols = setting.family().symbols();
     (0..symbols.dimension())
@@ -37,44 +36,34 @@ pub fn quotient_gradient(
 #[derive(Debug)]
 pub struct Independent<'a> {
     setting: &'a Setting,
-    draw: Option<(Draw, Vec<u64>)>,
+    step: Option<DrawnStep>,
     gradients: Vec<Vec<u64>>,
 }
 
 impl<'a> Independent<'a> {
     /// Of nothing yet.
     pub fn new(setting: &'a Setting, random: &mut SplitMix64) -> Self {
-        let draw = setting.draw(Modulus::mersenne_61(), random).map(|draw| {
-            let point = draw.map.point(random);
-            (draw, point)
-        });
-        Independent { setting, draw, gradients: Vec::new() }
+        Independent { setting, step: setting.step(random), gradients: Vec::new() }
     }
 
     fn gradient(&self, numerator: &Polynomial, denominator: &Polynomial) -> Option<Vec<u64>> {
-        let (draw, point) = self.draw.as_ref()?;
-        quotient_gradient(self.setting, draw, point, numerator, denominator)
+        let step = self.step.as_ref()?;
+        quotient_gradient(self.setting, &step.draw, &step.here, numerator, denominator)
     }
 
     /// Whether P/Q is independent of what was kept.
     #[must_use]
     pub fn admits(&self, numerator: &Polynomial, denominator: &Polynomial) -> bool {
-        let Some((draw, _)) = &self.draw else { return false };
+        let Some(step) = &self.step else { return false };
         let Some(gradient) = self.gradient(numerator, denominator) else { return false };
         let mut rows = self.gradients.clone();
         rows.push(gradient);
         let wanted = rows.len();
-        Echelon::of(draw.map.modulus(), rows, self.setting.dimension()).rank() == wanted
+        Echelon::of(step.draw.map.modulus(), rows, self.setting.dimension()).rank() == wanted
     }
 
     /// Keeps P/Q.
     pub fn keep(&mut self, numerator: &Polynomial, denominator: &Polynomial) {
         self.gradients.extend(self.gradient(numerator, denominator));
-    }
-
-    /// How many were kept.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.gradients.len()
     }
 }

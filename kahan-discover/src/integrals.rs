@@ -55,7 +55,6 @@ pub fn integrals(
         wanted: aims.hilbert.map_or(0, |hilbert| hilbert.integrals).max(aims.kept.len()),
         known: aims.known,
         step: setting.step(random),
-        factors: Vec::new(),
         independent: Independent::new(setting, random),
         formulas: Vec::new(),
     };
@@ -207,14 +206,15 @@ impl Collector<'_> {
         let symbols = setting.family().symbols();
         let states: Vec<Variable> = chart.leaf.order().iter().map(|&state| symbols.state(state)).collect();
         let monomials = Monomials::new(states.len(), degree);
-        let coefficients = |polynomial: &Polynomial, index: usize| {
+        let mut coefficients =
+            [first, second].map(|polynomial| polynomial.group(|variable| symbols.is_state(variable)));
+        let pairs = (0..monomials.len()).map(|index| {
             let powers = states.iter().copied().zip(monomials.exponents(index).iter().copied());
-            let wanted: Monomial = powers.collect();
-            polynomial.group(|variable| symbols.is_state(variable)).remove(&wanted).unwrap_or_default()
-        };
-        let pairs: Vec<(Polynomial, Polynomial)> = (0..monomials.len())
-            .map(|index| (coefficients(first, index), coefficients(second, index)))
-            .collect();
+            let states: Monomial = powers.collect();
+            let [above, below] = coefficients.each_mut().map(|side| side.remove(&states).unwrap_or_default());
+            (above, below)
+        });
+        let pairs = pairs.collect();
         let constraint = Constraint::new(monomials, pairs)?;
         let (numerator, denominator) = chart.substituted(symbols, first, second)?;
         let mut wider = chart.clone();

@@ -5,7 +5,7 @@
 //! and fewer variables, other integrals are not mixed with multiples of the linear relations.
 //! Formulas found there hold everywhere once cⱼ is replaced by its own formula.
 
-use kahan_algebra::poly::{Monomial, Polynomial};
+use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 
@@ -17,6 +17,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::{Entry, SPARE};
 use crate::setting::Setting;
+use crate::space::{combination, over_common};
 use crate::stepping::Stepping;
 use crate::weights::Weights;
 
@@ -175,10 +176,7 @@ impl Leaf {
         let n = setting.dimension();
         let linear = Monomials::new(n, 1);
         let all: Vec<usize> = (0..linear.len()).collect();
-        let states = |index: usize| -> Monomial {
-            let exponents = linear.exponents(index).iter().enumerate();
-            exponents.map(|(i, &exponent)| (setting.family().symbols().state(i), exponent)).collect()
-        };
+        let states: Vec<Variable> = (0..n).map(|i| setting.family().symbols().state(i)).collect();
         let mut coordinates = Vec::new();
         for &(leading, lower) in &self.places {
             let entry = Entry { leading, lower, numerator: all.clone(), denominator: all.clone() };
@@ -196,18 +194,11 @@ impl Leaf {
             };
             let entries = lift(&mut oracle, &setting.unknown_variables(), random, deadline)?;
             // One denominator for all entries, so that P and Q are polynomials.
-            let common = entries.iter().fold(Polynomial::one(), |common, entry| {
-                let shared = kahan_algebra::poly::gcd(&common, entry.denominator());
-                &common * &entry.denominator().checked_div(&shared).unwrap_or_else(Polynomial::one)
-            });
-            let side = |offset: usize| {
-                (0..linear.len()).fold(Polynomial::zero(), |sum, index| {
-                    let entry = &entries[offset + index];
-                    let factor = common.checked_div(entry.denominator()).unwrap_or_else(Polynomial::one);
-                    sum + (entry.numerator() * &factor).mul_monomial(&states(index))
-                })
-            };
-            coordinates.push(Coordinate { numerator: side(0), denominator: side(linear.len()) });
+            let (entries, _) = over_common(&entries);
+            let (above, below) = entries.split_at(linear.len());
+            let [numerator, denominator] =
+                [above, below].map(|side| combination(&states, &linear, &all, side));
+            coordinates.push(Coordinate { numerator, denominator });
         }
         Some(coordinates)
     }
@@ -223,9 +214,7 @@ impl LeafMap {
             full[state] = value;
         }
         for (state, value) in &self.leading {
-            let products = value[1..].iter().zip(point);
-            full[*state] =
-                products.fold(value[0], |sum, (slope, x)| modulus.plus(sum, modulus.times(*slope, *x)));
+            full[*state] = modulus.plus(value[0], modulus.dot(&value[1..], point));
         }
         full
     }

@@ -71,7 +71,7 @@ mod stages;
 pub mod stepping;
 pub mod structure;
 #[cfg(test)]
-mod testing;
+mod tests;
 pub mod thiele;
 pub mod weights;
 mod words;

@@ -18,17 +18,9 @@ use crate::modulus::Modulus;
 use crate::shape::Shape;
 use crate::thiele::{SPARE, degree};
 
-/// Values that are rational functions of unknowns.
-pub trait Oracle {
-    /// The values at these unknowns, always equally many; `None` where they are not defined.
-    fn values(&mut self, modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64) -> Option<Vec<u64>>;
-}
-
-impl<F: FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>>> Oracle for F {
-    fn values(&mut self, modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64) -> Option<Vec<u64>> {
-        self(modulus, unknowns, random)
-    }
-}
+/// Gives the values of rational functions at these unknowns, always equally many; `None` where they
+/// are not defined.
+pub type Oracle<'a> = dyn FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<u64>> + 'a;
 
 /// The most points on a line; degrees up to some twenty in one unknown.
 const MOST_ON_LINE: usize = 48;
@@ -46,7 +38,7 @@ const MOST_DRAWS: usize = 8;
 /// Cost: for ansatz functions of m coefficients in all, m + 4 calls a prime and m³ products for
 /// each entry.
 pub fn lift(
-    oracle: &mut dyn Oracle,
+    oracle: &mut Oracle<'_>,
     variables: &[Variable],
     random: &mut SplitMix64,
     deadline: &Deadline,
@@ -74,7 +66,7 @@ pub fn lift(
 }
 
 struct Lifter<'a> {
-    oracle: &'a mut dyn Oracle,
+    oracle: &'a mut Oracle<'a>,
     unknowns: usize,
     random: &'a mut SplitMix64,
     deadline: &'a Deadline,
@@ -92,7 +84,7 @@ impl Lifter<'_> {
                 return None;
             }
             let point = self.point(&modulus);
-            let values = self.oracle.values(modulus, &point, self.random)?;
+            let values = (self.oracle)(modulus, &point, self.random)?;
             Some((point, values))
         })
     }
@@ -111,7 +103,7 @@ impl Lifter<'_> {
                 let t = modulus.sample(self.random);
                 let place: Vec<u64> =
                     base.iter().zip(direction).map(|(a, b)| modulus.plus(*a, modulus.times(*b, t))).collect();
-                match self.oracle.values(modulus, &place, self.random) {
+                match (self.oracle)(modulus, &place, self.random) {
                     Some(found) => {
                         points.push(t);
                         values.push(found);
@@ -183,7 +175,7 @@ impl Lifter<'_> {
 
 /// Whether functions agree with the oracle at a random point modulo a random prime.
 pub fn confirms(
-    oracle: &mut dyn Oracle,
+    oracle: &mut Oracle<'_>,
     functions: &[RationalFunction],
     variables: &[Variable],
     random: &mut SplitMix64,

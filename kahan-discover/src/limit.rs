@@ -24,8 +24,7 @@ pub(crate) fn with_a_limit(
         let mut budget = Budget::new(20_000, LIMIT_WORK);
         let limit = RationalFunction::new_within(at_zero(&numerator), below.clone(), &mut budget);
         let Ok(Some(limit)) = limit else { break };
-        let varies = |side: &Polynomial| side.variables().iter().any(|&variable| symbols.is_state(variable));
-        if varies(limit.numerator()) || varies(limit.denominator()) {
+        if symbols.has_state(limit.numerator()) || symbols.has_state(limit.denominator()) {
             break;
         }
         let rest = &numerator * limit.denominator() - denominator * limit.numerator();

@@ -121,6 +121,27 @@ impl Echelon {
     }
 }
 
+/// Equations beyond the number of unknowns.
+const SPARE: usize = 6;
+
+/// The vectors that random rows of so many columns all send to zero; `None` where a row is, or the
+/// deadline passes.
+pub(crate) fn sampled_null_vectors(
+    modulus: &Modulus,
+    columns: usize,
+    deadline: &Deadline,
+    mut row: impl FnMut() -> Option<Vec<u64>>,
+) -> Option<Vec<Vec<u64>>> {
+    let mut rows = Vec::with_capacity(columns + SPARE);
+    for _ in 0..columns + SPARE {
+        if deadline.passed() {
+            return None;
+        }
+        rows.push(row()?);
+    }
+    Echelon::null_vectors(modulus, rows, columns, deadline)
+}
+
 /// A vector that the matrix sends to zero.
 #[derive(Clone, Debug)]
 pub struct NullVector {
@@ -153,9 +174,7 @@ mod tests {
         for vector in null {
             assert!(vector.entries[vector.free + 1..].iter().all(|&entry| entry == 0));
             for row in &rows {
-                let product = row.iter().zip(&vector.entries);
-                let sum = product.fold(0, |sum, (a, b)| modulus.plus(sum, modulus.times(*a, *b)));
-                assert_eq!(sum, 0);
+                assert_eq!(modulus.dot(row, &vector.entries), 0);
             }
         }
     }

@@ -6,7 +6,6 @@
 //! residues are below p, so equal residues are equal numbers. Conversions back to ℚ
 //! ([`rational_from_residue`]) are guesses that a proof confirms.
 
-use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
@@ -140,6 +139,19 @@ impl Modulus {
         power
     }
 
+    /// Σ aᵢ bᵢ
+    #[must_use]
+    pub fn dot(&self, a: &[u64], b: &[u64]) -> u64 {
+        a.iter().zip(b).fold(0, |sum, (a, b)| self.plus(sum, self.times(*a, *b)))
+    }
+
+    /// ∏ xᵢ^eᵢ
+    #[must_use]
+    pub fn monomial(&self, exponents: &[u32], point: &[u64]) -> u64 {
+        let powers = exponents.iter().zip(point);
+        powers.fold(self.one, |product, (&exponent, &x)| self.times(product, self.power(x, exponent)))
+    }
+
     /// A rational; `None` where p divides its denominator.
     #[must_use]
     pub fn rational(&self, value: &Rational) -> Option<u64> {
@@ -155,38 +167,6 @@ impl Modulus {
     /// A uniformly drawn element.
     pub fn sample(&self, random: &mut SplitMix64) -> u64 {
         random.below(self.prime)
-    }
-}
-
-impl Arithmetic for Modulus {
-    type Value = u64;
-
-    fn constant(&self, value: &Rational) -> Option<u64> {
-        self.rational(value)
-    }
-
-    fn add(&self, a: &u64, b: &u64) -> u64 {
-        self.plus(*a, *b)
-    }
-
-    fn subtract(&self, a: &u64, b: &u64) -> u64 {
-        self.minus(*a, *b)
-    }
-
-    fn multiply(&self, a: &u64, b: &u64) -> u64 {
-        self.times(*a, *b)
-    }
-
-    fn negate(&self, a: &u64) -> u64 {
-        self.opposite(*a)
-    }
-
-    fn divide(&self, a: &u64, b: &u64) -> Option<u64> {
-        self.inverse(*b).map(|inverse| self.times(*a, inverse))
-    }
-
-    fn is_zero(&self, a: &u64) -> bool {
-        *a == 0
     }
 }
 

@@ -64,9 +64,9 @@ impl Entry {
             row.extend(self.denominator.iter().map(|&index| modulus.times(factor, values[index])));
             rows.push(row);
         }
-        let null = Echelon::within(modulus, rows, width, deadline)?.null_space(modulus);
+        let null = Echelon::null_vectors(modulus, rows, width, deadline)?;
         let [vector] = &null[..] else { return None };
-        let (above, below) = vector.entries.split_at(self.numerator.len());
+        let (above, below) = vector.split_at(self.numerator.len());
         let spread = |places: &[usize], entries: &[u64]| {
             let mut all = vec![0; values[0].len()];
             for (&place, &entry) in places.iter().zip(entries) {
@@ -130,12 +130,11 @@ impl Pencil {
                 let values = monomials.values(modulus, point);
                 support.iter().map(|&index| values[index]).collect()
             });
-            let null = Echelon::within(modulus, rows.collect(), support.len(), deadline)?;
-            let null = null.null_space(modulus);
+            let null = Echelon::null_vectors(modulus, rows.collect(), support.len(), deadline)?;
             if null.len() + 1 != self.space.dimension() {
                 return None;
             }
-            vectors.extend(null.into_iter().map(|vector| vector.entries));
+            vectors.extend(null);
         }
         Space::of_form(modulus, &self.space.form, vectors)
     }

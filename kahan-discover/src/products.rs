@@ -18,8 +18,7 @@ pub(crate) fn product(
     random: &mut SplitMix64,
 ) -> Option<Vec<(Polynomial, i32)>> {
     let symbols = setting.family().symbols();
-    let degrees: Vec<u32> =
-        factors.iter().map(|factor| factor.degree_where(|variable| symbols.is_state(variable))).collect();
+    let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
     let modulus = Modulus::mersenne_61();
     // For each of two points the factors' cofactors, their inverses, and the determinant.
     let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
@@ -29,8 +28,8 @@ pub(crate) fn product(
         let cofactors: Option<Vec<[u64; 2]>> = factors
             .iter()
             .map(|factor| {
-                let here = setting.evaluate(&modulus, factor, &draw, &point)?;
-                let there = setting.evaluate(&modulus, factor, &draw, &step.next)?;
+                let here = setting.evaluate(factor, &draw, &point)?;
+                let there = setting.evaluate(factor, &draw, &step.next)?;
                 let cofactor = |above, below| Some(modulus.times(above, modulus.inverse(below)?));
                 Some([cofactor(there, here)?, cofactor(here, there)?])
             })
@@ -53,10 +52,7 @@ pub(crate) fn product(
     // Denominators of integrals become constants at ε = 0, as the density of the flow's volume is.
     let is_of_flow = |exponents: &Vec<i32>| {
         let mut used = exponents.iter().zip(factors).filter(|(exponent, _)| **exponent != 0);
-        used.all(|(_, factor)| {
-            let at_zero = factor.substitute(symbols.epsilon(), &Rational::zero());
-            !at_zero.variables().into_iter().any(|variable| symbols.is_state(variable))
-        })
+        used.all(|(_, factor)| !symbols.has_state(&factor.substitute(symbols.epsilon(), &Rational::zero())))
     };
     let key = |exponents: &Vec<i32>| (!is_of_flow(exponents), terms(exponents));
     let best = candidates.into_iter().filter(has_cofactor).min_by_key(key)?;

@@ -86,12 +86,10 @@ fn without_factor(
 
 /// The states that are no integrals by themselves.
 fn moving_states(setting: &Setting, step: &DrawnStep, factors: &[Polynomial]) -> Vec<Variable> {
-    let DrawnStep { draw, here, there } = step;
     let symbols = setting.family().symbols();
     let rests = |variable: Variable| {
         let single = Polynomial::variable(variable);
-        let value = |point: &[u64]| setting.evaluate(draw.map.modulus(), &single, draw, point);
-        factors.contains(&single) && value(here) == value(there)
+        factors.contains(&single) && step.keeps(setting, &single)
     };
     (0..setting.dimension()).map(|i| symbols.state(i)).filter(|&variable| !rests(variable)).collect()
 }
@@ -111,19 +109,14 @@ fn products(
     numerator: &Polynomial,
     denominator: &Polynomial,
 ) -> Option<Vec<Polynomial>> {
-    let DrawnStep { draw, here, there } = step;
     let symbols = setting.family().symbols();
-    let modulus = draw.map.modulus();
-    let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));
-    let cofactor = |polynomial: &Polynomial| {
-        let value = |point: &[u64]| setting.evaluate(modulus, polynomial, draw, point);
-        Some(modulus.times(value(there)?, modulus.inverse(value(here)?)?))
-    };
-    let cofactors: Vec<u64> = factors.iter().map(cofactor).collect::<Option<_>>()?;
-    let degrees: Vec<u32> = factors.iter().map(degree).collect();
-    let wanted = cofactor(denominator)?;
+    let modulus = step.draw.map.modulus();
+    let cofactors: Vec<u64> =
+        factors.iter().map(|factor| step.cofactor(setting, factor)).collect::<Option<_>>()?;
+    let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
+    let wanted = step.cofactor(setting, denominator)?;
     let mut found = Vec::new();
-    for total in 1..=degree(numerator) {
+    for total in 1..=symbols.degree(numerator) {
         for candidate in exponents(&degrees, total, &[1]) {
             let own = cofactors.iter().zip(&candidate).fold(modulus.one(), |product, (base, &exponent)| {
                 modulus.times(product, modulus.power(*base, exponent.unsigned_abs()))

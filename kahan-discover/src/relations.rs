@@ -68,23 +68,24 @@ impl Relations {
     }
 }
 
+/// The gradient of a monomial at a point.
+pub(crate) fn monomial_gradient(modulus: &Modulus, exponents: &[u32], point: &[u64]) -> Vec<u64> {
+    let slope = |variable: usize| {
+        let mut lowered = exponents.to_vec();
+        match lowered[variable].checked_sub(1) {
+            Some(exponent) => lowered[variable] = exponent,
+            None => return 0,
+        }
+        let factor = modulus.integer(u64::from(exponents[variable]));
+        modulus.times(factor, modulus.monomial(&lowered, point))
+    };
+    (0..exponents.len()).map(slope).collect()
+}
+
 /// The gradients of all monomials at a point: one row of n entries each.
 #[must_use]
 pub fn monomial_gradients(modulus: &Modulus, monomials: &Monomials, point: &[u64]) -> Vec<Vec<u64>> {
-    let slope = |exponents: &[u32], variable: usize| {
-        let Some(lowered) = exponents[variable].checked_sub(1) else { return 0 };
-        let mut product = modulus.integer(u64::from(exponents[variable]));
-        for (other, (&exponent, &x)) in exponents.iter().zip(point).enumerate() {
-            product =
-                modulus.times(product, modulus.power(x, if other == variable { lowered } else { exponent }));
-        }
-        product
-    };
-    (0..monomials.len())
-        .map(|index| {
-            (0..monomials.variables()).map(|variable| slope(monomials.exponents(index), variable)).collect()
-        })
-        .collect()
+    (0..monomials.len()).map(|index| monomial_gradient(modulus, monomials.exponents(index), point)).collect()
 }
 
 /// The gradient of Σ cₘ m from those of the monomials m.

@@ -126,9 +126,7 @@ pub fn quotient_gradients(
     let evaluated: Vec<(u64, Vec<u64>)> = (0..space.dimension())
         .map(|index| {
             let element = space.element(index, monomials.len());
-            let value = element.iter().zip(&values);
-            let value = value.fold(0, |sum, (c, m)| modulus.plus(sum, modulus.times(*c, *m)));
-            (value, gradient(modulus, &slopes, &element))
+            (modulus.dot(&element, &values), gradient(modulus, &slopes, &element))
         })
         .collect();
     let Some(((base, base_slope), others)) = evaluated.split_first() else { return Vec::new() };

@@ -43,6 +43,38 @@ pub struct DrawnStep {
     pub there: Vec<u64>,
 }
 
+impl Draw {
+    /// A random point, and its image; `None` at a pole.
+    pub fn step(self, random: &mut SplitMix64) -> Option<DrawnStep> {
+        let here = self.map.point(random);
+        let there = self.map.next(&here)?;
+        Some(DrawnStep { draw: self, here, there })
+    }
+}
+
+impl DrawnStep {
+    /// The values of a polynomial at both points; `None` where the prime divides a denominator of
+    /// its coefficients.
+    fn values(&self, setting: &Setting, polynomial: &Polynomial) -> Option<[u64; 2]> {
+        let value = |point| setting.evaluate(polynomial, &self.draw, point);
+        Some([value(&self.here)?, value(&self.there)?])
+    }
+
+    /// Whether a polynomial has the same value at both points.
+    #[must_use]
+    pub fn keeps(&self, setting: &Setting, polynomial: &Polynomial) -> bool {
+        self.values(setting, polynomial).is_some_and(|[here, there]| here == there)
+    }
+
+    /// P(x̃)/P(x); `None` also where P(x) = 0.
+    #[must_use]
+    pub fn cofactor(&self, setting: &Setting, polynomial: &Polynomial) -> Option<u64> {
+        let modulus = self.draw.map.modulus();
+        let [here, there] = self.values(setting, polynomial)?;
+        Some(modulus.times(there, modulus.inverse(here)?))
+    }
+}
+
 impl Setting {
     /// The maps of a field at every ε (half the time step), or at one.
     #[must_use]
@@ -116,10 +148,7 @@ impl Setting {
 
     /// A random point of a map with random unknowns, and its image.
     pub fn step(&self, random: &mut SplitMix64) -> Option<DrawnStep> {
-        let draw = self.draw(Modulus::mersenne_61(), random)?;
-        let here = draw.map.point(random);
-        let there = draw.map.next(&here)?;
-        Some(DrawnStep { draw, here, there })
+        self.draw(Modulus::mersenne_61(), random)?.step(random)
     }
 
     /// Whether the map can be inverted: whether det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε) is another
@@ -134,16 +163,19 @@ impl Setting {
         })
     }
 
+    /// The polynomial at the ε that is fixed.
+    #[must_use]
+    pub fn at_eps(&self, polynomial: Polynomial) -> Polynomial {
+        match &self.eps {
+            Some(eps) => polynomial.substitute(self.family.symbols().epsilon(), eps),
+            None => polynomial,
+        }
+    }
+
     /// The value of a polynomial in states, parameters and ε at a point of a drawn map; `None`
     /// where the prime divides a denominator of its coefficients.
     #[must_use]
-    pub fn evaluate(
-        &self,
-        modulus: &Modulus,
-        polynomial: &Polynomial,
-        draw: &Draw,
-        point: &[u64],
-    ) -> Option<u64> {
+    pub fn evaluate(&self, polynomial: &Polynomial, draw: &Draw, point: &[u64]) -> Option<u64> {
         let symbols = self.family.symbols();
         let parameters = symbols.parameters.len();
         let value = |variable: Variable| match symbols.symbol(variable) {
@@ -151,6 +183,6 @@ impl Setting {
             Symbol::Parameter(k) => draw.unknowns[k],
             Symbol::Epsilon => draw.unknowns.get(parameters).copied().unwrap_or_else(|| draw.map.eps()),
         };
-        evaluate(modulus, polynomial, value)
+        evaluate(draw.map.modulus(), polynomial, value)
     }
 }

@@ -38,11 +38,7 @@ impl Shape {
 
     /// The values of the monomials.
     pub(crate) fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
-        let value = |monomial: &Vec<u32>| {
-            let powers = monomial.iter().zip(point).map(|(&exponent, &x)| modulus.power(x, exponent));
-            powers.fold(modulus.one(), |product, power| modulus.times(product, power))
-        };
-        self.monomials.iter().map(value).collect()
+        self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
     }
 
     /// The function whose coefficients modulo several primes are known; `None` if those are not of

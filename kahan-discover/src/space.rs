@@ -17,6 +17,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::setting::Setting;
 use crate::weights::Weights;
+use crate::writing::begins_negative;
 
 /// The shape of a space's basis: which monomials occur, and which lead.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -168,18 +169,32 @@ pub fn cleared(
     support: &[usize],
     coefficients: &[RationalFunction],
 ) -> Polynomial {
-    let common = coefficients.iter().fold(Polynomial::one(), |common, coefficient| {
-        let shared = gcd(&common, coefficient.denominator());
-        let rest = coefficient.denominator().checked_div(&shared).unwrap_or_else(Polynomial::one);
-        &common * &rest
+    combination(states, monomials, support, &over_common(coefficients).0).primitive_part()
+}
+
+/// The numerators of functions over their least common denominator, and that.
+pub(crate) fn over_common(functions: &[RationalFunction]) -> (Vec<Polynomial>, Polynomial) {
+    let common = functions.iter().fold(Polynomial::one(), |common, function| {
+        let shared = gcd(&common, function.denominator());
+        &common * &function.denominator().checked_div(&shared).unwrap_or_else(Polynomial::one)
     });
-    let mut sum = Polynomial::zero();
-    for (&index, coefficient) in support.iter().zip(coefficients).filter(|(_, c)| !c.is_zero()) {
-        let factor = common.checked_div(coefficient.denominator()).unwrap_or_else(Polynomial::one);
+    let numerator = |function: &RationalFunction| {
+        function.numerator() * &common.checked_div(function.denominator()).unwrap_or_else(Polynomial::one)
+    };
+    (functions.iter().map(numerator).collect(), common)
+}
+
+/// Σ cₘ m over the monomials m of a support, in these states.
+pub(crate) fn combination(
+    states: &[Variable],
+    monomials: &Monomials,
+    support: &[usize],
+    coefficients: &[Polynomial],
+) -> Polynomial {
+    support.iter().zip(coefficients).fold(Polynomial::zero(), |sum, (&index, coefficient)| {
         let exponents = states.iter().copied().zip(monomials.exponents(index).iter().copied());
-        sum = sum + (coefficient.numerator() * &factor).mul_monomial(&exponents.collect::<Monomial>());
-    }
-    sum.primitive_part()
+        sum + coefficient.mul_monomial(&exponents.collect::<Monomial>())
+    })
 }
 
 /// The polynomial divided by every factor that is free of states, its first term in writing
@@ -189,11 +204,5 @@ pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
     let groups = polynomial.group(|variable| symbols.is_state(variable));
     let content = groups.values().fold(Polynomial::zero(), |content, group| gcd(&content, group));
     let primitive = polynomial.checked_div(&content).unwrap_or_else(|| polynomial.clone()).primitive_part();
-    // Formulas are written with low degrees first, in the order of terms within a degree.
-    let lowest = primitive.terms().map(|(monomial, _)| monomial.degree()).min().unwrap_or(0);
-    let first = primitive.terms().find(|(monomial, _)| monomial.degree() == lowest);
-    match first {
-        Some((_, coefficient)) if coefficient.is_negative() => -&primitive,
-        _ => primitive,
-    }
+    if begins_negative(&primitive) { -&primitive } else { primitive }
 }

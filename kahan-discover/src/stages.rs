@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -10,7 +9,7 @@ use kahan_algebra::render::Notation;
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::System;
 
-use crate::basis::{Place, candidates, completing, prove};
+use crate::basis::{candidates, completing, prove};
 use crate::brackets::brackets;
 use crate::claims::{Claims, Formula};
 use crate::composition::survivors;
@@ -27,10 +26,9 @@ use crate::report::{DiscoverError, HamiltonianReport, Options, Report, Stage, St
 use crate::search::Reach;
 use crate::setting::Setting;
 use crate::space::tidy;
-use crate::stepping::Stepping;
 use crate::structure::{FlowIntegrals, divergence, flow_integrals, is_even};
 use crate::words::sentences;
-use crate::writing::state_factors_of;
+use crate::writing::factors_of;
 
 /// A formula of more characters is left to a basis, where there is one.
 const MOST_CHARACTERS: usize = 4000;
@@ -90,7 +88,7 @@ pub fn discover(
     let hamiltonian = hamiltonian(&setting, random, &for_structure);
 
     progress(Stage::Integrals);
-    let place = Place { point: draw.map.point(random), draw };
+    let place = draw.step(random).ok_or(DiscoverError::NoMap)?;
     let shown = hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
     let candidates = hilbert
         .as_ref()
@@ -115,13 +113,8 @@ pub fn discover(
             if integrals.iter().any(is_listed) {
                 return true;
             }
-            let formula = claims.integral(
-                symbols,
-                integrals.len() + 1,
-                above,
-                below,
-                &state_factors_of(symbols, &integrals),
-            );
+            let formula =
+                claims.integral(symbols, integrals.len() + 1, above, below, &factors_of(&integrals));
             let is_proved = formula.is_some();
             add_if_independent(&setting, &mut integrals, formula, random);
             is_proved
@@ -138,8 +131,7 @@ pub fn discover(
     let all_integrals = integrals;
     let integrals: Vec<Formula> = all_integrals.iter().filter(is_short).cloned().collect();
     let known = integrals.iter().filter_map(|formula| {
-        let Place { draw, point } = &place;
-        quotient_gradient(&setting, draw, point, &formula.numerator, &formula.denominator)
+        quotient_gradient(&setting, &place.draw, &place.here, &formula.numerator, &formula.denominator)
     });
     let mut bases = completing(&candidates, shown, &place, known.collect(), &for_densities);
     for basis in &mut bases {
@@ -206,9 +198,8 @@ fn structure(
     random: &mut SplitMix64,
 ) -> StructureReport {
     let symbols = &system.field.symbols;
-    let degree = |polynomial: &Polynomial| polynomial.degree_where(|variable| symbols.is_state(variable));
     let written = |wanted: u32| -> Vec<String> {
-        let chosen = of_flow.found.iter().filter(|polynomial| degree(polynomial) == wanted);
+        let chosen = of_flow.found.iter().filter(|polynomial| symbols.degree(polynomial) == wanted);
         chosen.map(|polynomial| Notation::Text.polynomial(symbols, polynomial)).collect()
     };
     StructureReport {

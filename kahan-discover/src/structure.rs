@@ -9,16 +9,13 @@ use kahan_algebra::rational_function::RationalFunction;
 use crate::deadline::Deadline;
 use crate::independent::Independent;
 use crate::map::ModularMap;
-use crate::matrix::Echelon;
+use crate::matrix::sampled_null_vectors;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
-use crate::setting::{DrawnStep, Setting};
+use crate::setting::Setting;
 use crate::space::{Names, Space, lift_space, tidy};
 use crate::stepping::Stepping;
-
-/// Equations beyond the number of unknowns.
-const SPARE: usize = 6;
 
 /// div f = Σ ∂fᵢ/∂xᵢ.
 #[must_use]
@@ -57,11 +54,8 @@ impl FlowIntegrals {
     /// linear ones, and where the field is linear all.
     #[must_use]
     pub fn kept(&self, setting: &Setting, random: &mut SplitMix64) -> Vec<Polynomial> {
-        let Some(DrawnStep { draw, here, there }) = setting.step(random) else { return Vec::new() };
-        let value =
-            |found: &Polynomial, point: &[u64]| setting.evaluate(draw.map.modulus(), found, &draw, point);
-        let is_kept = |found: &&Polynomial| value(found, &here) == value(found, &there);
-        self.found.iter().filter(is_kept).cloned().collect()
+        let Some(step) = setting.step(random) else { return Vec::new() };
+        self.found.iter().filter(|found| step.keeps(setting, found)).cloned().collect()
     }
 }
 
@@ -130,19 +124,10 @@ fn flow_null_vectors(
     deadline: &Deadline,
 ) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
-    let mut rows = Vec::with_capacity(support.len() + SPARE);
-    for _ in 0..support.len() + SPARE {
-        if deadline.passed() {
-            return None;
-        }
+    sampled_null_vectors(modulus, support.len(), deadline, || {
         let point = map.point(random);
         let (value, _) = map.field(&point);
         let slopes = monomial_gradients(modulus, monomials, &point);
-        let along = |&index: &usize| {
-            let products = slopes[index].iter().zip(&value);
-            products.fold(0, |sum, (a, b)| modulus.plus(sum, modulus.times(*a, *b)))
-        };
-        rows.push(support.iter().map(along).collect());
-    }
-    Echelon::null_vectors(modulus, rows, support.len(), deadline)
+        Some(support.iter().map(|&index| modulus.dot(&slopes[index], &value)).collect())
+    })
 }

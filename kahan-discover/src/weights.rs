@@ -74,15 +74,26 @@ impl Weights {
     #[must_use]
     pub fn of_monomial(&self, monomial: &Monomial) -> Vec<Rational> {
         let rank = self.by_variable.first().map_or(0, Vec::len);
-        let mut sum = vec![Rational::zero(); rank];
-        for &(variable, exponent) in monomial.powers() {
-            let factor = Rational::from(i64::from(exponent));
-            for (entry, own) in sum.iter_mut().zip(self.of_variable(variable)) {
-                *entry = &*entry + &(&own * &factor);
-            }
-        }
-        sum
+        let own = |variable: Variable| self.by_variable.get(usize::from(variable.0));
+        weight_of(monomial, rank, own).unwrap_or_default()
     }
+}
+
+/// The weight of a monomial, of so many entries, from those of its variables; `None` where one has
+/// none.
+pub(crate) fn weight_of<'a>(
+    monomial: &Monomial,
+    rank: usize,
+    of_variable: impl Fn(Variable) -> Option<&'a Vec<Rational>>,
+) -> Option<Vec<Rational>> {
+    let mut sum = vec![Rational::zero(); rank];
+    for &(variable, exponent) in monomial.powers() {
+        let factor = Rational::from(i64::from(exponent));
+        for (entry, own) in sum.iter_mut().zip(of_variable(variable)?) {
+            *entry = &*entry + &(own * &factor);
+        }
+    }
+    Some(sum)
 }
 
 /// Reduced echelon form in place; returns the pivot columns among the first `columns`.

@@ -26,7 +26,17 @@ pub enum Function {
     TooLarge,
 }
 
+/// A numerator, and the factors below it.
+type Fraction<'a> = (&'a Polynomial, &'a [(Polynomial, u32)]);
+
 impl Function {
+    fn fraction(&self) -> Option<Fraction<'_>> {
+        match self {
+            Function::Known { numerator, denominator } => Some((numerator, denominator)),
+            Function::TooLarge => None,
+        }
+    }
+
     /// A polynomial.
     #[must_use]
     pub fn polynomial(numerator: Polynomial) -> Self {
@@ -72,40 +82,28 @@ impl Functions {
         Some(expanded)
     }
 
-    fn try_add(&self, a: &Function, b: &Function, sign: i64) -> Option<Function> {
-        let (
-            Function::Known { numerator: a, denominator: below_a },
-            Function::Known { numerator: b, denominator: below_b },
-        ) = (a, b)
-        else {
-            return None;
-        };
-        let mut denominator = below_a.clone();
-        for (factor, exponent) in below_b {
-            match denominator.iter_mut().find(|(known, _)| known == factor) {
-                Some((_, known)) => *known = (*known).max(*exponent),
-                None => denominator.push((factor.clone(), *exponent)),
-            }
-        }
-        let a = self.expand_to(a, below_a, &denominator)?;
-        let b = self.expand_to(b, below_b, &denominator)?.scale(&Rational::from(sign));
-        let numerator = a.add_within(&b, &mut self.budget.borrow_mut()).ok()?;
-        Some(Function::Known { numerator, denominator })
+    /// What comes of two functions that are known, within the budget.
+    fn of_both(
+        a: &Function,
+        b: &Function,
+        result: impl FnOnce(Fraction<'_>, Fraction<'_>) -> Option<Function>,
+    ) -> Function {
+        let fractions = a.fraction().zip(b.fraction());
+        fractions.and_then(|(a, b)| result(a, b)).unwrap_or(Function::TooLarge)
     }
 
-    fn try_multiply(&self, a: &Function, b: &Function) -> Option<Function> {
-        let (
-            Function::Known { numerator: a, denominator: below_a },
-            Function::Known { numerator: b, denominator: below_b },
-        ) = (a, b)
-        else {
-            return None;
-        };
-        let (mut a, mut b) = (a.clone(), b.clone());
-        let mut denominator = Vec::new();
-        self.cancel(&mut a, below_b, &mut denominator)?;
-        self.cancel(&mut b, below_a, &mut denominator)?;
-        Some(Function::Known { numerator: self.product(&a, &b)?, denominator })
+    fn sum(&self, a: &Function, b: &Function, sign: i64) -> Function {
+        Self::of_both(a, b, |(a, below_a), (b, below_b)| {
+            let mut denominator = below_a.to_vec();
+            for (factor, exponent) in below_b {
+                let known = exponent_in(&mut denominator, factor);
+                *known = (*known).max(*exponent);
+            }
+            let a = self.expand_to(a, below_a, &denominator)?;
+            let b = self.expand_to(b, below_b, &denominator)?.scale(&Rational::from(sign));
+            let numerator = a.add_within(&b, &mut self.budget.borrow_mut()).ok()?;
+            Some(Function::Known { numerator, denominator })
+        })
     }
 
     /// Moves the factors of `below` into `denominator`, except where one equals `numerator`, which
@@ -125,27 +123,29 @@ impl Functions {
                 exponent -= 1;
             }
             if exponent > 0 {
-                match denominator.iter_mut().find(|(known, _)| known == factor) {
-                    Some((_, known)) => *known += exponent,
-                    None => denominator.push((factor.clone(), exponent)),
-                }
+                *exponent_in(denominator, factor) += exponent;
             }
         }
         Some(())
     }
 
     /// 1/b as numerator ∏ factorᵏ over the numerator of b; `None` over budget. b is not zero.
-    fn try_invert(&self, b: &Function) -> Option<Function> {
-        let Function::Known { numerator, denominator } = b else { return None };
-        let mut above = Polynomial::one();
-        for (factor, exponent) in denominator {
-            above = self.product(&above, &self.power(factor, *exponent)?)?;
-        }
+    fn inverted(&self, numerator: &Polynomial, denominator: &[(Polynomial, u32)]) -> Option<Function> {
+        let above = self.expand_to(&Polynomial::one(), &[], denominator)?;
         let primitive = numerator.primitive_part();
         let above = above.scale(&numerator.content().recip()?);
         let denominator = if primitive.as_constant().is_some() { Vec::new() } else { vec![(primitive, 1)] };
         Some(Function::Known { numerator: above, denominator })
     }
+}
+
+/// The exponent of a factor, which is made one with the exponent 0 where it is none.
+fn exponent_in<'a>(denominator: &'a mut Vec<(Polynomial, u32)>, factor: &Polynomial) -> &'a mut u32 {
+    let place = denominator.iter().position(|(known, _)| known == factor).unwrap_or_else(|| {
+        denominator.push((factor.clone(), 0));
+        denominator.len() - 1
+    });
+    &mut denominator[place].1
 }
 
 fn exponent_of(denominator: &[(Polynomial, u32)], factor: &Polynomial) -> u32 {
@@ -160,15 +160,21 @@ impl Arithmetic for Functions {
     }
 
     fn add(&self, a: &Function, b: &Function) -> Function {
-        self.try_add(a, b, 1).unwrap_or(Function::TooLarge)
+        self.sum(a, b, 1)
     }
 
     fn subtract(&self, a: &Function, b: &Function) -> Function {
-        self.try_add(a, b, -1).unwrap_or(Function::TooLarge)
+        self.sum(a, b, -1)
     }
 
     fn multiply(&self, a: &Function, b: &Function) -> Function {
-        self.try_multiply(a, b).unwrap_or(Function::TooLarge)
+        Self::of_both(a, b, |(a, below_a), (b, below_b)| {
+            let (mut a, mut b) = (a.clone(), b.clone());
+            let mut denominator = Vec::new();
+            self.cancel(&mut a, below_b, &mut denominator)?;
+            self.cancel(&mut b, below_a, &mut denominator)?;
+            Some(Function::Known { numerator: self.product(&a, &b)?, denominator })
+        })
     }
 
     fn negate(&self, a: &Function) -> Function {
@@ -179,27 +185,18 @@ impl Arithmetic for Functions {
         if self.is_zero(b) {
             return None;
         }
-        let (
-            Function::Known { numerator, denominator: below_a },
-            Function::Known { numerator: divisor, denominator: below_b },
-        ) = (a, b)
-        else {
-            return Some(Function::TooLarge);
-        };
         // (a/A) / (b/B) with the factors that A and B share left out: they cancel.
         let without = |own: &[(Polynomial, u32)], other: &[(Polynomial, u32)]| -> Vec<(Polynomial, u32)> {
-            own.iter()
-                .map(|(factor, exponent)| {
-                    (factor.clone(), exponent.saturating_sub(exponent_of(other, factor)))
-                })
-                .filter(|(_, exponent)| *exponent > 0)
-                .collect()
+            let left = own
+                .iter()
+                .map(|(factor, exponent)| (factor, exponent.saturating_sub(exponent_of(other, factor))));
+            left.filter(|(_, exponent)| *exponent > 0).map(|(factor, e)| (factor.clone(), e)).collect()
         };
-        let dividend =
-            Function::Known { numerator: numerator.clone(), denominator: without(below_a, below_b) };
-        let divisor = Function::Known { numerator: divisor.clone(), denominator: without(below_b, below_a) };
-        let inverse = self.try_invert(&divisor).unwrap_or(Function::TooLarge);
-        Some(self.multiply(&dividend, &inverse))
+        Some(Self::of_both(a, b, |(numerator, below_a), (divisor, below_b)| {
+            let denominator = without(below_a, below_b);
+            let inverse = self.inverted(divisor, &without(below_b, below_a))?;
+            Some(self.multiply(&Function::Known { numerator: numerator.clone(), denominator }, &inverse))
+        }))
     }
 
     fn is_zero(&self, a: &Function) -> bool {

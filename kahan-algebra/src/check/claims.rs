@@ -6,11 +6,12 @@ use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::field::Component;
 use crate::plan::{Node, Plan, PlanBuilder};
 use crate::rational::Rational;
-use crate::syntax::{self, Block, ClaimBody, ClaimKind, Entry, Expr, ExprKind};
+use crate::syntax::{self, Block, ClaimBody, ClaimKind, Expr, ExprKind};
 use crate::system::{Claim, upper_index};
 use crate::token::Span;
 
 use super::conditions;
+use super::entries::entry_places;
 use super::names::{Meaning, Scope, expressions};
 
 /// The largest exponent in a claim.
@@ -205,66 +206,4 @@ impl Compiler {
             None => self.builder.finish(&[zero]),
         }
     }
-}
-
-/// The indices of the states of a bracket's entries, none for other claims; `None` if an entry is
-/// wrong. All wrong entries are reported.
-fn entry_places(
-    claim: &syntax::Claim,
-    scope: &Scope,
-    diagnostics: &mut Diagnostics,
-) -> Option<Vec<(usize, usize)>> {
-    let Some(ClaimBody::Tensor(entries)) = &claim.body else { return Some(Vec::new()) };
-    if entries.is_empty() {
-        diagnostics.report(
-            Kind::Claim,
-            claim.name.span,
-            format!("the bracket `{}` has no entries", claim.name.text),
-            "write its entries, as in `{x,y} = x*y;`",
-        );
-        return None;
-    }
-    let mut places: Vec<(usize, usize)> = Vec::new();
-    for entry in entries {
-        match entry_place(entry, &places, scope) {
-            Ok(place) => places.push(place),
-            Err(diagnostic) => diagnostics.push(diagnostic),
-        }
-    }
-    (places.len() == entries.len()).then_some(places)
-}
-
-/// The indices of an entry's states.
-fn entry_place(
-    entry: &Entry,
-    earlier: &[(usize, usize)],
-    scope: &Scope,
-) -> Result<(usize, usize), Diagnostic> {
-    let index = |name: &syntax::Name| {
-        scope.symbols.states.iter().position(|state| *state == name.text).ok_or_else(|| {
-            Diagnostic::new(
-                Kind::Claim,
-                name.span,
-                format!("`{}` is not a state variable", name.text),
-                format!("the entries of a bracket are pairs of {}", scope.symbols.states.join(", ")),
-            )
-        })
-    };
-    let (row, column) = (index(&entry.row)?, index(&entry.column)?);
-    let wrong = |message: String, help: &str| {
-        Err(Diagnostic::new(Kind::Claim, entry.row.span.to(entry.column.span), message, help))
-    };
-    if row == column {
-        return wrong(
-            format!("{{{0},{0}}} is zero for every bracket", entry.row.text),
-            "remove the entry, or name two different states",
-        );
-    }
-    if earlier.contains(&(row, column)) || earlier.contains(&(column, row)) {
-        return wrong(
-            format!("the entry {{{},{}}} is given twice", entry.row.text, entry.column.text),
-            "give each pair once; {y,x} is −{x,y} by itself",
-        );
-    }
-    Ok((row, column))
 }

@@ -83,11 +83,8 @@ fn describe(monomial: &Monomial, scope: &Scope) -> String {
 /// The place that raises the degree above two: of a sum its first term that is too high, of a
 /// product the factor at which the degree passes two, of a power the whole of it.
 fn raising_factor(expr: &Expr, scope: &Scope) -> Span {
-    let degree = |expr: &Expr| {
-        expand(expr, scope).map_or(0, |expansion| {
-            expansion.numerator.degree_where(|variable| scope.symbols.is_state(variable))
-        })
-    };
+    let degree =
+        |expr: &Expr| expand(expr, scope).map_or(0, |expansion| scope.symbols.degree(&expansion.numerator));
     match &expr.kind {
         ExprKind::Negation(inner) => raising_factor(inner, scope),
         ExprKind::Sum(terms) => match terms.iter().find(|term| degree(&term.expr) > 2) {

@@ -171,7 +171,7 @@ impl Expander<'_> {
             );
         }
         let base = self.expand(base)?;
-        let degree = base.numerator.degree_where(|variable| self.scope.symbols.is_state(variable));
+        let degree = self.scope.symbols.degree(&base.numerator);
         let is_number = base.as_constant().is_some();
         if degree == 0 && !is_number && exponent > HIGHEST_PARAMETER_POWER {
             return wrong(

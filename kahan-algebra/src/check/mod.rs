@@ -7,6 +7,7 @@
 mod claims;
 mod conditions;
 mod constants;
+mod entries;
 mod equations;
 mod expand;
 mod names;

@@ -1,5 +1,7 @@
 //! Names: who is a state, a parameter, a constant or a claim, and that no name is two of them.
 
+mod declared;
+
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diagnostics::{Diagnostics, Kind};
@@ -41,129 +43,6 @@ pub(super) fn is_epsilon(name: &str) -> bool {
 }
 
 impl Scope {
-    pub(super) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
-        let mut scope = Scope {
-            symbols: Symbols { states: Vec::new(), parameters: Vec::new() },
-            constants: FxHashMap::default(),
-            claims: Vec::new(),
-            poisoned: FxHashSet::default(),
-            used: FxHashSet::default(),
-            all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
-            misspelt_states: block.misspelt_states.iter().map(|name| name.text.clone()).collect(),
-        };
-        scope.collect_states(block, diagnostics);
-        if let Some(header) = &block.header
-            && is_keyword(&header.name.text)
-        {
-            let name = &header.name;
-            diagnostics.report(
-                Kind::Header,
-                name.span,
-                format!("the system's name `{}` is a keyword of Rust", name.text),
-                "choose another name",
-            );
-        }
-        match &block.header {
-            Some(header) => scope.collect_parameters(&header.parameters, block, diagnostics),
-            None => scope.collect_free_names(block, diagnostics),
-        }
-        scope
-    }
-
-    fn collect_states(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
-        for equation in &block.equations {
-            let state = &equation.state;
-            if self.is_state_name(&state.text) && self.misspelt_states.contains(&state.text) {
-                continue;
-            }
-            if self.is_state_name(&state.text) {
-                diagnostics.report(
-                    Kind::Name,
-                    state.span,
-                    format!("`{0}dot` is given twice", state.text),
-                    "remove one of the equations, or rename its state",
-                );
-            } else {
-                if report_reserved(state, diagnostics) {
-                    self.poison(&state.text);
-                }
-                self.symbols.states.push(state.text.clone());
-            }
-        }
-    }
-
-    fn collect_parameters(&mut self, parameters: &[Name], block: &Block, diagnostics: &mut Diagnostics) {
-        for name in parameters {
-            let text = &name.text;
-            if self.symbols.parameters.contains(text) {
-                diagnostics.report(
-                    Kind::Name,
-                    name.span,
-                    format!("the parameter `{text}` is declared twice"),
-                    "remove one",
-                );
-            } else if self.is_state_name(text) {
-                diagnostics.report(
-                    Kind::Name,
-                    name.span,
-                    format!(
-                        "`{text}` is a state variable (`{text}dot` is given), so it cannot be a parameter"
-                    ),
-                    "rename one of them",
-                );
-            } else if is_keyword(text) {
-                diagnostics.report(
-                    Kind::Name,
-                    name.span,
-                    format!("the parameter `{text}` is a keyword of Rust"),
-                    format!("rename it, for example to `{text}_`"),
-                );
-                self.poisoned.insert(text.clone());
-            } else if report_reserved(name, diagnostics) {
-                self.poisoned.insert(text.clone());
-            } else if block.constants.iter().any(|constant| constant.name.text == *text) {
-                diagnostics.report(
-                    Kind::Name,
-                    name.span,
-                    format!("`{text}` is a parameter and a constant"),
-                    format!("remove the parameter: `const {text}` fixes its value"),
-                );
-            } else {
-                self.symbols.parameters.push(text.clone());
-            }
-        }
-    }
-
-    /// Without a header the free names of the equations are the parameters.
-    fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
-        let mut names = Vec::new();
-        for value in block.equations.iter().filter_map(|equation| equation.value.as_ref()) {
-            value.visit_names(&mut |name, span| names.push((name.to_owned(), span)));
-        }
-        for (text, span) in names {
-            let known = self.is_state_name(&text)
-                || self.symbols.parameters.contains(&text)
-                || self.poisoned.contains(&text)
-                || block.constants.iter().any(|constant| constant.name.text == text)
-                || is_epsilon(&text)
-                || text == "ϵ";
-            if known {
-                continue;
-            }
-            if is_keyword(&text) {
-                diagnostics.report(
-                    Kind::Name,
-                    span,
-                    format!("`{text}` is a keyword of Rust and names no value"),
-                    "bind the value first: `let mu = …;`, then write `mu`",
-                );
-                self.poisoned.insert(text);
-            } else {
-                self.symbols.parameters.push(text);
-            }
-        }
-    }
-
     fn is_state_name(&self, name: &str) -> bool {
         self.symbols.states.iter().any(|state| state == name)
     }
@@ -350,19 +229,15 @@ impl Scope {
 
 /// Reports a name that the language keeps for itself; `true` if it was one.
 fn report_reserved(name: &Name, diagnostics: &mut Diagnostics) -> bool {
-    let reserved = is_epsilon(&name.text);
-    if reserved {
-        diagnostics.report(
-            Kind::Name,
-            name.span,
-            format!("`{}` is reserved: it is half the time step", name.text),
-            "choose another name",
-        );
+    let (message, help) = if is_epsilon(&name.text) {
+        (format!("`{}` is reserved: it is half the time step", name.text), "choose another name")
     } else if name.text.chars().all(|c| c == '_') {
-        diagnostics.report(Kind::Name, name.span, "an underscore is no name", "choose a name with a letter");
-        return true;
-    }
-    reserved
+        ("an underscore is no name".to_owned(), "choose a name with a letter")
+    } else {
+        return false;
+    };
+    diagnostics.report(Kind::Name, name.span, message, help);
+    true
 }
 
 /// The expressions of a claim's body.

@@ -174,6 +174,7 @@ fn over_product<'a>(map: &RationalMap, polynomials: impl IntoIterator<Item = &'a
 /// The numerators of the reduced map and its denominator, where a factor that depends on states was
 /// divided out.
 fn reduced_map(symbols: &Symbols, reduced: &Reduced) -> Option<Plan> {
-    let is_shorter = reduced.common_factor.variables().into_iter().any(|variable| symbols.is_state(variable));
-    is_shorter.then(|| Plan::of(reduced.numerators(symbols).iter().chain([&reduced.denominator])))
+    symbols
+        .has_state(&reduced.common_factor)
+        .then(|| Plan::of(reduced.numerators(symbols).iter().chain([&reduced.denominator])))
 }

@@ -1,48 +1,24 @@
-//! The map and its Jacobian at a point: by the step's plan, or by elimination where there is none.
+//! The map and its Jacobian at a point.
 
-use crate::arithmetic::{Arithmetic, Dual, Solved, solve};
-use crate::plan::StepPlan;
+use crate::arithmetic::{Arithmetic, Dual, solve};
 use crate::rational::Rational;
+use crate::symbols::Symbol;
 
+use super::increment::Increment;
+use super::program::Input;
 use super::{Interpreter, Point};
 
 impl Interpreter {
-    /// x̃ of the reduced map; `None` at a pole.
+    /// x̃ of the reduced map; `None` at a pole, where a float divides by zero, too.
     pub fn next<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
-        match self.derived.step() {
-            Some(step) => self.stepped(arithmetic, step.at(arithmetic, &point.eps), point),
-            None => self.eliminated(arithmetic, point),
-        }
-    }
-
-    /// x̃ = x + numerator · reciprocal, as generated code computes it.
-    fn stepped<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        step: &StepPlan,
-        point: &Point<A::Value>,
-    ) -> Option<Vec<A::Value>> {
-        let constants = self.run_partly(arithmetic, &step.constants, point, None);
-        let input = |variable| Some(self.value_of(variable, point, None));
-        let values = step.kernel.evaluate_prepared(arithmetic, &constants, input);
-        let values: Vec<A::Value> = values.into_iter().collect::<Option<_>>()?;
-        let (numerators, reciprocals) = values.split_at(point.state.len());
-        let moved = point.state.iter().zip(numerators).zip(&step.reciprocals);
-        let moved = moved.map(|((x, numerator), place)| match place {
-            Some(place) => arithmetic.add(x, &arithmetic.multiply(numerator, &reciprocals[*place])),
-            None => arithmetic.add(x, numerator),
-        });
-        Some(moved.collect())
-    }
-
-    /// x̃ = x + 2ε v with Av = f, by elimination.
-    fn eliminated<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
-        let field = self.run(arithmetic, &self.derived.field, point, None)?;
-        let right: Vec<Vec<A::Value>> = field.into_iter().map(|value| vec![value]).collect();
-        let Solved { solution, .. } = solve(arithmetic, &self.matrix(arithmetic, point)?, &right)?;
-        let two_eps = arithmetic.add(&point.eps, &point.eps);
-        let moved = point.state.iter().zip(solution.iter().flatten());
-        Some(moved.map(|(x, slope)| arithmetic.add(x, &arithmetic.multiply(&two_eps, slope))).collect())
+        let input = |variable| match self.derived.system.field.symbols.symbol(variable) {
+            Symbol::State(i) | Symbol::SecondState(i) => Input::State(i),
+            Symbol::Parameter(k) => Input::Fixed(point.parameters[k].clone()),
+            Symbol::Epsilon => Input::Fixed(point.eps.clone()),
+        };
+        let mut state = point.state.clone();
+        Increment::of(&self.derived, arithmetic, &point.eps, &input).add_to(&mut state, arithmetic).ok()?;
+        Some(state)
     }
 
     /// ∂x̃/∂x: of the reduced map by dual numbers, else A(x,ε)⁻¹A(x̃,−ε).

@@ -57,8 +57,7 @@ impl<V: Clone> Program<V> {
                     program.steps.push((index, operation.clone()));
                 }
                 _ => {
-                    program.registers[index] =
-                        operation.compute(arithmetic, |node| program.registers[node.0].as_ref());
+                    program.registers[index] = operation.compute(arithmetic, &program.registers);
                 }
             }
         }
@@ -71,7 +70,7 @@ impl<V: Clone> Program<V> {
             self.registers[register] = Some(state[index].clone());
         }
         for (register, operation) in &self.steps {
-            self.registers[*register] = operation.compute(arithmetic, |node| self.registers[node.0].as_ref());
+            self.registers[*register] = operation.compute(arithmetic, &self.registers);
         }
     }
 

@@ -6,14 +6,15 @@
 //! orbits of a field with a [`StepPlan`] are the same bit for bit, unless that code is compiled for
 //! a target with fused multiply-adds: those round once where this rounds twice.
 
-use crate::arithmetic::{Arithmetic, Solved, solve};
+use crate::arithmetic::Arithmetic;
 use crate::derived::derive;
-use crate::plan::{Operation, Plan, StepPlan};
+use crate::plan::Plan;
 use crate::poly::Variable;
 use crate::symbols::Symbol;
 use crate::system::System;
 
 use super::UndefinedField;
+use super::increment::Increment;
 use super::program::{Input, Program};
 
 /// The step from a point has no value: a pole of the reduced map, or det A = 0 where the map is not
@@ -31,40 +32,6 @@ pub struct Stepper<'a, A: Arithmetic> {
     increment: Increment<A::Value>,
     integral_names: Vec<String>,
     integrals: Program<A::Value>,
-}
-
-/// How x̃ − x is computed.
-#[derive(Clone, Debug)]
-enum Increment<V> {
-    /// The kernel of the step: numerators, reciprocals, and after these `results` everything that
-    /// it divides by; `reciprocals` are the places of each component's reciprocal among them.
-    Planned { kernel: Program<V>, reciprocals: Vec<Option<usize>>, results: usize },
-    /// A, row by row, and f: A (x̃ − x)/(2ε) = f.
-    Elimination { matrix: Program<V>, right: Program<V> },
-}
-
-impl<V: Clone> Increment<V> {
-    /// Computes the prepared constants, and prepares the kernel that uses them.
-    fn planned<A: Arithmetic<Value = V>>(
-        step: &StepPlan,
-        arithmetic: &A,
-        input: &impl Fn(Variable) -> Input<V>,
-    ) -> Self {
-        let constants = Program::new(&step.constants, arithmetic, &[], input);
-        let constants: Vec<Option<V>> = constants.outputs().map(Option::<&V>::cloned).collect();
-        let divisors = step.kernel.operations.iter().filter_map(|operation| match *operation {
-            Operation::Divide(_, divisor) => Some(divisor),
-            _ => None,
-        });
-        let outputs = step.kernel.outputs.iter().copied().chain(divisors).collect();
-        let kernel = Plan { operations: step.kernel.operations.clone(), outputs };
-        let numerators = step.reciprocals.len();
-        Increment::Planned {
-            kernel: Program::new(&kernel, arithmetic, &constants, input),
-            reciprocals: step.reciprocals.iter().map(|place| place.map(|place| numerators + place)).collect(),
-            results: step.kernel.outputs.len(),
-        }
-    }
 }
 
 impl<'a, A: Arithmetic> Stepper<'a, A> {
@@ -115,18 +82,11 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
             if divisors.outputs().any(|value| value.is_none_or(|value| arithmetic.is_zero(value))) {
                 return Err(UndefinedField);
             }
-            let increment = match derived.step() {
-                Some(step) => Increment::planned(step.at(arithmetic, eps), arithmetic, &input),
-                None => Increment::Elimination {
-                    matrix: program(&derived.matrix),
-                    right: program(&derived.field),
-                },
-            };
             Ok(Stepper {
                 arithmetic,
                 two_eps: arithmetic.add(eps, eps),
                 is_reduced: derived.map.is_some(),
-                increment,
+                increment: Increment::of(&derived, arithmetic, eps, &input),
                 integral_names: derived.integral_names.clone(),
                 integrals: program(&derived.integrals),
             })
@@ -157,41 +117,7 @@ impl<'a, A: Arithmetic> Stepper<'a, A> {
     /// # Panics
     /// If the state has too few entries.
     pub fn advance(&mut self, state: &mut [A::Value]) -> Result<(), Pole> {
-        let arithmetic = self.arithmetic;
-        match &mut self.increment {
-            Increment::Planned { kernel, reciprocals, results } => {
-                kernel.run(arithmetic, state);
-                // A float has a value where it divides by zero, and still that is a pole.
-                let is_zero = |value: &A::Value| arithmetic.is_zero(value);
-                if kernel.outputs().any(|value| value.is_none())
-                    || kernel.outputs().skip(*results).flatten().any(is_zero)
-                {
-                    return Err(Pole);
-                }
-                for ((x, place), numerator) in state.iter_mut().zip(reciprocals).zip(kernel.outputs()) {
-                    let numerator = numerator.ok_or(Pole)?;
-                    *x = match place.and_then(|place| kernel.output(place)) {
-                        Some(reciprocal) => arithmetic.multiply_add(numerator, reciprocal, x),
-                        None => arithmetic.add(x, numerator),
-                    };
-                }
-            }
-            Increment::Elimination { matrix, right } => {
-                matrix.run(arithmetic, state);
-                right.run(arithmetic, state);
-                let entries: Option<Vec<A::Value>> =
-                    matrix.outputs().map(Option::<&A::Value>::cloned).collect();
-                let rows: Vec<Vec<A::Value>> =
-                    entries.ok_or(Pole)?.chunks(state.len()).map(<[A::Value]>::to_vec).collect();
-                let right: Option<Vec<Vec<A::Value>>> =
-                    right.outputs().map(|value| Some(vec![value?.clone()])).collect();
-                let Solved { solution, .. } = solve(arithmetic, &rows, &right.ok_or(Pole)?).ok_or(Pole)?;
-                for (x, slope) in state.iter_mut().zip(&solution) {
-                    *x = arithmetic.add(x, &arithmetic.multiply(&self.two_eps, &slope[0]));
-                }
-            }
-        }
-        Ok(())
+        self.increment.add_to(state, self.arithmetic)
     }
 
     /// The names of the unconditional integrals, in their order.

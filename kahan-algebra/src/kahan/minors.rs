@@ -1,4 +1,4 @@
-//! All maximal minors of an n×(n+1) polynomial matrix at once, within a budget.
+//! All maximal minors of a polynomial matrix at once, within a budget.
 //!
 //! Laplace expansion row by row: after k rows, the minor of every set of k columns is known, each
 //! from those of k−1. Zero minors are left out, so sparse matrices stay cheap.
@@ -9,13 +9,16 @@ use crate::table::Table;
 /// The largest number of nonzero minors kept at a time.
 const MOST_MINORS: usize = 4096;
 
-/// The minors of n columns of `rows` (n rows of n+1 entries): item j is the minor without column j.
-pub(super) fn maximal_minors(
+/// The minors of n rows of at least n entries that are not zero, each by its columns: bit j stands
+/// for column j.
+///
+/// # Errors
+/// Beyond the budget, 63 columns, or 4096 minors at a time.
+pub fn maximal_minors(
     rows: &[Vec<Polynomial>],
     budget: &mut Budget,
-) -> Result<Vec<Polynomial>, OverBudget> {
-    let columns = rows.len() + 1;
-    if columns > 63 {
+) -> Result<Table<u64, Polynomial>, OverBudget> {
+    if rows.first().is_some_and(|row| row.len() > 63) {
         return Err(OverBudget);
     }
     let mut minors: Table<u64, Polynomial> = Table::from_sorted(vec![(0, Polynomial::one())]);
@@ -40,6 +43,5 @@ pub(super) fn maximal_minors(
         }
         minors = next;
     }
-    let all = (1u64 << columns) - 1;
-    Ok((0..columns).map(|column| minors.remove(&(all & !(1 << column))).unwrap_or_default()).collect())
+    Ok(minors)
 }

@@ -12,4 +12,5 @@ mod rational_map;
 
 pub use bilinear::{bilinear_form, polarization};
 pub use matrix::{field_jacobian, scaled_matrix, scaled_rhs};
+pub use minors::maximal_minors;
 pub use rational_map::{RationalMap, Reduced, TERM_BUDGET};

@@ -61,13 +61,12 @@ impl RationalMap {
             row.push(component.numerator.clone());
         }
         let mut minors = maximal_minors(&rows, budget)?;
-        let denominator = minors.pop().unwrap_or_else(Polynomial::one);
+        let all = (1u64 << (n + 1)) - 1;
+        let mut without = |column: usize| minors.remove(&(all & !(1 << column))).unwrap_or_default();
+        let denominator = without(n);
         // Column j replaced by p: p stands last in the minor and moves left past n−1−j columns.
-        let increments: Vec<Polynomial> = minors
-            .into_iter()
-            .enumerate()
-            .map(|(j, minor)| if (n - 1 - j) % 2 == 1 { -&minor } else { minor })
-            .collect();
+        let signed = |j: usize, minor: Polynomial| if (n - 1 - j) % 2 == 1 { -&minor } else { minor };
+        let increments: Vec<Polynomial> = (0..n).map(|j| signed(j, without(j))).collect();
         let two_eps = Polynomial::variable(field.symbols.epsilon()).scale(&Rational::from(2));
         let mut numerators = Vec::with_capacity(n);
         for (i, increment) in increments.iter().enumerate() {

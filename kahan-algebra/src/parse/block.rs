@@ -1,14 +1,15 @@
-//! Items: `const`, equations and claims.
+//! Items: `const`, equations, and where a claim begins.
 
 use crate::diagnostics::{Diagnostic, Kind};
-use crate::syntax::{Block, Claim, ClaimBody, ClaimKind, Condition, Constant, Entry, Equation, Name};
+use crate::syntax::{Block, ClaimKind, Constant, Equation, Name};
 use crate::table::distinct;
 use crate::token::{Span, TokenKind};
 
-use super::Parsed;
+use super::claim::claim;
 use super::cursor::Cursor;
 use super::expr::parse_expr;
 use super::keyword::wrong_keyword;
+use super::{Parsed, error};
 
 const SHAPES: &str =
     "a block holds equations `xdot = …;`, constants `const c = …;` and claims `integral H = …;`";
@@ -20,16 +21,11 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
         return Err(diagnostic);
     }
     if cursor.take(';') {
-        return Err(Diagnostic::new(Kind::Syntax, cursor.behind(), "a `;` that ends nothing", "remove it"));
+        return error(Kind::Syntax, cursor.behind(), "a `;` that ends nothing", "remove it");
     }
     let Some(word) = cursor.identifier(0) else {
         let found = cursor.describe_next();
-        return Err(Diagnostic::new(
-            Kind::Syntax,
-            cursor.here(),
-            format!("expected an equation, found {found}"),
-            SHAPES,
-        ));
+        return error(Kind::Syntax, cursor.here(), format!("expected an equation, found {found}"), SHAPES);
     };
     let named = cursor.identifier(1).is_some();
     match word {
@@ -42,19 +38,19 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
                 word.to_owned(),
                 cursor.here().to(Span::token(cursor.position() + usize::from(cursor.peek(1).is_some()))),
             );
-            Err(Diagnostic::new(
+            error(
                 Kind::Syntax,
                 span,
                 format!("this `{word}` has no name"),
                 format!("write `{word} NAME = …;`"),
-            ))
+            )
         }
-        "pub" | "struct" => Err(Diagnostic::new(
+        "pub" | "struct" => error(
             Kind::Header,
             cursor.here(),
             "the header stands at the beginning of a block, and a block has one",
             "move it to the top, or write a second `kahan!` block",
-        )),
+        ),
         _ => match wrong_keyword(cursor, block) {
             Some(diagnostic) => Err(diagnostic),
             None => equation(cursor, block),
@@ -93,12 +89,12 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
         if !state.is_empty() {
             return Ok(Name { text: state.to_owned(), span });
         }
-        return Err(Diagnostic::new(
+        return error(
             Kind::Name,
             span,
             "`dot` alone names no variable",
             "write the variable before it, as in `xdot`",
-        ));
+        );
     }
     let text = left.text.clone();
     if cursor.peek(0).is_some_and(|next| matches!(next.kind, TokenKind::Unreadable { .. })) {
@@ -115,12 +111,7 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
         block.equations.push(Equation { state: left.clone(), value: None });
     }
     block.misspelt_states.push(left);
-    Err(Diagnostic::new(
-        Kind::Name,
-        span,
-        format!("`{text}` is no left-hand side: it does not end in `dot`"),
-        help,
-    ))
+    error(Kind::Name, span, format!("`{text}` is no left-hand side: it does not end in `dot`"), help)
 }
 
 /// The state that a left-hand side without `dot` probably means: `x` for `xdto`, `xDot` and `dxdt`.
@@ -133,17 +124,12 @@ fn meant(left: &str) -> &str {
     leibniz.or(twisted).filter(|state| !state.is_empty()).unwrap_or(left)
 }
 
-fn equals(cursor: &mut Cursor<'_>) -> Parsed<()> {
+pub(super) fn equals(cursor: &mut Cursor<'_>) -> Parsed<()> {
     let doubled = cursor.is_pair('=', '=');
     if cursor.take('=') {
         if doubled {
             let span = cursor.behind().to(cursor.here());
-            return Err(Diagnostic::new(
-                Kind::Syntax,
-                span,
-                "`==` compares, it does not define",
-                "write `=`",
-            ));
+            return error(Kind::Syntax, span, "`==` compares, it does not define", "write `=`");
         }
         return Ok(());
     }
@@ -152,142 +138,14 @@ fn equals(cursor: &mut Cursor<'_>) -> Parsed<()> {
     }
     let found = cursor.describe_next();
     let span = cursor.behind().to(cursor.here());
-    Err(Diagnostic::new(
-        Kind::Syntax,
-        span,
-        format!("expected `=`, found {found}"),
-        "write `=` after the name",
-    ))
+    error(Kind::Syntax, span, format!("expected `=`, found {found}"), "write `=` after the name")
 }
 
-fn semicolon(cursor: &mut Cursor<'_>) -> Parsed<()> {
+pub(super) fn semicolon(cursor: &mut Cursor<'_>) -> Parsed<()> {
     if cursor.take(';') {
         return Ok(());
     }
     let found = cursor.describe_next();
     let span = cursor.behind().to(cursor.here());
-    Err(Diagnostic::new(Kind::Syntax, span, format!("expected `;`, found {found}"), "end the line with `;`"))
-}
-
-fn claim(cursor: &mut Cursor<'_>, block: &mut Block, kind: ClaimKind) -> Parsed<()> {
-    cursor.advance();
-    let name = cursor.expect_name("the name of a claim")?;
-    let mut claim = Claim { kind, name, body: None, conditions: Vec::new() };
-    let outcome = claim_body(cursor, &mut claim);
-    block.claims.push(claim);
-    outcome
-}
-
-/// Fills `claim`; its body is set only when all of it was read.
-fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
-    let body = if claim.kind == ClaimKind::Bracket {
-        ClaimBody::Tensor(entries(cursor, &claim.name)?)
-    } else {
-        equals(cursor)?;
-        ClaimBody::Function(parse_expr(cursor)?)
-    };
-    cursor.item_may_follow = claim.kind == ClaimKind::Bracket;
-    let outcome = conditions(cursor, &mut claim.conditions);
-    cursor.item_may_follow = false;
-    outcome?;
-    if claim.kind == ClaimKind::Bracket {
-        cursor.take(';');
-    } else {
-        semicolon(cursor)?;
-    }
-    claim.body = Some(body);
-    Ok(())
-}
-
-/// Reads `{ {x,y} = expr; … }`.
-fn entries(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<Vec<Entry>> {
-    if !cursor.is_open(0, '{') {
-        let found = cursor.describe_next();
-        let help = format!("write `bracket {} {{ {{x,y}} = …; }}`", name.text);
-        let span = name.span.to(cursor.here());
-        return Err(Diagnostic::new(Kind::Claim, span, format!("expected `{{`, found {found}"), help));
-    }
-    cursor.advance();
-    let mut entries = Vec::new();
-    while !cursor.is_close('}') {
-        match entry(cursor) {
-            Ok(entry) => entries.push(entry),
-            Err(diagnostic) => {
-                leave_group(cursor);
-                return Err(diagnostic);
-            }
-        }
-    }
-    cursor.advance();
-    Ok(entries)
-}
-
-fn entry(cursor: &mut Cursor<'_>) -> Parsed<Entry> {
-    let wrong = |cursor: &Cursor<'_>| {
-        let found = cursor.describe_next();
-        Diagnostic::new(
-            Kind::Claim,
-            cursor.here(),
-            format!("expected an entry, found {found}"),
-            "write `{x,y} = …;`",
-        )
-    };
-    if !cursor.is_open(0, '{') {
-        return Err(wrong(cursor));
-    }
-    cursor.advance();
-    let row = cursor.expect_name("a state")?;
-    if !cursor.take(',') {
-        return Err(wrong(cursor));
-    }
-    let column = cursor.expect_name("a state")?;
-    if !cursor.is_close('}') {
-        return Err(wrong(cursor));
-    }
-    cursor.advance();
-    equals(cursor)?;
-    let value = parse_expr(cursor)?;
-    semicolon(cursor)?;
-    Ok(Entry { row, column, value })
-}
-
-/// Leaves the braces of a bracket in which a mistake was found.
-fn leave_group(cursor: &mut Cursor<'_>) {
-    while !cursor.is_at_end() && !cursor.begins_item(0) {
-        if cursor.is_close('}') {
-            cursor.advance();
-            if !cursor.is_punctuation(0, '=') && !cursor.is_punctuation(0, ',') {
-                return;
-            }
-        } else {
-            cursor.advance();
-        }
-    }
-}
-
-/// Reads `when expr = expr, …` if it is there.
-fn conditions(cursor: &mut Cursor<'_>, conditions: &mut Vec<Condition>) -> Parsed<()> {
-    if cursor.identifier(0) != Some("when") {
-        return Ok(());
-    }
-    cursor.advance();
-    if cursor.is_at_end() || cursor.is_punctuation(0, ';') {
-        return Err(Diagnostic::new(
-            Kind::Claim,
-            cursor.behind(),
-            "there is no relation behind `when`",
-            "write one, as in `when eps = 1` or `when c = -a - b`, or remove `when`",
-        ));
-    }
-    loop {
-        cursor.is_left_side = true;
-        let left = parse_expr(cursor);
-        cursor.is_left_side = false;
-        let left = left?;
-        equals(cursor)?;
-        conditions.push(Condition { left, right: parse_expr(cursor)? });
-        if !cursor.take(',') {
-            return Ok(());
-        }
-    }
+    error(Kind::Syntax, span, format!("expected `;`, found {found}"), "end the line with `;`")
 }

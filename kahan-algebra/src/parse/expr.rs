@@ -11,13 +11,14 @@
 //! languages (calls, paths, indices, `**`, juxtaposition) is recognised and answered with the way
 //! to write it here.
 
-use crate::diagnostics::{Diagnostic, Kind};
+use crate::diagnostics::Kind;
 use crate::syntax::{Expr, ExprKind, Factor, Term};
 use crate::token::{Span, TokenKind};
 
-use super::Parsed;
 use super::cursor::Cursor;
+use super::mistakes::{after_operand, check_plain_name, missing_operand};
 use super::number::parse_number;
+use super::{Parsed, error};
 
 /// How deep parentheses and unary signs may nest.
 const DEEPEST_NESTING: usize = 256;
@@ -32,49 +33,46 @@ pub(super) fn parse_expr(cursor: &mut Cursor<'_>) -> Parsed<Expr> {
     }
 }
 
-fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Parsed<T> {
-    Err(Diagnostic::new(kind, span, message, help))
-}
-
 fn sum(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
-    let first = product(cursor, depth)?;
-    if !cursor.is_punctuation(0, '+') && !cursor.is_punctuation(0, '-') {
-        return Ok(first);
-    }
-    let mut span = first.span;
-    let mut terms = vec![Term { negative: false, expr: first }];
-    loop {
-        let negative = cursor.is_punctuation(0, '-');
-        if !negative && !cursor.is_punctuation(0, '+') {
-            return Ok(Expr { kind: ExprKind::Sum(terms), span });
-        }
-        cursor.advance();
-        let expr = product(cursor, depth)?;
-        span = span.to(expr.span);
-        terms.push(Term { negative, expr });
-    }
+    let term = |(negative, expr)| Term { negative, expr };
+    chain(cursor, depth, ['+', '-'], product, |terms| ExprKind::Sum(terms.into_iter().map(term).collect()))
 }
 
 fn product(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
-    let first = unary(cursor, depth)?;
-    if !cursor.is_punctuation(0, '*') && !cursor.is_punctuation(0, '/') {
-        return Ok(first);
-    }
+    let factor = |(divides, expr)| Factor { divides, expr };
+    let join = |factors: Vec<(bool, Expr)>| ExprKind::Product(factors.into_iter().map(factor).collect());
+    chain(cursor, depth, ['*', '/'], unary, join)
+}
+
+/// Operands between operators, each with whether the second operator, the inverse of the first,
+/// stands before it; a single operand as it is.
+fn chain(
+    cursor: &mut Cursor<'_>,
+    depth: usize,
+    [operator, inverse]: [char; 2],
+    operand: fn(&mut Cursor<'_>, usize) -> Parsed<Expr>,
+    join: impl Fn(Vec<(bool, Expr)>) -> ExprKind,
+) -> Parsed<Expr> {
+    let first = operand(cursor, depth)?;
     let mut span = first.span;
-    let mut factors = vec![Factor { divides: false, expr: first }];
+    let mut operands = vec![(false, first)];
     loop {
-        let divides = cursor.is_punctuation(0, '/');
-        if !divides && !cursor.is_punctuation(0, '*') {
-            return Ok(Expr { kind: ExprKind::Product(factors), span });
+        let is_inverse = cursor.is_punctuation(0, inverse);
+        if !is_inverse && !cursor.is_punctuation(0, operator) {
+            break;
         }
         if cursor.is_pair('*', '*') {
             let span = cursor.here().to(Span::token(cursor.position() + 1));
             return error(Kind::Syntax, span, "`**` is not a power here", "write `^`, as in `x^2`");
         }
         cursor.advance();
-        let expr = unary(cursor, depth)?;
-        span = span.to(expr.span);
-        factors.push(Factor { divides, expr });
+        let next = operand(cursor, depth)?;
+        span = span.to(next.span);
+        operands.push((is_inverse, next));
+    }
+    match operands.len() {
+        1 => Ok(operands.swap_remove(0).1),
+        _ => Ok(Expr { kind: join(operands), span }),
     }
 }
 
@@ -178,166 +176,6 @@ fn atom(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
         ),
         TokenKind::Unreadable { message, help } => error(Kind::Syntax, span, message.clone(), help.clone()),
         _ => missing_operand(cursor),
-    }
-}
-
-/// The operator just read (or `=`) is followed by something that is no operand.
-fn missing_operand(cursor: &Cursor<'_>) -> Parsed<Expr> {
-    let found = cursor.describe_next();
-    let before = cursor.behind();
-    let ends = cursor
-        .peek(0)
-        .is_none_or(|token| matches!(token.kind, TokenKind::Punctuation(';' | ',') | TokenKind::Close(_)));
-    let (message, help) = if !ends {
-        (format!("{found} begins no operand"), "write a number, a name or `(`")
-    } else if cursor.position() > 0 && cursor.is_after_equals() {
-        (
-            format!("the right-hand side is empty: expected an expression, found {found}"),
-            "write an expression, `0` if it vanishes",
-        )
-    } else {
-        (
-            format!("an operand is missing: expected a number, a name or `(`, found {found}"),
-            "write the operand, or remove the operator",
-        )
-    };
-    error(Kind::Syntax, before.to(cursor.here()), message, help)
-}
-
-/// A name is a whole operand: no call, path, field, method or index follows it.
-fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<()> {
-    if cursor.is_open(0, '(') {
-        let group = cursor.skip_group();
-        let (message, help) = if is_function(name) {
-            (
-                format!("`{name}(…)` is a function call: fields here are polynomial, claims rational"),
-                format!("introduce a state for `{name}(…)`, with an equation of its own that is quadratic"),
-            )
-        } else {
-            (format!("`{name}(…)` reads as a function call"), format!("for a product write `{name}*(…)`"))
-        };
-        return error(Kind::NotAPolynomial, span.to(group), message, help);
-    }
-    let is_path = cursor.is_pair(':', ':');
-    let dotted = cursor.is_punctuation(0, '.').then(|| cursor.identifier(1)).flatten();
-    if let Some(member) = dotted
-        && cursor.is_open(2, '(')
-    {
-        let span = span.to(Span::token(cursor.position() + 1));
-        let help = if matches!(member, "powi" | "pow" | "powf") {
-            format!("write `{name}^2`")
-        } else {
-            "write the expression out; the field must be polynomial".to_owned()
-        };
-        return error(Kind::NotAPolynomial, span, format!("`{name}.{member}(…)` is a method call"), help);
-    }
-    if is_path || dotted.is_some() || cursor.is_open(0, '[') {
-        return error_of_access(cursor, name, span);
-    }
-    Ok(())
-}
-
-/// `self.mu`, `physics::RATE` or `mu[0]` stands where a name should; the cursor is behind its first
-/// name.
-fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<T> {
-    let mut access = name.to_owned();
-    let mut last = name;
-    loop {
-        let steps = if cursor.is_pair(':', ':') { 2 } else { usize::from(cursor.is_punctuation(0, '.')) };
-        if let Some(member) = cursor.identifier(steps).filter(|_| steps > 0) {
-            access.push_str(if steps == 2 { "::" } else { "." });
-            access.push_str(member);
-            last = member;
-            (0..=steps).for_each(|_| cursor.advance());
-        } else if cursor.is_open(0, '[') {
-            access.push_str("[…]");
-            cursor.skip_group();
-        } else {
-            break;
-        }
-    }
-    let bound = last.to_lowercase();
-    error(
-        Kind::NotAPolynomial,
-        span.to(cursor.behind()),
-        format!("only plain names are read here, and `{access}` is a path, a field or an index"),
-        format!(
-            "bind it first: `let {bound} = {access};`, then write `{bound}`; in a system with a header, \
-             make it a parameter"
-        ),
-    )
-}
-
-fn is_function(name: &str) -> bool {
-    const FUNCTIONS: [&str; 22] = [
-        "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp",
-        "log", "ln", "sqrt", "cbrt", "abs", "sign", "max", "min", "pow",
-    ];
-    FUNCTIONS.contains(&name)
-}
-
-/// Whether the operand just read begins a statement of Rust. (A state may have the name of a
-/// keyword; what follows tells.)
-fn is_statement(operand: &Expr) -> bool {
-    matches!(&operand.kind, ExprKind::Name(name) if matches!(name.as_str(), "if" | "match" | "let" | "for" | "while"))
-}
-
-/// After an operand stands an operator or the end of the expression.
-fn after_operand(cursor: &Cursor<'_>, operand: Expr) -> Parsed<Expr> {
-    let Some(token) = cursor.peek(0) else { return Ok(operand) };
-    let span = operand.span.to(cursor.here());
-    match &token.kind {
-        TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
-        TokenKind::Unreadable { .. } => Ok(operand),
-        // What compares is reported where `=` is expected.
-        TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.is_left_side => Ok(operand),
-        TokenKind::Identifier if token.text == "when" => Ok(operand),
-        TokenKind::Identifier if cursor.begins_item(0) && cursor.item_may_follow => Ok(operand),
-        TokenKind::Identifier if cursor.begins_item(0) => error(
-            Kind::Syntax,
-            cursor.behind().to(cursor.here()),
-            format!("a `;` is missing before `{}`", token.text),
-            format!("write `;` before `{}`", token.text),
-        ),
-        TokenKind::Identifier if is_statement(&operand) => error(
-            Kind::NotAPolynomial,
-            span,
-            "a formula has no conditions, loops or statements",
-            "write one polynomial that holds everywhere",
-        ),
-        TokenKind::Identifier | TokenKind::Literal | TokenKind::Open('(') => {
-            let help = match token.kind {
-                TokenKind::Open(_) => "write `*` before `(`".to_owned(),
-                _ => format!("write `*` before `{}`", token.text),
-            };
-            error(Kind::Syntax, span, "two operands stand side by side: a product needs its `*`", help)
-        }
-        TokenKind::Punctuation('.') if matches!(operand.kind, ExprKind::Number(_)) => error(
-            Kind::Number,
-            span,
-            "a number ends before this point",
-            "write `2.0` for the number, and `2*x` for a product",
-        ),
-        TokenKind::Punctuation('.') => {
-            let method = cursor.identifier(1).unwrap_or("");
-            let help = match method {
-                "powi" | "pow" | "powf" => "write `(…)^2`",
-                _ => "write the expression out; the field must be polynomial",
-            };
-            error(Kind::NotAPolynomial, span, format!("`.{method}` is a method call or a field"), help)
-        }
-        TokenKind::Punctuation('=') => error(
-            Kind::Syntax,
-            span,
-            "an `=` inside an expression",
-            "an equation has one `=`; if a new one begins here, write `;` before it",
-        ),
-        _ => error(
-            Kind::Syntax,
-            cursor.here(),
-            format!("`{}` is not an operator of the language", token.text),
-            "the operators are `+`, `-`, `*`, `/` and `^`",
-        ),
     }
 }
 

@@ -6,20 +6,26 @@
 //! block and never panics.
 
 mod block;
+mod claim;
 mod cursor;
 mod expr;
 mod header;
 mod keyword;
+mod mistakes;
 mod number;
 
-use crate::diagnostics::{Diagnostic, Diagnostics};
+use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::Block;
-use crate::token::Token;
+use crate::token::{Span, Token};
 
 use cursor::Cursor;
 
 /// What a parsing function gives: its syntax, or the first mistake in it.
 type Parsed<T> = Result<T, Diagnostic>;
+
+fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<String>) -> Parsed<T> {
+    Err(Diagnostic::new(kind, span, message, help))
+}
 
 /// Reads a whole block.
 #[must_use]

@@ -124,7 +124,7 @@ impl<'a> Blocks<'a> {
             // An odd order of the rows changes all signs, which cancel in the quotients.
             written.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &written);
-            let reciprocal = writer.twice_reciprocal(denominator.node);
+            let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);
             for (&i, numerator) in rest.iter().zip(numerators) {
                 increments[i] = (numerator.flipped(denominator.negative), Some(reciprocal));
                 self.put_next(writer, i, increments[i]);

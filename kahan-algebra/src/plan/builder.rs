@@ -1,12 +1,11 @@
-//! Building plans: hash-consed operations with the obvious simplifications, and polynomials in
-//! nested (Horner) form.
+//! Building plans: hash-consed operations with the obvious simplifications.
 //!
 //! Simplifications are exact identities only (0 + a, 1 · a, a − (−b), …), so a plan computes what
 //! was asked over ℚ.
 
 use rustc_hash::FxHashMap;
 
-use crate::poly::{Monomial, Polynomial, Variable};
+use crate::poly::Variable;
 use crate::rational::Rational;
 
 use super::{Node, Operation, Plan};
@@ -54,22 +53,31 @@ impl PlanBuilder {
         plan: &Plan,
         mut input: impl FnMut(&mut Self, Variable) -> Node,
     ) -> Vec<Node> {
-        let mut renamed: Vec<Node> = Vec::with_capacity(plan.operations.len());
-        for operation in &plan.operations {
-            let node = match operation {
-                Operation::Input(variable) => input(self, *variable),
-                _ => self.intern(operation.with_operands(|node| renamed[node.0])),
-            };
-            renamed.push(node);
-        }
-        plan.outputs.iter().map(|output| renamed[output.0]).collect()
+        let steps = self.include_with(plan, |builder, index, renamed| match plan.operations[index] {
+            Operation::Input(variable) => input(builder, variable),
+            ref operation => builder.intern(operation.with_operands(|node| renamed[node.0])),
+        });
+        plan.outputs.iter().map(|output| steps[output.0]).collect()
     }
 
     /// Every step of another plan, by its index there.
     pub(super) fn include_all(&mut self, plan: &Plan) -> Vec<Node> {
+        self.include_with(plan, |builder, index, renamed| {
+            builder.intern(plan.operations[index].with_operands(|node| renamed[node.0]))
+        })
+    }
+
+    /// A step for every step of another plan, by its index there: `step` makes it, given those
+    /// before it.
+    pub(super) fn include_with(
+        &mut self,
+        plan: &Plan,
+        mut step: impl FnMut(&mut Self, usize, &[Node]) -> Node,
+    ) -> Vec<Node> {
         let mut renamed: Vec<Node> = Vec::with_capacity(plan.operations.len());
-        for operation in &plan.operations {
-            renamed.push(self.intern(operation.with_operands(|node| renamed[node.0])));
+        for index in 0..plan.operations.len() {
+            let node = step(self, index, &renamed);
+            renamed.push(node);
         }
         renamed
     }
@@ -209,19 +217,26 @@ impl PlanBuilder {
         if self.is_constant(b, 0) || self.is_constant(a, 1) {
             return b;
         }
-        match (self.operation(a).clone(), self.operation(b).clone()) {
-            (Operation::Negate(a), Operation::Negate(b)) => self.multiply(a, b),
-            (Operation::Negate(inner), _) => {
-                let product = self.multiply(inner, b);
-                self.negate(product)
-            }
-            (_, Operation::Negate(inner)) => {
-                let product = self.multiply(a, inner);
-                self.negate(product)
-            }
-            // One order for both orders: a·b and b·a are the same step.
-            _ => self.intern(Operation::Multiply(a.min(b), a.max(b))),
-        }
+        // One order for both orders: a·b and b·a are the same step.
+        self.with_sign_outside(a, b, Self::multiply)
+            .unwrap_or_else(|| self.intern(Operation::Multiply(a.min(b), a.max(b))))
+    }
+
+    /// The product or quotient of two values of which one is a negation, the sign in front.
+    fn with_sign_outside(
+        &mut self,
+        a: Node,
+        b: Node,
+        join: impl FnOnce(&mut Self, Node, Node) -> Node,
+    ) -> Option<Node> {
+        let size = |node: Node| match *self.operation(node) {
+            Operation::Negate(inner) => Some(inner),
+            _ => None,
+        };
+        let (own, other) = (size(a), size(b));
+        own.or(other)?;
+        let joined = join(self, own.unwrap_or(a), other.unwrap_or(b));
+        Some(if own.is_some() != other.is_some() { self.negate(joined) } else { joined })
     }
 
     /// a / b; a zero constant b stays, as a quotient without a value.
@@ -229,122 +244,23 @@ impl PlanBuilder {
         if self.is_constant(b, 1) {
             return a;
         }
-        match (self.operation(a).clone(), self.operation(b).clone()) {
-            (Operation::Constant(a), Operation::Constant(b)) if !b.is_zero() => {
-                let quotient = a.checked_div(&b).unwrap_or_default();
-                self.constant(&quotient)
-            }
-            (Operation::Negate(inner), _) => {
-                let quotient = self.divide(inner, b);
-                self.negate(quotient)
-            }
-            (_, Operation::Negate(inner)) => {
-                let quotient = self.divide(a, inner);
-                self.negate(quotient)
-            }
-            _ => self.intern(Operation::Divide(a, b)),
+        let quotient = self.value(a).zip(self.value(b)).and_then(|(a, b)| a.checked_div(b));
+        if let Some(quotient) = quotient {
+            return self.constant(&quotient);
         }
+        self.with_sign_outside(a, b, Self::divide).unwrap_or_else(|| self.intern(Operation::Divide(a, b)))
     }
 
     /// a^n by repeated squaring; a^0 is 1.
     pub fn power(&mut self, a: Node, exponent: u32) -> Node {
-        if exponent == 0 {
-            return self.constant(&Rational::one());
-        }
-        let half = self.power_or_self(a, exponent / 2);
-        match (half, exponent % 2) {
-            (None, _) => a,
-            (Some(half), 0) => self.multiply(half, half),
-            (Some(half), _) => {
+        match exponent {
+            0 => self.constant(&Rational::one()),
+            1 => a,
+            _ => {
+                let half = self.power(a, exponent / 2);
                 let square = self.multiply(half, half);
-                self.multiply(square, a)
+                if exponent.is_multiple_of(2) { square } else { self.multiply(square, a) }
             }
         }
     }
-
-    fn power_or_self(&mut self, a: Node, exponent: u32) -> Option<Node> {
-        (exponent > 0).then(|| self.power(a, exponent))
-    }
-
-    /// A polynomial in nested form: content and common monomial first, then v·q + r in the variable
-    /// v of most terms.
-    pub fn polynomial(&mut self, polynomial: &Polynomial) -> Node {
-        if let Some(value) = polynomial.as_constant() {
-            return self.constant(&value);
-        }
-        let common = polynomial.monomial_content();
-        if !common.is_one() || polynomial.len() == 1 {
-            return self.scaled_by_monomial(polynomial, &common);
-        }
-        let content = polynomial.content();
-        if !content.is_one() {
-            let inner = self.polynomial(&polynomial.primitive_part());
-            let factor = self.constant(&content);
-            return self.multiply(factor, inner);
-        }
-        let Some(variable) = most_frequent_variable(polynomial) else {
-            return self.sum_of_terms(polynomial);
-        };
-        let (quotient, rest) = split(polynomial, variable);
-        let quotient = self.polynomial(&quotient);
-        let input = self.input(variable);
-        let product = self.multiply(input, quotient);
-        let rest = self.polynomial(&rest);
-        self.add(rest, product)
-    }
-
-    fn scaled_by_monomial(&mut self, polynomial: &Polynomial, common: &Monomial) -> Node {
-        let quotient = polynomial.div_monomial(common).unwrap_or_default();
-        let inner = self.polynomial(&quotient);
-        let mut product: Option<Node> = None;
-        for &(variable, exponent) in common.powers() {
-            let input = self.input(variable);
-            for _ in 0..exponent {
-                product = Some(product.map_or(input, |product| self.multiply(product, input)));
-            }
-        }
-        product.map_or(inner, |product| self.multiply(inner, product))
-    }
-
-    fn sum_of_terms(&mut self, polynomial: &Polynomial) -> Node {
-        let mut sum: Option<Node> = None;
-        for (monomial, coefficient) in polynomial.terms() {
-            let term = self.polynomial(&Polynomial::from_terms([(monomial.clone(), coefficient.clone())]));
-            sum = Some(match sum {
-                Some(sum) => self.add(sum, term),
-                None => term,
-            });
-        }
-        sum.unwrap_or_else(|| self.constant(&Rational::zero()))
-    }
-}
-
-/// The variable that most terms contain, the later one of equals; none where no variable is in two
-/// terms.
-fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
-    let mut counts: Vec<(Variable, usize)> = Vec::new();
-    for (variable, _) in polynomial.terms().flat_map(|(monomial, _)| monomial.powers().iter().copied()) {
-        match counts.iter_mut().find(|(known, _)| *known == variable) {
-            Some((_, count)) => *count += 1,
-            None => counts.push((variable, 1)),
-        }
-    }
-    counts
-        .into_iter()
-        .filter(|&(_, count)| count > 1)
-        .max_by_key(|&(variable, count)| (count, variable))
-        .map(|(v, _)| v)
-}
-
-/// p = v·q + r with r free of v.
-pub(super) fn split(polynomial: &Polynomial, variable: Variable) -> (Polynomial, Polynomial) {
-    let by = Monomial::variable(variable);
-    let (mut quotient, mut rest) = (Vec::new(), Vec::new());
-    for (monomial, coefficient) in polynomial.terms() {
-        match monomial.div(&by) {
-            Some(monomial) => quotient.push((monomial, coefficient.clone())),
-            None => rest.push((monomial.clone(), coefficient.clone())),
-        }
-    }
-    (Polynomial::from_terms(quotient), Polynomial::from_terms(rest))
 }

@@ -217,7 +217,7 @@ impl FactoredMap<'_> {
     /// The numerators to a denominator, from the factors.
     fn finish(&self, start: WithDenominator) -> Candidate {
         let WithDenominator { mut writer, denominator, numerators } = start;
-        let reciprocal = writer.twice_reciprocal(denominator.node);
+        let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);
         let numerators =
             numerators.unwrap_or_else(|| self.written_numerators(&mut writer, |_| Power::Eps, None));
         self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative))

@@ -12,18 +12,18 @@ impl Plan {
     pub(super) fn doubled(&self, constants: &Plan) -> Self {
         let (ready, required) = (self.ready(), self.required());
         let mut builder = PlanBuilder::default();
-        let mut renamed: Vec<Node> = Vec::with_capacity(self.operations.len());
-        for (index, operation) in self.operations.iter().enumerate() {
+        let renamed = builder.include_with(self, |builder, index, renamed| {
+            let operation = &self.operations[index];
             // The sum is ready one addition after the product that it doubles.
             let single = self
                 .half(operation, constants)
                 .filter(|single| ready[single.0] + ADD <= required[index])
-                .map(|single| self.early(single, &renamed, &mut builder));
-            renamed.push(match single {
-                Some(single) => builder.intern(Operation::Add(single, single)),
-                None => builder.intern(operation.with_operands(|operand| renamed[operand.0])),
-            });
-        }
+                .map(|single| self.early(single, renamed, builder));
+            builder.intern(match single {
+                Some(single) => Operation::Add(single, single),
+                None => operation.with_operands(|operand| renamed[operand.0]),
+            })
+        });
         let outputs: Vec<Node> = self.outputs.iter().map(|output| renamed[output.0]).collect();
         builder.finish(&outputs)
     }

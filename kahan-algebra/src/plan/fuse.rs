@@ -27,7 +27,7 @@ impl Plan {
             let operands = operation.operands().map(|Node(index)| ready[index]).max().unwrap_or(0);
             ready[index] = operands + operation.latency();
         }
-        self.without_unused()
+        Plan::together([&self])
     }
 
     fn fusable(&self, index: usize, uses: &[usize], ready: &[u32], required: u32) -> Option<Operation> {
@@ -70,13 +70,6 @@ impl Plan {
             }
         }
         required
-    }
-
-    fn without_unused(&self) -> Self {
-        let mut builder = super::PlanBuilder::default();
-        let all = builder.include_all(self);
-        let outputs: Vec<Node> = self.outputs.iter().map(|output| all[output.0]).collect();
-        builder.finish(&outputs)
     }
 }
 

@@ -34,6 +34,7 @@ mod draft;
 mod factored_map;
 mod factors;
 mod fuse;
+mod horner;
 mod inverse;
 mod minors;
 mod nesting;
@@ -111,35 +112,31 @@ impl Operation {
     /// The same operation on other operands.
     #[must_use]
     pub fn with_operands(&self, mut rename: impl FnMut(Node) -> Node) -> Self {
-        match *self {
-            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => self.clone(),
-            Operation::Negate(a) => Operation::Negate(rename(a)),
-            Operation::Add(a, b) => Operation::Add(rename(a), rename(b)),
-            Operation::Subtract(a, b) => Operation::Subtract(rename(a), rename(b)),
-            Operation::Multiply(a, b) => Operation::Multiply(rename(a), rename(b)),
-            Operation::Divide(a, b) => Operation::Divide(rename(a), rename(b)),
-            Operation::MultiplyAdd(a, b, c) => Operation::MultiplyAdd(rename(a), rename(b), rename(c)),
-            Operation::MultiplySubtract(a, b, c) => {
-                Operation::MultiplySubtract(rename(a), rename(b), rename(c))
-            }
-            Operation::SubtractProduct(a, b, c) => {
-                Operation::SubtractProduct(rename(a), rename(b), rename(c))
-            }
-        }
+        self.renamed(&mut rename)
     }
 
-    /// The value of the operation from those of its operands; `None` where it, or one of them, has
-    /// none, and for an input. A multiply-add of the machine's floats is a multiplication and an
-    /// addition here: those that fuse are the generated code's business.
+    fn renamed(&self, rename: &mut dyn FnMut(Node) -> Node) -> Self {
+        let mut renamed = self.clone();
+        match &mut renamed {
+            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => {}
+            Operation::Negate(a) => *a = rename(*a),
+            Operation::Add(a, b)
+            | Operation::Subtract(a, b)
+            | Operation::Multiply(a, b)
+            | Operation::Divide(a, b) => (*a, *b) = (rename(*a), rename(*b)),
+            Operation::MultiplyAdd(a, b, c)
+            | Operation::MultiplySubtract(a, b, c)
+            | Operation::SubtractProduct(a, b, c) => (*a, *b, *c) = (rename(*a), rename(*b), rename(*c)),
+        }
+        renamed
+    }
+
+    /// The value of the operation from the `values` of all steps before it; `None` where it, or one
+    /// of its operands, has none, and for an input. A multiply-add of the machine's floats is a
+    /// multiplication and an addition here: those that fuse are the generated code's business.
     #[inline]
-    pub fn compute<'a, A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        value: impl Fn(Node) -> Option<&'a A::Value>,
-    ) -> Option<A::Value>
-    where
-        A::Value: 'a,
-    {
+    pub fn compute<A: Arithmetic>(&self, arithmetic: &A, values: &[Option<A::Value>]) -> Option<A::Value> {
+        let value = |node: Node| values[node.0].as_ref();
         match *self {
             Operation::Input(_) | Operation::Prepared(_) => None,
             Operation::Constant(ref constant) => arithmetic.constant(constant),
@@ -216,7 +213,7 @@ impl Plan {
             let value = match operation {
                 Operation::Input(variable) => input(*variable),
                 Operation::Prepared(index) => prepared.get(*index).cloned().flatten(),
-                _ => operation.compute(arithmetic, |node| values[node.0].as_ref()),
+                _ => operation.compute(arithmetic, &values),
             };
             values.push(value);
         }

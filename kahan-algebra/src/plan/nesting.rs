@@ -167,7 +167,7 @@ impl Nesting {
     }
 
     fn nested(&self, polynomial: &Polynomial, variable: Variable) -> Estimate {
-        let (quotient, rest) = super::builder::split(polynomial, variable);
+        let (quotient, rest) = super::horner::split(polynomial, variable);
         let common = quotient.monomial_content();
         let inner = quotient.div_monomial(&common).unwrap_or_default();
         let monomial = common.mul(&Monomial::variable(variable));

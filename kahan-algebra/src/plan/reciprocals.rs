@@ -38,17 +38,16 @@ pub(super) fn with_signs_of_reciprocals(kernel: Plan, reciprocals: &[Option<usiz
     let is_turned_base =
         |node: Node| bases.iter().zip(&turned).any(|(base, turned)| *turned && *base == Some(node));
     let mut builder = PlanBuilder::default();
-    let mut renamed: Vec<Node> = Vec::with_capacity(kernel.operations.len());
-    for (index, operation) in kernel.operations.iter().enumerate() {
-        let mut turned = operation.with_operands(|node| renamed[node.0]);
+    let renamed = builder.include_with(&kernel, |builder, index, renamed| {
+        let mut turned = kernel.operations[index].with_operands(|node| renamed[node.0]);
         if let Operation::Divide(dividend, _) = &mut turned
             && is_turned_base(Node(index))
             && let Some(literal) = dividend_of(&kernel, Node(index))
         {
             *dividend = builder.intern(Operation::Constant(-literal));
         }
-        renamed.push(builder.intern(turned));
-    }
+        builder.intern(turned)
+    });
     let mut outputs: Vec<Node> = kernel.outputs.iter().map(|output| renamed[output.0]).collect();
     for (output, _) in outputs.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
         *output = builder.changed_sign(*output);

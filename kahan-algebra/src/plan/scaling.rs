@@ -146,7 +146,7 @@ fn is_dissipative(field: &Field) -> bool {
     let divergence = slopes.fold(Polynomial::zero(), |sum, slope| &sum + &slope);
     field.components.iter().all(|component| component.denominator.is_one())
         && !divergence.is_zero()
-        && divergence.degree_where(|variable| field.symbols.is_state(variable)) == 0
+        && !field.symbols.has_state(&divergence)
 }
 
 /// Orders of n states in which each comes first once.

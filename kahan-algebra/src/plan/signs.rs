@@ -70,12 +70,6 @@ struct Signs {
     cost: usize,
 }
 
-/// The two summands of a sum, each with the sign it has as carried.
-struct Summands {
-    first: bool,
-    second: bool,
-}
-
 impl<'a> Search<'a> {
     fn new(constants: &Plan, kernel: &'a Plan) -> Self {
         let mut prepared = vec![None; constants.outputs.len()];
@@ -173,7 +167,7 @@ impl<'a> Search<'a> {
                 Operation::Negate(a) => (!of(a), false),
                 Operation::Multiply(a, b) | Operation::Divide(a, b) => (of(a) != of(b), false),
                 _ => {
-                    let Summands { first, second } = parts(operation, of);
+                    let (first, second) = summands(operation, of);
                     if first == second { (first, false) } else { (reversed[index], true) }
                 }
             };
@@ -189,17 +183,14 @@ impl<'a> Search<'a> {
 
     fn rebuilt(&self, signs: &Signs) -> Plan {
         let mut builder = PlanBuilder::default();
-        let mut renamed: Vec<Node> = Vec::with_capacity(self.kernel.operations.len());
-        for (index, operation) in self.kernel.operations.iter().enumerate() {
+        let renamed = builder.include_with(self.kernel, |builder, index, renamed| {
+            let operation = &self.kernel.operations[index];
             let new = |node: Node| renamed[node.0];
-            let sum = parts(operation, |node| signs.negative[node.0]);
-            let (first, second) = (sum.first != signs.negative[index], sum.second != signs.negative[index]);
+            let (first, second) = summands(operation, |node| signs.negative[node.0]);
+            let (first, second) = (first != signs.negative[index], second != signs.negative[index]);
             let operation = match *operation {
                 // The same value carried with the other sign.
-                Operation::Negate(a) => {
-                    renamed.push(renamed[a.0]);
-                    continue;
-                }
+                Operation::Negate(a) => return renamed[a.0],
                 Operation::Add(a, b) | Operation::Subtract(a, b) => match (first, second) {
                     (false, false) => Operation::Add(new(a), new(b)),
                     (false, true) => Operation::Subtract(new(a), new(b)),
@@ -208,10 +199,8 @@ impl<'a> Search<'a> {
                 Operation::MultiplyAdd(a, b, c)
                 | Operation::MultiplySubtract(a, b, c)
                 | Operation::SubtractProduct(c, a, b) => {
-                    let product =
-                        if matches!(operation, Operation::SubtractProduct(..)) { second } else { first };
-                    let addend =
-                        if matches!(operation, Operation::SubtractProduct(..)) { first } else { second };
+                    let is_difference = matches!(operation, Operation::SubtractProduct(..));
+                    let (product, addend) = if is_difference { (second, first) } else { (first, second) };
                     match (product, addend) {
                         (false, false) => Operation::MultiplyAdd(new(a), new(b), new(c)),
                         (false, true) => Operation::MultiplySubtract(new(a), new(b), new(c)),
@@ -220,32 +209,28 @@ impl<'a> Search<'a> {
                 }
                 _ => operation.with_operands(new),
             };
-            renamed.push(builder.intern(operation));
-        }
-        let outputs: Vec<Node> = self
-            .kernel
-            .outputs
-            .iter()
-            .map(|output| {
-                let carried = renamed[output.0];
-                if signs.negative[output.0] { builder.changed_sign(carried) } else { carried }
-            })
-            .collect();
+            builder.intern(operation)
+        });
+        let carried = |output: &Node| match signs.negative[output.0] {
+            true => builder.changed_sign(renamed[output.0]),
+            false => renamed[output.0],
+        };
+        let outputs: Vec<Node> = self.kernel.outputs.iter().map(carried).collect();
         builder.finish(&outputs)
     }
 }
 
-/// The signs of a sum's parts, `of` being those of its operands; not of use for other operations.
-fn parts(operation: &Operation, of: impl Fn(Node) -> bool) -> Summands {
-    let (first, second) = match *operation {
+/// The signs of the two summands of a sum as they are carried, `of` being those of its operands; not
+/// of use for other operations.
+fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
+    match *operation {
         Operation::Add(a, b) => (of(a), of(b)),
         Operation::Subtract(a, b) => (of(a), !of(b)),
         Operation::MultiplyAdd(a, b, c) => (of(a) != of(b), of(c)),
         Operation::MultiplySubtract(a, b, c) => (of(a) != of(b), !of(c)),
         Operation::SubtractProduct(a, b, c) => (of(a), of(b) == of(c)),
         _ => (false, false),
-    };
-    Summands { first, second }
+    }
 }
 
 /// The constants, those differences turned round that are wanted with the other sign.

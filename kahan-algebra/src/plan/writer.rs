@@ -93,12 +93,7 @@ impl Writer {
         put.unwrap_or_else(|| self.draft.input(symbol))
     }
 
-    /// 2/d: that the increment is 2εn/d costs no multiplication by 2.
-    pub(super) fn twice_reciprocal(&mut self, denominator: Node) -> Node {
-        self.reciprocal(&Rational::from(2), denominator)
-    }
-
-    /// c/d
+    /// c/d; with c = 2 the increment 2εn/d costs no multiplication by 2.
     pub(super) fn reciprocal(&mut self, c: &Rational, denominator: Node) -> Node {
         let c = self.draft.constant(c);
         self.draft.builder.divide(c, denominator)

@@ -18,7 +18,8 @@ const MAX_DEGREE: u64 = 1 << 24;
 #[derive(Clone, Debug)]
 pub struct Budget {
     max_terms: usize,
-    work: u64,
+    /// The term products that may still be formed.
+    pub(super) work: u64,
 }
 
 /// The computation would exceed its budget of terms or of work.
@@ -34,11 +35,6 @@ impl Budget {
     /// No limit but that on degrees.
     pub fn unlimited() -> Self {
         Self::new(usize::MAX, u64::MAX)
-    }
-
-    /// The term products that may still be formed.
-    pub fn work_left(&self) -> u64 {
-        self.work
     }
 
     /// Takes `work` off the budget.

@@ -1,6 +1,6 @@
 //! Derivatives, substitution, renaming, and a polynomial seen as one in a single variable.
 
-use super::{Monomial, Polynomial, Term, Variable};
+use super::{Budget, Monomial, OverBudget, Polynomial, Term, Variable};
 use crate::rational::Rational;
 use crate::table::Table;
 
@@ -29,6 +29,28 @@ impl Polynomial {
         }))
     }
 
+    /// Σ cₖ aᵏ bᵈ⁻ᵏ of self = Σ cₖ `variable`ᵏ: the polynomial at a/b, times bᵈ; d is at least the
+    /// degree in the variable.
+    ///
+    /// # Errors
+    /// Beyond the budget.
+    pub fn homogenised_at(
+        &self,
+        variable: Variable,
+        (a, b): (&Self, &Self),
+        degree: u32,
+        budget: &mut Budget,
+    ) -> Result<Self, OverBudget> {
+        let mut sum = Self::zero();
+        for (exponent, coefficient) in self.coefficients_in(variable) {
+            let power = a.pow_within(exponent, budget)?;
+            let rest = b.pow_within(degree - exponent, budget)?;
+            let term = coefficient.mul_within(&power, budget)?.mul_within(&rest, budget)?;
+            sum = sum.add_within(&term, budget)?;
+        }
+        Ok(sum)
+    }
+
     /// The polynomial with each variable renamed. Variables that get the same name are identified.
     pub fn map_variables(&self, mut rename: impl FnMut(Variable) -> Variable) -> Self {
         Self::from_terms(self.terms.iter().map(|(monomial, coefficient)| {
@@ -49,12 +71,12 @@ impl Polynomial {
     /// The polynomial as one in the variables that `belongs` picks, its coefficients polynomials in
     /// the others.
     pub fn group(&self, mut belongs: impl FnMut(Variable) -> bool) -> Table<Monomial, Self> {
-        let split = self.terms.iter().map(|(monomial, _)| monomial.split(&mut belongs));
-        self.grouped(split.collect())
+        self.grouped(&mut belongs)
     }
 
-    /// The terms by the first part of each split monomial.
-    fn grouped(&self, split: Vec<(Monomial, Monomial)>) -> Table<Monomial, Self> {
+    fn grouped(&self, belongs: &mut dyn FnMut(Variable) -> bool) -> Table<Monomial, Self> {
+        let split = self.terms.iter().map(|(monomial, _)| monomial.split(&mut *belongs));
+        let split: Vec<(Monomial, Monomial)> = split.collect();
         let mut order: Vec<usize> = (0..split.len()).collect();
         // Terms with the same key stay sorted when it is divided out.
         order.sort_by(|&left, &right| split[left].0.cmp(&split[right].0));

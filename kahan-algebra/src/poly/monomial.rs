@@ -157,6 +157,10 @@ impl Monomial {
 
     /// The part in the variables that `belongs` picks, and the part in the others.
     pub fn split(&self, mut belongs: impl FnMut(Variable) -> bool) -> (Self, Self) {
+        self.parted(&mut belongs)
+    }
+
+    fn parted(&self, belongs: &mut dyn FnMut(Variable) -> bool) -> (Self, Self) {
         let (mut inside, mut outside) = (Self::one(), Self::one());
         for &(variable, exponent) in &self.powers {
             let part = if belongs(variable) { &mut inside } else { &mut outside };

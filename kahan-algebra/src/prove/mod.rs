@@ -21,6 +21,7 @@ pub use sizes::{ERROR_EXPONENT, points_needed};
 use crate::diagnostics::{Diagnostics, Kind};
 use crate::prime_field::SplitMix64;
 use crate::render::condition_text;
+use crate::syntax::ClaimKind;
 use crate::system::{Claim, Condition, System};
 
 use sample::{Samples, Scheme};
@@ -88,47 +89,36 @@ pub fn check_claims(system: &System, seed: u64, diagnostics: &mut Diagnostics) {
 fn report(system: &System, claim: &Claim, verdict: &Verdict, diagnostics: &mut Diagnostics) {
     let name = &claim.name.text;
     let keyword = claim.kind.keyword();
-    let span = claim.name.span;
-    match verdict {
-        Verdict::Proved(_) => {}
-        Verdict::Refuted(refutation) => diagnostics.report(
+    let (kind, message, help) = match verdict {
+        Verdict::Proved(_) => return,
+        Verdict::Refuted(refutation) => (
             Kind::FalseClaim,
-            span,
-            format!("the {keyword} `{name}` does not hold: {}", refutation.describe(&system.field.symbols)),
+            format!("does not hold: {}", refutation.describe(&system.field.symbols)),
             "correct the formula, or remove the claim; eps is half the time step",
         ),
-        Verdict::Vacuous => diagnostics.report(
+        Verdict::Vacuous => {
+            let why = match claim.kind {
+                ClaimKind::Integral => "it depends on no state",
+                ClaimKind::Density | ClaimKind::Bracket => "it is zero",
+            };
+            let help = "claim something that depends on the states, or remove the claim";
+            (Kind::Claim, format!("says nothing: {why}"), help)
+        }
+        Verdict::Undefined => (
             Kind::Claim,
-            span,
-            format!(
-                "the {keyword} `{name}` says nothing: {}",
-                match claim.kind {
-                    crate::syntax::ClaimKind::Integral => "it depends on no state",
-                    _ => "it is zero",
-                }
-            ),
-            "claim something that depends on the states, or remove the claim",
-        ),
-        Verdict::Undefined => diagnostics.report(
-            Kind::Claim,
-            span,
-            format!("the {keyword} `{name}` divides by zero identically"),
+            "divides by zero identically".to_owned(),
             "no point gives it a value: correct its divisors",
         ),
-        Verdict::NoMap => diagnostics.report(
+        Verdict::NoMap => (
             Kind::Claim,
-            span,
-            format!(
-                "the {keyword} `{name}` is about no map: at {} det A is 0 everywhere",
-                condition_text(system, claim)
-            ),
+            format!("is about no map: at {} det A is 0 everywhere", condition_text(system, claim)),
             "choose other values behind `when`",
         ),
-        Verdict::TooLarge => diagnostics.report(
+        Verdict::TooLarge => (
             Kind::TooLarge,
-            span,
-            format!("the {keyword} `{name}` has too high a degree to be proved"),
+            "has too high a degree to be proved".to_owned(),
             "write the claim with smaller powers",
         ),
-    }
+    };
+    diagnostics.report(kind, claim.name.span, format!("the {keyword} `{name}` {message}"), help);
 }

@@ -3,6 +3,7 @@
 use crate::map::ModularMap;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
+use crate::relations::monomial_gradient;
 use crate::stepping::Stepping;
 
 use super::Basis;
@@ -67,18 +68,7 @@ pub(super) fn of_coefficients(basis: &Basis, map: &ModularMap, start: &[u64]) ->
 
 /// A monomial's value and gradient.
 fn monomial_at(modulus: &Modulus, exponents: &[u32], point: &[u64]) -> (u64, Vec<u64>) {
-    let product = |skipped: Option<usize>| {
-        let powers = exponents.iter().zip(point).enumerate();
-        powers.fold(modulus.one(), |product, (i, (&exponent, &x))| {
-            let exponent = if Some(i) == skipped { exponent - 1 } else { exponent };
-            modulus.times(product, modulus.power(x, exponent))
-        })
-    };
-    let slope = |i: usize| match exponents[i] {
-        0 => 0,
-        exponent => modulus.times(modulus.integer(u64::from(exponent)), product(Some(i))),
-    };
-    (product(None), (0..point.len()).map(slope).collect())
+    (modulus.monomial(exponents, point), monomial_gradient(modulus, exponents, point))
 }
 
 /// The row times the matrix.

@@ -23,7 +23,7 @@ use crate::matrix::{Echelon, NullVector};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
-use crate::setting::{Draw, Setting};
+use crate::setting::{DrawnStep, Setting};
 use crate::stepping::Stepping;
 
 pub use evaluate::{BasisError, BasisValues};
@@ -94,7 +94,7 @@ fn monomial_text(states: &[String], exponents: &[u32]) -> String {
 pub(crate) fn completing(
     candidates: &[Basis],
     wanted: usize,
-    place: &Place,
+    place: &DrawnStep,
     known: Vec<Vec<u64>>,
     deadline: &Deadline,
 ) -> Vec<Basis> {
@@ -106,7 +106,7 @@ pub(crate) fn completing(
         if rank(&gradients) >= wanted || deadline.passed() {
             break;
         }
-        let Some(own) = gradients::of_coefficients(candidate, map, &place.point) else { continue };
+        let Some(own) = gradients::of_coefficients(candidate, map, &place.here) else { continue };
         let mut integrals = Vec::new();
         for (coefficient, gradient) in own.into_iter().enumerate() {
             gradients.push(gradient);
@@ -125,12 +125,6 @@ pub(crate) fn completing(
 
 /// So many monomials are reduced in two orders only.
 const MANY: usize = 250;
-
-/// Where independence is looked at: a map with random unknowns, and a point.
-pub(crate) struct Place {
-    pub(crate) draw: Draw,
-    pub(crate) point: Vec<u64>,
-}
 
 /// Sets of monomials up to a degree with one relation, the smallest first, each once; as many as
 /// the deadline allows.

@@ -77,13 +77,7 @@ fn halves(basis: &Basis) -> (usize, usize) {
 impl Basis {
     /// The values of the monomials at a point.
     pub(super) fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
-        let value = |exponents: &Vec<u32>| {
-            let powers = exponents.iter().zip(point);
-            powers.fold(modulus.one(), |product, (&exponent, &x)| {
-                modulus.times(product, modulus.power(x, exponent))
-            })
-        };
-        self.monomials.iter().map(value).collect()
+        self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
     }
 }
 

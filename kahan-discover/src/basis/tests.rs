@@ -20,7 +20,7 @@ fn found(text: &str, degree: u32, wanted: usize) -> (Setting, Field, Vec<Basis>)
     let setting = Setting::new(&field, None);
     let mut random = SplitMix64::new(1);
     let draw = setting.draw(Modulus::mersenne_61(), &mut random).unwrap();
-    let place = Place { point: draw.map.point(&mut random), draw };
+    let place = draw.step(&mut random).unwrap();
     let all = candidates(&setting, degree, &mut random, &Deadline::never());
     let bases = completing(&all, wanted, &place, Vec::new(), &Deadline::never());
     (setting, field, bases)

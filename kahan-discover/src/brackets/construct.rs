@@ -4,8 +4,7 @@
 //! minors are those of small polynomials; all the denominators come back as one factor of the whole
 //! tensor.
 
-use std::collections::BTreeMap;
-
+use kahan_algebra::kahan::maximal_minors;
 use kahan_algebra::poly::{Budget, Polynomial, gcd_all_within, gcd_within};
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
@@ -18,8 +17,8 @@ use kahan_algebra::symbols::Symbols;
 /// and the I's. With n = 2 the one entry is 1/ρ. `None` for a zero density, for integrals that are
 /// functions of one another, and beyond the budget.
 ///
-/// Cost: n gcds a gradient, and the minors of n−2 rows by Laplace expansion, at most n·2ⁿ⁻¹
-/// products of polynomials; zero minors cost nothing.
+/// Cost: n gcds a gradient, and the minors of n−2 rows by Laplace expansion; zero minors cost
+/// nothing.
 pub(super) fn invariant_tensor(
     symbols: &Symbols,
     density: &RationalFunction,
@@ -28,19 +27,20 @@ pub(super) fn invariant_tensor(
 ) -> Option<Vec<RationalFunction>> {
     let n = symbols.dimension();
     let mut factor = density.recip()?;
-    let mut minors = BTreeMap::from([(Vec::new(), Polynomial::one())]);
+    let mut directions = Vec::with_capacity(integrals.len());
     for integral in integrals {
         let gradient = Gradient::of(symbols, integral, budget)?;
-        minors = expand(&minors, &gradient.direction, budget)?;
         factor = factor.mul_within(&gradient.factor, budget).ok()?;
+        directions.push(gradient.direction);
     }
+    let mut minors = maximal_minors(&directions, budget).ok()?;
     if minors.is_empty() {
         return None;
     }
     let mut entries = Vec::with_capacity(n * (n - 1) / 2);
     for j in 0..n {
         for k in j + 1..n {
-            let others: Vec<usize> = (0..n).filter(|&l| l != j && l != k).collect();
+            let others = ((1u64 << n) - 1) & !(1 << j | 1 << k);
             let minor = minors.remove(&others).unwrap_or_default();
             // x_j passes the j variables before it, then x_k the k−1 that are left before it.
             let minor = if (j + k - 1) % 2 == 1 { -&minor } else { minor };
@@ -87,30 +87,4 @@ impl Gradient {
 /// The quotient by a known divisor.
 fn quotient(multiple: &Polynomial, divisor: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
     multiple.div_within(divisor, budget).ok()?
-}
-
-/// From the nonzero minors of some rows, by their columns, those with one row more: Laplace
-/// expansion along the last row.
-fn expand(
-    minors: &BTreeMap<Vec<usize>, Polynomial>,
-    row: &[Polynomial],
-    budget: &mut Budget,
-) -> Option<BTreeMap<Vec<usize>, Polynomial>> {
-    let mut next: BTreeMap<Vec<usize>, Polynomial> = BTreeMap::new();
-    for (columns, minor) in minors {
-        budget.charge(row.len() as u64).ok()?;
-        for (column, entry) in row.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
-            let Err(place) = columns.binary_search(&column) else { continue };
-            let product = minor.mul_within(entry, budget).ok()?;
-            // The last row's entry stands in the last column and moves left past those behind its
-            // own.
-            let product = if (columns.len() - place) % 2 == 1 { -&product } else { product };
-            let mut widened = columns.clone();
-            widened.insert(place, column);
-            let sum = next.entry(widened).or_default();
-            *sum = sum.add_within(&product, budget).ok()?;
-        }
-    }
-    next.retain(|_, minor| !minor.is_zero());
-    Some(next)
 }

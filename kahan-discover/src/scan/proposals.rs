@@ -7,15 +7,14 @@ use std::time::{Duration, Instant};
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::relations::Relations;
-use kahan_algebra::render::{Formulas, Notation};
+use kahan_algebra::render::Notation;
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
-use kahan_algebra::{lexer, read};
 
 use super::shapes::{Grid, Shape, shapes};
 use super::{Scan, Sight};
-use crate::claims::Formula;
+use crate::claims::{Claims, Formula};
 use crate::report::Options;
 use crate::stages::discover;
 
@@ -116,22 +115,20 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
 struct Prover<'a> {
     system: &'a System,
     options: &'a Options,
-    equations: String,
+    claims: Claims<'a>,
     taken: BTreeSet<String>,
 }
 
 impl<'a> Prover<'a> {
     fn new(system: &'a System, options: &'a Options) -> Self {
         let symbols = &system.field.symbols;
-        let values = Formulas { field: &system.field, map: None, notation: Notation::Text }.field();
-        let lines = symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};"));
         let claims = system.claims.iter().map(|claim| claim.name.text.clone());
         let constants = system.constants.iter().map(|(name, _)| name.clone());
         let names = symbols.states.iter().chain(&symbols.parameters).cloned();
         Prover {
             system,
             options,
-            equations: lines.collect::<Vec<_>>().join(" "),
+            claims: Claims::new(system, &[], None),
             taken: claims.chain(constants).chain(names).collect(),
         }
     }
@@ -178,11 +175,8 @@ impl<'a> Prover<'a> {
                 if relations.is_empty() { String::new() } else { format!(" when {}", relations.join(", ")) };
             format!("{} {name} = {value}{when};", formula.kind.keyword())
         };
-        let holds = |claim: &str| {
-            read(&lexer::lex(&format!("{} {claim}", self.equations)).tokens).diagnostics.is_empty()
-        };
         let on_relation = claim(&[&[relation], &fixed[..]].concat());
-        if holds(&claim(&fixed)) || !holds(&on_relation) {
+        if self.claims.is_proved(&claim(&fixed)) || !self.claims.is_proved(&on_relation) {
             return None;
         }
         self.taken.insert(name);

@@ -166,12 +166,7 @@ impl<'a> Search<'a> {
         let mut quotients: Vec<u64> = chosen
             .filter_map(|&at| {
                 let point: Vec<u64> = self.names.iter().map(|&name| self.residues[at][name]).collect();
-                let value = |index: usize| {
-                    let powers = point.iter().zip(monomials.exponents(index));
-                    powers.fold(self.modulus.one(), |product, (&value, &exponent)| {
-                        self.modulus.times(product, self.modulus.power(value, exponent))
-                    })
-                };
+                let value = |index: usize| self.modulus.monomial(monomials.exponents(index), &point);
                 let quotient = self.modulus.times(value(high), self.modulus.inverse(value(low))?);
                 (quotient != 0).then_some(quotient)
             })
@@ -213,14 +208,14 @@ impl<'a> Search<'a> {
         if own.len() < coefficients + SPARE_POINTS {
             return;
         }
-        let linear = u32::from(polynomial.degree() == 1);
+        let linear = usize::from(polynomial.degree() == 1);
         let row = |&at: &usize| {
             std::iter::once(modulus.one())
                 .chain(self.names.iter().map(|&name| self.residues[at][name]))
                 .collect()
         };
         let rank = Echelon::of(&modulus, own.iter().map(row).collect(), self.names.len() + 1).rank();
-        if rank + usize::try_from(linear).unwrap_or(0) < self.names.len() + 1 {
+        if rank + linear < self.names.len() + 1 {
             return;
         }
         let points: Vec<usize> = (0..self.grid.points.len()).filter(vanishes).collect();

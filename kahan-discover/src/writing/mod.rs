@@ -29,27 +29,16 @@ const FEW_TERMS: usize = 12;
 /// The irreducible factors that contain states, each once.
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
     let found = polynomial.factors(&mut Budget::new(MOST_TERMS, MOST_WORK)).factors.into_iter();
-    let has_states =
-        |factor: &Polynomial| factor.variables().iter().any(|&variable| symbols.is_state(variable));
-    found.map(|(factor, _)| factor).filter(has_states).collect()
+    found.map(|(factor, _)| factor).filter(|factor| symbols.has_state(factor)).collect()
 }
 
-/// Adds those of a formula's numerator and denominator that are not among `factors`.
-pub(crate) fn add_state_factors(symbols: &Symbols, factors: &mut Vec<Polynomial>, formula: &Formula) {
-    for side in [&formula.numerator, &formula.denominator] {
-        for factor in state_factors(symbols, side) {
-            if !factors.contains(&factor) {
-                factors.push(factor);
-            }
+/// Those of all formulas, each once.
+pub(crate) fn factors_of(formulas: &[Formula]) -> Vec<Polynomial> {
+    let mut factors: Vec<Polynomial> = Vec::new();
+    for factor in formulas.iter().flat_map(|formula| &formula.factors) {
+        if !factors.contains(factor) {
+            factors.push(factor.clone());
         }
-    }
-}
-
-/// Those of all numerators and denominators.
-pub(crate) fn state_factors_of(symbols: &Symbols, formulas: &[Formula]) -> Vec<Polynomial> {
-    let mut factors = Vec::new();
-    for formula in formulas {
-        add_state_factors(symbols, &mut factors, formula);
     }
     factors
 }
@@ -192,7 +181,7 @@ fn product_text(symbols: &Symbols, content: &Rational, front: &Monomial, sums: &
 
 /// Whether the first term in writing is negative: low degrees stand first, in the order of terms
 /// within a degree.
-fn begins_negative(polynomial: &Polynomial) -> bool {
+pub(crate) fn begins_negative(polynomial: &Polynomial) -> bool {
     let lowest = polynomial.terms().map(|(monomial, _)| monomial.degree()).min();
     let first = polynomial.terms().find(|(monomial, _)| Some(monomial.degree()) == lowest);
     first.is_some_and(|(_, coefficient)| coefficient.is_negative())

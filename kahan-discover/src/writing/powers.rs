@@ -40,19 +40,14 @@ pub(crate) fn in_powers(
     let mut parts = base.coefficients_in(variable);
     let slope = parts.remove(&1)?;
     let rest = parts.remove(&0).unwrap_or_default();
-    if slope.len() > 1 || slope.variables().into_iter().any(|v| symbols.is_state(v)) {
+    if slope.len() > 1 || symbols.has_state(&slope) {
         return None;
     }
     // With F = μv + r: μᴷ Σ pᵢ vⁱ = Σ pᵢ μᴷ⁻ⁱ (F − r)ⁱ, F being a variable of its own for a moment.
     let highest = polynomial.degree_in(variable);
     let shifted = Polynomial::variable(fresh) - rest;
     let mut budget = Budget::new(MOST_TERMS, MOST_WORK / 10);
-    let mut sum = Polynomial::zero();
-    for (exponent, part) in polynomial.coefficients_in(variable) {
-        let power = shifted.pow_within(exponent, &mut budget).ok()?;
-        let scale = slope.pow_within(highest - exponent, &mut budget).ok()?;
-        sum = sum + part.mul_within(&power, &mut budget).ok()?.mul_within(&scale, &mut budget).ok()?;
-    }
+    let sum = polynomial.homogenised_at(variable, (&shifted, &slope), highest, &mut budget).ok()?;
     Some(InPowers { sum, fresh, scale: slope.pow_within(highest, &mut budget).ok()? })
 }
 

@@ -12,7 +12,7 @@ fn polynomials(expression: &str) -> (Symbols, [Polynomial; 2]) {
     let system =
         kahan_algebra::check::check(kahan_algebra::parse::parse(&tokens, &mut diagnostics), &mut diagnostics);
     assert!(read(&lexer::lex("xdot = x;").tokens).diagnostics.is_empty() && diagnostics.finish().is_empty());
-    let function = crate::testing::function(&system.claims[0]);
+    let function = crate::tests::function(&system.claims[0]);
     (system.field.symbols, [function.numerator().clone(), function.denominator().clone()])
 }
 

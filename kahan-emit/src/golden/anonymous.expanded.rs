@@ -35,71 +35,8 @@ fn scope() {
         const _: () = {
             use ::kahan_core::__private::{self as __kahan, arguments::*, Clone as _};
             impl<T> Field<T> {
-                /// The state variables, in order.
-                pub const VARIABLES: [&'static __kahan::str; 2] = ["x", "y"];
                 /// The parameters, in order.
                 pub const PARAMETERS: [&'static __kahan::str; 1] = ["mu"];
-            }
-            impl<T> __kahan::Named for Field<T> {
-                fn variables(&self) -> &'static [&'static __kahan::str] {
-                    &Self::VARIABLES
-                }
-                fn parameters(&self) -> &'static [&'static __kahan::str] {
-                    &Self::PARAMETERS
-                }
-            }
-            impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Field<T> {
-                fn field(&self, x: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let __p_mu = &self.mu;
-                    __kahan::vector([
-                        __s_x.clone() * __s_y.clone() * __p_mu.clone(),
-                        __s_x.clone() - __s_y.clone(),
-                    ])
-                }
-                fn field_jacobian(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
-                ) -> __kahan::SMatrix<T, 2, 2> {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let __p_mu = &self.mu;
-                    let __c_1 = __kahan::integer::<T>(1);
-                    __kahan::matrix([
-                        [__s_y.clone() * __p_mu.clone(), __p_mu.clone() * __s_x.clone()],
-                        [__c_1.clone(), -__c_1],
-                    ])
-                }
-                fn bilinear(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
-                    y: &__kahan::SVector<T, 2>,
-                ) -> __kahan::SVector<T, 2> {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let [__o_x, __o_y] = __kahan::components(y);
-                    let __p_mu = &self.mu;
-                    __kahan::vector([
-                        (__s_x.clone() * __o_y.clone() + __s_y.clone() * __o_x.clone())
-                            * __kahan::ratio::<T>(1, 2) * __p_mu.clone(),
-                        __kahan::integer::<T>(0),
-                    ])
-                }
-                fn polarized(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
-                    y: &__kahan::SVector<T, 2>,
-                ) -> __kahan::SVector<T, 2> {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let [__o_x, __o_y] = __kahan::components(y);
-                    let __p_mu = &self.mu;
-                    let __c_1_2 = __kahan::ratio::<T>(1, 2);
-                    __kahan::vector([
-                        (__s_x.clone() * __o_y.clone() + __s_y.clone() * __o_x.clone())
-                            * __c_1_2.clone() * __p_mu.clone(),
-                        __c_1_2
-                            * (__s_x.clone() - __s_y.clone() + __o_x.clone()
-                                - __o_y.clone()),
-                    ])
-                }
             }
             pub struct __Step;
             impl __kahan::Kernel<2, 6> for __Step {
@@ -195,65 +132,8 @@ fn scope() {
                         },
                     )
                 }
-                fn jacobian(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
-                    eps: T,
-                ) -> __kahan::SMatrix<T, 2, 2> {
-                    __kahan::jacobian_by_duals(self, x, &eps)
-                }
-                #[inline(always)]
-                fn try_prepared(
-                    &self,
-                    prepared: &Self::Prepared,
-                    x: &__kahan::SVector<T, 2>,
-                    eps: &T,
-                ) -> __kahan::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
-                where
-                    T: __kahan::Pivot,
-                {
-                    __kahan::Pivot::stable_step(self, prepared, x, eps)
-                }
-                fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let __p_mu = &self.mu;
-                    let __c_1 = __kahan::integer::<T>(1);
-                    __c_1.clone()
-                        - eps.clone()
-                            * ((__s_y.clone()
-                                + (__s_x.clone() + __s_y.clone()) * eps.clone())
-                                * __p_mu.clone() - __c_1)
-                }
-                fn rational_map(
-                    &self,
-                    x: &__kahan::SVector<T, 2>,
-                    eps: T,
-                ) -> (__kahan::SVector<T, 2>, T) {
-                    let [__s_x, __s_y] = __kahan::components(x);
-                    let __p_mu = &self.mu;
-                    let __c_1 = __kahan::integer::<T>(1);
-                    let __sum_1 = __c_1.clone()
-                        + (__s_y.clone() + (__s_x.clone() - __s_y.clone()) * eps.clone())
-                            * __p_mu.clone();
-                    (
-                        __kahan::vector([
-                            __s_x.clone()
-                                * (__c_1.clone() + eps.clone() * __sum_1.clone()),
-                            __s_y.clone()
-                                - eps.clone()
-                                    * (__s_y.clone() * __sum_1
-                                        - __s_x.clone() * __kahan::integer::<T>(2)),
-                        ]),
-                        __c_1.clone()
-                            - eps.clone()
-                                * (__p_mu.clone()
-                                    * (__s_y.clone()
-                                        + eps.clone() * (__s_x.clone() + __s_y.clone())) - __c_1),
-                    )
-                }
             }
             impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Field<T> {
-                type Lifted<U: __kahan::Scalar> = Field<U>;
                 #[inline(always)]
                 fn lift<U: __kahan::Scalar>(
                     &self,
@@ -262,12 +142,6 @@ fn scope() {
                     Field { mu: lift(&self.mu) }
                 }
             }
-            #[doc(hidden)]
-            impl<T> __kahan::WithoutIntegrals for Field<T> {}
-            #[doc(hidden)]
-            impl<T> __kahan::WithoutDensity for Field<T> {}
-            #[doc(hidden)]
-            impl<T: __kahan::Integer> __kahan::IntegerParameters for Field<T> {}
         };
         Field {
             mu: ::core::clone::Clone::clone(&mu),

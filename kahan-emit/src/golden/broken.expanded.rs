@@ -45,10 +45,6 @@ pub struct Broken<T> {
 const _: () = {
     use ::kahan_core::__private::{self as __kahan, arguments::*, Clone as _};
     impl<T> Broken<T> {
-        /// The state variables, in order.
-        pub const VARIABLES: [&'static __kahan::str; 2] = ["x", "y"];
-        /// The parameters, in order.
-        pub const PARAMETERS: [&'static __kahan::str; 1] = ["mu"];
         /// The names of the integrals, in order.
         pub const INTEGRALS: [&'static __kahan::str; 1] = ["H"];
     }
@@ -71,54 +67,9 @@ const _: () = {
             __kahan::vector([__s_x.clone()])
         }
     }
-    impl<T> __kahan::Named for Broken<T> {
-        fn variables(&self) -> &'static [&'static __kahan::str] {
-            &Self::VARIABLES
-        }
-        fn parameters(&self) -> &'static [&'static __kahan::str] {
-            &Self::PARAMETERS
-        }
-    }
-    impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 2> for Broken<T> {
-        fn field(&self, x: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 2> {
-            let __c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([__c_0.clone(), __c_0])
-        }
-        fn field_jacobian(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-        ) -> __kahan::SMatrix<T, 2, 2> {
-            let __c_0 = __kahan::integer::<T>(0);
-            __kahan::matrix([[__c_0.clone(), __c_0.clone()], [__c_0.clone(), __c_0]])
-        }
-        fn bilinear(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-            y: &__kahan::SVector<T, 2>,
-        ) -> __kahan::SVector<T, 2> {
-            let __c_0 = __kahan::integer::<T>(0);
-            __kahan::vector([__c_0.clone(), __c_0])
-        }
-        fn polarized(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-            y: &__kahan::SVector<T, 2>,
-        ) -> __kahan::SVector<T, 2> {
-            __kahan::QuadraticField::bilinear(self, x, y)
-        }
-    }
     pub struct __Step;
     impl __kahan::Kernel<2, 0> for __Step {
         const COST: __kahan::StepCost = __kahan::StepCost::of(2, 0, 3);
-        #[inline(always)]
-        fn quotients<T: __kahan::Scalar>(
-            __constants: &[__kahan::Padded<T>; 0],
-            __state: [T; 2],
-        ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-            let [] = __constants;
-            let __c_0 = __kahan::integer::<T>(0);
-            __kahan::Some(__kahan::Quotients::whole([__c_0.clone(), __c_0]))
-        }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Broken<T> {
         type Prepared = __kahan::StraightStep<__Step, T, 0>;
@@ -126,61 +77,5 @@ const _: () = {
         fn prepare(&self, eps: &T) -> Self::Prepared {
             Self::Prepared::new([])
         }
-        fn jacobian(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-            eps: T,
-        ) -> __kahan::SMatrix<T, 2, 2> {
-            __kahan::jacobian_by_duals(self, x, &eps)
-        }
-        #[inline(always)]
-        fn try_prepared(
-            &self,
-            prepared: &Self::Prepared,
-            x: &__kahan::SVector<T, 2>,
-            eps: &T,
-        ) -> __kahan::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
-        where
-            T: __kahan::Pivot,
-        {
-            __kahan::Pivot::stable_step(self, prepared, x, eps)
-        }
-        fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
-            __kahan::integer::<T>(1)
-        }
-        fn rational_map(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-            eps: T,
-        ) -> (__kahan::SVector<T, 2>, T) {
-            let [__s_x, __s_y] = __kahan::components(x);
-            (__kahan::vector([__s_x.clone(), __s_y.clone()]), __kahan::integer::<T>(1))
-        }
     }
-    impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Broken<T> {
-        type Lifted<U: __kahan::Scalar> = Broken<U>;
-        #[inline(always)]
-        fn lift<U: __kahan::Scalar>(
-            &self,
-            lift: impl __kahan::Fn(&T) -> U,
-        ) -> Broken<U> {
-            Broken { mu: lift(&self.mu) }
-        }
-    }
-    impl<T: __kahan::Scalar> __kahan::Integrals<T, 2, 1> for Broken<T> {
-        fn integral_names(&self) -> &'static [&'static __kahan::str] {
-            &Self::INTEGRALS
-        }
-        fn integrals(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-            eps: T,
-        ) -> __kahan::SVector<T, 1> {
-            Self::integrals(self, x, eps)
-        }
-    }
-    #[doc(hidden)]
-    impl<T> __kahan::WithoutDensity for Broken<T> {}
-    #[doc(hidden)]
-    impl<T: __kahan::Integer> __kahan::IntegerParameters for Broken<T> {}
 };

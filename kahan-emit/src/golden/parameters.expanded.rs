@@ -50,9 +50,6 @@ const _: () = {
         pub const PARAMETERS: [&'static __kahan::str; 2] = ["mu", "nu"];
     }
     impl<T> __kahan::Named for Pendulum<T> {
-        fn variables(&self) -> &'static [&'static __kahan::str] {
-            &Self::VARIABLES
-        }
         fn parameters(&self) -> &'static [&'static __kahan::str] {
             &Self::PARAMETERS
         }
@@ -329,25 +326,6 @@ const _: () = {
                     ]
                 },
             )
-        }
-        fn jacobian(
-            &self,
-            x: &__kahan::SVector<T, 2>,
-            eps: T,
-        ) -> __kahan::SMatrix<T, 2, 2> {
-            __kahan::jacobian_by_duals(self, x, &eps)
-        }
-        #[inline(always)]
-        fn try_prepared(
-            &self,
-            prepared: &Self::Prepared,
-            x: &__kahan::SVector<T, 2>,
-            eps: &T,
-        ) -> __kahan::Result<__kahan::SVector<T, 2>, __kahan::SingularStep>
-        where
-            T: __kahan::Pivot,
-        {
-            __kahan::Pivot::stable_step(self, prepared, x, eps)
         }
         fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
             let [__s_x, __s_y] = __kahan::components(x);

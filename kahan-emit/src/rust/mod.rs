@@ -48,6 +48,8 @@ use tokens::Flat;
 
 use claims::EmittedClaims;
 use header::RustHeader;
+#[cfg(test)]
+pub(crate) use text::formatted;
 #[cfg(feature = "text")]
 pub use text::text;
 

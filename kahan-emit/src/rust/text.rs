@@ -11,9 +11,13 @@ use super::expand;
 /// # Errors
 /// Where the block is not made of Rust tokens, as `x²` is not.
 pub fn text(core: &TokenStream, block: &str) -> Result<String, LexError> {
-    let tokens = expand(core, block.parse()?).tokens;
+    Ok(formatted(&expand(core, block.parse()?).tokens))
+}
+
+/// Items as a file; a value stands in a function.
+pub(crate) fn formatted(tokens: &TokenStream) -> String {
     let file = syn::parse2(tokens.clone())
         .or_else(|_| syn::parse2(quote! { fn scope() { let value = #tokens; } }))
         .expect("what the macro expands to is Rust");
-    Ok(prettyplease::unparse(&file))
+    prettyplease::unparse(&file)
 }

@@ -23,7 +23,7 @@ const WIDE: &str = "kahan-core/src/scalar/wide/arithmetic.rs";
 const PAIRS: &str = "-p kahan-core --features exact --lib -- dd::bounds";
 const MODERATE: &str = "kahan-core/src/scalar/dd/moderate.rs";
 const DEGREES: &str = "-p kahan-discover --lib -- thiele";
-const RELATIONS: &str = "-p kahan-algebra --test relations";
+const RELATIONS: &str = "-p kahan-algebra --test conditional_claims";
 const SCANS: &str = "-p kahan-discover --test scans";
 const REFERENCES: &str = "-p kahan-measure --lib -- reference";
 const CERTIFICATE: &str = "kahan-measure/src/reference/certificate.rs";
@@ -190,6 +190,6 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         text: "if is_chance || points.iter().any(|&at| !self.grid.special[at]) {",
         weaker: "if points.iter().any(|&at| !self.grid.special[at]) {" },
     Weakening { name: "a claim on a relation that holds without it", file: "kahan-discover/src/scan/proposals.rs", tests: SCANS,
-        text: "if holds(&claim(&fixed)) || !holds(&on_relation) {",
-        weaker: "if !holds(&on_relation) {" },
+        text: "if self.claims.is_proved(&claim(&fixed)) || !self.claims.is_proved(&on_relation) {",
+        weaker: "if !self.claims.is_proved(&on_relation) {" },
 ];

@@ -53,8 +53,7 @@ impl Writer {
         if rest.is_empty() {
             return Some(write(self, first));
         }
-        let (length, made, sums) = (self.draft.length(), self.made.len(), self.sums.len());
-        let (put, coefficients) = (self.put.len(), self.coefficients.len());
+        let mark = self.mark();
         let mut best: Option<(usize, &A)> = None;
         for attempt in attempts {
             let result = write(self, attempt);
@@ -62,14 +61,38 @@ impl Writer {
             if best.is_none_or(|(least, _)| size < least) {
                 best = Some((size, attempt));
             }
-            self.draft.truncate(length);
-            self.sums.truncate(sums);
-            self.put.truncate(put);
-            self.coefficients.truncate(coefficients);
-            for polynomial in self.made.drain(made..) {
-                self.known.remove(&polynomial);
-            }
+            self.back_to(&mark);
         }
         best.map(|(_, attempt)| write(self, attempt))
     }
+
+    fn mark(&self) -> Mark {
+        Mark {
+            draft: self.draft.length(),
+            made: self.made.len(),
+            sums: self.sums.len(),
+            put: self.put.len(),
+            coefficients: self.coefficients.len(),
+        }
+    }
+
+    /// Forgets what was written since.
+    fn back_to(&mut self, mark: &Mark) {
+        self.draft.truncate(mark.draft);
+        self.sums.truncate(mark.sums);
+        self.put.truncate(mark.put);
+        self.coefficients.truncate(mark.coefficients);
+        for polynomial in self.made.drain(mark.made..) {
+            self.known.remove(&polynomial);
+        }
+    }
+}
+
+/// How much was written.
+struct Mark {
+    draft: usize,
+    made: usize,
+    sums: usize,
+    put: usize,
+    coefficients: usize,
 }

@@ -35,55 +35,61 @@ fn verdict(text: &str) -> Verdict {
 
 #[test]
 fn both_provers_decide_claims_on_their_relations() {
-    let sum = "integral S = x + y + z";
-    let linear = "integral L = a*b*x + y - a*z";
-    let oscillators = "integral G = x*u + y*v";
-    let growth = "integral F = x^2*y";
-    for (field, claim, when, holds) in [
-        (SUM, sum, "r = -p - q", true),
-        (SUM, sum, "p + q = -r", true),
-        (SUM, sum, "0 = p + q + r", true),
-        (SUM, sum, "r/q + p/q = -1", true),
-        (SUM, sum, "(r + p)*q^-1 = -1", true),
-        (SUM, sum, "r = -p - q, eps = 1", true),
-        (SUM, sum, "eps = 1, r = -p - q", true),
-        (SUM, sum, "r = -2*q, p = q", true),
-        (SUM, sum, "p = q, r = -2*p", true),
-        (SUM, sum, "p = q, r = 2*p", false),
-        (SUM, sum, "r = p - q", false),
-        (SUM, sum, "r = -p - 2*q", false),
-        (SUM, sum, "eps = 1", false),
+    let cases: [(&str, &str, &[&str], &[&str]); 7] = [
+        (
+            SUM,
+            "integral S = x + y + z",
+            &[
+                "r = -p - q",
+                "p + q = -r",
+                "0 = p + q + r",
+                "r/q + p/q = -1",
+                "(r + p)*q^-1 = -1",
+                "r = -p - q, eps = 1",
+                "eps = 1, r = -p - q",
+                "r = -2*q, p = q",
+                "p = q, r = -2*p",
+            ],
+            &["p = q, r = 2*p", "r = p - q", "r = -p - 2*q", "eps = 1"],
+        ),
         // q is not 0, as the first relation was divided by it: r is, and so p.
-        (SUM, "integral D = x + z", "p*q = r^2, q*r = 0", true),
-        (VOLTERRA, linear, "a*b*c = -1", true),
-        (VOLTERRA, linear, "c = -1/(a*b)", true),
-        (VOLTERRA, linear, "a*b*c = -1, a = b^2", true),
-        (VOLTERRA, linear, "a = b^2, a*b*c = -1", true),
-        (VOLTERRA, linear, "a*b*c = -2", false),
-        (VOLTERRA, linear, "a*b*c = 1", false),
-        (OSCILLATORS, oscillators, "a1*a2 = a5*a6", true),
-        (OSCILLATORS, oscillators, "a1*a2 = -a5*a6", false),
-        (OSCILLATORS, "integral G = x*u - y*v", "a1*a2 = -a5*a6", true),
-        (OSCILLATORS, oscillators, "a1*a2 = a5*a6, a1 = a5", true),
-        // a2 is not 0, as the first relation was divided by it.
-        (OSCILLATORS, oscillators, "a1*a2 = a5*a6, a2*a5 = a2*a1", true),
-        (OSCILLATORS, oscillators, "a1 = a5", false),
-        (GROWTH, growth, "2*p + q + eps^2*p^2*q = 0", true),
-        (GROWTH, growth, "q = -2*p/(1 + eps^2*p^2)", true),
-        (GROWTH, growth, "q = -2*p/(1 - eps^2*p^2)", false),
-        (GROWTH, growth, "q = -2*p", false),
-        (GROWTH, growth, "eps*p = 2, 5*q = -2*p", true),
-        (GROWTH, growth, "eps*p = 2, 5*q = -4*p", false),
-        (GROWTH, growth, "eps*p = 2, eps*q = -4/5", true),
-        (GROWTH, "density R = 1", "p = -q", true),
-        (GROWTH, "density R = 1", "p = q", false),
-        (GROWTH, "density R = 1", "eps^2*p*q = -1", false),
-    ] {
-        let text = format!("{field} {claim} when {when};");
-        let system = reading(&text).system;
-        assert_eq!(matches!(verdict(&text), Verdict::Proved(_)), holds, "{text}");
-        assert_eq!(prove_by_normal_form(&system, &system.claims[0]), Some(holds), "{text}");
-        assert_eq!(reading(&text).diagnostics.is_empty(), holds, "{text}");
+        (SUM, "integral D = x + z", &["p*q = r^2, q*r = 0"], &[]),
+        (
+            VOLTERRA,
+            "integral L = a*b*x + y - a*z",
+            &["a*b*c = -1", "c = -1/(a*b)", "a*b*c = -1, a = b^2", "a = b^2, a*b*c = -1"],
+            &["a*b*c = -2", "a*b*c = 1"],
+        ),
+        // In the last true one a2 is not 0, as the first relation was divided by it.
+        (
+            OSCILLATORS,
+            "integral G = x*u + y*v",
+            &["a1*a2 = a5*a6", "a1*a2 = a5*a6, a1 = a5", "a1*a2 = a5*a6, a2*a5 = a2*a1"],
+            &["a1*a2 = -a5*a6", "a1 = a5"],
+        ),
+        (OSCILLATORS, "integral G = x*u - y*v", &["a1*a2 = -a5*a6"], &[]),
+        (
+            GROWTH,
+            "integral F = x^2*y",
+            &[
+                "2*p + q + eps^2*p^2*q = 0",
+                "q = -2*p/(1 + eps^2*p^2)",
+                "eps*p = 2, 5*q = -2*p",
+                "eps*p = 2, eps*q = -4/5",
+            ],
+            &["q = -2*p/(1 - eps^2*p^2)", "q = -2*p", "eps*p = 2, 5*q = -4*p"],
+        ),
+        (GROWTH, "density R = 1", &["p = -q"], &["p = q", "eps^2*p*q = -1"]),
+    ];
+    for (field, claim, proved, refuted) in cases {
+        let proved = proved.iter().map(|when| (when, true));
+        for (when, holds) in proved.chain(refuted.iter().map(|when| (when, false))) {
+            let text = format!("{field} {claim} when {when};");
+            let system = reading(&text).system;
+            assert_eq!(matches!(verdict(&text), Verdict::Proved(_)), holds, "{text}");
+            assert_eq!(prove_by_normal_form(&system, &system.claims[0]), Some(holds), "{text}");
+            assert_eq!(reading(&text).diagnostics.is_empty(), holds, "{text}");
+        }
     }
 }
 

@@ -1,0 +1,122 @@
+//! The names that a block declares: states, and parameters by its header or, without one, by use.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::diagnostics::{Diagnostics, Kind};
+use crate::symbols::Symbols;
+use crate::syntax::{Block, Name};
+
+use super::super::spelling::is_keyword;
+use super::{Scope, is_epsilon, report_reserved};
+
+impl Scope {
+    /// The scope of a block with its states and parameters, and no constant or claim yet.
+    pub(in crate::check) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
+        let mut scope = Scope {
+            symbols: Symbols { states: Vec::new(), parameters: Vec::new() },
+            constants: FxHashMap::default(),
+            claims: Vec::new(),
+            poisoned: FxHashSet::default(),
+            used: FxHashSet::default(),
+            all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
+            misspelt_states: block.misspelt_states.iter().map(|name| name.text.clone()).collect(),
+        };
+        scope.collect_states(block, diagnostics);
+        if let Some(header) = &block.header
+            && is_keyword(&header.name.text)
+        {
+            let name = &header.name;
+            diagnostics.report(
+                Kind::Header,
+                name.span,
+                format!("the system's name `{}` is a keyword of Rust", name.text),
+                "choose another name",
+            );
+        }
+        match &block.header {
+            Some(header) => scope.collect_parameters(&header.parameters, block, diagnostics),
+            None => scope.collect_free_names(block, diagnostics),
+        }
+        scope
+    }
+
+    fn collect_states(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
+        for equation in &block.equations {
+            let state = &equation.state;
+            if self.is_state_name(&state.text) && self.misspelt_states.contains(&state.text) {
+                continue;
+            }
+            if self.is_state_name(&state.text) {
+                diagnostics.report(
+                    Kind::Name,
+                    state.span,
+                    format!("`{0}dot` is given twice", state.text),
+                    "remove one of the equations, or rename its state",
+                );
+            } else {
+                if report_reserved(state, diagnostics) {
+                    self.poison(&state.text);
+                }
+                self.symbols.states.push(state.text.clone());
+            }
+        }
+    }
+
+    fn collect_parameters(&mut self, parameters: &[Name], block: &Block, diagnostics: &mut Diagnostics) {
+        for name in parameters {
+            let text = &name.text;
+            let (message, help) = if self.symbols.parameters.contains(text) {
+                (format!("the parameter `{text}` is declared twice"), "remove one".to_owned())
+            } else if self.is_state_name(text) {
+                let given = format!(
+                    "`{text}` is a state variable (`{text}dot` is given), so it cannot be a parameter"
+                );
+                (given, "rename one of them".to_owned())
+            } else if is_keyword(text) {
+                self.poison(text);
+                let help = format!("rename it, for example to `{text}_`");
+                (format!("the parameter `{text}` is a keyword of Rust"), help)
+            } else if report_reserved(name, diagnostics) {
+                self.poison(text);
+                continue;
+            } else if block.constants.iter().any(|constant| constant.name.text == *text) {
+                let help = format!("remove the parameter: `const {text}` fixes its value");
+                (format!("`{text}` is a parameter and a constant"), help)
+            } else {
+                self.symbols.parameters.push(text.clone());
+                continue;
+            };
+            diagnostics.report(Kind::Name, name.span, message, help);
+        }
+    }
+
+    /// Without a header the free names of the equations are the parameters.
+    fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
+        let mut names = Vec::new();
+        for value in block.equations.iter().filter_map(|equation| equation.value.as_ref()) {
+            value.visit_names(&mut |name, span| names.push((name.to_owned(), span)));
+        }
+        for (text, span) in names {
+            let known = self.is_state_name(&text)
+                || self.symbols.parameters.contains(&text)
+                || self.poisoned.contains(&text)
+                || block.constants.iter().any(|constant| constant.name.text == text)
+                || is_epsilon(&text)
+                || text == "ϵ";
+            if known {
+                continue;
+            }
+            if is_keyword(&text) {
+                diagnostics.report(
+                    Kind::Name,
+                    span,
+                    format!("`{text}` is a keyword of Rust and names no value"),
+                    "bind the value first: `let mu = …;`, then write `mu`",
+                );
+                self.poisoned.insert(text);
+            } else {
+                self.symbols.parameters.push(text);
+            }
+        }
+    }
+}

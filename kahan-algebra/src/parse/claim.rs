@@ -1,0 +1,133 @@
+//! Claims: `integral`, `density` and `bracket`, with their conditions.
+
+use crate::diagnostics::{Diagnostic, Kind};
+use crate::syntax::{Block, Claim, ClaimBody, ClaimKind, Condition, Entry, Name};
+
+use super::block::{equals, semicolon};
+use super::cursor::Cursor;
+use super::expr::parse_expr;
+use super::{Parsed, error};
+
+/// Reads a claim, which the cursor is at the keyword of.
+pub(super) fn claim(cursor: &mut Cursor<'_>, block: &mut Block, kind: ClaimKind) -> Parsed<()> {
+    cursor.advance();
+    let name = cursor.expect_name("the name of a claim")?;
+    let mut claim = Claim { kind, name, body: None, conditions: Vec::new() };
+    let outcome = claim_body(cursor, &mut claim);
+    block.claims.push(claim);
+    outcome
+}
+
+/// Fills `claim`; its body is set only when all of it was read.
+fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
+    let body = if claim.kind == ClaimKind::Bracket {
+        ClaimBody::Tensor(entries(cursor, &claim.name)?)
+    } else {
+        equals(cursor)?;
+        ClaimBody::Function(parse_expr(cursor)?)
+    };
+    cursor.item_may_follow = claim.kind == ClaimKind::Bracket;
+    let outcome = conditions(cursor, &mut claim.conditions);
+    cursor.item_may_follow = false;
+    outcome?;
+    if claim.kind == ClaimKind::Bracket {
+        cursor.take(';');
+    } else {
+        semicolon(cursor)?;
+    }
+    claim.body = Some(body);
+    Ok(())
+}
+
+/// Reads `{ {x,y} = expr; … }`.
+fn entries(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<Vec<Entry>> {
+    if !cursor.is_open(0, '{') {
+        let found = cursor.describe_next();
+        let help = format!("write `bracket {} {{ {{x,y}} = …; }}`", name.text);
+        let span = name.span.to(cursor.here());
+        return error(Kind::Claim, span, format!("expected `{{`, found {found}"), help);
+    }
+    cursor.advance();
+    let mut entries = Vec::new();
+    while !cursor.is_close('}') {
+        match entry(cursor) {
+            Ok(entry) => entries.push(entry),
+            Err(diagnostic) => {
+                leave_group(cursor);
+                return Err(diagnostic);
+            }
+        }
+    }
+    cursor.advance();
+    Ok(entries)
+}
+
+fn entry(cursor: &mut Cursor<'_>) -> Parsed<Entry> {
+    let wrong = |cursor: &Cursor<'_>| {
+        let found = cursor.describe_next();
+        Diagnostic::new(
+            Kind::Claim,
+            cursor.here(),
+            format!("expected an entry, found {found}"),
+            "write `{x,y} = …;`",
+        )
+    };
+    if !cursor.is_open(0, '{') {
+        return Err(wrong(cursor));
+    }
+    cursor.advance();
+    let row = cursor.expect_name("a state")?;
+    if !cursor.take(',') {
+        return Err(wrong(cursor));
+    }
+    let column = cursor.expect_name("a state")?;
+    if !cursor.is_close('}') {
+        return Err(wrong(cursor));
+    }
+    cursor.advance();
+    equals(cursor)?;
+    let value = parse_expr(cursor)?;
+    semicolon(cursor)?;
+    Ok(Entry { row, column, value })
+}
+
+/// Leaves the braces of a bracket in which a mistake was found.
+fn leave_group(cursor: &mut Cursor<'_>) {
+    while !cursor.is_at_end() && !cursor.begins_item(0) {
+        if cursor.is_close('}') {
+            cursor.advance();
+            if !cursor.is_punctuation(0, '=') && !cursor.is_punctuation(0, ',') {
+                return;
+            }
+        } else {
+            cursor.advance();
+        }
+    }
+}
+
+/// Reads `when expr = expr, …` if it is there.
+fn conditions(cursor: &mut Cursor<'_>, conditions: &mut Vec<Condition>) -> Parsed<()> {
+    if cursor.identifier(0) != Some("when") {
+        return Ok(());
+    }
+    cursor.advance();
+    if cursor.is_at_end() || cursor.is_punctuation(0, ';') {
+        return error(
+            Kind::Claim,
+            cursor.behind(),
+            "there is no relation behind `when`",
+            "write one, as in `when eps = 1` or `when c = -a - b`, or remove `when`",
+        );
+    }
+    loop {
+        cursor.is_left_side = true;
+        let left = parse_expr(cursor);
+        cursor.is_left_side = false;
+        let left = left?;
+        equals(cursor)?;
+        conditions.push(Condition { left, right: parse_expr(cursor)? });
+        if !cursor.take(',') {
+            return Ok(());
+        }
+    }
+}

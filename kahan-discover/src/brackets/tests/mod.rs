@@ -1,0 +1,68 @@
+//! Brackets come out of densities and integrals exactly, the prover agrees in any dimension, and
+//! what takes too much work is not begun.
+
+mod dimensions;
+mod limits;
+mod tables;
+
+use kahan_algebra::poly::{Monomial, Variable};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::{System, upper_index};
+use kahan_algebra::{lexer, read};
+
+use super::construct::invariant_tensor;
+use super::*;
+use crate::tests::{claim, function, functions};
+
+fn system(text: &str) -> System {
+    let reading = read(&lexer::lex(text).tokens);
+    assert!(reading.diagnostics.is_empty(), "{:?}", reading.diagnostics);
+    reading.system
+}
+
+/// What the integral or density of this name states.
+fn stated(system: &System, name: &str) -> RationalFunction {
+    function(claim(system, name))
+}
+
+/// The entries of the bracket of this name.
+fn tensor_of(system: &System, name: &str) -> Vec<RationalFunction> {
+    functions(claim(system, name))
+}
+
+fn bracket(
+    system: &System,
+    density: &RationalFunction,
+    integrals: &[RationalFunction],
+) -> Option<Vec<RationalFunction>> {
+    let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+    invariant_tensor(&system.field.symbols, density, integrals, &mut budget)
+}
+
+/// Whether the prover finds a tensor invariant under the map of a system, and Poisson.
+fn is_proved_at(system: &System, values: &[(String, Rational)], tensor: &[RationalFunction]) -> bool {
+    let claims = Claims::new(system, values, None);
+    claims.bracket(1, &claims.bracket_entries(&system.field.symbols, tensor)).is_some()
+}
+
+fn is_proved(system: &System, tensor: &[RationalFunction]) -> bool {
+    is_proved_at(system, &[], tensor)
+}
+
+/// Whether a tensor in x, y, z is Poisson: the map of the zero field, the identity, keeps them all.
+fn is_poisson(tensor: &[RationalFunction]) -> bool {
+    is_proved(&system("xdot = 0; ydot = 0; zdot = 0;"), tensor)
+}
+
+fn power(variable: Variable, exponent: u32) -> RationalFunction {
+    Polynomial::term(Monomial::power(variable, exponent), Rational::one()).into()
+}
+
+fn sum(left: &[RationalFunction], right: &[RationalFunction]) -> Vec<RationalFunction> {
+    left.iter().zip(right).map(|(left, right)| left + right).collect()
+}
+
+/// E1 with a further component that follows y, with the integral quotient by x.
+const E1_IN_FOUR: &str = "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z; wdot = -x*w;
+    integral H = y/x; integral K = (x*z + y^2)/(1 - eps^2*x^2); integral L = w/x;
+    density rho = 1/(x^2*y*(x*z + y^2));";

@@ -1,0 +1,65 @@
+//! The structure of the field in words.
+
+use crate::hamiltonian::is_within_reach;
+use crate::report::Report;
+
+use super::counted;
+
+/// Its divergence, its integrals, and whether it is Hamiltonian.
+pub(super) fn structure(report: &Report) -> Vec<String> {
+    let structure = &report.structure;
+    let mut sentences = vec![format!("The divergence of the field is {}.", structure.divergence)];
+    if structure.is_even {
+        sentences.push("det A(x,eps) is even in eps, so that 1/det A is an invariant density.".to_owned());
+    }
+    sentences.push(flow(report));
+    sentences.push(match &structure.hamiltonian {
+        Some(hamiltonian) => format!(
+            "The field is K grad H with a constant antisymmetric K and H = {}; the modified Hamiltonian is an integral of the map, {}.",
+            hamiltonian.hamiltonian,
+            if hamiltonian.modified_is_proved {
+                "proved"
+            } else {
+                "by a theorem (Celledoni, McLachlan, Owren, Quispel 2013): its formula is too long to be written"
+            }
+        ),
+        None if structure.linear_integrals.len() == report.variables.len() => {
+            "The field is zero: every K grad H with H = 0.".to_owned()
+        }
+        None if is_within_reach(report.variables.len()) => "No constant antisymmetric K with f = K grad H was found.".to_owned(),
+        None => {
+            "In so many variables no constant antisymmetric K with f = K grad H is looked for.".to_owned()
+        }
+    });
+    sentences
+}
+
+/// Linear and quadratic integrals of the flow, as far as they were looked for; their formulas stand
+/// in the table.
+fn flow(report: &Report) -> String {
+    let structure = &report.structure;
+    let (linear, quadratic) = (structure.linear_integrals.len(), structure.quadratic_integrals.len());
+    let found = linear + quadratic;
+    match structure.flow_degree {
+        0 => "Linear and quadratic integrals of the flow were not reached.".to_owned(),
+        1 if linear == 0 => "The flow has no linear integral; quadratic ones were not reached.".to_owned(),
+        1 => format!(
+            "The flow has {}, which the map keeps; quadratic ones were not reached.",
+            counted(linear, "independent linear integral")
+        ),
+        _ if found == 0 => "The flow has no linear integral and no quadratic one.".to_owned(),
+        _ => {
+            let of = match (linear, quadratic) {
+                (0, quadratic) => counted(quadratic, "independent quadratic integral"),
+                (linear, 0) => counted(linear, "independent linear integral"),
+                _ => format!("{linear} linear and {quadratic} quadratic independent integrals"),
+            };
+            let kept = match structure.kept {
+                0 => "which the map does not keep as they stand".to_owned(),
+                kept if kept == found => "which the map keeps as they stand".to_owned(),
+                kept => format!("of which the map keeps {kept} as they stand"),
+            };
+            format!("The flow has {of}, {kept}.")
+        }
+    }
+}
