@@ -95,13 +95,12 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "clebsch",
-    type_name: "Clebsch",
-    name: "Clebsch’s system",
-    title: "Clebsch's case of a rigid body in an ideal fluid; four integrals in six variables",
-    file: include_str!("clebsch.rs"),
-    parameters: &[(1, 2), (5, 4), (7, 4)],
-    flow: None,
-    sources: &[("H", "found by kahan discover, then made symmetric"), ("rho", FOUND)],
-};
+pub const ENTRY: Entry = Entry::new(
+    "clebsch",
+    "Clebsch",
+    "Clebsch's case of a rigid body in an ideal fluid; four integrals in six variables",
+    include_str!("clebsch.rs"),
+)
+.named("Clebsch’s system")
+.with_parameters(&[(1, 2), (5, 4), (7, 4)])
+.with_sources(&[("H", "found by kahan discover, then made symmetric"), ("rho", FOUND)]);

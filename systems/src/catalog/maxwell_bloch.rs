@@ -35,13 +35,11 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "maxwell-bloch",
-    type_name: "MaxwellBloch",
-    name: "Maxwell–Bloch",
-    title: "the Maxwell-Bloch equations of light in a medium of two levels",
-    file: include_str!("maxwell_bloch.rs"),
-    parameters: &[],
-    flow: None,
-    sources: &[("H", FOUND), ("K", FOUND), ("rho", FOUND), ("P", FOUND), ("Q", FOUND)],
-};
+pub const ENTRY: Entry = Entry::new(
+    "maxwell-bloch",
+    "MaxwellBloch",
+    "the Maxwell-Bloch equations of light in a medium of two levels",
+    include_str!("maxwell_bloch.rs"),
+)
+.named("Maxwell–Bloch")
+.with_sources(&[("H", FOUND), ("K", FOUND), ("rho", FOUND), ("P", FOUND), ("Q", FOUND)]);

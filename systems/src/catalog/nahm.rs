@@ -26,13 +26,11 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "nahm",
-    type_name: "OctahedralNahm",
-    name: "Nahm’s equations, octahedral",
-    title: "Nahm's equations of monopoles with the symmetry of the octahedron",
-    file: include_str!("nahm.rs"),
-    parameters: &[],
-    flow: None,
-    sources: &[("H", FOUND), ("rho", FOUND), ("P", FOUND)],
-};
+pub const ENTRY: Entry = Entry::new(
+    "nahm",
+    "OctahedralNahm",
+    "Nahm's equations of monopoles with the symmetry of the octahedron",
+    include_str!("nahm.rs"),
+)
+.named("Nahm’s equations, octahedral")
+.with_sources(&[("H", FOUND), ("rho", FOUND), ("P", FOUND)]);
