@@ -1,10 +1,10 @@
 //! Nahm's equations of magnetic monopoles, reduced by the symmetry of the octahedron; not in the
 //! paper.
 //!
-//! The system of Hitchin, Manton and Murray (Nonlinearity 8, 1995). The flow keeps `y (2x + 3y) (x
-//! - y)^2`, of degree 4, whose level curves are elliptic. The map keeps it over a denominator
-//! (Petrera, Pfadler and Suris, Regul. Chaotic Dyn. 16, 2011), and the area `dx dy/(y (2x + 3y) (x
-//! - y))` of the flow as it stands. The degrees of the map's iterates grow quadratically.
+//! Such reductions are due to Hitchin, Manton and Murray. The flow keeps `y (2x + 3y) (x - y)^2`,
+//! of degree 4, whose level curves are elliptic. The map keeps it over a denominator, and the area
+//! `dx dy/(y (2x + 3y) (x - y))` of the flow as it stands. The degrees of the map's iterates grow
+//! quadratically.
 
 use kahan_core::prelude::*;
 
