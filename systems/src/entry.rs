@@ -47,20 +47,22 @@ pub struct Entry {
 /// The source of a claim that is in no paper: it was found from the equations alone.
 pub(crate) const FOUND: &str = "found by kahan discover";
 
-/// The sources of an integrable system E1 to E6, whose claims are the cells of one row of the
-/// paper's tables; the second argument is a remark on the tensor Q.
-macro_rules! paper_row {
-    ($i:literal $(, $remark:literal)?) => {
-        &[
-            ("H", concat!("Table 2, i = ", $i)),
-            ("K", concat!("Table 2, i = ", $i)),
-            ("rho", "Theorem 1"),
-            ("P", concat!("Table 3, i = ", $i, ", and Theorem 2")),
-            ("Q", concat!("Table 4, i = ", $i, $($remark,)? ", and Theorem 2")),
-        ]
+/// The entry of an integrable system E1 to E6, whose claims are the cells of one row of the paper's
+/// tables; the last argument is a remark on the tensor Q.
+macro_rules! row_of_the_tables {
+    ($i:literal, $title:literal $(, $remark:literal)?) => {
+        Entry::new(concat!("e", $i), concat!("E", $i), $title, include_str!(concat!("e", $i, ".rs")))
+            .with_flow(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at))
+            .with_sources(&[
+                ("H", concat!("Table 2, i = ", $i)),
+                ("K", concat!("Table 2, i = ", $i)),
+                ("rho", "Theorem 1"),
+                ("P", concat!("Table 3, i = ", $i, ", and Theorem 2")),
+                ("Q", concat!("Table 4, i = ", $i, $($remark,)? ", and Theorem 2")),
+            ])
     };
 }
-pub(crate) use paper_row;
+pub(crate) use row_of_the_tables;
 
 impl Entry {
     /// A system without parameters, closed solution and claims, whose name is that of its type.

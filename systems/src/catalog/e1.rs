@@ -12,7 +12,7 @@ mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::{Entry, paper_row};
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
 pub use solution::{FlowSolution, Solution};
@@ -40,11 +40,5 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry::new(
-    "e1",
-    "E1",
-    "two Lie-Poisson structures, A(3,3) and sl(2,R); solved by rational functions",
-    include_str!("e1.rs"),
-)
-.with_flow(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at))
-.with_sources(paper_row!(1));
+pub const ENTRY: Entry =
+    row_of_the_tables!(1, "two Lie-Poisson structures, A(3,3) and sl(2,R); solved by rational functions");

@@ -11,7 +11,7 @@ mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::{Entry, paper_row};
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
 pub use solution::{FlowSolution, Solution};
@@ -39,11 +39,5 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry::new(
-    "e2",
-    "E2",
-    "two Lie-Poisson structures, e(1,1) and sl(2,R); solved by rational functions",
-    include_str!("e2.rs"),
-)
-.with_flow(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at))
-.with_sources(paper_row!(2));
+pub const ENTRY: Entry =
+    row_of_the_tables!(2, "two Lie-Poisson structures, e(1,1) and sl(2,R); solved by rational functions");

@@ -13,7 +13,7 @@ mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::{Entry, paper_row};
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
@@ -42,11 +42,8 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry::new(
-    "e3",
-    "E3",
+pub const ENTRY: Entry = row_of_the_tables!(
+    3,
     "two Lie-Poisson structures, A(3,3) and so(3); solved by hyperbolic functions",
-    include_str!("e3.rs"),
-)
-.with_flow(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at))
-.with_sources(paper_row!(3, " (corrected, erratum A1)"));
+    " (corrected, erratum A1)"
+);

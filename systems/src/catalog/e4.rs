@@ -13,7 +13,7 @@ mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::{Entry, paper_row};
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
@@ -43,11 +43,5 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry::new(
-    "e4",
-    "E4",
-    "two Lie-Poisson structures, e(1,1) and so(3); solved by elliptic functions",
-    include_str!("e4.rs"),
-)
-.with_flow(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at))
-.with_sources(paper_row!(4));
+pub const ENTRY: Entry =
+    row_of_the_tables!(4, "two Lie-Poisson structures, e(1,1) and so(3); solved by elliptic functions");

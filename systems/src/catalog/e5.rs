@@ -11,7 +11,7 @@ mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::{Entry, paper_row};
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
@@ -40,11 +40,5 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry::new(
-    "e5",
-    "E5",
-    "two Lie-Poisson structures, e(2) and sl(2,R); solved by hyperbolic functions",
-    include_str!("e5.rs"),
-)
-.with_flow(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at))
-.with_sources(paper_row!(5));
+pub const ENTRY: Entry =
+    row_of_the_tables!(5, "two Lie-Poisson structures, e(2) and sl(2,R); solved by hyperbolic functions");

@@ -10,7 +10,7 @@ mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::{Entry, paper_row};
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
 pub use solution::{FlowSolution, Solution};
@@ -39,11 +39,5 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry::new(
-    "e6",
-    "E6",
-    "two Lie-Poisson structures, sl(2,R) and so(3); elliptic curves",
-    include_str!("e6.rs"),
-)
-.with_flow(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at))
-.with_sources(paper_row!(6));
+pub const ENTRY: Entry =
+    row_of_the_tables!(6, "two Lie-Poisson structures, sl(2,R) and so(3); elliptic curves");
