@@ -9,12 +9,20 @@
 //! printed before all of it is known, except the rows of a table that may be long: a `Sink` takes
 //! those while they are made.
 
-pub mod atlas;
-mod commands;
+// The layers from the bottom to the top; each needs those before it only, which
+// `tests/tests/layers.rs` sees to.
+
 mod numbers;
-mod plot;
+
 mod printing;
+
 mod reading;
+
+mod plot;
+
+pub mod atlas;
+
+mod commands;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

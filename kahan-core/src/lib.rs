@@ -62,7 +62,7 @@
 extern crate std;
 
 // From the bottom to the top: each of these imports from those above it only, which
-// `tests/layers.rs` sees to.
+// `tests/tests/layers.rs` sees to.
 mod scalar;
 
 mod field;

@@ -54,9 +54,10 @@ pub(super) enum Basis {
 #[derive(Clone, Debug)]
 pub(super) struct Misprint {
     /// The printed relation, in the language of formulas.
-    pub(super) printed: &'static str,
-    /// Definitions of all names (the point), and the values of both sides there.
-    pub(super) counterexample: &'static str,
+    pub(super) printed: String,
+    /// Definitions of all names (the point), and the values of both sides there; empty where a
+    /// measured value refutes.
+    pub(super) counterexample: String,
 }
 
 /// How a claim came out.
@@ -123,9 +124,9 @@ impl Claim {
     }
 
     /// A claim about formulas.
-    pub(super) fn new<'a>(
+    pub(super) fn new<const N: usize>(
         section: Section,
-        id: impl IntoIterator<Item = &'a str>,
+        id: [&str; N],
         system: &'static str,
         place: impl Into<String>,
         statement: impl Into<String>,
@@ -135,13 +136,10 @@ impl Claim {
         Claim { id: Id::of(id), section, system, place, erratum: None, statement, basis }
     }
 
-    /// Adds definitions that the statement uses.
+    /// Sets definitions that the statement uses.
     pub(super) fn given(mut self, definitions: &str) -> Self {
         if let Basis::Formula { given, .. } = &mut self.basis {
-            given.push_str(definitions);
-            if !definitions.trim_end().ends_with(';') {
-                given.push(';');
-            }
+            definitions.clone_into(given);
         }
         self
     }
@@ -154,9 +152,9 @@ impl Claim {
     }
 
     /// Draws a name from (low, high) in numerical tests.
-    pub(super) fn within(mut self, name: &str, low: (i64, i64), high: (i64, i64)) -> Self {
+    pub(super) fn within(mut self, name: &str, low: Rational, high: Rational) -> Self {
         if let Basis::Formula { domain, .. } = &mut self.basis {
-            domain.push((name.to_owned(), Rational::new(low.0, low.1), Rational::new(high.0, high.1)));
+            domain.push((name.to_owned(), low, high));
         }
         self
     }
@@ -174,24 +172,27 @@ impl Claim {
         Claim { erratum: Some(erratum), ..self }
     }
 
-    /// Adds the erratum that the claim corrects: what is printed, and what refutes that.
-    pub(super) fn misprinted(
-        mut self,
-        erratum: Erratum,
-        printed: &'static str,
-        counterexample: &'static str,
-    ) -> Self {
+    /// Adds the erratum that the claim corrects, and what is printed.
+    pub(super) fn misprinted(mut self, erratum: Erratum, printed: &str) -> Self {
         if let Basis::Formula { misprint, .. } = &mut self.basis {
-            *misprint = Some(Misprint { printed, counterexample });
+            *misprint = Some(Misprint { printed: printed.to_owned(), counterexample: String::new() });
         }
         self.explaining(erratum)
     }
 
+    /// Adds what refutes the misprint.
+    pub(super) fn refuted(mut self, point: &str) -> Self {
+        if let Basis::Formula { misprint: Some(misprint), .. } = &mut self.basis {
+            point.clone_into(&mut misprint.counterexample);
+        }
+        self
+    }
+
     /// What is printed instead, where the claim corrects a misprint.
     #[must_use]
-    pub fn printed(&self) -> Option<&'static str> {
+    pub fn printed(&self) -> Option<&str> {
         match &self.basis {
-            Basis::Formula { misprint: Some(misprint), .. } => Some(misprint.printed),
+            Basis::Formula { misprint: Some(misprint), .. } => Some(&misprint.printed),
             _ => None,
         }
     }

@@ -11,6 +11,19 @@ pub enum Erratum {
     B(u8),
 }
 
+impl Erratum {
+    /// Reads a number as it is shown.
+    pub(super) fn parse(text: &str) -> Option<Self> {
+        let (kind, number) = text.split_at_checked(1)?;
+        let number = number.parse().ok()?;
+        match kind {
+            "A" => Some(Erratum::A(number)),
+            "B" => Some(Erratum::B(number)),
+            _ => None,
+        }
+    }
+}
+
 impl fmt::Display for Erratum {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -166,34 +166,16 @@ impl<A: Calculus> Evaluator<'_, A> {
                 Ok(sum)
             }
             ("f" | "b", [i]) => {
-                let here = self.here(frame)?;
-                let vector = if name == "f" {
-                    self.model.field(self.arithmetic, &here)
-                } else {
-                    self.model.rhs(self.arithmetic, &here)
-                };
-                let index = self.index(i).ok_or_else(unknown)?;
-                Ok(vector.ok_or(Trouble::Undefined)?.swap_remove(index))
+                let i = self.index(i).ok_or_else(unknown)?;
+                Ok(self.entries(name, frame)?.swap_remove(i))
             }
             ("A" | "J" | "Df", [i, j]) => {
                 let (i, j) = (self.index(i).ok_or_else(unknown)?, self.index(j).ok_or_else(unknown)?);
-                let here = self.here(frame)?;
-                let matrix = match name {
-                    "A" => self.model.matrix(self.arithmetic, &here),
-                    "Df" => self.model.field_jacobian(self.arithmetic, &here),
-                    _ => self.model.jacobian(self.arithmetic, &here),
-                };
-                Ok(matrix.ok_or(Trouble::Undefined)?.swap_remove(i).swap_remove(j))
+                Ok(self.entries(name, frame)?.swap_remove(i * self.model.dimension() + j))
             }
             ("detA" | "detJ", []) => {
-                let here = self.here(frame)?;
-                let matrix = if name == "detA" {
-                    self.model.matrix(self.arithmetic, &here)
-                } else {
-                    self.model.jacobian(self.arithmetic, &here)
-                };
-                let matrix = matrix.ok_or(Trouble::Undefined)?;
-                determinant(self.arithmetic, &matrix).ok_or(Trouble::Undefined)
+                let matrix = self.entries(&name["det".len()..], frame)?;
+                determinant(self.arithmetic, &self.model.rows(&matrix)).ok_or(Trouble::Undefined)
             }
             _ => {
                 let arguments: Vec<A::Value> =
@@ -206,6 +188,11 @@ impl<A: Calculus> Evaluator<'_, A> {
     fn index(&self, formula: &Formula) -> Option<usize> {
         let index = usize::try_from(formula.as_number()?.as_i64()?).ok()?.checked_sub(1)?;
         (index < self.model.dimension()).then_some(index)
+    }
+
+    /// The entries of an object of the system.
+    fn entries(&self, object: &str, frame: &Frame<A::Value>) -> Result<Vec<A::Value>, Trouble> {
+        self.model.entries(object, self.arithmetic, &self.here(frame)?).ok_or(Trouble::Undefined)
     }
 
     /// The values of the system's variables.

@@ -59,7 +59,7 @@ impl Paper {
     fn refute(&self, claim: &Claim, misprint: &Misprint) -> Result<String, String> {
         let mut point: BTreeMap<String, Rational> = BTreeMap::new();
         let (mut others, mut witnesses) = (Vec::new(), Vec::new());
-        for item in parse(misprint.counterexample)?.items {
+        for item in parse(&misprint.counterexample)?.items {
             match item {
                 Item::Definition(definition) => match definition.body.as_number() {
                     Some(value) => {
@@ -81,7 +81,7 @@ impl Paper {
             }
         }
         let mut shown: Vec<String> = point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        for item in parse(misprint.printed)?.items {
+        for item in parse(&misprint.printed)?.items {
             match item {
                 Item::Definition(definition) => {
                     definitions.insert(definition.name.clone(), definition);

@@ -79,40 +79,27 @@ impl Model {
             .collect()
     }
 
-    /// f(x)
-    pub(super) fn field<A: Arithmetic>(
+    /// The entries of an object, row by row: `f` is f(x), `Df` f′(x), `A` A(x,ε), `b` b(x,ε), `J`
+    /// ∂x̃/∂x.
+    pub(super) fn entries<A: Arithmetic>(
         &self,
+        object: &str,
         arithmetic: &A,
         here: Values<'_, A::Value>,
     ) -> Option<Vec<A::Value>> {
-        run(arithmetic, &self.derived.field, here)
+        let plan = match object {
+            "f" => &self.derived.field,
+            "Df" => &self.derived.field_jacobian,
+            "A" => &self.derived.matrix,
+            "b" => &self.derived.rhs,
+            _ => return self.jacobian(arithmetic, here),
+        };
+        run(arithmetic, plan, here)
     }
 
-    /// f′(x)
-    pub(super) fn field_jacobian<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        here: Values<'_, A::Value>,
-    ) -> Option<Vec<Vec<A::Value>>> {
-        Some(self.rows(run(arithmetic, &self.derived.field_jacobian, here)?))
-    }
-
-    /// A(x,ε)
-    pub(super) fn matrix<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        here: Values<'_, A::Value>,
-    ) -> Option<Vec<Vec<A::Value>>> {
-        Some(self.rows(run(arithmetic, &self.derived.matrix, here)?))
-    }
-
-    /// b(x,ε)
-    pub(super) fn rhs<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        here: Values<'_, A::Value>,
-    ) -> Option<Vec<A::Value>> {
-        run(arithmetic, &self.derived.rhs, here)
+    /// A matrix of the system's dimension.
+    pub(super) fn rows<V: Clone>(&self, entries: &[V]) -> Vec<Vec<V>> {
+        entries.chunks(self.dimension()).map(<[V]>::to_vec).collect()
     }
 
     /// x̃, by the reduced map where there is one, else by elimination.
@@ -122,8 +109,9 @@ impl Model {
         here: Values<'_, A::Value>,
     ) -> Option<Vec<A::Value>> {
         let Some(plan) = self.derived.reduced_map.as_ref().or(self.derived.rational_map.as_ref()) else {
-            let right: Vec<_> = self.rhs(arithmetic, here)?.into_iter().map(|value| vec![value]).collect();
-            let solved = solve(arithmetic, &self.matrix(arithmetic, here)?, &right)?;
+            let right = run(arithmetic, &self.derived.rhs, here)?.into_iter().map(|value| vec![value]);
+            let matrix = self.rows(&run(arithmetic, &self.derived.matrix, here)?);
+            let solved = solve(arithmetic, &matrix, &right.collect::<Vec<_>>())?;
             return Some(solved.solution.into_iter().flatten().collect());
         };
         let mut numerators = run(arithmetic, plan, here)?;
@@ -132,11 +120,7 @@ impl Model {
     }
 
     /// ∂x̃/∂x, by dual numbers: no formula for it is presupposed.
-    pub(super) fn jacobian<A: Arithmetic>(
-        &self,
-        arithmetic: &A,
-        here: Values<'_, A::Value>,
-    ) -> Option<Vec<Vec<A::Value>>> {
+    fn jacobian<A: Arithmetic>(&self, arithmetic: &A, here: Values<'_, A::Value>) -> Option<Vec<A::Value>> {
         let n = self.dimension();
         let dual = Dual { base: arithmetic, directions: n };
         let lifted = here.iter().enumerate().map(|(index, value)| {
@@ -145,11 +129,7 @@ impl Model {
         let zero = arithmetic.constant(&Rational::ZERO)?;
         let gradient = |slopes: Vec<A::Value>| if slopes.is_empty() { vec![zero.clone(); n] } else { slopes };
         let next = self.next(&dual, &lifted.collect::<Option<Vec<_>>>()?)?;
-        Some(next.into_iter().map(|value| gradient(value.gradient)).collect())
-    }
-
-    fn rows<V: Clone>(&self, entries: Vec<V>) -> Vec<Vec<V>> {
-        entries.chunks(self.dimension()).map(<[V]>::to_vec).collect()
+        Some(next.into_iter().flat_map(|value| gradient(value.gradient)).collect())
     }
 }
 

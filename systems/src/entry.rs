@@ -47,7 +47,54 @@ pub struct Entry {
 /// The source of a claim that is in no paper: it was found from the equations alone.
 pub(crate) const FOUND: &str = "found by kahan discover";
 
+/// The entry of an integrable system E1 to E6, whose claims are the cells of one row of the paper's
+/// tables; the last argument is a remark on the tensor Q.
+macro_rules! row_of_the_tables {
+    ($i:literal, $title:literal $(, $remark:literal)?) => {
+        Entry::new(concat!("e", $i), concat!("E", $i), $title, include_str!(concat!("e", $i, ".rs")))
+            .with_flow(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at))
+            .with_sources(&[
+                ("H", concat!("Table 2, i = ", $i)),
+                ("K", concat!("Table 2, i = ", $i)),
+                ("rho", "Theorem 1"),
+                ("P", concat!("Table 3, i = ", $i, ", and Theorem 2")),
+                ("Q", concat!("Table 4, i = ", $i, $($remark,)? ", and Theorem 2")),
+            ])
+    };
+}
+pub(crate) use row_of_the_tables;
+
 impl Entry {
+    /// A system without parameters, closed solution and claims, whose name is that of its type.
+    pub(crate) const fn new(
+        command: &'static str,
+        type_name: &'static str,
+        title: &'static str,
+        file: &'static str,
+    ) -> Self {
+        Entry { command, type_name, name: type_name, title, file, parameters: &[], flow: None, sources: &[] }
+    }
+
+    /// Sets the name as people write it.
+    pub(crate) const fn named(self, name: &'static str) -> Self {
+        Entry { name, ..self }
+    }
+
+    /// Sets a value for each parameter.
+    pub(crate) const fn with_parameters(self, parameters: &'static [(i64, i64)]) -> Self {
+        Entry { parameters, ..self }
+    }
+
+    /// Sets the closed solution of the flow.
+    pub(crate) const fn with_flow(self, flow: ClosedFlow) -> Self {
+        Entry { flow: Some(flow), ..self }
+    }
+
+    /// Sets where the claims are from.
+    pub(crate) const fn with_sources(self, sources: &'static [(&'static str, &'static str)]) -> Self {
+        Entry { sources, ..self }
+    }
+
     /// The block in the language of `kahan!`, without `kahan! {` and its closing brace.
     #[must_use]
     pub fn text(&self) -> &'static str {

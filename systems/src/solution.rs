@@ -9,12 +9,16 @@
 //! not know the type of a system finds its trajectories through
 //! [`Entry::flow`](crate::entry::Entry::flow), in 256 bits.
 
+mod reciprocal;
+
 use core::fmt;
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Constant, Scalar};
 
 use crate::special::Precise;
+
+pub use reciprocal::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalTrajectory};
 
 /// A trajectory: the point at time t.
 pub type Trajectory = Box<dyn Fn(&Precise) -> Vec<Precise>>;

@@ -5,7 +5,7 @@ pub mod back_end;
 pub mod doubles;
 pub mod exact;
 pub mod expression;
-pub mod flow;
+pub mod taylor;
 pub mod maps;
 pub mod oracle;
 pub mod random_fields;

@@ -17,11 +17,14 @@ fn latex(expression: &str) -> String {
     item.map_or_else(|| format!("\\text{{{expression}}}"), |item| item.right)
 }
 
-/// A tensor by its entries {x,y}, {y,z}, {z,x}.
-fn triple(entries: &[&str; 3]) -> Markup {
-    html! {
-        div.triple { @for entry in entries { span { (cell(&latex(entry))) } } }
-    }
+/// The cell of a row that is defined by this name.
+fn value(row: &Structure, name: &str) -> Markup {
+    html! { @if let Some(value) = row.value(name) { (cell(&latex(value))) } }
+}
+
+/// The names of a tensor's entries {x,y}, {y,z}, {z,x}; behind them stands `_eps` for a map.
+fn entries(tensor: &str, suffix: &str) -> [String; 3] {
+    ["12", "23", "31"].map(|entry| format!("{tensor}{entry}{suffix}"))
 }
 
 fn rows(wanted: impl Fn(&Structure) -> bool) -> Vec<&'static Structure> {
@@ -61,8 +64,8 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
             }
             (table1(found))
             (table2(found))
-            (tensors(found, "table3", "Table 3. The tensors P(ε) of the maps", "P(ε)", |row| row.discrete.map(|map| map.p)))
-            (tensors(found, "table4", "Table 4. The tensors Q(ε) of the maps; the invariant pair is P(ε), Q(ε)/c", "Q(ε)", |row| row.discrete.map(|map| map.q)))
+            (tensors(found, "table3", "Table 3. The tensors P(ε) of the maps", "P"))
+            (tensors(found, "table4", "Table 4. The tensors Q(ε) of the maps; the invariant pair is P(ε), Q(ε)/c", "Q"))
         }
     }
 }
@@ -84,9 +87,10 @@ fn table1(found: &Found<'_>) -> Markup {
         @for row in rows(|_| true) {
             tr {
                 th scope="row" { (name(row)) }
-                td { (triple(&row.p)) }
-                td { (triple(&row.q)) }
-                @for entry in [row.h, row.k, row.c] { td { (cell(&latex(entry))) } }
+                @for tensor in ["P", "Q"] {
+                    td { div.triple { @for entry in entries(tensor, "") { span { (value(row, &entry)) } } } }
+                }
+                @for name in ["H", "K", "c"] { td { (value(row, name)) } }
                 td { @for algebra in row.algebras { div { (readable(algebra.name)) } } }
                 td { (verdict(found, &[["table1", row.system], ["section3", row.system]])) }
             }
@@ -103,41 +107,27 @@ fn table1(found: &Found<'_>) -> Markup {
 
 fn table2(found: &Found<'_>) -> Markup {
     let body = html! {
-        @for row in rows(|row| row.discrete.is_some()) {
-            @if let Some(map) = &row.discrete {
-                tr {
-                    th scope="row" { "d" (name(row)) }
-                    @for entry in [map.h, map.k] { td { (cell(&latex(entry))) } }
-                    td { (verdict(found, &[[row.system, "H"], [row.system, "K"]])) }
-                }
+        @for row in rows(Structure::has_map) {
+            tr {
+                th scope="row" { "d" (name(row)) }
+                @for name in ["H_eps", "K_eps"] { td { (value(row, name)) } }
+                td { (verdict(found, &[[row.system, "H"], [row.system, "K"]])) }
             }
         }
     };
     table("table2", "Table 2. The integrals of the maps", &["Map", "H(ε)", "K(ε)", "Checked"], &body)
 }
 
-fn tensors(
-    found: &Found<'_>,
-    id: &str,
-    caption: &str,
-    tensor: &str,
-    entries: impl Fn(&Structure) -> Option<[&'static str; 3]>,
-) -> Markup {
+fn tensors(found: &Found<'_>, id: &str, caption: &str, tensor: &str) -> Markup {
     let body = html! {
-        @for row in rows(|row| row.discrete.is_some()) {
-            @if let Some(entries) = entries(row) {
-                tr {
-                    th scope="row" { "d" (name(row)) }
-                    @for entry in entries { td { (cell(&latex(entry))) } }
-                    td { (verdict(found, &[[id, row.system]])) }
-                }
+        @for row in rows(Structure::has_map) {
+            tr {
+                th scope="row" { "d" (name(row)) }
+                @for entry in entries(tensor, "_eps") { td { (value(row, &entry)) } }
+                td { (verdict(found, &[[id, row.system]])) }
             }
         }
     };
-    let head = ["Map".to_owned()]
-        .into_iter()
-        .chain(["{x,y}", "{y,z}", "{z,x}"].map(|entry| format!("{tensor} {entry}")));
-    let head: Vec<String> = head.chain(["Checked".to_owned()]).collect();
-    let head: Vec<&str> = head.iter().map(String::as_str).collect();
-    table(id, caption, &head, &body)
+    let [xy, yz, zx] = ["{x,y}", "{y,z}", "{z,x}"].map(|entry| format!("{tensor}(ε) {entry}"));
+    table(id, caption, &["Map", &xy, &yz, &zx, "Checked"], &body)
 }

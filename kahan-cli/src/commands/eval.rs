@@ -4,14 +4,12 @@ use clap::Args;
 use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::interpret::{Interpreter, Point};
 use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
 use serde_json::{Map, Value, json};
 
-use crate::numbers::DoubleDouble;
-use crate::numbers::{Printable, ScalarKind};
+use crate::numbers::{DoubleDouble, Printable, ScalarKind};
 use crate::printing::layout::{labelled, matrix_within, screen_width};
-use crate::printing::{Answer, Refusal, shorten};
-use crate::reading::{Start, coordinates, number};
+use crate::printing::{Answer, Refusal};
+use crate::reading::{Request, Start};
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 
 /// Evaluates every object of a system at a point: field, matrices, next point, Jacobian, claims.
@@ -48,26 +46,10 @@ struct Evaluated {
     complaint: Option<String>,
 }
 
-/// Where to evaluate, exactly.
-struct Request<'a> {
-    name: &'a str,
-    system: &'a System,
-    point: Point<Rational>,
-}
-
 impl Eval {
     /// The object of all values; a complaint at a pole.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let block = self.start.source.required_block()?;
-        let system = block.system()?;
-        let name = block.name(&system);
-        let symbols = &system.field.symbols;
-        let point = Point {
-            state: coordinates(&self.start.at, &symbols.states)?,
-            parameters: self.start.source.parameter_values(&system, &name)?,
-            eps: number(&self.start.eps, "--eps")?,
-        };
-        let request = Request { name: &name, system: &system, point };
+        let request = self.start.request()?;
         let Evaluated { objects, complaint } = match self.scalar {
             ScalarKind::Exact => request.evaluate(&Exact),
             ScalarKind::F64 => request.evaluate(&Float64),
@@ -79,7 +61,7 @@ impl Eval {
     }
 }
 
-impl Request<'_> {
+impl Request {
     fn evaluate<A: Printable>(&self, arithmetic: &A) -> Result<Evaluated, Refusal> {
         let round = |values: &[Rational]| values.iter().map(A::round).collect::<Vec<_>>();
         let point = Point {
@@ -87,8 +69,9 @@ impl Request<'_> {
             parameters: round(&self.point.parameters),
             eps: A::round(&self.point.eps),
         };
-        let values =
-            Interpreter::new(self.system).evaluate(arithmetic, &point).map_err(|_| self.undefined_field())?;
+        let values = Interpreter::new(&self.system)
+            .evaluate(arithmetic, &point)
+            .map_err(|_| self.undefined_field())?;
         let next = values.next.filter(|next| next.iter().all(A::is_finite));
         let is_singular = arithmetic.is_zero(&values.det_matrix);
         let complaint = next.is_none().then(|| self.undefined_step(is_singular));
@@ -124,29 +107,8 @@ impl Request<'_> {
         Ok(Evaluated { objects, complaint })
     }
 
-    /// `x = 1, y = 2`, long numbers cut.
-    fn assignments(names: &[String], values: &[Rational]) -> String {
-        const DIGITS: usize = 40;
-        let value = |value: &Rational| shorten(&value.to_string(), DIGITS);
-        let parts: Vec<String> =
-            names.iter().zip(values).map(|(name, number)| format!("{name} = {}", value(number))).collect();
-        parts.join(", ")
-    }
-
-    fn undefined_field(&self) -> Refusal {
-        let values = Self::assignments(&self.system.field.symbols.parameters, &self.point.parameters);
-        Refusal::new(format!("the field of {} divides by zero at {values}; choose other values", self.name))
-    }
-
     fn undefined_step(&self, is_singular: bool) -> String {
-        let symbols = &self.system.field.symbols;
-        let place = [
-            Self::assignments(&symbols.states, &self.point.state),
-            Self::assignments(&symbols.parameters, &self.point.parameters),
-            Self::assignments(&["eps".to_owned()], std::slice::from_ref(&self.point.eps)),
-        ];
-        let place: Vec<String> = place.into_iter().filter(|part| !part.is_empty()).collect();
-        let (name, place) = (self.name, place.join(", "));
+        let (name, place) = (&self.name, self.place::<Exact>(&self.point.state));
         if is_singular && RationalMap::of(&self.system.field).is_none() {
             format!(
                 "det A = 0 at {place}, which counts as a pole of the map of {name}: its closed form is beyond the budget of \

@@ -1,15 +1,16 @@
 //! `kahan extremes`: how far floats can be trusted, judged by exact arithmetic.
 
+mod report;
+
 use std::time::Instant;
 
 use clap::Args;
-use kahan_measure::extremes::{Cell, Place, Subject, Tally, Unjudged, standard, survey, total};
+use kahan_measure::extremes::{Subject, Unjudged, standard, survey, total};
 use kahan_measure::random_fields::{RandomField, numbered};
-use serde_json::{Value, json};
 
-use crate::printing::layout::{labelled, table};
 use crate::printing::{Answer, Progress, Refusal};
 use crate::reading::{Block, Source, whole};
+use report::Report;
 
 /// Tries steps at the extremes and judges each by exact arithmetic from the very floats that it was
 /// given.
@@ -97,13 +98,16 @@ impl Extremes {
         let progress = Progress::new(total(self.trials), "trials");
         let tally = survey(&subjects, self.trials, self.seed, None, &|done| progress.advance(done));
         progress.finish();
-        let seconds = clock.elapsed().as_secs_f64();
-        let answer = if self.json {
-            Answer::json(&self.object(&subjects, &fields, &tally, seconds))
-        } else {
-            Answer::text(self.text(&subjects, &fields, &tally, seconds))
+        let report = Report {
+            subjects: &subjects,
+            fields: &fields,
+            tally: &tally,
+            trials: self.trials,
+            seed: self.seed,
+            seconds: clock.elapsed().as_secs_f64(),
         };
-        Ok(Answer { complaint: complaint(&tally), ..answer })
+        let answer = if self.json { Answer::json(&report.object()) } else { Answer::text(report.text()) };
+        Ok(Answer { complaint: report.complaint(), ..answer })
     }
 
     fn subjects(&self) -> Result<Vec<Subject>, Refusal> {
@@ -145,65 +149,7 @@ impl Extremes {
         let parameters = self.source.known_parameters(&system, &name)?;
         Subject::new(&name, &system, parameters).map_err(|why| cannot_judge(&name, &why))
     }
-
-    fn object(&self, subjects: &[Subject], fields: &[RandomField], tally: &Tally, seconds: f64) -> Value {
-        let cells = tally.cells.iter().map(|((regime, tier, scalar), cell)| {
-            json!({
-                "regime": regime.name(),
-                "tier": tier,
-                "scalar": scalar,
-                "trials": cell.trials,
-                // JSON has no infinity.
-                "max_error_u": cell.max_error_u.map(|error| error.min(f64::MAX)),
-                "flagged": cell.flagged,
-                "unjustified_flags": cell.unjustified,
-                "silently_wrong": cell.silently_wrong,
-            })
-        });
-        json!({
-            "system": if let [subject] = subjects { subject.name() } else { "catalog" },
-            "systems": subjects.iter().map(Subject::name).collect::<Value>(),
-            "random_fields": fields.iter().map(|field| json!([field.name, field.equations()])).collect::<Value>(),
-            "trials": self.trials,
-            "seed": self.seed,
-            "seconds": seconds,
-            "cells": cells.collect::<Value>(),
-            "failures": tally.failures.iter().map(|failure| failure.text.as_str()).collect::<Value>(),
-        })
-    }
-
-    fn text(&self, subjects: &[Subject], fields: &[RandomField], tally: &Tally, seconds: f64) -> String {
-        const HEADER: [&str; 8] = [
-            "regime",
-            "tier",
-            "scalar",
-            "trials",
-            "largest error",
-            "flagged",
-            "without right",
-            "silently wrong",
-        ];
-        let mut rows = vec![HEADER.map(str::to_owned).to_vec()];
-        rows.extend(tally.cells.iter().map(row));
-        let mut lines = table(&rows, 3);
-        lines.push(String::new());
-        let names = |has: fn(&Subject) -> bool| {
-            let names: Vec<&str> = subjects.iter().filter(|s| has(s)).map(Subject::name).collect();
-            names.join(", ")
-        };
-        lines.extend(labelled("systems", &names(|_| true), LABELS));
-        let removable = names(Subject::has_removable_poles);
-        let removable =
-            if removable.is_empty() { "none; their quarter went to the poles" } else { &removable };
-        lines.extend(labelled("removable poles", removable, LABELS));
-        lines.extend(fields.iter().map(|field| format!("{}: {}", field.name, field.equations())));
-        lines.push(format!("seed {}, {seconds:.1} seconds", self.seed));
-        lines.join("\n") + "\n"
-    }
 }
-
-/// The columns of the labels below the table.
-const LABELS: usize = 15;
 
 fn cannot_judge(name: &str, why: &Unjudged) -> Refusal {
     Refusal::new(match why {
@@ -212,51 +158,4 @@ fn cannot_judge(name: &str, why: &Unjudged) -> Refusal {
             "the closed form of {name} is beyond the budget of terms, so that there is no exact map to judge by"
         ),
     })
-}
-
-fn row((place, cell): (&Place, &Cell)) -> Vec<String> {
-    let (regime, tier, scalar) = place;
-    let error = match cell.max_error_u {
-        None => "-".to_owned(),
-        Some(error) if error < 1000.0 => format!("{error:.2} u"),
-        Some(error) => format!("{error:.1e} u"),
-    };
-    let rate = 100.0 * cell.flagged as f64 / cell.trials as f64;
-    let without_right = if *tier == "stable" { cell.unjustified.to_string() } else { "-".to_owned() };
-    vec![
-        regime.name().to_owned(),
-        (*tier).to_owned(),
-        (*scalar).to_owned(),
-        cell.trials.to_string(),
-        error,
-        format!("{rate:.2} %"),
-        without_right,
-        silently_wrong(cell),
-    ]
-}
-
-/// The count; none among n trials bounds the rate by 3/n with a confidence of 95 %, as (1 − 3/n)ⁿ
-/// is about 1/20.
-fn silently_wrong(cell: &Cell) -> String {
-    match cell.silently_wrong {
-        0 => format!("0, < 3/{} at 95 %", cell.trials),
-        wrong => format!("{wrong}, {:.2} %", 100.0 * wrong as f64 / cell.trials as f64),
-    }
-}
-
-/// What the stable tier did against its promise.
-fn complaint(tally: &Tally) -> Option<String> {
-    let count = |of: fn(&Cell) -> u64| {
-        let stable = tally.cells.iter().filter(|((_, tier, _), _)| *tier == "stable");
-        stable.map(|(_, cell)| of(cell)).sum::<u64>()
-    };
-    let (wrong, flags) = (count(|cell| cell.silently_wrong), count(|cell| cell.unjustified));
-    if wrong + flags == 0 {
-        return None;
-    }
-    let examples: Vec<&str> = tally.failures.iter().map(|failure| failure.text.as_str()).collect();
-    Some(format!(
-        "the stable tier breaks its promise: {wrong} silently wrong, {flags} flagged without right. The first of each: {}",
-        examples.join("; ")
-    ))
 }

@@ -4,14 +4,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
-use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_runtime::heights::{Bounds, Growth, HeightsOrbit, Stop, Survey};
 use serde_json::{Map, Value, json};
 
 use crate::printing::layout::table;
 use crate::printing::{Answer, Progress, Refusal, Sink};
-use crate::reading::{Start, coordinates, number, seconds, whole};
+use crate::reading::{Request, Start, seconds, whole};
 
 /// Follows an exact orbit and measures how its heights grow: slowly where the map is integrable,
 /// exponentially where not.
@@ -79,23 +78,19 @@ struct Record<'a> {
 impl Heights {
     /// The heights; a complaint at a pole.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let block = self.start.source.required_block()?;
-        let system = block.system()?;
-        let name = block.name(&system);
-        let start = coordinates(&self.start.at, &system.field.symbols.states)?;
-        let parameters = self.start.source.parameter_values(&system, &name)?;
-        let eps = number(&self.start.eps, "--eps")?;
+        let request = self.start.request()?;
+        let Request { name, system, point } = &request;
         let sink = self.csv.as_deref().map(|path| Sink::file(path, "--csv")).transpose()?;
         let clock = std::time::Instant::now();
-        let orbit = HeightsOrbit::new(&system, &parameters, &eps, &start)
-            .map_err(|_| undefined_field(&name, &system, &parameters))?;
+        let orbit = HeightsOrbit::new(system, &point.parameters, &point.eps, &point.state)
+            .map_err(|_| request.undefined_field())?;
         let mut orbit =
             orbit.within(Bounds { max_digits: Some(self.max_digits), seconds: Some(self.seconds) });
         let progress = Progress::new(self.steps as u64, "steps");
         let survey =
             Survey::of(&mut orbit, self.steps, |heights| progress.advance(u64::from(heights.step > 0)));
         progress.finish();
-        let record = Record { name: &name, system: &system, survey, seconds: clock.elapsed().as_secs_f64() };
+        let record = Record { name, system, survey, seconds: clock.elapsed().as_secs_f64() };
         if let Some(sink) = sink {
             record.write(sink)?;
         }
@@ -243,11 +238,4 @@ fn shown_rows(count: usize) -> Vec<usize> {
     }
     rows.push(last);
     rows
-}
-
-fn undefined_field(name: &str, system: &System, parameters: &[Rational]) -> Refusal {
-    let names = &system.field.symbols.parameters;
-    let values: Vec<String> =
-        names.iter().zip(parameters).map(|(name, value)| format!("{name} = {value}")).collect();
-    Refusal::new(format!("the field of {name} divides by zero at {}; choose other values", values.join(", ")))
 }

@@ -7,7 +7,7 @@
 
 mod exact;
 mod float;
-mod request;
+mod stops;
 
 use std::path::PathBuf;
 
@@ -17,13 +17,11 @@ use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::interpret::UndefinedField;
 use serde_json::{Map, Value, json};
 
-use crate::numbers::DoubleDouble;
-use crate::numbers::{Printable, ScalarKind};
+use crate::numbers::{DoubleDouble, Printable, ScalarKind};
 use crate::printing::{Answer, Broken, Format, Progress, Refusal, Sink, Table, has_room_for_progress};
-use crate::reading::{Start, coordinates, number, whole};
+use crate::reading::{Request, Start, whole};
 use exact::ExactOrbit;
 use float::FloatOrbit;
-use request::Request;
 
 /// Prints an orbit x0, x1, … of a system's map as CSV: n, t = 2 eps n, the variables, the
 /// integrals.
@@ -90,16 +88,7 @@ fn positive_count(text: &str) -> Result<i64, String> {
 impl Orbit {
     /// Writes the rows; what is left to say is the answer.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let block = self.start.source.required_block()?;
-        let system = block.system()?;
-        let name = block.name(&system);
-        let request = Request {
-            name: &name,
-            system: &system,
-            start: coordinates(&self.start.at, &system.field.symbols.states)?,
-            parameters: self.start.source.parameter_values(&system, &name)?,
-            eps: number(&self.start.eps, "--eps")?,
-        };
+        let request = self.start.request()?;
         match self.scalar {
             ScalarKind::Exact if self.order != 2 => Err(Refusal::new(format!(
                 "--order {} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \
@@ -114,16 +103,21 @@ impl Orbit {
     }
 
     /// Over the integers, without fractions between the rows.
-    fn exact(&self, request: &Request<'_>) -> Result<Answer, Refusal> {
+    fn exact(&self, request: &Request) -> Result<Answer, Refusal> {
         let mut orbit = ExactOrbit::new(request)?;
-        let head = self.head::<Exact>(request, &request.parameters, &request.eps, orbit.integral_names());
+        let head = self.head::<Exact>(
+            request,
+            &request.point.parameters,
+            &request.point.eps,
+            orbit.integral_names(),
+        );
         self.write(head, |table, progress| {
             let rows = Rows { steps: self.steps, every: self.every, progress };
             rows.follow(&mut orbit, |orbit, n| table.texts(n, &orbit.row(n)), ExactOrbit::advance)
         })
     }
 
-    fn floats<A: Printable>(&self, arithmetic: &A, request: &Request<'_>) -> Result<Answer, Refusal> {
+    fn floats<A: Printable>(&self, arithmetic: &A, request: &Request) -> Result<Answer, Refusal> {
         let (parameters, eps) = request.rounded::<A>()?;
         let mut orbit = FloatOrbit::new(arithmetic, request, self.order, &parameters, &eps)
             .map_err(|UndefinedField| request.undefined_field())?;
@@ -180,7 +174,7 @@ impl Orbit {
     /// What is known before the first row.
     fn head<A: Printable>(
         &self,
-        request: &Request<'_>,
+        request: &Request,
         parameters: &[A::Value],
         eps: &A::Value,
         integrals: &[String],

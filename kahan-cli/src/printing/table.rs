@@ -60,49 +60,45 @@ impl Table {
     where
         A::Value: 'a,
     {
-        self.line.clear();
-        match self.format {
-            Format::Csv => {
-                self.line.push_str(&index.to_string());
-                for value in values {
-                    self.line.push(',');
-                    if let Some(value) = value.filter(|value| A::is_finite(value)) {
-                        A::append(value, &mut self.line);
-                    }
-                }
-                self.line.push('\n');
+        let append = |value: Option<&A::Value>, line: &mut String| {
+            if let Some(value) = value.filter(|value| A::is_finite(value)) {
+                A::append(value, line);
             }
-            Format::Json => {
-                self.json_row(index, values.map(|value| value.map_or(Value::Null, A::json)));
-            }
-        }
-        self.finish_row()
+        };
+        self.cells(index, values, append, |value| value.map_or(Value::Null, A::json))
     }
 
     /// Writes a row of exact numbers that are text already.
     pub(crate) fn texts(&mut self, index: i64, values: &[Option<String>]) -> Result<(), Broken> {
+        let values = values.iter().map(Option::as_deref);
+        let append = |value: Option<&str>, line: &mut String| line.push_str(value.unwrap_or_default());
+        self.cells(index, values, append, Value::from)
+    }
+
+    /// Writes a row, each cell by the function for the format.
+    fn cells<C>(
+        &mut self,
+        index: i64,
+        cells: impl Iterator<Item = C>,
+        append: impl Fn(C, &mut String),
+        json: impl Fn(C) -> Value,
+    ) -> Result<(), Broken> {
         self.line.clear();
         match self.format {
             Format::Csv => {
                 self.line.push_str(&index.to_string());
-                for value in values {
+                for cell in cells {
                     self.line.push(',');
-                    self.line.push_str(value.as_deref().unwrap_or_default());
+                    append(cell, &mut self.line);
                 }
                 self.line.push('\n');
             }
-            Format::Json => self.json_row(index, values.iter().map(|value| value.as_deref().into())),
+            Format::Json => {
+                self.line.push_str(if self.has_rows { ",\n    " } else { "\n    " });
+                let row: Value = std::iter::once(Value::from(index)).chain(cells.map(json)).collect();
+                self.line.push_str(&row.to_string());
+            }
         }
-        self.finish_row()
-    }
-
-    fn json_row(&mut self, index: i64, cells: impl Iterator<Item = Value>) {
-        self.line.push_str(if self.has_rows { ",\n    " } else { "\n    " });
-        let row: Value = std::iter::once(Value::from(index)).chain(cells).collect();
-        self.line.push_str(&row.to_string());
-    }
-
-    fn finish_row(&mut self) -> Result<(), Broken> {
         self.has_rows = true;
         match self.width {
             Some(width) if self.line.len() > width => self.sink.write(&after_commas(&self.line, width)),

@@ -5,10 +5,12 @@
 
 mod block;
 mod file;
+mod request;
 mod rust_file;
 mod source;
 mod values;
 
 pub(crate) use block::Block;
+pub(crate) use request::Request;
 pub(crate) use source::{Source, Start};
 pub(crate) use values::{coordinates, number, seconds, whole};

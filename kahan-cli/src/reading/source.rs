@@ -46,15 +46,15 @@ pub(crate) struct Source {
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Start {
     #[command(flatten)]
-    pub(crate) source: Source,
+    pub(super) source: Source,
 
     /// Half the time step: 1/2, -0.25, 1e-3.
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    pub(crate) eps: String,
+    pub(super) eps: String,
 
     /// The (first) point, its coordinates separated by commas: 1,-2/3,0.5.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
-    pub(crate) at: String,
+    pub(super) at: String,
 }
 
 impl Source {

@@ -4,7 +4,7 @@
 //! It measures times, so it is not part of `cargo test`: run it on a quiet machine, with
 //! `cargo test --release -p kahan-cli --test trade_sweep -- --ignored --nocapture`.
 
-mod fields;
+mod unseen_fields;
 mod scene;
 
 use std::process::Command;
@@ -15,7 +15,7 @@ use kahan_core::{Composition, Dd, Lift, Need, Precision, Scheme};
 use kahan_measure::reference::{Limits, Reference, Trajectory};
 use serde_json::Value;
 
-use fields::{
+use unseen_fields::{
     Chain, Epidemic, Galaxy, Gyrostat, Kinetics, Nahm, Oscillators, Relaxation, Rotor, Slave, Text,
     ThreeWaves, Tired,
 };

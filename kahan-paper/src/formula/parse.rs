@@ -67,31 +67,26 @@ impl Parser<'_> {
     }
 
     fn sum(&mut self) -> Result<Formula, String> {
-        let mut terms = vec![(false, self.product()?)];
-        loop {
-            let negative = match self.peek() {
-                "+" => false,
-                "-" => true,
-                _ if terms.len() == 1 => return Ok(terms.remove(0).1),
-                _ => return Ok(Formula::Sum(terms)),
-            };
-            self.at += 1;
-            terms.push((negative, self.product()?));
-        }
+        self.chain(Self::product, ["+", "-"], Formula::Sum)
     }
 
     fn product(&mut self) -> Result<Formula, String> {
-        let mut factors = vec![(false, self.signed()?)];
-        loop {
-            let divides = match self.peek() {
-                "*" => false,
-                "/" => true,
-                _ if factors.len() == 1 => return Ok(factors.remove(0).1),
-                _ => return Ok(Formula::Product(factors)),
-            };
+        self.chain(Self::signed, ["*", "/"], Formula::Product)
+    }
+
+    /// Operands between signs, the second of which marks what is subtracted, or divides.
+    fn chain(
+        &mut self,
+        operand: fn(&mut Self) -> Result<Formula, String>,
+        signs: [&str; 2],
+        whole: fn(Vec<(bool, Formula)>) -> Formula,
+    ) -> Result<Formula, String> {
+        let mut parts = vec![(false, operand(self)?)];
+        while let Some(sign) = signs.iter().position(|sign| *sign == self.peek()) {
             self.at += 1;
-            factors.push((divides, self.signed()?));
+            parts.push((sign == 1, operand(self)?));
         }
+        Ok(if parts.len() == 1 { parts.remove(0).1 } else { whole(parts) })
     }
 
     fn signed(&mut self) -> Result<Formula, String> {

@@ -1,8 +1,11 @@
 //! Table 5: the solutions of the flows.
 
+use kahan_systems::registry::find;
+
 use super::super::claim::Claim;
 use super::super::section::Section;
 use super::structures::structure;
+use super::text::read;
 
 /// One row of Table 5, with T = t + α.
 struct Row {
@@ -71,41 +74,33 @@ fn row(row: &Row) -> Vec<Claim> {
         let source = format!("Table 5, i = {}, {cell}", &system[1..]);
         Claim::new(Section::FlowSolutions, ["table5", system, cell], system, source, statement).given(&orbit)
     };
-    let table1 = structure(system).map_or(["", ""], |structure| [structure.h, structure.k]);
+    let table1 = |name| structure(system).and_then(|row| row.value(name)).unwrap_or_default();
     let components = (0..3).map(|i| {
         let state = STATES[i];
         claim(state, format!("{state} := {}; d({state}, T) = f{}", solution[i], i + 1))
     });
-    let integrals = ["H", "K"]
-        .iter()
-        .zip(table1)
-        .zip(values)
-        .map(|((name, integral), value)| claim(name, format!("{name} := {integral}; {name} = {value}")));
+    let integrals = ["H", "K"].into_iter().zip(values);
+    let integrals =
+        integrals.map(|(name, value)| claim(name, format!("{name} := {}; {name} = {value}", table1(name))));
     components.chain(integrals).collect()
 }
 
 /// E6 and the Euler top by the solution of E4.
+const OTHER_TOPS: &str = "
+table5.e6.solution | Table 5, addition: E6 is E4 with the time reversed, by two Euler tops |
+    x := (p/sqrt(3) + r)/2; y := q/sqrt(3); z := (r - p/sqrt(3))/2;
+    d(x, T) = -f1; d(y, T) = -f2; d(z, T) = -f3
+table5.euler.solution | Table 5, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3 |
+    x := s1*p; y := s2*q; z := s3*r;
+    a1 := -s1/(s2*s3); a2 := -s2/(s3*s1); a3 := s3/(s1*s2);
+    d(x, T) = f1; d(y, T) = f2; d(z, T) = f3
+";
+
 fn other_tops() -> Vec<Claim> {
-    let p = "p := lambda*k*cn(lambda*T, k); q := lambda*dn(lambda*T, k); r := lambda*k*sn(lambda*T, k)";
-    vec![
-        Claim::new(
-            Section::FlowSolutions,
-            ["table5", "e6", "solution"],
-            "e6",
-            "Table 5, addition: E6 is E4 with the time reversed, by two Euler tops",
-            "x := (p/sqrt(3) + r)/2; y := q/sqrt(3); z := (r - p/sqrt(3))/2;
-            d(x, T) = -f1; d(y, T) = -f2; d(z, T) = -f3",
+    read(OTHER_TOPS, |id, place, statement| {
+        let system = id.split('.').find_map(find).expect("a system in the name").command;
+        Claim::new(Section::FlowSolutions, [id], system, place, statement).spelling(
+            "p := lambda*k*cn(lambda*T, k); q := lambda*dn(lambda*T, k); r := lambda*k*sn(lambda*T, k)",
         )
-        .spelling(p),
-        Claim::new(
-            Section::FlowSolutions,
-            ["table5", "euler", "solution"],
-            "euler",
-            "Table 5, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3",
-            "x := s1*p; y := s2*q; z := s3*r;
-            a1 := -s1/(s2*s3); a2 := -s2/(s3*s1); a3 := s3/(s1*s2);
-            d(x, T) = f1; d(y, T) = f2; d(z, T) = f3",
-        )
-        .spelling(p),
-    ]
+    })
 }

@@ -3,24 +3,87 @@
 
 use super::super::claim::Claim;
 use super::super::section::Section;
+use super::text::read;
 
-/// Φᵢ(u,v,w): component i at another point; Qᵢ and Bᵢ: its quadratic and linear part.
+/// Φᵢ(u,v,w): component i at another point; Qᵢ and Bᵢ: its quadratic and linear part;
+/// δᵢⱼ: the identity matrix.
 const PARTS: &str = "
-    F1(u, v, w) := at(f1, x, u, y, v, z, w); F2(u, v, w) := at(f2, x, u, y, v, z, w); F3(u, v, w) := at(f3, x, u, y, v, z, w);
+    F1(u, v, w) := at(f1, x, u, y, v, z, w); F2(u, v, w) := at(f2, x, u, y, v, z, w);
+    F3(u, v, w) := at(f3, x, u, y, v, z, w);
     C1 := F1(0, 0, 0); C2 := F2(0, 0, 0); C3 := F3(0, 0, 0);
     B1(u, v, w) := (F1(u, v, w) - F1(-u, -v, -w))/2; B2(u, v, w) := (F2(u, v, w) - F2(-u, -v, -w))/2;
     B3(u, v, w) := (F3(u, v, w) - F3(-u, -v, -w))/2;
     Q1(u, v, w) := F1(u, v, w) - B1(u, v, w) - C1; Q2(u, v, w) := F2(u, v, w) - B2(u, v, w) - C2;
     Q3(u, v, w) := F3(u, v, w) - B3(u, v, w) - C3;
     X := next(x); Y := next(y); Z := next(z);
+    delta11 := 1; delta12 := 0; delta13 := 0; delta21 := 0; delta22 := 1; delta23 := 0;
+    delta31 := 0; delta32 := 0; delta33 := 1;
 ";
 
-/// A statement with the component i and the state x_i, for each of the three.
+/// Of fields with generic coefficients: equations with the row i, the state x_i and the next one,
+/// for each of the three; with the column j as well, for each of the nine entries.
+const METHOD: &str = "
+scheme | definition of the map |
+    ({X} - {x})/(2*eps) = (Q{i}(x + X, y + Y, z + Z) - Q{i}(x, y, z) - Q{i}(X, Y, Z))/2
+        + B{i}(x + X, y + Y, z + Z)/2 + C{i}
+matrix | A = I - eps f' |
+    A({i},1) = delta{i}1 - eps*d(f{i}, x); A({i},2) = delta{i}2 - eps*d(f{i}, y);
+    A({i},3) = delta{i}3 - eps*d(f{i}, z)
+rhs | b = x + eps B x + 2 eps c | b({i}) = {x} + eps*B{i}(x, y, z) + 2*eps*C{i}
+linear_system | A x~ = b | A({i},1)*X + A({i},2)*Y + A({i},3)*Z = b({i})
+increment | increment form | A({i},1)*(X - x) + A({i},2)*(Y - y) + A({i},3)*(Z - z) = 2*eps*f{i}
+midpoint | midpoint form, addition |
+    ({X} - {x})/(2*eps) = 2*F{i}((x + X)/2, (y + Y)/2, (z + Z)/2) - F{i}(x, y, z)/2 - F{i}(X, Y, Z)/2
+inverse | the inverse map has -eps | next(back({x})) = {x}; back({X}) = {x}
+inverse_system | A(x~,-eps) x = b(x~,-eps) |
+    on(at(A({i},1), eps, -eps), X, Y, Z)*x + on(at(A({i},2), eps, -eps), X, Y, Z)*y
+        + on(at(A({i},3), eps, -eps), X, Y, Z)*z = on(at(b({i}), eps, -eps), X, Y, Z)
+jacobian | A(x,eps) J = A(x~,-eps) |
+    A({i},1)*J(1,{j}) + A({i},2)*J(2,{j}) + A({i},3)*J(3,{j}) = on(at(A({i},{j}), eps, -eps), X, Y, Z)
+det_jacobian | det J | detA*detJ = on(at(detA, eps, -eps), X, Y, Z)
+";
+
+/// Of homogeneous fields.
+const HOMOGENEOUS: &str = "
+homogeneous | homogeneous fields: A x~ = x | A({i},1)*X + A({i},2)*Y + A({i},3)*Z = {x}
+reversed | (df56), homogeneous fields: x~ = A(x~,-eps) x |
+    {X} = on(at(A({i},1), eps, -eps), X, Y, Z)*x + on(at(A({i},2), eps, -eps), X, Y, Z)*y
+        + on(at(A({i},3), eps, -eps), X, Y, Z)*z
+scaling | scaling, homogeneous fields |
+    at({X}, x, lambda*x, y, lambda*y, z, lambda*z, eps, eps/lambda) = lambda*{X}
+";
+
+/// An integral and a volume give a bracket.
+const CONSTRUCTION: &str = "
+proposition |
+    proposition (n = 3): an invariant I and an invariant volume (1/phi) dx dy dz give an invariant bracket;
+    m is the Jacobian matrix, g the gradient of I at the next point, v that of I at this point |
+    v1 := m11*g1 + m21*g2 + m31*g3; v2 := m12*g1 + m22*g2 + m32*g3; v3 := m13*g1 + m23*g2 + m33*g3;
+    det := m11*(m22*m33 - m23*m32) - m12*(m21*m33 - m23*m31) + m13*(m21*m32 - m22*m31);
+    phi*v3*(m11*m22 - m12*m21) + phi*v1*(m12*m23 - m13*m22) + phi*v2*(m13*m21 - m11*m23) = phi*det*g3;
+    phi*v3*(m21*m32 - m22*m31) + phi*v1*(m22*m33 - m23*m32) + phi*v2*(m23*m31 - m21*m33) = phi*det*g1;
+    phi*v3*(m31*m12 - m32*m11) + phi*v1*(m32*m13 - m33*m12) + phi*v2*(m33*m11 - m31*m13) = phi*det*g2
+";
+
+/// Brackets of generic functions of degree 2.
+const BRACKETS: &str = "
+bracket.jacobi | phi (I_z, I_x, I_y) is a Poisson tensor | jacobi(P12, P23, P31) = 0
+bracket.casimir | its Casimir function is I |
+    P12*d(I, y) - P31*d(I, z) = 0; P23*d(I, z) - P12*d(I, x) = 0; P31*d(I, x) - P23*d(I, y) = 0
+bracket.compatible | brackets with one phi are compatible |
+    jacobi(P12 + lambda*phi*d(L, z), P23 + lambda*phi*d(L, x), P31 + lambda*phi*d(L, y)) = 0
+";
+
+/// A statement for each row and column that it names.
 fn each(pattern: &str) -> String {
-    let components = [("1", "x", "X"), ("2", "y", "Y"), ("3", "z", "Z")];
-    let lines =
-        components.map(|(i, x, next)| pattern.replace("{i}", i).replace("{x}", x).replace("{X}", next));
-    lines.join("; ")
+    let row = |i: usize| {
+        let (x, next) = [("x", "X"), ("y", "Y"), ("z", "Z")][i];
+        pattern.replace("{i}", &(i + 1).to_string()).replace("{x}", x).replace("{X}", next)
+    };
+    let rows = if row(0) == pattern { 1 } else { 3 };
+    let columns = if pattern.contains("{j}") { 3 } else { 1 };
+    let column = |j: usize| (0..rows).map(move |i| row(i).replace("{j}", &(j + 1).to_string()));
+    (0..columns).flat_map(column).collect::<Vec<_>>().join("; ")
 }
 
 /// A generic quadratic function with coefficients `name`0 … `name`9.
@@ -33,103 +96,24 @@ fn generic_function(name: &str) -> String {
 
 /// The claims, in the order of the paper.
 pub(super) fn claims() -> Vec<Claim> {
-    let claim = |id: &str, place: &str, statement: String| {
-        Claim::new(Section::Method, ["section1", id], "general", format!("Section 1, {place}"), statement)
-            .given(PARTS)
+    let of = |section: Section, number: &'static str, system: &'static str, given: &str| {
+        let given = given.to_owned();
+        move |id: &str, place: &str, statement: &str| {
+            let place = format!("Section {number}, {place}");
+            let id = [&format!("section{number}"), id];
+            Claim::new(section, id, system, place, each(statement)).given(&given)
+        }
     };
-    let homogeneous = |id: &str, place: &str, statement: String| {
-        Claim::new(Section::Method, ["section1", id], "homogeneous", format!("Section 1, {place}"), statement)
-            .given(PARTS)
-    };
-    let bracket = |id: &str, place: &str, statement: &str| {
-        Claim::new(Section::Brackets, ["section2", id], "general", format!("Section 2, {place}"), statement)
-            .given(&format!(
-                "phi := {}; I := {}; L := {}; P12 := phi*d(I, z); P23 := phi*d(I, x); P31 := phi*d(I, y)",
-                generic_function("p"),
-                generic_function("i"),
-                generic_function("l")
-            ))
-    };
-    vec![
-        claim(
-            "scheme",
-            "definition of the map",
-            each(
-                "({X} - {x})/(2*eps) = (Q{i}(x + X, y + Y, z + Z) - Q{i}(x, y, z) - Q{i}(X, Y, Z))/2 \
-                 + B{i}(x + X, y + Y, z + Z)/2 + C{i}",
-            ),
-        ),
-        claim("matrix", "A = I - eps f'", {
-            each("A({i},1) = delta{i}1 - eps*d(f{i}, x); A({i},2) = delta{i}2 - eps*d(f{i}, y); A({i},3) = delta{i}3 - eps*d(f{i}, z)")
-        })
-        .given(
-            "delta11 := 1; delta22 := 1; delta33 := 1; delta12 := 0; delta13 := 0; delta21 := 0; delta23 := 0; \
-             delta31 := 0; delta32 := 0",
-        ),
-        claim("rhs", "b = x + eps B x + 2 eps c", each("b({i}) = {x} + eps*B{i}(x, y, z) + 2*eps*C{i}")),
-        claim("linear_system", "A x~ = b", each("A({i},1)*X + A({i},2)*Y + A({i},3)*Z = b({i})")),
-        claim(
-            "increment",
-            "increment form",
-            each("A({i},1)*(X - x) + A({i},2)*(Y - y) + A({i},3)*(Z - z) = 2*eps*f{i}"),
-        ),
-        claim(
-            "midpoint",
-            "midpoint form, addition",
-            each("({X} - {x})/(2*eps) = 2*F{i}((x + X)/2, (y + Y)/2, (z + Z)/2) - F{i}(x, y, z)/2 - F{i}(X, Y, Z)/2"),
-        ),
-        claim("inverse", "the inverse map has -eps", each("next(back({x})) = {x}; back({X}) = {x}")),
-        claim(
-            "inverse_system",
-            "A(x~,-eps) x = b(x~,-eps)",
-            each(
-                "on(at(A({i},1), eps, -eps), X, Y, Z)*x + on(at(A({i},2), eps, -eps), X, Y, Z)*y \
-                 + on(at(A({i},3), eps, -eps), X, Y, Z)*z = on(at(b({i}), eps, -eps), X, Y, Z)",
-            ),
-        ),
-        claim("jacobian", "A(x,eps) J = A(x~,-eps)", {
-            let entry = |j: &str| {
-                each(&format!(
-                    "A({{i}},1)*J(1,{j}) + A({{i}},2)*J(2,{j}) + A({{i}},3)*J(3,{j}) = on(at(A({{i}},{j}), eps, -eps), X, Y, Z)"
-                ))
-            };
-            [entry("1"), entry("2"), entry("3")].join("; ")
-        }),
-        claim("det_jacobian", "det J", "detA*detJ = on(at(detA, eps, -eps), X, Y, Z)".to_owned()),
-        homogeneous("homogeneous", "homogeneous fields: A x~ = x", {
-            each("A({i},1)*X + A({i},2)*Y + A({i},3)*Z = {x}")
-        }),
-        homogeneous("reversed", "(df56), homogeneous fields: x~ = A(x~,-eps) x", {
-            each(
-                "{X} = on(at(A({i},1), eps, -eps), X, Y, Z)*x + on(at(A({i},2), eps, -eps), X, Y, Z)*y \
-                 + on(at(A({i},3), eps, -eps), X, Y, Z)*z",
-            )
-        }),
-        homogeneous("scaling", "scaling, homogeneous fields", {
-            each("at({X}, x, lambda*x, y, lambda*y, z, lambda*z, eps, eps/lambda) = lambda*{X}")
-        }),
-        Claim::new(
-            Section::Construction,
-            ["section4", "proposition"],
-            "general",
-            "Section 4, proposition (n = 3): an invariant I and an invariant volume (1/phi) dx dy dz give an invariant bracket; \
-             m is the Jacobian matrix, g the gradient of I at the next point, v that of I at this point",
-            "v1 := m11*g1 + m21*g2 + m31*g3; v2 := m12*g1 + m22*g2 + m32*g3; v3 := m13*g1 + m23*g2 + m33*g3;
-             det := m11*(m22*m33 - m23*m32) - m12*(m21*m33 - m23*m31) + m13*(m21*m32 - m22*m31);
-             phi*v3*(m11*m22 - m12*m21) + phi*v1*(m12*m23 - m13*m22) + phi*v2*(m13*m21 - m11*m23) = phi*det*g3;
-             phi*v3*(m21*m32 - m22*m31) + phi*v1*(m22*m33 - m23*m32) + phi*v2*(m23*m31 - m21*m33) = phi*det*g1;
-             phi*v3*(m31*m12 - m32*m11) + phi*v1*(m32*m13 - m33*m12) + phi*v2*(m33*m11 - m31*m13) = phi*det*g2",
-        ),
-        bracket("bracket.jacobi", "phi (I_z, I_x, I_y) is a Poisson tensor", "jacobi(P12, P23, P31) = 0"),
-        bracket(
-            "bracket.casimir",
-            "its Casimir function is I",
-            "P12*d(I, y) - P31*d(I, z) = 0; P23*d(I, z) - P12*d(I, x) = 0; P31*d(I, x) - P23*d(I, y) = 0",
-        ),
-        bracket(
-            "bracket.compatible",
-            "brackets with one phi are compatible",
-            "jacobi(P12 + lambda*phi*d(L, z), P23 + lambda*phi*d(L, x), P31 + lambda*phi*d(L, y)) = 0",
-        ),
+    let [phi, integral, other] = ["p", "i", "l"].map(generic_function);
+    let functions = format!(
+        "phi := {phi}; I := {integral}; L := {other}; \
+         P12 := phi*d(I, z); P23 := phi*d(I, x); P31 := phi*d(I, y)"
+    );
+    [
+        read(METHOD, of(Section::Method, "1", "general", PARTS)),
+        read(HOMOGENEOUS, of(Section::Method, "1", "homogeneous", PARTS)),
+        read(CONSTRUCTION, of(Section::Construction, "4", "general", "")),
+        read(BRACKETS, of(Section::Brackets, "2", "general", &functions)),
     ]
+    .concat()
 }

@@ -10,6 +10,7 @@ mod maps;
 mod solutions;
 mod structures;
 mod tables;
+mod text;
 
 use super::claim::{Basis, Claim};
 use super::evaluate::Models;

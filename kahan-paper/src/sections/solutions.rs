@@ -3,10 +3,12 @@
 mod branches;
 mod initial_data;
 
+use kahan_systems::registry::find;
+
 use super::super::claim::Claim;
-use super::super::erratum::Erratum::A;
 use super::super::section::Section;
 use super::structures::structure;
+use super::text::read;
 
 /// A solution of a map: one step is n → n + 1.
 pub(super) struct Solution {
@@ -82,7 +84,15 @@ const FUNCTIONS: [&str; 3] = ["X", "Y", "Z"];
 /// The claims, in the order of the paper.
 pub(super) fn claims() -> Vec<Claim> {
     let theorem = SOLUTIONS.iter().flat_map(|solution| solution.claims("", "", ["", "", ""]));
-    [theorem.collect(), proof(), branches::claims(), initial_data::claims(), other_tops()].concat()
+    [
+        theorem.collect(),
+        read(PROOF, solved),
+        read(SYMMETRIES, claim),
+        branches::claims(),
+        initial_data::claims(),
+        read(OTHER_TOPS, |id, place, statement| claim(id, place, statement).spelling(ELLIPTIC)),
+    ]
+    .concat()
 }
 
 impl Solution {
@@ -90,9 +100,7 @@ impl Solution {
     fn definitions(&self) -> String {
         let components = FUNCTIONS.iter().zip(self.components);
         let components: String = components.map(|(name, value)| format!("{name}(n) := {value}; ")).collect();
-        let map = structure(self.system).and_then(|structure| structure.discrete);
-        let integrals =
-            map.map_or_else(String::new, |map| format!("H_eps := {}; K_eps := {};", map.h, map.k));
+        let integrals = structure(self.system).map_or("", |row| row.definitions);
         format!("{}{components}{integrals}", self.given)
     }
 
@@ -131,84 +139,59 @@ impl Solution {
 }
 
 /// What the proof says besides.
-fn proof() -> Vec<Claim> {
-    let solution = &SOLUTIONS[2];
-    let value = "delta := log(u); on(K_eps, X(n), Y(n), Z(n)) = tanh(delta)^2/(2*eps^2);
-    on(H_eps, X(n), Y(n), Z(n)) = tan(theta)";
-    vec![
-        Claim::new(
-            Section::MapSolutions,
-            ["theorem3", "e3", "proof", "K"],
-            "e3",
-            "Theorem 3, proof, i = 3, value of K(eps)",
-            value,
-        )
-        .given(&solution.definitions())
-        .within("u", (2, 1), (4, 1))
-        .misprinted(
-            A(4),
-            "on(K_eps, X(n), Y(n), Z(n)) = sinh(delta)^2/(2*eps^2)",
-            "eps := 1; u := 3; kappa := 0; theta := 0; n := 0;
-                X(n) = 4/3; Y(n) = 0; Z(n) = 0; on(K_eps, 4/3, 0, 0) = 8/25; sinh(delta)^2/(2*eps^2) = 8/9",
-        ),
-        Claim::new(
-            Section::MapSolutions,
-            ["theorem3", "e4", "symmetries"],
-            "e4",
-            "Theorem 3, i = 4, addition: the symmetries (x,y,z) -> (x,-y,z) and (y,x,-z)",
-            "on(next(x), x, -y, z) = next(x); on(next(y), x, -y, z) = -next(y);
-            on(next(z), x, -y, z) = next(z);
-            on(next(x), y, x, -z) = next(y); on(next(y), y, x, -z) = next(x);
-            on(next(z), y, x, -z) = -next(z)",
-        ),
-    ]
-}
+const PROOF: &str = "
+theorem3.e3.proof.K | Theorem 3, proof, i = 3, value of K(eps) |
+    delta := log(u); on(K_eps, X(n), Y(n), Z(n)) = tanh(delta)^2/(2*eps^2);
+    on(H_eps, X(n), Y(n), Z(n)) = tan(theta)
+    within u: 2, 4
+    misprint A4: on(K_eps, X(n), Y(n), Z(n)) = sinh(delta)^2/(2*eps^2)
+    refuted: eps := 1; u := 3; kappa := 0; theta := 0; n := 0;
+        X(n) = 4/3; Y(n) = 0; Z(n) = 0; on(K_eps, 4/3, 0, 0) = 8/25; sinh(delta)^2/(2*eps^2) = 8/9
+";
+const SYMMETRIES: &str = "
+theorem3.e4.symmetries | Theorem 3, i = 4, addition: the symmetries (x,y,z) -> (x,-y,z) and (y,x,-z) |
+    on(next(x), x, -y, z) = next(x); on(next(y), x, -y, z) = -next(y); on(next(z), x, -y, z) = next(z);
+    on(next(x), y, x, -z) = next(y); on(next(y), y, x, -z) = next(x); on(next(z), y, x, -z) = -next(z)
+";
+
+/// The coordinates of an Euler top on an orbit of dE4.
+const ELLIPTIC: &str = "
+    v(n) := 2*delta*n + kappa;
+    p(n) := k*sn(delta, k)*cn(v(n), k)/(eps*dn(delta, k));
+    q(n) := sn(delta, k)*dn(v(n), k)/(eps*cn(delta, k));
+    r(n) := k*sn(delta, k)*sn(v(n), k)/eps";
 
 /// dE6 and the map of the Euler top by the solution of dE4.
-fn other_tops() -> Vec<Claim> {
-    let elliptic = "
-        v(n) := 2*delta*n + kappa;
-        p(n) := k*sn(delta, k)*cn(v(n), k)/(eps*dn(delta, k));
-        q(n) := sn(delta, k)*dn(v(n), k)/(eps*cn(delta, k));
-        r(n) := k*sn(delta, k)*sn(v(n), k)/eps";
-    vec![
-        Claim::new(
-            Section::MapSolutions,
-            ["theorem3", "euler", "scaling"],
-            "euler",
-            "Theorem 3, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3 is dE4",
-            "step(w) := at(on(next(w), s1*(x - y), s2*(x + y), s3*z),
-                a1, -s1/(s2*s3), a2, -s2/(s3*s1), a3, s3/(s1*s2));
-            step(x) = s1*next(e4, x - y); step(y) = s2*next(e4, x + y); step(z) = s3*next(e4, z)",
-        ),
-        Claim::new(
-            Section::MapSolutions,
-            ["theorem3", "euler", "solution"],
-            "euler",
-            "Theorem 3, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3",
-            "X(n) := s1*p(n); Y(n) := s2*q(n); Z(n) := s3*r(n);
-            step(w) := at(on(next(w), X(n), Y(n), Z(n)), a1, -s1/(s2*s3), a2, -s2/(s3*s1), a3, s3/(s1*s2));
-            step(x) = X(n + 1); step(y) = Y(n + 1); step(z) = Z(n + 1)",
-        )
-        .spelling(elliptic),
-        Claim::new(
-            Section::MapSolutions,
-            ["theorem3", "e6", "change"],
-            "e6",
-            "Theorem 3, addition: dE6 is dE4 with eps -> -eps after a swap of two axes and a scaling",
-            "x4 := sqrt(3)/2*(x - z + y); y4 := sqrt(3)/2*(y - x + z); z4 := x + z;
-            step(w) := at(on(e4, next(w), x4, y4, z4), eps, -eps);
-            step(x) = next(x4); step(y) = next(y4); step(z) = next(z4)",
-        ),
-        Claim::new(
-            Section::MapSolutions,
-            ["theorem3", "e6", "solution"],
-            "e6",
-            "Theorem 3, addition: the solution of dE6",
-            "X(n) := (r(n) + p(n)/sqrt(3))/2; Y(n) := q(n)/sqrt(3); Z(n) := (r(n) - p(n)/sqrt(3))/2;
-            step(w) := on(at(next(w), eps, -eps), X(n), Y(n), Z(n));
-            step(x) = X(n + 1); step(y) = Y(n + 1); step(z) = Z(n + 1)",
-        )
-        .spelling(elliptic),
-    ]
+const OTHER_TOPS: &str = "
+theorem3.euler.scaling |
+    Theorem 3, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3 is dE4 |
+    step(w) := at(on(next(w), s1*(x - y), s2*(x + y), s3*z),
+        a1, -s1/(s2*s3), a2, -s2/(s3*s1), a3, s3/(s1*s2));
+    step(x) = s1*next(e4, x - y); step(y) = s2*next(e4, x + y); step(z) = s3*next(e4, z)
+theorem3.euler.solution | Theorem 3, addition: the Euler top with alpha1 alpha2 > 0 > alpha1 alpha3 |
+    X(n) := s1*p(n); Y(n) := s2*q(n); Z(n) := s3*r(n);
+    step(w) := at(on(next(w), X(n), Y(n), Z(n)), a1, -s1/(s2*s3), a2, -s2/(s3*s1), a3, s3/(s1*s2));
+    step(x) = X(n + 1); step(y) = Y(n + 1); step(z) = Z(n + 1)
+theorem3.e6.change |
+    Theorem 3, addition: dE6 is dE4 with eps -> -eps after a swap of two axes and a scaling |
+    x4 := sqrt(3)/2*(x - z + y); y4 := sqrt(3)/2*(y - x + z); z4 := x + z;
+    step(w) := at(on(e4, next(w), x4, y4, z4), eps, -eps);
+    step(x) = next(x4); step(y) = next(y4); step(z) = next(z4)
+theorem3.e6.solution | Theorem 3, addition: the solution of dE6 |
+    X(n) := (r(n) + p(n)/sqrt(3))/2; Y(n) := q(n)/sqrt(3); Z(n) := (r(n) - p(n)/sqrt(3))/2;
+    step(w) := on(at(next(w), eps, -eps), X(n), Y(n), Z(n));
+    step(x) = X(n + 1); step(y) = Y(n + 1); step(z) = Z(n + 1)
+";
+
+/// A claim about the system that its name names.
+fn claim(id: &str, place: &str, statement: &str) -> Claim {
+    let system = id.split('.').find_map(find).expect("a system in the name").command;
+    Claim::new(Section::MapSolutions, [id], system, place, statement)
+}
+
+/// A claim that may use the solution of the map.
+fn solved(id: &str, place: &str, statement: &str) -> Claim {
+    let claim = claim(id, place, statement);
+    let solution = SOLUTIONS.iter().find(|solution| solution.system == claim.system);
+    claim.given(&solution.map_or_else(String::new, Solution::definitions))
 }

@@ -1,44 +1,20 @@
 //! The rows of Tables 1 to 4: the Lie-Poisson pairs of the flows, the integrals and the Poisson
 //! pairs of the maps.
 
-/// One row of Tables 1 to 4. Tensors are triples ({x,y}, {y,z}, {z,x}).
+/// One row of Tables 1 to 4.
 #[derive(Clone, Copy, Debug)]
 pub struct Structure {
     /// The system: `e1`.
     pub system: &'static str,
-    /// P of Table 1.
-    pub p: [&'static str; 3],
-    /// Q of Table 1.
-    pub q: [&'static str; 3],
-    /// H of Table 1.
-    pub h: &'static str,
-    /// K of Table 1.
-    pub k: &'static str,
-    /// c of Table 1.
-    pub c: &'static str,
     /// The Lie algebras of P and Q.
     pub algebras: [Algebra; 2],
-    /// H(ε), K(ε), P(ε) and Q(ε) of Tables 2, 3 and 4, where they are rational.
-    pub discrete: Option<Discrete>,
+    /// H, K, c and the tensors P and Q of Table 1 as definitions. Where those of the map are
+    /// rational, H(ε), K(ε), P(ε) and Q(ε) of Tables 2, 3 and 4 follow, row 3 of Table 4 corrected.
+    ///
+    /// A tensor is defined by its entries {x,y}, {y,z}, {z,x}: `P12`, `P23`, `P31`; an object of the
+    /// map has `_eps` behind its name.
+    pub definitions: &'static str,
 }
-
-/// The part of a row that belongs to the map.
-#[derive(Clone, Copy, Debug)]
-pub struct Discrete {
-    /// H(ε) of Table 2.
-    pub h: &'static str,
-    /// K(ε) of Table 2.
-    pub k: &'static str,
-    /// P(ε) of Table 3.
-    pub p: [&'static str; 3],
-    /// Q(ε) of Table 4, row 3 corrected.
-    pub q: [&'static str; 3],
-}
-
-const SL: [&str; 3] = ["x", "z", "2*y"];
-const SO: [&str; 3] = ["z", "x", "y"];
-const SL_CASIMIR: &str = "x*z + y^2";
-const SO_CASIMIR: &str = "1/2*(x^2 + y^2 + z^2)";
 
 /// A Lie algebra by the brackets {e,f}, {f,g}, {g,e} of a basis e, f, g of linear functions.
 #[derive(Clone, Copy, Debug)]
@@ -63,131 +39,90 @@ const A3XI: Algebra =
 pub(super) const STRUCTURES: [Structure; 9] = [
     Structure {
         system: "e1",
-        p: ["0", "y", "-x"],
-        q: SL,
-        h: "y/x",
-        k: SL_CASIMIR,
-        c: "1/x^2",
         algebras: [A33, SL2],
-        discrete: Some(Discrete {
-            h: "y/x",
-            k: "(x*z + y^2)/(1 - eps^2*x^2)",
-            p: ["0", "y*(1 - eps^2*x^2)", "-x*(1 - eps^2*x^2)"],
-            q: ["x", "(z + eps^2*x*(x*z + 2*y^2))/(1 - eps^2*x^2)", "2*y"],
-        }),
+        definitions: "
+            H := y/x; K := x*z + y^2; c := 1/x^2;
+            P12 := 0; P23 := y; P31 := -x; Q12 := x; Q23 := z; Q31 := 2*y;
+            H_eps := y/x; K_eps := (x*z + y^2)/(1 - eps^2*x^2);
+            P12_eps := 0; P23_eps := y*(1 - eps^2*x^2); P31_eps := -x*(1 - eps^2*x^2);
+            Q12_eps := x; Q23_eps := (z + eps^2*x*(x*z + 2*y^2))/(1 - eps^2*x^2); Q31_eps := 2*y",
     },
     Structure {
         system: "e2",
-        p: ["0", "-y", "-x"],
-        q: SL,
-        h: "x*y",
-        k: SL_CASIMIR,
-        c: "1",
         algebras: [E11, SL2],
-        discrete: Some(Discrete {
-            h: "x*y/(1 - eps^2*x^2)",
-            k: "(x*z + y^2)/(1 - eps^2*x^2)",
-            p: ["0", "-y*(1 + eps^2*x^2)", "-x*(1 - eps^2*x^2)"],
-            q: ["x*(1 - eps^2*x^2)", "z + eps^2*x*(x*z + 2*y^2)", "2*y*(1 - eps^2*x^2)"],
-        }),
+        definitions: "
+            H := x*y; K := x*z + y^2; c := 1;
+            P12 := 0; P23 := -y; P31 := -x; Q12 := x; Q23 := z; Q31 := 2*y;
+            H_eps := x*y/(1 - eps^2*x^2); K_eps := (x*z + y^2)/(1 - eps^2*x^2);
+            P12_eps := 0; P23_eps := -y*(1 + eps^2*x^2); P31_eps := -x*(1 - eps^2*x^2);
+            Q12_eps := x*(1 - eps^2*x^2); Q23_eps := z + eps^2*x*(x*z + 2*y^2);
+            Q31_eps := 2*y*(1 - eps^2*x^2)",
     },
     Structure {
         system: "e3",
-        p: ["0", "y", "-x"],
-        q: SO,
-        h: "y/x",
-        k: SO_CASIMIR,
-        c: "1/x^2",
         algebras: [A33, SO3],
-        discrete: Some(Discrete {
-            h: "y/x",
-            k: "1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2))",
-            p: ["0", "y*(1 + eps^2*(x^2 + y^2))", "-x*(1 + eps^2*(x^2 + y^2))"],
-            q: [
-                "z",
-                "x*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2))",
-                "y*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2))",
-            ],
-        }),
+        definitions: "
+            H := y/x; K := 1/2*(x^2 + y^2 + z^2); c := 1/x^2;
+            P12 := 0; P23 := y; P31 := -x; Q12 := z; Q23 := x; Q31 := y;
+            H_eps := y/x; K_eps := 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
+            P12_eps := 0; P23_eps := y*(1 + eps^2*(x^2 + y^2)); P31_eps := -x*(1 + eps^2*(x^2 + y^2));
+            Q12_eps := z; Q23_eps := x*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2));
+            Q31_eps := y*(1 - eps^2*z^2)/(1 + eps^2*(x^2 + y^2))",
     },
     Structure {
         system: "e4",
-        p: ["0", "-y", "-x"],
-        q: SO,
-        h: "x*y",
-        k: SO_CASIMIR,
-        c: "1",
         algebras: [E11, SO3],
-        discrete: Some(Discrete {
-            h: "x*y/(1 + eps^2*(x^2 + y^2))",
-            k: "1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2))",
-            p: ["0", "-y*(1 - eps^2*(x^2 - y^2))", "-x*(1 + eps^2*(x^2 - y^2))"],
-            q: ["z*(1 + eps^2*(x^2 + y^2))", "x*(1 - eps^2*z^2)", "y*(1 - eps^2*z^2)"],
-        }),
+        definitions: "
+            H := x*y; K := 1/2*(x^2 + y^2 + z^2); c := 1;
+            P12 := 0; P23 := -y; P31 := -x; Q12 := z; Q23 := x; Q31 := y;
+            H_eps := x*y/(1 + eps^2*(x^2 + y^2)); K_eps := 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
+            P12_eps := 0; P23_eps := -y*(1 - eps^2*(x^2 - y^2)); P31_eps := -x*(1 + eps^2*(x^2 - y^2));
+            Q12_eps := z*(1 + eps^2*(x^2 + y^2)); Q23_eps := x*(1 - eps^2*z^2);
+            Q31_eps := y*(1 - eps^2*z^2)",
     },
     Structure {
         system: "e5",
-        p: ["0", "x", "y"],
-        q: SL,
-        h: "1/2*(x^2 + y^2)",
-        k: SL_CASIMIR,
-        c: "-1",
         algebras: [E2, SL2],
-        discrete: Some(Discrete {
-            h: "1/2*(x^2 + y^2)/(1 + eps^2*x^2)",
-            k: "(x*z + y^2)/(1 + eps^2*x^2)",
-            p: ["0", "x*(1 - eps^2*y^2)", "y*(1 + eps^2*x^2)"],
-            q: ["x*(1 + eps^2*x^2)", "z - eps^2*x*(x*z + 2*y^2)", "2*y*(1 + eps^2*x^2)"],
-        }),
+        definitions: "
+            H := 1/2*(x^2 + y^2); K := x*z + y^2; c := -1;
+            P12 := 0; P23 := x; P31 := y; Q12 := x; Q23 := z; Q31 := 2*y;
+            H_eps := 1/2*(x^2 + y^2)/(1 + eps^2*x^2); K_eps := (x*z + y^2)/(1 + eps^2*x^2);
+            P12_eps := 0; P23_eps := x*(1 - eps^2*y^2); P31_eps := y*(1 + eps^2*x^2);
+            Q12_eps := x*(1 + eps^2*x^2); Q23_eps := z - eps^2*x*(x*z + 2*y^2);
+            Q31_eps := 2*y*(1 + eps^2*x^2)",
     },
     Structure {
         system: "e6",
-        p: SL,
-        q: SO,
-        h: SL_CASIMIR,
-        k: SO_CASIMIR,
-        c: "-1",
         algebras: [SL2, SO3],
-        discrete: Some(Discrete {
-            h: "(x*z + y^2)/(1 - 3*eps^2*x*z)",
-            k: "1/2*(x^2 + y^2 + z^2)/(1 - 3*eps^2*x*z)",
-            p: ["x*(1 + 3*eps^2*y^2)", "z*(1 + 3*eps^2*y^2)", "2*y*(1 - 3*eps^2*x*z)"],
-            q: [
-                "z + 3/2*eps^2*x*(x^2 + y^2 - z^2)",
-                "x + 3/2*eps^2*z*(z^2 + y^2 - x^2)",
-                "y*(1 - 3*eps^2*x*z)",
-            ],
-        }),
+        definitions: "
+            H := x*z + y^2; K := 1/2*(x^2 + y^2 + z^2); c := -1;
+            P12 := x; P23 := z; P31 := 2*y; Q12 := z; Q23 := x; Q31 := y;
+            H_eps := (x*z + y^2)/(1 - 3*eps^2*x*z); K_eps := 1/2*(x^2 + y^2 + z^2)/(1 - 3*eps^2*x*z);
+            P12_eps := x*(1 + 3*eps^2*y^2); P23_eps := z*(1 + 3*eps^2*y^2);
+            P31_eps := 2*y*(1 - 3*eps^2*x*z);
+            Q12_eps := z + 3/2*eps^2*x*(x^2 + y^2 - z^2); Q23_eps := x + 3/2*eps^2*z*(z^2 + y^2 - x^2);
+            Q31_eps := y*(1 - 3*eps^2*x*z)",
     },
     Structure {
         system: "e7",
-        p: ["0", "xi*y", "-x"],
-        q: SL,
-        h: "y*x^(-xi)",
-        k: SL_CASIMIR,
-        c: "x^(-xi - 1)",
         algebras: [A3XI, SL2],
-        discrete: None,
+        definitions: "
+            H := y*x^(-xi); K := x*z + y^2; c := x^(-xi - 1);
+            P12 := 0; P23 := xi*y; P31 := -x; Q12 := x; Q23 := z; Q31 := 2*y",
     },
     Structure {
         system: "e8",
-        p: ["0", "x + y", "-x"],
-        q: SL,
-        h: "x*exp(-y/x)",
-        k: SL_CASIMIR,
-        c: "-exp(-y/x)/x",
         algebras: [A32, SL2],
-        discrete: None,
+        definitions: "
+            H := x*exp(-y/x); K := x*z + y^2; c := -exp(-y/x)/x;
+            P12 := 0; P23 := x + y; P31 := -x; Q12 := x; Q23 := z; Q31 := 2*y",
     },
     Structure {
         system: "e9",
-        p: ["0", "xi*y", "-x"],
-        q: SO,
-        h: "y*x^(-xi)",
-        k: SO_CASIMIR,
-        c: "x^(-xi - 1)",
         algebras: [A3XI, SO3],
-        discrete: None,
+        definitions: "
+            H := y*x^(-xi); K := 1/2*(x^2 + y^2 + z^2); c := x^(-xi - 1);
+            P12 := 0; P23 := xi*y; P31 := -x; Q12 := z; Q23 := x; Q31 := y",
     },
 ];
 
@@ -197,26 +132,22 @@ pub fn structure(system: &str) -> Option<&'static Structure> {
     STRUCTURES.iter().find(|structure| structure.system == system)
 }
 
-/// The names of the entries of a tensor.
-pub(super) const ENTRIES: [&str; 3] = ["12", "23", "31"];
-
 impl Structure {
-    /// P, Q, H, K and c as definitions.
+    /// Whether the integrals and the pair of the map are rational, so that Tables 2 to 4 have them.
     #[must_use]
-    pub fn definitions(&self) -> String {
-        let mut text = format!("H := {}; K := {}; c := {}; ", self.h, self.k, self.c);
-        text += &triple("P", "", &self.p);
-        text += &triple("Q", "", &self.q);
-        if let Some(map) = &self.discrete {
-            text += &format!("H_eps := {}; K_eps := {}; ", map.h, map.k);
-            text += &triple("P", "_eps", &map.p);
-            text += &triple("Q", "_eps", &map.q);
-        }
-        text
+    pub fn has_map(&self) -> bool {
+        self.value("H_eps").is_some()
     }
-}
 
-/// The entries of a tensor as definitions: `P12 := …; P23 := …; P31 := …; `.
-pub(super) fn triple(name: &str, suffix: &str, entries: &[&str; 3]) -> String {
-    ENTRIES.iter().zip(entries).map(|(index, value)| format!("{name}{index}{suffix} := {value}; ")).collect()
+    /// What the definition of this name says.
+    #[must_use]
+    pub fn value(&self, name: &str) -> Option<&'static str> {
+        self.pairs().find(|(defined, _)| *defined == name).map(|(_, value)| value)
+    }
+
+    /// The names that are defined, with what they stand for.
+    pub(super) fn pairs(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        let pairs = self.definitions.split(';').filter_map(|definition| definition.split_once(":="));
+        pairs.map(|(name, value)| (name.trim(), value.trim()))
+    }
 }

@@ -1,270 +1,168 @@
 //! Tables 1 to 4 and Theorems 1 and 2, cell by cell.
+//!
+//! Every row makes the same claims. `{P12}` stands for the definition of `P12` in the row, so that
+//! a cell is shown, checked and changed with its claim; `{e}` is the system, `{i}` its number.
 
 use super::super::claim::Claim;
-use super::super::erratum::Erratum;
 use super::super::id::Id;
 use super::super::section::Section;
-use super::structures::{ENTRIES, STRUCTURES, Structure, triple};
+use super::structures::{Algebra, STRUCTURES, Structure};
+use super::text::{Written, read};
 
-/// P dF for the tensor with this name and suffix, as three formulas.
-fn applied(tensor: &str, suffix: &str, function: &str) -> [String; 3] {
-    let [p12, p23, p31] = ENTRIES.map(|index| format!("{tensor}{index}{suffix}"));
-    [
-        format!("{p12}*d({function}, y) - {p31}*d({function}, z)"),
-        format!("{p23}*d({function}, z) - {p12}*d({function}, x)"),
-        format!("{p31}*d({function}, x) - {p23}*d({function}, y)"),
-    ]
-}
+/// What Table 1 and section 3 say of a flow, section 6 for E7 to E9.
+const FLOW: &str = "
+table1.{e}.P | {table}, P |
+    {P12}; {P23}; {P31}; jacobi(P12, P23, P31) = 0;
+    P12*d(H, y) - P31*d(H, z) = 0; P23*d(H, z) - P12*d(H, x) = 0; P31*d(H, x) - P23*d(H, y) = 0;
+    P12*d(K, y) - P31*d(K, z) = -f1; P23*d(K, z) - P12*d(K, x) = -f2; P31*d(K, x) - P23*d(K, y) = -f3
+table1.{e}.Q | {table}, Q |
+    {Q12}; {Q23}; {Q31}; jacobi(Q12, Q23, Q31) = 0;
+    Q12*d(K, y) - Q31*d(K, z) = 0; Q23*d(K, z) - Q12*d(K, x) = 0; Q31*d(K, x) - Q23*d(K, y) = 0;
+    Q12*d(H, y) - Q31*d(H, z) = -c*f1; Q23*d(H, z) - Q12*d(H, x) = -c*f2;
+    Q31*d(H, x) - Q23*d(H, y) = -c*f3
+table1.{e}.H | {table}, H |
+    {H}; dot(H) = 0;
+    P12*d(H, y) - P31*d(H, z) = 0; P23*d(H, z) - P12*d(H, x) = 0; P31*d(H, x) - P23*d(H, y) = 0
+table1.{e}.K | {table}, K |
+    {K}; dot(K) = 0;
+    Q12*d(K, y) - Q31*d(K, z) = 0; Q23*d(K, z) - Q12*d(K, x) = 0; Q31*d(K, x) - Q23*d(K, y) = 0
+table1.{e}.c | {table}, c |
+    {c}; divergence(c) = 0; Q12*d(H, y) - Q31*d(H, z) = -c*f1; Q23*d(H, z) - Q12*d(H, x) = -c*f2;
+    Q31*d(H, x) - Q23*d(H, y) = -c*f3
+section3.{e}.chain | {section}, Lenard-Magri chain |
+    P12*d(K, y) - P31*d(K, z) = (Q12*d(H, y) - Q31*d(H, z))/c;
+    P23*d(K, z) - P12*d(K, x) = (Q23*d(H, z) - Q12*d(H, x))/c;
+    P31*d(K, x) - P23*d(K, y) = (Q31*d(H, x) - Q23*d(H, y))/c
+section3.{e}.compatible | {section}, compatibility |
+    jacobi(P12 + lambda*Q12/c, P23 + lambda*Q23/c, P31 + lambda*Q31/c) = 0
+";
 
-/// `a = b` for each pair.
-fn equations(left: &[String; 3], right: [&str; 3]) -> String {
-    left.iter().zip(right).map(|(left, right)| format!("{left} = {right}")).collect::<Vec<_>>().join("; ")
-}
+/// The Lie algebra of a tensor.
+const ALGEBRA: &str = "
+section3.{e}.algebra_{t} | {table}, {t} is the algebra {algebra} |
+    bracket({t}12, {t}23, {t}31, {e1}, {e2}) = {e1e2}; bracket({t}12, {t}23, {t}31, {e2}, {e3}) = {e2e3};
+    bracket({t}12, {t}23, {t}31, {e3}, {e1}) = {e3e1}
+";
+
+/// What Tables 2 to 4 and Theorems 1 and 2 say of a map.
+const MAP: &str = "
+table2.{e}.limit | Table 2, i = {i}, at eps = 0 | at(H_eps, eps, 0) = H; at(K_eps, eps, 0) = K
+theorem1.{e}.flow | Theorem 1, the volume form of the flow, i = {i} | divergence(c/(H*K)) = 0
+theorem1.{e}.map | Theorem 1, (form), the volume form of the map, i = {i} | detJ*next(c/(H*K)) = c/(H*K)
+table3.{e}.P12 | Table 3, i = {i}, P12, from (p1) |
+    {P12_eps}; -1/c*H*K/(H_eps*K_eps)*d(H_eps, z) = P12_eps
+table3.{e}.P23 | Table 3, i = {i}, P23, from (p1) |
+    {P23_eps}; -1/c*H*K/(H_eps*K_eps)*d(H_eps, x) = P23_eps
+table3.{e}.P31 | Table 3, i = {i}, P31, from (p1) |
+    {P31_eps}; -1/c*H*K/(H_eps*K_eps)*d(H_eps, y) = P31_eps
+table4.{e}.Q12 | Table 4, i = {i}, Q12, from (q3) | {Q12_eps}; H*K/(H_eps*K_eps)*d(K_eps, z) = Q12_eps
+table4.{e}.Q23 | Table 4, i = {i}, Q23, from (q3) | {Q23_eps}; H*K/(H_eps*K_eps)*d(K_eps, x) = Q23_eps
+table4.{e}.Q31 | Table 4, i = {i}, Q31, from (q3) | {Q31_eps}; H*K/(H_eps*K_eps)*d(K_eps, y) = Q31_eps
+table3.{e}.limit | Table 3, i = {i}, at eps = 0 |
+    at(P12_eps, eps, 0) = P12; at(P23_eps, eps, 0) = P23; at(P31_eps, eps, 0) = P31
+table4.{e}.limit | Table 4, i = {i}, at eps = 0 |
+    at(Q12_eps, eps, 0) = Q12; at(Q23_eps, eps, 0) = Q23; at(Q31_eps, eps, 0) = Q31
+theorem2.{e}.jacobi_P | Theorem 2, i = {i}, Jacobi identity of P(eps) | jacobi(P12_eps, P23_eps, P31_eps) = 0
+theorem2.{e}.jacobi_Q | Theorem 2, i = {i}, Jacobi identity of Q(eps) and Q(eps)/c |
+    jacobi(Q12_eps, Q23_eps, Q31_eps) = 0; jacobi(Q12_eps/c, Q23_eps/c, Q31_eps/c) = 0
+theorem2.{e}.compatible | Theorem 2, i = {i}, compatibility |
+    jacobi(P12_eps + lambda*Q12_eps/c, P23_eps + lambda*Q23_eps/c, P31_eps + lambda*Q31_eps/c) = 0
+theorem2.{e}.casimirs | Theorem 2, i = {i}, Casimir functions |
+    P12_eps*d(H_eps, y) - P31_eps*d(H_eps, z) = 0; P23_eps*d(H_eps, z) - P12_eps*d(H_eps, x) = 0;
+    P31_eps*d(H_eps, x) - P23_eps*d(H_eps, y) = 0; Q12_eps*d(K_eps, y) - Q31_eps*d(K_eps, z) = 0;
+    Q23_eps*d(K_eps, z) - Q12_eps*d(K_eps, x) = 0; Q31_eps*d(K_eps, x) - Q23_eps*d(K_eps, y) = 0
+theorem2.{e}.involution | Theorem 2, i = {i}, H(eps) and K(eps) commute |
+    bracket(P12_eps, P23_eps, P31_eps, H_eps, K_eps) = 0; bracket(Q12_eps, Q23_eps, Q31_eps, H_eps, K_eps) = 0
+";
+
+/// Where c is not constant, the map keeps Q(ε)/c and not Q(ε).
+const FACTOR: &str = "
+theorem2.{e}.factor | Theorem 2, i = {i}, Q(eps) without the factor 1/c is not invariant |
+    Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
+        + Q31_eps*(J(1,3)*J(2,1) - J(1,1)*J(2,3)) != next(Q12_eps);
+    (Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
+        + Q31_eps*(J(1,3)*J(2,1) - J(1,1)*J(2,3)))/c = next(Q12_eps/c)
+";
+
+/// The cells that are printed wrongly.
+///
+/// Without its sign, c of E8 does not link the two forms of the field. As printed, the tensor Q of
+/// E3 is Poisson, but the map does not keep it.
+const MISPRINTS: &str = "
+table1.e8.c
+    misprint A2: c := exp(-y/x)/x; P12*d(K, y) - P31*d(K, z) = (Q12*d(H, y) - Q31*d(H, z))/c
+    refuted: eps := 1; x := 1; y := 0; z := 0; P12*d(K, y) - P31*d(K, z) = 1; P23*d(K, z) - P12*d(K, x) = 1;
+        P31*d(K, x) - P23*d(K, y) = 0; Q12*d(H, y) - Q31*d(H, z) = -1; Q23*d(H, z) - Q12*d(H, x) = -1; 1/c = -1
+table4.e3.Q23
+    misprint A1: Q23_eps := x*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2));
+        Q31_eps := y*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2));
+        Q12_eps/c*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps/c*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
+        + Q31_eps/c*(J(1,3)*J(2,1) - J(1,1)*J(2,3)) = next(Q12_eps/c);
+        H*K/(H_eps*K_eps)*d(K_eps, x) = Q23_eps
+    refuted: eps := 1/2; x := 1; y := 2; z := 3; next(x) = -1/10; next(y) = -1/5; next(z) = 5/2;
+        next(Q12_eps/c) = 1/40;
+        Q12_eps/c*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps/c*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
+        + Q31_eps/c*(J(1,3)*J(2,1) - J(1,1)*J(2,3)) = 1/40;
+        H*K/(H_eps*K_eps)*d(K_eps, x) = -5/9
+table4.e3.Q31
+    misprint A1: Q31_eps := y*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2)); H*K/(H_eps*K_eps)*d(K_eps, y) = Q31_eps
+    refuted: eps := 1/2; x := 1; y := 2; z := 3; H*K/(H_eps*K_eps)*d(K_eps, y) = -10/9
+";
 
 /// The claims of Tables 1 to 4.
 pub(super) fn claims() -> Vec<Claim> {
-    let claims = STRUCTURES.iter().flat_map(|row| [table1(row), pair(row), map(row)].concat());
-    claims.map(with_misprint).collect()
+    let misprints = Written::all(MISPRINTS);
+    let claims = STRUCTURES.iter().flat_map(row).map(|claim| {
+        let misprint = misprints.iter().find(|misprint| claim.id == Id::of([&misprint.head]));
+        misprint.map_or(claim.clone(), |misprint| misprint.annotate(claim))
+    });
+    claims.collect()
 }
 
-/// A cell that is printed wrongly.
-struct Misprinted {
-    claim: [&'static str; 3],
-    erratum: Erratum,
-    printed: &'static str,
-    counterexample: &'static str,
-}
-
-const MISPRINTED: [Misprinted; 3] = [
-    // Without its sign, c does not link the two forms of the field.
-    Misprinted {
-        claim: ["table1", "e8", "c"],
-        erratum: Erratum::A(2),
-        printed: "c := exp(-y/x)/x; P12*d(K, y) - P31*d(K, z) = (Q12*d(H, y) - Q31*d(H, z))/c",
-        counterexample: "eps := 1; x := 1; y := 0; z := 0; P12*d(K, y) - P31*d(K, z) = 1; P23*d(K, z) - P12*d(K, x) = 1;
-         P31*d(K, x) - P23*d(K, y) = 0; Q12*d(H, y) - Q31*d(H, z) = -1; Q23*d(H, z) - Q12*d(H, x) = -1; 1/c = -1",
-    },
-    // As printed the tensor is Poisson, but the map does not keep it.
-    Misprinted {
-        claim: ["table4", "e3", "Q23"],
-        erratum: Erratum::A(1),
-        printed: "Q23_eps := x*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2)); Q31_eps := y*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2));
-         Q12_eps/c*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps/c*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
-         + Q31_eps/c*(J(1,3)*J(2,1) - J(1,1)*J(2,3)) = next(Q12_eps/c);
-         H*K/(H_eps*K_eps)*d(K_eps, x) = Q23_eps",
-        counterexample: "eps := 1/2; x := 1; y := 2; z := 3; next(x) = -1/10; next(y) = -1/5; next(z) = 5/2; next(Q12_eps/c) = 1/40;
-         Q12_eps/c*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps/c*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
-         + Q31_eps/c*(J(1,3)*J(2,1) - J(1,1)*J(2,3)) = 1/40;
-         H*K/(H_eps*K_eps)*d(K_eps, x) = -5/9",
-    },
-    Misprinted {
-        claim: ["table4", "e3", "Q31"],
-        erratum: Erratum::A(1),
-        printed: "Q31_eps := y*(1 - eps^2*z)/(1 + eps^2*(x^2 + y^2)); H*K/(H_eps*K_eps)*d(K_eps, y) = Q31_eps",
-        counterexample: "eps := 1/2; x := 1; y := 2; z := 3; H*K/(H_eps*K_eps)*d(K_eps, y) = -10/9",
-    },
-];
-
-fn with_misprint(claim: Claim) -> Claim {
-    match MISPRINTED.iter().find(|misprinted| claim.id == Id::of(misprinted.claim)) {
-        Some(m) => claim.misprinted(m.erratum, m.printed, m.counterexample),
-        None => claim,
-    }
-}
-
-fn place(structure: &Structure) -> String {
-    let index = &structure.system[1..];
-    // Table 1 has the systems whose maps are in Tables 2 to 4.
-    if structure.discrete.is_some() {
-        format!("Table 1, i = {index}")
-    } else {
-        format!("Section 6, E{index}")
-    }
-}
-
-/// Where the paper has the Lie-Poisson pair of a flow.
-fn section(structure: &Structure) -> Section {
-    if structure.discrete.is_some() { Section::FlowPairs } else { Section::Transcendental }
-}
-
-const ZERO: [&str; 3] = ["0"; 3];
-const MINUS_FIELD: [&str; 3] = ["-f1", "-f2", "-f3"];
-const MINUS_C_FIELD: [&str; 3] = ["-c*f1", "-c*f2", "-c*f3"];
-
-/// The cells of Table 1 for one system.
-fn table1(s: &Structure) -> Vec<Claim> {
-    let cell = |name: &str, statement: String| {
-        Claim::new(
-            section(s),
-            ["table1", s.system, name],
-            s.system,
-            format!("{}, {name}", place(s)),
-            statement,
-        )
-        .given(&s.definitions())
-        .within("x", (1, 5), (4, 5))
-    };
-    let jacobi = |t: &str| format!("jacobi({t}12, {t}23, {t}31) = 0");
-    let c = cell(
-        "c",
-        format!("c := {}; divergence(c) = 0; {}", s.c, equations(&applied("Q", "", "H"), MINUS_C_FIELD)),
-    );
-    vec![
-        cell(
-            "P",
-            format!(
-                "{}{}; {}; {}",
-                triple("P", "", &s.p),
-                jacobi("P"),
-                equations(&applied("P", "", "H"), ZERO),
-                equations(&applied("P", "", "K"), MINUS_FIELD)
-            ),
-        ),
-        cell(
-            "Q",
-            format!(
-                "{}{}; {}; {}",
-                triple("Q", "", &s.q),
-                jacobi("Q"),
-                equations(&applied("Q", "", "K"), ZERO),
-                equations(&applied("Q", "", "H"), MINUS_C_FIELD)
-            ),
-        ),
-        cell("H", format!("H := {}; dot(H) = 0; {}", s.h, equations(&applied("P", "", "H"), ZERO))),
-        cell("K", format!("K := {}; dot(K) = 0; {}", s.k, equations(&applied("Q", "", "K"), ZERO))),
-        c,
-    ]
-}
-
-/// What section 3 says of the pair of one flow, and Lie algebras.
-fn pair(s: &Structure) -> Vec<Claim> {
-    let claim = |name: &str, place: String, statement: String| {
-        Claim::new(section(s), ["section3", s.system, name], s.system, place, statement)
-            .given(&s.definitions())
-    };
-    let in_section =
-        |what: &str| format!("{}, {what}", if s.discrete.is_some() { "Section 3" } else { "Section 6" });
-    let right = applied("Q", "", "H").map(|entry| format!("({entry})/c"));
-    let chain: Vec<String> =
-        applied("P", "", "K").iter().zip(&right).map(|(a, b)| format!("{a} = {b}")).collect();
-    let mut claims = vec![
-        claim("chain", in_section("Lenard-Magri chain"), chain.join("; ")),
-        claim(
-            "compatible",
-            in_section("compatibility"),
-            "jacobi(P12 + lambda*Q12/c, P23 + lambda*Q23/c, P31 + lambda*Q31/c) = 0".to_owned(),
-        ),
-    ];
-    for (tensor, algebra) in ["P", "Q"].into_iter().zip(s.algebras) {
-        let (e, f, g) = algebra.basis;
-        let brackets = [(e, f), (f, g), (g, e)]
-            .map(|(a, b)| format!("bracket({tensor}12, {tensor}23, {tensor}31, {a}, {b})"));
-        let relations: Vec<String> =
-            brackets.iter().zip(algebra.brackets).map(|(a, b)| format!("{a} = {b}")).collect();
-        claims.push(claim(
-            &format!("algebra_{tensor}"),
-            format!("{}, {tensor} is the algebra {}", place(s), algebra.name),
-            relations.join("; "),
-        ));
-    }
-    claims
-}
-
-/// Tables 2 to 4 and Theorems 1 and 2 for one map.
-fn map(s: &Structure) -> Vec<Claim> {
-    let Some(map) = &s.discrete else { return Vec::new() };
+/// All that is claimed of one system.
+fn row(s: &Structure) -> Vec<Claim> {
     let index = &s.system[1..];
-    let definitions = s.definitions();
-    let claim = |section: Section, table: &str, name: &str, place: String, statement: String| {
-        Claim::new(section, [table, s.system, name], s.system, place, statement).given(&definitions)
+    // Table 1 has the systems whose maps are in Tables 2 to 4.
+    let (section, table) = if s.has_map() {
+        ("3", format!("Table 1, i = {index}"))
+    } else {
+        ("6", format!("Section 6, E{index}"))
     };
-    let mut claims = vec![
-        claim(
-            Section::Maps,
-            "table2",
-            "limit",
-            format!("Table 2, i = {index}, at eps = 0"),
-            "at(H_eps, eps, 0) = H; at(K_eps, eps, 0) = K".to_owned(),
-        ),
-        claim(
-            Section::Maps,
-            "theorem1",
-            "flow",
-            format!("Theorem 1, the volume form of the flow, i = {index}"),
-            "divergence(c/(H*K)) = 0".to_owned(),
-        ),
-        claim(
-            Section::Maps,
-            "theorem1",
-            "map",
-            format!("Theorem 1, (form), the volume form of the map, i = {index}"),
-            "detJ*next(c/(H*K)) = c/(H*K)".to_owned(),
-        ),
-    ];
-    let directions = ["z", "x", "y"];
-    for (cell, (entry, direction)) in map.p.iter().zip(ENTRIES.iter().zip(directions)) {
-        claims.push(claim(
-            Section::MapPairs,
-            "table3",
-            &format!("P{entry}"),
-            format!("Table 3, i = {index}, P{entry}, from (p1)"),
-            format!("P{entry}_eps := {cell}; -1/c*H*K/(H_eps*K_eps)*d(H_eps, {direction}) = P{entry}_eps"),
-        ));
+    let filled = |text: &str| {
+        let text = text.replace("{e}", s.system).replace("{i}", index).replace("{table}", &table);
+        let text = text.replace("{section}", &format!("Section {section}"));
+        s.pairs().fold(text, |text, (name, value)| {
+            text.replace(&format!("{{{name}}}"), &format!("{name} := {value}"))
+        })
+    };
+    let claim = |id: &str, place: &str, statement: &str| {
+        let section = match (id.split('.').next(), s.has_map()) {
+            (Some("table1" | "section3"), true) => Section::FlowPairs,
+            (Some("table1" | "section3"), false) => Section::Transcendental,
+            (Some("table2" | "theorem1"), _) => Section::Maps,
+            _ => Section::MapPairs,
+        };
+        Claim::new(section, [id], s.system, place, statement).given(s.definitions)
+    };
+    let mut text = filled(FLOW);
+    for (tensor, algebra) in ["P", "Q"].into_iter().zip(s.algebras) {
+        text += &of_algebra(tensor, algebra, &filled(ALGEBRA));
     }
-    for (cell, (entry, direction)) in map.q.iter().zip(ENTRIES.iter().zip(directions)) {
-        claims.push(claim(
-            Section::MapPairs,
-            "table4",
-            &format!("Q{entry}"),
-            format!("Table 4, i = {index}, Q{entry}, from (q3)"),
-            format!("Q{entry}_eps := {cell}; H*K/(H_eps*K_eps)*d(K_eps, {direction}) = Q{entry}_eps"),
-        ));
+    if s.has_map() {
+        text += &filled(MAP);
     }
-    let limits = |t: &str| -> String {
-        ENTRIES.map(|entry| format!("at({t}{entry}_eps, eps, 0) = {t}{entry}")).join("; ")
-    };
-    let sum = ENTRIES.map(|entry| format!("P{entry}_eps + lambda*Q{entry}_eps/c")).join(", ");
-    let poisson = |t: &str| format!("{t}12_eps, {t}23_eps, {t}31_eps");
-    let theorem2 = |name: &str, what: &str, statement: String| {
-        claim(Section::MapPairs, "theorem2", name, format!("Theorem 2, i = {index}, {what}"), statement)
-    };
-    claims.extend([
-        claim(Section::MapPairs, "table3", "limit", format!("Table 3, i = {index}, at eps = 0"), limits("P")),
-        claim(Section::MapPairs, "table4", "limit", format!("Table 4, i = {index}, at eps = 0"), limits("Q")),
-        theorem2("jacobi_P", "Jacobi identity of P(eps)", format!("jacobi({}) = 0", poisson("P"))),
-        theorem2(
-            "jacobi_Q",
-            "Jacobi identity of Q(eps) and Q(eps)/c",
-            format!("jacobi({}) = 0; jacobi(Q12_eps/c, Q23_eps/c, Q31_eps/c) = 0", poisson("Q")),
-        ),
-        theorem2("compatible", "compatibility", format!("jacobi({sum}) = 0")),
-        theorem2(
-            "casimirs",
-            "Casimir functions",
-            format!(
-                "{}; {}",
-                equations(&applied("P", "_eps", "H_eps"), ZERO),
-                equations(&applied("Q", "_eps", "K_eps"), ZERO)
-            ),
-        ),
-        theorem2(
-            "involution",
-            "H(eps) and K(eps) commute",
-            format!(
-                "bracket({}, H_eps, K_eps) = 0; bracket({}, H_eps, K_eps) = 0",
-                poisson("P"),
-                poisson("Q")
-            ),
-        ),
-    ]);
     if ["e1", "e3"].contains(&s.system) {
-        claims.push(theorem2("factor", "Q(eps) without the factor 1/c is not invariant", {
-            "Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
-             + Q31_eps*(J(1,3)*J(2,1) - J(1,1)*J(2,3)) != next(Q12_eps);
-             (Q12_eps*(J(1,1)*J(2,2) - J(1,2)*J(2,1)) + Q23_eps*(J(1,2)*J(2,3) - J(1,3)*J(2,2))
-             + Q31_eps*(J(1,3)*J(2,1) - J(1,1)*J(2,3)))/c = next(Q12_eps/c)"
-                .to_owned()
-        }));
+        text += &filled(FACTOR);
     }
-    claims
+    read(&text, claim)
+}
+
+/// A text on an algebra, its basis and brackets filled in.
+fn of_algebra(tensor: &str, algebra: Algebra, text: &str) -> String {
+    let (basis, brackets) = (algebra.basis, algebra.brackets);
+    let values =
+        [("t", tensor), ("algebra", algebra.name), ("e1", basis.0), ("e2", basis.1), ("e3", basis.2)];
+    let brackets = ["e1e2", "e2e3", "e3e1"].into_iter().zip(brackets);
+    let fill = |text: String, (name, value): (&str, &str)| text.replace(&format!("{{{name}}}"), value);
+    values.into_iter().chain(brackets).fold(text.to_owned(), fill)
 }

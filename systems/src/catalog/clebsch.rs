@@ -1,13 +1,14 @@
 //! Clebsch's case of a rigid body in an ideal fluid, m its angular and p its linear momentum; not
 //! in the paper.
 //!
-//! Kirchhoff's equations with the energy `(m.m + w1 p1^2 + w2 p2^2 + w3 p3^2)/2` (Clebsch, Math.
-//! Ann. 3, 1870). The flow has four quadratic integrals. So has the map, not quadratic, of which H
-//! alone is short; Petrera, Pfadler and Suris found them by computer (Experimental Mathematics 18,
-//! 2009). `kahan discover` finds H, with w3 p.p taken from its denominator, the density, and of the
-//! other three integrals bases: along every orbit the functions 1, p2^2, p3^2, m1 p1, m2 p2, m3 p3
-//! satisfy one linear relation, and so do 1, p2^2, p3^2, m1^2, m3^2, m2 p2, m3 p3; the quotients of
-//! its coefficients are integrals. The degrees of the map's iterates grow quadratically.
+//! Kirchhoff's equations with the energy `(m.m + w1 p1^2 + w2 p2^2 + w3 p3^2)/2`, which Clebsch
+//! found to be integrable in 1871. The flow has four quadratic integrals. The map has four, too,
+//! which are not quadratic, and of which H alone is short; Petrera, Pfadler and Suris found them by
+//! computer (arXiv:0808.3345). `kahan discover` finds H, with w3 p.p taken from its denominator,
+//! the density, and of the other three integrals bases: along every orbit the functions 1, p2^2,
+//! p3^2, m1 p1, m2 p2, m3 p3 satisfy one linear relation, and so do 1, p2^2, p3^2, m1^2, m3^2, m2
+//! p2, m3 p3; the quotients of its coefficients are integrals. The degrees of the map's iterates
+//! grow quadratically.
 
 use kahan_core::prelude::*;
 
@@ -95,13 +96,12 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "clebsch",
-    type_name: "Clebsch",
-    name: "Clebsch’s system",
-    title: "Clebsch's case of a rigid body in an ideal fluid; four integrals in six variables",
-    file: include_str!("clebsch.rs"),
-    parameters: &[(1, 2), (5, 4), (7, 4)],
-    flow: None,
-    sources: &[("H", "found by kahan discover, then made symmetric"), ("rho", FOUND)],
-};
+pub const ENTRY: Entry = Entry::new(
+    "clebsch",
+    "Clebsch",
+    "Clebsch's case of a rigid body in an ideal fluid; four integrals in six variables",
+    include_str!("clebsch.rs"),
+)
+.named("Clebsch’s system")
+.with_parameters(&[(1, 2), (5, 4), (7, 4)])
+.with_sources(&[("H", "found by kahan discover, then made symmetric"), ("rho", FOUND)]);

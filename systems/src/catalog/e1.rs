@@ -8,16 +8,14 @@
 //! 3). All components of N and det A share the factor `1 + eps x`: where it vanishes the map has a
 //! removable pole.
 
-mod flow;
 mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::Entry;
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
-pub use flow::FlowSolution;
-pub use solution::Solution;
+pub use solution::{FlowSolution, Solution};
 
 kahan! {
     /// E1, the Kahan map with the integrals of Table 2, row 1.
@@ -42,19 +40,5 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "e1",
-    type_name: "E1",
-    name: "E1",
-    title: "two Lie-Poisson structures, A(3,3) and sl(2,R); solved by rational functions",
-    file: include_str!("e1.rs"),
-    parameters: &[],
-    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
-    sources: &[
-        ("H", "Table 2, i = 1"),
-        ("K", "Table 2, i = 1"),
-        ("rho", "Theorem 1"),
-        ("P", "Table 3, i = 1, and Theorem 2"),
-        ("Q", "Table 4, i = 1, and Theorem 2"),
-    ],
-};
+pub const ENTRY: Entry =
+    row_of_the_tables!(1, "two Lie-Poisson structures, A(3,3) and sl(2,R); solved by rational functions");

@@ -7,16 +7,14 @@
 //! (gamma - beta^2 T^2)` with `T = t + alpha` (Table 5); that of the map, of the same kind (Theorem
 //! 3).
 
-mod flow;
 mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::Entry;
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
-pub use flow::FlowSolution;
-pub use solution::Solution;
+pub use solution::{FlowSolution, Solution};
 
 kahan! {
     /// E2, the Kahan map with the integrals of Table 2, row 2.
@@ -41,19 +39,5 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "e2",
-    type_name: "E2",
-    name: "E2",
-    title: "two Lie-Poisson structures, e(1,1) and sl(2,R); solved by rational functions",
-    file: include_str!("e2.rs"),
-    parameters: &[],
-    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
-    sources: &[
-        ("H", "Table 2, i = 2"),
-        ("K", "Table 2, i = 2"),
-        ("rho", "Theorem 1"),
-        ("P", "Table 3, i = 2, and Theorem 2"),
-        ("Q", "Table 4, i = 2, and Theorem 2"),
-    ],
-};
+pub const ENTRY: Entry =
+    row_of_the_tables!(2, "two Lie-Poisson structures, e(1,1) and sl(2,R); solved by rational functions");

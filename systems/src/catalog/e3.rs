@@ -13,7 +13,7 @@ mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::Entry;
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
@@ -42,19 +42,8 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "e3",
-    type_name: "E3",
-    name: "E3",
-    title: "two Lie-Poisson structures, A(3,3) and so(3); solved by hyperbolic functions",
-    file: include_str!("e3.rs"),
-    parameters: &[],
-    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
-    sources: &[
-        ("H", "Table 2, i = 3"),
-        ("K", "Table 2, i = 3"),
-        ("rho", "Theorem 1"),
-        ("P", "Table 3, i = 3, and Theorem 2"),
-        ("Q", "Table 4, i = 3 (corrected, erratum A1), and Theorem 2"),
-    ],
-};
+pub const ENTRY: Entry = row_of_the_tables!(
+    3,
+    "two Lie-Poisson structures, A(3,3) and so(3); solved by hyperbolic functions",
+    " (corrected, erratum A1)"
+);

@@ -13,7 +13,7 @@ mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::Entry;
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
@@ -43,19 +43,5 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "e4",
-    type_name: "E4",
-    name: "E4",
-    title: "two Lie-Poisson structures, e(1,1) and so(3); solved by elliptic functions",
-    file: include_str!("e4.rs"),
-    parameters: &[],
-    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
-    sources: &[
-        ("H", "Table 2, i = 4"),
-        ("K", "Table 2, i = 4"),
-        ("rho", "Theorem 1"),
-        ("P", "Table 3, i = 4, and Theorem 2"),
-        ("Q", "Table 4, i = 4, and Theorem 2"),
-    ],
-};
+pub const ENTRY: Entry =
+    row_of_the_tables!(4, "two Lie-Poisson structures, e(1,1) and so(3); solved by elliptic functions");

@@ -11,7 +11,7 @@ mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::Entry;
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
 pub use flow::FlowSolution;
@@ -40,19 +40,5 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "e5",
-    type_name: "E5",
-    name: "E5",
-    title: "two Lie-Poisson structures, e(2) and sl(2,R); solved by hyperbolic functions",
-    file: include_str!("e5.rs"),
-    parameters: &[],
-    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
-    sources: &[
-        ("H", "Table 2, i = 5"),
-        ("K", "Table 2, i = 5"),
-        ("rho", "Theorem 1"),
-        ("P", "Table 3, i = 5, and Theorem 2"),
-        ("Q", "Table 4, i = 5, and Theorem 2"),
-    ],
-};
+pub const ENTRY: Entry =
+    row_of_the_tables!(5, "two Lie-Poisson structures, e(2) and sl(2,R); solved by hyperbolic functions");

@@ -10,7 +10,7 @@ mod solution;
 
 use kahan_core::prelude::*;
 
-use crate::entry::Entry;
+use crate::entry::{Entry, row_of_the_tables};
 use crate::solution::{point, trajectory};
 
 pub use solution::{FlowSolution, Solution};
@@ -39,19 +39,5 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "e6",
-    type_name: "E6",
-    name: "E6",
-    title: "two Lie-Poisson structures, sl(2,R) and so(3); elliptic curves",
-    file: include_str!("e6.rs"),
-    parameters: &[],
-    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
-    sources: &[
-        ("H", "Table 2, i = 6"),
-        ("K", "Table 2, i = 6"),
-        ("rho", "Theorem 1"),
-        ("P", "Table 3, i = 6, and Theorem 2"),
-        ("Q", "Table 4, i = 6, and Theorem 2"),
-    ],
-};
+pub const ENTRY: Entry =
+    row_of_the_tables!(6, "two Lie-Poisson structures, sl(2,R) and so(3); elliptic curves");

@@ -77,33 +77,32 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "e7",
-    type_name: "E7",
-    name: "E7",
-    title: "a family with parameter xi between E1 (xi = 1) and E2 (xi = -1); a Gamma-function integral",
-    file: include_str!("e7.rs"),
-    parameters: &[(-5, 4)],
-    flow: Some(|parameters, start| {
-        trajectory(FlowSolution::through(parameters.first()?, &point(start)?), FlowSolution::at)
-    }),
-    sources: &[
-        ("rho", "Section 6 (dE7), volume form"),
-        ("H1", "Section 6 (dE7), xi = 1; Table 2, i = 1"),
-        ("K1", "Section 6 (dE7), xi = 1; Table 2, i = 1"),
-        ("rho1", "Section 6 (dE7), xi = 1; Theorem 1"),
-        ("P1", "Section 6 (dE7), xi = 1; Table 3, i = 1"),
-        ("Q1", "Section 6 (dE7), xi = 1; Table 4, i = 1"),
-        ("H2", "Section 6 (dE7), xi = -1; Table 2, i = 2"),
-        ("K2", "Section 6 (dE7), xi = -1; Table 2, i = 2"),
-        ("rho2", "Section 6 (dE7), xi = -1; Theorem 1"),
-        ("P2", "Section 6 (dE7), xi = -1; Table 3, i = 2"),
-        ("Q2", "Section 6 (dE7), xi = -1; Table 4, i = 2"),
-        ("H_at_2", "Section 6 (dE7), H_7 at xi = 2"),
-        ("H_at_3", "Section 6 (dE7), H_7 at xi = 3"),
-        ("H_at_minus_2", "Section 6 (dE7), H_7 at xi = -2"),
-        ("H_at_minus_3", "Section 6 (dE7), H_7 at xi = -3"),
-        ("P_at_2", "Section 6 (dE7), bracket of H_7 at xi = 2"),
-        ("P_at_3", "Section 6 (dE7), bracket of H_7 at xi = 3"),
-    ],
-};
+pub const ENTRY: Entry = Entry::new(
+    "e7",
+    "E7",
+    "a family with parameter xi between E1 (xi = 1) and E2 (xi = -1); a Gamma-function integral",
+    include_str!("e7.rs"),
+)
+.with_parameters(&[(-5, 4)])
+.with_flow(|parameters, start| {
+    trajectory(FlowSolution::through(parameters.first()?, &point(start)?), FlowSolution::at)
+})
+.with_sources(&[
+    ("rho", "Section 6 (dE7), volume form"),
+    ("H1", "Section 6 (dE7), xi = 1; Table 2, i = 1"),
+    ("K1", "Section 6 (dE7), xi = 1; Table 2, i = 1"),
+    ("rho1", "Section 6 (dE7), xi = 1; Theorem 1"),
+    ("P1", "Section 6 (dE7), xi = 1; Table 3, i = 1"),
+    ("Q1", "Section 6 (dE7), xi = 1; Table 4, i = 1"),
+    ("H2", "Section 6 (dE7), xi = -1; Table 2, i = 2"),
+    ("K2", "Section 6 (dE7), xi = -1; Table 2, i = 2"),
+    ("rho2", "Section 6 (dE7), xi = -1; Theorem 1"),
+    ("P2", "Section 6 (dE7), xi = -1; Table 3, i = 2"),
+    ("Q2", "Section 6 (dE7), xi = -1; Table 4, i = 2"),
+    ("H_at_2", "Section 6 (dE7), H_7 at xi = 2"),
+    ("H_at_3", "Section 6 (dE7), H_7 at xi = 3"),
+    ("H_at_minus_2", "Section 6 (dE7), H_7 at xi = -2"),
+    ("H_at_minus_3", "Section 6 (dE7), H_7 at xi = -3"),
+    ("P_at_2", "Section 6 (dE7), bracket of H_7 at xi = 2"),
+    ("P_at_3", "Section 6 (dE7), bracket of H_7 at xi = 3"),
+]);

@@ -32,13 +32,7 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "e8",
-    type_name: "E8",
-    name: "E8",
-    title: "a Lie-Poisson pair with a digamma-function integral",
-    file: include_str!("e8.rs"),
-    parameters: &[],
-    flow: Some(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at)),
-    sources: &[("rho", "Section 6 (dE8), not stated there")],
-};
+pub const ENTRY: Entry =
+    Entry::new("e8", "E8", "a Lie-Poisson pair with a digamma-function integral", include_str!("e8.rs"))
+        .with_flow(|_, start| trajectory(FlowSolution::through(&point(start)?), FlowSolution::at))
+        .with_sources(&[("rho", "Section 6 (dE8), not stated there")]);

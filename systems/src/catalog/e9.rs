@@ -61,27 +61,26 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "e9",
-    type_name: "E9",
-    name: "E9",
-    title: "a family with parameter xi between E3 (xi = 1) and E4 (xi = -1); not integrable between them",
-    file: include_str!("e9.rs"),
-    parameters: &[(-5, 4)],
-    flow: Some(|parameters, start| {
-        trajectory(FlowSolution::through(parameters.first()?, &point(start)?), FlowSolution::at)
-    }),
-    sources: &[
-        ("rho", "Section 6.3, not stated there"),
-        ("H3", "Section 6.3, xi = 1; Table 2, i = 3"),
-        ("K3", "Section 6.3, xi = 1; Table 2, i = 3"),
-        ("rho3", "Section 6.3, xi = 1; Theorem 1"),
-        ("P3", "Section 6.3, xi = 1; Table 3, i = 3"),
-        ("Q3", "Section 6.3, xi = 1; Table 4, i = 3 (corrected, erratum A1)"),
-        ("H4", "Section 6.3, xi = -1; Table 2, i = 4"),
-        ("K4", "Section 6.3, xi = -1; Table 2, i = 4"),
-        ("rho4", "Section 6.3, xi = -1; Theorem 1"),
-        ("P4", "Section 6.3, xi = -1; Table 3, i = 4"),
-        ("Q4", "Section 6.3, xi = -1; Table 4, i = 4"),
-    ],
-};
+pub const ENTRY: Entry = Entry::new(
+    "e9",
+    "E9",
+    "a family with parameter xi between E3 (xi = 1) and E4 (xi = -1); not integrable between them",
+    include_str!("e9.rs"),
+)
+.with_parameters(&[(-5, 4)])
+.with_flow(|parameters, start| {
+    trajectory(FlowSolution::through(parameters.first()?, &point(start)?), FlowSolution::at)
+})
+.with_sources(&[
+    ("rho", "Section 6.3, not stated there"),
+    ("H3", "Section 6.3, xi = 1; Table 2, i = 3"),
+    ("K3", "Section 6.3, xi = 1; Table 2, i = 3"),
+    ("rho3", "Section 6.3, xi = 1; Theorem 1"),
+    ("P3", "Section 6.3, xi = 1; Table 3, i = 3"),
+    ("Q3", "Section 6.3, xi = 1; Table 4, i = 3 (corrected, erratum A1)"),
+    ("H4", "Section 6.3, xi = -1; Table 2, i = 4"),
+    ("K4", "Section 6.3, xi = -1; Table 2, i = 4"),
+    ("rho4", "Section 6.3, xi = -1; Theorem 1"),
+    ("P4", "Section 6.3, xi = -1; Table 3, i = 4"),
+    ("Q4", "Section 6.3, xi = -1; Table 4, i = 4"),
+]);

@@ -45,21 +45,21 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "euler",
-    type_name: "EulerTop",
-    name: "Euler top",
-    title: "the Euler top, a rigid body that turns freely about its centre of mass",
-    file: include_str!("euler.rs"),
-    parameters: &[(3, 2), (-5, 8), (7, 4)],
-    flow: Some(|parameters, start| {
-        trajectory(FlowSolution::through(parameters.try_into().ok()?, &point(start)?), FlowSolution::at)
-    }),
-    sources: &[
-        ("H", "Section 2, Euler top, not stated there"),
-        ("K", "Section 2, Euler top, not stated there"),
-        ("rho", "Section 2, Euler top, not stated there"),
-        ("P", "Section 2, from rho and H"),
-        ("Q", "Section 2, from rho and 1/K"),
-    ],
-};
+pub const ENTRY: Entry = Entry::new(
+    "euler",
+    "EulerTop",
+    "the Euler top, a rigid body that turns freely about its centre of mass",
+    include_str!("euler.rs"),
+)
+.named("Euler top")
+.with_parameters(&[(3, 2), (-5, 8), (7, 4)])
+.with_flow(|parameters, start| {
+    trajectory(FlowSolution::through(parameters.try_into().ok()?, &point(start)?), FlowSolution::at)
+})
+.with_sources(&[
+    ("H", "Section 2, Euler top, not stated there"),
+    ("K", "Section 2, Euler top, not stated there"),
+    ("rho", "Section 2, Euler top, not stated there"),
+    ("P", "Section 2, from rho and H"),
+    ("Q", "Section 2, from rho and 1/K"),
+]);

@@ -41,13 +41,12 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "henon-heiles",
-    type_name: "HenonHeiles",
-    name: "Hénon–Heiles",
-    title: "Hénon and Heiles' two coupled oscillators; chaos with an integral",
-    file: include_str!("henon_heiles.rs"),
-    parameters: &[(1, 1), (5, 4), (3, 4)],
-    flow: None,
-    sources: &[("H", FOUND), ("rho", FOUND)],
-};
+pub const ENTRY: Entry = Entry::new(
+    "henon-heiles",
+    "HenonHeiles",
+    "Hénon and Heiles' two coupled oscillators; chaos with an integral",
+    include_str!("henon_heiles.rs"),
+)
+.named("Hénon–Heiles")
+.with_parameters(&[(1, 1), (5, 4), (3, 4)])
+.with_sources(&[("H", FOUND), ("rho", FOUND)]);

@@ -48,21 +48,20 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "lagrange",
-    type_name: "LagrangeTop",
-    name: "Lagrange top",
-    title: "the Lagrange top, a heavy symmetric rigid body; four integrals in six variables",
-    file: include_str!("lagrange.rs"),
-    parameters: &[(3, 2), (5, 8)],
-    flow: None,
-    sources: &[
-        ("H", FOUND_TIDIED),
-        ("J", FOUND),
-        ("C", FOUND_TIDIED),
-        ("rho", "from kahan discover's C: its denominator, and the factor D1 of det A"),
-    ],
-};
+pub const ENTRY: Entry = Entry::new(
+    "lagrange",
+    "LagrangeTop",
+    "the Lagrange top, a heavy symmetric rigid body; four integrals in six variables",
+    include_str!("lagrange.rs"),
+)
+.named("Lagrange top")
+.with_parameters(&[(3, 2), (5, 8)])
+.with_sources(&[
+    ("H", FOUND_TIDIED),
+    ("J", FOUND),
+    ("C", FOUND_TIDIED),
+    ("rho", "from kahan discover's C: its denominator, and the factor D1 of det A"),
+]);
 
 /// What discover prints, less a function of the other integrals.
 const FOUND_TIDIED: &str = "found by kahan discover, then simplified by the other integrals";

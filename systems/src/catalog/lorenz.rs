@@ -24,13 +24,6 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "lorenz",
-    type_name: "Lorenz",
-    name: "Lorenz",
-    title: "the Lorenz system; nothing is conserved",
-    file: include_str!("lorenz.rs"),
-    parameters: &[(10, 1), (28, 1), (11, 4)],
-    flow: None,
-    sources: &[],
-};
+pub const ENTRY: Entry =
+    Entry::new("lorenz", "Lorenz", "the Lorenz system; nothing is conserved", include_str!("lorenz.rs"))
+        .with_parameters(&[(10, 1), (28, 1), (11, 4)]);

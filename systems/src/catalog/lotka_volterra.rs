@@ -28,18 +28,16 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "lv",
-    type_name: "LotkaVolterra",
-    name: "Lotka–Volterra",
-    title: "the Lotka-Volterra system of prey and predators",
-    file: include_str!("lotka_volterra.rs"),
-    parameters: &[],
-    flow: None,
-    sources: &[
-        ("rho", "Section 1, symplectic form"),
-        ("P", "Section 1, Poisson bracket"),
-        ("H_forward", "Section 1, integral at eps = 1"),
-        ("H_backward", "Section 1, integral at eps = -1"),
-    ],
-};
+pub const ENTRY: Entry = Entry::new(
+    "lv",
+    "LotkaVolterra",
+    "the Lotka-Volterra system of prey and predators",
+    include_str!("lotka_volterra.rs"),
+)
+.named("Lotka–Volterra")
+.with_sources(&[
+    ("rho", "Section 1, symplectic form"),
+    ("P", "Section 1, Poisson bracket"),
+    ("H_forward", "Section 1, integral at eps = 1"),
+    ("H_backward", "Section 1, integral at eps = -1"),
+]);

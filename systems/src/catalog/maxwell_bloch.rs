@@ -2,7 +2,7 @@
 //! losses; not in the paper.
 //!
 //! x is the field, y the polarisation, z the inversion. The flow keeps `x^2/2 + z` and `y^2 + z^2`,
-//! and is Hamiltonian in two ways (David and Holm, J. Nonlinear Sci. 2, 1992). The map keeps both
+//! and is Hamiltonian in two ways (David and Holm, 1992). The map keeps both
 //! functions deformed, and two compatible brackets. The degrees of the map's iterates grow
 //! quadratically, as 2n^2 + 1. `P` has the Casimir H and `Q` the Casimir K: they are `{x,y} =
 //! rho^-1 I_z` and so on with I = H/2 and I = K/2.
@@ -35,13 +35,11 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "maxwell-bloch",
-    type_name: "MaxwellBloch",
-    name: "Maxwell–Bloch",
-    title: "the Maxwell-Bloch equations of light in a medium of two levels",
-    file: include_str!("maxwell_bloch.rs"),
-    parameters: &[],
-    flow: None,
-    sources: &[("H", FOUND), ("K", FOUND), ("rho", FOUND), ("P", FOUND), ("Q", FOUND)],
-};
+pub const ENTRY: Entry = Entry::new(
+    "maxwell-bloch",
+    "MaxwellBloch",
+    "the Maxwell-Bloch equations of light in a medium of two levels",
+    include_str!("maxwell_bloch.rs"),
+)
+.named("Maxwell–Bloch")
+.with_sources(&[("H", FOUND), ("K", FOUND), ("rho", FOUND), ("P", FOUND), ("Q", FOUND)]);

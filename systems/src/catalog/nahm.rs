@@ -1,10 +1,10 @@
 //! Nahm's equations of magnetic monopoles, reduced by the symmetry of the octahedron; not in the
 //! paper.
 //!
-//! The system of Hitchin, Manton and Murray (Nonlinearity 8, 1995). The flow keeps `y (2x + 3y) (x
-//! - y)^2`, of degree 4, whose level curves are elliptic. The map keeps it over a denominator
-//! (Petrera, Pfadler and Suris, Regul. Chaotic Dyn. 16, 2011), and the area `dx dy/(y (2x + 3y) (x
-//! - y))` of the flow as it stands. The degrees of the map's iterates grow quadratically.
+//! Such reductions are due to Hitchin, Manton and Murray. The flow keeps `y (2x + 3y) (x - y)^2`,
+//! of degree 4, whose level curves are elliptic. The map keeps it over a denominator, and the area
+//! `dx dy/(y (2x + 3y) (x - y))` of the flow as it stands. The degrees of the map's iterates grow
+//! quadratically.
 
 use kahan_core::prelude::*;
 
@@ -26,13 +26,11 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "nahm",
-    type_name: "OctahedralNahm",
-    name: "Nahm’s equations, octahedral",
-    title: "Nahm's equations of monopoles with the symmetry of the octahedron",
-    file: include_str!("nahm.rs"),
-    parameters: &[],
-    flow: None,
-    sources: &[("H", FOUND), ("rho", FOUND), ("P", FOUND)],
-};
+pub const ENTRY: Entry = Entry::new(
+    "nahm",
+    "OctahedralNahm",
+    "Nahm's equations of monopoles with the symmetry of the octahedron",
+    include_str!("nahm.rs"),
+)
+.named("Nahm’s equations, octahedral")
+.with_sources(&[("H", FOUND), ("rho", FOUND), ("P", FOUND)]);

@@ -22,13 +22,11 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "volterra",
-    type_name: "VolterraLattice",
-    name: "Volterra lattice, three sites",
-    title: "the periodic Volterra lattice with three sites",
-    file: include_str!("volterra.rs"),
-    parameters: &[],
-    flow: None,
-    sources: &[("rho", "from kahan discover's density 1/D and integral K"), ("S", FOUND), ("K", FOUND)],
-};
+pub const ENTRY: Entry = Entry::new(
+    "volterra",
+    "VolterraLattice",
+    "the periodic Volterra lattice with three sites",
+    include_str!("volterra.rs"),
+)
+.named("Volterra lattice, three sites")
+.with_sources(&[("rho", "from kahan discover's density 1/D and integral K"), ("S", FOUND), ("K", FOUND)]);

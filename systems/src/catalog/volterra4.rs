@@ -24,13 +24,11 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "volterra4",
-    type_name: "VolterraFour",
-    name: "Volterra lattice, four sites",
-    title: "the periodic Volterra lattice with four sites",
-    file: include_str!("volterra4.rs"),
-    parameters: &[],
-    flow: None,
-    sources: &[("S", FOUND), ("H", FOUND), ("K", FOUND), ("rho", FOUND)],
-};
+pub const ENTRY: Entry = Entry::new(
+    "volterra4",
+    "VolterraFour",
+    "the periodic Volterra lattice with four sites",
+    include_str!("volterra4.rs"),
+)
+.named("Volterra lattice, four sites")
+.with_sources(&[("S", FOUND), ("H", FOUND), ("K", FOUND), ("rho", FOUND)]);

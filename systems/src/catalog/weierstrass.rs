@@ -24,13 +24,12 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "weierstrass",
-    type_name: "Weierstrass",
-    name: "Weierstrass’ equation",
-    title: "the equation of the Weierstrass function; elliptic curves in the plane",
-    file: include_str!("weierstrass.rs"),
-    parameters: &[(5, 4)],
-    flow: None,
-    sources: &[("H", FOUND), ("rho", FOUND)],
-};
+pub const ENTRY: Entry = Entry::new(
+    "weierstrass",
+    "Weierstrass",
+    "the equation of the Weierstrass function; elliptic curves in the plane",
+    include_str!("weierstrass.rs"),
+)
+.named("Weierstrass’ equation")
+.with_parameters(&[(5, 4)])
+.with_sources(&[("H", FOUND), ("rho", FOUND)]);

@@ -37,18 +37,17 @@ kahan! {
 }
 
 /// The catalog's entry.
-pub const ENTRY: Entry = Entry {
-    command: "zhukovsky",
-    type_name: "ZhukovskyVolterra",
-    name: "Zhukovsky–Volterra",
-    title: "the Zhukovsky-Volterra gyrostat; integrable with two of its momenta zero",
-    file: include_str!("zhukovsky.rs"),
-    parameters: &[(3, 2), (-5, 8), (7, 4), (1, 4), (-3, 8), (1, 2)],
-    flow: None,
-    sources: &[
-        ("G", "found by kahan discover at b3 = 0"),
-        ("H", "found by kahan discover at b2 = b3 = 0"),
-        ("K", "found by kahan discover at b2 = b3 = 0"),
-        ("rho", "found by kahan discover at b2 = b3 = 0"),
-    ],
-};
+pub const ENTRY: Entry = Entry::new(
+    "zhukovsky",
+    "ZhukovskyVolterra",
+    "the Zhukovsky-Volterra gyrostat; integrable with two of its momenta zero",
+    include_str!("zhukovsky.rs"),
+)
+.named("Zhukovsky–Volterra")
+.with_parameters(&[(3, 2), (-5, 8), (7, 4), (1, 4), (-3, 8), (1, 2)])
+.with_sources(&[
+    ("G", "found by kahan discover at b3 = 0"),
+    ("H", "found by kahan discover at b2 = b3 = 0"),
+    ("K", "found by kahan discover at b2 = b3 = 0"),
+    ("rho", "found by kahan discover at b2 = b3 = 0"),
+]);

@@ -1,99 +1,38 @@
-//! Sections 1 to 4 of the paper, formula by formula: matrices, determinants, difference equations,
+//! Sections 1 to 5 of the paper, formula by formula: matrices, determinants, difference equations,
 //! poles, reductions.
 //!
-//! Matrices and determinants are compared as polynomials with what is derived from the field, and
-//! as numbers with both back ends; the rest over ℚ with `==`, in both back ends.
+//! The formulas are those of the paper's claims. Matrices and determinants are compared as
+//! polynomials with what is derived from the field, and as numbers with both back ends; the rest
+//! over ℚ with `==`, in both back ends.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use kahan_algebra::kahan::{RationalMap, scaled_matrix, scaled_rhs};
+use kahan_paper::Paper;
 use kahan_tests::exact::{Q, Rationals, numbers, q, shown};
 use kahan_tests::expression::{Expression, evaluate};
 use kahan_tests::subject::{Subject, catalog, paper};
 
-/// A row of the table: system, A row by row, det A.
-type Row = (&'static str, &'static [&'static [&'static str]], &'static str);
+/// The statements of the paper's claims by their names.
+static STATEMENTS: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
+    let paper = Paper::new();
+    paper.claims().iter().map(|claim| (claim.id.to_string(), claim.statement.clone())).collect()
+});
 
-/// Section 4; the determinants are not printed there.
-const MATRICES: [Row; 11] = [
-    (
-        "lv",
-        &[&["1 - eps + eps*y", "eps*x"], &["-eps*y", "1 + eps - eps*x"]],
-        "1 - eps^2 - eps*(1 - eps)*x + eps*(1 + eps)*y",
-    ),
-    (
-        "euler",
-        &[
-            &["1", "-eps*a1*z", "-eps*a1*y"],
-            &["-eps*a2*z", "1", "-eps*a2*x"],
-            &["-eps*a3*y", "-eps*a3*x", "1"],
-        ],
-        "1 - eps^2*(a2*a3*x^2 + a3*a1*y^2 + a1*a2*z^2) - 2*eps^3*a1*a2*a3*x*y*z",
-    ),
-    (
-        "e1",
-        &[&["1 + 2*eps*x", "0", "0"], &["eps*y", "1 + eps*x", "0"], &["-eps*z", "-4*eps*y", "1 - eps*x"]],
-        "(1 + 2*eps*x)*(1 - eps^2*x^2)",
-    ),
-    (
-        "e2",
-        &[&["1 + 2*eps*x", "0", "0"], &["-eps*y", "1 - eps*x", "0"], &["-eps*z", "4*eps*y", "1 - eps*x"]],
-        "(1 + 2*eps*x)*(1 - eps*x)^2",
-    ),
-    (
-        "e3",
-        &[&["1 + eps*z", "0", "eps*x"], &["0", "1 + eps*z", "eps*y"], &["-2*eps*x", "-2*eps*y", "1"]],
-        "(1 + eps*z)*(1 + eps*z + 2*eps^2*(x^2 + y^2))",
-    ),
-    (
-        "e4",
-        &[&["1 + eps*z", "0", "eps*x"], &["0", "1 - eps*z", "-eps*y"], &["-2*eps*x", "2*eps*y", "1"]],
-        "1 - eps^2*z^2 + 2*eps^2*x^2*(1 - eps*z) + 2*eps^2*y^2*(1 + eps*z)",
-    ),
-    (
-        "e5",
-        &[
-            &["1 - eps*y", "-eps*x", "0"],
-            &["2*eps*x", "1", "0"],
-            &["-2*eps*y", "-eps*(2*x - z)", "1 + eps*y"],
-        ],
-        "(1 + eps*y)*(1 - eps*y + 2*eps^2*x^2)",
-    ),
-    (
-        "e6",
-        &[
-            &["1 + eps*y", "eps*(x - 2*z)", "-2*eps*y"],
-            &["-2*eps*x", "1", "2*eps*z"],
-            &["2*eps*y", "eps*(2*x - z)", "1 - eps*y"],
-        ],
-        "1 + 3*eps^2*y^2 + 2*eps^2*(x^2 + z^2 - 4*x*z) + 6*eps^3*y*(x^2 - z^2)",
-    ),
-    (
-        "e7",
-        &[
-            &["1 + 2*eps*x", "0", "0"],
-            &["xi*eps*y", "1 + xi*eps*x", "0"],
-            &["-eps*z", "-4*xi*eps*y", "1 - eps*x"],
-        ],
-        "(1 + 2*eps*x)*(1 + xi*eps*x)*(1 - eps*x)",
-    ),
-    (
-        "e8",
-        &[
-            &["1 + 2*eps*x", "0", "0"],
-            &["eps*(2*x + y)", "1 + eps*x", "0"],
-            &["-eps*(2*y + z)", "-2*eps*(x + 2*y)", "1 - eps*x"],
-        ],
-        "(1 + 2*eps*x)*(1 - eps^2*x^2)",
-    ),
-    (
-        "e9",
-        &[
-            &["1 + eps*z", "0", "eps*x"],
-            &["0", "1 + xi*eps*z", "xi*eps*y"],
-            &["-2*eps*x", "-2*xi*eps*y", "1"],
-        ],
-        "(1 + eps*z)*(1 + xi*eps*z) + 2*eps^2*x^2*(1 + xi*eps*z) + 2*xi^2*eps^2*y^2*(1 + eps*z)",
-    ),
-];
+const SYSTEMS: [&str; 11] = ["lv", "euler", "e1", "e2", "e3", "e4", "e5", "e6", "e7", "e8", "e9"];
+
+/// The equations of a claim on a system's map, both sides: `matrix`, `determinant`, `difference.x`.
+fn equations(system: &str, claim: &str) -> Vec<(String, String)> {
+    let id = match (system, claim.split_once('.')) {
+        ("lv", _) => format!("section1.lv.{claim}"),
+        (_, Some((claim, state))) => format!("{claim}.{system}.{state}"),
+        (_, None) => format!("{claim}.{system}"),
+    };
+    let statement = STATEMENTS.get(&id).unwrap_or_else(|| panic!("no claim {id}"));
+    let sides = statement.split(';').map(|equation| equation.split_once(" = ").expect("an equation"));
+    sides.map(|(left, right)| (left.trim().to_owned(), right.to_owned())).collect()
+}
 
 fn named(name: &str) -> Subject {
     paper().into_iter().find(|subject| subject.name == type_name(name)).expect("a system")
@@ -112,20 +51,22 @@ fn formula(subject: &Subject, text: &str) -> Expression {
 
 #[test]
 fn the_matrices_of_section_4_are_those_of_the_fields_entry_by_entry() {
-    for (name, rows, _) in MATRICES {
+    for name in SYSTEMS {
         let subject = named(name);
         let derived = scaled_matrix(&subject.system.field);
         let mut rationals = Rationals::seeded(301);
         let (x, eps) = (rationals.point(subject.dimension()), rationals.nonzero());
         let values: Vec<Q> = x.iter().chain(&subject.parameters).chain([&eps]).cloned().collect();
-        for (i, row) in rows.iter().enumerate() {
-            for (j, entry) in row.iter().enumerate() {
-                let printed = formula(&subject, entry).polynomial();
-                assert_eq!(derived[i][j], printed, "{name}: A[{i}][{j}]");
-                for back_end in subject.back_ends() {
-                    let computed = back_end.matrix(&x, &eps)[i][j].clone();
-                    assert_eq!(computed, evaluate(&printed, &values), "{}: A[{i}][{j}]", back_end.label());
-                }
+        let entries = equations(name, "matrix");
+        assert_eq!(entries.len(), subject.dimension().pow(2), "{name}");
+        for (index, (entry, text)) in entries.iter().enumerate() {
+            let (i, j) = (index / subject.dimension(), index % subject.dimension());
+            assert_eq!(*entry, format!("A({},{})", i + 1, j + 1), "{name}");
+            let printed = formula(&subject, text).polynomial();
+            assert_eq!(derived[i][j], printed, "{name}: {entry}");
+            for back_end in subject.back_ends() {
+                let computed = back_end.matrix(&x, &eps)[i][j].clone();
+                assert_eq!(computed, evaluate(&printed, &values), "{}: {entry}", back_end.label());
             }
         }
     }
@@ -133,65 +74,56 @@ fn the_matrices_of_section_4_are_those_of_the_fields_entry_by_entry() {
 
 #[test]
 fn the_determinants_are_as_verified() {
-    for (name, _, determinant) in MATRICES {
+    for name in SYSTEMS {
         let subject = named(name);
+        let (_, determinant) = equations(name, "determinant").remove(0);
         let map = RationalMap::of(&subject.system.field).expect("the catalog is within the budget");
         assert!(map.divisor.is_one());
-        assert_eq!(map.denominator, formula(&subject, determinant).polynomial(), "{name}");
+        assert_eq!(map.denominator, formula(&subject, &determinant).polynomial(), "{name}");
     }
 }
 
 #[test]
 fn only_lotka_volterra_has_a_right_hand_side_other_than_x() {
-    let right_hand_side_is = |name: &str, printed: &[&str]| {
+    for name in SYSTEMS {
         let subject = named(name);
+        let printed = match name {
+            "lv" => equations(name, "rhs").into_iter().map(|(_, right)| right).collect(),
+            _ => ["x", "y", "z"].map(str::to_owned).to_vec(),
+        };
         let expected: Vec<_> = printed.iter().map(|text| formula(&subject, text).polynomial()).collect();
         assert_eq!(scaled_rhs(&subject.system.field), expected, "{name}");
-    };
-    right_hand_side_is("lv", &["(1 + eps)*x", "(1 - eps)*y"]);
-    for (name, _, _) in MATRICES.iter().filter(|(name, ..)| *name != "lv") {
-        right_hand_side_is(name, &["x", "y", "z"]);
     }
 }
 
-/// Left side less right side of each component; capitals are the next point.
-const DIFFERENCE_EQUATIONS: [(&str, &[&str]); 9] = [
-    ("e5", &["X - x - eps*(x*Y + X*y)", "Y - y + 2*eps*x*X", "Z - z - eps*(2*x*Y + 2*X*y - y*Z - Y*z)"]),
-    ("e7", &["X - x + 2*eps*x*X", "Y - y + eps*xi*(Y*x + y*X)", "Z - z - eps*(X*z + x*Z) - 4*eps*xi*y*Y"]),
-    (
-        "e8",
-        &[
-            "X - x + 2*eps*x*X",
-            "Y - y + eps*(Y*x + y*X) + 2*eps*x*X",
-            "Z - z - eps*(X*z + x*Z) - 2*eps*(Y*x + y*X) - 4*eps*y*Y",
-        ],
-    ),
-    ("e9", &["X - x + eps*(x*Z + X*z)", "Y - y + eps*xi*(Y*z + y*Z)", "Z - z - 2*eps*x*X - 2*eps*xi*y*Y"]),
-    ("lv", &["(X - x)/eps - (X + x - X*y - x*Y)", "(Y - y)/eps - (-Y - y + X*y + x*Y)"]),
-    // dE1 and dE2 are dE7 at xi = 1, -1; dE3 and dE4 are dE9 there.
-    ("e1", &["X - x + 2*eps*x*X", "Y - y + eps*(Y*x + y*X)", "Z - z - eps*(X*z + x*Z) - 4*eps*y*Y"]),
-    ("e2", &["X - x + 2*eps*x*X", "Y - y - eps*(Y*x + y*X)", "Z - z - eps*(X*z + x*Z) + 4*eps*y*Y"]),
-    ("e3", &["X - x + eps*(x*Z + X*z)", "Y - y + eps*(Y*z + y*Z)", "Z - z - 2*eps*x*X - 2*eps*y*Y"]),
-    ("e4", &["X - x + eps*(x*Z + X*z)", "Y - y - eps*(Y*z + y*Z)", "Z - z - 2*eps*x*X + 2*eps*y*Y"]),
-];
-
 #[test]
 fn the_difference_equations_hold_along_the_step() {
-    for (name, equations) in DIFFERENCE_EQUATIONS {
+    for name in SYSTEMS {
         let subject = named(name);
+        let symbols = &subject.system.field.symbols;
         let n = subject.dimension();
-        let names: Vec<&str> = match n {
-            2 => vec!["x", "y", "X", "Y"],
-            _ => vec!["x", "y", "z", "X", "Y", "Z", "xi"],
+        // Capitals are the next point.
+        let capitals: Vec<String> = symbols.states.iter().map(|state| state.to_uppercase()).collect();
+        let names = symbols.states.iter().chain(&capitals).chain(&symbols.parameters);
+        let names: Vec<&str> = names.map(String::as_str).collect();
+        let residual = |state: &String| {
+            let (left, right) = equations(name, &format!("difference.{state}")).remove(0);
+            let text = symbols
+                .states
+                .iter()
+                .zip(&capitals)
+                .fold(format!("{left} - ({right})"), |text, (state, capital)| {
+                    text.replace(&format!("next({state})"), capital)
+                });
+            Expression::new(&names, &text)
         };
-        let residuals: Vec<Expression> = equations.iter().map(|text| Expression::new(&names, text)).collect();
+        let residuals: Vec<Expression> = symbols.states.iter().map(residual).collect();
         let mut rationals = Rationals::seeded(302);
         for _ in 0..5 {
             let (x, eps) = (rationals.point(n), rationals.nonzero());
             for back_end in subject.back_ends() {
                 let Some(next) = back_end.step(&x, &eps) else { continue };
-                let mut values: Vec<Q> = x.iter().chain(&next).chain(&subject.parameters).cloned().collect();
-                values.resize(names.len(), q(0, 1));
+                let values: Vec<Q> = x.iter().chain(&next).chain(&subject.parameters).cloned().collect();
                 for residual in &residuals {
                     assert_eq!(
                         residual.at(&values, &eps),

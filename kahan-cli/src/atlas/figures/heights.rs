@@ -8,33 +8,38 @@ use super::Plate;
 use super::orbit::{Heights, Orbit, h};
 use crate::numbers::decimal;
 use crate::plot::{Mark, NumberLine, Plot, SIZE, Series, Side};
-use kahan_paper::figures::{DE1, DE3, DE4, DE7, DE9, Figure, LV};
+use kahan_paper::figures::{DE1, DE3, DE4, DE7, DE9, LV};
 
-fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
-    let all = || series.iter().flat_map(|series| &series.points);
+fn drawing(description: &str, [x, y]: [&str; 2], levels: Vec<(f64, String)>, series: Vec<Series>) -> Markup {
+    let points = || series.iter().flat_map(|series| &series.points);
+    let heights = points().map(|point| point.1).chain(levels.iter().map(|level| level.0));
     Plot {
         description: description.to_owned(),
         size: SIZE,
-        x: NumberLine::around("log n", all().map(|point| point.0)),
-        y: NumberLine::around(&format!("log h({of})"), all().map(|point| point.1)),
-        levels: Vec::new(),
+        x: NumberLine::around(x, points().map(|point| point.0)),
+        y: NumberLine::around(y, heights),
+        levels,
         series,
     }
     .svg()
 }
 
-fn against_n(description: &str, label: &str, levels: Vec<(f64, String)>, series: Vec<Series>) -> Markup {
-    let all = || series.iter().flat_map(|series| &series.points);
-    let heights = all().map(|point| point.1).chain(levels.iter().map(|level| level.0));
-    Plot {
-        description: description.to_owned(),
-        size: SIZE,
-        x: NumberLine::around("n", all().map(|point| point.0)),
-        y: NumberLine::around(label, heights),
-        levels,
-        series,
-    }
-    .svg()
+/// Heights against n on logarithmic scales, where nᵏ is a straight line of slope k.
+fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
+    drawing(description, ["log n", &format!("log h({of})")], Vec::new(), series)
+}
+
+/// The growth of x alone.
+fn growth(description: &str, colour: usize, mark: Mark, x: &Heights) -> Markup {
+    log_log(description, "xₙ", vec![Series::new("", colour, mark, x.log_log())])
+}
+
+/// What is left of the heights of x when nᵏ is divided out: the limit is a dashed line.
+fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): (f64, String)) -> Markup {
+    let label = if k == 1 { "log(h(xₙ)/n)" } else { "log(h(xₙ)/n²)" };
+    let level = (value.ln(), format!("log {shown}"));
+    let series = Series::new("", colour, Mark::Line, x.correction(k, x.last().0));
+    drawing(description, ["n", label], vec![level], vec![series])
 }
 
 /// Every kind of growth in one drawing.
@@ -78,10 +83,11 @@ pub(super) fn lotka_volterra(orbits: &Orbits<'_>) -> Option<Plate> {
     Some(Plate {
         id: "figure-lv",
         title: "Lotka–Volterra: heights double",
-        drawings: vec![log_log(
+        drawings: vec![growth(
             "log h of x_n against log n for the Lotka–Volterra map: a curve that bends upwards",
-            "xₙ",
-            vec![Series::new("", 1, Mark::Both, x.log_log())],
+            1,
+            Mark::Both,
+            &x,
         )],
         data: orbit.data(),
         result: html! {
@@ -102,16 +108,13 @@ pub(super) fn de3(orbits: &Orbits<'_>) -> Option<Plate> {
         id: "figure-de3",
         title: "dE3: linear growth",
         drawings: vec![
-            log_log(
-                "log h of x_n against log n for dE3: a straight line of slope 1",
-                "xₙ",
-                vec![Series::new("", 2, Mark::Line, x.log_log())],
-            ),
-            against_n(
+            growth("log h of x_n against log n for dE3: a straight line of slope 1", 2, Mark::Line, &x),
+            limit(
                 "log of h over n against n for dE3: it settles on a constant",
-                "log(h(xₙ)/n)",
-                vec![(slope.ln(), format!("log {}", decimal(slope, 3)))],
-                vec![Series::new("", 2, Mark::Line, x.correction(1, n))],
+                1,
+                2,
+                &x,
+                (slope, decimal(slope, 3)),
             ),
         ],
         data: orbit.data(),
@@ -133,16 +136,13 @@ pub(super) fn de4(orbits: &Orbits<'_>) -> Option<Plate> {
         id: "figure-de4",
         title: "dE4: quadratic growth",
         drawings: vec![
-            log_log(
-                "log h of x_n against log n for dE4: a straight line of slope 2",
-                "xₙ",
-                vec![Series::new("", 3, Mark::Line, x.log_log())],
-            ),
-            against_n(
+            growth("log h of x_n against log n for dE4: a straight line of slope 2", 3, Mark::Line, &x),
+            limit(
                 "log of h over n squared against n for dE4: it settles on a constant",
-                "log(h(xₙ)/n²)",
-                vec![(coefficient.ln(), format!("log {}", decimal(coefficient, 2)))],
-                vec![Series::new("", 3, Mark::Line, x.correction(2, n))],
+                2,
+                3,
+                &x,
+                (coefficient, decimal(coefficient, 2)),
             ),
         ],
         data: orbit.data(),
@@ -178,9 +178,9 @@ pub(super) fn de7(orbits: &Orbits<'_>) -> Option<Plate> {
                     Series { side: Side::Left, ..Series::new("zₙ", 4, Mark::Line, z.log_log()) },
                 ],
             ),
-            against_n(
+            drawing(
                 "log of h over n against n for the first iterates of dE7: both curves fluctuate around constants",
-                "log(h/n)",
+                ["n", "log(h/n)"],
                 vec![
                     (slope_y.ln(), format!("yₙ: log {}", decimal(slope_y, 3))),
                     (slope_z.ln(), format!("zₙ: log {}", decimal(slope_z, 3))),
@@ -210,10 +210,11 @@ pub(super) fn de9(orbits: &Orbits<'_>) -> Option<Plate> {
     Some(Plate {
         id: "figure-de9",
         title: "dE9: heights treble",
-        drawings: vec![log_log(
+        drawings: vec![growth(
             "log h of x_n against log n for dE9: a curve that bends upwards",
-            "xₙ",
-            vec![Series::new("", 5, Mark::Both, x.log_log())],
+            5,
+            Mark::Both,
+            &x,
         )],
         data: orbit.data(),
         result: html! {
@@ -224,35 +225,4 @@ pub(super) fn de9(orbits: &Orbits<'_>) -> Option<Plate> {
         },
         claims: &["section7", "e9"],
     })
-}
-
-/// Every orbit in a table.
-pub(super) fn summary(orbits: &Orbits<'_>) -> Markup {
-    let rows = Figure::all().filter_map(|figure| Orbit::of(orbits, figure));
-    html! {
-        h3 #orbits { "All orbits" }
-        div.scroll tabindex="0" {
-            table {
-                caption { "Every exact orbit computed for this page; growth and digits are those of its largest component" }
-                thead { tr {
-                    th scope="col" { "Orbit" } th scope="col" { "Largest" } th scope="col" { "Growth of " i { "h" } }
-                    th.number scope="col" { "last " i { "h" } } th.number scope="col" { "digits" }
-                    th.number scope="col" { "last ratio" }
-                } }
-                tbody {
-                    @for orbit in rows {
-                        @let heights = Heights(orbit.measured.survey.component(orbit.measured.survey.largest()));
-                        tr {
-                            th scope="row" { (orbit.data()) }
-                            td { i { (orbit.largest()) } }
-                            td { (orbit.measured.survey.growth) }
-                            td.number { (decimal(heights.last().1, 2)) }
-                            td.number { (grouped(orbit.digits(orbit.largest()))) }
-                            td.number { (decimal(heights.last_ratio(), 4)) }
-                        }
-                    }
-                }
-            }
-        }
-    }
 }

@@ -5,6 +5,7 @@ mod curve;
 mod heights;
 mod orbit;
 mod portrait;
+mod summary;
 
 use maud::{Markup, html};
 
@@ -61,7 +62,7 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
                 "orbits exact where the caption does not say otherwise."
             }
             @for (index, plate) in plates(found).iter().enumerate() { (figure(found, index + 1, plate)) }
-            (heights::summary(&found.orbits))
+            (summary::table(&found.orbits))
         }
     }
 }

@@ -12,12 +12,12 @@ use kahan_algebra::symbols::Symbol;
 use kahan_algebra::{Derived, derive};
 use kahan_runtime::heights::HeightsOrbit;
 
-use super::request::Request;
 use crate::printing::Refusal;
+use crate::reading::Request;
 
 /// An orbit in exact numbers.
 pub(super) struct ExactOrbit<'a> {
-    request: &'a Request<'a>,
+    request: &'a Request,
     orbit: HeightsOrbit,
     time_step: Rational,
     derived: Derived,
@@ -27,16 +27,17 @@ pub(super) struct ExactOrbit<'a> {
 
 impl<'a> ExactOrbit<'a> {
     /// The orbit at its first point.
-    pub(super) fn new(request: &'a Request<'a>) -> Result<Self, Refusal> {
-        let orbit = HeightsOrbit::new(request.system, &request.parameters, &request.eps, &request.start);
+    pub(super) fn new(request: &'a Request) -> Result<Self, Refusal> {
+        let point = &request.point;
+        let orbit = HeightsOrbit::new(&request.system, &point.parameters, &point.eps, &point.state);
         let mut orbit = orbit.map_err(|_| request.undefined_field())?;
         // The first item is the first point itself.
         orbit.next();
         let mut exact = ExactOrbit {
             request,
             orbit,
-            time_step: &request.eps + &request.eps,
-            derived: derive(request.system),
+            time_step: &point.eps + &point.eps,
+            derived: derive(&request.system),
             first: Vec::new(),
         };
         let first = exact.integrals(&exact.state());
@@ -87,8 +88,8 @@ impl<'a> ExactOrbit<'a> {
         let symbols = &self.request.system.field.symbols;
         self.derived.integrals.evaluate(&Fractions, |variable| match symbols.symbol(variable) {
             Symbol::State(i) | Symbol::SecondState(i) => state[i].clone(),
-            Symbol::Parameter(k) => Fraction::from(&self.request.parameters[k]),
-            Symbol::Epsilon => Fraction::from(&self.request.eps),
+            Symbol::Parameter(k) => Fraction::from(&self.request.point.parameters[k]),
+            Symbol::Epsilon => Fraction::from(&self.request.point.eps),
         })
     }
 }

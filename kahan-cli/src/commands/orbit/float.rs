@@ -8,14 +8,14 @@ use kahan_algebra::interpret::{Pole, Stepper, UndefinedField};
 use kahan_algebra::rational::Rational;
 use kahan_core::{Composition, Constant};
 
-use super::request::Request;
 use crate::numbers::Printable;
 use crate::printing::{Broken, Table};
+use crate::reading::Request;
 
 /// An orbit in rounded numbers.
 pub(super) struct FloatOrbit<'a, A: Arithmetic> {
     arithmetic: &'a A,
-    request: &'a Request<'a>,
+    request: &'a Request,
     /// The map at ε: the time step, the integrals, and without a composition the step.
     map: Stepper<'a, A>,
     /// The stages of a composition that differ: the first half, and the middle one.
@@ -29,7 +29,7 @@ impl<'a, A: Printable> FloatOrbit<'a, A> {
     /// The orbit at its first point, by the composition for this order (2, 4, 6 or 8).
     pub(super) fn new(
         arithmetic: &'a A,
-        request: &'a Request<'a>,
+        request: &'a Request,
         order: u32,
         parameters: &[A::Value],
         eps: &A::Value,
@@ -41,10 +41,10 @@ impl<'a, A: Printable> FloatOrbit<'a, A> {
         let stage =
             |gamma: &Constant<'_>| arithmetic.multiply(&A::round(&Rational::from(gamma.to_ratio())), eps);
         let every_eps: Vec<A::Value> = std::iter::once(eps.clone()).chain(differing.map(stage)).collect();
-        let mut steppers = Stepper::of_each(request.system, arithmetic, parameters, &every_eps)?;
+        let mut steppers = Stepper::of_each(&request.system, arithmetic, parameters, &every_eps)?;
         let stages = steppers.split_off(1);
         let map = steppers.remove(0);
-        let state: Vec<A::Value> = request.start.iter().map(A::round).collect();
+        let state: Vec<A::Value> = request.point.state.iter().map(A::round).collect();
         Ok(Self { arithmetic, request, map, stages, before: state.clone(), state })
     }
 

@@ -3,8 +3,8 @@
 
 mod files;
 mod manners;
-mod numbers;
-mod objects;
+mod scalars;
+mod json;
 mod order;
 mod poles;
 

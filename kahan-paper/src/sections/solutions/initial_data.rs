@@ -2,150 +2,80 @@
 //! it.
 
 use super::super::super::claim::Claim;
-use super::super::super::section::Section;
+use super::super::text::read;
 use super::branches::BRANCHES;
-use super::{SOLUTIONS, Solution};
+use super::{claim, solved};
 
-/// A name with the fractions between which it lies.
-type Interval = (&'static str, (i64, i64), (i64, i64));
+/// The parameters as functions of (x, y, z).
+const THROUGH: &str = "
+theorem3.e1.through | Theorem 3, i = 1, addition: the parameters from initial data |
+    tau := 1/(2*eps*x); beta := H_eps; gamma := K_eps; X(0) = x; Y(0) = y; Z(0) = z
+theorem3.e2.through | Theorem 3, i = 2, addition: the parameters from initial data |
+    tau := 1/(2*eps*x); beta := H_eps; gamma := K_eps; X(0) = x; Y(0) = y; Z(0) = z
+theorem3.e3.through | Theorem 3, i = 3, addition: the parameters from initial data, |eps z| < 1 |
+    theta := atan2(y, x); delta := atanh(eps*sqrt(2*K_eps)); kappa := atanh(eps*z/tanh(delta));
+    X(0) = x; Y(0) = y; Z(0) = z
+theorem3.e4.through | Theorem 3, i = 4, addition: the parameters from initial data, x y > 0, |eps z| < 1 |
+    h := 2*eps^2*H_eps; g := 2*eps^2*K_eps;
+    sn_delta := sqrt((g + h)/(1 + h)); cn_delta := sqrt((1 - g)/(1 + h)); dn_delta := sqrt((1 - g)/(1 - h));
+    k := sqrt((g - h)*(1 + h)/((g + h)*(1 - h))); delta := F(atan2(sn_delta, cn_delta), k);
+    kappa := F(atan2(eps*z/(k*sn_delta), eps*(x - y)*dn_delta/(k*sn_delta)), k);
+    X(0) = x; Y(0) = y; Z(0) = z
+theorem3.e5.through | Theorem 3, i = 5, addition: the parameters from initial data, |eps y| < 1 |
+    delta := atanh(eps*sqrt(2*H_eps)); kappa := -atanh(eps*y/tanh(delta));
+    mu := (K_eps - tanh(delta)^2/eps^2)*eps/sinh(delta); X(0) = x; Y(0) = y; Z(0) = z
+";
 
-/// The parameters as functions of (x, y, z), and where the point lies for a numerical test.
-struct Parameters {
-    solution: &'static Solution,
-    id: &'static str,
-    place: &'static str,
-    parameters: &'static str,
-    /// Intervals other than (1/5, 4/5).
-    domain: &'static [Interval],
-}
+/// The same on the second real branches.
+const THROUGH_BRANCHES: &str = "
+theorem3.e3.branch.through | Theorem 3, i = 3, addition: the parameters from initial data, eps z > 1 |
+    theta := atan2(y, x); delta := atanh(1/(eps*sqrt(2*K_eps))); kappa := atanh(coth(delta)/(eps*z));
+    X(0) = x; Y(0) = y; Z(0) = z
+    within z: 6, 9
+theorem3.e5.branch.through | Theorem 3, i = 5, addition: the parameters from initial data, eps y < -1 |
+    delta := atanh(1/(eps*sqrt(2*H_eps))); kappa := -atanh(coth(delta)/(eps*y));
+    nu := (K_eps - coth(delta)^2/eps^2)*eps/cosh(delta); X(0) = x; Y(0) = y; Z(0) = z
+    within y: -9, -6
+";
 
-static PARAMETERS: [Parameters; 7] = [
-    Parameters {
-        solution: &SOLUTIONS[0],
-        id: "",
-        place: "",
-        parameters: "tau := 1/(2*eps*x); beta := H_eps; gamma := K_eps",
-        domain: &[],
-    },
-    Parameters {
-        solution: &SOLUTIONS[1],
-        id: "",
-        place: "",
-        parameters: "tau := 1/(2*eps*x); beta := H_eps; gamma := K_eps",
-        domain: &[],
-    },
-    Parameters {
-        solution: &SOLUTIONS[2],
-        id: "",
-        place: ", |eps z| < 1",
-        parameters: "theta := atan2(y, x); delta := atanh(eps*sqrt(2*K_eps));
-        kappa := atanh(eps*z/tanh(delta))",
-        domain: &[],
-    },
-    Parameters {
-        solution: &SOLUTIONS[3],
-        id: "",
-        place: ", x y > 0, |eps z| < 1",
-        parameters: "
-            h := 2*eps^2*H_eps; g := 2*eps^2*K_eps;
-            sn_delta := sqrt((g + h)/(1 + h)); cn_delta := sqrt((1 - g)/(1 + h));
-            dn_delta := sqrt((1 - g)/(1 - h));
-            k := sqrt((g - h)*(1 + h)/((g + h)*(1 - h)));
-            delta := F(atan2(sn_delta, cn_delta), k);
-            kappa := F(atan2(eps*z/(k*sn_delta), eps*(x - y)*dn_delta/(k*sn_delta)), k)",
-        domain: &[],
-    },
-    Parameters {
-        solution: &SOLUTIONS[4],
-        id: "",
-        place: ", |eps y| < 1",
-        parameters: "
-            delta := atanh(eps*sqrt(2*H_eps)); kappa := -atanh(eps*y/tanh(delta));
-            mu := (K_eps - tanh(delta)^2/eps^2)*eps/sinh(delta)",
-        domain: &[],
-    },
-    Parameters {
-        solution: &BRANCHES[0].0,
-        id: "branch.",
-        place: ", eps z > 1",
-        parameters: "
-            theta := atan2(y, x); delta := atanh(1/(eps*sqrt(2*K_eps))); kappa := atanh(coth(delta)/(eps*z))",
-        domain: &[("z", (6, 1), (9, 1))],
-    },
-    Parameters {
-        solution: &BRANCHES[1].0,
-        id: "branch.",
-        place: ", eps y < -1",
-        parameters: "
-            delta := atanh(1/(eps*sqrt(2*H_eps))); kappa := -atanh(coth(delta)/(eps*y));
-            nu := (K_eps - coth(delta)^2/eps^2)*eps/cosh(delta)",
-        domain: &[("y", (-9, 1), (-6, 1))],
-    },
-];
+const TAU: &str = "
+theorem3.e1.tau | Theorem 3, i = 1, tau | tau = 1/(2*eps*X(0))
+theorem3.e2.tau | Theorem 3, i = 2, tau | tau = 1/(2*eps*X(0))
+";
+
+/// What lies behind the parameters of dE4: with sn²δ = s the values of H and K determine s and k².
+const VALUES: &str = "
+    c := 1 - s; d2 := 1 - k2*s;
+    h := (1 - k2)*s/(2 - (1 + k2)*s); g := 1 - 2*c*d2/(c + d2)";
+const OF_VALUES: &str = "
+theorem3.e4.delta |
+    Theorem 3, i = 4, addition: sn, cn, dn of delta and k from h = 2 eps^2 H(eps), g = 2 eps^2 K(eps) |
+    s = (g + h)/(1 + h); c = (1 - g)/(1 + h); d2 = (1 - g)/(1 - h);
+    k2 = (g - h)*(1 + h)/((g + h)*(1 - h))
+";
+
+/// Every point of a level set is one of the orbit's curve.
+const POINT: &str = "
+    h := 2*eps^2*x*y/(1 + eps^2*(x^2 + y^2)); g := eps^2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
+    s := (g + h)/(1 + h); k2 := (g - h)*(1 + h)/((g + h)*(1 - h)); c := 1 - s; d2 := 1 - k2*s";
+const OF_POINT: &str = "
+theorem3.e4.kappa |
+    Theorem 3, i = 4, addition: sn, cn, dn of kappa from the point: their squares belong together |
+    eps^2*z^2/(k2*s) + eps^2*(x - y)^2*d2/(k2*s) = 1; eps^2*z^2/s + eps^2*(x + y)^2*c/s = 1
+";
 
 /// The claims.
 pub(super) fn claims() -> Vec<Claim> {
-    let through = PARAMETERS.iter().map(|row| {
-        let Parameters { solution, id, place, parameters, domain } = row;
-        let system = solution.system;
-        let source =
-            format!("Theorem 3, i = {}, addition: the parameters from initial data{place}", &system[1..]);
-        let id = ["theorem3", system, &format!("{id}through")];
-        let claim = Claim::new(
-            Section::MapSolutions,
-            id,
-            system,
-            source,
-            format!("{parameters}; X(0) = x; Y(0) = y; Z(0) = z"),
-        )
-        .given(&solution.definitions());
-        domain.iter().fold(claim, |claim, (name, low, high)| claim.within(name, *low, *high))
-    });
-    through.chain(tau()).chain(elliptic()).collect()
-}
-
-/// τ of dE1 and dE2.
-fn tau() -> impl Iterator<Item = Claim> {
-    SOLUTIONS[..2].iter().map(|solution| {
-        let system = solution.system;
-        let source = format!("Theorem 3, i = {}, tau", &system[1..]);
-        Claim::new(Section::MapSolutions, ["theorem3", system, "tau"], system, source, "tau = 1/(2*eps*X(0))")
-            .given(&solution.definitions())
-    })
-}
-
-/// What lies behind the parameters of dE4: with sn²δ = s the values of H and K determine s and k²,
-/// and every point of their level set is one of the orbit's curve.
-fn elliptic() -> Vec<Claim> {
-    let claim = |id: &str, place: &str, statement: &str, given: &str| {
-        Claim::new(
-            Section::MapSolutions,
-            ["theorem3", "e4", id],
-            "e4",
-            format!("Theorem 3, i = 4, addition: {place}"),
-            statement,
-        )
-        .spelling(given)
-    };
-    let values = "
-        c := 1 - s; d2 := 1 - k2*s;
-        h := (1 - k2)*s/(2 - (1 + k2)*s); g := 1 - 2*c*d2/(c + d2)";
-    let point = "
-        h := 2*eps^2*x*y/(1 + eps^2*(x^2 + y^2)); g := eps^2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
-        s := (g + h)/(1 + h); k2 := (g - h)*(1 + h)/((g + h)*(1 - h)); c := 1 - s; d2 := 1 - k2*s";
-    vec![
-        claim(
-            "delta",
-            "sn, cn, dn of delta and k from h = 2 eps^2 H(eps), g = 2 eps^2 K(eps)",
-            "s = (g + h)/(1 + h); c = (1 - g)/(1 + h); d2 = (1 - g)/(1 - h);
-            k2 = (g - h)*(1 + h)/((g + h)*(1 - h))",
-            values,
-        ),
-        claim(
-            "kappa",
-            "sn, cn, dn of kappa from the point: their squares belong together",
-            "eps^2*z^2/(k2*s) + eps^2*(x - y)^2*d2/(k2*s) = 1; eps^2*z^2/s + eps^2*(x + y)^2*c/s = 1",
-            point,
-        ),
+    [
+        read(THROUGH, solved),
+        read(THROUGH_BRANCHES, |id, place, statement| {
+            let claim = claim(id, place, statement);
+            let branch = BRANCHES.iter().find(|(solution, _)| solution.system == claim.system);
+            claim.given(&branch.map_or_else(String::new, |(solution, _)| solution.definitions()))
+        }),
+        read(TAU, solved),
+        read(OF_VALUES, |id, place, statement| claim(id, place, statement).spelling(VALUES)),
+        read(OF_POINT, |id, place, statement| claim(id, place, statement).spelling(POINT)),
     ]
+    .concat()
 }

@@ -1,11 +1,12 @@
-//! The orbits of dE1: rational functions of n.
+//! The orbits and trajectories of E1: rational functions of time.
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Scalar, vector};
 
-use crate::solution::{OutOfDomain, integer, shift_and_divisor};
+use super::E1;
+use crate::solution::{ReciprocalFlow, ReciprocalMap, ReciprocalOrbit, ReciprocalTrajectory};
 
-/// An orbit of dE1 (Theorem 3, i = 1), exact over big rationals: with N = n + τ,
+/// An orbit of dE1 (Theorem 3, i = 1), exact over big rationals: with N = n + τ and β = Ĥ = y/x,
 ///
 /// x = 1/(2εN), y = β/(2εN), z = 2γεN − (β²/ε + γε)/(2N).
 ///
@@ -18,43 +19,35 @@ use crate::solution::{OutOfDomain, integer, shift_and_divisor};
 /// let third = E1.orbit(start, eps).nth(3).unwrap();
 /// assert!((solution.at(3) - third).norm() < 1e-15);
 /// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct Solution<T> {
-    /// ε, half the time step.
-    pub eps: T,
-    /// τ = 1/(2εx₀), the shift of n.
-    pub tau: T,
-    /// β, the value of the integral Ĥ = y/x.
-    pub beta: T,
-    /// γ, the value of the integral K̂ = (xz + y²)/(1 − ε²x²).
-    pub gamma: T,
-}
+pub type Solution<T> = ReciprocalOrbit<E1, T>;
 
-impl<T: Scalar> Solution<T> {
-    /// The orbit with this point at n = 0; ε is half the time step.
-    ///
-    /// # Errors
-    /// Unless εx ≠ 0 and ε²x² ≠ 1.
-    pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
-        let [x, y, z] = point.clone().into();
-        let (tau, divisor) = shift_and_divisor(&x, eps)?;
-        Ok(Self {
-            eps: eps.clone(),
-            tau,
-            beta: y.clone() / x.clone(),
-            gamma: (x * z + y.clone() * y) / divisor,
-        })
+impl<T: Scalar> ReciprocalMap<T> for E1 {
+    fn integral(x: T, y: T, _: T) -> T {
+        y / x
     }
 
-    /// The point n steps on, or back for n < 0. At n = −τ the orbit has a pole: a panic for exact
-    /// scalars, a result that is not finite for floats.
-    pub fn at(&self, n: i64) -> SVector<T, 3> {
-        let Self { eps, tau, beta, gamma } = self.clone();
-        let shifted = integer::<T>(n) + tau;
-        let double = integer::<T>(2) * shifted;
+    fn point(orbit: Solution<T>, double: T) -> SVector<T, 3> {
+        let Solution { eps, beta, gamma, .. } = orbit;
         let x = T::one() / (eps.clone() * double.clone());
         let square = beta.clone() * beta.clone();
         let z = gamma.clone() * eps.clone() * double.clone() - (square / eps.clone() + gamma * eps) / double;
         vector![x.clone(), beta * x, z]
+    }
+}
+
+/// A trajectory of E1 (Table 5, i = 1), exact over big rationals: with T = t + α and β = H = y/x,
+/// x = 1/T, y = β/T, z = γT − β²/T.
+pub type FlowSolution<T> = ReciprocalTrajectory<E1, T>;
+
+impl<T: Scalar> ReciprocalFlow<T> for E1 {
+    fn beta(x: T, y: T) -> T {
+        y / x
+    }
+
+    fn point(trajectory: &FlowSolution<T>, time: T) -> SVector<T, 3> {
+        let FlowSolution { beta, gamma, .. } = trajectory.clone();
+        let x = T::one() / time.clone();
+        let y = beta.clone() * x.clone();
+        vector![x, y.clone(), gamma * time - beta * y]
     }
 }

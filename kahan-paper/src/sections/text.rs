@@ -1,0 +1,90 @@
+//! Claims as they are written down: one line each, where it fits.
+//!
+//! ```text
+//! NAME | PLACE | STATEMENT
+//! NAME | PLACE |
+//!     the first line of a STATEMENT;
+//!     its second line
+//!     misprint A5: what the paper prints instead
+//!     refuted: a point, and the values of both sides there
+//!     explains B8
+//!     within q: 1/50, 1/4
+//! ```
+//!
+//! Behind a statement stand notes: the erratum that the claim corrects or explains, and intervals
+//! from which a numerical test draws a name.
+
+use kahan_algebra::rational::Rational;
+
+use super::super::claim::Claim;
+use super::super::erratum::Erratum;
+
+/// What stands together: a line that is not indented, and its notes.
+pub(super) struct Written {
+    /// The line with all that continues it.
+    pub(super) head: String,
+    notes: Vec<String>,
+}
+
+impl Written {
+    /// All that a text lists.
+    pub(super) fn all(text: &str) -> Vec<Self> {
+        let mut all: Vec<Self> = Vec::new();
+        for line in text.lines().filter(|line| !line.trim().is_empty()) {
+            let is_indented = line.starts_with(' ');
+            let line = line.trim();
+            let is_note =
+                ["misprint ", "refuted:", "explains ", "within "].iter().any(|n| line.starts_with(n));
+            match all.last_mut().filter(|_| is_indented) {
+                None => all.push(Written { head: line.to_owned(), notes: Vec::new() }),
+                Some(written) if is_note => written.notes.push(line.to_owned()),
+                Some(written) => {
+                    let continued = written.notes.last_mut().unwrap_or(&mut written.head);
+                    *continued = format!("{continued} {line}");
+                }
+            }
+        }
+        all
+    }
+
+    /// The claim with the notes.
+    ///
+    /// # Panics
+    /// If a note is not of the form above. The notes are constants of this crate, which its tests
+    /// read.
+    pub(super) fn annotate(&self, claim: Claim) -> Claim {
+        let annotated = self.notes.iter().try_fold(claim, |claim, note| {
+            let (word, rest) = note.split_once([' ', ':'])?;
+            Some(match word {
+                "refuted" => claim.refuted(rest.trim()),
+                "explains" => claim.explaining(Erratum::parse(rest)?),
+                "misprint" => {
+                    let (erratum, printed) = rest.split_once(':')?;
+                    claim.misprinted(Erratum::parse(erratum)?, printed.trim())
+                }
+                _ => {
+                    let (name, interval) = rest.split_once(": ")?;
+                    let (low, high) = interval.split_once(", ")?;
+                    claim.within(name, Rational::parse(low)?, Rational::parse(high)?)
+                }
+            })
+        });
+        annotated.unwrap_or_else(|| panic!("a note of `{}` is malformed: {:?}", self.head, self.notes))
+    }
+}
+
+/// Reads claims; `claim` makes one of a name, a place and a statement.
+///
+/// # Panics
+/// If a line has not these three parts. The claims are constants of this crate, which its tests
+/// read.
+pub(super) fn read(text: &str, claim: impl Fn(&str, &str, &str) -> Claim) -> Vec<Claim> {
+    let one = |written: Written| {
+        let mut parts = written.head.splitn(3, " | ");
+        match (parts.next(), parts.next(), parts.next()) {
+            (Some(name), Some(place), Some(statement)) => written.annotate(claim(name, place, statement)),
+            _ => panic!("`{}` is no name, place and statement", written.head),
+        }
+    };
+    Written::all(text).into_iter().map(one).collect()
+}

@@ -1,0 +1,219 @@
+//! The folders of a crate's `src` are layers, each of which needs those before it only.
+//!
+//! Every path that leaves a file is looked at, not only those of `use`: `crate::…` with whatever
+//! stands in its braces, and `super::…` as far as it climbs. A name of the root is taken to the
+//! folder that `lib.rs` re-exports it from. Tests may need what they like.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A crate whose folders are layers.
+struct Layered {
+    folder: &'static str,
+    /// Its name in paths.
+    name: &'static str,
+    /// From the bottom to the top. What lies beside the folders are doors, which need all of them
+    /// and which none of them needs.
+    layers: &'static [&'static str],
+}
+
+const CORE: Layered = Layered {
+    folder: "kahan-core",
+    name: "kahan_core",
+    layers: &["scalar", "field", "flow", "step", "map", "composition", "ensemble", "scene"],
+};
+
+const COMMAND: Layered = Layered {
+    folder: "kahan-cli",
+    name: "kahan_cli",
+    layers: &["numbers", "printing", "reading", "plot", "atlas", "commands"],
+};
+
+impl Layered {
+    fn source(&self) -> PathBuf {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace");
+        root.join(self.folder).join("src")
+    }
+
+    /// From the names of the root to the folders that they come from.
+    fn exports(&self) -> BTreeMap<String, String> {
+        let lib = code(&self.source().join("lib.rs"));
+        let exported = after(&lib, "pub use ").flat_map(paths);
+        exported.filter_map(|path| Some((path.last()?.clone(), path.first()?.clone()))).collect()
+    }
+
+    /// The files of a layer.
+    fn files(&self, layer: &str) -> Vec<PathBuf> {
+        let mut found = Vec::new();
+        files(&self.source().join(layer), &mut found);
+        found.extend(Some(self.source().join(layer).with_extension("rs")).filter(|file| file.exists()));
+        found
+    }
+
+    /// The places that a file's paths lead to, each as a path from the root.
+    fn needs(&self, file: &Path, text: &str) -> Vec<Vec<String>> {
+        let module = file.strip_prefix(self.source()).expect("a file of the crate").with_extension("");
+        let mut module: Vec<&str> = module.iter().filter_map(|name| name.to_str()).collect();
+        if module.last() == Some(&"mod") {
+            module.pop();
+        }
+        let own = format!("{}::", self.name);
+        let mut needs: Vec<Vec<String>> =
+            ["crate::", &own].iter().flat_map(|root| after(text, root)).flat_map(paths).collect();
+        for path in after(text, "super::").flat_map(paths) {
+            // Modules within a file only make this climb seem higher than it is.
+            let climbed = 1 + path.iter().take_while(|name| *name == "super").count();
+            let rest = path.into_iter().skip(climbed - 1);
+            let kept = module[..module.len().saturating_sub(climbed)].iter().map(|&name| name.to_owned());
+            needs.push(kept.chain(rest).collect());
+        }
+        needs
+    }
+
+    /// The paths of a file that lead above its layer, and how many paths it has.
+    fn upward(&self, file: &Path, text: &str) -> (Vec<String>, usize) {
+        let exports = self.exports();
+        let rank = self.layers.iter().position(|layer| {
+            let layer = self.source().join(layer);
+            file.starts_with(&layer) || file == layer.with_extension("rs")
+        });
+        let rank = rank.expect("a file of a layer");
+        let needs = self.needs(file, text);
+        let folder = |path: &[String]| {
+            let name = path[0].as_str();
+            let is_layer = self.layers.contains(&name);
+            if is_layer { name.to_owned() } else { exports.get(name).map_or(name, String::as_str).to_owned() }
+        };
+        let upward = needs.iter().filter(|path| !self.layers[..=rank].contains(&folder(path).as_str()));
+        let shown =
+            upward.map(|path| format!("{}: {}, of {}", file.display(), path.join("::"), folder(path)));
+        (shown.collect(), needs.len())
+    }
+}
+
+/// A file as code alone: no comments, no tests at its end.
+fn code(path: &Path) -> String {
+    let text = fs::read_to_string(path).expect("a file of the crate");
+    let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let lines = text.lines().map(|line| line.split("//").next().unwrap_or_default());
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).expect("a folder of the crate") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() && !path.ends_with("tests") {
+            files(&path, found);
+        } else if path.extension().is_some_and(|ending| ending == "rs") && !path.ends_with("tests.rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// The paths that a tree of `use` or an expression begins with, its braces multiplied out as far as
+/// two names.
+fn paths(tree: &str) -> Vec<Vec<String>> {
+    let tree = tree.trim_start();
+    let Some(inside) = tree.strip_prefix('{') else {
+        let end = tree.find(|c: char| !(c.is_alphanumeric() || "_*".contains(c))).unwrap_or(tree.len());
+        let (name, rest) = tree.split_at(end);
+        let rest = rest.trim_start();
+        let tails = rest.strip_prefix("::").filter(|tail| !tail.trim_start().starts_with('<')).map(paths);
+        let tails = tails.filter(|tails| !tails.is_empty()).unwrap_or_else(|| vec![Vec::new()]);
+        return tails.into_iter().map(|tail| [vec![name.to_owned()], tail].concat()).collect();
+    };
+    let (mut depth, mut start, mut all) = (0, 0, Vec::new());
+    for (place, c) in inside.char_indices() {
+        match c {
+            '{' => depth += 1,
+            ',' | '}' if depth == 0 => {
+                let part = inside[start..place].trim();
+                all.extend(if part.is_empty() { Vec::new() } else { paths(part) });
+                start = place + 1;
+                if c == '}' {
+                    break;
+                }
+            }
+            '}' => depth -= 1,
+            _ => {}
+        }
+    }
+    all
+}
+
+/// What follows each occurrence of `word` as a whole word.
+fn after<'a>(text: &'a str, word: &'a str) -> impl Iterator<Item = &'a str> {
+    text.match_indices(word).filter_map(move |(place, _)| {
+        let begins = !text[..place].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '$');
+        begins.then(|| &text[place + word.len()..])
+    })
+}
+
+#[test]
+fn a_layer_needs_those_below_it_only() {
+    for (layered, least) in [(CORE, 200), (COMMAND, 150)] {
+        let (mut upward, mut looked_at) = (Vec::new(), 0);
+        for layer in layered.layers {
+            let files = layered.files(layer);
+            assert!(!files.is_empty(), "no folder {layer}");
+            for file in files {
+                let (found, count) = layered.upward(&file, &code(&file));
+                upward.extend(found);
+                looked_at += count;
+            }
+        }
+        assert!(upward.is_empty(), "a layer needs what is above it:\n{}", upward.join("\n"));
+        assert!(looked_at > least, "only {looked_at} paths were found in {}", layered.folder);
+    }
+}
+
+/// `lib.rs` declares the layers in this order, and beside the folders there are doors only.
+#[test]
+fn the_layers_are_the_folders() {
+    for layered in [CORE, COMMAND] {
+        let lib = code(&layered.source().join("lib.rs"));
+        let declared: Vec<&str> =
+            after(&lib, "mod ").filter_map(|rest| rest.split([';', ' ']).next()).collect();
+        assert_eq!(declared[..layered.layers.len()], *layered.layers);
+        let folders =
+            fs::read_dir(layered.source()).expect("the crate").map(|entry| entry.expect("an entry").path());
+        let folders: Vec<PathBuf> =
+            folders.filter(|path| path.is_dir() && !path.ends_with("tests")).collect();
+        assert!(
+            folders.iter().all(|path| layered.layers.iter().any(|layer| path.ends_with(layer))),
+            "{folders:?}"
+        );
+    }
+}
+
+#[test]
+fn every_way_up_is_found() {
+    let ways_up = [
+        (CORE, "scalar/float.rs", "use crate::Lift;"),
+        (CORE, "scalar/float.rs", "use crate::{Constant,\n    Lift};"),
+        (CORE, "scalar/float.rs", "use crate::{field::{linear::solve, QuadraticField}, Constant};"),
+        (CORE, "scalar/float.rs", "use crate::*;"),
+        (CORE, "scalar/float.rs", "fn f() { crate::prelude::vector![0.0]; }"),
+        (CORE, "scalar/dd/mod.rs", "use super::super::map::KahanMap;"),
+        (CORE, "scalar/dd/traits.rs", "use super::super::super::scene::Scene;"),
+        (CORE, "step/mod.rs", "impl super::KahanMap for S {}"),
+        (CORE, "step/mod.rs", "use kahan_core::Orbit;"),
+        (COMMAND, "numbers/scalar.rs", "use crate::printing::Refusal;"),
+        (COMMAND, "printing/table.rs", "fn f(block: &super::super::reading::Block) {}"),
+        (COMMAND, "plot.rs", "use super::atlas::generate;"),
+        (COMMAND, "atlas/found.rs", "use crate::{numbers::decimal, commands::verify::Verify};"),
+    ];
+    for (layered, file, text) in ways_up {
+        let (upward, _) = layered.upward(&layered.source().join(file), text);
+        assert!(!upward.is_empty(), "{text}");
+    }
+    let allowed = [
+        (CORE, "map/orbit/mod.rs", "use super::{KahanMap, at::KahanAt}; use crate::Scalar;"),
+        (COMMAND, "atlas/figures/orbit.rs", "use super::super::found::Found; use crate::plot::Plot;"),
+    ];
+    for (layered, file, text) in allowed {
+        let (upward, paths) = layered.upward(&layered.source().join(file), text);
+        assert!(upward.is_empty() && paths > 1, "{text}: {upward:?}");
+    }
+}
