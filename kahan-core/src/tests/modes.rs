@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 
 #[cfg(feature = "std")]
-use super::systems::E6;
-use super::systems::{Coupled, E3};
+use super::by_hand::E6;
+use super::by_hand::{Coupled, E3};
 use crate::{
     Compensated, Composed, Composition, Dd, FloatScalar, KahanMap, Orbit, Single, nearest_short_eps, vector,
 };

@@ -3,8 +3,8 @@
 use kahan_core::prelude::*;
 use kahan_core::{Axis, Ensemble, Level};
 
+use crate::in_lanes::{E3, LotkaVolterra};
 use crate::points;
-use crate::systems::{E3, LotkaVolterra};
 
 #[test]
 fn points_come_back_in_order() {

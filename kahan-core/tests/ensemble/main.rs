@@ -19,9 +19,9 @@
 
 mod contents;
 mod fused;
+mod in_lanes;
 mod levels;
 mod neighbours;
-mod systems;
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Ensemble, EnsembleScalar, Level};

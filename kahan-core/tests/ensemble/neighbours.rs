@@ -3,7 +3,7 @@
 use kahan_core::prelude::*;
 use kahan_core::{Ensemble, Reciprocal};
 
-use crate::systems::{E3, LotkaVolterra};
+use crate::in_lanes::{E3, LotkaVolterra};
 use crate::{assert_same, levels, points};
 
 const STEPS: usize = if cfg!(miri) { 1 } else { 10 };

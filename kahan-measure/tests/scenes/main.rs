@@ -7,7 +7,7 @@
 //! others, with `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-measure --test scenes
 //! -- --ignored --nocapture`.
 
-mod fields;
+mod seeded_fields;
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::num_rational::BigRational;
@@ -15,7 +15,7 @@ use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd, Lift, NoSetting, Precision, Scene, Scheme, Setting};
 use kahan_measure::reference::{Limits, Reference, Trajectory};
 
-use fields::*;
+use seeded_fields::*;
 
 /// What became of a scene.
 #[derive(Clone, Debug)]
