@@ -53,7 +53,7 @@ where
     let asked =
         Trajectory { command: "", parameters: &[], start: &exact, end: horizon, allowed: 0.1 * tolerance };
     let limits = Limits::default();
-    let Ok(truth) = Reference::within(map, &asked, &limits) else {
+    let Ok(truth) = Reference::of(map, &asked, &limits) else {
         return Judged { scene: name, outcome: Outcome::Unjudged { is_accepted: chosen.is_ok() } };
     };
     let outcome = match chosen {
@@ -74,7 +74,7 @@ where
         let x: Vec<Dd> = x.iter().map(|entry| Dd::from(*entry)).collect();
         worst = worst.max(truth.distance(dt * Dd::from(n as f64), &x));
         if n == setting.steps() {
-            worst = worst.max(truth.distance(Dd::from(truth.end()), &x));
+            worst = worst.max(truth.distance(Dd::from(truth.flow().end()), &x));
         }
     });
     worst
