@@ -3,7 +3,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, KahanMap};
-use kahan_measure::reference::{Method, NoReference, Reference, Trajectory};
+use kahan_measure::reference::{Limits, Method, NoReference, Reference, Trajectory};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
 
 fn q(texts: &[&str]) -> Vec<BigRational> {
@@ -24,7 +24,8 @@ fn reference<M: KahanMap<Dd, N>, const N: usize>(
     allowed: f64,
 ) -> Result<Reference, NoReference> {
     let (parameters, start) = (q(parameters), q(start));
-    Reference::of(map, &Trajectory { command, parameters: &parameters, start: &start, end, allowed })
+    let asked = Trajectory { command, parameters: &parameters, start: &start, end, allowed };
+    Reference::of(map, &asked, &Limits::default())
 }
 
 /// The series has errors of some units of double-double (u = 2⁻¹⁰⁶ ≈ 1.2e-32) a step, carried along
@@ -65,12 +66,15 @@ fn the_series_agrees_with_the_composition_where_there_is_no_closed_solution() {
 
     // x − ln x + y − ln y is the integral of the flow; in f64, whose unit it then has.
     let energy = |x: Vec<Dd>| x.into_iter().map(f64::from).map(|x| x - x.ln()).sum::<f64>();
-    let begin = energy(reference.at(Dd::from(0.0)));
+    let begin = energy(reference.flow().at(Dd::from(0.0)));
     for k in 1..=30 {
-        assert!((energy(reference.at(Dd::from(f64::from(k) / 10.0))) - begin).abs() < 4e-15, "t = {k}/10");
+        assert!(
+            (energy(reference.flow().at(Dd::from(f64::from(k) / 10.0))) - begin).abs() < 4e-15,
+            "t = {k}/10"
+        );
     }
-    assert_eq!(reference.end(), 3.0);
-    assert!((1.66..5.0).contains(&reference.scale()), "{}", reference.scale());
+    assert_eq!(reference.flow().end(), 3.0);
+    assert!((1.66..5.0).contains(&reference.flow().scale()), "{}", reference.flow().scale());
 }
 
 /// The series of one field beside the closed solution of another: what is certified is that they
@@ -96,13 +100,13 @@ fn a_path_that_is_not_the_solution_is_refused() {
 #[test]
 fn a_point_that_is_no_number_is_infinitely_far() {
     let reference = reference(&E6, "e6", &[], &["3/10", "2/5", "-1/5"], 1.0, 1e-9).expect("a reference");
-    let here = reference.at(Dd::from(0.5));
+    let here = reference.flow().at(Dd::from(0.5));
     assert!(reference.distance(Dd::from(0.5), &here) < 1e-30);
     for i in 0..3 {
         let mut point = here.clone();
         point[i] = Dd::from(f64::NAN);
         assert_eq!(reference.distance(Dd::from(0.5), &point), f64::INFINITY);
-        point[i] = here[i] + Dd::from(reference.scale());
+        point[i] = here[i] + Dd::from(reference.flow().scale());
         assert!((reference.distance(Dd::from(0.5), &point) - 1.0).abs() < 1e-12);
     }
 }

@@ -80,7 +80,7 @@ where
         let asked = Trajectory { command: "", parameters: &[], start: &point, end: horizon, allowed };
         // So many steps of an ε that was rounded end near the horizon, not at it.
         let limits = Limits { margin: 1.0 / 256.0, deadline: None };
-        let reference = Reference::within(&map.lift::<Dd>(to), &asked, &limits).expect("a reference");
+        let reference = Reference::of(&map.lift::<Dd>(to), &asked, &limits).expect("a reference");
         let scene = Scene { map: map.clone(), start: SVector::from(point.clone()), horizon, reference };
         let name = format!("{map:?}, {tolerance:e}");
 

@@ -95,29 +95,6 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
             pole(map.half_step())
         }
     }
-
-    /// As [`advance`](Self::advance), showing the ensemble to `visit` after `every` steps, after
-    /// 2·`every` and so on, with the number of steps done. The steps that are left, fewer than
-    /// `every`, run without a visit.
-    ///
-    /// # Panics
-    /// If `every` is 0, and as [`advance`](Self::advance).
-    pub fn advance_visiting<M>(
-        &mut self,
-        map: &M,
-        steps: usize,
-        every: usize,
-        mut visit: impl FnMut(usize, &Self),
-    ) where
-        M: Advances<T, N>,
-    {
-        assert!(every > 0, "an ensemble is visited every 1 step or more, not every 0");
-        for visits in 1..=steps / every {
-            self.advance(map, every);
-            visit(visits * every, self);
-        }
-        self.advance(map, steps % every);
-    }
 }
 
 /// Advances the columns, over threads where that is worth their cost.
@@ -146,12 +123,16 @@ where
     T::sweep::<K, S, N>(stages, columns, steps, instructions)
 }
 
+/// A stretch of every column.
+#[cfg(feature = "parallel")]
+type Stretch<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
+
 /// Two halves of whole tiles, or all of it again where two tasks are not worth their cost.
 #[cfg(feature = "parallel")]
 fn halves<T, const N: usize>(
-    mut columns: [&mut [Group<T>]; N],
+    mut columns: Stretch<'_, T, N>,
     steps: usize,
-) -> Result<[[&mut [Group<T>]; N]; 2], [&mut [Group<T>]; N]> {
+) -> Result<[Stretch<'_, T, N>; 2], Stretch<'_, T, N>> {
     use super::columns::GROUP;
     use super::sweep::groups_per_tile;
 

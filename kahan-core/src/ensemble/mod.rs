@@ -108,11 +108,6 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
         assert!(i < N, "variable {i} of a state of {N}");
         self.columns.column(i)
     }
-
-    /// The points in order, in memory of their own.
-    pub fn into_points(self) -> Vec<SVector<T, N>> {
-        self.points().collect()
-    }
 }
 
 impl<T: EnsembleScalar, const N: usize> Clone for Ensemble<T, N> {

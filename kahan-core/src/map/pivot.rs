@@ -43,6 +43,9 @@ pub trait Pivot: Scalar {
 
 /// A float, whose promise is kept by bounds: by a first rung, or where that proves too little by
 /// the next.
+///
+/// A rung prepares the step anew, over values with bounds: a prepared float does not tell how large
+/// the terms of a sum were that it is. In a loop compilers do that once, before its first round.
 macro_rules! implement_for_float {
     ($float:ty: |$map:ident, $x:ident, $eps:ident| $first:expr, else $next:expr) => {
         impl Pivot for $float {

@@ -2,8 +2,8 @@
 
 use num_traits::Zero;
 
+use super::by_hand::{Coupled, E1, E3, E6, E7};
 use super::rationals::{Q, Rationals, product, q, scaled};
-use super::systems::{Coupled, E1, E3, E6, E7};
 use crate::field::linear::{determinant, solve};
 use crate::{KahanMap, eps_from_dt};
 

@@ -7,8 +7,8 @@ use std::string::String;
 
 use num_traits::{One, Zero};
 
+use super::by_hand::{Coupled, E1, E3, E7};
 use super::rationals::{Q, q};
-use super::systems::{Coupled, E1, E3, E7};
 use crate::{KahanMap, vector};
 
 #[test]

@@ -5,7 +5,7 @@ use std::format;
 
 use nalgebra::SVector;
 
-use super::systems::{Coupled, E1, E3, E7};
+use super::by_hand::{Coupled, E1, E3, E7};
 use crate::scalar::tuning::fenced;
 use crate::{KahanMap, eps_from_dt, vector};
 

@@ -2,6 +2,7 @@
 //!
 //! Over rationals every law is tested with `==`; over floats only what floats promise.
 
+mod by_hand;
 mod constants;
 mod dd;
 mod duals;
@@ -11,7 +12,6 @@ mod linear;
 mod modes;
 mod orbits;
 mod overflow;
-mod systems;
 
 #[cfg(feature = "exact")]
 mod exact_laws;

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::systems::{E1, E3};
+use super::by_hand::{E1, E3};
 use crate::{KahanMap, Orbit, vector};
 
 /// An orbit outlives the map and the point it was made from.

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::systems::{Coupled, E1, field_of};
+use super::by_hand::{Coupled, E1, field_of};
 use crate::{KahanMap, PreparedStep, QuadraticField, Quotients, Scalar, vector};
 
 /// The map of E1 written by hand, all of it over one denominator.

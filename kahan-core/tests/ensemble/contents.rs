@@ -1,10 +1,10 @@
-//! What an ensemble holds, and when it is visited.
+//! What an ensemble holds.
 
 use kahan_core::prelude::*;
 use kahan_core::{Axis, Ensemble, Level};
 
+use crate::in_lanes::LotkaVolterra;
 use crate::points;
-use crate::systems::{E3, LotkaVolterra};
 
 #[test]
 fn points_come_back_in_order() {
@@ -21,7 +21,6 @@ fn points_come_back_in_order() {
         assert_eq!(ensemble.point(len), None);
         assert_eq!(len.checked_sub(1).map(|i| ensemble.point(i)), start.last().copied().map(Some));
         assert_eq!(ensemble.clone(), ensemble);
-        assert_eq!(ensemble.into_points(), start);
     }
 }
 
@@ -68,7 +67,7 @@ fn a_grid_is_in_the_order_of_nested_loops() {
             expected.push(vector![x, -1.0, z]);
         }
     }
-    assert_eq!(grid.into_points(), expected);
+    assert!(grid.points().eq(expected));
     assert!(Ensemble::grid([Axis { start: 0.0_f32, end: 1.0, count: 0 }; 2]).is_empty());
 }
 
@@ -83,31 +82,4 @@ fn a_grid_of_one_kind_of_float_is_that_of_the_other_rounded() {
 #[should_panic(expected = "a grid of more points than memory can hold")]
 fn a_grid_beyond_memory_is_refused() {
     let _ = Ensemble::grid([Axis { start: 0.0, end: 1.0, count: usize::MAX }; 2]);
-}
-
-#[test]
-fn visits_come_every_so_many_steps() {
-    let map = E3.at(0.125);
-    for (steps, every, expected) in
-        [(10, 3, vec![3, 6, 9]), (9, 3, vec![3, 6, 9]), (2, 3, vec![]), (0, 1, vec![]), (2, 1, vec![1, 2])]
-    {
-        let mut visited = Ensemble::new(points::<3>(21));
-        let mut visits = Vec::new();
-        let start = visited.clone();
-        visited.advance_visiting(&map, steps, every, |done, ensemble| {
-            let mut alone = start.clone();
-            alone.advance(&map, done);
-            assert_eq!(*ensemble, alone);
-            visits.push(done);
-        });
-        let mut alone = start;
-        alone.advance(&map, steps);
-        assert_eq!((visits, visited), (expected, alone));
-    }
-}
-
-#[test]
-#[should_panic(expected = "visited every 1 step or more")]
-fn no_visits_every_zero_steps() {
-    Ensemble::new(points::<3>(1)).advance_visiting(&E3.at(0.1), 1, 0, |_, _| {});
 }

@@ -4,7 +4,7 @@ use kahan_core::prelude::*;
 use kahan_core::{Constant, Ensemble, EnsembleScalar, KahanAt, Level, PreparedStep, Reciprocal, WideStep};
 
 use crate::fused::Fused;
-use crate::systems::{ByElimination, Clebsch, E3, E5, EulerTop, Logistic, LotkaVolterra};
+use crate::in_lanes::{ByElimination, Clebsch, E3, E5, EulerTop, Logistic, LotkaVolterra};
 use crate::{assert_same, fuses, levels, points};
 
 /// Around the widths of all registers, and around tiles.

@@ -4,8 +4,7 @@
 //!    same arithmetic.
 //! 2. `neighbours`: what is not finite stays alone; the place of a trajectory and the number of
 //!    threads change nothing.
-//! 3. `contents`: points, columns and grids come back as they were given; visits come when they
-//!    should.
+//! 3. `contents`: points, columns and grids come back as they were given.
 //!
 //! What a processor lacks is left out, and the test says so. The same tests run under Miri,
 //!
@@ -19,9 +18,9 @@
 
 mod contents;
 mod fused;
+mod in_lanes;
 mod levels;
 mod neighbours;
-mod systems;
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Ensemble, EnsembleScalar, Level};

@@ -3,7 +3,7 @@
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Lift, PreparedStep, Scene, Scheme};
 
-use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
+use crate::settled::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
 use crate::trajectory::Trajectory;
 
 /// Of the library's choice to the cheapest setting there is.

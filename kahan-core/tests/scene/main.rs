@@ -14,5 +14,5 @@
 mod answers;
 mod choices;
 mod counted;
-mod systems;
+mod settled;
 mod trajectory;

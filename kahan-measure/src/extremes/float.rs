@@ -7,7 +7,7 @@ use kahan_core::{Dd, KahanMap, Lift, Pivot, ThroughF64};
 use super::dyadic::Dyadic;
 
 /// A float that can be judged.
-pub(crate) trait Float: Pivot + Copy + Send + Sync {
+pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     /// Its name in tables.
     const NAME: &'static str;
     /// The tier whose `step` it is: `fast`, or `accurate`.
@@ -31,14 +31,24 @@ pub(crate) trait Float: Pivot + Copy + Send + Sync {
     /// promised.
     const FLAG_CONDITION: Option<f64>;
 
+    /// The nearest number.
+    fn of(value: f64) -> Self;
+
     /// The exact value; `None` if it is not finite.
-    fn exact(self) -> Option<Dyadic>;
+    fn exact(self) -> Option<Dyadic> {
+        let wide: Dd = self.into();
+        Some(&Dyadic::of(wide.high())? + &Dyadic::of(wide.low())?)
+    }
 
     /// A number near `value`, by about one unit; infinite beyond the range.
-    fn near(value: &Dyadic) -> Self;
+    fn near(value: &Dyadic) -> Self {
+        Self::of(value.near_f64())
+    }
 
     /// One of the inputs that are no numbers: ∞, −∞, NaN.
-    fn not_finite(which: u64) -> Self;
+    fn not_finite(which: u64) -> Self {
+        Self::of([f64::INFINITY, f64::NEG_INFINITY, f64::NAN][(which % 3) as usize])
+    }
 
     /// The step of [`WIDER_TIER`](Self::WIDER_TIER).
     fn wider_step<M, const N: usize>(_map: M, _x: &SVector<Self, N>, _eps: Self) -> Option<SVector<Self, N>>
@@ -60,16 +70,8 @@ impl Float for f64 {
     const STATE_BINADES: i64 = 498;
     const FLAG_CONDITION: Option<f64> = Some(1e12);
 
-    fn exact(self) -> Option<Dyadic> {
-        Dyadic::of(self)
-    }
-
-    fn near(value: &Dyadic) -> Self {
-        value.near_f64()
-    }
-
-    fn not_finite(which: u64) -> Self {
-        [Self::INFINITY, Self::NEG_INFINITY, Self::NAN][(which % 3) as usize]
+    fn of(value: f64) -> Self {
+        value
     }
 }
 
@@ -85,16 +87,8 @@ impl Float for f32 {
     const STATE_BINADES: i64 = 62;
     const FLAG_CONDITION: Option<f64> = Some(1e4);
 
-    fn exact(self) -> Option<Dyadic> {
-        Dyadic::of(f64::from(self))
-    }
-
-    fn near(value: &Dyadic) -> Self {
-        value.near_f64() as Self
-    }
-
-    fn not_finite(which: u64) -> Self {
-        [Self::INFINITY, Self::NEG_INFINITY, Self::NAN][(which % 3) as usize]
+    fn of(value: f64) -> Self {
+        value as Self
     }
 
     fn wider_step<M, const N: usize>(map: M, x: &SVector<Self, N>, eps: Self) -> Option<SVector<Self, N>>
@@ -118,16 +112,12 @@ impl Float for Dd {
     const STATE_BINADES: i64 = 498;
     const FLAG_CONDITION: Option<f64> = None;
 
-    fn exact(self) -> Option<Dyadic> {
-        Some(&Dyadic::of(self.high())? + &Dyadic::of(self.low())?)
+    fn of(value: f64) -> Self {
+        value.into()
     }
 
     fn near(value: &Dyadic) -> Self {
         let high = value.near_f64();
         Dyadic::of(high).map_or(Self::from(high), |leading| Self::new(high, (value - &leading).near_f64()))
-    }
-
-    fn not_finite(which: u64) -> Self {
-        Self::from(f64::not_finite(which))
     }
 }

@@ -22,7 +22,7 @@ pub struct Certificate {
     /// The second method.
     pub method: Method,
     /// The largest difference from it that was seen, relative to the trajectory's
-    /// [`scale`](super::Reference::scale).
+    /// [`scale`](kahan_core::Flow::scale).
     pub difference: f64,
     /// The last time before which every difference was as small as was asked for.
     pub agreed_until: f64,

@@ -25,7 +25,7 @@ pub use certificate::{Certificate, Method};
 pub use path::Limits;
 pub use refusal::NoReference;
 
-/// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Self::end).
+/// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Flow::end).
 #[derive(Clone, Debug)]
 pub struct Reference {
     flow: Flow<Dd>,
@@ -61,20 +61,7 @@ impl Reference {
     ///
     /// # Errors
     /// [`NoReference`].
-    pub fn of<M, const N: usize>(map: &M, asked: &Trajectory<'_>) -> Result<Self, NoReference>
-    where
-        M: KahanMap<Dd, N>,
-    {
-        Self::within(map, asked, &Limits::default())
-    }
-
-    /// The same within limits.
-    ///
-    /// A start of fewer than N coordinates is at 0 in the others.
-    ///
-    /// # Errors
-    /// [`NoReference`].
-    pub fn within<M, const N: usize>(
+    pub fn of<M, const N: usize>(
         map: &M,
         asked: &Trajectory<'_>,
         limits: &Limits,
@@ -97,37 +84,9 @@ impl Reference {
         }
     }
 
-    /// x(t), the nearest end's polynomial beyond the ends. Cost: about 60 operations a component.
-    pub fn at(&self, t: Dd) -> Vec<Dd> {
-        self.flow.at(t)
-    }
-
-    /// The last time.
-    pub fn end(&self) -> f64 {
-        self.flow.end()
-    }
-
-    /// The largest |xᵢ(t)|, over all components and times up to [`Trajectory::end`]: what errors
-    /// are relative to.
-    pub fn scale(&self) -> f64 {
-        self.flow.scale()
-    }
-
-    /// The largest ‖f′(x(t))‖ in the maximum norm: ε times this tells how coarse a step is.
-    pub fn slope(&self) -> f64 {
-        self.flow.slope()
-    }
-
-    /// The integral of ‖ẍ‖/‖ẋ‖ over the time, in the maximum norm: by what angle, so to say, the
-    /// motion turns. Unlike the slope it says nothing of directions in which nothing moves.
-    pub fn turning(&self) -> f64 {
-        self.flow.turning()
-    }
-
-    /// The times at which the polynomials begin, the first of them 0: they lie close where the
-    /// solution moves fast.
-    pub fn breaks(&self) -> impl ExactSizeIterator<Item = f64> {
-        self.flow.breaks()
+    /// x(t) itself, and its scale, which errors are relative to.
+    pub fn flow(&self) -> &Flow<Dd> {
+        &self.flow
     }
 
     /// What stands behind it.

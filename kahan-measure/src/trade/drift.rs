@@ -35,8 +35,8 @@ impl Integrals {
             let shift = |i: usize| Dd::from(((3 * k + 5 * i) % 7) as f64) / Dd::from(11.0);
             moved.map(|(i, x)| *x + (Dd::from(1.0) + x.abs()) * shift(i)).collect()
         };
-        let begin = subject.integrals_at_zero(start);
-        let others: Vec<Vec<[Dd; 2]>> = (1..4).map(|k| subject.integrals_at_zero(&near(k))).collect();
+        let begin = subject.map.integrals_at_zero(start);
+        let others: Vec<Vec<[Dd; 2]>> = (1..4).map(|k| subject.map.integrals_at_zero(&near(k))).collect();
         let varies = |claim: usize, power: usize| {
             let value = begin[claim][power];
             let tolerance = Dd::from(1e-24) * (Dd::from(1.0) + value.abs());
@@ -59,10 +59,11 @@ impl<'a> Drift<'a> {
 
     /// Looks at a point; the first is where the orbit begins.
     pub(super) fn visit(&mut self, x: &[Dd]) {
-        let at_zero = self.subject.integrals_at_zero(x);
+        let at_zero = self.subject.map.integrals_at_zero(x);
         let powers = self.integrals.coefficients.iter();
         let (mut own, mut flow) = (Vec::new(), Vec::new());
-        for ((power, value), coefficients) in powers.zip(self.subject.integrals(x, self.eps)).zip(at_zero) {
+        for ((power, value), coefficients) in powers.zip(self.subject.map.integrals(x, self.eps)).zip(at_zero)
+        {
             let Some(power) = *power else { continue };
             let constant = if power == 0 { Dd::from(0.0) } else { coefficients[0] };
             own.push(value - constant);

@@ -157,14 +157,14 @@ impl Trade {
                     end: scene.horizon(),
                     allowed: 1e-3 * scene.tolerance(),
                 };
-                Some(subject.reference(&asked, &limits).map_err(CannotTrade::Reference)?)
+                Some(subject.map.reference(&asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
         // ε times the rate, on an average: compositions, whose stages are shorter, follow
         // trajectories up to 2 or so, with errors to match.
         let coarsest = match &reference {
-            Some(reference) => 0.5 * reference.turning() / 4.0,
-            None => 0.5 * scene.horizon() * subject.slope(),
+            Some(reference) => 0.5 * reference.flow().turning() / 4.0,
+            None => 0.5 * scene.horizon() * subject.map.slope(&exact_start),
         };
         let coarsest = coarsest.ceil().clamp(1.0, 1e15) as u64;
         let eps = scene.horizon() / (2.0 * coarsest as f64);
@@ -172,7 +172,7 @@ impl Trade {
             Clock::of(subject, 0.1 * eps)
         } else {
             let stand_in = Runner::stand_in()?;
-            Clock::of(&stand_in, 0.01).scaled(stand_in.cost(), subject.cost())
+            Clock::of(&stand_in, 0.01).scaled(stand_in.map.cost(), subject.map.cost())
         };
         let mut study = Study {
             subject,
@@ -209,7 +209,7 @@ impl Study<'_> {
         Trade {
             choice: self.best(),
             certificate: self.reference.as_ref().map(Reference::certificate),
-            scale: self.reference.as_ref().map(Reference::scale),
+            scale: self.reference.as_ref().map(|reference| reference.flow().scale()),
             is_compiled: self.is_compiled,
             skipped: self.skipped,
             stalled: self.stalled,

@@ -17,7 +17,7 @@ use super::walk::{Walker, point, rational, walk};
 
 /// A system at a starting point.
 pub(super) struct Runner {
-    map: Box<dyn Map>,
+    pub(super) map: Box<dyn Map>,
     /// The orbits of compiled code, for a system of the catalog: the interpreter's take ten to
     /// fifty times as long.
     compiled: Option<Compiled>,
@@ -86,45 +86,21 @@ impl Runner {
         }
         seconds
     }
-
-    /// The trajectory to compare with.
-    pub(super) fn reference(
-        &self,
-        asked: &Trajectory<'_>,
-        limits: &Limits,
-    ) -> Result<Reference, NoReference> {
-        self.map.reference(asked, limits)
-    }
-
-    /// ‖f′(x₀)‖∞
-    pub(super) fn slope(&self) -> f64 {
-        self.map.slope(&self.start)
-    }
-
-    /// The declared integrals at this ε.
-    pub(super) fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd> {
-        self.map.integrals(x, eps)
-    }
-
-    /// Their Taylor coefficients at ε = 0: the values, and those of ε².
-    pub(super) fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
-        self.map.integrals_at_zero(x)
-    }
-
-    /// What a step of the generated code costs.
-    pub(super) fn cost(&self) -> StepCost {
-        self.map.cost()
-    }
 }
 
 /// A system that was read, in whatever number of variables.
-trait Map {
+pub(super) trait Map {
     /// Hands over an orbit.
     fn walk(&self, start: &[BigRational], scheme: Scheme, eps: f64, walker: Walker<'_>);
+    /// The trajectory to compare with.
     fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference>;
+    /// ‖f′(x₀)‖∞
     fn slope(&self, start: &[BigRational]) -> f64;
+    /// The declared integrals at this ε.
     fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd>;
+    /// Their Taylor coefficients at ε = 0: the values, and those of ε².
     fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]>;
+    /// What a step of the generated code costs.
     fn cost(&self) -> StepCost;
 }
 
@@ -134,7 +110,7 @@ impl<const N: usize> Map for Interpreted<BigRational, N> {
     }
 
     fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference> {
-        Reference::within(&self.rounded::<Dd>(), asked, limits)
+        Reference::of(&self.rounded::<Dd>(), asked, limits)
     }
 
     fn slope(&self, start: &[BigRational]) -> f64 {

@@ -17,9 +17,9 @@ impl Stops {
     pub(super) fn of(reference: Option<&Reference>, eps: f64, steps: u64) -> Self {
         let stride = steps.div_ceil(EVENLY);
         let mut stops: Vec<u64> = (1..=steps / stride).map(|k| k * stride).collect();
-        if let Some(reference) = reference.filter(|_| stride > 1) {
-            let begins: Vec<f64> = reference.breaks().collect();
-            let ends = begins.iter().skip(1).copied().chain([reference.end()]);
+        if let Some(flow) = reference.map(Reference::flow).filter(|_| stride > 1) {
+            let begins: Vec<f64> = flow.breaks().collect();
+            let ends = begins.iter().skip(1).copied().chain([flow.end()]);
             for (begin, end) in begins.iter().zip(ends) {
                 let times =
                     (1..=ON_A_PIECE).map(|k| begin + (end - begin) * f64::from(k) / f64::from(ON_A_PIECE));

@@ -93,7 +93,7 @@ impl Study<'_> {
         self.subject.follow(scheme, eps, None, &mut stops.iter(), &mut |step, x| {
             if let Some(reference) = &self.reference {
                 let t = dt * Dd::from(step as f64);
-                if f64::from(t) <= reference.end() {
+                if f64::from(t) <= reference.flow().end() {
                     trajectory = trajectory.max(reference.distance(t, x));
                 }
                 if step == steps {

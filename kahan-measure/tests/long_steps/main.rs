@@ -7,7 +7,7 @@
 //! fields, is a command; `KAHAN_SEED` draws other fields and points:
 //! `KAHAN_SEED=7 cargo test --release -p kahan-measure --test long_steps -- --ignored --nocapture`.
 
-mod fields;
+mod hard_fields;
 
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float64, solve};
 use kahan_algebra::diagnostics::Diagnostics;
@@ -20,7 +20,7 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{check, parse};
 
-use fields::{Named, known, sparse};
+use hard_fields::{Named, known, sparse};
 
 const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
 

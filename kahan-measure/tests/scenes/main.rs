@@ -7,7 +7,7 @@
 //! others, with `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-measure --test scenes
 //! -- --ignored --nocapture`.
 
-mod fields;
+mod seeded_fields;
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::num_rational::BigRational;
@@ -15,7 +15,7 @@ use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd, Lift, NoSetting, Precision, Scene, Scheme, Setting};
 use kahan_measure::reference::{Limits, Reference, Trajectory};
 
-use fields::*;
+use seeded_fields::*;
 
 /// What became of a scene.
 #[derive(Clone, Debug)]
@@ -53,7 +53,7 @@ where
     let asked =
         Trajectory { command: "", parameters: &[], start: &exact, end: horizon, allowed: 0.1 * tolerance };
     let limits = Limits::default();
-    let Ok(truth) = Reference::within(map, &asked, &limits) else {
+    let Ok(truth) = Reference::of(map, &asked, &limits) else {
         return Judged { scene: name, outcome: Outcome::Unjudged { is_accepted: chosen.is_ok() } };
     };
     let outcome = match chosen {
@@ -74,7 +74,7 @@ where
         let x: Vec<Dd> = x.iter().map(|entry| Dd::from(*entry)).collect();
         worst = worst.max(truth.distance(dt * Dd::from(n as f64), &x));
         if n == setting.steps() {
-            worst = worst.max(truth.distance(Dd::from(truth.end()), &x));
+            worst = worst.max(truth.distance(Dd::from(truth.flow().end()), &x));
         }
     });
     worst

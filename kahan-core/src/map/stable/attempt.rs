@@ -40,14 +40,23 @@ impl<V: Working, const N: usize> Attempt<V, N> {
             Bounded::<V, P>::given(value)
         };
         let state = SVector::from_fn(|i, _| given(&x[i]));
-        let prepared = map.lift(given).prepare(&Bounded::given(embed(eps)));
-        let attempt = prepared.finish(&state, |quotients| Self::by_increments(&state, quotients))?;
+        let attempt = Self::by_step(&map.lift(given), &state, Bounded::<V, P>::given(embed(eps)))?;
         (attempt.largest_input() > sum.get()).then_some(attempt)
+    }
+
+    /// By the step of a map over bounded values.
+    #[inline(always)]
+    pub(super) fn by_step<P, M>(map: &M, x: &SVector<Bounded<V, P>, N>, eps: Bounded<V, P>) -> Option<Self>
+    where
+        P: Pair<V>,
+        M: KahanMap<Bounded<V, P>, N>,
+    {
+        map.prepare(&eps).finish(x, |quotients| Self::by_increments(x, quotients))
     }
 
     /// By these increments.
     #[inline(always)]
-    pub(super) fn by_increments<P: Pair<V>>(
+    fn by_increments<P: Pair<V>>(
         x: &SVector<Bounded<V, P>, N>,
         quotients: Quotients<Bounded<V, P>, N>,
     ) -> Self {

@@ -142,18 +142,16 @@ where
         is_finite.set(is_finite.get() && number.is_finite_number());
         Bounded::given(number.widen())
     };
-    let lifted = map.lift(given);
-    let state = SVector::from_fn(|i, _| given(&x[i]));
+    let last =
+        InWide { map: map.lift(given), state: SVector::from_fn(|i, _| given(&x[i])), eps: given(&eps) };
     let report = |reason, determinant, bound| {
         Some(SingularStep::because(reason, determinant, bound, eps.approximate()))
     };
     if !is_finite.get() {
         return report(Reason::NotFinite, f64::NAN, f64::INFINITY);
     }
-    let increments = wide_increments(&lifted, &state, given(&eps));
-    let quotients = once_with(|| wide_quotients(&lifted, &state, given(&eps)));
     let (mut bound, mut is_known) = (f64::INFINITY, false);
-    for attempt in increments.into_iter().chain(quotients.flatten()) {
+    for attempt in last.increments().into_iter().chain(once_with(|| last.quotients()).flatten()) {
         bound = attempt.bound().min(bound);
         is_known |= attempt.is_within(PROMISE * T::UNIT);
         if let Some(settled) = attempt.rounded(PROMISE * T::UNIT, T::narrow, T::widen) {
@@ -161,7 +159,7 @@ where
             return None;
         }
     }
-    let [denominator, determinant] = wide_denominators(&lifted, &state, given(&eps));
+    let [denominator, determinant] = last.denominators();
     let reason = if is_known {
         Reason::BeyondRange
     } else if !determinant.is_defined() {
@@ -174,46 +172,33 @@ where
     report(reason, rounded(&determinant), bound)
 }
 
-// What the last rungs call is apart, because it is the same for every scalar that comes here, and
-// for the stack's sake.
-
-/// The increment form in [`Wide`].
-#[inline(never)]
-fn wide_increments<M, const N: usize>(
-    map: &M,
-    x: &SVector<Bounded<Wide>, N>,
+/// What the last rungs compute with. Each of its functions is called: it is the same for every
+/// scalar that comes here, and it has left the stack when the next one begins.
+struct InWide<M, const N: usize> {
+    map: M,
+    state: SVector<Bounded<Wide>, N>,
     eps: Bounded<Wide>,
-) -> Option<Attempt<Wide, N>>
-where
-    M: KahanMap<Bounded<Wide>, N>,
-{
-    map.prepare(&eps).finish(x, |quotients| Attempt::by_increments(x, quotients))
 }
 
-/// The form N/D in [`Wide`].
-#[inline(never)]
-fn wide_quotients<M, const N: usize>(
-    map: &M,
-    x: &SVector<Bounded<Wide>, N>,
-    eps: Bounded<Wide>,
-) -> Option<Attempt<Wide, N>>
-where
-    M: KahanMap<Bounded<Wide>, N>,
-{
-    Attempt::by_quotients(map, x, eps)
-}
+impl<M: KahanMap<Bounded<Wide>, N>, const N: usize> InWide<M, N> {
+    /// The increment form.
+    #[inline(never)]
+    fn increments(&self) -> Option<Attempt<Wide, N>> {
+        Attempt::by_step(&self.map, &self.state, self.eps)
+    }
 
-/// D of the reduced map, and det A(x,ε), in [`Wide`].
-#[inline(never)]
-fn wide_denominators<M, const N: usize>(
-    map: &M,
-    x: &SVector<Bounded<Wide>, N>,
-    eps: Bounded<Wide>,
-) -> [Wide; 2]
-where
-    M: KahanMap<Bounded<Wide>, N>,
-{
-    [map.reduced_map(x, eps).1.value(), map.det_matrix(x, eps).value()]
+    /// The form N/D.
+    #[inline(never)]
+    fn quotients(&self) -> Option<Attempt<Wide, N>> {
+        Attempt::by_quotients(&self.map, &self.state, self.eps)
+    }
+
+    /// D of the reduced map, and det A(x,ε).
+    #[inline(never)]
+    fn denominators(&self) -> [Wide; 2] {
+        let Self { map, state, eps } = self;
+        [map.reduced_map(state, *eps).1.value(), map.det_matrix(state, *eps).value()]
+    }
 }
 
 fn is_exactly_zero(number: &Wide) -> bool {

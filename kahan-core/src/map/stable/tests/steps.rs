@@ -13,7 +13,7 @@ use crate::scalar::Wide;
 use crate::scalar::bounded::Both;
 use crate::scalar::bounded::Bounded;
 use crate::scalar::bounded::{Number, power_of_two};
-use crate::{Dd, KahanMap, Lift, Pivot, PreparedStep, vector};
+use crate::{Dd, KahanMap, Lift, Pivot, vector};
 
 const BITS: i32 = 24;
 type Number24 = Worst<BITS>;
@@ -118,17 +118,6 @@ where
     largest
 }
 
-fn by_increments<M, const N: usize>(
-    map: &M,
-    x: &SVector<Bounded<Number24>, N>,
-    eps: Bounded<Number24>,
-) -> Option<Attempt<Number24, N>>
-where
-    M: KahanMap<Bounded<Number24>, N>,
-{
-    map.prepare(&eps).finish(x, |quotients| Attempt::by_increments(x, quotients))
-}
-
 fn given<const N: usize>(x: &SVector<f64, N>) -> SVector<Bounded<Number24>, N> {
     x.map(|x| Bounded::given(Worst::of_float(x)))
 }
@@ -139,9 +128,9 @@ fn an_attempt_is_within_what_it_says() {
     let eps = |eps: f64| Bounded::<Number24>::given(Worst::of_float(eps));
     let riccati = Riccati { k: Number24::of_float(0.75) };
     let chain = Chain { a: Number24::of_float(-0.625) };
-    let part = largest_part(&riccati, |x, e| by_increments(&riccati.lift(lift), &given(x), eps(e)));
+    let part = largest_part(&riccati, |x, e| Attempt::by_step(&riccati.lift(lift), &given(x), eps(e)));
     assert!(part > 0.05, "a bound that nothing comes near says little: {part}");
-    let part = largest_part(&chain, |x, e| by_increments(&chain.lift(lift), &given(x), eps(e)));
+    let part = largest_part(&chain, |x, e| Attempt::by_step(&chain.lift(lift), &given(x), eps(e)));
     assert!(part > 0.01, "a bound that nothing comes near says little: {part}");
     let part = largest_part(&riccati, |x, e| Attempt::by_quotients(&riccati.lift(lift), &given(x), eps(e)));
     assert!(part > 0.03, "a bound that nothing comes near says little: {part}");
@@ -157,7 +146,7 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
     let exact = Long { a: rational(a) }.step(&x.map(rational), rational(eps));
     let attempt = off_by((1, 0), || {
         let [a, eps] = [a, eps].map(|number| Bounded::<Number24>::given(Worst::of_float(number)));
-        by_increments(&Long { a }, &given(&x), eps).expect("no pole is near")
+        Attempt::by_step(&Long { a }, &given(&x), eps).expect("no pole is near")
     });
     // The state of rest beside it is larger; what moves begins at 0, so that its last roundings are
     // of its own size.

@@ -4,8 +4,8 @@
 //! Operands are seeded: mantissas at random, of all ones, of single bits, of long runs; exponents
 //! from −5000 to 5000, or close together, so that sums cancel.
 
-mod constants;
 mod conversions;
+mod literals;
 mod operations;
 mod sizes;
 
