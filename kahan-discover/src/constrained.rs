@@ -4,13 +4,19 @@
 //! F = c, that is on P − cQ = 0, with c as one more unknown. Relations of such orbits mix one
 //! integral less.
 
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 
+use crate::chart::Chart;
+use crate::collector::Collector;
 use crate::family::evaluate;
-use crate::leaf::LeafMap;
+use crate::integrals::SearchLimits;
+use crate::leaf::{Coordinate, LeafMap};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
+use crate::search::spanned_pencils;
+use crate::setting::Draw;
+use crate::space::lift_space;
 use crate::stepping::Stepping;
 
 /// P − cQ as coefficients of monomials, each a polynomial in unknowns.
@@ -51,7 +57,7 @@ impl Constraint {
         &self,
         base: LeafMap,
         value: u64,
-        unknown: impl Fn(kahan_algebra::poly::Variable) -> u64,
+        unknown: impl Fn(Variable) -> u64,
     ) -> Option<ConstrainedMap<'_>> {
         let modulus = *base.modulus();
         let coefficient = |(above, below): &(Polynomial, Polynomial)| {
@@ -98,5 +104,61 @@ impl Stepping for ConstrainedMap<'_> {
                 return point;
             }
         }
+    }
+}
+
+impl Collector<'_> {
+    /// Looks on a leaf among orbits with a chosen value of an integral found there, the quotient of
+    /// the basis.
+    pub(crate) fn search_constrained(
+        &mut self,
+        basis: &[Polynomial],
+        degree: u32,
+        chart: &Chart,
+        draw: &Draw,
+        limits: &SearchLimits<'_>,
+        random: &mut SplitMix64,
+    ) -> Option<()> {
+        let [first, second, ..] = basis else { return None };
+        let setting = self.setting;
+        let symbols = setting.family().symbols();
+        let states: Vec<Variable> = chart.leaf.order().iter().map(|&state| symbols.state(state)).collect();
+        let monomials = Monomials::new(states.len(), degree);
+        let mut coefficients =
+            [first, second].map(|polynomial| polynomial.group(|variable| symbols.is_state(variable)));
+        let pairs = (0..monomials.len()).map(|index| {
+            let powers = states.iter().copied().zip(monomials.exponents(index).iter().copied());
+            let states: Monomial = powers.collect();
+            let [above, below] = coefficients.each_mut().map(|side| side.remove(&states).unwrap_or_default());
+            (above, below)
+        });
+        let pairs = pairs.collect();
+        let constraint = Constraint::new(monomials, pairs)?;
+        let (numerator, denominator) = chart.substituted(symbols, first, second)?;
+        let mut wider = chart.clone();
+        wider.coordinates.push(Coordinate { numerator, denominator });
+        let names = wider.names(setting);
+        let own = setting.unknowns();
+        let constrained = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+            let (generic, entries) = unknowns.split_at(own);
+            let (value, entries) = entries.split_last()?;
+            let map = chart.leaf.map_at(setting.at(modulus, generic)?, entries, random)?;
+            constraint.on(map, *value, |variable| {
+                names.unknowns.iter().position(|known| *known == variable).map_or(0, |place| unknowns[place])
+            })
+        };
+        let modulus = *draw.map.modulus();
+        let extra = (0..names.unknowns.len() - own).map(|_| modulus.sample(random));
+        let unknowns: Vec<u64> = draw.unknowns.iter().copied().chain(extra).collect();
+        let map = constrained(modulus, &unknowns, random)?;
+        for pencil in spanned_pencils(&map, limits.relation_degree, self.wanted, random, limits.deadline) {
+            let monomials = Monomials::new(states.len(), pencil.degree);
+            let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+                pencil.at(&constrained(modulus, unknowns, random)?, random, limits.deadline)
+            };
+            let basis = lift_space(&names, &monomials, &pencil.space.form, at, random, limits.deadline)?;
+            self.offer_quotients(&basis, &wider);
+        }
+        Some(())
     }
 }

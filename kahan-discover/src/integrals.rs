@@ -1,13 +1,12 @@
 //! Independent integrals with all unknowns, lifted and proved.
 
-use kahan_algebra::poly::{Monomial, Polynomial, Variable};
+use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::symbols::Symbols;
 
 use crate::chart::Chart;
 use crate::claims::{Claims, Formula};
 use crate::collector::Collector;
-use crate::constrained::Constraint;
 use crate::deadline::Deadline;
 use crate::hilbert::Hilbert;
 use crate::independent::Independent;
@@ -172,7 +171,7 @@ impl Collector<'_> {
 
     /// Keeps the quotients of a basis by the simplest of its elements that does not vanish on the
     /// leaf.
-    fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
+    pub(crate) fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
         let symbols = self.setting.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();
         order.sort_by_key(|&index| (!has_constant(symbols, &basis[index]), basis[index].len()));
@@ -189,68 +188,14 @@ impl Collector<'_> {
             }
         }
     }
-
-    /// Looks on a leaf among orbits with a chosen value of an integral found there, the quotient of
-    /// the basis.
-    fn search_constrained(
-        &mut self,
-        basis: &[Polynomial],
-        degree: u32,
-        chart: &Chart,
-        draw: &Draw,
-        limits: &SearchLimits<'_>,
-        random: &mut SplitMix64,
-    ) -> Option<()> {
-        let [first, second, ..] = basis else { return None };
-        let setting = self.setting;
-        let symbols = setting.family().symbols();
-        let states: Vec<Variable> = chart.leaf.order().iter().map(|&state| symbols.state(state)).collect();
-        let monomials = Monomials::new(states.len(), degree);
-        let mut coefficients =
-            [first, second].map(|polynomial| polynomial.group(|variable| symbols.is_state(variable)));
-        let pairs = (0..monomials.len()).map(|index| {
-            let powers = states.iter().copied().zip(monomials.exponents(index).iter().copied());
-            let states: Monomial = powers.collect();
-            let [above, below] = coefficients.each_mut().map(|side| side.remove(&states).unwrap_or_default());
-            (above, below)
-        });
-        let pairs = pairs.collect();
-        let constraint = Constraint::new(monomials, pairs)?;
-        let (numerator, denominator) = chart.substituted(symbols, first, second)?;
-        let mut wider = chart.clone();
-        wider.coordinates.push(Coordinate { numerator, denominator });
-        let names = wider.names(setting);
-        let own = setting.unknowns();
-        let constrained = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
-            let (generic, entries) = unknowns.split_at(own);
-            let (value, entries) = entries.split_last()?;
-            let map = chart.leaf.map_at(setting.at(modulus, generic)?, entries, random)?;
-            constraint.on(map, *value, |variable| {
-                names.unknowns.iter().position(|known| *known == variable).map_or(0, |place| unknowns[place])
-            })
-        };
-        let modulus = *draw.map.modulus();
-        let extra = (0..names.unknowns.len() - own).map(|_| modulus.sample(random));
-        let unknowns: Vec<u64> = draw.unknowns.iter().copied().chain(extra).collect();
-        let map = constrained(modulus, &unknowns, random)?;
-        for pencil in spanned_pencils(&map, limits.relation_degree, self.wanted, random, limits.deadline) {
-            let monomials = Monomials::new(states.len(), pencil.degree);
-            let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
-                pencil.at(&constrained(modulus, unknowns, random)?, random, limits.deadline)
-            };
-            let basis = lift_space(&names, &monomials, &pencil.space.form, at, random, limits.deadline)?;
-            self.offer_quotients(&basis, &wider);
-        }
-        Some(())
-    }
 }
 
 /// How far to look.
-struct SearchLimits<'a> {
-    relation_degree: u32,
+pub(crate) struct SearchLimits<'a> {
+    pub(crate) relation_degree: u32,
     highest: u32,
     reach: Reach,
-    deadline: &'a Deadline,
+    pub(crate) deadline: &'a Deadline,
 }
 
 /// Whether the polynomial is not 0 where all states are.

@@ -35,6 +35,7 @@ mod factored_map;
 mod factors;
 mod fuse;
 mod horner;
+mod include;
 mod inverse;
 mod minors;
 mod nesting;
@@ -134,7 +135,7 @@ impl Operation {
     /// The value of the operation from the `values` of all steps before it; `None` where it, or one
     /// of its operands, has none, and for an input. A multiply-add of the machine's floats is a
     /// multiplication and an addition here: those that fuse are the generated code's business.
-    #[inline]
+    #[inline(always)]
     pub fn compute<A: Arithmetic>(&self, arithmetic: &A, values: &[Option<A::Value>]) -> Option<A::Value> {
         let value = |node: Node| values[node.0].as_ref();
         match *self {

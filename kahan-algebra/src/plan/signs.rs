@@ -41,10 +41,7 @@ pub(super) fn with_signs(constants: Plan, kernel: Plan, wanted: Wanted) -> (Plan
     let rebuilt = search.rebuilt(&signs);
     let (before, after) = (kernel.cost(), rebuilt.cost());
     let is_no_worse = after.operations() <= before.operations() && after.chain <= before.chain;
-    let is_wanted = match wanted {
-        Wanted::TurnedConstants => turned.contains(&true),
-        Wanted::Additions => true,
-    };
+    let is_wanted = wanted == Wanted::Additions || turned.contains(&true);
     if !is_wanted || !is_no_worse {
         return (constants, kernel);
     }

@@ -118,15 +118,18 @@ impl<'a> Search<'a> {
     /// The coefficients of 1 and of the names in the one linear equation through these points; each
     /// name has one.
     fn plane(&self, names: &[usize], points: &[usize]) -> Option<Vec<u64>> {
-        let row = |&at: &usize| {
-            std::iter::once(self.modulus.one())
-                .chain(names.iter().map(|&name| self.residues[at][name]))
-                .collect()
-        };
-        let rows: Vec<Vec<u64>> = points.iter().map(row).collect();
-        let echelon = Echelon::of(&self.modulus, rows, names.len() + 1);
+        let echelon = self.affine(names, points);
         let [vector] = &echelon.null_space(&self.modulus)[..] else { return None };
         vector.entries[1..].iter().all(|entry| *entry != 0).then(|| vector.entries.clone())
+    }
+
+    /// The linear equations in 1 and the names that hold at points.
+    fn affine(&self, names: &[usize], points: &[usize]) -> Echelon {
+        let row = |&at: &usize| {
+            let values = names.iter().map(|&name| self.residues[at][name]);
+            std::iter::once(self.modulus.one()).chain(values).collect()
+        };
+        Echelon::of(&self.modulus, points.iter().map(row).collect(), names.len() + 1)
     }
 
     fn linear_polynomial(&self, names: &[usize], entries: &[u64]) -> Option<Polynomial> {
@@ -209,12 +212,7 @@ impl<'a> Search<'a> {
             return;
         }
         let linear = usize::from(polynomial.degree() == 1);
-        let row = |&at: &usize| {
-            std::iter::once(modulus.one())
-                .chain(self.names.iter().map(|&name| self.residues[at][name]))
-                .collect()
-        };
-        let rank = Echelon::of(&modulus, own.iter().map(row).collect(), self.names.len() + 1).rank();
+        let rank = self.affine(&self.names, &own).rank();
         if rank + linear < self.names.len() + 1 {
             return;
         }
