@@ -5,12 +5,12 @@
 //! every object of the method as plain vectors, and `None` where the map or a claim has no value.
 
 mod generated;
-mod interpreted;
+mod interpreter;
 
 use crate::exact::{Matrix, Q, Vector};
 
 pub use generated::Generated;
-pub use interpreted::{Interpreted, Read};
+pub use interpreter::{Interpreted, Read};
 
 /// Everything that a system knows at a point.
 pub trait BackEnd {

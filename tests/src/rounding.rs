@@ -8,7 +8,7 @@
 //! The bound itself is computed in f64 from positive terms, which errs by far less than the last
 //! factor.
 
-mod running;
+mod running_bound;
 
 use kahan_algebra::field::{Component, Field};
 use kahan_algebra::kahan::{field_jacobian, scaled_matrix};
@@ -21,7 +21,7 @@ use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, q};
 use crate::expression::evaluate;
 use crate::subject::Subject;
 
-use running::Rounded;
+use running_bound::Rounded;
 
 /// 2⁻⁵³ and 2⁻²⁴.
 pub const UNIT_F64: f64 = f64::EPSILON / 2.0;
@@ -86,7 +86,7 @@ impl<'a> StepBound<'a> {
 /// The polynomials as the emitted plan computes them.
 fn computed(polynomials: &[&Polynomial], values: &[Q], unit: f64) -> Vec<Rounded> {
     let plan = Plan::of(polynomials.iter().copied());
-    let results = running::results(&plan, &[], unit, |variable| exact(values, variable));
+    let results = running_bound::results(&plan, &[], unit, |variable| exact(values, variable));
     results.into_iter().map(|value| value.expect("a polynomial has a value")).collect()
 }
 
@@ -100,8 +100,8 @@ fn exact(values: &[Q], variable: Variable) -> Rational {
 /// If the plan is not that of the map: its exact results are compared with x̃.
 fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let input = |variable| exact(values, variable);
-    let constants = running::results(&step.constants, &[], unit, input);
-    let results = running::results(&step.kernel, &constants, unit, input);
+    let constants = running_bound::results(&step.constants, &[], unit, input);
+    let results = running_bound::results(&step.kernel, &constants, unit, input);
     let results: Vec<Rounded> = results.into_iter().collect::<Option<_>>()?;
     let (numerators, reciprocals) = results.split_at(place.x.len());
     let increments = numerators.iter().zip(&step.reciprocals).map(|(numerator, at)| match at {

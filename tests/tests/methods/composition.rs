@@ -4,7 +4,7 @@ use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, EulerTop, LotkaVolterra};
 use kahan_tests::exact::{Q, q};
-use kahan_tests::flow::{distance, flow};
+use kahan_tests::taylor::{distance, flow};
 
 type Point = SVector<Q, 3>;
 

@@ -3,7 +3,7 @@
 use kahan_core::prelude::*;
 use kahan_core::{Dd, Lift};
 use kahan_systems::{E2, E6, EulerTop, LotkaVolterra};
-use kahan_tests::flow::{distance, flow};
+use kahan_tests::taylor::{distance, flow};
 
 fn point<const N: usize>(entries: [f64; N]) -> SVector<Dd, N> {
     SVector::from(entries.map(Dd::from))

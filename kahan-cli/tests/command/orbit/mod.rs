@@ -2,11 +2,11 @@
 //! its manners.
 
 mod files;
+mod json;
 mod manners;
-mod numbers;
-mod objects;
 mod order;
 mod poles;
+mod scalars;
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
