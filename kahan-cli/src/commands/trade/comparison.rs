@@ -40,7 +40,7 @@ impl Comparison<'_> {
     }
 
     /// The setting that comes nearest to the tolerance.
-    pub(super) fn most_accurate(&self) -> Option<&Setting> {
+    fn most_accurate(&self) -> Option<&Setting> {
         self.trade.settings.iter().min_by(|a, b| a.error(self.need).total_cmp(&b.error(self.need)))
     }
 
