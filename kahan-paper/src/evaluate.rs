@@ -219,6 +219,6 @@ impl<A: Calculus> Evaluator<'_, A> {
 }
 
 /// The calls that belong to a system.
-pub(super) fn is_of_the_map(name: &str) -> bool {
+fn is_of_the_map(name: &str) -> bool {
     matches!(name, "next" | "back" | "on" | "f" | "b" | "A" | "J" | "Df" | "detA" | "detJ")
 }

@@ -32,8 +32,8 @@ pub fn written_file() -> String {
     let mut file = String::from(
         "//! Written by `random_fields::written_file`, not by hand: its fields, compiled by the macro.\n\
          //!\n\
-         //! [`with_random_systems`](crate::with_random_systems) hands the list to a macro of one's
-         //! own.\n\n\
+         //! [`with_random_systems`](crate::with_random_systems) hands the list to a macro \
+         of one's own.\n\n\
          use kahan_core::prelude::*;\n",
     );
     for field in in_order() {

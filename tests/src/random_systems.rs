@@ -1,7 +1,6 @@
 //! Written by `random_fields::written_file`, not by hand: its fields, compiled by the macro.
 //!
-//! [`with_random_systems`](crate::with_random_systems) hands the list to a macro of one's
-         //! own.
+//! [`with_random_systems`](crate::with_random_systems) hands the list to a macro of one's own.
 
 use kahan_core::prelude::*;
 

@@ -3,12 +3,13 @@
 
 mod atlas_folders;
 mod completions;
+mod conditions;
 mod discovering;
 mod double_double;
 mod evaluating;
-mod judging;
 mod heights;
 mod interrupting;
+mod judging;
 mod latex;
 mod numbers;
 mod orbit;
@@ -16,7 +17,6 @@ mod parameters;
 mod plan;
 mod refusing;
 mod regressions;
-mod conditions;
 mod running;
 mod rust_files;
 mod showing;

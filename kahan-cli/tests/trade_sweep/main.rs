@@ -4,8 +4,8 @@
 //! It measures times, so it is not part of `cargo test`: run it on a quiet machine, with
 //! `cargo test --release -p kahan-cli --test trade_sweep -- --ignored --nocapture`.
 
-mod unseen_fields;
 mod scene;
+mod unseen_fields;
 
 use std::process::Command;
 
@@ -15,11 +15,11 @@ use kahan_core::{Composition, Dd, Lift, Need, Precision, Scheme};
 use kahan_measure::reference::{Limits, Reference, Trajectory};
 use serde_json::Value;
 
+use scene::{Scene, Setting, to};
 use unseen_fields::{
     Chain, Epidemic, Galaxy, Gyrostat, Kinetics, Nahm, Oscillators, Relaxation, Rotor, Slave, Text,
     ThreeWaves, Tired,
 };
-use scene::{Scene, Setting, to};
 
 /// What a choice costs over what the best setting does.
 struct Ratios {

@@ -35,8 +35,8 @@ impl<T: Real> Modulus<T> {
     /// The complete integral K(k) = F(π/2, k), the quarter of the period of sn; not a number at k =
     /// 1.
     ///
-    /// K = π/(2 agm(1, k′)). In `f64` at most 4 ulp for every k (measured: 3.4; `ellip` 1.2, given
-    /// k², has 26, and 10⁶ next to k = 1).
+    /// K = π/(2 agm(1, k′)). In `f64` at most 4 ulp for every k, also next to k = 1, where formulas
+    /// in k² lose their digits.
     ///
     /// ```
     /// use kahan_systems::special::Modulus;
@@ -65,9 +65,8 @@ impl<T: Real> Modulus<T> {
     /// 1).
     ///
     /// By Carlson's R_F(cos²φ, 1 − k² sin²φ, 1) sin φ, after whole half turns are taken off. In
-    /// `f64` at most 6 ulp for |φ| ≤ π/2 and 8 for |φ| ≤ 50 (measured: 4.7; `ellip` 1.2 has 8.6,
-    /// and 3800 next to k = 1).
-    pub fn incomplete(&self, phi: &T) -> T {
+    /// `f64` at most 6 ulp for |φ| ≤ π/2 and 8 for |φ| ≤ 50, also next to k = 1.
+    fn incomplete(&self, phi: &T) -> T {
         let half_turns = (phi.clone() / T::pi() + T::half()).floor();
         let (sine, cosine) = phi.sin_cos();
         // The sine and cosine of φ less the half turns: the cosine is not negative.
@@ -113,7 +112,7 @@ pub fn elliptic_k<T: Real>(k: &T) -> T {
 }
 
 /// The common limit of arithmetic and geometric means, for positive a and b.
-pub fn arithmetic_geometric_mean<T: Real>(a: T, b: T) -> T {
+fn arithmetic_geometric_mean<T: Real>(a: T, b: T) -> T {
     let (mut a, mut b) = (a, b);
     // Each turn squares the relative difference; once it is below √ε the next mean is exact to
     // rounding.

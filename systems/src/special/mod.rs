@@ -19,7 +19,7 @@ mod real;
 mod tail;
 mod theta;
 
-pub use elliptic::{Modulus, arithmetic_geometric_mean, elliptic_f, elliptic_k};
+pub use elliptic::{Modulus, elliptic_f, elliptic_k};
 pub use gamma::{digamma, gamma};
 pub use gamma_ratio::{centered_digamma_difference, centered_gamma_ratio, gamma_ratio};
 pub use jacobi::{Jacobi, jacobi};

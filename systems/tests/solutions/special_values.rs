@@ -12,131 +12,73 @@ use crate::solutions::measure::{assert_close, number};
 
 const DIGITS: i64 = 58;
 
+fn agrees(name: &str, value: &Precise, expected: &str) {
+    assert_close(value, &number(expected), DIGITS, name);
+}
+
 #[test]
 fn gamma_and_digamma() {
-    assert_close(
-        &gamma(&number("1/3")),
-        &number("2.67893853470774763365569294097467764412868937795730110095043"),
-        DIGITS,
+    agrees("gamma", &gamma(&number("1/3")), "2.67893853470774763365569294097467764412868937795730110095043");
+    agrees(
         "gamma",
-    );
-    assert_close(
         &gamma(&number("-17/5")),
-        &number("0.325891160892160605390916795413459007641937814854675406017743"),
-        DIGITS,
-        "gamma",
+        "0.325891160892160605390916795413459007641937814854675406017743",
     );
-    assert_close(
-        &gamma(&number("123/4")),
-        &number("112986461422758948361424054491668.14209990126835681622708826"),
-        DIGITS,
-        "gamma",
-    );
-    assert_close(
-        &digamma(&number("3/7")),
-        &number("-2.36581875729498259721347341227211618596056046298970426960745"),
-        DIGITS,
+    agrees("gamma", &gamma(&number("123/4")), "112986461422758948361424054491668.14209990126835681622708826");
+    agrees("psi", &digamma(&number("3/7")), "-2.36581875729498259721347341227211618596056046298970426960745");
+    agrees(
         "psi",
-    );
-    assert_close(
         &digamma(&number("-17/5")),
-        &number("2.38445081411801406703205313802850195204688871449806786176133"),
-        DIGITS,
-        "psi",
+        "2.38445081411801406703205313802850195204688871449806786176133",
     );
-    assert_close(
-        &digamma(&number("1000")),
-        &number("6.90725519564881205205000611425149774547951983376888006696786"),
-        DIGITS,
-        "psi",
-    );
+    agrees("psi", &digamma(&number("1000")), "6.90725519564881205205000611425149774547951983376888006696786");
 }
 
 #[test]
 fn ratios_and_differences() {
     let ratio = gamma_ratio(&number("5/2"), &number("1/3"), &number("-2/7"));
-    assert_close(
-        &ratio,
-        &number("1.55298126982703765514813179400900658345009712462507114950288"),
-        DIGITS,
-        "ratio",
-    );
+    agrees("ratio", &ratio, "1.55298126982703765514813179400900658345009712462507114950288");
     let ratio = centered_gamma_ratio(&number("7/3"), &number("1/17"));
-    assert_close(
-        &ratio,
-        &number("1.10577224446387665876183073816801793404786408280540434531617"),
-        DIGITS,
-        "w = 7/3",
-    );
+    agrees("w = 7/3", &ratio, "1.10577224446387665876183073816801793404786408280540434531617");
     let ratio = centered_gamma_ratio(&number("-7/3"), &number("1/17"));
-    assert_close(
-        &ratio,
-        &number("0.564860706290610929533899168809583625709342626147427928311131"),
-        DIGITS,
-        "w = -7/3",
-    );
+    agrees("w = -7/3", &ratio, "0.564860706290610929533899168809583625709342626147427928311131");
     let ratio = centered_gamma_ratio(&number("1e20"), &number("3/7"));
-    assert_close(
-        &ratio,
-        &number("138949549437313763.712998521735301162211304803106836367803523"),
-        DIGITS,
-        "w = 1e20",
-    );
+    agrees("w = 1e20", &ratio, "138949549437313763.712998521735301162211304803106836367803523");
     let difference = centered_digamma_difference(&number("-7/3"), &number("1/17"));
-    assert_close(
-        &difference,
-        &number("5.19860795874991104909652160426846001883099724597331549543664"),
-        DIGITS,
-        "w = -7/3",
-    );
+    agrees("w = -7/3", &difference, "5.19860795874991104909652160426846001883099724597331549543664");
     let difference = centered_digamma_difference(&number("7/3"), &number("9/4"));
-    assert_close(
-        &difference,
-        &number("3.12703792159965630852330405360062301417390830786593638084756"),
-        DIGITS,
-        "w = 7/3",
-    );
+    agrees("w = 7/3", &difference, "3.12703792159965630852330405360062301417390830786593638084756");
 }
 
 #[test]
 fn elliptic_integrals() {
-    assert_close(
-        &elliptic_k(&number("3/5")),
-        &number("1.75075380291575252897522604601214825576745916091680142664852"),
-        DIGITS,
+    agrees(
         "K(3/5)",
+        &elliptic_k(&number("3/5")),
+        "1.75075380291575252897522604601214825576745916091680142664852",
     );
-    assert_close(
-        &elliptic_k(&number("0.999999")),
-        &number("7.94747977356234476503432824810447823318916404727292462593051"),
-        DIGITS,
+    agrees(
         "K(0.999999)",
+        &elliptic_k(&number("0.999999")),
+        "7.94747977356234476503432824810447823318916404727292462593051",
     );
-    assert_close(
-        &elliptic_f(&number("7/5"), &number("3/5")),
-        &number("1.53783465724712677733329842138218732251984996713690618676476"),
-        DIGITS,
+    agrees(
         "F(7/5, 3/5)",
+        &elliptic_f(&number("7/5"), &number("3/5")),
+        "1.53783465724712677733329842138218732251984996713690618676476",
     );
-    assert_close(
-        &elliptic_f(&number("-31/5"), &number("3/5")),
-        &number("-6.91979537608581386343502004303356591993087366657359300773498"),
-        DIGITS,
+    agrees(
         "F(-31/5, 3/5)",
+        &elliptic_f(&number("-31/5"), &number("3/5")),
+        "-6.91979537608581386343502004303356591993087366657359300773498",
     );
-    assert_close(
-        &elliptic_f(&number("1.57"), &number("0.999999")),
-        &number("7.41056293682897726235690224294555636903715015841089118836834"),
-        DIGITS,
+    agrees(
         "F(1.57, 0.999999)",
+        &elliptic_f(&number("1.57"), &number("0.999999")),
+        "7.41056293682897726235690224294555636903715015841089118836834",
     );
     let nome = Modulus::new(number("3/5")).nome();
-    assert_close(
-        &nome,
-        &number("0.0278640785937287249213779028713728749877356938135849636012255"),
-        DIGITS,
-        "nome",
-    );
+    agrees("nome", &nome, "0.0278640785937287249213779028713728749877356938135849636012255");
 }
 
 #[test]
@@ -173,7 +115,7 @@ fn jacobi_functions() {
 fn check_jacobi(u: &str, k: &str, expected: [&str; 3]) {
     let value = jacobi(&number(u), &Modulus::new(number(k)));
     for (value, expected) in [value.sn, value.cn, value.dn].iter().zip(expected) {
-        assert_close(value, &number(expected), DIGITS, u);
+        agrees(u, value, expected);
     }
 }
 

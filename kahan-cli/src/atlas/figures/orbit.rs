@@ -104,7 +104,7 @@ impl<'a> Orbit<'a> {
 }
 
 /// `dE3`; `Lotka–Volterra map`.
-pub(super) fn map_name(figure: &Figure) -> String {
+fn map_name(figure: &Figure) -> String {
     let name = find(figure.system).map_or(figure.system, |entry| entry.name);
     // The maps of its own systems the paper calls by a letter.
     if structure(figure.system).is_some() { format!("d{name}") } else { format!("{name} map") }

@@ -36,7 +36,7 @@ impl Comparison<'_> {
     }
 
     /// The setting that comes nearest to the tolerance.
-    pub(super) fn most_accurate(&self) -> Option<&Measured> {
+    fn most_accurate(&self) -> Option<&Measured> {
         self.trade.settings.iter().min_by(|a, b| a.error().total_cmp(&b.error()))
     }
 

@@ -2,11 +2,11 @@
 //! its manners.
 
 mod files;
-mod manners;
-mod scalars;
 mod json;
+mod manners;
 mod order;
 mod poles;
+mod scalars;
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read};

@@ -61,7 +61,7 @@ impl<T: Real> Solution<T> {
     /// G₀² W_n with W_n = Σ_{j<n} (2(M+1)−ξ) Γ(M+1−ξ/2)²/((2M+3)(2M+ξ)(4M²−1) Γ(M+ξ/2)²), M = j +
     /// τ; for n < 0 minus the sum over n ≤ j < 0. The quotients of Γ follow from each other, so
     /// that nothing overflows.
-    pub fn scaled_sum(&self, n: i64) -> T {
+    fn scaled_sum(&self, n: i64) -> T {
         let Self { xi, tau, .. } = self;
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };
         let two = integer::<T>(2);

@@ -57,7 +57,7 @@ impl<T: Real> Solution<T> {
     }
 
     /// U_n = ψ(N+1/2) − ψ(τ+1/2) = Σ_{j<n} 1/(j+τ+1/2).
-    pub fn digamma_difference(&self, n: i64) -> T {
+    fn digamma_difference(&self, n: i64) -> T {
         let middle = self.tau.clone() + T::half();
         if n.abs() > SUMMED {
             return digamma(&(integer::<T>(n) + middle.clone())) - digamma(&middle);
