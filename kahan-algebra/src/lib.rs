@@ -1,7 +1,7 @@
 //! The exact front end of Kahan's method.
 //!
 //! In: text or tokens of the language of `kahan!`. Out: a checked quadratic vector field with a
-//! verdict on every claim about its map ([`read`]), and every plan that evaluates it ([`derive`]).
+//! verdict on every claim about its map ([`read`]), and every plan that evaluates it ([`derive()`]).
 //! It must not know any target language, nor the scalars of `kahan-core`: the macro, the maps made
 //! at run time and the command read the same [`Derived`].
 //!

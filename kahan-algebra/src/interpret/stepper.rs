@@ -3,8 +3,9 @@
 //! [`Interpreter`](super::Interpreter) computes everything at one point; a [`Stepper`] computes the
 //! next point and the integrals only, with everything prepared that does not depend on the state.
 //! Its operations and their order are those of the generated code's `step`, so over floats the
-//! orbits of a field with a [`StepPlan`] are the same bit for bit, unless that code is compiled for
-//! a target with fused multiply-adds: those round once where this rounds twice.
+//! orbits of a field with a [`StepPlan`](crate::plan::StepPlan) are the same bit for bit, unless
+//! that code is compiled for a target with fused multiply-adds: those round once where this rounds
+//! twice.
 
 use crate::arithmetic::Arithmetic;
 use crate::derived::derive;
