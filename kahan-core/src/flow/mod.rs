@@ -7,6 +7,7 @@
 //! no mistake with it. Deliberately absent: a bound. How far a flow is from the solution shows in
 //! how far it is from a second method.
 
+mod piece;
 mod series;
 
 use std::vec::Vec;
@@ -15,8 +16,9 @@ use nalgebra::SVector;
 
 use crate::{Dd, QuadraticField};
 
+use piece::Piece;
+use series::Expansion;
 pub use series::FlowScalar;
-use series::{Expansion, Series};
 
 /// The solution x(t), 0 ≤ t ≤ [`end`](Self::end), of a quadratic field through a point, computed in
 /// T: `f64` or [`Dd`].
@@ -73,16 +75,6 @@ impl core::fmt::Display for NoFlow {
 }
 
 impl core::error::Error for NoFlow {}
-
-/// One polynomial, valid from its start to the start of the next.
-#[derive(Clone, Debug)]
-struct Piece<T> {
-    start: Dd,
-    /// The coefficients are those of powers of rate·(t − start); a power of 2.
-    rate: f64,
-    /// x₀, x₁, …, each a vector.
-    coefficients: Vec<T>,
-}
 
 impl<T: FlowScalar> Flow<T> {
     /// Follows the flow from `start` to the time `end`, above 0, and by the part `beyond` of it
@@ -232,25 +224,6 @@ impl<T: FlowScalar, const N: usize> Along<'_, T, N> {
             self.piece += 1;
         }
         self.flow.measure(&pieces[self.piece], t, x, &mut self.value)
-    }
-}
-
-impl<T: FlowScalar> Piece<T> {
-    fn of<const N: usize>(series: &Series<T, N>, start: Dd) -> Self {
-        let coefficients = series.coefficients.iter().flat_map(|x| x.iter().copied()).collect();
-        Self { start, rate: series.rate, coefficients }
-    }
-
-    /// The value at time t, by Horner's rule.
-    #[inline(always)]
-    fn value(&self, t: Dd, value: &mut [T]) {
-        let s = T::from(t - self.start) * T::from(self.rate);
-        value.fill(T::zero());
-        for coefficient in self.coefficients.chunks_exact(value.len()).rev() {
-            for (entry, term) in value.iter_mut().zip(coefficient) {
-                *entry = *entry * s + *term;
-            }
-        }
     }
 }
 

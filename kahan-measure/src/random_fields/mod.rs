@@ -6,16 +6,15 @@
 //! text, and as values computed from the tree (a third opinion, which knows neither parser nor
 //! polynomials).
 
+mod draw;
 mod tree;
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::num_rational::BigRational;
 
+use draw::{AWKWARD, DIMENSIONS, Draw, PLAIN};
 pub use tree::Tree;
 use tree::{literal, name, negated, power, product, quotient, sum};
-
-/// The largest dimension.
-const DIMENSIONS: usize = 6;
 
 /// A parameter p/d, a dyadic rational so that every float scalar has it exactly.
 type Parameter = (&'static str, i64, i64);
@@ -69,35 +68,6 @@ pub fn numbered(seed: u64, number: usize) -> RandomField {
     let mut draw = Draw { random: SplitMix64::from_bytes(format!("{seed} {number}").as_bytes()) };
     let field = make(n, &mut draw);
     RandomField { name: format!("{}_{number}", field.name), ..field }
-}
-
-const PLAIN: [&str; DIMENSIONS] = ["x", "y", "z", "u", "v", "w"];
-const AWKWARD: [&str; DIMENSIONS] = ["T", "h", "x_", "in", "N", "Vec"];
-
-struct Draw {
-    random: SplitMix64,
-}
-
-impl Draw {
-    fn below(&mut self, bound: usize) -> usize {
-        self.random.below(bound as u64) as usize
-    }
-
-    fn one<'a, V>(&mut self, choices: &'a [V]) -> &'a V {
-        &choices[self.below(choices.len())]
-    }
-
-    /// ±1 … ±9, as `n` or, one time in three, as `n/d`.
-    fn coefficient(&mut self) -> Tree {
-        let size = literal(&(self.below(9) + 1).to_string());
-        let size =
-            if self.below(3) == 0 { quotient(size, literal(&(self.below(6) + 2).to_string())) } else { size };
-        if self.below(2) == 0 { negated(size) } else { size }
-    }
-
-    fn state(&mut self, states: &[&'static str]) -> Tree {
-        name(states[self.below(states.len())])
-    }
 }
 
 fn field(

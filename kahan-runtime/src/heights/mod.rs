@@ -31,10 +31,12 @@ mod logarithm;
 mod map;
 mod orbit;
 mod reduction;
+mod report;
 mod split;
 mod survey;
 
 pub use growth::Growth;
 pub use map::{ProjectiveMap, UndefinedField};
-pub use orbit::{Bounds, Heights, HeightsOrbit, Stop};
+pub use orbit::HeightsOrbit;
+pub use report::{Bounds, Heights, Stop};
 pub use survey::Survey;

@@ -1,7 +1,8 @@
 //! The whole test: the heights of an orbit, their growth, its entropy.
 
 use super::growth::Growth;
-use super::orbit::{Heights, HeightsOrbit, Stop};
+use super::orbit::HeightsOrbit;
+use super::report::{Heights, Stop};
 
 /// What the Diophantine test finds on one orbit.
 #[derive(Clone, Debug, PartialEq)]

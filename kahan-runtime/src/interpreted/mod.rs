@@ -9,7 +9,9 @@
 mod code;
 mod dimension;
 mod literal;
+mod map;
 mod program;
+mod refusal;
 mod step;
 mod unplanned;
 
@@ -21,17 +23,16 @@ use kahan_algebra::derive;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
 use kahan_algebra::system::System;
-use kahan_core::__private::jacobian_by_duals;
-use kahan_core::nalgebra::{SMatrix, SVector};
+use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{KahanMap, Lift, Pivot, QuadraticField, Scalar, SingularStep, StepCost};
+use kahan_core::{Scalar, StepCost};
 
 use code::Code;
 use program::{Inputs, Program};
-use unplanned::Unplanned;
 
 pub use dimension::{LARGEST_DIMENSION, UnsupportedDimension, VisitDimension, visit_dimension};
 pub use literal::round;
+pub use refusal::CannotInterpret;
 pub use step::InterpretedStep;
 
 /// A system read at run time, over the scalar T in N variables.
@@ -58,43 +59,6 @@ pub struct Interpreted<T, const N: usize> {
     parameters: Arc<[T]>,
     dimension: PhantomData<[(); N]>,
 }
-
-/// Why a system cannot be interpreted.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum CannotInterpret {
-    /// It has another number of variables.
-    Dimension {
-        /// The system's.
-        found: usize,
-        /// The type's.
-        expected: usize,
-    },
-    /// It has another number of parameters than there are values.
-    Parameters {
-        /// The system's.
-        found: usize,
-        /// The values.
-        given: usize,
-    },
-    /// At these parameter values the field divides by zero.
-    Undefined,
-}
-
-impl core::fmt::Display for CannotInterpret {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Dimension { found, expected } => {
-                write!(f, "the system has {found} variables where {expected} were expected")
-            }
-            Self::Parameters { found, given } => {
-                write!(f, "the system has {found} parameters, but {given} values were given")
-            }
-            Self::Undefined => write!(f, "the field divides by zero at these parameter values"),
-        }
-    }
-}
-
-impl core::error::Error for CannotInterpret {}
 
 impl<const N: usize> Interpreted<BigRational, N> {
     /// The system at these parameter values, in their order; over any other scalar by
@@ -207,92 +171,5 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
 impl<T: PartialEq, const N: usize> PartialEq for Interpreted<T, N> {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.code, &other.code) && self.parameters == other.parameters
-    }
-}
-
-/// The values, and 0 for each variable that stands still.
-fn vector<T: Scalar, const N: usize>(values: &[T]) -> SVector<T, N> {
-    SVector::from_fn(|i, _| values.get(i).cloned().unwrap_or_else(T::zero))
-}
-
-/// Numerators and the denominator behind them.
-fn fraction<T: Scalar, const N: usize>(values: &[T]) -> (SVector<T, N>, T) {
-    let (denominator, numerators) =
-        values.split_last().unwrap_or_else(|| unreachable!("a map has a denominator"));
-    (vector(numerators), denominator.clone())
-}
-
-impl<T: Scalar, const N: usize> QuadraticField<T, N> for Interpreted<T, N> {
-    fn field(&self, x: &SVector<T, N>) -> SVector<T, N> {
-        vector(&self.values(&self.code.field, x, &[], None))
-    }
-
-    fn field_jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        let (entries, own) = (self.values(&self.code.field_jacobian, x, &[], None), self.code.states.len());
-        SMatrix::from_fn(|i, j| if i.max(j) < own { entries[i * own + j].clone() } else { T::zero() })
-    }
-
-    fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
-        vector(&self.values(&self.code.bilinear, x, y.as_slice(), None))
-    }
-
-    fn polarized(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
-        vector(&self.values(&self.code.polarized, x, y.as_slice(), None))
-    }
-}
-
-impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
-    type Prepared = InterpretedStep<T, N>;
-
-    fn prepare(&self, eps: &T) -> Self::Prepared {
-        InterpretedStep::new(self.clone(), eps.clone())
-    }
-
-    fn try_prepared(
-        &self,
-        prepared: &Self::Prepared,
-        x: &SVector<T, N>,
-        eps: &T,
-    ) -> Result<SVector<T, N>, SingularStep>
-    where
-        T: Pivot,
-    {
-        T::stable_step(self, prepared, x, eps)
-    }
-
-    fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
-        match &self.code.step {
-            Some(_) => jacobian_by_duals(self, x, &eps),
-            None => Unplanned(self.clone()).jacobian(x, eps),
-        }
-    }
-
-    fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
-        match &self.code.det_matrix {
-            Some(program) => self.values(program, x, &[], Some(&eps)).swap_remove(0),
-            None => Unplanned(self.clone()).det_matrix(x, eps),
-        }
-    }
-
-    fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
-        match &self.code.rational_map {
-            Some(program) => fraction(&self.values(program, x, &[], Some(&eps))),
-            None => Unplanned(self.clone()).rational_map(x, eps),
-        }
-    }
-
-    fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
-        match &self.code.reduced_map {
-            Some(program) => fraction(&self.values(program, x, &[], Some(&eps))),
-            None => self.rational_map(x, eps),
-        }
-    }
-}
-
-impl<T: Scalar, const N: usize> Lift<T, N> for Interpreted<T, N> {
-    type Lifted<U: Scalar> = Interpreted<U, N>;
-
-    fn lift<U: Scalar>(&self, lift: impl Fn(&T) -> U) -> Interpreted<U, N> {
-        self.over(lift)
     }
 }

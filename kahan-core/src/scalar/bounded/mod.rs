@@ -30,14 +30,14 @@
 //! is checked, and errors are divided by it twice. What a step divides by ε is a constant that is
 //! at most 2 to the power [`bits_of_steps`](number::Range) times as large.
 
-use num_traits::Zero;
-
 mod formats;
 mod number;
 mod operators;
 #[cfg(target_arch = "x86_64")]
 mod packed;
 mod pair;
+mod rules;
+mod working;
 
 #[cfg(all(test, feature = "exact"))]
 pub(crate) use number::Range;
@@ -45,6 +45,7 @@ pub(crate) use number::{Magnitude, Number, power_of_two};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use packed::{PackedDouble, PackedSingle};
 pub(crate) use pair::{Both, Pair};
+pub(crate) use working::{Working, operations};
 
 /// A double and its magnitude, where no register holds the two.
 #[cfg(not(target_arch = "x86_64"))]
@@ -52,62 +53,6 @@ pub(crate) type PackedDouble = Both<f64>;
 /// A float and its magnitude, where no register holds the two.
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) type PackedSingle = Both<f32>;
-
-/// A [`Number`] to work in: whether its operations are inlined.
-pub(crate) trait Working: Number {
-    /// a + b
-    fn plus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P>;
-    /// a − b
-    fn minus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P>;
-    /// a·b
-    fn times<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P>;
-    /// a·b + c
-    fn product_plus<P: Pair<Self>>(
-        a: Bounded<Self, P>,
-        b: Bounded<Self, P>,
-        c: Bounded<Self, P>,
-    ) -> Bounded<Self, P>;
-    /// a/b, if b is certainly not zero.
-    fn over<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Option<Bounded<Self, P>>;
-}
-
-/// The operations of a [`Working`] scalar: for hardware floats inlined, so that a step is one piece
-/// of code; for wide numbers, whose rungs are seldom reached, called, so that a step over them
-/// stays small.
-macro_rules! operations {
-    ($inline:meta) => {
-        #[$inline]
-        fn plus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P> {
-            a.sum(b)
-        }
-
-        #[$inline]
-        fn minus<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P> {
-            a.difference(b)
-        }
-
-        #[$inline]
-        fn times<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Bounded<Self, P> {
-            a.product(b)
-        }
-
-        #[$inline]
-        fn product_plus<P: Pair<Self>>(
-            a: Bounded<Self, P>,
-            b: Bounded<Self, P>,
-            c: Bounded<Self, P>,
-        ) -> Bounded<Self, P> {
-            a.product_plus(b, c)
-        }
-
-        #[$inline]
-        fn over<P: Pair<Self>>(a: Bounded<Self, P>, b: Bounded<Self, P>) -> Option<Bounded<Self, P>> {
-            a.quotient(b)
-        }
-    };
-}
-
-pub(crate) use operations;
 
 /// What magnitudes are multiplied by before they are believed: they are rounded, quotients are made
 /// of rounded values, and (1+u)ᵏ − 1 is more than k·u. Quotients have it twice, which is once more
@@ -218,120 +163,6 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)
     }
 
-    #[inline(always)]
-    pub(crate) fn sum(self, other: Self) -> Self {
-        self.added(other, self.pair.plus(other.pair))
-    }
-
-    #[inline(always)]
-    pub(crate) fn difference(self, other: Self) -> Self {
-        self.added(other, self.pair.minus(other.pair))
-    }
-
-    #[inline(always)]
-    pub(crate) fn product(self, other: Self) -> Self {
-        self.multiplied(other, self.pair.times(other.pair))
-    }
-
-    #[inline(always)]
-    pub(crate) fn product_plus(self, other: Self, addend: Self) -> Self {
-        let pair = self.pair.multiply_add(other.pair, addend.pair);
-        self.multiplied(other, pair).added(addend, pair)
-    }
-
-    /// The pair of a sum or difference.
-    #[inline(always)]
-    fn added(self, other: Self, pair: P) -> Self {
-        Self {
-            pair,
-            roundings: self.roundings.max(other.roundings).saturating_add(1),
-            inputs: self.inputs.max(other.inputs),
-            bits: self.bits.max(other.bits).saturating_add(1),
-            inverse: None,
-            ratio: None,
-        }
-        .settled()
-    }
-
-    /// The pair of a product.
-    #[inline(always)]
-    fn multiplied(self, other: Self, pair: P) -> Self {
-        Self {
-            pair,
-            roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
-            inputs: self.inputs.saturating_add(other.inputs),
-            bits: self.bits.saturating_add(other.bits),
-            inverse: None,
-            ratio: None,
-        }
-        .settled()
-    }
-
-    /// Where a value knows its radius r, |v| ≤ m and |v̂ − v| ≤ γ₁·m hold with m = |v̂| + r/u,
-    /// whatever cancelled on its way; with r = 0 there is no error.
-    #[inline(always)]
-    fn settled(self) -> Self {
-        let value = self.value();
-        match value.radius() {
-            None => self,
-            Some(radius) => {
-                let magnitude = value.size() + radius / V::Magnitude::of(V::UNIT);
-                let roundings = u32::from(!radius.is_zero());
-                Self { pair: Pair::new(value, magnitude), roundings, inverse: None, ratio: None, ..self }
-            }
-        }
-    }
-
-    /// self/divisor, if the divisor is certainly not zero.
-    #[inline(always)]
-    pub(crate) fn quotient(self, divisor: Self) -> Option<Self> {
-        let value = self.value().quotient(divisor.value())?;
-        let size = divisor.value().size();
-        let doubt = V::Magnitude::of(64.0) * divisor.gamma() * divisor.magnitude();
-        let least = V::Magnitude::of(V::RANGE.least_divisor());
-        let is_certain = size > doubt + least;
-        if !is_certain {
-            return None;
-        }
-        // 1/|b̂| = |v̂|·(1/a) without a second division, where 1/a is at hand.
-        let (magnitude, inverse, ratio) = match self.inverse() {
-            Some(inverse) => {
-                let ratio = self.ratio.unwrap_or_else(|| V::Magnitude::of(1.0));
-                let ratio = ratio + divisor.magnitude() * (value.size() * inverse);
-                let magnitude = value.size() * ratio * V::Magnitude::of(SLACK);
-                (magnitude, Some(size * inverse), Some(ratio))
-            }
-            None => {
-                let numerator = self.magnitude() + value.size() * divisor.magnitude();
-                (numerator * V::Magnitude::of(SLACK) / size, None, None)
-            }
-        };
-        let quotient = Self {
-            pair: Pair::new(value, magnitude),
-            roundings: self.roundings.max(divisor.roundings).saturating_add(1),
-            inputs: self.inputs.saturating_add(divisor.inputs),
-            bits: self.bits.saturating_add(divisor.bits).saturating_add(2 * V::RANGE.bits_of_divisors),
-            inverse,
-            ratio,
-        };
-        Some(quotient.settled())
-    }
-
-    /// c/ε for a literal c and an [ordinary input](Self::is_ordinary_input) ε: rounded once more
-    /// than c, and no larger than that ε allows.
-    #[inline(always)]
-    pub(crate) fn over_input(self, eps: Self) -> Self {
-        let value = self.value() / eps.value();
-        Self {
-            pair: Pair::new(value, value.size()),
-            roundings: self.roundings.saturating_add(eps.roundings).saturating_add(1),
-            inputs: self.inputs,
-            bits: self.bits.saturating_add(V::RANGE.bits_of_steps),
-            inverse: None,
-            ratio: None,
-        }
-    }
-
     /// w, with which the error of a product n̂·r̂ with this reciprocal r̂ is at most w times the
     /// magnitude of n̂, which took `roundings`; the one of the product included.
     ///
@@ -353,13 +184,6 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]
     pub(crate) fn roundings(&self) -> u32 {
         self.roundings
-    }
-
-    /// About 1/|v̂|, where that costs no division.
-    #[inline(always)]
-    fn inverse(&self) -> Option<V::Magnitude> {
-        let is_whole_constant = self.inputs == 0 && self.roundings == 0;
-        if is_whole_constant { Some(V::Magnitude::of(1.0) / self.magnitude()) } else { self.inverse }
     }
 }
 

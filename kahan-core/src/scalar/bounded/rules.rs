@@ -1,0 +1,128 @@
+//! The rules: value, magnitude, roundings and sizes of every operation's result.
+
+use num_traits::Zero;
+
+use super::{Bounded, Magnitude, Pair, SLACK, Working};
+
+impl<V: Working, P: Pair<V>> Bounded<V, P> {
+    #[inline(always)]
+    pub(crate) fn sum(self, other: Self) -> Self {
+        self.added(other, self.pair.plus(other.pair))
+    }
+
+    #[inline(always)]
+    pub(crate) fn difference(self, other: Self) -> Self {
+        self.added(other, self.pair.minus(other.pair))
+    }
+
+    #[inline(always)]
+    pub(crate) fn product(self, other: Self) -> Self {
+        self.multiplied(other, self.pair.times(other.pair))
+    }
+
+    #[inline(always)]
+    pub(crate) fn product_plus(self, other: Self, addend: Self) -> Self {
+        let pair = self.pair.multiply_add(other.pair, addend.pair);
+        self.multiplied(other, pair).added(addend, pair)
+    }
+
+    /// The pair of a sum or difference.
+    #[inline(always)]
+    fn added(self, other: Self, pair: P) -> Self {
+        Self {
+            pair,
+            roundings: self.roundings.max(other.roundings).saturating_add(1),
+            inputs: self.inputs.max(other.inputs),
+            bits: self.bits.max(other.bits).saturating_add(1),
+            inverse: None,
+            ratio: None,
+        }
+        .settled()
+    }
+
+    /// The pair of a product.
+    #[inline(always)]
+    fn multiplied(self, other: Self, pair: P) -> Self {
+        Self {
+            pair,
+            roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
+            inputs: self.inputs.saturating_add(other.inputs),
+            bits: self.bits.saturating_add(other.bits),
+            inverse: None,
+            ratio: None,
+        }
+        .settled()
+    }
+
+    /// Where a value knows its radius r, |v| ≤ m and |v̂ − v| ≤ γ₁·m hold with m = |v̂| + r/u,
+    /// whatever cancelled on its way; with r = 0 there is no error.
+    #[inline(always)]
+    pub(super) fn settled(self) -> Self {
+        let value = self.value();
+        match value.radius() {
+            None => self,
+            Some(radius) => {
+                let magnitude = value.size() + radius / V::Magnitude::of(V::UNIT);
+                let roundings = u32::from(!radius.is_zero());
+                Self { pair: Pair::new(value, magnitude), roundings, inverse: None, ratio: None, ..self }
+            }
+        }
+    }
+
+    /// self/divisor, if the divisor is certainly not zero.
+    #[inline(always)]
+    pub(crate) fn quotient(self, divisor: Self) -> Option<Self> {
+        let value = self.value().quotient(divisor.value())?;
+        let size = divisor.value().size();
+        let doubt = V::Magnitude::of(64.0) * divisor.gamma() * divisor.magnitude();
+        let least = V::Magnitude::of(V::RANGE.least_divisor());
+        let is_certain = size > doubt + least;
+        if !is_certain {
+            return None;
+        }
+        // 1/|b̂| = |v̂|·(1/a) without a second division, where 1/a is at hand.
+        let (magnitude, inverse, ratio) = match self.inverse() {
+            Some(inverse) => {
+                let ratio = self.ratio.unwrap_or_else(|| V::Magnitude::of(1.0));
+                let ratio = ratio + divisor.magnitude() * (value.size() * inverse);
+                let magnitude = value.size() * ratio * V::Magnitude::of(SLACK);
+                (magnitude, Some(size * inverse), Some(ratio))
+            }
+            None => {
+                let numerator = self.magnitude() + value.size() * divisor.magnitude();
+                (numerator * V::Magnitude::of(SLACK) / size, None, None)
+            }
+        };
+        let quotient = Self {
+            pair: Pair::new(value, magnitude),
+            roundings: self.roundings.max(divisor.roundings).saturating_add(1),
+            inputs: self.inputs.saturating_add(divisor.inputs),
+            bits: self.bits.saturating_add(divisor.bits).saturating_add(2 * V::RANGE.bits_of_divisors),
+            inverse,
+            ratio,
+        };
+        Some(quotient.settled())
+    }
+
+    /// c/ε for a literal c and an [ordinary input](Self::is_ordinary_input) ε: rounded once more
+    /// than c, and no larger than that ε allows.
+    #[inline(always)]
+    pub(crate) fn over_input(self, eps: Self) -> Self {
+        let value = self.value() / eps.value();
+        Self {
+            pair: Pair::new(value, value.size()),
+            roundings: self.roundings.saturating_add(eps.roundings).saturating_add(1),
+            inputs: self.inputs,
+            bits: self.bits.saturating_add(V::RANGE.bits_of_steps),
+            inverse: None,
+            ratio: None,
+        }
+    }
+
+    /// About 1/|v̂|, where that costs no division.
+    #[inline(always)]
+    fn inverse(&self) -> Option<V::Magnitude> {
+        let is_whole_constant = self.inputs == 0 && self.roundings == 0;
+        if is_whole_constant { Some(V::Magnitude::of(1.0) / self.magnitude()) } else { self.inverse }
+    }
+}

@@ -1,0 +1,40 @@
+//! What random fields are drawn from.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use super::tree::{Tree, literal, name, negated, quotient};
+
+/// The largest dimension.
+pub(super) const DIMENSIONS: usize = 6;
+
+/// Names of states.
+pub(super) const PLAIN: [&str; DIMENSIONS] = ["x", "y", "z", "u", "v", "w"];
+/// Names that collide with what generated code says.
+pub(super) const AWKWARD: [&str; DIMENSIONS] = ["T", "h", "x_", "in", "N", "Vec"];
+
+/// A source of small choices.
+pub(super) struct Draw {
+    pub(super) random: SplitMix64,
+}
+
+impl Draw {
+    pub(super) fn below(&mut self, bound: usize) -> usize {
+        self.random.below(bound as u64) as usize
+    }
+
+    pub(super) fn one<'a, V>(&mut self, choices: &'a [V]) -> &'a V {
+        &choices[self.below(choices.len())]
+    }
+
+    /// ±1 … ±9, as `n` or, one time in three, as `n/d`.
+    pub(super) fn coefficient(&mut self) -> Tree {
+        let size = literal(&(self.below(9) + 1).to_string());
+        let size =
+            if self.below(3) == 0 { quotient(size, literal(&(self.below(6) + 2).to_string())) } else { size };
+        if self.below(2) == 0 { negated(size) } else { size }
+    }
+
+    pub(super) fn state(&mut self, states: &[&'static str]) -> Tree {
+        name(states[self.below(states.len())])
+    }
+}
