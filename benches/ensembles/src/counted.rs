@@ -40,7 +40,7 @@ pub(crate) fn operations<const N: usize>(step: &impl WideStep<f64, N>) -> usize 
 }
 
 impl Scalar for Counted {
-    fn constant(c: &Constant) -> Self {
+    fn constant(c: &Constant<'_>) -> Self {
         Counted(f64::constant(c))
     }
 

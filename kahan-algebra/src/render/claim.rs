@@ -7,11 +7,15 @@ use crate::system::{Claim, System};
 use super::notation::Notation;
 
 /// How tightly an expression binds, for parentheses.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Level {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// A sum, or a negation.
     Sum,
+    /// A product or a quotient.
     Product,
+    /// A power, or a call of a function.
     Power,
+    /// A name, or an integer.
     Atom,
 }
 

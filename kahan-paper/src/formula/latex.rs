@@ -3,19 +3,10 @@
 mod call;
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::{Level, Notation};
 
 use super::{Formula, Item, Relation, Statement, parse};
 use call::{FUNCTIONS, OPEN_ENDED, call};
-
-/// How tightly an expression binds, for parentheses.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Level {
-    Sum,
-    Product,
-    Power,
-    Atom,
-}
 
 /// One item of a statement in LaTeX: a definition or a relation.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,7 +1,9 @@
 //! Calls in LaTeX: named functions, derivatives, points of the map, matrix entries.
 
 use super::super::Formula;
-use super::{Level, at_least, enclosed, name, write};
+use kahan_algebra::render::Level;
+
+use super::{at_least, enclosed, name, write};
 
 /// Functions that people know by their names.
 pub(super) const FUNCTIONS: [&str; 14] =
