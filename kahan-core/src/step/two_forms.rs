@@ -47,7 +47,13 @@ where
 
     #[inline(always)]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
-        self.finish(x, |quotients| quotients)
+        if !tuning::divides_by_eps::<T>() {
+            return self.general.quotients(x);
+        }
+        match &self.over_eps {
+            Some(over_eps) => over_eps.quotients(x),
+            None => called(self.general.clone(), x.clone()),
+        }
     }
 
     #[inline(always)]

@@ -51,7 +51,9 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         P: Pair<V>,
         M: KahanMap<Bounded<V, P>, N>,
     {
-        map.prepare(&eps).finish(x, |quotients| Self::by_increments(x, quotients))
+        // Not by `finish`: its closure would be too large for compilers to inline.
+        let quotients = map.prepare(&eps).quotients(x)?;
+        Some(Self::by_increments(x, quotients))
     }
 
     /// By these increments.

@@ -13,6 +13,7 @@ use num_traits::Zero;
 use crate::field::linear::vector;
 use crate::scalar::Wide;
 use crate::scalar::bounded::{Both, Bounded};
+use crate::scalar::tuning::{divides_by_eps, may_divide_by};
 use crate::step::error::Reason;
 use crate::{KahanMap, Lift, PreparedStep, SingularStep};
 
@@ -29,6 +30,9 @@ pub(super) const PROMISE: f64 = 63.0;
 const SHORT: u32 = 36;
 
 /// The first rung of a scalar that works for itself.
+///
+/// A step that is divided by ε has another form for an ε that does not allow it. How often each
+/// form rounds is known while compiling, as long as no code serves both.
 #[cfg_attr(not(debug_assertions), inline(always))]
 #[cfg_attr(debug_assertions, inline(never))]
 pub(crate) fn in_own_precision<M, T, const N: usize>(
@@ -36,6 +40,30 @@ pub(crate) fn in_own_precision<M, T, const N: usize>(
     x: &SVector<T, N>,
     eps: &T,
 ) -> Option<SVector<T, N>>
+where
+    T: Promised,
+    M: Lift<T, N>,
+{
+    if divides_by_eps::<T>() && !may_divide_by(eps) {
+        return in_general_form(map, vector(from_fn(|i| x[i])), *eps);
+    }
+    in_one_form(map, x, eps)
+}
+
+/// The same where ε is too small or too large.
+#[cold]
+#[inline(never)]
+fn in_general_form<M, T, const N: usize>(map: &M, x: SVector<T, N>, eps: T) -> Option<SVector<T, N>>
+where
+    T: Promised,
+    M: Lift<T, N>,
+{
+    in_one_form(map, &x, &eps)
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(debug_assertions, inline(never))]
+fn in_one_form<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
 where
     T: Promised,
     M: Lift<T, N>,
