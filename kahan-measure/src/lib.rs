@@ -1,7 +1,7 @@
 //! What Kahan's method costs and how accurate it is, measured.
 //!
 //! In: a system, a point, a horizon. Out: a trajectory of the flow that two independent methods
-//! agree on ([`reference`]), the price and the error of every setting of the integrator
+//! agree on ([`mod@reference`]), the price and the error of every setting of the integrator
 //! ([`trade`]), and verdicts on single steps near poles and with extreme numbers ([`extremes`]). It
 //! must not know the command: nothing here reads arguments or prints.
 

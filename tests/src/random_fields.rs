@@ -1,7 +1,7 @@
 //! The file `random_systems.rs`: random fields as the macro compiles them.
 //!
 //! All of them are compiled over ℚ. Code over floats costs most of what building the tests takes, so
-//! there are such steps of those in [`IN_FLOATS`] only: every kind in two dimensions at least, and
+//! there are such steps of those in `IN_FLOATS` only: every kind in two dimensions at least, and
 //! every dimension. The file is written anew by `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests
 //! back_ends`.
 

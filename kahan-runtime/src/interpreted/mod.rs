@@ -1,10 +1,10 @@
 //! A system read at run time as a map over any scalar: the traits of generated code, without
 //! generated code.
 //!
-//! In: a checked [`System`] and exact parameter values. Out: a [`KahanMap`] with the bits of the
-//! code that the macro would have written for it, so that everything that is generic over maps
-//! (orbits, compositions, the step with a promise) takes fields from the command line too. It runs
-//! the same plans in the same order, ten to fifty times as slowly.
+//! In: a checked [`System`] and exact parameter values. Out: a [`KahanMap`](kahan_core::KahanMap)
+//! with the bits of the code that the macro would have written for it, so that everything that is
+//! generic over maps (orbits, compositions, the step with a promise) takes fields from the command
+//! line too. It runs the same plans in the same order, ten to fifty times as slowly.
 
 mod code;
 mod dimension;
