@@ -64,6 +64,15 @@ impl Program {
         self.results = results;
     }
 
+    /// The instruction with this index.
+    ///
+    /// # Panics
+    /// If there is none.
+    #[must_use]
+    pub fn instruction(&self, index: usize) -> Instruction {
+        self.instructions[index]
+    }
+
     /// The results, in their order.
     #[must_use]
     pub fn results(&self) -> &[usize] {

@@ -7,4 +7,6 @@
 
 pub mod heights;
 pub mod interpreted;
+mod machine;
+pub mod orbit;
 pub mod threads;

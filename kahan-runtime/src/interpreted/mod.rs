@@ -10,7 +10,7 @@ mod code;
 mod dimension;
 mod literal;
 mod map;
-mod program;
+pub(crate) mod program;
 mod refusal;
 mod step;
 mod unplanned;

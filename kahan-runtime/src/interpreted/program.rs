@@ -14,15 +14,15 @@ use super::literal::Literal;
 
 /// Where a program's inputs are.
 #[derive(Debug)]
-pub(super) struct Inputs<'a, T> {
-    pub(super) state: &'a [T],
+pub(crate) struct Inputs<'a, T> {
+    pub(crate) state: &'a [T],
     /// The second point of a bilinear form.
-    pub(super) other: &'a [T],
-    pub(super) parameters: &'a [T],
+    pub(crate) other: &'a [T],
+    pub(crate) parameters: &'a [T],
     /// ε, where the program reads it.
-    pub(super) eps: Option<&'a T>,
+    pub(crate) eps: Option<&'a T>,
     /// The constants that a kernel reads.
-    pub(super) prepared: &'a [T],
+    pub(crate) prepared: &'a [T],
 }
 
 impl<T> Default for Inputs<'_, T> {
@@ -51,14 +51,14 @@ enum Instruction {
 
 /// Straight-line instructions with several results.
 #[derive(Clone, Debug)]
-pub(super) struct Program {
+pub(crate) struct Program {
     instructions: Vec<Instruction>,
     outputs: Vec<usize>,
 }
 
 impl Program {
     /// A plan whose divisions are written as quotients.
-    pub(super) fn of(plan: &Plan, symbols: &Symbols) -> Self {
+    pub(crate) fn of(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, false)
     }
 
@@ -102,7 +102,7 @@ impl Program {
     ///
     /// # Panics
     /// If an input is missing; for exact scalars, at a division by zero.
-    pub(super) fn values<T: Scalar>(&self, inputs: &Inputs<'_, T>) -> Vec<T> {
+    pub(crate) fn values<T: Scalar>(&self, inputs: &Inputs<'_, T>) -> Vec<T> {
         self.run_with(inputs, |a, b| Some(a / b)).unwrap_or_else(|| unreachable!("only kernels have poles"))
     }
 

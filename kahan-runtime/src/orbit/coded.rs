@@ -1,0 +1,182 @@
+//! An orbit by machine code.
+
+use std::sync::Arc;
+
+use kahan_algebra::rational::Rational;
+use kahan_core::__private::may_divide_by;
+use kahan_core::{Composition, Dd, FloatScalar, Precision, Scalar, Scheme};
+
+use crate::interpreted::program::{Inputs, Program};
+use crate::interpreted::round;
+use crate::machine::{Coded, Form, StepKind, Stepping};
+
+use super::Subject;
+
+/// An orbit by machine code, in the numbers that it runs in.
+#[derive(Clone, Debug)]
+pub(super) enum Coding {
+    Single(Running<f32>),
+    Double(Running<f64>),
+}
+
+/// Code, and what it runs on.
+#[derive(Clone, Debug)]
+pub(super) struct Running<T> {
+    code: Arc<Stepping<T>>,
+    /// The constants of the stages that differ, the middle one last.
+    stages: Vec<Vec<T>>,
+    numbers: Vec<T>,
+    /// How the numbers are a state.
+    kind: StepKind,
+}
+
+/// The most stages of a composition.
+const MOST_STAGES: usize = 32;
+
+/// Steps between two looks at a guard.
+const GUARDED: u64 = 256;
+
+/// Whether multiply-adds are fused: as everything else in this program has them.
+const FUSES: bool = cfg!(target_feature = "fma");
+
+impl Coding {
+    /// The orbit at its first point; `None` where there is no code for it.
+    pub(super) fn begin(
+        subject: &Subject<'_>,
+        scheme: Scheme,
+        eps: &Rational,
+        start: &[Rational],
+    ) -> Option<Self> {
+        match scheme.precision {
+            Precision::Single => {
+                Running::begin(subject, scheme, eps, start, |x: f32| x, |x| vec![x]).map(Coding::Single)
+            }
+            Precision::SingleThroughDouble => {
+                let widen = |x: f32| f64::from(x);
+                Running::begin(subject, scheme, eps, start, widen, |x| vec![x]).map(Coding::Double)
+            }
+            Precision::Double => {
+                Running::begin(subject, scheme, eps, start, |x: f64| x, |x| vec![x]).map(Coding::Double)
+            }
+            Precision::DoubleDouble if scheme.compensated => None,
+            Precision::DoubleDouble => {
+                let parts = |x: Dd| vec![x.high(), x.low()];
+                Running::begin(subject, scheme, eps, start, |x: Dd| x, parts).map(Coding::Double)
+            }
+        }
+    }
+
+    /// So many steps further; `false` where the code cannot tell, and the state is as before.
+    pub(super) fn advance(&mut self, steps: u64) -> bool {
+        match self {
+            Coding::Single(running) => running.advance(steps),
+            Coding::Double(running) => running.advance(steps),
+        }
+    }
+
+    /// The coordinates of the point.
+    pub(super) fn point(&self, point: &mut [Dd]) {
+        match self {
+            Coding::Single(running) => running.point(point),
+            Coding::Double(running) => running.point(point),
+        }
+    }
+}
+
+impl<T: Coded + Default + PartialEq> Running<T>
+where
+    Dd: From<T>,
+    f64: From<T>,
+{
+    /// The orbit of a scheme whose ε and points are a `G`, and whose step is computed in a `C`,
+    /// which is the `numbers` that the code takes.
+    fn begin<G: FloatScalar, C: Scalar>(
+        subject: &Subject<'_>,
+        scheme: Scheme,
+        eps: &Rational,
+        start: &[Rational],
+        widen: impl Fn(G) -> C,
+        numbers: impl Fn(C) -> Vec<T>,
+    ) -> Option<Self> {
+        let Subject { derived, codes, parameters } = *subject;
+        let step = derived.step()?;
+        let own: Vec<G> = stages(scheme.composition, round(eps));
+        let own: Vec<C> = own.into_iter().map(&widen).collect();
+        let is_ordinary = |eps: &C| may_divide_by(eps);
+        let form = match (step.has_inverse_step(), own.iter().all(is_ordinary)) {
+            (true, false) if own.iter().any(is_ordinary) => return None,
+            (true, false) => Form::AnyEps,
+            _ => Form::Own,
+        };
+        let is_wide = scheme.precision == Precision::DoubleDouble;
+        let kind = StepKind {
+            precision: scheme.precision,
+            compensated: scheme.compensated,
+            rounds_increments: form == Form::AnyEps && !is_wide,
+            fuses: FUSES,
+        };
+        let code = codes.stepping(derived, kind, form, own.len() > 1)?;
+        let symbols = &derived.system.field.symbols;
+        let parameters: Vec<C> = parameters.iter().map(|value| widen(round(value))).collect();
+        let constants = Program::of(&form.of(step).constants, symbols);
+        let constants = |eps: &C| {
+            let inputs = Inputs { parameters: &parameters, eps: Some(eps), ..Inputs::default() };
+            constants.values(&inputs).into_iter().flat_map(&numbers).collect()
+        };
+        let mut state: Vec<T> = start.iter().flat_map(|x| numbers(widen(round(x)))).collect();
+        state.resize(kind.numbers(start.len()), T::default());
+        Some(Running { code, stages: own.iter().map(constants).collect(), numbers: state, kind })
+    }
+
+    fn advance(&mut self, steps: u64) -> bool {
+        if self.kind.precision != Precision::DoubleDouble {
+            self.run(steps);
+            return true;
+        }
+        let before = self.numbers.clone();
+        let mut left = steps;
+        while left > 0 {
+            let now = left.min(GUARDED);
+            self.run(now);
+            if self.numbers.last() != Some(&T::default()) {
+                // Not a number is no zero.
+                self.numbers = before;
+                return false;
+            }
+            left -= now;
+        }
+        true
+    }
+
+    fn run(&mut self, steps: u64) {
+        match &*self.code {
+            Stepping::Single(orbit) => orbit.run(&mut self.numbers, &self.stages[0], steps),
+            Stepping::Composed(orbit) => {
+                let mut table: [&[T]; MOST_STAGES] = [&[]; MOST_STAGES];
+                let last = self.stages.len() - 1;
+                let order = (0..=last).chain((0..last).rev());
+                table.iter_mut().zip(order).for_each(|(entry, stage)| *entry = &self.stages[stage]);
+                orbit.run(&mut self.numbers, &table[..=2 * last], steps);
+            }
+        }
+    }
+
+    fn point(&self, point: &mut [Dd]) {
+        if self.kind.precision == Precision::DoubleDouble {
+            let pairs = self.numbers.chunks_exact(2);
+            let wide = |pair: &[T]| Dd::new(pair[0].into(), pair[1].into());
+            point.iter_mut().zip(pairs).for_each(|(x, pair)| *x = wide(pair));
+        } else {
+            point.iter_mut().zip(&self.numbers).for_each(|(x, number)| *x = Dd::from(*number));
+        }
+    }
+}
+
+/// ε of each stage that differs, the middle one last.
+fn stages<G: FloatScalar>(composition: Composition, eps: G) -> Vec<G> {
+    let differing = composition.coefficients().take(composition.stages().div_ceil(2));
+    match composition.stages() {
+        1 => vec![eps],
+        _ => differing.map(|gamma| G::constant(gamma) * eps).collect(),
+    }
+}
