@@ -10,7 +10,7 @@ use crate::interpreted::program::{Inputs, Program};
 use crate::interpreted::round;
 use crate::machine::{Coded, Form, StepKind, Stepping};
 
-use super::Subject;
+use super::Orbits;
 
 /// An orbit by machine code, in the numbers that it runs in.
 #[derive(Clone, Debug)]
@@ -42,26 +42,26 @@ const FUSES: bool = cfg!(target_feature = "fma");
 impl Coding {
     /// The orbit at its first point; `None` where there is no code for it.
     pub(super) fn begin(
-        subject: &Subject<'_>,
+        of: &Orbits,
         scheme: Scheme,
         eps: &Rational,
         start: &[Rational],
     ) -> Option<Self> {
         match scheme.precision {
             Precision::Single => {
-                Running::begin(subject, scheme, eps, start, |x: f32| x, |x| vec![x]).map(Coding::Single)
+                Running::begin(of, scheme, eps, start, |x: f32| x, |x| vec![x]).map(Coding::Single)
             }
             Precision::SingleThroughDouble => {
                 let widen = |x: f32| f64::from(x);
-                Running::begin(subject, scheme, eps, start, widen, |x| vec![x]).map(Coding::Double)
+                Running::begin(of, scheme, eps, start, widen, |x| vec![x]).map(Coding::Double)
             }
             Precision::Double => {
-                Running::begin(subject, scheme, eps, start, |x: f64| x, |x| vec![x]).map(Coding::Double)
+                Running::begin(of, scheme, eps, start, |x: f64| x, |x| vec![x]).map(Coding::Double)
             }
             Precision::DoubleDouble if scheme.compensated => None,
             Precision::DoubleDouble => {
                 let parts = |x: Dd| vec![x.high(), x.low()];
-                Running::begin(subject, scheme, eps, start, |x: Dd| x, parts).map(Coding::Double)
+                Running::begin(of, scheme, eps, start, |x: Dd| x, parts).map(Coding::Double)
             }
         }
     }
@@ -91,14 +91,14 @@ where
     /// The orbit of a scheme whose ε and points are a `G`, and whose step is computed in a `C`,
     /// which is the `numbers` that the code takes.
     fn begin<G: FloatScalar, C: Scalar>(
-        subject: &Subject<'_>,
+        of: &Orbits,
         scheme: Scheme,
         eps: &Rational,
         start: &[Rational],
         widen: impl Fn(G) -> C,
         numbers: impl Fn(C) -> Vec<T>,
     ) -> Option<Self> {
-        let Subject { derived, codes, parameters } = *subject;
+        let Orbits { derived, codes, parameters } = of;
         let step = derived.step()?;
         let own: Vec<G> = stages(scheme.composition, round(eps));
         let own: Vec<C> = own.into_iter().map(&widen).collect();

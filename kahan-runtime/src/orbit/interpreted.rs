@@ -7,7 +7,7 @@ use kahan_core::{Dd, FloatScalar, KahanMap, Lift, Precision, Scheme, ThroughF64}
 
 use crate::interpreted::{Interpreted, UnsupportedDimension, VisitDimension, round, visit_dimension};
 
-use super::Subject;
+use super::Orbits;
 
 /// An orbit that is at some point.
 pub(super) trait Steps {
@@ -43,7 +43,8 @@ where
     }
 }
 
-/// An orbit after a point that has no next.
+/// An orbit after a point from which nothing is known of the next: it is not finite, or has more
+/// variables than the interpreter.
 pub(super) struct Nowhere;
 
 impl Steps for Nowhere {
@@ -59,18 +60,18 @@ impl Steps for Nowhere {
 /// # Errors
 /// [`UnsupportedDimension`].
 pub(super) fn begin(
-    subject: &Subject<'_>,
+    of: &Orbits,
     scheme: Scheme,
     eps: &Rational,
     start: &[Rational],
 ) -> Result<Box<dyn Steps>, UnsupportedDimension> {
-    let beginning = Beginning { subject, scheme, eps, start };
+    let beginning = Beginning { of, scheme, eps, start };
     visit_dimension(start.len(), beginning)
 }
 
 /// What an orbit begins with.
 struct Beginning<'a> {
-    subject: &'a Subject<'a>,
+    of: &'a Orbits,
     scheme: Scheme,
     eps: &'a Rational,
     start: &'a [Rational],
@@ -80,8 +81,8 @@ impl VisitDimension for Beginning<'_> {
     type Output = Box<dyn Steps>;
 
     fn visit<const N: usize>(self) -> Box<dyn Steps> {
-        let parameters: Vec<BigRational> = self.subject.parameters.iter().map(Rational::to_big).collect();
-        let exact = Interpreted::<BigRational, N>::padded(&self.subject.derived.system, &parameters);
+        let parameters: Vec<BigRational> = self.of.parameters.iter().map(Rational::to_big).collect();
+        let exact = Interpreted::<BigRational, N>::padded(&self.of.derived.system, &parameters);
         // Whoever made the subject has looked at its parameters.
         let exact = exact.unwrap_or_else(|why| unreachable!("{why}"));
         of_map(&exact, self.scheme, self.eps, self.start)

@@ -9,30 +9,34 @@ mod interpreted;
 #[cfg(test)]
 mod tests;
 
-use kahan_algebra::Derived;
+use std::sync::Arc;
+
+use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::Symbol;
+use kahan_algebra::system::System;
+use kahan_algebra::{Derived, derive};
 use kahan_core::{Dd, Scheme};
 
-use crate::interpreted::UnsupportedDimension;
+use crate::interpreted::{CannotInterpret, UnsupportedDimension};
 use crate::machine::Codes;
 
 use coded::Coding;
-use interpreted::{Steps, begin};
+use interpreted::{Nowhere, Steps, begin};
 
-/// What an orbit is of.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Subject<'a> {
-    /// The plans of the field, which has a value at the parameters.
-    pub(crate) derived: &'a Derived,
-    /// Its code.
-    pub(crate) codes: &'a Codes,
-    /// The values of its parameters, in order.
-    pub(crate) parameters: &'a [Rational],
+/// The map of a field at parameters, whose orbits are begun in any scheme.
+///
+/// Copies share the code.
+#[derive(Clone, Debug)]
+pub struct Orbits {
+    derived: Arc<Derived>,
+    codes: Arc<Codes>,
+    parameters: Arc<[Rational]>,
 }
 
 /// An orbit that is at some point, in a scheme that was chosen at run time.
-pub struct SchemeOrbit<'a> {
-    subject: Subject<'a>,
+pub struct SchemeOrbit {
+    of: Orbits,
     scheme: Scheme,
     eps: Rational,
     engine: Engine,
@@ -44,29 +48,62 @@ enum Engine {
     Interpreter(Box<dyn Steps>),
 }
 
-impl<'a> SchemeOrbit<'a> {
-    /// The orbit at its first point, each number rounded once.
-    pub(crate) fn begin(
-        subject: Subject<'a>,
+impl Orbits {
+    /// The map of a system at these values of its parameters, in their order.
+    ///
+    /// Cost: deriving the map; its step is planned, and compiled, when an orbit asks for it.
+    ///
+    /// # Errors
+    /// [`CannotInterpret`]: another number of parameters, or a field that divides by zero.
+    pub fn of(system: &System, parameters: &[Rational]) -> Result<Self, CannotInterpret> {
+        let symbols = &system.field.symbols;
+        if symbols.parameters.len() != parameters.len() {
+            let (found, given) = (symbols.parameters.len(), parameters.len());
+            return Err(CannotInterpret::Parameters { found, given });
+        }
+        let derived = derive(system);
+        let divisors = derived.divisors.evaluate(&Exact, |variable| match symbols.symbol(variable) {
+            Symbol::Parameter(k) => parameters[k].clone(),
+            // Divisors are free of everything else.
+            _ => Rational::zero(),
+        });
+        if divisors.iter().any(|value| value.as_ref().is_none_or(Rational::is_zero)) {
+            return Err(CannotInterpret::Undefined);
+        }
+        Ok(Orbits { derived: derived.into(), codes: Arc::default(), parameters: parameters.into() })
+    }
+
+    /// The orbit in a scheme at its first point; `eps` is ε, half the time step. Each number is
+    /// rounded once.
+    ///
+    /// Cost: the first orbit of its kind compiles its step, which takes some tens of microseconds
+    /// for three variables.
+    ///
+    /// # Errors
+    /// [`UnsupportedDimension`], where there is no code.
+    ///
+    /// # Panics
+    /// If the point has another number of coordinates than the field has variables.
+    pub fn begin(
+        &self,
         scheme: Scheme,
         eps: &Rational,
         start: &[Rational],
-    ) -> Result<Self, UnsupportedDimension> {
-        let engine = match Coding::begin(&subject, scheme, eps, start) {
+    ) -> Result<SchemeOrbit, UnsupportedDimension> {
+        let variables = self.derived.system.field.dimension();
+        assert_eq!(start.len(), variables, "a point has a coordinate for each variable");
+        let engine = match Coding::begin(self, scheme, eps, start) {
             Some(code) => Engine::Code(code),
-            None => Engine::Interpreter(begin(&subject, scheme, eps, start)?),
+            None => Engine::Interpreter(begin(self, scheme, eps, start)?),
         };
-        let mut orbit = SchemeOrbit {
-            subject,
-            scheme,
-            eps: eps.clone(),
-            engine,
-            point: vec![Dd::default(); start.len()],
-        };
+        let (of, eps, point) = (self.clone(), eps.clone(), vec![Dd::default(); variables]);
+        let mut orbit = SchemeOrbit { of, scheme, eps, engine, point };
         orbit.look();
         Ok(orbit)
     }
+}
 
+impl SchemeOrbit {
     /// Whether it is machine code.
     #[must_use]
     pub fn is_code(&self) -> bool {
@@ -103,15 +140,16 @@ impl<'a> SchemeOrbit<'a> {
     fn interpret(&mut self, steps: u64) {
         let exact = |x: &Dd| Some(&Rational::from_f64(x.high())? + &Rational::from_f64(x.low())?);
         let start: Option<Vec<Rational>> = self.point.iter().map(exact).collect();
-        let orbit = start.and_then(|start| begin(&self.subject, self.scheme, &self.eps, &start).ok());
-        match orbit {
-            Some(mut orbit) => {
-                orbit.advance(steps);
-                self.engine = Engine::Interpreter(orbit);
-            }
-            // Beyond the dimensions of the interpreter, as at a point that is not finite, nothing is
-            // known of the next one.
-            None => self.engine = Engine::Interpreter(Box::new(interpreted::Nowhere)),
-        }
+        let orbit = start.and_then(|start| begin(&self.of, self.scheme, &self.eps, &start).ok());
+        let mut orbit = orbit.unwrap_or_else(|| Box::new(Nowhere));
+        orbit.advance(steps);
+        self.engine = Engine::Interpreter(orbit);
+    }
+}
+
+impl core::fmt::Debug for SchemeOrbit {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self { scheme, eps, point, .. } = self;
+        f.debug_struct("SchemeOrbit").field("scheme", scheme).field("eps", eps).field("point", point).finish_non_exhaustive()
     }
 }

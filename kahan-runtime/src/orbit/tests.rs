@@ -1,15 +1,12 @@
 //! Orbits by code against those of the macro's maps and of the interpreter, in every scheme.
 
-use kahan_algebra::derive;
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Lift, Scheme};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
 
-use crate::machine::Codes;
-
 use super::interpreted::of_map;
-use super::{SchemeOrbit, Subject};
+use super::Orbits;
 
 fn q(text: &str) -> Rational {
     Rational::parse(text).expect("a number")
@@ -27,15 +24,15 @@ where
     M: Lift<BigRational, N, Lifted<f32>: 'static, Lifted<f64>: 'static, Lifted<Dd>: 'static>,
 {
     let text = kahan_systems::registry::find(command).expect("in the catalog").text();
-    let derived = derive(&kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system);
-    let (codes, parameters) = (Codes::default(), parameters.iter().map(|p| q(p)).collect::<Vec<_>>());
-    let subject = Subject { derived: &derived, codes: &codes, parameters: &parameters };
+    let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system;
+    let parameters: Vec<Rational> = parameters.iter().map(|value| q(value)).collect();
+    let map = Orbits::of(&system, &parameters).expect("a field");
     let starts = [["3/7", "-0.4", "1.1"], ["0", "1", "0"], ["12.3", "1e-3", "-7"], ["1e200", "1", "-1e160"]];
     for eps in ["0.05", "-1/3", "1e-30", "1e30", "0"] {
         for start in &starts {
             let (eps, start): (Rational, Vec<Rational>) = (q(eps), start[..N].iter().map(|x| q(x)).collect());
             for scheme in Scheme::all() {
-                let mut orbit = SchemeOrbit::begin(subject, scheme, &eps, &start).expect("few variables");
+                let mut orbit = map.begin(scheme, &eps, &start).expect("few variables");
                 let mut compiled = of_map(exact, scheme, &eps, &start);
                 let mut expected = vec![Dd::default(); N];
                 for steps in [0, 1, 2, 40, 0, 1] {
@@ -67,30 +64,4 @@ fn the_catalog_by_code_is_the_catalog_compiled() {
     agree("e7", &["19/17"], &E7 { xi: big("19/17") });
     agree::<_, 3>("e8", &[], &E8);
     agree("e9", &["0.1"], &E9 { xi: big("0.1") });
-}
-
-#[test]
-#[ignore]
-fn speed() {
-    for command in ["lv", "euler", "e1", "e3", "e6", "e9"] {
-        let text = kahan_systems::registry::find(command).expect("in the catalog").text();
-        let t = std::time::Instant::now();
-        let derived = derive(&kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system);
-        derived.step();
-        let planned = t.elapsed();
-        let codes = Codes::default();
-        let parameters: Vec<Rational> = derived.system.field.symbols.parameters.iter().map(|_| q("1.3")).collect();
-        let subject = Subject { derived: &derived, codes: &codes, parameters: &parameters };
-        let start: Vec<Rational> = ["0.3", "-0.2", "0.5"][..derived.system.field.dimension()].iter().map(|x| q(x)).collect();
-        println!("{command} planned {planned:?}");
-        for scheme in Scheme::all() {
-            let t = std::time::Instant::now();
-            let mut orbit = SchemeOrbit::begin(subject, scheme, &q("0.05"), &start).unwrap();
-            let begun = t.elapsed();
-            let n = 200_000;
-            let t = std::time::Instant::now();
-            orbit.advance(n);
-            println!("  {scheme}: {:?} to begin, {:.2} ns a step, code {}", begun, t.elapsed().as_secs_f64() / n as f64 * 1e9, orbit.is_code());
-        }
-    }
 }
