@@ -5,6 +5,7 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
+use crate::assembler::Fused;
 use crate::program::{Instruction, Program};
 
 /// What one line computes; operands are the indices of earlier lines.
@@ -40,17 +41,6 @@ pub(crate) enum Binary {
     Divide,
     /// The bits of a, those flipped that are set in b.
     ExclusiveOr,
-}
-
-/// A fused operation on a product a·b and c.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Fused {
-    /// a·b + c
-    MultiplyAdd,
-    /// a·b − c
-    MultiplySubtract,
-    /// c − a·b
-    SubtractProduct,
 }
 
 /// What becomes of the results of a program.

@@ -1,7 +1,7 @@
 //! One pass over the lines: each gets its operands, a register, and its operation.
 
-use crate::assembler::{Order, Vector};
-use crate::lines::{Binary, Ends, Fused, Given, Line, Lines};
+use crate::assembler::{Fused, Order, Vector};
+use crate::lines::{Binary, Ends, Given, Line, Lines};
 
 use super::carried::carry;
 use super::uses::Uses;

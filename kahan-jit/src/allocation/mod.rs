@@ -11,8 +11,8 @@ mod allocator;
 mod carried;
 mod uses;
 
-use crate::assembler::{Order, Vector};
-use crate::lines::{Binary, Ends, Fused, Given, Line, Lines};
+use crate::assembler::{Fused, Order, Vector};
+use crate::lines::{Binary, Ends, Given, Line, Lines};
 use allocator::Allocator;
 use uses::Uses;
 

@@ -86,12 +86,11 @@ impl Writer {
     fn leave(mut self) -> Vec<u8> {
         let assembler = &mut self.assembler;
         for (index, register) in self.saved.iter().enumerate() {
-            let offset = -8 * (index as i32 + 1);
-            assembler.load_general(*register, Memory::At { base: General::Rbp, offset });
+            assembler.load_general(*register, General::Rbp, -8 * (index as i32 + 1));
         }
         assembler.move_general(General::Rsp, General::Rbp);
         assembler.pop(General::Rbp);
-        assembler.vzeroupper();
+        assembler.zero_upper();
         assembler.ret();
         self.assembler.finish()
     }

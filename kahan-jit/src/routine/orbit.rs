@@ -74,7 +74,7 @@ impl<T: Float> ComposedOrbit<T> {
         writer.assembler.move_general(General::R8, General::Rsi);
         writer.assembler.move_general(General::R9, General::Rdx);
         let next_stage = writer.assembler.label();
-        writer.assembler.load_general(General::Rax, Memory::At { base: General::R8, offset: 0 });
+        writer.assembler.load_general(General::Rax, General::R8, 0);
         writer.round(&addresses);
         writer.assembler.add_immediate(General::R8, 8);
         writer.assembler.decrement(General::R9);

@@ -49,15 +49,15 @@ impl<T: Float> Sweep<T> {
         let states = program.results().len();
         assert!(program.states() <= states, "a state that is read has a result");
         for (column, pointer) in POINTERS.into_iter().enumerate().take(states) {
-            writer.assembler.load_general(pointer, pointer_of(column));
+            writer.assembler.load_general(pointer, General::Rdi, place_of(column));
         }
         let addresses = |assembler: &mut Assembler, place| match place {
             Place::Given(Given::State(i)) => {
                 let base = POINTERS.get(i).copied().unwrap_or_else(|| {
-                    assembler.load_general(General::Rax, pointer_of(i));
+                    assembler.load_general(General::Rax, General::Rdi, place_of(i));
                     General::Rax
                 });
-                Memory::Indexed { base, index: General::R9, offset: 0 }
+                Memory::Indexed { base, index: General::R9 }
             }
             Place::Given(Given::Constant(k)) => {
                 Memory::At { base: General::R10, offset: entry(form, k) }
@@ -104,7 +104,7 @@ impl<T: Float> Sweep<T> {
     }
 }
 
-/// Where the address of a column stands.
-fn pointer_of(column: usize) -> Memory {
-    Memory::At { base: General::Rdi, offset: 8 * column as i32 }
+/// Where the address of a column stands among those of all.
+fn place_of(column: usize) -> i32 {
+    8 * column as i32
 }

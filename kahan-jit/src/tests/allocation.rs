@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use crate::allocation::{Allocation, FEWEST_REGISTERS, Operand, Operation, Place, Request};
-use crate::assembler::{Order, Vector};
-use crate::lines::{Binary, Ends, Fused, Given, Lines};
+use crate::assembler::{Fused, Order, Vector};
+use crate::lines::{Binary, Ends, Given, Lines};
 use crate::program::Program;
 
 use super::{Draw, random_program, run, same};
