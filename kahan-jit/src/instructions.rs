@@ -5,11 +5,11 @@ use crate::assembler::{Element, Form, Width};
 /// A set of instructions; a later one is larger.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
-    /// AVX: sixteen registers of 128 bits; a multiply-add is rounded twice.
+    /// AVX: sixteen registers, used with 128 bits.
     Avx,
-    /// AVX2 with fused multiply-adds: sixteen registers of 256 bits.
+    /// AVX2 and FMA: sixteen registers of 256 bits, fused multiply-adds.
     Avx2,
-    /// AVX-512F: thirty-two registers of 512 bits; multiply-adds are fused.
+    /// AVX-512F: thirty-two registers of 512 bits.
     Avx512,
 }
 
@@ -32,10 +32,16 @@ impl InstructionSet {
         false
     }
 
-    /// Whether multiply-adds are rounded once.
+    /// Whether it has multiply-adds that are rounded once.
     #[must_use]
-    pub fn fuses(self) -> bool {
+    pub fn has_fused(self) -> bool {
         self > Self::Avx
+    }
+
+    /// The largest that this processor can run; `None` where it can run none.
+    #[must_use]
+    pub fn best() -> Option<Self> {
+        Self::ALL.into_iter().rev().find(|set| set.is_available())
     }
 
     pub(crate) fn registers(self) -> u8 {
@@ -59,6 +65,8 @@ pub struct Shape {
     pub instructions: InstructionSet,
     /// How many numbers each of them works on.
     pub lanes: Lanes,
+    /// Whether multiply-adds are rounded once.
+    pub fuses: bool,
 }
 
 impl Shape {

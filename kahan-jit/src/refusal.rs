@@ -1,13 +1,13 @@
 //! Why there is no code.
 
-use crate::InstructionSet;
+use crate::Shape;
 
 /// Why there is no code; whoever asked computes in another way.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// The processor lacks the instructions.
-    Unavailable(InstructionSet),
+    /// The processor lacks the instructions, or they do not fuse.
+    Unavailable(Shape),
     /// The program is too long for a straight line.
     TooLong {
         /// Its instructions.
@@ -20,7 +20,12 @@ pub enum Refusal {
 impl core::fmt::Display for Refusal {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
-            Self::Unavailable(set) => write!(f, "this processor has no {set:?} instructions"),
+            Self::Unavailable(Shape { instructions, fuses: true, .. }) if !instructions.has_fused() => {
+                write!(f, "{instructions:?} has no multiply-adds that are rounded once")
+            }
+            Self::Unavailable(shape) => {
+                write!(f, "this processor has no {:?} instructions", shape.instructions)
+            }
             Self::TooLong { instructions } => {
                 write!(f, "a straight line of {instructions} operations is too long to be compiled")
             }

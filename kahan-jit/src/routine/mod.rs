@@ -45,14 +45,15 @@ impl Writer {
         plan: Plan,
         saved: &'static [General],
     ) -> Result<Self, Refusal> {
-        if !shape.instructions.is_available() {
-            return Err(Refusal::Unavailable(shape.instructions));
+        let Shape { instructions: set, fuses, .. } = shape;
+        if !set.is_available() || fuses && !set.has_fused() {
+            return Err(Refusal::Unavailable(shape));
         }
         let instructions = program.instructions.len();
         if instructions > MOST_INSTRUCTIONS {
             return Err(Refusal::TooLong { instructions });
         }
-        let lines = Lines::of(program, shape.instructions.fuses(), plan.ends);
+        let lines = Lines::of(program, fuses, plan.ends);
         let Plan { ends, keeps_constants, keeps_literals } = plan;
         let registers = shape.instructions.registers();
         let code = Allocation::of(&lines, Request { registers, ends, keeps_constants, keeps_literals });

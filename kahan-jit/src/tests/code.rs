@@ -8,11 +8,13 @@ use super::{Draw, random_program, run, same};
 
 /// The shapes that this machine has; the others are reported as not run.
 fn shapes(lanes: Lanes) -> impl Iterator<Item = Shape> {
-    InstructionSet::ALL.into_iter().filter_map(move |instructions| {
+    InstructionSet::ALL.into_iter().flat_map(move |instructions| {
         if !instructions.is_available() {
             println!("not run: this processor has no {instructions:?}");
         }
-        instructions.is_available().then_some(Shape { instructions, lanes })
+        [false, true].map(|fuses| Shape { instructions, lanes, fuses }).into_iter().filter(
+            |Shape { instructions, fuses, .. }| instructions.is_available() && (!fuses || instructions.has_fused()),
+        )
     })
 }
 
@@ -67,7 +69,7 @@ fn functions<T: Tested>() {
             let (x, c) = (numbers::<T>(&mut draw, states), numbers::<T>(&mut draw, constants));
             let mut found = vec![T::of(7.0); states];
             Function::compile(&program, shape).expect("it compiles").run(&x, &c, &mut found);
-            let expected = run(&program, &x, &c, shape.instructions.fuses());
+            let expected = run(&program, &x, &c, shape.fuses);
             assert_same(&found, &expected, &format!("case {case}, {shape:?}"), &program);
         }
     }
@@ -90,7 +92,7 @@ fn lanes_of<T: Tested>() {
             Function::compile(&program, shape).expect("it compiles").run(&x, &c, &mut found);
             for lane in 0..width {
                 let of_lane = |all: &[T]| all.iter().skip(lane).step_by(width).copied().collect::<Vec<T>>();
-                let expected = run(&program, &of_lane(&x), &of_lane(&c), shape.instructions.fuses());
+                let expected = run(&program, &of_lane(&x), &of_lane(&c), shape.fuses);
                 assert_same(&of_lane(&found), &expected, &format!("case {case}, {shape:?}"), &program);
             }
         }
@@ -109,7 +111,7 @@ fn orbits<T: Tested>() {
         let (program, states, constants) = draw_program(&mut draw, case, T::ROUNDS);
         for shape in shapes(Lanes::One) {
             let what = format!("case {case}, {shape:?}");
-            let fuses = shape.instructions.fuses();
+            let fuses = shape.fuses;
             let x = numbers::<T>(&mut draw, states);
             let stages: Vec<Vec<T>> = (0..3).map(|_| numbers(&mut draw, constants)).collect();
             let orbit = Orbit::compile(&program, shape).expect("it compiles");
@@ -159,7 +161,7 @@ fn sweeps<T: Tested>() {
                         let own = &all[set * constants * width..][..constants * width];
                         let own: Vec<T> = own.iter().skip(trajectory % width).step_by(width).copied().collect();
                         let start: Vec<T> = at(&columns);
-                        let fuses = shape.instructions.fuses();
+                        let fuses = shape.fuses;
                         let expected = (0..steps).fold(start, |x, _| run(&program, &x, &own, fuses));
                         let found: Vec<T> = at(&found);
                         let what = format!("case {case}, {shape:?}, {of:?}, {steps} steps, trajectory {trajectory}");
@@ -182,7 +184,7 @@ fn small() -> Program {
     random_program(&mut Draw(5), 3, 2, 20, false)
 }
 
-const SCALAR: Shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One };
+const SCALAR: Shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One, fuses: false };
 
 #[test]
 #[should_panic(expected = "3 states")]
@@ -191,6 +193,12 @@ fn code_is_not_entered_with_too_few_states() {
         panic!("3 states, and no code");
     }
     Orbit::compile(&small(), SCALAR).expect("it compiles").run(&mut [1.0, 2.0], &[1.0, 2.0], 1);
+}
+
+#[test]
+fn what_an_instruction_set_lacks_is_refused() {
+    let refusal = Orbit::<f64>::compile(&small(), Shape { fuses: true, ..SCALAR }).expect_err("AVX fuses nothing");
+    assert!(refusal.to_string().contains("no multiply-adds"), "{refusal}");
 }
 
 #[test]

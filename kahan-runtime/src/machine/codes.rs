@@ -81,7 +81,7 @@ impl Codes {
         let compile = || -> Option<Arc<Stepping<T>>> {
             let program = kind.program(form.of(derived.step()?), &derived.system.field.symbols);
             let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
-            let shape = Shape { instructions, lanes: Lanes::One };
+            let shape = Shape { instructions, lanes: Lanes::One, fuses: kind.fuses };
             let code: Result<_, Refusal> = if is_composed {
                 ComposedOrbit::compile(&program, shape).map(Stepping::Composed)
             } else {
