@@ -5,6 +5,11 @@
 //! the growth of their heights ([`heights`]). It must not know the catalog: a system comes from its
 //! caller. Beside them, how work is spread over processors ([`threads`]).
 
+mod diagnostics;
 pub mod heights;
 pub mod interpreted;
+mod text;
 pub mod threads;
+
+pub use diagnostics::Diagnostics;
+pub use text::FieldText;
