@@ -5,8 +5,26 @@
 //! the growth of their heights ([`heights`]). It must not know the catalog: a system comes from its
 //! caller. Beside them, how work is spread over processors ([`threads`]).
 
+mod at;
+mod claim;
+mod diagnostics;
+mod dimension;
+mod engine;
+mod field;
 pub mod heights;
 pub mod interpreted;
 mod machine;
+mod map;
 pub mod orbit;
+mod parameters;
+mod text;
 pub mod threads;
+
+pub use at::{MachineFloat, MapAt};
+pub use claim::ClaimError;
+pub use diagnostics::Diagnostics;
+pub use dimension::DimensionError;
+pub use field::Field;
+pub use map::Map;
+pub use parameters::{ParameterError, ParameterValue};
+pub use text::FieldText;

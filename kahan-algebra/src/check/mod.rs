@@ -21,6 +21,8 @@ use crate::token::Span;
 
 use names::Scope;
 
+pub use spelling::nearest;
+
 /// Checks a block.
 #[must_use]
 pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {

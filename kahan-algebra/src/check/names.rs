@@ -12,7 +12,7 @@ use crate::syntax::{Block, ClaimBody, Expr, Name};
 use crate::table::sorted_by_key;
 use crate::token::Span;
 
-use super::spelling::is_keyword;
+use super::spelling::{is_keyword, nearest};
 
 /// What a name means in an equation.
 #[derive(Clone, Debug)]
@@ -169,19 +169,7 @@ impl Scope {
             candidates.extend(self.claims.iter().cloned());
             candidates.push("eps".to_owned());
         }
-        let tolerance = match name.chars().count() {
-            0..=1 => 0,
-            2..=4 => 1,
-            _ => 2,
-        };
-        candidates
-            .into_iter()
-            .map(|candidate| {
-                (strsim::levenshtein(&name.to_lowercase(), &candidate.to_lowercase()), candidate)
-            })
-            .filter(|(distance, _)| *distance <= tolerance)
-            .min_by_key(|(distance, _)| *distance)
-            .map(|(_, candidate)| candidate)
+        nearest(name, &candidates).cloned()
     }
 
     /// Parameters of the header that neither equations nor claims use.

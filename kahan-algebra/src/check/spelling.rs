@@ -1,4 +1,4 @@
-//! Names as letters: which ones Rust keeps for itself.
+//! Names as letters: which ones Rust keeps for itself, and which are slips of others.
 
 /// Keywords of Rust, strict and reserved, which cannot name a field of a struct.
 pub(super) fn is_keyword(name: &str) -> bool {
@@ -10,4 +10,16 @@ pub(super) fn is_keyword(name: &str) -> bool {
         "try", "typeof", "unsized", "virtual", "yield",
     ];
     KEYWORDS.contains(&name)
+}
+
+/// The name that `name` is a slip of, if one of them is close enough; of equals, the first.
+#[must_use]
+pub fn nearest<'a>(name: &str, known: &'a [String]) -> Option<&'a String> {
+    let tolerance = match name.chars().count() {
+        0..=1 => 0,
+        2..=4 => 1,
+        _ => 2,
+    };
+    let distance = |known: &&String| strsim::levenshtein(&name.to_lowercase(), &known.to_lowercase());
+    known.iter().min_by_key(distance).filter(|nearest| distance(nearest) <= tolerance)
 }

@@ -10,7 +10,7 @@ use super::program::Program;
 
 /// The programs of a system.
 #[derive(Debug)]
-pub(super) struct Code {
+pub(crate) struct Code {
     pub(super) states: Vec<String>,
     pub(super) field: Program,
     pub(super) field_jacobian: Program,
@@ -47,7 +47,7 @@ pub(super) struct Integral {
 }
 
 impl Code {
-    pub(super) fn of(derived: &Derived) -> Self {
+    pub(crate) fn of(derived: &Derived) -> Self {
         let symbols = &derived.system.field.symbols;
         let program = |plan: &Plan| Program::of(plan, symbols);
         let perhaps = |plan: &Option<Plan>| plan.as_ref().map(program);

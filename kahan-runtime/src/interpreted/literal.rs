@@ -8,7 +8,7 @@ const EXACT_IN_F32: i64 = 1 << 24;
 
 /// A number of a field's text, in the form that generated code writes for it.
 #[derive(Clone, Debug)]
-pub(super) enum Literal {
+pub(crate) enum Literal {
     Short(Constant<'static>),
     /// Its limbs of 64 bits in little-endian order, its nearest floats, and what `double` leaves.
     Long {
@@ -43,7 +43,7 @@ impl From<&Rational> for Literal {
 
 impl Literal {
     /// The constant that every scalar rounds once.
-    pub(super) fn as_constant(&self) -> Constant<'_> {
+    pub(crate) fn as_constant(&self) -> Constant<'_> {
         match self {
             Self::Short(constant) => *constant,
             Self::Long { negative, numerator, denominator, single, double, low } => {

@@ -27,8 +27,10 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Scalar, StepCost};
 
-use code::Code;
 use program::{Inputs, Program};
+
+pub(crate) use code::Code;
+pub(crate) use literal::Literal;
 
 pub use dimension::{LARGEST_DIMENSION, UnsupportedDimension, VisitDimension, visit_dimension};
 pub use literal::round;
@@ -117,6 +119,12 @@ impl<const N: usize> Interpreted<BigRational, N> {
 }
 
 impl<T: Scalar, const N: usize> Interpreted<T, N> {
+    /// The map at these parameters, at which the field is defined; N is no less than its number of
+    /// variables.
+    pub(crate) fn of(code: &Arc<Code>, parameters: Arc<[T]>) -> Self {
+        Interpreted { code: Arc::clone(code), parameters, dimension: PhantomData }
+    }
+
     /// What a step of the generated code costs.
     #[must_use]
     pub fn cost(&self) -> StepCost {

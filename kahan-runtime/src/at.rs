@@ -1,0 +1,291 @@
+//! A map at one ε, over slices.
+
+use std::sync::Arc;
+
+use kahan_core::Composition;
+
+use crate::dimension::Argument;
+use crate::engine::{Columns, Engine, Object, Scratches, Stage};
+use crate::{ClaimError, DimensionError, Map};
+
+/// A float of the machine: `f64` or `f32`.
+pub trait MachineFloat: Scratches {}
+
+impl MachineFloat for f32 {}
+impl MachineFloat for f64 {}
+
+/// Kahan's map at one ε, half the time step; made by [`Map::at`].
+///
+/// States are slices, an entry a variable. Bits are those of the code that `kahan!` writes, for
+/// single steps and for columns (where those are ensembles at
+/// [`Level::Baseline`](kahan_core::Level::Baseline)). Nothing panics, whatever the numbers are: a
+/// pole shows as numbers that are not finite. After the first call on a thread no step allocates.
+/// A map can be used from any number of threads at once, none of which waits for another.
+#[derive(Clone, Debug)]
+pub struct MapAt<T> {
+    map: Map,
+    /// The parameters, and ε behind them.
+    constants: Arc<[T]>,
+    composition: Composition,
+    /// Those that differ.
+    stages: Arc<[Stage<T>]>,
+}
+
+impl<T: MachineFloat> MapAt<T> {
+    /// The map with the parameters, and ε behind them.
+    pub(crate) fn new(map: Map, constants: Arc<[T]>) -> Self {
+        let composition = Composition::KAHAN;
+        MapAt { map, constants, composition, stages: Arc::default() }.composed(composition)
+    }
+
+    /// The same map with each step replaced by a composition of steps, which has a higher order; a
+    /// step still takes the time 2ε. [`Composition`] says what survives and what does not.
+    ///
+    /// It changes [`step`](Self::step) and what advances. Everything else, the Jacobian too, is of
+    /// the map itself at ε.
+    #[must_use]
+    pub fn composed(&self, composition: Composition) -> Self {
+        let stages = self.engine().stages(&self.constants, composition).into();
+        MapAt { composition, stages, ..self.clone() }
+    }
+
+    /// The map.
+    #[must_use]
+    pub fn map(&self) -> &Map {
+        &self.map
+    }
+
+    /// ε, half the time step.
+    #[must_use]
+    pub fn eps(&self) -> T {
+        self.own().1
+    }
+
+    /// The parameters, and ε.
+    fn own(&self) -> (&[T], T) {
+        let (eps, parameters) =
+            self.constants.split_last().unwrap_or_else(|| unreachable!("eps is one of them"));
+        (parameters, *eps)
+    }
+
+    /// x̃, the state one time step of 2ε later.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` or `next` has not an entry a variable.
+    pub fn step(&self, x: &[T], next: &mut [T]) -> Result<(), DimensionError> {
+        self.check_out(next, self.dimension())?;
+        self.check_state(x)?;
+        next.copy_from_slice(x);
+        self.engine().advance(&self.stages, next, 1);
+        Ok(())
+    }
+
+    /// Replaces `x` by the state so many steps later.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable.
+    pub fn advance(&self, x: &mut [T], steps: u64) -> Result<(), DimensionError> {
+        self.check_state(x)?;
+        self.engine().advance(&self.stages, x, steps);
+        Ok(())
+    }
+
+    /// The same with the rounding error of each addition carried into the next one: the orbit is at
+    /// `x` + `carry`. Begin with zeros, and hand the same carry over again to go on.
+    ///
+    /// See [`Orbit::compensated`](kahan_core::Orbit::compensated) for what that cures.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` or `carry` has not an entry a variable.
+    pub fn advance_with_carry(&self, x: &mut [T], carry: &mut [T], steps: u64) -> Result<(), DimensionError> {
+        self.check_state(x)?;
+        DimensionError::check(Argument::Carry, carry.len(), self.dimension())?;
+        self.engine().advance_with_carry(&self.stages, x, carry, steps);
+        Ok(())
+    }
+
+    /// Advances many trajectories: column c holds variable c of all of them, in one order.
+    ///
+    /// `eps` holds ε for each trajectory, or one for all, or nothing, which means that of the map.
+    /// `parameters` has a list a parameter, each of a value for each trajectory or one for all; an
+    /// empty one means those of the map. A trajectory has the same bits whatever stands beside it,
+    /// and those of an ensemble at its ε and parameters.
+    ///
+    /// # Errors
+    /// [`DimensionError`] for what has another length.
+    ///
+    /// ```
+    /// use kahan_runtime::Field;
+    ///
+    /// let map = Field::parse("xdot = r*x*(1 - y); ydot = r*y*(x - 1);").unwrap().with([("r", 1)]).unwrap();
+    /// let (mut x, mut y) = ([1.5, 1.5, 0.7], [1.0, 1.0, 0.7]);
+    /// let rates = [1.0, 0.5, 1.0];
+    /// map.at(0.05).advance_columns(&mut [&mut x, &mut y], &[], &[&rates], 100).unwrap();
+    ///
+    /// let mut alone = [1.5, 1.0];
+    /// map.at(0.05).advance(&mut alone, 100).unwrap();
+    /// assert!((x[0] - alone[0]).abs() < 1e-12 && x[1] != x[0]);
+    /// ```
+    pub fn advance_columns(
+        &self,
+        columns: &mut [&mut [T]],
+        eps: &[T],
+        parameters: &[&[T]],
+        steps: u64,
+    ) -> Result<(), DimensionError> {
+        let trajectories = columns.first().map_or(0, |column| column.len());
+        self.check_columns(columns, eps, parameters, trajectories)?;
+        let (own, own_eps) = self.own();
+        let eps = if eps.is_empty() { &[own_eps] } else { eps };
+        let mut columns = Columns { columns, eps, own, parameters };
+        self.engine().advance_columns(&mut columns, self.composition, steps);
+        Ok(())
+    }
+
+    fn check_columns(
+        &self,
+        columns: &[&mut [T]],
+        eps: &[T],
+        parameters: &[&[T]],
+        trajectories: usize,
+    ) -> Result<(), DimensionError> {
+        let symbols = &self.map.field().system().field.symbols;
+        DimensionError::check(Argument::Columns, columns.len(), self.dimension())?;
+        let refused = |argument, found| Err(DimensionError::new(argument, found, trajectories));
+        for (column, variable) in columns.iter().zip(&symbols.states) {
+            if column.len() != trajectories {
+                return refused(Argument::Column(variable.clone()), column.len());
+            }
+        }
+        if eps.len() > 1 && eps.len() != trajectories {
+            return refused(Argument::Eps, eps.len());
+        }
+        if !parameters.is_empty() {
+            DimensionError::check(Argument::Parameters, parameters.len(), symbols.parameters.len())?;
+        }
+        for (values, name) in parameters.iter().zip(&symbols.parameters) {
+            if values.len() != 1 && values.len() != trajectories {
+                return refused(Argument::Parameter(name.clone()), values.len());
+            }
+        }
+        Ok(())
+    }
+
+    /// f(x), an entry a variable.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` or `out` has not an entry a variable.
+    pub fn field(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
+        self.object(Object::Field, x, out, self.dimension())
+    }
+
+    /// f′(x) row by row: ∂fᵢ/∂xⱼ is entry n·i + j, with n variables.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
+    pub fn field_jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
+        self.object(Object::FieldJacobian, x, out, self.dimension().pow(2))
+    }
+
+    /// A(x,ε) = I − εf′(x), row by row.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
+    pub fn matrix(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
+        self.check_state(x)?;
+        self.check_out(out, self.dimension().pow(2))?;
+        self.engine().matrix(&self.constants, x, out);
+        Ok(())
+    }
+
+    /// ∂x̃/∂x, row by row.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
+    pub fn jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
+        self.check_state(x)?;
+        self.check_out(out, self.dimension().pow(2))?;
+        self.engine().jacobian(&self.constants, x, out);
+        Ok(())
+    }
+
+    /// The integrals, in the order of [`Field::integrals`](crate::Field::integrals).
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not one an integral.
+    pub fn integrals(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
+        self.object(Object::Integrals, x, out, self.map.field().integrals().len())
+    }
+
+    /// The density of the invariant measure.
+    ///
+    /// # Errors
+    /// [`ClaimError`] if the field claims none, or `x` has not an entry a variable.
+    pub fn density(&self, x: &[T]) -> Result<T, ClaimError> {
+        if self.map.field().derived().density.is_none() {
+            return Err(ClaimError::NoDensity);
+        }
+        let mut out = [T::zero()];
+        self.object(Object::Density, x, &mut out, 1)?;
+        Ok(out[0])
+    }
+
+    /// The Poisson tensor of a bracket, row by row.
+    ///
+    /// # Errors
+    /// [`ClaimError`] if the field claims no bracket of this name, if `x` has not an entry a
+    /// variable, or `out` not n².
+    pub fn bracket(&self, name: &str, x: &[T], out: &mut [T]) -> Result<(), ClaimError> {
+        let mut brackets = self.map.field().brackets();
+        let Some(index) = brackets.position(|known| known == name) else {
+            let brackets = self.map.field().brackets().map(str::to_owned).collect();
+            return Err(ClaimError::NoBracket { name: name.to_owned(), brackets });
+        };
+        let n = self.dimension();
+        self.object(Object::Bracket(index), x, out, n.pow(2))?;
+        spread_antisymmetric(out, n);
+        Ok(())
+    }
+
+    fn object(&self, object: Object, x: &[T], out: &mut [T], entries: usize) -> Result<(), DimensionError> {
+        self.check_state(x)?;
+        self.check_out(out, entries)?;
+        self.engine().evaluate(object, &self.constants, x, out);
+        Ok(())
+    }
+
+    fn engine(&self) -> &Engine {
+        &self.map.field().engine
+    }
+
+    fn dimension(&self) -> usize {
+        self.map.field().variables().len()
+    }
+
+    fn check_state(&self, x: &[T]) -> Result<(), DimensionError> {
+        DimensionError::check(Argument::State, x.len(), self.dimension())
+    }
+
+    fn check_out(&self, out: &[T], expected: usize) -> Result<(), DimensionError> {
+        DimensionError::check(Argument::Out, out.len(), expected)
+    }
+}
+
+/// The entries above the diagonal of an antisymmetric matrix, row by row at the beginning of
+/// `entries`, become the whole matrix.
+fn spread_antisymmetric<T: MachineFloat>(entries: &mut [T], n: usize) {
+    let mut above = n * (n - 1) / 2;
+    // From the last to the first: no entry is written to before it was moved away.
+    for i in (0..n).rev() {
+        for j in (i + 1..n).rev() {
+            above -= 1;
+            entries[i * n + j] = entries[above];
+        }
+    }
+    for i in 0..n {
+        entries[i * n + i] = T::zero();
+        for j in 0..i {
+            entries[i * n + j] = -entries[j * n + i];
+        }
+    }
+}

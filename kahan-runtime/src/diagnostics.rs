@@ -1,0 +1,45 @@
+//! What is wrong with a text, as an error.
+
+use core::fmt;
+use std::ops::Range;
+
+use kahan_algebra::diagnostics::Diagnostic;
+use kahan_algebra::render::report;
+
+/// The mistakes of a text in the language of `kahan!`: those that the macro reports, at the same
+/// places and in the same words.
+///
+/// As text each is a paragraph, with the source line and a caret under the place, and with what to
+/// write instead.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostics {
+    mistakes: Vec<Diagnostic>,
+    reports: Vec<String>,
+}
+
+impl Diagnostics {
+    pub(crate) fn new(mistakes: Vec<Diagnostic>, text: &str, ranges: &[Range<usize>], origin: &str) -> Self {
+        /// Nobody reads more at once.
+        const MOST: usize = 8;
+        let reports = mistakes.iter().take(MOST).map(|mistake| report(mistake, text, ranges, origin));
+        Diagnostics { reports: reports.collect(), mistakes }
+    }
+
+    /// The mistakes, in the order of their places.
+    #[must_use]
+    pub fn mistakes(&self) -> &[Diagnostic] {
+        &self.mistakes
+    }
+}
+
+impl fmt::Display for Diagnostics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.reports.iter().try_for_each(|report| f.write_str(report))?;
+        match self.mistakes.len() - self.reports.len() {
+            0 => Ok(()),
+            more => writeln!(f, "error: {more} more mistakes are not shown"),
+        }
+    }
+}
+
+impl core::error::Error for Diagnostics {}

@@ -1,0 +1,95 @@
+//! Numbers of numbers that do not fit.
+
+use core::fmt;
+
+/// An argument that has not as many entries as are needed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DimensionError {
+    argument: Argument,
+    found: usize,
+    expected: usize,
+}
+
+/// What has the wrong number of entries.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Argument {
+    State,
+    /// Where a result is to be written.
+    Out,
+    Carry,
+    Columns,
+    /// The column of a variable.
+    Column(String),
+    Eps,
+    Parameters,
+    /// The values of a parameter.
+    Parameter(String),
+    Type,
+}
+
+impl DimensionError {
+    pub(crate) fn new(argument: Argument, found: usize, expected: usize) -> Self {
+        DimensionError { argument, found, expected }
+    }
+
+    /// Refuses another number than is expected.
+    pub(crate) fn check(argument: Argument, found: usize, expected: usize) -> Result<(), Self> {
+        if found == expected { Ok(()) } else { Err(Self::new(argument, found, expected)) }
+    }
+
+    /// Refuses a type of fewer variables than there are.
+    pub(crate) fn check_type(found: usize, expected: usize) -> Result<(), Self> {
+        Self::check(Argument::Type, found.min(expected), expected)
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn found(&self) -> usize {
+        self.found
+    }
+
+    /// How many are needed; of what can be one for all trajectories, how many trajectories there
+    /// are.
+    #[must_use]
+    pub fn expected(&self) -> usize {
+        self.expected
+    }
+}
+
+impl fmt::Display for DimensionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let DimensionError { argument, found, expected } = self;
+        let entries = if *found == 1 { "entry" } else { "entries" };
+        match argument {
+            Argument::State => write!(f, "the state has {found} {entries}; give {expected}, one a variable"),
+            Argument::Out => {
+                write!(f, "there is room for {found} {entries} of the result; make it {expected}")
+            }
+            Argument::Carry => write!(f, "the carry has {found} {entries}; give {expected}, one a variable"),
+            Argument::Columns => write!(f, "the columns are {found}; give {expected}, one a variable"),
+            Argument::Column(variable) => {
+                write!(
+                    f,
+                    "the column of `{variable}` has {found} {entries}; give {expected}, as in the first"
+                )
+            }
+            Argument::Eps => {
+                write!(f, "eps has {found} {entries}; give none, one, or {expected}, one a trajectory")
+            }
+            Argument::Parameters => {
+                write!(f, "the parameters are {found}; give none, or {expected} lists, one a parameter")
+            }
+            Argument::Parameter(name) => {
+                write!(
+                    f,
+                    "the parameter `{name}` has {found} {entries}; give one, or {expected}, one a trajectory"
+                )
+            }
+            Argument::Type => {
+                write!(f, "the type has {found} variables, and the field {expected}; take a larger one")
+            }
+        }
+    }
+}
+
+impl core::error::Error for DimensionError {}

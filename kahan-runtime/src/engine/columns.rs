@@ -1,0 +1,134 @@
+//! Many trajectories at once, a column a variable.
+//!
+//! In: columns, and ε and parameters, one for all trajectories or one each. Out: the columns some
+//! steps later. Trajectories go side by side through the form of the step that ensembles take; a
+//! step by elimination, which compares numbers, moves one after the other.
+
+use core::slice;
+
+use kahan_core::{Composition, Scalar};
+
+use super::lanes::{LANES, Lanes};
+use super::scratch::{Local, Scratches, with_scratch};
+use super::step::Step;
+use super::{Engine, distinct, in_turn};
+
+/// What is to be advanced.
+#[derive(Debug)]
+pub(crate) struct Columns<'a, 'b, T> {
+    /// Variable c of all trajectories: all of one length.
+    pub(crate) columns: &'a mut [&'b mut [T]],
+    /// One value, or one a trajectory.
+    pub(crate) eps: &'a [T],
+    /// The parameters of the map.
+    pub(crate) own: &'a [T],
+    /// What stands in their place, if anything: for each one value, or one a trajectory.
+    pub(crate) parameters: &'a [&'a [T]],
+}
+
+/// Numbers of as many trajectories as go side by side.
+trait Abreast<T>: Scalar + Copy {
+    /// How many.
+    const WIDTH: usize;
+
+    /// One of each trajectory.
+    fn gather(value: impl Fn(usize) -> T) -> Self;
+
+    /// That of a trajectory.
+    fn of(&self, place: usize) -> T;
+}
+
+impl<T: Scratches> Abreast<T> for T {
+    const WIDTH: usize = 1;
+
+    fn gather(value: impl Fn(usize) -> T) -> Self {
+        value(0)
+    }
+
+    fn of(&self, _place: usize) -> T {
+        *self
+    }
+}
+
+impl<T: Scratches> Abreast<T> for Lanes<T> {
+    const WIDTH: usize = LANES;
+
+    #[inline(always)]
+    fn gather(value: impl Fn(usize) -> T) -> Self {
+        Lanes(core::array::from_fn(value))
+    }
+
+    #[inline(always)]
+    fn of(&self, place: usize) -> T {
+        self.0[place]
+    }
+}
+
+impl Engine {
+    /// Advances every trajectory by so many steps of a composition.
+    pub(crate) fn advance_columns<T: Scratches>(
+        &self,
+        columns: &mut Columns<'_, '_, T>,
+        composition: Composition,
+        steps: u64,
+    ) {
+        let step = self.steps().of_lanes();
+        if step.has_lanes() {
+            advance(step, T::lanes(), columns, composition, steps);
+        } else {
+            advance(step, T::single(), columns, composition, steps);
+        }
+    }
+}
+
+/// Advances the trajectories in groups of as many as go side by side; where the last are fewer,
+/// copies of the last one fill the group.
+fn advance<T, V>(
+    step: &Step,
+    local: Local<V>,
+    Columns { columns, eps, own, parameters }: &mut Columns<'_, '_, T>,
+    composition: Composition,
+    steps: u64,
+) where
+    T: Scratches,
+    V: Abreast<T>,
+{
+    let trajectories = columns.first().map_or(0, |column| column.len());
+    with_scratch(local, |scratch| {
+        let [mut constants, mut given, mut state] =
+            [&mut scratch.constants, &mut scratch.given, &mut scratch.state].map(core::mem::take);
+        for first in (0..trajectories).step_by(V::WIDTH) {
+            let last = trajectories.min(first + V::WIDTH) - 1;
+            let gather = |values: &[T]| {
+                V::gather(|place| if values.len() == 1 { values[0] } else { values[last.min(first + place)] })
+            };
+            [&mut constants, &mut given, &mut state].into_iter().for_each(Vec::clear);
+            if parameters.is_empty() {
+                constants.extend(own.iter().map(|value| gather(slice::from_ref(value))));
+            } else {
+                constants.extend(parameters.iter().map(|values| gather(values)));
+            }
+            state.extend(columns.iter().map(|column| gather(column)));
+            constants.push(V::zero());
+            let eps = gather(eps);
+            let stages = distinct(&composition);
+            let count = stages.len();
+            for coefficient in stages {
+                constants[own.len()] = V::constant(coefficient) * eps;
+                step.prepare(&constants, &mut scratch.registers, &mut given);
+            }
+            let length = given.len() / count;
+            for _ in 0..steps {
+                in_turn(count, |k| {
+                    step.advance(&given[k * length..][..length], false, &mut state, scratch);
+                });
+            }
+            for (column, x) in columns.iter_mut().zip(&state) {
+                for (place, entry) in column[first..=last].iter_mut().enumerate() {
+                    *entry = x.of(place);
+                }
+            }
+        }
+        (scratch.constants, scratch.given, scratch.state) = (constants, given, state);
+    });
+}

@@ -1,0 +1,60 @@
+//! Elimination on slices: the operations of `kahan-core`'s in their order, for any number of
+//! variables.
+
+use kahan_core::Scalar;
+
+use super::line::has_value;
+
+/// Replaces `b`, a matrix of `a`'s height and any width, by the solution X of A·X = B; `a` is used
+/// up. Both are row by row, A is n×n.
+///
+/// For a singular matrix the answer is not finite.
+pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) {
+    let width = b.len() / n;
+    for k in 0..n {
+        let better =
+            |best: usize, i: usize| if a[i * n + k].is_better_pivot(&a[best * n + k]) { i } else { best };
+        let row = (k + 1..n).fold(k, better);
+        swap_rows(a, n, k, row);
+        swap_rows(b, width, k, row);
+        // The pivot itself is not needed again: its reciprocal takes its place.
+        let reciprocal = has_value(a[k * n + k].reciprocal());
+        for i in k + 1..n {
+            let factor = a[i * n + k] * reciprocal;
+            subtract_row(a, n, [i, k], k + 1, factor);
+            subtract_row(b, width, [i, k], 0, factor);
+        }
+        a[k * n + k] = reciprocal;
+    }
+    for k in (0..n).rev() {
+        for j in 0..width {
+            let mut entry = b[k * width + j];
+            for i in k + 1..n {
+                entry -= a[k * n + i] * b[i * width + j];
+            }
+            b[k * width + j] = entry * a[k * n + k];
+        }
+    }
+}
+
+fn swap_rows<V>(matrix: &mut [V], width: usize, k: usize, row: usize) {
+    if row != k {
+        let (above, below) = matrix.split_at_mut(row * width);
+        above[k * width..][..width].swap_with_slice(&mut below[..width]);
+    }
+}
+
+/// Row i −= factor · row k, i being below k, from column `from` on.
+fn subtract_row<V: Scalar + Copy>(
+    matrix: &mut [V],
+    width: usize,
+    [i, k]: [usize; 2],
+    from: usize,
+    factor: V,
+) {
+    let (above, below) = matrix.split_at_mut(i * width);
+    let upper = &above[k * width + from..][..width - from];
+    for (entry, above) in below[from..width].iter_mut().zip(upper) {
+        *entry -= factor * *above;
+    }
+}

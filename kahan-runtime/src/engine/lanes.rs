@@ -1,0 +1,120 @@
+//! Numbers of several trajectories side by side, as one scalar.
+//!
+//! Every operation is that of the floats, lane by lane, so each lane has the bits that it would
+//! have alone. An instruction of a line is decoded once for all of them.
+
+use core::array::from_fn;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use kahan_core::num_traits::{One, Zero};
+use kahan_core::{Constant, Scalar};
+
+use super::line::has_value;
+
+/// How many trajectories stand side by side.
+pub(crate) const LANES: usize = 8;
+
+/// One number of each of several trajectories.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lanes<T>(pub(crate) [T; LANES]);
+
+impl<T: Scalar + Copy> Lanes<T> {
+    #[inline(always)]
+    pub(crate) fn splat(value: T) -> Self {
+        Lanes([value; LANES])
+    }
+
+    #[inline(always)]
+    fn zip(self, other: Self, operation: impl Fn(T, T) -> T) -> Self {
+        Lanes(from_fn(|lane| operation(self.0[lane], other.0[lane])))
+    }
+
+    #[inline(always)]
+    fn zip3(self, b: Self, c: Self, operation: impl Fn(T, T, T) -> T) -> Self {
+        Lanes(from_fn(|lane| operation(self.0[lane], b.0[lane], c.0[lane])))
+    }
+}
+
+macro_rules! operators {
+    ($($Operator:ident $method:ident, $Assign:ident $assign:ident;)*) => { $(
+        impl<T: Scalar + Copy> $Operator for Lanes<T> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, T::$method)
+            }
+        }
+
+        impl<T: Scalar + Copy> $Assign for Lanes<T> {
+            #[inline(always)]
+            fn $assign(&mut self, other: Self) {
+                *self = self.$method(other);
+            }
+        }
+    )* };
+}
+
+operators! {
+    Add add, AddAssign add_assign;
+    Sub sub, SubAssign sub_assign;
+    Mul mul, MulAssign mul_assign;
+    Div div, DivAssign div_assign;
+}
+
+impl<T: Scalar + Copy> Neg for Lanes<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Lanes(self.0.map(T::neg))
+    }
+}
+
+impl<T: Scalar + Copy> Zero for Lanes<T> {
+    fn zero() -> Self {
+        Lanes::splat(T::zero())
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0.iter().all(T::is_zero)
+    }
+}
+
+impl<T: Scalar + Copy> One for Lanes<T> {
+    fn one() -> Self {
+        Lanes::splat(T::one())
+    }
+}
+
+impl<T: Scalar + Copy> Scalar for Lanes<T> {
+    #[inline]
+    fn constant(c: &Constant<'_>) -> Self {
+        Lanes::splat(T::constant(c))
+    }
+
+    #[inline(always)]
+    fn reciprocal(&self) -> Option<Self> {
+        Some(Lanes(self.0.map(|value| has_value(value.reciprocal()))))
+    }
+
+    #[inline(always)]
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        Some(self.zip(divisor, |a, b| has_value(a.quotient(b))))
+    }
+
+    #[inline(always)]
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        self.zip3(factor, addend, T::multiply_add)
+    }
+
+    #[inline(always)]
+    fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+        self.zip3(factor, subtrahend, T::multiply_subtract)
+    }
+
+    #[inline(always)]
+    fn subtract_product(self, a: Self, b: Self) -> Self {
+        self.zip3(a, b, T::subtract_product)
+    }
+}

@@ -1,0 +1,87 @@
+//! Room to compute in: each thread has its own, keeps it, and waits for nobody.
+//!
+//! In: work. Out: the same work with vectors that have been grown by the work before, so that steps
+//! allocate nothing once a thread has made the first.
+
+use core::cell::Cell;
+use std::thread::LocalKey;
+
+use kahan_core::__private::Dual;
+use kahan_core::FloatScalar;
+
+use super::lanes::Lanes;
+
+/// The vectors that a step over V computes in; what they hold between two steps means nothing.
+#[derive(Debug)]
+pub struct Scratch<V> {
+    /// The registers of a line.
+    pub(super) registers: Vec<V>,
+    /// What a step is about to add: numerators, then their reciprocals.
+    pub(super) outcome: Vec<V>,
+    /// A(x,ε), row by row.
+    pub(super) matrix: Vec<V>,
+    /// What the lines of the stages are given.
+    pub(crate) given: Vec<V>,
+    /// The parameters and ε.
+    pub(crate) constants: Vec<V>,
+    /// The state, where it is not the caller's.
+    pub(crate) state: Vec<V>,
+}
+
+impl<V> Default for Scratch<V> {
+    fn default() -> Self {
+        Scratch {
+            registers: Vec::new(),
+            outcome: Vec::new(),
+            matrix: Vec::new(),
+            given: Vec::new(),
+            constants: Vec::new(),
+            state: Vec::new(),
+        }
+    }
+}
+
+/// The scratch of a thread.
+pub(super) type Local<V> = &'static LocalKey<Cell<Scratch<V>>>;
+
+/// A float with scratch for it, for several side by side, and for its dual numbers.
+pub trait Scratches: FloatScalar + Send + Sync {
+    /// For one state.
+    fn single() -> Local<Self>;
+    /// For several side by side.
+    fn lanes() -> Local<Lanes<Self>>;
+    /// For derivatives along one direction.
+    fn duals() -> Local<Dual<Self, 1>>;
+}
+
+macro_rules! implement_for_float {
+    ($float:ty) => {
+        impl Scratches for $float {
+            fn single() -> Local<Self> {
+                thread_local!(static SCRATCH: Cell<Scratch<$float>> = Cell::default());
+                &SCRATCH
+            }
+
+            fn lanes() -> Local<Lanes<Self>> {
+                thread_local!(static SCRATCH: Cell<Scratch<Lanes<$float>>> = Cell::default());
+                &SCRATCH
+            }
+
+            fn duals() -> Local<Dual<Self, 1>> {
+                thread_local!(static SCRATCH: Cell<Scratch<Dual<$float, 1>>> = Cell::default());
+                &SCRATCH
+            }
+        }
+    };
+}
+
+implement_for_float!(f32);
+implement_for_float!(f64);
+
+/// Does the work with the scratch of this thread; a thread that is ending gets a new one.
+pub(crate) fn with_scratch<V, R>(local: Local<V>, work: impl FnOnce(&mut Scratch<V>) -> R) -> R {
+    let mut scratch = local.try_with(Cell::take).unwrap_or_default();
+    let result = work(&mut scratch);
+    let _ = local.try_with(|kept| kept.set(scratch));
+    result
+}

@@ -1,0 +1,180 @@
+//! The values of a field's parameters, by their names.
+//!
+//! In: pairs of names and numbers. Out: an exact number a parameter, in the order of the field, or
+//! what is wrong. A float is the number that it is: 0.1 is a tenth rounded to a double, as it is in
+//! Rust.
+
+use core::fmt;
+
+use kahan_algebra::arithmetic::Exact;
+use kahan_algebra::check::nearest;
+use kahan_algebra::derived::Derived;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::{Symbol, Symbols};
+use kahan_core::num_rational::BigRational;
+
+/// A number that a parameter can be.
+pub trait ParameterValue {
+    /// The number itself; `None` for what is not finite.
+    fn to_rational(&self) -> Option<Rational>;
+}
+
+impl ParameterValue for f64 {
+    fn to_rational(&self) -> Option<Rational> {
+        Rational::from_f64(*self)
+    }
+}
+
+impl ParameterValue for f32 {
+    fn to_rational(&self) -> Option<Rational> {
+        Rational::from_f64((*self).into())
+    }
+}
+
+impl ParameterValue for i32 {
+    fn to_rational(&self) -> Option<Rational> {
+        Some(Rational::from(i64::from(*self)))
+    }
+}
+
+impl ParameterValue for i64 {
+    fn to_rational(&self) -> Option<Rational> {
+        Some(Rational::from(*self))
+    }
+}
+
+impl ParameterValue for Rational {
+    fn to_rational(&self) -> Option<Rational> {
+        Some(self.clone())
+    }
+}
+
+impl ParameterValue for BigRational {
+    fn to_rational(&self) -> Option<Rational> {
+        Some(Rational::from(self.clone()))
+    }
+}
+
+impl<V: ParameterValue> ParameterValue for &V {
+    fn to_rational(&self) -> Option<Rational> {
+        (**self).to_rational()
+    }
+}
+
+/// What is wrong with values for a field's parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ParameterError {
+    /// There is no such parameter.
+    Unknown {
+        /// The name that was given.
+        name: String,
+        /// The parameter that it may be a slip of.
+        nearest: Option<String>,
+        /// The parameters that there are.
+        parameters: Vec<String>,
+    },
+    /// These parameters have no value.
+    Missing(
+        /// Their names, in order.
+        Vec<String>,
+    ),
+    /// A parameter has two values.
+    Twice(
+        /// Its name.
+        String,
+    ),
+    /// The value of a parameter is infinite, or not a number.
+    NotFinite(
+        /// Its name.
+        String,
+    ),
+    /// At these values the field divides by zero.
+    Undefined(
+        /// Name and value of each parameter.
+        Vec<(String, Rational)>,
+    ),
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unknown { name, nearest, parameters } => {
+                write!(f, "the field has no parameter `{name}`")?;
+                match (nearest, &parameters[..]) {
+                    (Some(nearest), _) => write!(f, "; did you mean `{nearest}`?"),
+                    (None, []) => write!(f, ": it has none, so leave it out"),
+                    (None, known) => write!(f, "; give a value for {}", quoted(known)),
+                }
+            }
+            Self::Missing(names) => {
+                write!(f, "the field needs a value for each of its parameters: add one for {}", quoted(names))
+            }
+            Self::Twice(name) => write!(f, "the parameter `{name}` is given twice; leave one of them out"),
+            Self::NotFinite(name) => {
+                write!(f, "the value of the parameter `{name}` is not a finite number; give one that is")
+            }
+            Self::Undefined(values) => {
+                let values: Vec<String> =
+                    values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+                write!(f, "the field divides by zero at {}; choose other values", values.join(", "))
+            }
+        }
+    }
+}
+
+impl core::error::Error for ParameterError {}
+
+fn quoted(names: &[String]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// The value of each parameter, in order, at which the field is defined.
+pub(crate) fn values_of<N, V>(
+    derived: &Derived,
+    given: impl IntoIterator<Item = (N, V)>,
+) -> Result<Vec<Rational>, ParameterError>
+where
+    N: AsRef<str>,
+    V: ParameterValue,
+{
+    let symbols = &derived.system.field.symbols;
+    let names = &symbols.parameters;
+    let mut values: Vec<Option<Rational>> = vec![None; names.len()];
+    for (name, value) in given {
+        let name = name.as_ref();
+        let Some(index) = names.iter().position(|known| known == name) else {
+            return Err(ParameterError::Unknown {
+                name: name.to_owned(),
+                nearest: nearest(name, names).cloned(),
+                parameters: names.clone(),
+            });
+        };
+        if values[index].is_some() {
+            return Err(ParameterError::Twice(name.to_owned()));
+        }
+        let value = value.to_rational().ok_or_else(|| ParameterError::NotFinite(name.to_owned()))?;
+        values[index] = Some(value);
+    }
+    let missing = names.iter().zip(&values).filter(|(_, value)| value.is_none());
+    let missing: Vec<String> = missing.map(|(name, _)| name.clone()).collect();
+    if !missing.is_empty() {
+        return Err(ParameterError::Missing(missing));
+    }
+    let values: Vec<Rational> = values.into_iter().flatten().collect();
+    if is_defined(derived, symbols, &values) {
+        Ok(values)
+    } else {
+        Err(ParameterError::Undefined(names.iter().cloned().zip(values).collect()))
+    }
+}
+
+/// Whether the field divides by nothing that is zero.
+fn is_defined(derived: &Derived, symbols: &Symbols, parameters: &[Rational]) -> bool {
+    let divisors = derived.divisors.evaluate(&Exact, |variable| match symbols.symbol(variable) {
+        Symbol::Parameter(k) => parameters[k].clone(),
+        // Divisors are free of everything else.
+        _ => Rational::zero(),
+    });
+    divisors.iter().all(|value| value.as_ref().is_some_and(|value| !value.is_zero()))
+}
