@@ -33,3 +33,22 @@ fn maps_that_were_dropped_hold_no_memory() {
     assert!(counted.count_total > 0, "nothing is counted");
     assert_eq!(counted.bytes_current, 0);
 }
+
+/// Registers are on the stack, and what ε and the parameters fix is computed once.
+#[test]
+fn steps_of_floats_allocate_nothing() {
+    fn count<T: Scalar, const N: usize>(map: &Interpreted<T, N>, x: SVector<T, N>, eps: T) -> u64 {
+        let at = map.at(eps);
+        let counted = measure(|| {
+            let last = (0..100).fold(x.clone(), |x, _| at.step(&x));
+            assert!(last != x && map.field(&last) != x, "nothing is computed");
+        });
+        counted.count_total
+    }
+    let reading = kahan_algebra::read(&lex(TEXT).tokens);
+    let mu = Rational::parse(MU).unwrap().to_big();
+    let exact = Interpreted::<BigRational, 2>::new(&reading.system, &[mu]).unwrap();
+    assert_eq!(count(&exact.rounded::<f64>(), vector![0.3, 0.0], 0.01), 0);
+    assert_eq!(count(&exact.rounded::<f32>(), vector![0.3, 0.0], 0.01), 0);
+    assert_eq!(count(&exact.rounded::<Dd>(), vector![Dd::from(0.3), Dd::from(0.0)], Dd::from(0.01)), 0);
+}

@@ -8,8 +8,8 @@ use kahan_core::__private::Dual;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Precision, QuadraticField, Scalar, Scheme, StepCost};
+use kahan_runtime::Field;
 use kahan_runtime::interpreted::{CannotInterpret, Interpreted, VisitDimension, round, visit_dimension};
-use kahan_runtime::orbit::Orbits;
 
 use crate::reference::{Limits, NoReference, Reference, Trajectory};
 
@@ -18,7 +18,7 @@ use super::CannotTrade;
 /// A system at a starting point.
 pub(super) struct Runner {
     pub(super) map: Box<dyn Map>,
-    orbits: Orbits,
+    orbits: kahan_runtime::Map,
     start: Vec<Rational>,
 }
 
@@ -38,7 +38,9 @@ impl Runner {
         let exact: Vec<BigRational> = parameters.iter().map(Rational::to_big).collect();
         let read = visit_dimension(system.field.dimension(), Reader { system, parameters: &exact });
         let map = read.map_err(CannotTrade::Dimension)?.map_err(CannotTrade::System)?;
-        let orbits = Orbits::of(system, parameters).map_err(CannotTrade::System)?;
+        let names = &system.field.symbols.parameters;
+        let orbits = Field::of(system).with(names.iter().zip(parameters));
+        let orbits = orbits.map_err(|_| CannotTrade::System(CannotInterpret::Undefined))?;
         Ok(Runner { map, orbits, start: start.to_vec() })
     }
 
@@ -51,7 +53,7 @@ impl Runner {
     /// Whether its steps are code.
     pub(super) fn is_code(&self) -> bool {
         let plain = Scheme::of(Precision::Double);
-        self.orbits.begin(plain, &Rational::one(), &self.start).is_ok_and(|orbit| orbit.is_code())
+        self.orbits.orbit(plain, &Rational::one(), &self.start).is_ok_and(|orbit| orbit.is_code())
     }
 
     /// Shows the first point of an orbit with ε = `eps` and those after the numbers of steps in
@@ -67,8 +69,8 @@ impl Runner {
     ) -> f64 {
         let exact = |entry: &Dd| &rational(entry.high()) + &rational(entry.low());
         let start = from.map_or_else(|| self.start.clone(), |point| point.iter().map(exact).collect());
-        // Where there were more variables than orbits have, the system was refused.
-        let Ok(mut orbit) = self.orbits.begin(scheme, &rational(eps), &start) else { return f64::INFINITY };
+        // The point has been read for this field.
+        let Ok(mut orbit) = self.orbits.orbit(scheme, &rational(eps), &start) else { return f64::INFINITY };
         let clock = Instant::now();
         visit(0, orbit.point());
         let mut step = 0;

@@ -32,7 +32,7 @@ enum Instruction {
 /// and ε, or in a kernel what was prepared), the numbers that the plan writes out, the states, and
 /// the result of each instruction.
 #[derive(Clone, Debug)]
-pub(super) struct Line {
+pub(crate) struct Line {
     constants: usize,
     literals: Vec<Literal>,
     /// All of them, or none where the line reads none.
@@ -43,7 +43,7 @@ pub(super) struct Line {
 
 impl Line {
     /// A plan of the states, the parameters and ε, whose divisions are written as quotients.
-    pub(super) fn of(plan: &Plan, symbols: &Symbols) -> Self {
+    pub(crate) fn of(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, false)
     }
 
@@ -134,7 +134,7 @@ impl Line {
     }
 
     /// The results of a run in registers that may hold anything.
-    pub(super) fn results<'a, V: Scalar + Copy>(
+    pub(crate) fn results<'a, V: Scalar + Copy>(
         &'a self,
         constants: &[V],
         registers: &'a mut Vec<V>,

@@ -17,15 +17,16 @@ use kahan_algebra::derived::{Derived, derive};
 use kahan_algebra::plan::Plan;
 use kahan_algebra::system::System;
 use kahan_core::__private::Dual;
-use kahan_core::{Composition, Constant};
+use kahan_core::{Composition, Constant, Scalar};
 
 use crate::interpreted::Code;
+use crate::machine::Codes;
 
 use elimination::solve;
-use line::Line;
 use step::{Step, Steps, into_matrix};
 
 pub(crate) use columns::Columns;
+pub(crate) use line::Line;
 pub(crate) use scratch::{Scratch, Scratches, with_scratch};
 
 /// A function of the state.
@@ -54,6 +55,7 @@ pub(crate) struct Engine {
     density: OnceLock<Line>,
     brackets: Vec<OnceLock<Line>>,
     code: OnceLock<Arc<Code>>,
+    pub(crate) codes: Codes,
 }
 
 /// A step of the map at one ε, with all that does not depend on the state.
@@ -69,7 +71,7 @@ fn distinct(composition: &Composition) -> impl ExactSizeIterator<Item = &'static
 }
 
 /// Runs the stages of a composition in order, of which `distinct` differ.
-fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
+pub(crate) fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
     let last = 2 * distinct - 2;
     (0..=last).for_each(|k| run(k.min(last - k)));
 }
@@ -87,6 +89,7 @@ impl Engine {
             integrals: OnceLock::new(),
             density: OnceLock::new(),
             code: OnceLock::new(),
+            codes: Codes::default(),
         }
     }
 
@@ -125,6 +128,42 @@ impl Engine {
             Stage { eps, given }
         };
         distinct(&composition).map(stage).collect()
+    }
+
+    /// A step, prepared; `constants` are the parameters and ε.
+    pub(crate) fn stage<V: Scalar + Copy>(&self, constants: &[V], scratch: &mut Scratch<V>) -> Stage<V> {
+        let (_, eps) = split(constants);
+        let mut given = Vec::new();
+        self.steps().at(&eps).0.prepare(constants, &mut scratch.registers, &mut given);
+        Stage { eps, given }
+    }
+
+    /// One step from a state; with what the state lacks carried along, where `carry` is not empty.
+    pub(crate) fn advance_stage<V: Scalar + Copy>(
+        &self,
+        Stage { eps, given }: &Stage<V>,
+        state: &mut [V],
+        carry: &mut [V],
+        scratch: &mut Scratch<V>,
+    ) {
+        let (step, rounds) = self.steps().at(eps);
+        if carry.is_empty() {
+            step.advance(given, rounds, state, scratch);
+        } else {
+            step.advance_with_carry(given, rounds, state, carry, scratch);
+        }
+    }
+
+    /// The increment at a state, added to another one.
+    pub(crate) fn add_increment<V: Scalar + Copy>(
+        &self,
+        Stage { eps, given }: &Stage<V>,
+        state: &[V],
+        base: &mut [V],
+        scratch: &mut Scratch<V>,
+    ) {
+        let (step, rounds) = self.steps().at(eps);
+        step.add_increment(given, rounds, state, base, scratch);
     }
 
     /// Replaces a state by the one so many steps later.

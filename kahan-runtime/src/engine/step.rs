@@ -35,7 +35,10 @@ impl Steps {
     /// them, as generated code does in the form that it rarely takes.
     pub(crate) fn at<V: Scalar>(&self, eps: &V) -> (&Step, bool) {
         match &self.general {
-            Some(general) if self.divides_by_eps && !may_divide_by(eps) => (general, true),
+            // What never divides by ε has this form as its own.
+            Some(general) if self.divides_by_eps && !may_divide_by(eps) => {
+                (general, may_divide_by(&V::one()))
+            }
             _ => (&self.first, false),
         }
     }
@@ -145,6 +148,21 @@ impl Step {
                 (increment, None) => increment - distance,
             };
             (*x, *carry) = (next, rest + lacks);
+        }
+    }
+
+    /// Adds the increment at a state to another one.
+    pub(crate) fn add_increment<V: Scalar + Copy>(
+        &self,
+        given: &[V],
+        rounds: bool,
+        state: &[V],
+        base: &mut [V],
+        scratch: &mut Scratch<V>,
+    ) {
+        self.compute(given, state, scratch);
+        for (i, x) in base.iter_mut().enumerate() {
+            *x = added(self.quotient(i, rounds, scratch), *x);
         }
     }
 

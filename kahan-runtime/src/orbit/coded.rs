@@ -4,13 +4,15 @@ use std::sync::Arc;
 
 use kahan_algebra::rational::Rational;
 use kahan_core::__private::may_divide_by;
-use kahan_core::{Composition, Dd, FloatScalar, Precision, Scalar, Scheme};
+use kahan_core::{Dd, FloatScalar, Precision, Scalar, Scheme};
 
-use crate::interpreted::program::{Inputs, Program};
+use crate::engine::Line;
 use crate::interpreted::round;
 use crate::machine::{Coded, Form, StepKind, Stepping};
 
-use super::Orbits;
+use crate::Map;
+
+use super::stages;
 
 /// An orbit by machine code, in the numbers that it runs in.
 #[derive(Clone, Debug)]
@@ -42,26 +44,26 @@ const FUSES: bool = cfg!(target_feature = "fma");
 impl Coding {
     /// The orbit at its first point; `None` where there is no code for it.
     pub(super) fn begin(
-        of: &Orbits,
+        map: &Map,
         scheme: Scheme,
         eps: &Rational,
         start: &[Rational],
     ) -> Option<Self> {
         match scheme.precision {
             Precision::Single => {
-                Running::begin(of, scheme, eps, start, |x: f32| x, |x| vec![x]).map(Coding::Single)
+                Running::begin(map, scheme, eps, start, |x: f32| x, |x| vec![x]).map(Coding::Single)
             }
             Precision::SingleThroughDouble => {
                 let widen = |x: f32| f64::from(x);
-                Running::begin(of, scheme, eps, start, widen, |x| vec![x]).map(Coding::Double)
+                Running::begin(map, scheme, eps, start, widen, |x| vec![x]).map(Coding::Double)
             }
             Precision::Double => {
-                Running::begin(of, scheme, eps, start, |x: f64| x, |x| vec![x]).map(Coding::Double)
+                Running::begin(map, scheme, eps, start, |x: f64| x, |x| vec![x]).map(Coding::Double)
             }
             Precision::DoubleDouble if scheme.compensated => None,
             Precision::DoubleDouble => {
                 let parts = |x: Dd| vec![x.high(), x.low()];
-                Running::begin(of, scheme, eps, start, |x: Dd| x, parts).map(Coding::Double)
+                Running::begin(map, scheme, eps, start, |x: Dd| x, parts).map(Coding::Double)
             }
         }
     }
@@ -90,15 +92,16 @@ where
 {
     /// The orbit of a scheme whose ε and points are a `G`, and whose step is computed in a `C`,
     /// which is the `numbers` that the code takes.
-    fn begin<G: FloatScalar, C: Scalar>(
-        of: &Orbits,
+    fn begin<G: FloatScalar, C: Scalar + Copy>(
+        map: &Map,
         scheme: Scheme,
         eps: &Rational,
         start: &[Rational],
         widen: impl Fn(G) -> C,
         numbers: impl Fn(C) -> Vec<T>,
     ) -> Option<Self> {
-        let Orbits { derived, codes, parameters } = of;
+        let engine = &map.field().engine;
+        let derived = &engine.derived;
         let step = derived.step()?;
         let own: Vec<G> = stages(scheme.composition, round(eps));
         let own: Vec<C> = own.into_iter().map(&widen).collect();
@@ -115,17 +118,19 @@ where
             rounds_increments: form == Form::AnyEps && !is_wide,
             fuses: FUSES,
         };
-        let code = codes.stepping(derived, kind, form, own.len() > 1)?;
-        let symbols = &derived.system.field.symbols;
-        let parameters: Vec<C> = parameters.iter().map(|value| widen(round(value))).collect();
-        let constants = Program::of(&form.of(step).constants, symbols);
-        let constants = |eps: &C| {
-            let inputs = Inputs { parameters: &parameters, eps: Some(eps), ..Inputs::default() };
-            constants.values(&inputs).into_iter().flat_map(&numbers).collect()
+        let code = engine.codes.stepping(derived, kind, form, own.len() > 1)?;
+        let line = Line::of(&form.of(step).constants, &derived.system.field.symbols);
+        let parameters = map.parameters().iter().map(|value| widen(round(value)));
+        let mut constants: Vec<C> = parameters.collect();
+        let mut registers = Vec::new();
+        let mut constants = |eps: &C| {
+            constants.truncate(map.parameters().len());
+            constants.push(*eps);
+            line.results(&constants, &mut registers, &[]).flat_map(&numbers).collect()
         };
         let mut state: Vec<T> = start.iter().flat_map(|x| numbers(widen(round(x)))).collect();
         state.resize(kind.numbers(start.len()), T::default());
-        Some(Running { code, stages: own.iter().map(constants).collect(), numbers: state, kind })
+        Some(Running { code, stages: own.iter().map(&mut constants).collect(), numbers: state, kind })
     }
 
     fn advance(&mut self, steps: u64) -> bool {
@@ -169,14 +174,5 @@ where
         } else {
             point.iter_mut().zip(&self.numbers).for_each(|(x, number)| *x = Dd::from(*number));
         }
-    }
-}
-
-/// ε of each stage that differs, the middle one last.
-fn stages<G: FloatScalar>(composition: Composition, eps: G) -> Vec<G> {
-    let differing = composition.coefficients().take(composition.stages().div_ceil(2));
-    match composition.stages() {
-        1 => vec![eps],
-        _ => differing.map(|gamma| G::constant(gamma) * eps).collect(),
     }
 }

@@ -1,141 +1,133 @@
-//! An orbit by the interpreter, for what has no code.
+//! An orbit by the interpreter, for what has no code: the same operations in the same order.
 
 use kahan_algebra::rational::Rational;
-use kahan_core::nalgebra::SVector;
-use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, FloatScalar, KahanMap, Lift, Precision, Scheme, ThroughF64};
+use kahan_core::{Dd, FloatScalar, Precision, Scheme};
 
-use crate::interpreted::{Interpreted, UnsupportedDimension, VisitDimension, round, visit_dimension};
+use crate::Map;
+use crate::engine::{Scratch, Stage, in_turn};
+use crate::interpreted::round;
 
-use super::Orbits;
+use super::stages;
 
-/// An orbit that is at some point.
-pub(super) trait Steps {
+/// An orbit by the interpreter, in the numbers that it runs in.
+#[derive(Debug)]
+pub(super) enum Interpreting {
+    Single(Walk<f32>),
+    /// The numbers are those of single precision.
+    SingleThroughDouble(Walk<f64>),
+    Double(Walk<f64>),
+    DoubleDouble(Walk<Dd>),
+}
+
+/// A state, what it lacks where that is carried, and the stages that differ.
+#[derive(Debug)]
+pub(super) struct Walk<V> {
+    map: Map,
+    stages: Vec<Stage<V>>,
+    state: Vec<V>,
+    carry: Vec<V>,
+    scratch: Scratch<V>,
+}
+
+impl Interpreting {
+    /// The orbit at its first point.
+    pub(super) fn begin(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Self {
+        match scheme.precision {
+            Precision::Single => Self::Single(Walk::begin(map, scheme, eps, start, |x: f32| x)),
+            Precision::SingleThroughDouble => {
+                Self::SingleThroughDouble(Walk::begin(map, scheme, eps, start, |x: f32| f64::from(x)))
+            }
+            Precision::Double => Self::Double(Walk::begin(map, scheme, eps, start, |x: f64| x)),
+            Precision::DoubleDouble => Self::DoubleDouble(Walk::begin(map, scheme, eps, start, |x: Dd| x)),
+        }
+    }
+
+    /// The orbit in double-double, from this point on.
+    pub(super) fn from_point(map: &Map, scheme: Scheme, eps: &Rational, point: &[Dd]) -> Self {
+        let origin = vec![Rational::zero(); point.len()];
+        let mut walk = Walk::begin(map, scheme, eps, &origin, |x: Dd| x);
+        walk.state.copy_from_slice(point);
+        Self::DoubleDouble(walk)
+    }
+
     /// So many steps further.
-    fn advance(&mut self, steps: u64);
+    pub(super) fn advance(&mut self, steps: u64) {
+        match self {
+            Self::Single(walk) => walk.advance(steps),
+            Self::SingleThroughDouble(walk) => walk.advance_through(steps),
+            Self::Double(walk) => walk.advance(steps),
+            Self::DoubleDouble(walk) => walk.advance(steps),
+        }
+    }
+
     /// The coordinates of the point.
-    fn point(&self, point: &mut [Dd]);
+    pub(super) fn point(&self, point: &mut [Dd]) {
+        match self {
+            Self::Single(walk) => walk.point(point),
+            Self::SingleThroughDouble(walk) | Self::Double(walk) => walk.point(point),
+            Self::DoubleDouble(walk) => walk.point(point),
+        }
+    }
 }
 
-/// An iterator over points, and the one that it is at.
-struct At<O, T, const N: usize> {
-    orbit: O,
-    point: SVector<T, N>,
-}
-
-impl<O, T, const N: usize> Steps for At<O, T, N>
+impl<V: FloatScalar> Walk<V>
 where
-    O: Iterator<Item = SVector<T, N>>,
-    T: FloatScalar,
-    Dd: From<T>,
+    Dd: From<V>,
 {
+    /// The orbit of a scheme whose ε and points are a `G`, and whose step is computed in a `V`.
+    fn begin<G: FloatScalar>(
+        map: &Map,
+        scheme: Scheme,
+        eps: &Rational,
+        start: &[Rational],
+        widen: impl Fn(G) -> V,
+    ) -> Self {
+        let mut scratch = Scratch::default();
+        let exact = |value: &Rational| widen(round(value));
+        let mut constants: Vec<V> = map.parameters().iter().map(exact).collect();
+        constants.push(V::zero());
+        let stage = |eps: G| {
+            if let Some(last) = constants.last_mut() {
+                *last = widen(eps);
+            }
+            map.field().engine.stage(&constants, &mut scratch)
+        };
+        let stages = stages(scheme.composition, round(eps)).into_iter().map(stage).collect();
+        let state: Vec<V> = start.iter().map(exact).collect();
+        let carry = if scheme.compensated { vec![V::zero(); state.len()] } else { Vec::new() };
+        Walk { map: map.clone(), stages, state, carry, scratch }
+    }
+
     fn advance(&mut self, steps: u64) {
-        if let Some(further) = steps.checked_sub(1)
-            // Orbits over floats have no end.
-            && let Some(point) = self.orbit.nth(usize::try_from(further).unwrap_or(usize::MAX))
-        {
-            self.point = point;
+        let Walk { map, stages, state, carry, scratch } = self;
+        for _ in 0..steps {
+            in_turn(stages.len(), |k| map.field().engine.advance_stage(&stages[k], state, carry, scratch));
         }
     }
 
     fn point(&self, point: &mut [Dd]) {
-        point.iter_mut().zip(self.point.iter()).for_each(|(x, entry)| *x = Dd::from(*entry));
+        point.iter_mut().zip(&self.state).for_each(|(x, entry)| *x = Dd::from(*entry));
     }
 }
 
-/// An orbit after a point from which nothing is known of the next: it is not finite, or has more
-/// variables than the interpreter.
-pub(super) struct Nowhere;
-
-impl Steps for Nowhere {
-    fn advance(&mut self, _: u64) {}
-
-    fn point(&self, point: &mut [Dd]) {
-        point.fill(Dd::from(f64::NAN));
-    }
-}
-
-/// The orbit of a scheme at its first point.
-///
-/// # Errors
-/// [`UnsupportedDimension`].
-pub(super) fn begin(
-    of: &Orbits,
-    scheme: Scheme,
-    eps: &Rational,
-    start: &[Rational],
-) -> Result<Box<dyn Steps>, UnsupportedDimension> {
-    let beginning = Beginning { of, scheme, eps, start };
-    visit_dimension(start.len(), beginning)
-}
-
-/// What an orbit begins with.
-struct Beginning<'a> {
-    of: &'a Orbits,
-    scheme: Scheme,
-    eps: &'a Rational,
-    start: &'a [Rational],
-}
-
-impl VisitDimension for Beginning<'_> {
-    type Output = Box<dyn Steps>;
-
-    fn visit<const N: usize>(self) -> Box<dyn Steps> {
-        let parameters: Vec<BigRational> = self.of.parameters.iter().map(Rational::to_big).collect();
-        let exact = Interpreted::<BigRational, N>::padded(&self.of.derived.system, &parameters);
-        // Whoever made the subject has looked at its parameters.
-        let exact = exact.unwrap_or_else(|why| unreachable!("{why}"));
-        of_map(&exact, self.scheme, self.eps, self.start)
-    }
-}
-
-/// The orbit of any map over ℚ in a scheme, at its first point. Coordinates that lack are 0.
-pub(super) fn of_map<M, const N: usize>(
-    exact: &M,
-    scheme: Scheme,
-    eps: &Rational,
-    start: &[Rational],
-) -> Box<dyn Steps>
-where
-    M: Lift<BigRational, N, Lifted<f32>: 'static, Lifted<f64>: 'static, Lifted<Dd>: 'static>,
-{
-    match scheme.precision {
-        Precision::Single => in_scheme(&exact.lift(number::<f32>), scheme, eps, start),
-        Precision::SingleThroughDouble => {
-            in_scheme(&ThroughF64(exact.lift(number::<f32>)), scheme, eps, start)
+impl Walk<f64> {
+    /// Steps of a state in single precision, each rounded once.
+    fn advance_through(&mut self, steps: u64) {
+        let single = |x: f64| f64::from(x as f32);
+        let Walk { map, stages, state, carry, scratch } = self;
+        let mut next = state.clone();
+        for _ in 0..steps {
+            in_turn(stages.len(), |k| {
+                next.copy_from_slice(state);
+                next.iter_mut().zip(carry.iter()).for_each(|(base, carry)| *base += *carry);
+                map.field().engine.add_increment(&stages[k], state, &mut next, scratch);
+                for (x, next) in state.iter_mut().zip(&next) {
+                    *x = single(*next);
+                }
+                for (carry, (x, next)) in carry.iter_mut().zip(state.iter().zip(&next)) {
+                    *carry = single(*next - *x);
+                }
+            });
         }
-        Precision::Double => in_scheme(&exact.lift(number::<f64>), scheme, eps, start),
-        Precision::DoubleDouble => in_scheme(&exact.lift(number::<Dd>), scheme, eps, start),
     }
-}
-
-fn number<T: FloatScalar>(value: &BigRational) -> T {
-    round(&value.clone().into())
-}
-
-fn in_scheme<M, T, const N: usize>(map: &M, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Box<dyn Steps>
-where
-    M: KahanMap<T, N> + 'static,
-    T: FloatScalar,
-    Dd: From<T>,
-{
-    let point = SVector::from_fn(|i, _| start.get(i).map_or_else(T::zero, round));
-    let orbit = map.orbit(point, round(eps));
-    match (scheme.order(), scheme.compensated) {
-        (2, false) => at(orbit, point),
-        (2, true) => at(orbit.compensated(), point),
-        (_, false) => at(orbit.composed(scheme.composition), point),
-        (_, true) => at(orbit.composed(scheme.composition).compensated(), point),
-    }
-}
-
-/// An orbit after its first point.
-fn at<O, T, const N: usize>(mut orbit: O, point: SVector<T, N>) -> Box<dyn Steps>
-where
-    O: Iterator<Item = SVector<T, N>> + 'static,
-    T: FloatScalar,
-    Dd: From<T>,
-{
-    orbit.next();
-    Box::new(At { orbit, point })
 }

@@ -8,7 +8,8 @@ use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::interpret::{Pole, Stepper, UndefinedField};
 use kahan_algebra::rational::Rational;
 use kahan_core::{Composition, Constant, Scheme};
-use kahan_runtime::orbit::{Orbits, SchemeOrbit};
+use kahan_runtime::Field;
+use kahan_runtime::orbit::SchemeOrbit;
 
 use crate::numbers::Rounded;
 use crate::printing::{Broken, Table};
@@ -50,9 +51,11 @@ impl<'a, A: Rounded> FloatOrbit<'a, A> {
         let map = steppers.remove(0);
         let state: Vec<A::Value> = request.point.state.iter().map(A::round).collect();
         let scheme = Scheme::of(A::PRECISION).composed(composition.unwrap_or(Composition::KAHAN));
-        let code = Orbits::of(&request.system, &request.point.parameters)
+        let names = &request.system.field.symbols.parameters;
+        let code = Field::of(&request.system)
+            .with(names.iter().zip(&request.point.parameters))
             .ok()
-            .and_then(|orbits| orbits.begin(scheme, &request.point.eps, &request.point.state).ok())
+            .and_then(|map| map.orbit(scheme, &request.point.eps, &request.point.state).ok())
             .filter(SchemeOrbit::is_code);
         Ok(Self { arithmetic, request, map, stages, code, before: state.clone(), state })
     }
