@@ -1,0 +1,117 @@
+//! Fields of many variables, and those beyond the budget of terms.
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::{Elimination, KahanMap, PreparedStep};
+use kahan_runtime::interpreted::Interpreted;
+use kahan_runtime::{Field, MachineFloat, Map};
+
+use super::support::{Random, assert_same, number, steps};
+
+/// A field in n variables in which each acts on each, beyond the budget from about six on.
+pub(crate) fn dense(n: usize) -> String {
+    let equation = |i: usize| {
+        let terms = (0..n).flat_map(|j| (j..n).map(move |k| (j, k)));
+        let terms = terms.map(|(j, k)| format!("{}/9*x{j}*x{k}", (i * 5 + j * 3 + k) % 7 + 1));
+        format!("x{i}dot = {} + a*x{i} - b;", terms.collect::<Vec<_>>().join(" + "))
+    };
+    (0..n).map(equation).collect()
+}
+
+/// A chain of n variables, each of which acts on its neighbours: Lotka and Volterra's.
+fn chain(n: usize) -> String {
+    let neighbour = |i: usize| if i < n { format!("x{i}") } else { "0".to_owned() };
+    let equation =
+        |i: usize| format!("x{i}dot = x{i}*({} - {});", neighbour(i + 1), neighbour(i.wrapping_sub(1)));
+    (0..n).map(equation).collect()
+}
+
+fn map(text: &str) -> Map {
+    let field = Field::parse(text).expect("a field");
+    let parameters = field.parameters().iter().map(|name| (name.clone(), 0.25)).collect::<Vec<_>>();
+    field.with(parameters).expect("its parameters")
+}
+
+fn eliminated_as_by_types<T: MachineFloat, const N: usize>() {
+    let map = map(&dense(N));
+    assert!(map.field().derived().step().is_none(), "{N} variables are within the budget");
+    let typed: Interpreted<T, N> = map.as_kahan_map().unwrap();
+    let mut random = Random(23);
+    for eps in steps::<T>() {
+        let x = SVector::<T, N>::from_vec(random.point(N));
+        let ours = map.at(eps);
+        let (mut next, mut entries) = (vec![T::zero(); N], vec![T::zero(); N * N]);
+        ours.step(x.as_slice(), &mut next).unwrap();
+        let eliminated = Elimination::new(typed.clone(), eps).next(&x).expect("floats have a step");
+        assert_same(&next, eliminated.as_slice(), ("step", N, eps));
+        ours.matrix(x.as_slice(), &mut entries).unwrap();
+        assert_same(&entries, typed.matrix(&x, eps).transpose().as_slice(), ("matrix", N, eps));
+        ours.jacobian(x.as_slice(), &mut entries).unwrap();
+        assert_same(&entries, typed.jacobian(&x, eps).transpose().as_slice(), ("jacobian", N, eps));
+        let (mut last, mut carry) = (x.as_slice().to_vec(), vec![T::zero(); N]);
+        ours.advance_with_carry(&mut last, &mut carry, 5).unwrap();
+        let orbit = typed.orbit(x, eps).compensated().nth(5).expect("floats go on");
+        assert_same(&last, orbit.as_slice(), ("compensated", N, eps));
+    }
+}
+
+#[test]
+fn a_field_beyond_the_budget_is_eliminated_as_by_types() {
+    eliminated_as_by_types::<f64, 9>();
+    eliminated_as_by_types::<f32, 9>();
+    eliminated_as_by_types::<f64, 12>();
+}
+
+/// (x̃ − x)/2ε = Q(x,x̃) + ½B(x + x̃) + c, which for a field without a constant is
+/// ¼[f(x + x̃) − f(x − x̃)] where it has no linear part, as chains have not.
+#[test]
+fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
+    let (map, eps, n) = (map(&chain(60)), 0.01, 60);
+    let at = map.at(eps);
+    let x: Vec<f64> = (0..n).map(|i| 1.0 + 0.3 * (0.7 * i as f64).sin()).collect();
+    let mut next = vec![0.0; n];
+    at.step(&x, &mut next).unwrap();
+    let f = |sign: f64| {
+        let (point, mut value): (Vec<f64>, _) =
+            (x.iter().zip(&next).map(|(x, y)| x + sign * y).collect(), vec![0.0; n]);
+        at.field(&point, &mut value).unwrap();
+        value
+    };
+    for (i, (plus, minus)) in f(1.0).iter().zip(&f(-1.0)).enumerate() {
+        // Values of size 10 at most, each the result of some ten operations and one elimination.
+        let lack = next[i] - x[i] - 2.0 * eps * (plus - minus) / 4.0;
+        assert!(lack.abs() < 1e-14, "{i}: {lack:e}");
+    }
+    let mut back = next.clone();
+    map.at(-eps).advance(&mut back, 1).unwrap();
+    for (there, here) in back.iter().zip(&x) {
+        assert!((there - here).abs() < 1e-14, "the map with -eps is the inverse");
+    }
+    let (mut state, total) = (x.clone(), |x: &[f64]| x.iter().sum::<f64>());
+    at.advance(&mut state, 1000).unwrap();
+    // The sum is an integral of the chain, and linear ones survive; 60 numbers of size 1 are
+    // rounded 1000 times.
+    assert!((total(&state) - total(&x)).abs() < 1e-11, "{}", total(&state) - total(&x));
+}
+
+#[test]
+fn the_jacobian_of_sixty_variables_is_that_of_differences() {
+    let map = map(&chain(60));
+    let at = map.at(number::<f64>(0.01));
+    let x: Vec<f64> = (0..60).map(|i| 1.0 + 0.3 * (0.7 * f64::from(i)).sin()).collect();
+    let mut jacobian = vec![0.0; 3600];
+    at.jacobian(&x, &mut jacobian).unwrap();
+    let h = 1e-5;
+    for j in [0, 17, 59] {
+        let moved = |by: f64| {
+            let (mut point, mut next) = (x.clone(), vec![0.0; 60]);
+            point[j] += by;
+            at.step(&point, &mut next).unwrap();
+            next
+        };
+        for (i, (plus, minus)) in moved(h).iter().zip(&moved(-h)).enumerate() {
+            let slope = (plus - minus) / (2.0 * h);
+            // The difference is off by h² times a third derivative and by 1e-16/h.
+            assert!((slope - jacobian[60 * i + j]).abs() < 1e-9, "{i}, {j}");
+        }
+    }
+}

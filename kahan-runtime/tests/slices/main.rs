@@ -1,0 +1,9 @@
+//! Fields that are read and stepped as slices.
+
+mod catalog;
+mod columns;
+mod errors;
+mod large;
+mod random;
+mod support;
+mod threads;
