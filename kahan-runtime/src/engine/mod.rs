@@ -30,7 +30,7 @@ pub(crate) use line::Line;
 pub(crate) use scratch::{Scratch, Scratches, with_scratch};
 
 /// A function of the state.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Object {
     /// f(x)
     Field,
@@ -42,6 +42,10 @@ pub(crate) enum Object {
     Density,
     /// The entries above the diagonal of the bracket with this index.
     Bracket(usize),
+    /// A(x,ε), row by row.
+    Matrix,
+    /// ∂x̃/∂x, row by row.
+    Jacobian,
 }
 
 /// The plans of a field, and what has been made of them.

@@ -1,12 +1,29 @@
-//! Steps as machine code: the programs of a field's steps, compiled when they are first asked for.
+//! Steps and objects as machine code: their programs, compiled when they are first asked for.
 //!
-//! In: the plan of a step, and how it is to be stepped. Out: code, kept for everyone who steps the
-//! same field so. What numbers mean is known here, what instructions there are is `kahan-jit`'s.
+//! In: the plans of a field, and how it is to be stepped. Out: code, kept for everyone who steps the
+//! same field so. What numbers mean is known here; what instructions there are is `kahan-jit`'s.
+//! Without the feature `jit` there is never any code, and everything is interpreted.
 
+#[cfg(not(feature = "jit"))]
+mod absent;
+#[cfg(feature = "jit")]
 mod codes;
+#[cfg(feature = "jit")]
 mod double_double;
+#[cfg(feature = "jit")]
+mod dual;
+mod kind;
+#[cfg(feature = "jit")]
+mod objects;
+#[cfg(feature = "jit")]
 mod recorder;
+#[cfg(feature = "jit")]
 mod step;
 
-pub(crate) use codes::{Codes, Coded, Form, Stepping};
-pub(crate) use step::StepKind;
+#[cfg(not(feature = "jit"))]
+pub(crate) use absent::*;
+#[cfg(feature = "jit")]
+pub(crate) use codes::{Coded, Codes, ColumnsCode, OrbitCode};
+#[cfg(feature = "jit")]
+pub(crate) use kahan_jit::InstructionSet;
+pub(crate) use kind::{Form, StepKind};

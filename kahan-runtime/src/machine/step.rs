@@ -9,28 +9,15 @@ use kahan_core::Precision;
 use kahan_jit::Instruction::*;
 use kahan_jit::Program;
 
+use super::StepKind;
 use super::double_double::{DoubleDouble, Pair};
 use super::recorder::Recorder;
 
-/// Which step is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct StepKind {
-    /// In what the state is kept, and the step computed.
-    pub(crate) precision: Precision,
-    /// Whether the state is carried with its rounding error.
-    pub(crate) compensated: bool,
-    /// Whether an increment is rounded before it is added, as the general form of a step that has
-    /// another one for ordinary ε is.
-    pub(crate) rounds_increments: bool,
-    /// Whether multiply-adds are fused.
-    pub(crate) fuses: bool,
-}
-
 /// A component's increment: a numerator, by a reciprocal or as it is.
-type Quotient<V> = (V, Option<V>);
+pub(super) type Quotient<V> = (V, Option<V>);
 
 /// The increments of a kernel in an arithmetic; `state` and `constant` are its inputs.
-fn quotients<A: Arithmetic>(
+pub(super) fn quotients<A: Arithmetic>(
     step: &StepPlan,
     symbols: &Symbols,
     arithmetic: &A,
@@ -71,15 +58,6 @@ impl StepKind {
             Precision::SingleThroughDouble => self.through_double(step, symbols),
             Precision::Double => self.rounded(step, symbols, Rational::to_f64),
             Precision::DoubleDouble => self.double_double(step, symbols),
-        }
-    }
-
-    /// How many numbers a state is.
-    pub(crate) fn numbers(self, variables: usize) -> usize {
-        match self.precision {
-            Precision::DoubleDouble => 2 * variables + 1,
-            _ if self.compensated => 2 * variables,
-            _ => variables,
         }
     }
 

@@ -8,7 +8,7 @@ use kahan_core::{Dd, FloatScalar, Precision, Scalar, Scheme};
 
 use crate::engine::Line;
 use crate::interpreted::round;
-use crate::machine::{Coded, Form, StepKind, Stepping};
+use crate::machine::{Coded, Form, OrbitCode, StepKind};
 
 use crate::Map;
 
@@ -24,16 +24,13 @@ pub(super) enum Coding {
 /// Code, and what it runs on.
 #[derive(Clone, Debug)]
 pub(super) struct Running<T> {
-    code: Arc<Stepping<T>>,
+    code: Arc<OrbitCode<T>>,
     /// The constants of the stages that differ, the middle one last.
     stages: Vec<Vec<T>>,
     numbers: Vec<T>,
     /// How the numbers are a state.
     kind: StepKind,
 }
-
-/// The most stages of a composition.
-const MOST_STAGES: usize = 32;
 
 /// Steps between two looks at a guard.
 const GUARDED: u64 = 256;
@@ -118,7 +115,7 @@ where
             rounds_increments: form == Form::AnyEps && !is_wide,
             fuses: FUSES,
         };
-        let code = engine.codes.stepping(derived, kind, form, own.len() > 1)?;
+        let code = engine.codes.orbit(derived, kind, form, own.len() > 1)?;
         let line = Line::of(&form.of(step).constants, &derived.system.field.symbols);
         let parameters = map.parameters().iter().map(|value| widen(round(value)));
         let mut constants: Vec<C> = parameters.collect();
@@ -154,16 +151,7 @@ where
     }
 
     fn run(&mut self, steps: u64) {
-        match &*self.code {
-            Stepping::Single(orbit) => orbit.run(&mut self.numbers, &self.stages[0], steps),
-            Stepping::Composed(orbit) => {
-                let mut table: [&[T]; MOST_STAGES] = [&[]; MOST_STAGES];
-                let last = self.stages.len() - 1;
-                let order = (0..=last).chain((0..last).rev());
-                table.iter_mut().zip(order).for_each(|(entry, stage)| *entry = &self.stages[stage]);
-                orbit.run(&mut self.numbers, &table[..=2 * last], steps);
-            }
-        }
+        self.code.run(&mut self.numbers, &self.stages, steps);
     }
 
     fn point(&self, point: &mut [Dd]) {
