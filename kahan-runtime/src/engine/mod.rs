@@ -26,7 +26,8 @@ use line::Line;
 use step::{Step, Steps, into_matrix};
 
 pub(crate) use columns::Columns;
-pub(crate) use scratch::{Scratch, Scratches, with_scratch};
+pub(crate) use scratch::Scratches;
+use scratch::{Room, Scratch, with_scratch};
 
 /// A function of the state.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +60,8 @@ pub(crate) struct Engine {
 /// A step of the map at one ε, with all that does not depend on the state.
 #[derive(Clone, Debug)]
 pub(crate) struct Stage<T> {
-    eps: T,
+    /// Whether it takes the general form of the step.
+    is_general: bool,
     given: Vec<T>,
 }
 
@@ -69,6 +71,7 @@ fn distinct(composition: &Composition) -> impl ExactSizeIterator<Item = &'static
 }
 
 /// Runs the stages of a composition in order, of which `distinct` differ.
+#[inline(always)]
 fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
     let last = 2 * distinct - 2;
     (0..=last).for_each(|k| run(k.min(last - k)));
@@ -116,27 +119,22 @@ impl Engine {
         let (parameters, eps) = split(constants);
         let stage = |coefficient: &Constant<'_>| {
             let eps = T::constant(coefficient) * eps;
-            let (step, _) = self.steps().at(&eps);
+            let is_general = self.steps().are_general(&eps);
             let constants: Vec<T> = parameters.iter().copied().chain([eps]).collect();
             let mut given = Vec::new();
             with_scratch(T::single(), |scratch| {
+                let step = self.steps().form(is_general);
                 step.prepare(&constants, &mut scratch.registers, &mut given);
             });
-            Stage { eps, given }
+            Stage { is_general, given }
         };
         distinct(&composition).map(stage).collect()
     }
 
     /// Replaces a state by the one so many steps later.
     pub(crate) fn advance<T: Scratches>(&self, stages: &[Stage<T>], state: &mut [T], steps: u64) {
-        with_scratch(T::single(), |scratch| {
-            for _ in 0..steps {
-                in_turn(stages.len(), |k| {
-                    let Stage { eps, given } = &stages[k];
-                    let (step, rounds) = self.steps().at(eps);
-                    step.advance(given, rounds, state, scratch);
-                });
-            }
+        self.run(stages, steps, |step, rounds, registers, room| {
+            step.advance(rounds, state, registers, room);
         });
     }
 
@@ -148,12 +146,33 @@ impl Engine {
         carry: &mut [T],
         steps: u64,
     ) {
-        with_scratch(T::single(), |scratch| {
+        self.run(stages, steps, |step, rounds, registers, room| {
+            step.advance_with_carry(rounds, [state, carry], registers, room);
+        });
+    }
+
+    /// Runs so many steps of all stages, each in its own registers.
+    #[inline(always)]
+    fn run<T: Scratches>(
+        &self,
+        stages: &[Stage<T>],
+        steps: u64,
+        mut advance: impl FnMut(&Step, bool, &mut [T], &mut Room<T>),
+    ) {
+        let steps_of_field = self.steps();
+        let form = |stage: &Stage<T>| steps_of_field.form(stage.is_general);
+        let size = stages.iter().map(|stage| form(stage).registers()).max().unwrap_or(0);
+        with_scratch(T::single(), |Scratch { registers, room, .. }| {
+            registers.clear();
+            for (k, stage) in stages.iter().enumerate() {
+                registers.resize(k * size, T::zero());
+                form(stage).open(&stage.given, registers);
+            }
+            registers.resize(stages.len() * size, T::zero());
             for _ in 0..steps {
                 in_turn(stages.len(), |k| {
-                    let Stage { eps, given } = &stages[k];
-                    let (step, rounds) = self.steps().at(eps);
-                    step.advance_with_carry(given, rounds, state, carry, scratch);
+                    let its_own = &mut registers[k * size..][..size];
+                    advance(form(&stages[k]), stages[k].is_general, its_own, room);
                 });
             }
         });
@@ -179,7 +198,7 @@ impl Engine {
     /// `constants` are the parameters and ε.
     pub(crate) fn jacobian<T: Scratches>(&self, constants: &[T], state: &[T], out: &mut [T]) {
         let (parameters, eps) = split(constants);
-        let (step, _) = self.steps().at(&Dual::<T, 1>::lift(eps));
+        let step = self.steps().form(self.steps().are_general(&Dual::<T, 1>::lift(eps)));
         if step.has_lanes() {
             with_scratch(T::duals(), |scratch| jacobian_by_duals(step, constants, state, out, scratch));
         } else {
@@ -208,19 +227,19 @@ fn jacobian_by_duals<T: Scratches>(
     out: &mut [T],
     scratch: &mut Scratch<Dual<T, 1>>,
 ) {
-    let [mut lifted, mut given, mut point] =
-        [&mut scratch.constants, &mut scratch.given, &mut scratch.state].map(core::mem::take);
-    [&mut lifted, &mut given, &mut point].into_iter().for_each(Vec::clear);
+    let Scratch { registers, room, constants: lifted, given, state: point } = scratch;
+    [&mut *lifted, given, point].into_iter().for_each(Vec::clear);
     lifted.extend(constants.iter().map(|constant| Dual::lift(*constant)));
-    step.prepare(&lifted, &mut scratch.registers, &mut given);
+    step.prepare(lifted, registers, given);
+    registers.clear();
+    step.open(given, registers);
     point.extend(state.iter().map(|x| Dual::lift(*x)));
     for j in 0..state.len() {
         point[j] = Dual::coordinate(state[j], 0);
-        for (i, increment) in step.increments(&given, &point, scratch).enumerate() {
+        for (i, increment) in step.increments(point, registers, room).enumerate() {
             let [slope] = increment.gradient;
             out[i * state.len() + j] = if i == j { T::one() + slope } else { slope };
         }
         point[j] = Dual::lift(state[j]);
     }
-    (scratch.constants, scratch.given, scratch.state) = (lifted, given, point);
 }
