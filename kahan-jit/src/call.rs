@@ -29,6 +29,11 @@ impl Code {
         Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent })
     }
 
+    /// How many numbers the results are.
+    pub(crate) fn results(&self) -> usize {
+        self.extent.results
+    }
+
     /// Runs the code of a [`Function`](crate::Function).
     pub(crate) fn function<T>(&self, states: &[T], constants: &[T], results: &mut [T]) {
         let Extent { states: s, constants: c, results: r } = self.extent;

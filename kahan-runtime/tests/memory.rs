@@ -5,9 +5,10 @@
 use allocation_counter::measure;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
-use kahan_core::Dd;
 use kahan_core::prelude::*;
+use kahan_core::{Composition, Dd};
 use kahan_runtime::interpreted::{Interpreted, round};
+use kahan_runtime::{Field, MachineFloat, Map};
 
 /// More digits than a ratio of small integers has, in the field and in what is given for it.
 const TEXT: &str = "xdot = y + 0.1234567890123456789*x^2; ydot = mu*x*y - x;";
@@ -51,4 +52,69 @@ fn steps_of_floats_allocate_nothing() {
     assert_eq!(count(&exact.rounded::<f64>(), vector![0.3, 0.0], 0.01), 0);
     assert_eq!(count(&exact.rounded::<f32>(), vector![0.3, 0.0], 0.01), 0);
     assert_eq!(count(&exact.rounded::<Dd>(), vector![Dd::from(0.3), Dd::from(0.0)], Dd::from(0.01)), 0);
+}
+
+/// A field of many variables, by a straight line or, where all act on all, by elimination.
+fn field_in(n: usize, is_dense: bool) -> Field {
+    let terms = |i: usize| if is_dense { (0..n).collect() } else { vec![i, (i + 1) % n] };
+    let equation = |i: usize| {
+        let terms: Vec<String> =
+            terms(i).iter().map(|j| format!("{}/7*x{j}*x{}", i + j + 1, (i + j) % n)).collect();
+        format!("x{i}dot = a - {};", terms.join(" - "))
+    };
+    Field::parse(&(0..n).map(equation).collect::<String>()).unwrap()
+}
+
+fn no_step_allocates<T: MachineFloat>(n: usize, is_dense: bool) {
+    let map = field_in(n, is_dense).with([("a", 0.5)]).unwrap();
+    let eps: T = round(&Rational::new(1, 100));
+    for at in [map.at(eps), map.at(eps).composed(Composition::KAHAN_LI_8), map.at(T::zero())] {
+        let [mut x, mut carry, mut next] = [eps, T::zero(), eps].map(|value| vec![value; n]);
+        let (mut columns, each) = (vec![vec![eps; 21]; n], [eps; 21]);
+        let mut columns: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        let mut run = || {
+            at.step(&x, &mut next).unwrap();
+            at.advance(&mut x, 3).unwrap();
+            at.advance_with_carry(&mut x, &mut carry, 3).unwrap();
+            at.field(&x, &mut next).unwrap();
+            at.advance_columns(&mut columns, &[], &[], 3).unwrap();
+            at.advance_columns(&mut columns, &each, &[&each], 3).unwrap();
+        };
+        run();
+        assert_eq!(measure(|| (0..10).for_each(|_| run())).count_total, 0, "{n} variables, {eps:?}");
+    }
+}
+
+#[test]
+fn no_step_of_slices_allocates() {
+    for (n, is_dense) in [(1, false), (3, true), (9, true), (20, false)] {
+        no_step_allocates::<f64>(n, is_dense);
+        no_step_allocates::<f32>(n, is_dense);
+    }
+}
+
+#[test]
+fn maps_and_fields_of_slices_that_were_dropped_hold_no_memory() {
+    let step = |map: &Map| {
+        let (mut x, mut y) = ([0.25, 0.5], [0.5, 0.25]);
+        map.at(0.01).advance(&mut x, 2).unwrap();
+        map.at(0.01_f32).step(&[0.25, 0.5], &mut [0.0; 2]).unwrap();
+        map.at(0.01).jacobian(&x, &mut [0.0; 4]).unwrap();
+        map.at(0.01).advance_columns(&mut [&mut x, &mut y], &[], &[], 2).unwrap();
+    };
+    let number = Rational::parse(MU).unwrap();
+    let read = || Field::parse(TEXT).unwrap();
+    let kept = read();
+    step(&kept.with([("mu", &number)]).unwrap());
+
+    let maps = measure(|| {
+        for k in 0..100_000 {
+            let map = kept.with([("mu", k)]).unwrap();
+            map.at(0.01).step(&[0.25, 0.5], &mut [0.0; 2]).unwrap();
+        }
+    });
+    assert!(maps.count_total > 0, "nothing is counted");
+    assert_eq!(maps.bytes_current, 0, "maps");
+    let fields = measure(|| (0..1000).for_each(|_| step(&read().with([("mu", &number)]).unwrap())));
+    assert_eq!(fields.bytes_current, 0, "fields");
 }

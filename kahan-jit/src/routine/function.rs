@@ -46,6 +46,12 @@ impl<T: Float> Function<T> {
         Ok(Function { code: Code::new(&writer.leave(), extent)?, floats: PhantomData })
     }
 
+    /// How many numbers the results are.
+    #[must_use]
+    pub fn results(&self) -> usize {
+        self.code.results()
+    }
+
     /// Computes the results. Where the code works on several numbers at once, each entry of the
     /// three arrays is so many numbers.
     ///

@@ -9,9 +9,9 @@ use core::slice;
 use kahan_core::{Composition, Scalar};
 
 use super::lanes::{LANES, Lanes};
-use super::scratch::{Local, Scratches, with_scratch};
+use super::scratch::{Local, Scratch, Scratches, with_scratch};
 use super::step::Step;
-use super::{Engine, distinct, in_turn};
+use super::{Engine, Instructions, distinct, in_turn};
 
 /// What is to be advanced.
 #[derive(Debug)]
@@ -71,7 +71,11 @@ impl Engine {
         columns: &mut Columns<'_, '_, T>,
         composition: Composition,
         steps: u64,
+        instructions: Instructions,
     ) {
+        if self.has_advanced_columns(columns, composition, steps, instructions) {
+            return;
+        }
         let step = self.steps().of_lanes();
         if step.has_lanes() {
             advance(step, T::lanes(), columns, composition, steps);
@@ -94,41 +98,36 @@ fn advance<T, V>(
     V: Abreast<T>,
 {
     let trajectories = columns.first().map_or(0, |column| column.len());
-    with_scratch(local, |scratch| {
-        let [mut constants, mut given, mut state] =
-            [&mut scratch.constants, &mut scratch.given, &mut scratch.state].map(core::mem::take);
+    let (stages, size) = (distinct(&composition).len(), step.registers());
+    with_scratch(local, |Scratch { registers, room, constants, given, state }| {
         for first in (0..trajectories).step_by(V::WIDTH) {
             let last = trajectories.min(first + V::WIDTH) - 1;
             let gather = |values: &[T]| {
                 V::gather(|place| if values.len() == 1 { values[0] } else { values[last.min(first + place)] })
             };
-            [&mut constants, &mut given, &mut state].into_iter().for_each(Vec::clear);
+            [&mut *constants, given, state].into_iter().for_each(Vec::clear);
+            state.extend(columns.iter().map(|column| gather(column)));
             if parameters.is_empty() {
                 constants.extend(own.iter().map(|value| gather(slice::from_ref(value))));
             } else {
                 constants.extend(parameters.iter().map(|values| gather(values)));
             }
-            state.extend(columns.iter().map(|column| gather(column)));
             constants.push(V::zero());
             let eps = gather(eps);
-            let stages = distinct(&composition);
-            let count = stages.len();
-            for coefficient in stages {
+            for coefficient in distinct(&composition) {
                 constants[own.len()] = V::constant(coefficient) * eps;
-                step.prepare(&constants, &mut scratch.registers, &mut given);
+                step.prepare(constants, registers, given);
             }
-            let length = given.len() / count;
+            registers.clear();
+            given.chunks_exact(given.len() / stages).for_each(|given| step.open(given, registers));
             for _ in 0..steps {
-                in_turn(count, |k| {
-                    step.advance(&given[k * length..][..length], false, &mut state, scratch);
-                });
+                in_turn(stages, |k| step.advance(false, state, &mut registers[k * size..][..size], room));
             }
-            for (column, x) in columns.iter_mut().zip(&state) {
+            for (column, x) in columns.iter_mut().zip(&*state) {
                 for (place, entry) in column[first..=last].iter_mut().enumerate() {
                     *entry = x.of(place);
                 }
             }
         }
-        (scratch.constants, scratch.given, scratch.state) = (constants, given, state);
     });
 }

@@ -3,7 +3,6 @@
 //! Every operation is that of the floats, lane by lane, so each lane has the bits that it would
 //! have alone. An instruction of a line is decoded once for all of them.
 
-use core::array::from_fn;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use kahan_core::num_traits::{One, Zero};
@@ -18,6 +17,7 @@ pub(crate) const LANES: usize = 8;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lanes<T>(pub(crate) [T; LANES]);
 
+#[expect(clippy::needless_range_loop, reason = "iterators over arrays leave calls behind, indices do not")]
 impl<T: Scalar + Copy> Lanes<T> {
     #[inline(always)]
     pub(crate) fn splat(value: T) -> Self {
@@ -25,13 +25,27 @@ impl<T: Scalar + Copy> Lanes<T> {
     }
 
     #[inline(always)]
-    fn zip(self, other: Self, operation: impl Fn(T, T) -> T) -> Self {
-        Lanes(from_fn(|lane| operation(self.0[lane], other.0[lane])))
+    fn map(mut self, operation: impl Fn(T) -> T) -> Self {
+        for lane in 0..LANES {
+            self.0[lane] = operation(self.0[lane]);
+        }
+        self
     }
 
     #[inline(always)]
-    fn zip3(self, b: Self, c: Self, operation: impl Fn(T, T, T) -> T) -> Self {
-        Lanes(from_fn(|lane| operation(self.0[lane], b.0[lane], c.0[lane])))
+    fn zip(mut self, other: Self, operation: impl Fn(T, T) -> T) -> Self {
+        for lane in 0..LANES {
+            self.0[lane] = operation(self.0[lane], other.0[lane]);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn zip3(mut self, b: Self, c: Self, operation: impl Fn(T, T, T) -> T) -> Self {
+        for lane in 0..LANES {
+            self.0[lane] = operation(self.0[lane], b.0[lane], c.0[lane]);
+        }
+        self
     }
 }
 
@@ -67,7 +81,7 @@ impl<T: Scalar + Copy> Neg for Lanes<T> {
 
     #[inline(always)]
     fn neg(self) -> Self {
-        Lanes(self.0.map(T::neg))
+        self.map(T::neg)
     }
 }
 
@@ -95,7 +109,7 @@ impl<T: Scalar + Copy> Scalar for Lanes<T> {
 
     #[inline(always)]
     fn reciprocal(&self) -> Option<Self> {
-        Some(Lanes(self.0.map(|value| has_value(value.reciprocal()))))
+        Some(self.map(|value| has_value(value.reciprocal())))
     }
 
     #[inline(always)]

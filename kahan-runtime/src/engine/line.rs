@@ -32,7 +32,7 @@ enum Instruction {
 /// and ε, or in a kernel what was prepared), the numbers that the plan writes out, the states, and
 /// the result of each instruction.
 #[derive(Clone, Debug)]
-pub(crate) struct Line {
+pub(super) struct Line {
     constants: usize,
     literals: Vec<Literal>,
     /// All of them, or none where the line reads none.
@@ -43,7 +43,7 @@ pub(crate) struct Line {
 
 impl Line {
     /// A plan of the states, the parameters and ε, whose divisions are written as quotients.
-    pub(crate) fn of(plan: &Plan, symbols: &Symbols) -> Self {
+    pub(super) fn of(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, false)
     }
 
@@ -100,23 +100,35 @@ impl Line {
         self.constants + self.literals.len()
     }
 
-    /// ε, which is the last of the constants outside of kernels.
-    pub(super) fn eps<V: Copy>(&self, given: &[V]) -> V {
-        given[self.constants - 1]
+    /// How many registers it takes.
+    pub(super) fn registers(&self) -> usize {
+        self.given() + self.states + self.instructions.len()
     }
 
-    /// Runs the line in registers that hold what is given and no more, and shows its results.
+    /// ε, which is the last of the constants outside of kernels.
+    pub(super) fn eps<V: Copy>(&self, registers: &[V]) -> V {
+        registers[self.constants - 1]
+    }
+
+    /// Appends the registers of the line, filled with what is given.
+    pub(super) fn open<V: Scalar + Copy>(&self, given: &[V], registers: &mut Vec<V>) {
+        registers.extend_from_slice(given);
+        registers.resize(registers.len() + self.registers() - given.len(), V::zero());
+    }
+
+    /// Runs the line in its registers, and shows its results. What was given stays, so that the
+    /// line can be run again.
     #[inline(always)]
     pub(super) fn run<'a, V: Scalar + Copy>(
         &'a self,
-        registers: &'a mut Vec<V>,
+        registers: &'a mut [V],
         state: &[V],
     ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
-        registers.extend_from_slice(&state[..self.states]);
-        registers.reserve(self.instructions.len());
-        for instruction in &self.instructions {
+        let first = self.given() + self.states;
+        registers[self.given()..first].copy_from_slice(&state[..self.states]);
+        for (to, instruction) in (first..).zip(&self.instructions) {
             let at = |register: u32| registers[register as usize];
-            let value = match *instruction {
+            registers[to] = match *instruction {
                 Instruction::Add(a, b) => at(a) + at(b),
                 Instruction::Subtract(a, b) => at(a) - at(b),
                 Instruction::Multiply(a, b) => at(a) * at(b),
@@ -128,13 +140,12 @@ impl Line {
                 Instruction::MultiplySubtract(a, b, c) => at(a).multiply_subtract(at(b), at(c)),
                 Instruction::SubtractProduct(a, b, c) => at(a).subtract_product(at(b), at(c)),
             };
-            registers.push(value);
         }
         self.results.iter().map(|result| registers[*result as usize])
     }
 
-    /// The results of a run in registers that may hold anything.
-    pub(crate) fn results<'a, V: Scalar + Copy>(
+    /// The results of a single run; what `registers` hold is lost.
+    pub(super) fn results<'a, V: Scalar + Copy>(
         &'a self,
         constants: &[V],
         registers: &'a mut Vec<V>,
@@ -142,11 +153,13 @@ impl Line {
     ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
         registers.clear();
         self.give(constants, registers);
+        registers.resize(self.registers(), V::zero());
         self.run(registers, state)
     }
 }
 
 /// Floats, and what is made of them, can be divided by zero.
+#[inline(always)]
 pub(super) fn has_value<V>(quotient: Option<V>) -> V {
     quotient.unwrap_or_else(|| unreachable!("floats have a reciprocal of zero"))
 }

@@ -4,6 +4,8 @@
 //! bits of generated code. A plan is made ready when it is first asked for, and kept for all maps
 //! of the field. Here is the one place that knows how a plan is run.
 
+mod coded;
+mod coded_columns;
 mod columns;
 mod elimination;
 mod lanes;
@@ -17,17 +19,20 @@ use kahan_algebra::derived::{Derived, derive};
 use kahan_algebra::plan::Plan;
 use kahan_algebra::system::System;
 use kahan_core::__private::Dual;
-use kahan_core::{Composition, Constant, Scalar};
+use kahan_core::{Composition, Constant, FloatScalar, Scalar};
 
 use crate::interpreted::Code;
 use crate::machine::Codes;
 
 use elimination::solve;
+use line::Line;
 use step::{Step, Steps, into_matrix};
 
+pub(crate) use coded::CodedStages;
+pub(crate) use coded_columns::Instructions;
 pub(crate) use columns::Columns;
-pub(crate) use line::Line;
-pub(crate) use scratch::{Scratch, Scratches, with_scratch};
+use scratch::{Room, with_scratch};
+pub(crate) use scratch::{Scratch, Scratches};
 
 /// A function of the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -65,7 +70,8 @@ pub(crate) struct Engine {
 /// A step of the map at one ε, with all that does not depend on the state.
 #[derive(Clone, Debug)]
 pub(crate) struct Stage<T> {
-    eps: T,
+    /// Whether it takes the general form of the step.
+    is_general: bool,
     given: Vec<T>,
 }
 
@@ -75,6 +81,7 @@ fn distinct(composition: &Composition) -> impl ExactSizeIterator<Item = &'static
 }
 
 /// Runs the stages of a composition in order, of which `distinct` differ.
+#[inline(always)]
 pub(crate) fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
     let last = 2 * distinct - 2;
     (0..=last).for_each(|k| run(k.min(last - k)));
@@ -114,72 +121,33 @@ impl Engine {
             Object::Integrals => (&self.integrals, &derived.integrals),
             Object::Density => (&self.density, derived.density.as_ref()?),
             Object::Bracket(index) => (self.brackets.get(index)?, &derived.brackets.get(index)?.1),
+            // They are computed from others.
+            Object::Matrix | Object::Jacobian => return None,
         };
         Some(kept.get_or_init(|| Line::of(plan, &derived.system.field.symbols)))
     }
 
     /// The distinct stages of a composition, each prepared; `constants` are the parameters and ε.
     pub(crate) fn stages<T: Scratches>(&self, constants: &[T], composition: Composition) -> Vec<Stage<T>> {
-        let (parameters, eps) = split(constants);
-        let stage = |coefficient: &Constant<'_>| {
-            let eps = T::constant(coefficient) * eps;
-            let (step, _) = self.steps().at(&eps);
-            let constants: Vec<T> = parameters.iter().copied().chain([eps]).collect();
-            let mut given = Vec::new();
-            with_scratch(T::single(), |scratch| {
-                step.prepare(&constants, &mut scratch.registers, &mut given);
-            });
-            Stage { eps, given }
-        };
-        distinct(&composition).map(stage).collect()
+        with_scratch(T::single(), |scratch| {
+            stage_constants(constants, composition).iter().map(|own| self.stage(own, scratch)).collect()
+        })
     }
 
     /// A step, prepared; `constants` are the parameters and ε.
     pub(crate) fn stage<V: Scalar + Copy>(&self, constants: &[V], scratch: &mut Scratch<V>) -> Stage<V> {
-        let (_, eps) = split(constants);
+        let is_general = self.steps().are_general(&split(constants).1);
         let mut given = Vec::new();
-        self.steps().at(&eps).0.prepare(constants, &mut scratch.registers, &mut given);
-        Stage { eps, given }
-    }
-
-    /// One step from a state; with what the state lacks carried along, where `carry` is not empty.
-    pub(crate) fn advance_stage<V: Scalar + Copy>(
-        &self,
-        Stage { eps, given }: &Stage<V>,
-        state: &mut [V],
-        carry: &mut [V],
-        scratch: &mut Scratch<V>,
-    ) {
-        let (step, rounds) = self.steps().at(eps);
-        if carry.is_empty() {
-            step.advance(given, rounds, state, scratch);
-        } else {
-            step.advance_with_carry(given, rounds, state, carry, scratch);
-        }
-    }
-
-    /// The increment at a state, added to another one.
-    pub(crate) fn add_increment<V: Scalar + Copy>(
-        &self,
-        Stage { eps, given }: &Stage<V>,
-        state: &[V],
-        base: &mut [V],
-        scratch: &mut Scratch<V>,
-    ) {
-        let (step, rounds) = self.steps().at(eps);
-        step.add_increment(given, rounds, state, base, scratch);
+        self.steps().form(is_general).prepare(constants, &mut scratch.registers, &mut given);
+        Stage { is_general, given }
     }
 
     /// Replaces a state by the one so many steps later.
     pub(crate) fn advance<T: Scratches>(&self, stages: &[Stage<T>], state: &mut [T], steps: u64) {
         with_scratch(T::single(), |scratch| {
-            for _ in 0..steps {
-                in_turn(stages.len(), |k| {
-                    let Stage { eps, given } = &stages[k];
-                    let (step, rounds) = self.steps().at(eps);
-                    step.advance(given, rounds, state, scratch);
-                });
-            }
+            self.run(stages, steps, scratch, |step, rounds, registers, room| {
+                step.advance(rounds, state, registers, room);
+            });
         });
     }
 
@@ -192,19 +160,45 @@ impl Engine {
         steps: u64,
     ) {
         with_scratch(T::single(), |scratch| {
-            for _ in 0..steps {
-                in_turn(stages.len(), |k| {
-                    let Stage { eps, given } = &stages[k];
-                    let (step, rounds) = self.steps().at(eps);
-                    step.advance_with_carry(given, rounds, state, carry, scratch);
-                });
-            }
+            self.run(stages, steps, scratch, |step, rounds, registers, room| {
+                step.advance_with_carry(rounds, [state, carry], registers, room);
+            });
         });
+    }
+
+    /// Runs so many steps of all stages, each in its own registers; `advance` is told whether
+    /// increments are rounded.
+    #[inline(always)]
+    pub(crate) fn run<V: Scalar + Copy>(
+        &self,
+        stages: &[Stage<V>],
+        steps: u64,
+        Scratch { registers, room, .. }: &mut Scratch<V>,
+        mut advance: impl FnMut(&Step, bool, &mut [V], &mut Room<V>),
+    ) {
+        let steps_of_field = self.steps();
+        let form = |stage: &Stage<V>| steps_of_field.form(stage.is_general);
+        let size = stages.iter().map(|stage| form(stage).registers()).max().unwrap_or(0);
+        registers.clear();
+        for (k, stage) in stages.iter().enumerate() {
+            registers.resize(k * size, V::zero());
+            form(stage).open(&stage.given, registers);
+        }
+        registers.resize(stages.len() * size, V::zero());
+        for _ in 0..steps {
+            in_turn(stages.len(), |k| {
+                let rounds = Steps::rounds::<V>(stages[k].is_general);
+                advance(form(&stages[k]), rounds, &mut registers[k * size..][..size], room);
+            });
+        }
     }
 
     /// An object at a state; `constants` are the parameters and ε. What `out` has no room for is
     /// left out, as is an object that the field has not.
     pub(crate) fn evaluate<T: Scratches>(&self, object: Object, constants: &[T], state: &[T], out: &mut [T]) {
+        if self.has_evaluated(object, constants, state, out) {
+            return;
+        }
         let Some(line) = self.line(object) else { return };
         with_scratch(T::single(), |scratch| {
             let results = line.results(constants, &mut scratch.registers, state);
@@ -214,6 +208,9 @@ impl Engine {
 
     /// A(x,ε), row by row; `constants` are the parameters and ε.
     pub(crate) fn matrix<T: Scratches>(&self, constants: &[T], state: &[T], out: &mut [T]) {
+        if self.has_evaluated(Object::Matrix, constants, state, out) {
+            return;
+        }
         self.evaluate(Object::FieldJacobian, constants, state, out);
         into_matrix(out, split(constants).1, state.len());
     }
@@ -221,8 +218,11 @@ impl Engine {
     /// ∂x̃/∂x of a step, row by row: the straight line over dual numbers, or A(x,ε)⁻¹·A(x̃,−ε);
     /// `constants` are the parameters and ε.
     pub(crate) fn jacobian<T: Scratches>(&self, constants: &[T], state: &[T], out: &mut [T]) {
+        if self.has_evaluated(Object::Jacobian, constants, state, out) {
+            return;
+        }
         let (parameters, eps) = split(constants);
-        let (step, _) = self.steps().at(&Dual::<T, 1>::lift(eps));
+        let step = self.steps().form(self.steps().are_general(&Dual::<T, 1>::lift(eps)));
         if step.has_lanes() {
             with_scratch(T::duals(), |scratch| jacobian_by_duals(step, constants, state, out, scratch));
         } else {
@@ -243,6 +243,14 @@ fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
     (parameters, *eps)
 }
 
+/// The parameters, and behind them the ε of each stage that differs in its turn.
+fn stage_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<Vec<T>> {
+    let (parameters, eps) = split(constants);
+    let own = |coefficient: &Constant<'_>| T::constant(coefficient) * eps;
+    let stage = |coefficient| parameters.iter().copied().chain([own(coefficient)]).collect();
+    distinct(&composition).map(stage).collect()
+}
+
 /// One direction after the other.
 fn jacobian_by_duals<T: Scratches>(
     step: &Step,
@@ -251,19 +259,19 @@ fn jacobian_by_duals<T: Scratches>(
     out: &mut [T],
     scratch: &mut Scratch<Dual<T, 1>>,
 ) {
-    let [mut lifted, mut given, mut point] =
-        [&mut scratch.constants, &mut scratch.given, &mut scratch.state].map(core::mem::take);
-    [&mut lifted, &mut given, &mut point].into_iter().for_each(Vec::clear);
+    let Scratch { registers, room, constants: lifted, given, state: point } = scratch;
+    [&mut *lifted, given, point].into_iter().for_each(Vec::clear);
     lifted.extend(constants.iter().map(|constant| Dual::lift(*constant)));
-    step.prepare(&lifted, &mut scratch.registers, &mut given);
+    step.prepare(lifted, registers, given);
+    registers.clear();
+    step.open(given, registers);
     point.extend(state.iter().map(|x| Dual::lift(*x)));
     for j in 0..state.len() {
         point[j] = Dual::coordinate(state[j], 0);
-        for (i, increment) in step.increments(&given, &point, scratch).enumerate() {
+        for (i, increment) in step.increments(point, registers, room).enumerate() {
             let [slope] = increment.gradient;
             out[i * state.len() + j] = if i == j { T::one() + slope } else { slope };
         }
         point[j] = Dual::lift(state[j]);
     }
-    (scratch.constants, scratch.given, scratch.state) = (lifted, given, point);
 }

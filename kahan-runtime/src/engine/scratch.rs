@@ -9,35 +9,37 @@ use std::thread::LocalKey;
 use kahan_core::__private::Dual;
 use kahan_core::FloatScalar;
 
+use crate::machine::Coded;
+
 use super::lanes::Lanes;
 
-/// The vectors that a step over V computes in; what they hold between two steps means nothing.
+/// The vectors that steps over V are computed in; what they hold between two calls means nothing.
 #[derive(Debug)]
 pub struct Scratch<V> {
-    /// The registers of a line.
+    /// The registers of lines.
     pub(super) registers: Vec<V>,
-    /// What a step is about to add: numerators, then their reciprocals.
+    pub(super) room: Room<V>,
+    /// The parameters and ε.
+    pub(super) constants: Vec<V>,
+    /// What the line of a step is given.
+    pub(super) given: Vec<V>,
+    /// The state, where it is not the caller's.
+    pub(super) state: Vec<V>,
+}
+
+/// Where a step leaves what it is about to add.
+#[derive(Debug)]
+pub(crate) struct Room<V> {
+    /// Numerators, then their reciprocals.
     pub(super) outcome: Vec<V>,
     /// A(x,ε), row by row.
     pub(super) matrix: Vec<V>,
-    /// What the lines of the stages are given.
-    pub(crate) given: Vec<V>,
-    /// The parameters and ε.
-    pub(crate) constants: Vec<V>,
-    /// The state, where it is not the caller's.
-    pub(crate) state: Vec<V>,
 }
 
 impl<V> Default for Scratch<V> {
     fn default() -> Self {
-        Scratch {
-            registers: Vec::new(),
-            outcome: Vec::new(),
-            matrix: Vec::new(),
-            given: Vec::new(),
-            constants: Vec::new(),
-            state: Vec::new(),
-        }
+        let [registers, outcome, matrix, constants, given, state] = [const { Vec::new() }; 6];
+        Scratch { registers, room: Room { outcome, matrix }, constants, given, state }
     }
 }
 
@@ -45,7 +47,7 @@ impl<V> Default for Scratch<V> {
 pub(super) type Local<V> = &'static LocalKey<Cell<Scratch<V>>>;
 
 /// A float with scratch for it, for several side by side, and for its dual numbers.
-pub trait Scratches: FloatScalar + Send + Sync {
+pub trait Scratches: FloatScalar + Coded + Default + Send + Sync {
     /// For one state.
     fn single() -> Local<Self>;
     /// For several side by side.

@@ -8,7 +8,7 @@ use kahan_core::Scalar;
 
 use super::elimination::solve;
 use super::line::Line;
-use super::scratch::Scratch;
+use super::scratch::Room;
 
 /// The forms of a step.
 #[derive(Debug)]
@@ -31,21 +31,25 @@ impl Steps {
         }
     }
 
-    /// The form of single steps over V at this ε, and whether it rounds increments before it adds
-    /// them, as generated code does in the form that it rarely takes.
-    pub(crate) fn at<V: Scalar>(&self, eps: &V) -> (&Step, bool) {
-        match &self.general {
-            // What never divides by ε has this form as its own.
-            Some(general) if self.divides_by_eps && !may_divide_by(eps) => {
-                (general, may_divide_by(&V::one()))
-            }
-            _ => (&self.first, false),
-        }
+    /// Whether single steps over V at this ε take the general form, rather than the first.
+    pub(crate) fn are_general<V: Scalar>(&self, eps: &V) -> bool {
+        self.divides_by_eps && !may_divide_by(eps)
+    }
+
+    /// Whether generated code rounds the increments of a form over V before it adds them: it does
+    /// so in the form that floats take rarely.
+    pub(crate) fn rounds<V: Scalar>(is_general: bool) -> bool {
+        is_general && may_divide_by(&V::one())
+    }
+
+    /// One of the two forms.
+    pub(crate) fn form(&self, is_general: bool) -> &Step {
+        self.general.as_ref().filter(|_| is_general).unwrap_or(&self.first)
     }
 
     /// The form of several trajectories side by side.
     pub(crate) fn of_lanes(&self) -> &Step {
-        self.general.as_ref().unwrap_or(&self.first)
+        self.form(true)
     }
 }
 
@@ -110,19 +114,39 @@ impl Step {
         }
     }
 
-    /// Replaces a state by the next one. `given` is what was prepared; whether increments are
-    /// rounded before they are added, is said by [`Steps::at`].
+    /// How many registers the step takes.
+    pub(crate) fn registers(&self) -> usize {
+        match &self.kind {
+            Kind::Straight { kernel, .. } => kernel.registers(),
+            Kind::Elimination { field_jacobian, field } => field_jacobian.registers() + field.registers(),
+        }
+    }
+
+    /// Appends the registers of the step, with what was prepared.
+    pub(crate) fn open<V: Scalar + Copy>(&self, given: &[V], registers: &mut Vec<V>) {
+        match &self.kind {
+            Kind::Straight { kernel, .. } => kernel.open(given, registers),
+            Kind::Elimination { field_jacobian, field } => {
+                let (of_slopes, of_field) = given.split_at(field_jacobian.given());
+                field_jacobian.open(of_slopes, registers);
+                field.open(of_field, registers);
+            }
+        }
+    }
+
+    /// Replaces a state by the next one, in the registers of the step. Where generated code takes the
+    /// general form for one state, it rounds increments before it adds them.
     #[inline]
     pub(crate) fn advance<V: Scalar + Copy>(
         &self,
-        given: &[V],
         rounds: bool,
         state: &mut [V],
-        scratch: &mut Scratch<V>,
+        registers: &mut [V],
+        room: &mut Room<V>,
     ) {
-        self.compute(given, state, scratch);
+        self.compute(state, registers, room);
         for (i, x) in state.iter_mut().enumerate() {
-            *x = added(self.quotient(i, rounds, scratch), *x);
+            *x = added(self.quotient(i, rounds, room), *x);
         }
     }
 
@@ -130,15 +154,14 @@ impl Step {
     /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry).
     pub(crate) fn advance_with_carry<V: Scalar + Copy>(
         &self,
-        given: &[V],
         rounds: bool,
-        state: &mut [V],
-        carry: &mut [V],
-        scratch: &mut Scratch<V>,
+        [state, carry]: [&mut [V]; 2],
+        registers: &mut [V],
+        room: &mut Room<V>,
     ) {
-        self.compute(given, state, scratch);
+        self.compute(state, registers, room);
         for (i, (x, carry)) in state.iter_mut().zip(carry).enumerate() {
-            let quotient = self.quotient(i, rounds, scratch);
+            let quotient = self.quotient(i, rounds, room);
             let base = *x + *carry;
             let rest = *carry - (base - *x);
             let next = added(quotient, base);
@@ -154,50 +177,53 @@ impl Step {
     /// Adds the increment at a state to another one.
     pub(crate) fn add_increment<V: Scalar + Copy>(
         &self,
-        given: &[V],
         rounds: bool,
-        state: &[V],
-        base: &mut [V],
-        scratch: &mut Scratch<V>,
+        [state, base]: [&mut [V]; 2],
+        registers: &mut [V],
+        room: &mut Room<V>,
     ) {
-        self.compute(given, state, scratch);
+        self.compute(state, registers, room);
         for (i, x) in base.iter_mut().enumerate() {
-            *x = added(self.quotient(i, rounds, scratch), *x);
+            *x = added(self.quotient(i, rounds, room), *x);
+        }
+    }
+
+    /// What the state's kernel reads; `constants` are the parameters and ε. Nothing, where the step
+    /// is no straight line.
+    pub(crate) fn prepared<V: Scalar + Copy>(&self, constants: &[V], registers: &mut Vec<V>) -> Vec<V> {
+        match &self.kind {
+            Kind::Straight { constants: prepared, .. } => {
+                prepared.results(constants, registers, &[]).collect()
+            }
+            Kind::Elimination { .. } => Vec::new(),
         }
     }
 
     /// x̃ − x, a component after the other.
     pub(super) fn increments<'a, V: Scalar + Copy>(
         &'a self,
-        given: &[V],
         state: &[V],
-        scratch: &'a mut Scratch<V>,
+        registers: &mut [V],
+        room: &'a mut Room<V>,
     ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
-        self.compute(given, state, scratch);
-        (0..self.reciprocals.len()).map(|i| self.quotient(i, true, scratch).0)
+        self.compute(state, registers, room);
+        (0..self.reciprocals.len()).map(|i| self.quotient(i, true, room).0)
     }
 
     /// Computes numerators and reciprocals.
     #[inline(always)]
-    fn compute<V: Scalar + Copy>(&self, given: &[V], state: &[V], scratch: &mut Scratch<V>) {
-        let Scratch { registers, outcome, matrix, .. } = scratch;
+    fn compute<V: Scalar + Copy>(&self, state: &[V], registers: &mut [V], room: &mut Room<V>) {
+        let Room { outcome, matrix } = room;
         outcome.clear();
-        registers.clear();
         match &self.kind {
-            Kind::Straight { kernel, .. } => {
-                registers.extend_from_slice(given);
-                outcome.extend(kernel.run(registers, state));
-            }
+            Kind::Straight { kernel, .. } => outcome.extend(kernel.run(registers, state)),
             Kind::Elimination { field_jacobian, field } => {
-                let (of_slopes, of_field) = given.split_at(field_jacobian.given());
+                let (of_slopes, of_field) = registers.split_at_mut(field_jacobian.registers());
                 let eps = field_jacobian.eps(of_slopes);
-                registers.extend_from_slice(of_slopes);
                 matrix.clear();
-                matrix.extend(field_jacobian.run(registers, state));
+                matrix.extend(field_jacobian.run(of_slopes, state));
                 into_matrix(matrix, eps, state.len());
-                registers.clear();
-                registers.extend_from_slice(of_field);
-                outcome.extend(field.run(registers, state));
+                outcome.extend(field.run(of_field, state));
                 solve(matrix, outcome, state.len());
                 let time_step = eps + eps;
                 outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
@@ -207,8 +233,8 @@ impl Step {
 
     /// Component i of the increment before its last multiplication.
     #[inline(always)]
-    fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, scratch: &Scratch<V>) -> (V, Option<V>) {
-        let (numerators, reciprocals) = scratch.outcome.split_at(self.reciprocals.len());
+    fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, room: &Room<V>) -> (V, Option<V>) {
+        let (numerators, reciprocals) = room.outcome.split_at(self.reciprocals.len());
         match self.reciprocals[i] {
             Some(place) if rounds => (numerators[i] * reciprocals[place], None),
             place => (numerators[i], place.map(|place| reciprocals[place])),

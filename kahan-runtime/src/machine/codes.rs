@@ -36,7 +36,7 @@ impl<K: Eq + Hash, C> Table<K, C> {
 
 /// The code of a field over one float.
 #[derive(Debug)]
-pub(crate) struct CodesOf<T> {
+pub struct CodesOf<T> {
     orbits: Table<(StepKind, Form, bool), OrbitCode<T>>,
     functions: Table<Object, FunctionCode<T>>,
     columns: Table<Shape, ColumnsCode<T>>,
@@ -50,17 +50,18 @@ impl<T> Default for CodesOf<T> {
 
 /// The code of a field.
 #[derive(Debug, Default)]
-pub(crate) struct Codes {
+pub struct Codes {
     single: CodesOf<f32>,
     double: CodesOf<f64>,
 }
 
 /// A float that has code.
-pub(crate) trait Coded: kahan_jit::Float {
+pub trait Coded: kahan_jit::Float {
     /// The float nearest to a number, as a double.
     const NEAREST: fn(&Rational) -> f64;
 
     /// Its code.
+    #[doc(hidden)]
     fn of(codes: &Codes) -> &CodesOf<Self>;
 }
 
@@ -82,18 +83,18 @@ impl Coded for f64 {
 
 /// The code of an orbit, whose step is one of the map or several of them.
 #[derive(Debug)]
-pub(crate) enum OrbitCode<T> {
+pub enum OrbitCode<T> {
     Single(Orbit<T>),
     Composed(ComposedOrbit<T>),
 }
 
 /// The code of an object.
 #[derive(Debug)]
-pub(crate) struct FunctionCode<T>(Function<T>);
+pub struct FunctionCode<T>(Function<T>);
 
 /// The code of columns.
 #[derive(Debug)]
-pub(crate) struct ColumnsCode<T> {
+pub struct ColumnsCode<T> {
     /// From the parameters and ε of a register of trajectories to the constants of their step.
     constants: Function<T>,
     count: usize,
@@ -165,9 +166,14 @@ impl<T: Coded> OrbitCode<T> {
 }
 
 impl<T: Coded> FunctionCode<T> {
-    /// The object at a state; `constants` are the parameters and ε.
-    pub(crate) fn run(&self, constants: &[T], state: &[T], out: &mut [T]) {
-        self.0.run(state, constants, out);
+    /// Computes the object at a state, unless there is no room for it; `constants` are the
+    /// parameters and ε.
+    pub(crate) fn has_run(&self, constants: &[T], state: &[T], out: &mut [T]) -> bool {
+        let has_room = self.0.results() <= out.len();
+        if has_room {
+            self.0.run(state, constants, out);
+        }
+        has_room
     }
 }
 
@@ -178,7 +184,7 @@ impl<T: Coded> ColumnsCode<T> {
         shape: Shape,
     ) -> Result<Self, Refusal> {
         let prepared = objects::constants(&step.constants, derived, T::NEAREST);
-        let kind = StepKind::of_columns::<T>(shape.fuses);
+        let kind = StepKind::of::<T>(shape.fuses);
         let program = kind.program(step, &derived.system.field.symbols);
         Ok(ColumnsCode {
             // Constants are rounded once each, whatever the step does.

@@ -37,9 +37,8 @@ pub(crate) struct StepKind {
 }
 
 impl StepKind {
-    /// The step of columns of T.
-    #[cfg(feature = "jit")]
-    pub(super) fn of_columns<T>(fuses: bool) -> Self {
+    /// The plain step over T, a float of the machine.
+    pub(crate) fn of<T>(fuses: bool) -> Self {
         let precision = if size_of::<T>() == size_of::<f32>() { Precision::Single } else { Precision::Double };
         StepKind { precision, compensated: false, rounds_increments: false, fuses }
     }

@@ -3,12 +3,11 @@
 use std::sync::Arc;
 
 use kahan_algebra::rational::Rational;
-use kahan_core::__private::may_divide_by;
 use kahan_core::{Dd, FloatScalar, Precision, Scalar, Scheme};
 
-use crate::engine::Line;
+use crate::engine::Scratch;
 use crate::interpreted::round;
-use crate::machine::{Coded, Form, OrbitCode, StepKind};
+use crate::machine::{Coded, OrbitCode, StepKind};
 
 use crate::Map;
 
@@ -98,36 +97,23 @@ where
         numbers: impl Fn(C) -> Vec<T>,
     ) -> Option<Self> {
         let engine = &map.field().engine;
-        let derived = &engine.derived;
-        let step = derived.step()?;
         let own: Vec<G> = stages(scheme.composition, round(eps));
         let own: Vec<C> = own.into_iter().map(&widen).collect();
-        let is_ordinary = |eps: &C| may_divide_by(eps);
-        let form = match (step.has_inverse_step(), own.iter().all(is_ordinary)) {
-            (true, false) if own.iter().any(is_ordinary) => return None,
-            (true, false) => Form::AnyEps,
-            _ => Form::Own,
-        };
-        let is_wide = scheme.precision == Precision::DoubleDouble;
-        let kind = StepKind {
-            precision: scheme.precision,
-            compensated: scheme.compensated,
-            rounds_increments: form == Form::AnyEps && !is_wide,
-            fuses: FUSES,
-        };
-        let code = engine.codes.orbit(derived, kind, form, own.len() > 1)?;
-        let line = Line::of(&form.of(step).constants, &derived.system.field.symbols);
+        let (form, rounds_increments) = engine.form(own.iter().copied())?;
+        let Scheme { precision, compensated, .. } = scheme;
+        let kind = StepKind { precision, compensated, rounds_increments, fuses: FUSES };
+        let code = engine.codes.orbit(&engine.derived, kind, form, own.len() > 1)?;
         let parameters = map.parameters().iter().map(|value| widen(round(value)));
         let mut constants: Vec<C> = parameters.collect();
-        let mut registers = Vec::new();
-        let mut constants = |eps: &C| {
+        let mut scratch = Scratch::default();
+        let mut prepared = |eps: &C| {
             constants.truncate(map.parameters().len());
             constants.push(*eps);
-            line.results(&constants, &mut registers, &[]).flat_map(&numbers).collect()
+            engine.prepared(form, &constants, &mut scratch).into_iter().flat_map(&numbers).collect()
         };
         let mut state: Vec<T> = start.iter().flat_map(|x| numbers(widen(round(x)))).collect();
         state.resize(kind.numbers(start.len()), T::default());
-        Some(Running { code, stages: own.iter().map(&mut constants).collect(), numbers: state, kind })
+        Some(Running { code, stages: own.iter().map(&mut prepared).collect(), numbers: state, kind })
     }
 
     fn advance(&mut self, steps: u64) -> bool {

@@ -4,7 +4,7 @@ use kahan_algebra::rational::Rational;
 use kahan_core::{Dd, FloatScalar, Precision, Scheme};
 
 use crate::Map;
-use crate::engine::{Scratch, Stage, in_turn};
+use crate::engine::{Scratch, Stage};
 use crate::interpreted::round;
 
 use super::stages;
@@ -100,9 +100,13 @@ where
 
     fn advance(&mut self, steps: u64) {
         let Walk { map, stages, state, carry, scratch } = self;
-        for _ in 0..steps {
-            in_turn(stages.len(), |k| map.field().engine.advance_stage(&stages[k], state, carry, scratch));
-        }
+        map.field().engine.run(stages, steps, scratch, |step, rounds, registers, room| {
+            if carry.is_empty() {
+                step.advance(rounds, state, registers, room);
+            } else {
+                step.advance_with_carry(rounds, [state, carry], registers, room);
+            }
+        });
     }
 
     fn point(&self, point: &mut [Dd]) {
@@ -116,18 +120,16 @@ impl Walk<f64> {
         let single = |x: f64| f64::from(x as f32);
         let Walk { map, stages, state, carry, scratch } = self;
         let mut next = state.clone();
-        for _ in 0..steps {
-            in_turn(stages.len(), |k| {
-                next.copy_from_slice(state);
-                next.iter_mut().zip(carry.iter()).for_each(|(base, carry)| *base += *carry);
-                map.field().engine.add_increment(&stages[k], state, &mut next, scratch);
-                for (x, next) in state.iter_mut().zip(&next) {
-                    *x = single(*next);
-                }
-                for (carry, (x, next)) in carry.iter_mut().zip(state.iter().zip(&next)) {
-                    *carry = single(*next - *x);
-                }
-            });
-        }
+        map.field().engine.run(stages, steps, scratch, |step, rounds, registers, room| {
+            next.copy_from_slice(state);
+            next.iter_mut().zip(carry.iter()).for_each(|(base, carry)| *base += *carry);
+            step.add_increment(rounds, [state, &mut next], registers, room);
+            for (x, next) in state.iter_mut().zip(&next) {
+                *x = single(*next);
+            }
+            for (carry, (x, next)) in carry.iter_mut().zip(state.iter().zip(&next)) {
+                *carry = single(*next - *x);
+            }
+        });
     }
 }

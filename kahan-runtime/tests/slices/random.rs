@@ -12,7 +12,7 @@ const NAMES: [&str; 6] = ["u", "v", "w", "x", "y", "z"];
 /// A field in n variables: each equation is a sum of a few terms of all degrees, some with one of
 /// two parameters.
 fn field(random: &mut Random, n: u32) -> String {
-    let mut name = |random: &mut Random| NAMES[random.below(n) as usize];
+    let name = |random: &mut Random| NAMES[random.below(n) as usize];
     let mut equation = |variable: &str| {
         let terms = (0..=random.below(4)).map(|_| {
             let number = format!("{}/{}", 1 + random.below(9), 1 + random.below(12));
