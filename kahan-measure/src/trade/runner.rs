@@ -103,7 +103,8 @@ impl<const N: usize> Map for Interpreted<BigRational, N> {
     }
 
     fn slope(&self, start: &[Rational]) -> f64 {
-        let slopes = self.rounded::<f64>().field_jacobian(&SVector::from_fn(|i, _| start.get(i).map_or(0.0, round)));
+        let slopes =
+            self.rounded::<f64>().field_jacobian(&SVector::from_fn(|i, _| start.get(i).map_or(0.0, round)));
         slopes.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
     }
 
