@@ -17,7 +17,7 @@ pub(crate) const LANES: usize = 8;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lanes<T>(pub(crate) [T; LANES]);
 
-#[expect(clippy::needless_range_loop, reason = "iterators over arrays leave calls behind, indices do not")]
+/// Loops run over indices, which leave no call of an iterator behind.
 impl<T: Scalar + Copy> Lanes<T> {
     #[inline(always)]
     pub(crate) fn splat(value: T) -> Self {
