@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use kahan_core::Composition;
+use kahan_core::{Composition, Level};
 
 use crate::dimension::Argument;
-use crate::engine::{Columns, Engine, Object, Scratches, Stage};
+use crate::engine::{CodedStages, Columns, Engine, Instructions, Object, Scratches, Stage};
 use crate::{ClaimError, DimensionError, Map};
 
 /// A float of the machine: `f64` or `f32`.
@@ -17,8 +17,9 @@ impl MachineFloat for f64 {}
 /// Kahan's map at one ε, half the time step; made by [`Map::at`].
 ///
 /// States are slices, an entry a variable. Bits are those of the code that `kahan!` writes, for
-/// single steps and for columns (where those are ensembles at
-/// [`Level::Baseline`](kahan_core::Level::Baseline)). Nothing panics, whatever the numbers are: a
+/// single steps and for columns (where those are ensembles at [`Level::Baseline`]), unless
+/// [another level](Self::at_level) is asked for. It runs as machine code where that can be had, and
+/// else interpreted, by the same calls and with the same bits. Nothing panics, whatever the numbers are: a
 /// pole shows as numbers that are not finite. After the first call on a thread no step allocates.
 /// A map can be used from any number of threads at once, none of which waits for another.
 #[derive(Clone, Debug)]
@@ -27,15 +28,20 @@ pub struct MapAt<T> {
     /// The parameters, and ε behind them.
     constants: Arc<[T]>,
     composition: Composition,
+    instructions: Instructions,
     /// Those that differ.
     stages: Arc<[Stage<T>]>,
+    /// The same as machine code, where there is some.
+    coded: Option<CodedStages<T>>,
 }
 
 impl<T: MachineFloat> MapAt<T> {
     /// The map with the parameters, and ε behind them.
     pub(crate) fn new(map: Map, constants: Arc<[T]>) -> Self {
         let composition = Composition::KAHAN;
-        MapAt { map, constants, composition, stages: Arc::default() }.composed(composition)
+        let instructions = Instructions::OF_THE_BUILD;
+        MapAt { map, constants, composition, instructions, stages: Arc::default(), coded: None }
+            .composed(composition)
     }
 
     /// The same map with each step replaced by a composition of steps, which has a higher order; a
@@ -45,8 +51,29 @@ impl<T: MachineFloat> MapAt<T> {
     /// the map itself at ε.
     #[must_use]
     pub fn composed(&self, composition: Composition) -> Self {
-        let stages = self.engine().stages(&self.constants, composition).into();
-        MapAt { composition, stages, ..self.clone() }
+        let (engine, constants) = (self.engine(), &self.constants);
+        let stages = engine.stages(constants, composition).into();
+        let coded = engine.coded_stages(constants, composition, self.instructions.fuses);
+        MapAt { composition, stages, coded, ..self.clone() }
+    }
+
+    /// The same map with the bits of a level of ensembles, whose larger ones fuse multiply-adds, and
+    /// its columns on the instructions of that level; `None` if this processor lacks them, or there
+    /// is no machine code for the step.
+    ///
+    /// [`Level::Baseline`] is what a map is without being asked: the bits of this build, computed in
+    /// registers as wide as there are.
+    #[must_use]
+    pub fn at_level(&self, level: Level) -> Option<Self> {
+        let instructions = Instructions::at_level(level);
+        let at = MapAt { instructions, ..self.clone() }.composed(self.composition);
+        (level == Level::Baseline || level.is_available() && at.coded.is_some()).then_some(at)
+    }
+
+    /// Whether its steps are machine code, and not interpreted.
+    #[must_use]
+    pub fn is_code(&self) -> bool {
+        self.coded.is_some()
     }
 
     /// The map.
@@ -76,7 +103,7 @@ impl<T: MachineFloat> MapAt<T> {
         self.check_out(next, self.dimension())?;
         self.check_state(x)?;
         next.copy_from_slice(x);
-        self.engine().advance(&self.stages, next, 1);
+        self.advance_checked(next, 1);
         Ok(())
     }
 
@@ -86,8 +113,15 @@ impl<T: MachineFloat> MapAt<T> {
     /// [`DimensionError`] if `x` has not an entry a variable.
     pub fn advance(&self, x: &mut [T], steps: u64) -> Result<(), DimensionError> {
         self.check_state(x)?;
-        self.engine().advance(&self.stages, x, steps);
+        self.advance_checked(x, steps);
         Ok(())
+    }
+
+    fn advance_checked(&self, x: &mut [T], steps: u64) {
+        match &self.coded {
+            Some(stages) => self.engine().advance_coded(stages, x, steps),
+            None => self.engine().advance(&self.stages, x, steps),
+        }
     }
 
     /// The same with the rounding error of each addition carried into the next one: the orbit is at
@@ -100,7 +134,11 @@ impl<T: MachineFloat> MapAt<T> {
     pub fn advance_with_carry(&self, x: &mut [T], carry: &mut [T], steps: u64) -> Result<(), DimensionError> {
         self.check_state(x)?;
         DimensionError::check(Argument::Carry, carry.len(), self.dimension())?;
-        self.engine().advance_with_carry(&self.stages, x, carry, steps);
+        let engine = self.engine();
+        let by_code = |stages| engine.has_advanced_with_carry(stages, x, carry, steps);
+        if !self.coded.as_ref().is_some_and(by_code) {
+            engine.advance_with_carry(&self.stages, x, carry, steps);
+        }
         Ok(())
     }
 
@@ -138,7 +176,7 @@ impl<T: MachineFloat> MapAt<T> {
         let (own, own_eps) = self.own();
         let eps = if eps.is_empty() { &[own_eps] } else { eps };
         let mut columns = Columns { columns, eps, own, parameters };
-        self.engine().advance_columns(&mut columns, self.composition, steps);
+        self.engine().advance_columns(&mut columns, self.composition, steps, self.instructions);
         Ok(())
     }
 

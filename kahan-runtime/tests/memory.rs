@@ -35,6 +35,25 @@ fn maps_that_were_dropped_hold_no_memory() {
     assert_eq!(counted.bytes_current, 0);
 }
 
+/// Registers are on the stack, and what ε and the parameters fix is computed once.
+#[test]
+fn steps_of_floats_allocate_nothing() {
+    fn count<T: Scalar, const N: usize>(map: &Interpreted<T, N>, x: SVector<T, N>, eps: T) -> u64 {
+        let at = map.at(eps);
+        let counted = measure(|| {
+            let last = (0..100).fold(x.clone(), |x, _| at.step(&x));
+            assert!(last != x && map.field(&last) != x, "nothing is computed");
+        });
+        counted.count_total
+    }
+    let reading = kahan_algebra::read(&lex(TEXT).tokens);
+    let mu = Rational::parse(MU).unwrap().to_big();
+    let exact = Interpreted::<BigRational, 2>::new(&reading.system, &[mu]).unwrap();
+    assert_eq!(count(&exact.rounded::<f64>(), vector![0.3, 0.0], 0.01), 0);
+    assert_eq!(count(&exact.rounded::<f32>(), vector![0.3, 0.0], 0.01), 0);
+    assert_eq!(count(&exact.rounded::<Dd>(), vector![Dd::from(0.3), Dd::from(0.0)], Dd::from(0.01)), 0);
+}
+
 /// A field of many variables, by a straight line or, where all act on all, by elimination.
 fn field_in(n: usize, is_dense: bool) -> Field {
     let terms = |i: usize| if is_dense { (0..n).collect() } else { vec![i, (i + 1) % n] };

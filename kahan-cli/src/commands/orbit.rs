@@ -17,7 +17,7 @@ use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::interpret::UndefinedField;
 use serde_json::{Map, Value, json};
 
-use crate::numbers::{DoubleDouble, Printable, ScalarKind};
+use crate::numbers::{DoubleDouble, Printable, Rounded, ScalarKind};
 use crate::printing::{Answer, Broken, Format, Progress, Refusal, Sink, Table, has_room_for_progress};
 use crate::reading::{Request, Start, whole};
 use exact::ExactOrbit;
@@ -112,18 +112,18 @@ impl Orbit {
             orbit.integral_names(),
         );
         self.write(head, |table, progress| {
-            let rows = Rows { steps: self.steps, every: self.every, progress };
-            rows.follow(&mut orbit, |orbit, n| table.texts(n, &orbit.row(n)), ExactOrbit::advance)
+            let rows = Rows { steps: self.steps, every: self.every, at_once: 1, progress };
+            rows.follow(&mut orbit, |orbit, n| table.texts(n, &orbit.row(n)), |orbit, n, _| orbit.advance(n))
         })
     }
 
-    fn floats<A: Printable>(&self, arithmetic: &A, request: &Request) -> Result<Answer, Refusal> {
+    fn floats<A: Rounded>(&self, arithmetic: &A, request: &Request) -> Result<Answer, Refusal> {
         let (parameters, eps) = request.rounded::<A>()?;
         let mut orbit = FloatOrbit::new(arithmetic, request, self.order, &parameters, &eps)
             .map_err(|UndefinedField| request.undefined_field())?;
         let head = self.head::<A>(request, &parameters, &eps, orbit.integral_names());
         self.write(head, |table, progress| {
-            let rows = Rows { steps: self.steps, every: self.every, progress };
+            let rows = Rows { steps: self.steps, every: self.every, at_once: AT_ONCE, progress };
             rows.follow(&mut orbit, |orbit, n| orbit.write(table, n), FloatOrbit::advance)
         })
     }
@@ -204,8 +204,13 @@ impl Orbit {
 struct Rows<'a> {
     steps: i64,
     every: i64,
+    /// The most steps between two looks at the orbit.
+    at_once: i64,
     progress: Option<&'a Progress>,
 }
+
+/// Steps of floats between two looks: some hundredths of a second.
+const AT_ONCE: i64 = 1 << 20;
 
 impl Rows<'_> {
     /// Steps from row to row; what to tell the user where a step has no value.
@@ -213,23 +218,26 @@ impl Rows<'_> {
         &self,
         orbit: &mut O,
         mut row: impl FnMut(&mut O, i64) -> Result<(), Broken>,
-        mut advance: impl FnMut(&mut O, i64) -> Result<(), String>,
+        mut advance: impl FnMut(&mut O, i64, i64) -> Result<(), String>,
     ) -> Result<Option<String>, Broken> {
-        for n in 0..=self.steps {
-            if n % self.every == 0 {
+        let mut n = 0;
+        loop {
+            let since = n % self.every;
+            if since == 0 {
                 row(orbit, n)?;
             }
-            if n == self.steps {
-                break;
+            let steps = (self.every - since).min(self.steps - n).min(self.at_once);
+            if steps == 0 {
+                return Ok(None);
             }
-            if let Err(why) = advance(orbit, n) {
+            if let Err(why) = advance(orbit, n, steps) {
                 return Ok(Some(why));
             }
+            n += steps;
             if let Some(progress) = self.progress {
-                progress.advance(1);
+                progress.advance(steps.unsigned_abs());
             }
         }
-        Ok(None)
     }
 }
 

@@ -7,10 +7,10 @@
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, Scalar};
+use kahan_core::{Dd, Precision, Scalar};
 use serde_json::{Number, Value};
 
-use super::scalar::{Printable, append};
+use super::scalar::{Printable, Rounded, append};
 
 /// [`Dd`].
 #[derive(Clone, Copy, Debug)]
@@ -61,6 +61,14 @@ impl Arithmetic for DoubleDouble {
 
     fn is_better_pivot(&self, a: &Dd, than: &Dd) -> bool {
         Scalar::is_better_pivot(a, than)
+    }
+}
+
+impl Rounded for DoubleDouble {
+    const PRECISION: Precision = Precision::DoubleDouble;
+
+    fn narrow(value: Dd) -> Dd {
+        value
     }
 }
 

@@ -4,7 +4,7 @@ mod double_double;
 mod scalar;
 
 pub(crate) use double_double::DoubleDouble;
-pub(crate) use scalar::{Printable, ScalarKind};
+pub(crate) use scalar::{Printable, Rounded, ScalarKind};
 
 /// A number with this many decimals and a typographic minus sign, for pages and pictures.
 pub(crate) fn decimal(value: f64, decimals: usize) -> String {

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use clap::ValueEnum;
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float32, Float64};
 use kahan_algebra::rational::Rational;
+use kahan_core::{Dd, Precision};
 use serde_json::Value;
 
 /// The scalar type of a computation.
@@ -32,6 +33,30 @@ pub(crate) trait Printable: Arithmetic {
     fn append(value: &Self::Value, text: &mut String);
     /// Whether it is a number.
     fn is_finite(value: &Self::Value) -> bool;
+}
+
+/// An arithmetic whose values are rounded.
+pub(crate) trait Rounded: Printable {
+    /// Which one, for schemes.
+    const PRECISION: Precision;
+    /// The value that a double-double is, which holds all of them.
+    fn narrow(value: Dd) -> Self::Value;
+}
+
+impl Rounded for Float64 {
+    const PRECISION: Precision = Precision::Double;
+
+    fn narrow(value: Dd) -> f64 {
+        value.high()
+    }
+}
+
+impl Rounded for Float32 {
+    const PRECISION: Precision = Precision::Single;
+
+    fn narrow(value: Dd) -> f32 {
+        value.high() as f32
+    }
 }
 
 impl Printable for Exact {

@@ -79,10 +79,11 @@ impl Dyadic {
     /// A float near self and its binade: self = significand·2^binade with 1 ≤ |significand| < 2,
     /// cut off after 53 bits; 0 for 0.
     pub(crate) fn leading(&self) -> (f64, i64) {
-        let Some(binade) = self.binade() else { return (0.0, 0) };
-        let excess = self.integer.bits().saturating_sub(53);
-        let top = (self.integer.magnitude() >> excess).iter_u64_digits().next().unwrap_or(0);
-        let significand = top as f64 / f64::from_bits((1022 + u64::from(64 - top.leading_zeros())) << 52);
+        let mut digits = self.integer.iter_u64_digits().rev();
+        let (Some(binade), Some(first)) = (self.binade(), digits.next()) else { return (0.0, 0) };
+        let both = u128::from(first) << 64 | u128::from(digits.next().unwrap_or(0));
+        let top = (both << first.leading_zeros() >> (128 - 53)) as u64;
+        let significand = top as f64 / (1_u64 << 52) as f64;
         (if self.is_negative() { -significand } else { significand }, binade)
     }
 

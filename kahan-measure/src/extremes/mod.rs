@@ -30,7 +30,7 @@ use kahan_systems::registry::SYSTEMS;
 use kahan_systems::volterra;
 
 use judge::Judge;
-use steps::Steps;
+use steps::StepsOfSystem;
 use trial::Ready;
 
 pub use regime::Regime;
@@ -44,9 +44,7 @@ pub struct Subject {
     /// The values of parameters that are given; the others are drawn.
     parameters: Vec<Option<Rational>>,
     judge: Judge,
-    system: System,
-    /// Parameters at which the system is defined.
-    values: Vec<BigRational>,
+    steps: StepsOfSystem,
 }
 
 /// What is judged where no system is named: the paper's systems, and the lattice of three sites,
@@ -73,13 +71,8 @@ impl Subject {
     pub fn new(name: &str, system: &System, parameters: Vec<Option<Rational>>) -> Result<Self, Unjudged> {
         let judge = Judge::of(system).ok_or(Unjudged::BeyondBudget)?;
         let values: Vec<BigRational> = (1..).zip(&parameters).map(value_or_any).collect();
-        steps::of_system::<f64>(system, &values).map_err(Unjudged::CannotRun)?;
-        Ok(Self { name: name.to_owned(), parameters, judge, system: system.clone(), values })
-    }
-
-    /// Its steps over a scalar.
-    fn steps<T: float::Float>(&self) -> Option<Box<dyn Steps<T>>> {
-        steps::of_system(&self.system, &self.values).ok()
+        let steps = StepsOfSystem::new(system, &values).map_err(Unjudged::CannotRun)?;
+        Ok(Self { name: name.to_owned(), parameters, judge, steps })
     }
 
     /// Its name.

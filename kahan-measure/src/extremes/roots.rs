@@ -3,6 +3,8 @@
 //! Signs are exact, so a bracket is a proof; roots where the sign does not change are not looked
 //! for.
 
+use std::cmp::Ordering;
+
 use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
@@ -19,7 +21,7 @@ pub(super) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) 
     let negative = binades.iter().rev().map(|&b| Dyadic::new(-1, b));
     let positive = binades.iter().map(|&b| Dyadic::new(1, b));
     let places: Vec<(Dyadic, bool)> =
-        negative.chain(positive).map(|v| (v.clone(), value(coefficients, &v).is_negative())).collect();
+        negative.chain(positive).map(|v| (v.clone(), sign(coefficients, &v) == Ordering::Less)).collect();
     // A bracket across 0 has ends of different signs, and no relative width; a root there is met
     // beside it.
     let brackets: Vec<usize> =
@@ -31,22 +33,37 @@ pub(super) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) 
     let ((mut low, is_negative), (mut high, _)) = (places[chosen - 1].clone(), places[chosen].clone());
     for _ in 0..bits + 6 {
         let middle = (&low + &high).scaled(-1);
-        let at_middle = value(coefficients, &middle);
-        if at_middle.is_zero() {
-            return Some(middle);
-        }
-        if at_middle.is_negative() == is_negative {
-            low = middle;
-        } else {
-            high = middle;
+        match sign(coefficients, &middle) {
+            Ordering::Equal => return Some(middle),
+            at_middle if (at_middle == Ordering::Less) == is_negative => low = middle,
+            _ => high = middle,
         }
     }
     Some((&low + &high).scaled(-1))
 }
 
-/// Σ coefficients[k]·v^k.
-fn value(coefficients: &[Dyadic], v: &Dyadic) -> Dyadic {
-    coefficients.iter().rev().fold(Dyadic::zero(), |sum, c| &(&sum * v) + c)
+/// How Σ coefficients[k]·v^k compares to 0: by its leading bits where they tell, else exactly.
+fn sign(coefficients: &[Dyadic], v: &Dyadic) -> Ordering {
+    sign_of_leading_bits(coefficients, v).unwrap_or_else(|| {
+        let value = coefficients.iter().rev().fold(Dyadic::zero(), |sum, c| &(&sum * v) + c);
+        value.compare(&Dyadic::zero())
+    })
+}
+
+/// The sign, where the terms do not cancel to less than 2⁻⁴⁰ of their sizes: each of them is off by
+/// a few units of 2⁻⁵² for every power.
+fn sign_of_leading_bits(coefficients: &[Dyadic], v: &Dyadic) -> Option<Ordering> {
+    let (significand, binade) = v.leading();
+    let term = |(k, c): (i32, &Dyadic)| {
+        let (leading, at) = c.leading();
+        (leading * significand.powi(k), at + i64::from(k) * binade)
+    };
+    let terms = || (0..).zip(coefficients).filter(|(_, c)| !c.is_zero()).map(term);
+    let largest = terms().map(|(_, at)| at).max()?;
+    let scaled = |(term, at): (f64, i64)| libm::ldexp(term, (at - largest).max(-2000) as i32);
+    let (sum, sizes) =
+        terms().map(scaled).fold((0.0, 0.0), |(sum, sizes), term| (sum + term, sizes + term.abs()));
+    if sum.abs() > sizes * 2_f64.powi(-40) { sum.partial_cmp(&0.0) } else { None }
 }
 
 /// The binades at which two of the terms have about one size.
@@ -76,6 +93,27 @@ mod tests {
         }
         assert!(root(&[Dyadic::new(1, 0), Dyadic::zero(), Dyadic::new(5, 0)], 60, &mut random).is_none());
         assert!(root(&[Dyadic::new(1, 0)], 60, &mut random).is_none());
+    }
+
+    /// Beside the nearly double root of (v − 3)² − 5·2^(−power), where leading bits cancel.
+    #[test]
+    fn leading_bits_tell_no_wrong_sign() {
+        let (mut told, mut silent) = (0, 0);
+        for power in 0..120 {
+            for offset in [1, -1] {
+                let v = &Dyadic::new(3, 0) + &Dyadic::new(offset, -power / 2);
+                let lowered = &Dyadic::new(9, 0) - &Dyadic::new(5, -power);
+                let coefficients = [lowered, Dyadic::new(-6, 0), Dyadic::new(1, 0)];
+                // (v − 3)² is 2^(−2·⌊power/2⌋), less than 5·2^(−power).
+                assert_eq!(sign(&coefficients, &v), Ordering::Less);
+                match sign_of_leading_bits(&coefficients, &v) {
+                    Some(sign) => told += usize::from(sign == Ordering::Less),
+                    None => silent += 1,
+                }
+            }
+        }
+        assert_eq!(told + silent, 240);
+        assert!(told > 60 && silent > 100, "{told} told, {silent} not");
     }
 
     #[test]

@@ -1,15 +1,13 @@
 //! The steps that are judged: a system's plans, run one operation after the other.
 //!
 //! In: a system, and values of its parameters at which it is defined. Out: every step of its map
-//! over one scalar, with the bits of the code that the macro writes for it (which tests show on the
+//! over each scalar that is judged, with the bits of the code that the macro writes for it (which tests show on the
 //! whole catalog), so that a verdict on these is a verdict on that.
-
-use std::marker::PhantomData;
 
 use kahan_algebra::system::System;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Elimination, KahanMap, PreparedStep, QuadraticField};
+use kahan_core::{Dd, Elimination, KahanMap, PreparedStep, QuadraticField};
 
 use super::float::Float;
 
@@ -18,7 +16,7 @@ use kahan_runtime::interpreted::{
 };
 
 /// The steps of one map. A step has as many components as x.
-pub(crate) trait Steps<T>: Send + Sync {
+pub(crate) trait Steps<T>: core::fmt::Debug + Send + Sync {
     /// x̃ by `step`, whatever it is.
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T>;
 
@@ -69,13 +67,20 @@ fn own<T: Float, const N: usize>(next: &SVector<T, N>, x: &[T]) -> Vec<T> {
     next.iter().copied().take(x.len()).collect()
 }
 
-/// The steps of a system; `values` are parameters at which it is defined.
-pub(crate) fn of_system<T: Float>(
-    system: &System,
-    values: &[BigRational],
-) -> Result<Box<dyn Steps<T>>, CannotRun> {
-    let made = visit_dimension(system.field.dimension(), Reader { system, values, scalar: PhantomData });
-    made.map_err(CannotRun::Dimension)?.map_err(CannotRun::System)
+/// The steps of a system over each scalar that is judged.
+#[derive(Debug)]
+pub(crate) struct StepsOfSystem {
+    pub(crate) single: Box<dyn Steps<f32>>,
+    pub(crate) double: Box<dyn Steps<f64>>,
+    pub(crate) double_double: Box<dyn Steps<Dd>>,
+}
+
+impl StepsOfSystem {
+    /// They are planned once; `values` are parameters at which the system is defined.
+    pub(crate) fn new(system: &System, values: &[BigRational]) -> Result<Self, CannotRun> {
+        let made = visit_dimension(system.field.dimension(), Reader { system, values });
+        made.map_err(CannotRun::Dimension)?.map_err(CannotRun::System)
+    }
 }
 
 /// Why the steps of a system cannot be run.
@@ -99,16 +104,20 @@ impl core::fmt::Display for CannotRun {
 impl core::error::Error for CannotRun {}
 
 /// Reads a system in whatever dimension it has.
-struct Reader<'a, T> {
+struct Reader<'a> {
     system: &'a System,
     values: &'a [BigRational],
-    scalar: PhantomData<T>,
 }
 
-impl<T: Float> VisitDimension for Reader<'_, T> {
-    type Output = Result<Box<dyn Steps<T>>, CannotInterpret>;
+impl VisitDimension for Reader<'_> {
+    type Output = Result<StepsOfSystem, CannotInterpret>;
 
     fn visit<const N: usize>(self) -> Self::Output {
-        Ok(Box::new(Interpreted::<BigRational, N>::padded(self.system, self.values)?.rounded::<T>()))
+        let exact = Interpreted::<BigRational, N>::padded(self.system, self.values)?;
+        Ok(StepsOfSystem {
+            single: Box::new(exact.rounded()),
+            double: Box::new(exact.rounded()),
+            double_double: Box::new(exact.rounded()),
+        })
     }
 }

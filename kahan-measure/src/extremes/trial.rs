@@ -24,7 +24,7 @@ pub(super) struct Ready<'a, T> {
 /// A subject with its steps over one scalar.
 struct Runner<'a, T> {
     subject: &'a Subject,
-    steps: Box<dyn Steps<T>>,
+    steps: &'a dyn Steps<T>,
     fixed: Vec<Option<T>>,
 }
 
@@ -43,9 +43,9 @@ impl<'a, T: Float> Ready<'a, T> {
     pub(super) fn new(subjects: &'a [Subject], trials: u64, seed: u64) -> Self {
         let runner = |subject: &'a Subject| {
             let fixed = subject.parameters.iter().map(|value| value.as_ref().map(rounded)).collect();
-            Some(Runner { subject, steps: subject.steps()?, fixed })
+            Runner { subject, steps: T::steps(&subject.steps), fixed }
         };
-        let subjects: Vec<Runner<'a, T>> = subjects.iter().filter_map(runner).collect();
+        let subjects: Vec<Runner<'a, T>> = subjects.iter().map(runner).collect();
         let indices = |has: fn(&Subject) -> bool| {
             (0..subjects.len()).filter(|&i| has(subjects[i].subject)).collect::<Vec<_>>()
         };

@@ -6,7 +6,6 @@
 //! other setting beats, and the cheapest that meets the need. The library's own orbits are run and
 //! timed; errors are against a certified [`Reference`].
 
-mod catalog;
 mod clock;
 mod drift;
 mod front;
@@ -14,7 +13,6 @@ mod runner;
 mod search;
 mod stops;
 mod study;
-mod walk;
 
 use std::time::{Duration, Instant};
 
@@ -36,7 +34,7 @@ use study::Study;
 pub struct Subject<'a> {
     /// The system.
     pub system: &'a System,
-    /// Its name in the catalog; anything else for a field that is not compiled.
+    /// Its name in the catalog, where it may have a closed solution; anything else for another field.
     pub command: &'a str,
     /// The parameters, in order.
     pub parameters: &'a [Rational],
@@ -75,9 +73,9 @@ pub struct Trade {
     pub certificate: Option<Certificate>,
     /// What those errors are relative to.
     pub scale: Option<f64>,
-    /// Whether prices were measured on this system's compiled steps; else on E6's, and scaled by
+    /// Whether prices were measured on this system's own steps, as code; else on E6's, and scaled by
     /// the cost of the plans.
-    pub is_compiled: bool,
+    pub is_code: bool,
     /// Schemes that there was no time for, and the ε from which on.
     pub skipped: Vec<(Scheme, f64)>,
     /// Schemes that cannot: their errors fall no further, and stay above the tolerance.
@@ -139,7 +137,7 @@ impl Trade {
         let Subject { system, command, parameters, start } = *subject;
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
         let (exact_parameters, exact_start) = (exact(parameters), exact(start));
-        let subject = &Runner::new(system, command, &exact_parameters, &exact_start)?;
+        let subject = &Runner::new(system, parameters, start)?;
         let wide = start.iter().map(Rational::to_double_double);
         let wide: Vec<Dd> = wide.map(|(high, low)| Dd::new(high, low)).collect();
         let integrals = Integrals::of(subject, &wide);
@@ -164,11 +162,11 @@ impl Trade {
         // trajectories up to 2 or so, with errors to match.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
-            None => 0.5 * scene.horizon() * subject.map.slope(&exact_start),
+            None => 0.5 * scene.horizon() * subject.map.slope(start),
         };
         let coarsest = coarsest.ceil().clamp(1.0, 1e15) as u64;
         let eps = scene.horizon() / (2.0 * coarsest as f64);
-        let clock = if subject.is_compiled() {
+        let clock = if subject.is_code() {
             Clock::of(subject, 0.1 * eps)
         } else {
             let stand_in = Runner::stand_in()?;
@@ -181,7 +179,7 @@ impl Trade {
             reference,
             integrals,
             deadline: after(1.0),
-            is_compiled: subject.is_compiled(),
+            is_code: subject.is_code(),
             settings: Vec::new(),
             skipped: Vec::new(),
             stalled: Vec::new(),
@@ -210,7 +208,7 @@ impl Study<'_> {
             choice: self.best(),
             certificate: self.reference.as_ref().map(Reference::certificate),
             scale: self.reference.as_ref().map(|reference| reference.flow().scale()),
-            is_compiled: self.is_compiled,
+            is_code: self.is_code,
             skipped: self.skipped,
             stalled: self.stalled,
             settings: self.settings,

@@ -2,26 +2,24 @@
 
 use std::time::Instant;
 
+use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_core::__private::Dual;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, QuadraticField, Scalar, Scheme, StepCost};
-use kahan_runtime::interpreted::{CannotInterpret, Interpreted, VisitDimension, visit_dimension};
+use kahan_core::{Dd, Precision, QuadraticField, Scalar, Scheme, StepCost};
+use kahan_runtime::Field;
+use kahan_runtime::interpreted::{CannotInterpret, Interpreted, VisitDimension, round, visit_dimension};
 
 use crate::reference::{Limits, NoReference, Reference, Trajectory};
 
 use super::CannotTrade;
-use super::catalog::{Compiled, compiled};
-use super::walk::{Walker, point, rational, walk};
 
 /// A system at a starting point.
 pub(super) struct Runner {
     pub(super) map: Box<dyn Map>,
-    /// The orbits of compiled code, for a system of the catalog: the interpreter's take ten to
-    /// fifty times as long.
-    compiled: Option<Compiled>,
-    start: Vec<BigRational>,
+    orbits: kahan_runtime::Map,
+    start: Vec<Rational>,
 }
 
 /// What looks at points: the number of steps so far, and the point.
@@ -31,28 +29,31 @@ pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]);
 pub(super) type Stops<'a> = &'a mut dyn Iterator<Item = u64>;
 
 impl Runner {
-    /// A system of any name; the catalog's are compiled.
+    /// A system at these parameters and this point.
     pub(super) fn new(
         system: &System,
-        command: &str,
-        parameters: &[BigRational],
-        start: &[BigRational],
+        parameters: &[Rational],
+        start: &[Rational],
     ) -> Result<Self, CannotTrade> {
-        let read = visit_dimension(system.field.dimension(), Reader { system, parameters });
+        let exact: Vec<BigRational> = parameters.iter().map(Rational::to_big).collect();
+        let read = visit_dimension(system.field.dimension(), Reader { system, parameters: &exact });
         let map = read.map_err(CannotTrade::Dimension)?.map_err(CannotTrade::System)?;
-        Ok(Runner { map, compiled: compiled(command, parameters), start: start.to_vec() })
+        let names = &system.field.symbols.parameters;
+        let orbits = Field::of(system).with(names.iter().zip(parameters));
+        let orbits = orbits.map_err(|_| CannotTrade::System(CannotInterpret::Undefined))?;
+        Ok(Runner { map, orbits, start: start.to_vec() })
     }
 
-    /// E6 at a point of ordinary size: what is timed in place of a field without compiled code.
+    /// E6 at a point of ordinary size: what is timed in place of a field without code.
     pub(super) fn stand_in() -> Result<Self, CannotTrade> {
         let reading = kahan_algebra::read(&kahan_algebra::lexer::lex(kahan_systems::e6::ENTRY.text()).tokens);
-        let start = [1, -2, 3].map(|x| BigRational::new(x.into(), 4.into()));
-        Runner::new(&reading.system, kahan_systems::e6::ENTRY.command, &[], &start)
+        Runner::new(&reading.system, &[], &[1, -2, 3].map(|x| Rational::new(x, 4)))
     }
 
-    /// Whether its steps are compiled code.
-    pub(super) fn is_compiled(&self) -> bool {
-        self.compiled.is_some()
+    /// Whether its steps are code.
+    pub(super) fn is_code(&self) -> bool {
+        let plain = Scheme::of(Precision::Double);
+        self.orbits.orbit(plain, &Rational::one(), &self.start).is_ok_and(|orbit| orbit.is_code())
     }
 
     /// Shows the first point of an orbit with ε = `eps` and those after the numbers of steps in
@@ -66,36 +67,28 @@ impl Runner {
         stops: Stops<'_>,
         visit: Visit<'_>,
     ) -> f64 {
-        let exact = |entry: &Dd| rational(entry.high()) + rational(entry.low());
+        let exact = |entry: &Dd| &rational(entry.high()) + &rational(entry.low());
         let start = from.map_or_else(|| self.start.clone(), |point| point.iter().map(exact).collect());
-        let mut seconds = 0.0;
-        let walker: Walker<'_> = &mut |orbit| {
-            let (mut step, mut points) = (0, 0);
-            let clock = Instant::now();
-            while let Some(point) = orbit.nth(points) {
-                visit(step, &point[..start.len()]);
-                let Some(stop) = stops.next() else { break };
-                points = index(stop - step - 1);
-                step = stop;
-            }
-            seconds = clock.elapsed().as_secs_f64();
-        };
-        match &self.compiled {
-            Some(compiled) => compiled(&start, scheme, eps, walker),
-            None => self.map.walk(&start, scheme, eps, walker),
+        // The point has been read for this field.
+        let Ok(mut orbit) = self.orbits.orbit(scheme, &rational(eps), &start) else { return f64::INFINITY };
+        let clock = Instant::now();
+        visit(0, orbit.point());
+        let mut step = 0;
+        for stop in stops {
+            orbit.advance(stop - step);
+            step = stop;
+            visit(step, orbit.point());
         }
-        seconds
+        clock.elapsed().as_secs_f64()
     }
 }
 
 /// A system that was read, in whatever number of variables.
 pub(super) trait Map {
-    /// Hands over an orbit.
-    fn walk(&self, start: &[BigRational], scheme: Scheme, eps: f64, walker: Walker<'_>);
     /// The trajectory to compare with.
     fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference>;
     /// ‖f′(x₀)‖∞
-    fn slope(&self, start: &[BigRational]) -> f64;
+    fn slope(&self, start: &[Rational]) -> f64;
     /// The declared integrals at this ε.
     fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd>;
     /// Their Taylor coefficients at ε = 0: the values, and those of ε².
@@ -105,16 +98,12 @@ pub(super) trait Map {
 }
 
 impl<const N: usize> Map for Interpreted<BigRational, N> {
-    fn walk(&self, start: &[BigRational], scheme: Scheme, eps: f64, walker: Walker<'_>) {
-        walk(self, start, scheme, eps, walker);
-    }
-
     fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference> {
         Reference::of(&self.rounded::<Dd>(), asked, limits)
     }
 
-    fn slope(&self, start: &[BigRational]) -> f64 {
-        let slopes = self.rounded::<f64>().field_jacobian(&point(start));
+    fn slope(&self, start: &[Rational]) -> f64 {
+        let slopes = self.rounded::<f64>().field_jacobian(&SVector::from_fn(|i, _| start.get(i).map_or(0.0, round)));
         slopes.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
     }
 
@@ -164,7 +153,7 @@ fn number(value: Option<Dd>) -> Dd {
     value.unwrap_or(Dd::from(f64::NAN))
 }
 
-/// A number of steps; those beyond the address space are never run.
-fn index(steps: u64) -> usize {
-    usize::try_from(steps).unwrap_or(usize::MAX)
+/// A float as the number that it is; 0 for what is none.
+fn rational(value: f64) -> Rational {
+    Rational::from_f64(value).unwrap_or_else(Rational::zero)
 }

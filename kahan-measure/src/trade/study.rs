@@ -24,8 +24,8 @@ pub(super) struct Study<'a> {
     pub(super) reference: Option<Reference>,
     pub(super) integrals: Integrals,
     pub(super) deadline: Instant,
-    /// Whether the clock tells how long a step takes here: fields are interpreted, and take longer.
-    pub(super) is_compiled: bool,
+    /// Whether the clock tells how long a step takes here: what is interpreted takes longer.
+    pub(super) is_code: bool,
     pub(super) settings: Vec<Measured>,
     /// The first schemes and ε that there was no time for.
     pub(super) skipped: Vec<(Scheme, f64)>,
@@ -70,7 +70,7 @@ impl Study<'_> {
     }
 
     fn expected(&self, scheme: Scheme, eps: f64, steps: f64) -> Duration {
-        let seconds = if self.is_compiled {
+        let seconds = if self.is_code {
             1e-9 * self.clock.nanoseconds(scheme) * steps
         } else {
             const PROBE: u64 = 8;

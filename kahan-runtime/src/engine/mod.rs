@@ -4,6 +4,8 @@
 //! bits of generated code. A plan is made ready when it is first asked for, and kept for all maps
 //! of the field. Here is the one place that knows how a plan is run.
 
+mod coded;
+mod coded_columns;
 mod columns;
 mod elimination;
 mod lanes;
@@ -17,20 +19,23 @@ use kahan_algebra::derived::{Derived, derive};
 use kahan_algebra::plan::Plan;
 use kahan_algebra::system::System;
 use kahan_core::__private::Dual;
-use kahan_core::{Composition, Constant};
+use kahan_core::{Composition, Constant, FloatScalar, Scalar};
 
 use crate::interpreted::Code;
+use crate::machine::Codes;
 
 use elimination::solve;
 use line::Line;
 use step::{Step, Steps, into_matrix};
 
+pub(crate) use coded::CodedStages;
+pub(crate) use coded_columns::Instructions;
 pub(crate) use columns::Columns;
-pub(crate) use scratch::Scratches;
-use scratch::{Room, Scratch, with_scratch};
+use scratch::{Room, with_scratch};
+pub(crate) use scratch::{Scratch, Scratches};
 
 /// A function of the state.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Object {
     /// f(x)
     Field,
@@ -42,6 +47,10 @@ pub(crate) enum Object {
     Density,
     /// The entries above the diagonal of the bracket with this index.
     Bracket(usize),
+    /// A(x,ε), row by row.
+    Matrix,
+    /// ∂x̃/∂x, row by row.
+    Jacobian,
 }
 
 /// The plans of a field, and what has been made of them.
@@ -55,6 +64,7 @@ pub(crate) struct Engine {
     density: OnceLock<Line>,
     brackets: Vec<OnceLock<Line>>,
     code: OnceLock<Arc<Code>>,
+    pub(crate) codes: Codes,
 }
 
 /// A step of the map at one ε, with all that does not depend on the state.
@@ -72,7 +82,7 @@ fn distinct(composition: &Composition) -> impl ExactSizeIterator<Item = &'static
 
 /// Runs the stages of a composition in order, of which `distinct` differ.
 #[inline(always)]
-fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
+pub(crate) fn in_turn(distinct: usize, mut run: impl FnMut(usize)) {
     let last = 2 * distinct - 2;
     (0..=last).for_each(|k| run(k.min(last - k)));
 }
@@ -90,6 +100,7 @@ impl Engine {
             integrals: OnceLock::new(),
             density: OnceLock::new(),
             code: OnceLock::new(),
+            codes: Codes::default(),
         }
     }
 
@@ -110,31 +121,33 @@ impl Engine {
             Object::Integrals => (&self.integrals, &derived.integrals),
             Object::Density => (&self.density, derived.density.as_ref()?),
             Object::Bracket(index) => (self.brackets.get(index)?, &derived.brackets.get(index)?.1),
+            // They are computed from others.
+            Object::Matrix | Object::Jacobian => return None,
         };
         Some(kept.get_or_init(|| Line::of(plan, &derived.system.field.symbols)))
     }
 
     /// The distinct stages of a composition, each prepared; `constants` are the parameters and ε.
     pub(crate) fn stages<T: Scratches>(&self, constants: &[T], composition: Composition) -> Vec<Stage<T>> {
-        let (parameters, eps) = split(constants);
-        let stage = |coefficient: &Constant<'_>| {
-            let eps = T::constant(coefficient) * eps;
-            let is_general = self.steps().are_general(&eps);
-            let constants: Vec<T> = parameters.iter().copied().chain([eps]).collect();
-            let mut given = Vec::new();
-            with_scratch(T::single(), |scratch| {
-                let step = self.steps().form(is_general);
-                step.prepare(&constants, &mut scratch.registers, &mut given);
-            });
-            Stage { is_general, given }
-        };
-        distinct(&composition).map(stage).collect()
+        with_scratch(T::single(), |scratch| {
+            stage_constants(constants, composition).iter().map(|own| self.stage(own, scratch)).collect()
+        })
+    }
+
+    /// A step, prepared; `constants` are the parameters and ε.
+    pub(crate) fn stage<V: Scalar + Copy>(&self, constants: &[V], scratch: &mut Scratch<V>) -> Stage<V> {
+        let is_general = self.steps().are_general(&split(constants).1);
+        let mut given = Vec::new();
+        self.steps().form(is_general).prepare(constants, &mut scratch.registers, &mut given);
+        Stage { is_general, given }
     }
 
     /// Replaces a state by the one so many steps later.
     pub(crate) fn advance<T: Scratches>(&self, stages: &[Stage<T>], state: &mut [T], steps: u64) {
-        self.run(stages, steps, |step, rounds, registers, room| {
-            step.advance(rounds, state, registers, room);
+        with_scratch(T::single(), |scratch| {
+            self.run(stages, steps, scratch, |step, rounds, registers, room| {
+                step.advance(rounds, state, registers, room);
+            });
         });
     }
 
@@ -146,41 +159,46 @@ impl Engine {
         carry: &mut [T],
         steps: u64,
     ) {
-        self.run(stages, steps, |step, rounds, registers, room| {
-            step.advance_with_carry(rounds, [state, carry], registers, room);
+        with_scratch(T::single(), |scratch| {
+            self.run(stages, steps, scratch, |step, rounds, registers, room| {
+                step.advance_with_carry(rounds, [state, carry], registers, room);
+            });
         });
     }
 
-    /// Runs so many steps of all stages, each in its own registers.
+    /// Runs so many steps of all stages, each in its own registers; `advance` is told whether
+    /// increments are rounded.
     #[inline(always)]
-    fn run<T: Scratches>(
+    pub(crate) fn run<V: Scalar + Copy>(
         &self,
-        stages: &[Stage<T>],
+        stages: &[Stage<V>],
         steps: u64,
-        mut advance: impl FnMut(&Step, bool, &mut [T], &mut Room<T>),
+        Scratch { registers, room, .. }: &mut Scratch<V>,
+        mut advance: impl FnMut(&Step, bool, &mut [V], &mut Room<V>),
     ) {
         let steps_of_field = self.steps();
-        let form = |stage: &Stage<T>| steps_of_field.form(stage.is_general);
+        let form = |stage: &Stage<V>| steps_of_field.form(stage.is_general);
         let size = stages.iter().map(|stage| form(stage).registers()).max().unwrap_or(0);
-        with_scratch(T::single(), |Scratch { registers, room, .. }| {
-            registers.clear();
-            for (k, stage) in stages.iter().enumerate() {
-                registers.resize(k * size, T::zero());
-                form(stage).open(&stage.given, registers);
-            }
-            registers.resize(stages.len() * size, T::zero());
-            for _ in 0..steps {
-                in_turn(stages.len(), |k| {
-                    let its_own = &mut registers[k * size..][..size];
-                    advance(form(&stages[k]), stages[k].is_general, its_own, room);
-                });
-            }
-        });
+        registers.clear();
+        for (k, stage) in stages.iter().enumerate() {
+            registers.resize(k * size, V::zero());
+            form(stage).open(&stage.given, registers);
+        }
+        registers.resize(stages.len() * size, V::zero());
+        for _ in 0..steps {
+            in_turn(stages.len(), |k| {
+                let rounds = Steps::rounds::<V>(stages[k].is_general);
+                advance(form(&stages[k]), rounds, &mut registers[k * size..][..size], room);
+            });
+        }
     }
 
     /// An object at a state; `constants` are the parameters and ε. What `out` has no room for is
     /// left out, as is an object that the field has not.
     pub(crate) fn evaluate<T: Scratches>(&self, object: Object, constants: &[T], state: &[T], out: &mut [T]) {
+        if self.has_evaluated(object, constants, state, out) {
+            return;
+        }
         let Some(line) = self.line(object) else { return };
         with_scratch(T::single(), |scratch| {
             let results = line.results(constants, &mut scratch.registers, state);
@@ -190,6 +208,9 @@ impl Engine {
 
     /// A(x,ε), row by row; `constants` are the parameters and ε.
     pub(crate) fn matrix<T: Scratches>(&self, constants: &[T], state: &[T], out: &mut [T]) {
+        if self.has_evaluated(Object::Matrix, constants, state, out) {
+            return;
+        }
         self.evaluate(Object::FieldJacobian, constants, state, out);
         into_matrix(out, split(constants).1, state.len());
     }
@@ -197,6 +218,9 @@ impl Engine {
     /// ∂x̃/∂x of a step, row by row: the straight line over dual numbers, or A(x,ε)⁻¹·A(x̃,−ε);
     /// `constants` are the parameters and ε.
     pub(crate) fn jacobian<T: Scratches>(&self, constants: &[T], state: &[T], out: &mut [T]) {
+        if self.has_evaluated(Object::Jacobian, constants, state, out) {
+            return;
+        }
         let (parameters, eps) = split(constants);
         let step = self.steps().form(self.steps().are_general(&Dual::<T, 1>::lift(eps)));
         if step.has_lanes() {
@@ -217,6 +241,14 @@ impl Engine {
 fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
     let (eps, parameters) = constants.split_last().unwrap_or_else(|| unreachable!("there is an eps"));
     (parameters, *eps)
+}
+
+/// The parameters, and behind them the ε of each stage that differs in its turn.
+fn stage_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<Vec<T>> {
+    let (parameters, eps) = split(constants);
+    let own = |coefficient: &Constant<'_>| T::constant(coefficient) * eps;
+    let stage = |coefficient| parameters.iter().copied().chain([own(coefficient)]).collect();
+    distinct(&composition).map(stage).collect()
 }
 
 /// One direction after the other.

@@ -9,6 +9,8 @@ use std::thread::LocalKey;
 use kahan_core::__private::Dual;
 use kahan_core::FloatScalar;
 
+use crate::machine::Coded;
+
 use super::lanes::Lanes;
 
 /// The vectors that steps over V are computed in; what they hold between two calls means nothing.
@@ -45,7 +47,7 @@ impl<V> Default for Scratch<V> {
 pub(super) type Local<V> = &'static LocalKey<Cell<Scratch<V>>>;
 
 /// A float with scratch for it, for several side by side, and for its dual numbers.
-pub trait Scratches: FloatScalar + Send + Sync {
+pub trait Scratches: FloatScalar + Coded + Default + Send + Sync {
     /// For one state.
     fn single() -> Local<Self>;
     /// For several side by side.

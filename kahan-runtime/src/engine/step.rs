@@ -36,6 +36,12 @@ impl Steps {
         self.divides_by_eps && !may_divide_by(eps)
     }
 
+    /// Whether generated code rounds the increments of a form over V before it adds them: it does
+    /// so in the form that floats take rarely.
+    pub(crate) fn rounds<V: Scalar>(is_general: bool) -> bool {
+        is_general && may_divide_by(&V::one())
+    }
+
     /// One of the two forms.
     pub(crate) fn form(&self, is_general: bool) -> &Step {
         self.general.as_ref().filter(|_| is_general).unwrap_or(&self.first)
@@ -165,6 +171,31 @@ impl Step {
                 (increment, None) => increment - distance,
             };
             (*x, *carry) = (next, rest + lacks);
+        }
+    }
+
+    /// Adds the increment at a state to another one.
+    pub(crate) fn add_increment<V: Scalar + Copy>(
+        &self,
+        rounds: bool,
+        [state, base]: [&mut [V]; 2],
+        registers: &mut [V],
+        room: &mut Room<V>,
+    ) {
+        self.compute(state, registers, room);
+        for (i, x) in base.iter_mut().enumerate() {
+            *x = added(self.quotient(i, rounds, room), *x);
+        }
+    }
+
+    /// What the state's kernel reads; `constants` are the parameters and ε. Nothing, where the step
+    /// is no straight line.
+    pub(crate) fn prepared<V: Scalar + Copy>(&self, constants: &[V], registers: &mut Vec<V>) -> Vec<V> {
+        match &self.kind {
+            Kind::Straight { constants: prepared, .. } => {
+                prepared.results(constants, registers, &[]).collect()
+            }
+            Kind::Elimination { .. } => Vec::new(),
         }
     }
 

@@ -4,7 +4,7 @@
 //! In: a checked [`System`] and exact parameter values. Out: a [`KahanMap`](kahan_core::KahanMap)
 //! with the bits of the code that the macro would have written for it, so that everything that is
 //! generic over maps (orbits, compositions, the step with a promise) takes fields from the command
-//! line too. It runs the same plans in the same order, ten to fifty times as slowly.
+//! line too. It runs the same plans in the same order, several times as slowly.
 
 mod code;
 mod dimension;
@@ -27,7 +27,7 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Scalar, StepCost};
 
-use program::{Inputs, Program};
+use program::{Inputs, Program, Registers};
 
 pub(crate) use code::Code;
 pub(crate) use literal::Literal;
@@ -156,9 +156,8 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
     /// The integrals at x; ε, half the time step, is `eps`. `None` for one that divides by zero
     /// there in an exact scalar.
     pub fn integrals(&self, x: &SVector<T, N>, eps: &T) -> Vec<Option<T>> {
-        let inputs =
-            Inputs { state: x.as_slice(), parameters: &self.parameters, eps: Some(eps), ..Inputs::default() };
-        let value = |program: &Program| program.run(&inputs).and_then(|mut values| values.pop());
+        let inputs = Inputs { eps: Some(eps), ..self.inputs(x) };
+        let value = |program: &Program| Some(program.run(&inputs, &mut Registers::new())?.get(0));
         self.code.integrals.iter().map(|integral| value(&integral.program)).collect()
     }
 
@@ -169,10 +168,9 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         Interpreted { code: Arc::clone(&self.code), parameters, dimension: PhantomData }
     }
 
-    /// A program of the states, the parameters and ε.
-    fn values(&self, program: &Program, x: &SVector<T, N>, other: &[T], eps: Option<&T>) -> Vec<T> {
-        let inputs = Inputs { state: x.as_slice(), other, parameters: &self.parameters, eps, prepared: &[] };
-        program.values(&inputs)
+    /// What a program of the state and the parameters reads.
+    fn inputs<'a>(&'a self, x: &'a SVector<T, N>) -> Inputs<'a, T> {
+        Inputs { state: x.as_slice(), parameters: &self.parameters, ..Inputs::default() }
     }
 }
 

@@ -1,14 +1,17 @@
 //! Orbits in rounded numbers: Kahan's map, or a composition of it.
 //!
-//! The integrals are evaluated at the orbit's own ε; the stages of a composition are steppers at
-//! theirs.
+//! From row to row it runs as machine code. Where there is none, and where a stretch of steps ends
+//! in numbers that are not finite, steppers go point by point, the stages of a composition at their
+//! own ε, and find where and why the orbit ends.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::interpret::{Pole, Stepper, UndefinedField};
 use kahan_algebra::rational::Rational;
-use kahan_core::{Composition, Constant};
+use kahan_core::{Composition, Constant, Scheme};
+use kahan_runtime::Field;
+use kahan_runtime::orbit::SchemeOrbit;
 
-use crate::numbers::Printable;
+use crate::numbers::Rounded;
 use crate::printing::{Broken, Table};
 use crate::reading::Request;
 
@@ -20,12 +23,14 @@ pub(super) struct FloatOrbit<'a, A: Arithmetic> {
     map: Stepper<'a, A>,
     /// The stages of a composition that differ: the first half, and the middle one.
     stages: Vec<Stepper<'a, A>>,
+    /// The same orbit as machine code.
+    code: Option<SchemeOrbit>,
     state: Vec<A::Value>,
     /// The last point that was finite.
     before: Vec<A::Value>,
 }
 
-impl<'a, A: Printable> FloatOrbit<'a, A> {
+impl<'a, A: Rounded> FloatOrbit<'a, A> {
     /// The orbit at its first point, by the composition for this order (2, 4, 6 or 8).
     pub(super) fn new(
         arithmetic: &'a A,
@@ -45,7 +50,14 @@ impl<'a, A: Printable> FloatOrbit<'a, A> {
         let stages = steppers.split_off(1);
         let map = steppers.remove(0);
         let state: Vec<A::Value> = request.point.state.iter().map(A::round).collect();
-        Ok(Self { arithmetic, request, map, stages, before: state.clone(), state })
+        let scheme = Scheme::of(A::PRECISION).composed(composition.unwrap_or(Composition::KAHAN));
+        let names = &request.system.field.symbols.parameters;
+        let code = Field::of(&request.system)
+            .with(names.iter().zip(&request.point.parameters))
+            .ok()
+            .and_then(|map| map.orbit(scheme, &request.point.eps, &request.point.state).ok())
+            .filter(SchemeOrbit::is_code);
+        Ok(Self { arithmetic, request, map, stages, code, before: state.clone(), state })
     }
 
     /// The names of the integrals, in order.
@@ -61,8 +73,22 @@ impl<'a, A: Printable> FloatOrbit<'a, A> {
         table.row::<A>(n, std::iter::once(time.as_ref()).chain(self.state.iter().map(Some)).chain(integrals))
     }
 
-    /// Goes from the point n to the next; what to tell the user where there is none.
-    pub(super) fn advance(&mut self, n: i64) -> Result<(), String> {
+    /// Goes from the point n to the one so many steps later; what to tell the user where there is
+    /// none.
+    pub(super) fn advance(&mut self, n: i64, steps: i64) -> Result<(), String> {
+        if let Some(code) = &mut self.code {
+            code.advance(steps.unsigned_abs());
+            let is_finite = code.point().iter().all(|x| x.is_finite());
+            if is_finite {
+                self.state.iter_mut().zip(code.point()).for_each(|(x, entry)| *x = A::narrow(*entry));
+                return Ok(());
+            }
+            self.code = None;
+        }
+        (n..n + steps).try_for_each(|n| self.advance_once(n))
+    }
+
+    fn advance_once(&mut self, n: i64) -> Result<(), String> {
         self.before.clone_from(&self.state);
         match self.step() {
             Err(Pole) if !self.stages.is_empty() => Err(self.request.stage_pole::<A>(n, &self.before)),

@@ -103,7 +103,7 @@ impl Comparison<'_> {
                 },
                 "difference": certificate.difference,
             })),
-            "timing": if self.trade.is_compiled { "measured" } else { "predicted" },
+            "timing": if self.trade.is_code { "measured" } else { "predicted" },
             "settings": self.trade.settings.iter().map(setting_object).collect::<Vec<_>>(),
             "choice": choice,
             "skipped": skipped.collect::<Vec<_>>(),

@@ -108,8 +108,8 @@ impl Comparison<'_> {
                 size(self.trade.scale.unwrap_or(1.0))
             ));
         }
-        if !self.trade.is_compiled {
-            note("prices are predicted: the field is interpreted here; compiled E6 was timed, and scaled by the plans' costs".into());
+        if !self.trade.is_code {
+            note("prices are predicted: the field has no machine code here; E6 was timed, and scaled by the plans' costs".into());
         }
         if let Some(choice) = self.choice() {
             let (scheme, eps, steps) =

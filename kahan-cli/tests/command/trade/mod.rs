@@ -194,7 +194,7 @@ fn an_integral_that_is_trivial_for_the_flow_is_measured_by_its_next_coefficient(
 fn a_field_of_the_users_own_is_run_and_pasted_as_it_was_given() {
     let field = ["trade", "--field", "xdot = y; ydot = 6*x^2 - a;", "--param", "a=2", "--at", "-1/2,1/5"];
     let object = json(&[&field[..], &["--horizon", "1", "--tolerance", "1e-4", "--seconds", "60"]].concat());
-    assert_eq!(object["timing"], "predicted");
+    assert_eq!(object["timing"], "measured");
     assert_eq!(object["reference"]["second_method"], "composition");
     let rust = object["choice"]["rust"].as_str().expect("a line");
     assert!(rust.contains("let a = 2.0;\nlet field = kahan! { xdot = y; ydot = 6*x^2 - a; };\n"), "{rust}");

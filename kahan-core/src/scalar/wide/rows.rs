@@ -128,7 +128,10 @@ impl Row {
         let (mut place, mut carry) = (0, 0);
         loop {
             let lowest = |digits: &[(i64, i64)]| digits.last().map(|(place, _)| *place);
-            let next = [lowest(these), lowest(those)].into_iter().flatten().min();
+            let next = match (lowest(these), lowest(those)) {
+                (Some(this), Some(that)) => Some(this.min(that)),
+                (this, that) => this.or(that),
+            };
             // What is carried stands at or below the next digit.
             let here = if carry == 0 { next } else { Some(place) };
             let Some(here) = here else { break };

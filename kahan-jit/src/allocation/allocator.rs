@@ -1,0 +1,377 @@
+//! One pass over the lines: each gets its operands, a register, and its operation.
+
+use crate::assembler::{Fused, Order, Vector};
+use crate::lines::{Binary, Ends, Given, Line, Lines};
+
+use super::carried::carry;
+use super::uses::Uses;
+use super::{Operand, Operation, Place, Request};
+
+/// What a pass leaves.
+pub(super) struct Code {
+    pub(super) operations: Vec<Operation>,
+    pub(super) slots: usize,
+    /// The most registers that were taken at once, those of what is kept besides.
+    pub(super) most_taken: u8,
+}
+
+/// The state of a pass.
+pub(super) struct Allocator<'a> {
+    lines: &'a Lines,
+    ends: Ends,
+    uses: Uses,
+    /// What is in each register; those of what is kept are not among them.
+    registers: Vec<Option<usize>>,
+    /// Registers that hold an operand of the line at hand.
+    locked: Vec<bool>,
+    register_of: Vec<Option<Vector>>,
+    /// Where a value stands in memory.
+    home: Vec<Option<Place>>,
+    is_kept: Vec<bool>,
+    free_slots: Vec<usize>,
+    /// The results that each line is.
+    results_of: Vec<Vec<usize>>,
+    /// Whether a result has to wait for the end of the round.
+    waits: Vec<bool>,
+    code: Code,
+}
+
+impl<'a> Allocator<'a> {
+    /// Before the first line; the lines in `kept` have the last registers for themselves.
+    pub(super) fn new(lines: &'a Lines, request: Request, kept: &[usize]) -> Self {
+        let count = lines.lines.len();
+        let own = usize::from(request.registers) - kept.len();
+        let mut allocator = Allocator {
+            lines,
+            ends: request.ends,
+            uses: Uses::of(lines),
+            registers: vec![None; own],
+            locked: vec![false; own],
+            register_of: vec![None; count],
+            home: vec![None; count],
+            is_kept: vec![false; count],
+            free_slots: Vec::new(),
+            results_of: vec![Vec::new(); count],
+            waits: Vec::new(),
+            code: Code { operations: Vec::new(), slots: 0, most_taken: 0 },
+        };
+        let mut states: Vec<Option<usize>> = vec![None; lines.results.len()];
+        for (index, line) in lines.lines.iter().enumerate() {
+            match *line {
+                Line::Given(Given::State(i)) if request.ends == Ends::Carried => {
+                    allocator.registers[i] = Some(index);
+                    allocator.register_of[index] = Some(Vector(i as u8));
+                }
+                Line::Given(given) => {
+                    allocator.home[index] = Some(Place::Given(given));
+                    if let Given::State(i) = given
+                        && let Some(state) = states.get_mut(i)
+                    {
+                        *state = Some(index);
+                    }
+                }
+                _ => {}
+            }
+        }
+        for (line, register) in allocator.kept_registers(kept) {
+            allocator.register_of[line] = Some(register);
+            allocator.is_kept[line] = true;
+        }
+        for ((i, &result), state) in lines.results.iter().enumerate().zip(states) {
+            let is_read_later =
+                |state: usize| state != result && allocator.uses.last(state) > Some(result);
+            let waits = match request.ends {
+                Ends::Carried => true,
+                Ends::InPlace => state.is_some_and(is_read_later),
+                Ends::Elsewhere => false,
+            };
+            allocator.waits.push(waits);
+            allocator.results_of[result].push(i);
+        }
+        for (result, _) in lines.results.iter().zip(&allocator.waits).filter(|(_, waits)| **waits) {
+            allocator.uses.add(*result, count);
+        }
+        if request.ends == Ends::Carried {
+            allocator.code.most_taken = lines.results.len() as u8;
+        }
+        allocator
+    }
+
+    /// The register of each line that is kept.
+    pub(super) fn kept_registers(&self, kept: &[usize]) -> Vec<(usize, Vector)> {
+        let own = self.registers.len();
+        kept.iter().enumerate().map(|(k, line)| (*line, Vector((own + k) as u8))).collect()
+    }
+
+    pub(super) fn run(mut self) -> Code {
+        let lines = self.lines;
+        for (time, line) in lines.lines.iter().enumerate() {
+            match *line {
+                Line::Given(_) => {}
+                Line::Binary(operator, a, b) => self.binary(time, operator, a, b),
+                Line::Fused(operator, operands) => self.fused(time, operator, operands),
+                Line::Copy(a) => self.copy(time, a),
+                Line::RoundToSingle(a) => {
+                    let from = self.in_register(a, time);
+                    self.release(&[a], time);
+                    let to = self.target(time);
+                    self.code.operations.push(Operation::RoundToSingle(to, from));
+                    self.define(time, to);
+                }
+            }
+            self.locked.fill(false);
+            self.store_results(time);
+        }
+        match self.ends {
+            Ends::Carried => {
+                let sources: Vec<Operand> =
+                    lines.results.iter().map(|result| self.source(*result)).collect();
+                let slots = &mut self.code.slots;
+                carry(&sources, self.registers.len(), slots, &mut self.code.operations);
+            }
+            Ends::InPlace => self.store_last(),
+            Ends::Elsewhere => {}
+        }
+        self.code
+    }
+
+    /// Results that need not wait, of the line at hand.
+    fn store_results(&mut self, time: usize) {
+        let Some(register) = self.register_of[time].filter(|_| !self.is_kept[time]) else { return };
+        for &i in &self.results_of[time] {
+            if !self.waits[i] {
+                let place = match self.ends {
+                    Ends::InPlace => Place::Given(Given::State(i)),
+                    _ => Place::Result(i),
+                };
+                self.code.operations.push(Operation::Store(place, register));
+            }
+        }
+        self.drop_dead(time);
+    }
+
+    /// Results that had to wait for the end.
+    fn store_last(&mut self) {
+        let (lines, end) = (self.lines, self.lines.lines.len());
+        for (i, &result) in lines.results.iter().enumerate() {
+            if self.waits[i] {
+                let register = self.in_register(result, end);
+                self.locked.fill(false);
+                self.code.operations.push(Operation::Store(Place::Given(Given::State(i)), register));
+            }
+        }
+    }
+
+    fn binary(&mut self, time: usize, operator: Binary, a: usize, b: usize) {
+        let commutes = matches!(operator, Binary::Add | Binary::Multiply);
+        let is_swapped = commutes && self.register_of[a].is_none() && self.register_of[b].is_some();
+        let (a, b) = if is_swapped { (b, a) } else { (a, b) };
+        let first = self.in_register(a, time);
+        let second = self.operand(b, time);
+        self.release(&[a, b], time);
+        let to = self.target(time);
+        self.code.operations.push(Operation::Binary(operator, to, first, second));
+        self.define(time, to);
+        self.free_slots_of(&[a, b]);
+    }
+
+    /// One of the three operands is overwritten: the order of the instruction says which.
+    fn fused(&mut self, time: usize, operator: Fused, [mut a, mut b, c]: [usize; 3]) {
+        let operands = [a, b, c];
+        for operand in operands {
+            self.lock(operand);
+        }
+        // At most one operand may be in memory, and only once.
+        for operand in [c, b, a] {
+            let in_memory = |line: &usize| self.register_of[*line].is_none();
+            let is_only = operands.iter().filter(|line| in_memory(line)).count() == 1;
+            if in_memory(&operand) && (!is_only || self.is_worth_loading(operand, time)) {
+                self.in_register(operand, time);
+            }
+        }
+        let dies = |line: usize| {
+            self.register_of[line].is_some()
+                && !self.is_kept[line]
+                && self.uses.next_after(line, time).is_none()
+        };
+        if !dies(a) && dies(b) {
+            (a, b) = (b, a);
+        }
+        let (to, overwritten) = if dies(c) {
+            (self.source_register(c), c)
+        } else if dies(a) {
+            (self.source_register(a), a)
+        } else {
+            // Into a register of its own goes what is in memory, or else the number that is added.
+            let overwritten = operands.into_iter().find(|line| self.register_of[*line].is_none()).unwrap_or(c);
+            if overwritten == b {
+                (a, b) = (b, a);
+            }
+            let source = self.source(overwritten);
+            let to = self.fresh(time);
+            self.code.operations.push(match source {
+                Operand::Register(from) => Operation::Copy(to, from),
+                Operand::Memory(place) => Operation::Load(to, place),
+            });
+            (to, overwritten)
+        };
+        let (order, second, third) = if overwritten == c {
+            // The memory operand comes last.
+            if self.register_of[a].is_none() {
+                (a, b) = (b, a);
+            }
+            (Order::D231, self.source_register(a), self.source(b))
+        } else if self.register_of[b].is_none() {
+            (Order::D132, self.source_register(c), self.source(b))
+        } else {
+            (Order::D213, self.source_register(b), self.source(c))
+        };
+        self.code.operations.push(Operation::Fused(operator, order, to, second, third));
+        self.release(&operands, time);
+        self.define(time, to);
+        self.free_slots_of(&operands);
+    }
+
+    fn copy(&mut self, time: usize, a: usize) {
+        let source = self.source(a);
+        self.release(&[a], time);
+        let to = self.target(time);
+        self.code.operations.push(match source {
+            Operand::Register(from) => Operation::Copy(to, from),
+            Operand::Memory(place) => Operation::Load(to, place),
+        });
+        self.define(time, to);
+        self.free_slots_of(&[a]);
+    }
+}
+
+/// Registers, memory, and what moves between them.
+impl Allocator<'_> {
+    fn source(&self, line: usize) -> Operand {
+        match (self.register_of[line], self.home[line]) {
+            (Some(register), _) => Operand::Register(register),
+            (None, Some(place)) => Operand::Memory(place),
+            (None, None) => unreachable!("a value is somewhere until its last use"),
+        }
+    }
+
+    fn source_register(&self, line: usize) -> Vector {
+        self.register_of[line].unwrap_or_else(|| unreachable!("the operand was brought into a register"))
+    }
+
+    /// The register of an operand, into which it is loaded if need be.
+    fn in_register(&mut self, line: usize, time: usize) -> Vector {
+        if let Operand::Memory(place) = self.source(line) {
+            let register = self.fresh(time);
+            self.code.operations.push(Operation::Load(register, place));
+            self.registers[usize::from(register.0)] = Some(line);
+            self.register_of[line] = Some(register);
+        }
+        self.lock(line);
+        self.source_register(line)
+    }
+
+    /// An operand that may stand in memory.
+    fn operand(&mut self, line: usize, time: usize) -> Operand {
+        if self.is_worth_loading(line, time) {
+            return Operand::Register(self.in_register(line, time));
+        }
+        self.lock(line);
+        self.source(line)
+    }
+
+    /// Whether a value in memory is read again, and there is room for it.
+    fn is_worth_loading(&self, line: usize, time: usize) -> bool {
+        let is_variable = !matches!(
+            self.home[line],
+            Some(Place::Given(Given::Constant(_) | Given::Literal(_))) | None
+        );
+        self.register_of[line].is_none()
+            && is_variable
+            && self.uses.next_after(line, time).is_some()
+            && self.registers.contains(&None)
+    }
+
+    fn lock(&mut self, line: usize) {
+        if let Some(register) = self.register_of[line].filter(|_| !self.is_kept[line]) {
+            self.locked[usize::from(register.0)] = true;
+        }
+    }
+
+    /// A register for the line at hand: the one that it is carried in, where that is free.
+    fn target(&mut self, time: usize) -> Vector {
+        let carried = self.results_of[time].first().filter(|_| self.ends == Ends::Carried);
+        match carried {
+            Some(&i) if self.registers[i].is_none() => Vector(i as u8),
+            _ => self.fresh(time),
+        }
+    }
+
+    /// A register to write to: a free one, or that of the value that is used last.
+    fn fresh(&mut self, time: usize) -> Vector {
+        let index = match self.registers.iter().position(Option::is_none) {
+            Some(free) => free,
+            None => self.give_up(time),
+        };
+        let taken = 1 + self.registers.iter().filter(|register| register.is_some()).count();
+        self.code.most_taken = self.code.most_taken.max(taken as u8);
+        Vector(index as u8)
+    }
+
+    /// Empties the register whose value is used farthest away.
+    fn give_up(&mut self, time: usize) -> usize {
+        let next = |register: &usize| {
+            self.registers[*register].and_then(|line| self.uses.next_after(line, time)).unwrap_or(usize::MAX)
+        };
+        let farthest = (0..self.registers.len()).filter(|register| !self.locked[*register]).max_by_key(next);
+        let register = farthest.unwrap_or_else(|| unreachable!("an operation has fewer operands than registers"));
+        if let Some(line) = self.registers[register].take() {
+            if self.home[line].is_none() {
+                let slot = self.free_slots.pop().unwrap_or_else(|| {
+                    self.code.slots += 1;
+                    self.code.slots - 1
+                });
+                self.home[line] = Some(Place::Slot(slot));
+                self.code.operations.push(Operation::Store(Place::Slot(slot), Vector(register as u8)));
+            }
+            self.register_of[line] = None;
+        }
+        register
+    }
+
+    /// The line at hand has read these; what is not used again gives up its register.
+    fn release(&mut self, lines: &[usize], time: usize) {
+        for &line in lines {
+            self.uses.end(line, time);
+            self.drop_dead(line);
+        }
+        self.locked.fill(false);
+    }
+
+    fn drop_dead(&mut self, line: usize) {
+        if self.uses.next(line).is_none()
+            && !self.is_kept[line]
+            && let Some(register) = self.register_of[line].take()
+        {
+            self.registers[usize::from(register.0)] = None;
+        }
+    }
+
+    /// Slots are free again after the line that reads them last.
+    fn free_slots_of(&mut self, lines: &[usize]) {
+        for &line in lines {
+            if self.uses.next(line).is_none()
+                && let Some(Place::Slot(slot)) = self.home[line]
+            {
+                self.home[line] = None;
+                self.free_slots.push(slot);
+            }
+        }
+    }
+
+    /// The line at hand is in this register now.
+    fn define(&mut self, line: usize, register: Vector) {
+        self.registers[usize::from(register.0)] = Some(line);
+        self.register_of[line] = Some(register);
+    }
+}

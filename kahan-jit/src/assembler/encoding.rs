@@ -1,0 +1,149 @@
+//! The bytes of instructions on vectors: prefix, opcode, operands.
+//!
+//! VEX has a short and a long form and names sixteen registers; EVEX names thirty-two, and those of
+//! 512 bits. Bits of register numbers beyond the three that stand in the operands themselves are in
+//! the prefix, inverted.
+
+use super::operands::{Element, Form, General, Memory, Source, Vector, Width};
+use super::Assembler;
+
+/// Which instruction: the fields of its prefix, and its opcode.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Opcode {
+    /// 1 for opcodes after 0F, 2 after 0F 38.
+    map: u8,
+    /// 0 for no further prefix, 1 for 66, 2 for F3, 3 for F2.
+    prefix: u8,
+    /// Whether numbers are of double precision, where the opcode does not say so.
+    is_wide: bool,
+    /// 0 to 2 for 128 to 512 bits.
+    length: u8,
+    opcode: u8,
+    /// The prefix and opcode in EVEX, where they differ.
+    other: Option<(u8, u8)>,
+}
+
+impl Opcode {
+    /// An instruction that has a form each for single numbers and for vectors.
+    pub(super) fn of(form: Form, opcode: u8) -> Self {
+        let prefix = match (form.width, form.element) {
+            (Width::Scalar, Element::Single) => 2,
+            (Width::Scalar, Element::Double) => 3,
+            (_, element) => u8::from(element == Element::Double),
+        };
+        Opcode { prefix, ..Self::packed(form, opcode) }
+    }
+
+    /// One that has forms for vectors only: single numbers are in one of 128 bits.
+    pub(super) fn packed(form: Form, opcode: u8) -> Self {
+        let is_wide = form.element == Element::Double;
+        let length = match form.width {
+            Width::Scalar | Width::Bits128 => 0,
+            Width::Bits256 => 1,
+            Width::Bits512 => 2,
+        };
+        Opcode { map: 1, prefix: u8::from(is_wide), is_wide, length, opcode, other: None }
+    }
+
+    /// A fused operation; the opcode for a single number is the next one.
+    pub(super) fn fused(form: Form, opcode: u8) -> Self {
+        let opcode = opcode + u8::from(form.width == Width::Scalar);
+        Opcode { map: 2, prefix: 1, ..Self::packed(form, opcode) }
+    }
+
+    /// That of floats is not part of AVX-512F; that of integers is.
+    pub(super) fn exclusive_or(form: Form) -> Self {
+        Opcode { other: Some((1, 0xef)), ..Self::packed(form, 0x57) }
+    }
+
+    pub(super) fn to_single() -> Self {
+        Self::of(Form { element: Element::Double, width: Width::Scalar }, 0x5a)
+    }
+
+    pub(super) fn to_double() -> Self {
+        Self::of(Form { element: Element::Single, width: Width::Scalar }, 0x5a)
+    }
+}
+
+/// Bit `k` of a number, inverted.
+fn inverted(number: u8, k: u8) -> u8 {
+    !(number >> k) & 1
+}
+
+impl Assembler {
+    /// An instruction on up to three operands.
+    pub(super) fn vector(&mut self, opcode: Opcode, to: Vector, a: Vector, b: Source) {
+        // The fourth bits of what is in the last operand: an index, or of a register the fifth bit,
+        // and a base or a register.
+        let (x, base) = match b {
+            Source::Register(Vector(number)) => (number >> 4, number >> 3 & 1),
+            Source::Memory(Memory::At { base, .. }) => (0, base as u8 >> 3),
+            Source::Memory(Memory::Indexed { base, index }) => (index as u8 >> 3, base as u8 >> 3),
+            Source::Memory(Memory::Pool(_)) => (0, 0),
+        };
+        let is_beyond = |register: Vector| register.0 >= 16;
+        let is_evex = opcode.length == 2
+            || is_beyond(to)
+            || is_beyond(a)
+            || matches!(b, Source::Register(register) if is_beyond(register));
+        let Opcode { map, length, is_wide, .. } = opcode;
+        let (prefix, code) = match opcode.other {
+            Some(other) if is_evex => other,
+            _ => (opcode.prefix, opcode.opcode),
+        };
+        let (wide, second) = (u8::from(is_wide) << 7, (!a.0 & 15) << 3);
+        if is_evex {
+            let high = inverted(to.0, 3) << 7 | (x ^ 1) << 6 | (base ^ 1) << 5 | inverted(to.0, 4) << 4;
+            let last = length << 5 | inverted(a.0, 4) << 3;
+            self.bytes.extend([0x62, high | map, wide | second | 4 | prefix, last]);
+        } else if map == 1 && x == 0 && base == 0 {
+            self.bytes.extend([0xc5, inverted(to.0, 3) << 7 | second | length << 2 | prefix]);
+        } else {
+            let high = inverted(to.0, 3) << 7 | (x ^ 1) << 6 | (base ^ 1) << 5;
+            self.bytes.extend([0xc4, high | map, wide | second | length << 2 | prefix]);
+        }
+        self.bytes.push(code);
+        self.operands(to.0, b, !is_evex);
+    }
+
+    /// The bytes that name a register and the last operand. EVEX counts short offsets in operands,
+    /// so there they are all long.
+    pub(super) fn operands(&mut self, register: u8, b: Source, may_be_short: bool) {
+        /// What in the place of a base says that there is more to come, or no base.
+        const MORE: u8 = 4;
+        const BEHIND_THE_CODE: u8 = 5;
+
+        let register = (register & 7) << 3;
+        match b {
+            Source::Register(Vector(number)) => self.bytes.push(0xc0 | register | number & 7),
+            Source::Memory(Memory::At { base, offset }) => {
+                let short = i8::try_from(offset).ok().filter(|_| may_be_short);
+                let mode = if short.is_some() { 0x40 } else { 0x80 };
+                let base = base as u8 & 7;
+                self.bytes.push(mode | register | base);
+                if base == MORE {
+                    self.bytes.push(MORE << 3 | base);
+                }
+                match short {
+                    Some(short) => self.bytes.push(short as u8),
+                    None => self.bytes.extend(offset.to_le_bytes()),
+                }
+            }
+            Source::Memory(Memory::Indexed { base, index }) => {
+                assert!(index != General::Rsp, "this register is no index");
+                // With an offset of 0, which some bases need.
+                let index = (index as u8 & 7) << 3;
+                if may_be_short {
+                    self.bytes.extend([0x40 | register | MORE, index | base as u8 & 7, 0]);
+                } else {
+                    self.bytes.extend([0x80 | register | MORE, index | base as u8 & 7, 0, 0, 0, 0]);
+                }
+            }
+            Source::Memory(Memory::Pool(entry)) => {
+                self.bytes.push(register | BEHIND_THE_CODE);
+                self.pool.note_use(self.bytes.len(), entry);
+                self.bytes.extend([0; 4]);
+            }
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! An assembler for the instructions of x86-64 that straight lines of floats need.
+//!
+//! In: one call an instruction, on registers and memory. Out: bytes. Instructions are those of AVX,
+//! of FMA, and of AVX-512F where a register beyond the first sixteen or of 512 bits takes part.
+//! Numbers that stand in the code itself are in a pool behind it (Intel, Software Developer's
+//! Manual, volume 2).
+
+mod encoding;
+mod general;
+mod operands;
+mod pool;
+#[cfg(test)]
+mod tests;
+
+use encoding::Opcode;
+use pool::Pool;
+
+pub(crate) use general::Condition;
+pub(crate) use operands::{Element, Form, General, Memory, Source, Vector, Width};
+pub(crate) use pool::Entry;
+
+/// An operation on two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Arithmetic {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+}
+
+/// A fused operation on a product.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Fused {
+    /// product + addend
+    MultiplyAdd,
+    /// product − addend
+    MultiplySubtract,
+    /// addend − product
+    SubtractProduct,
+}
+
+/// Which of the operands d, b, c of a fused operation are multiplied; d is overwritten.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// d·c and b
+    D132,
+    /// b·d and c
+    D213,
+    /// b·c and d
+    D231,
+}
+
+/// Code that is being written, for operands of one form.
+#[derive(Debug)]
+pub(crate) struct Assembler {
+    bytes: Vec<u8>,
+    form: Form,
+    pool: Pool,
+}
+
+impl Assembler {
+    pub(crate) fn new(form: Form) -> Self {
+        Assembler { bytes: Vec::new(), form, pool: Pool::new(form) }
+    }
+
+    /// to = a ∘ b
+    pub(crate) fn arithmetic(&mut self, operator: Arithmetic, to: Vector, a: Vector, b: Source) {
+        let opcode = match operator {
+            Arithmetic::Add => 0x58,
+            Arithmetic::Multiply => 0x59,
+            Arithmetic::Subtract => 0x5c,
+            Arithmetic::Divide => 0x5e,
+        };
+        self.vector(Opcode::of(self.form, opcode), to, a, b);
+    }
+
+    /// A product and a sum or a difference, rounded once, into `to`, which is an operand too.
+    pub(crate) fn fused(&mut self, operator: Fused, order: Order, to: Vector, b: Vector, c: Source) {
+        let order = match order {
+            Order::D132 => 0x98,
+            Order::D213 => 0xa8,
+            Order::D231 => 0xb8,
+        };
+        let operator = match operator {
+            Fused::MultiplyAdd => 0,
+            Fused::MultiplySubtract => 2,
+            Fused::SubtractProduct => 4,
+        };
+        self.vector(Opcode::fused(self.form, order + operator), to, b, c);
+    }
+
+    /// The bits of a, those flipped that are set in b. Of single numbers, the other bits of the
+    /// register are flipped as well: a memory operand is 16 bytes at least.
+    pub(crate) fn exclusive_or(&mut self, to: Vector, a: Vector, b: Source) {
+        self.vector(Opcode::exclusive_or(self.form), to, a, b);
+    }
+
+    /// Copies a whole register.
+    pub(crate) fn copy(&mut self, to: Vector, from: Vector) {
+        self.vector(Opcode::packed(self.form, 0x28), to, Vector::NONE, Source::Register(from));
+    }
+
+    pub(crate) fn load(&mut self, to: Vector, from: Memory) {
+        self.vector(Opcode::of(self.form, 0x10), to, Vector::NONE, Source::Memory(from));
+    }
+
+    pub(crate) fn store(&mut self, to: Memory, from: Vector) {
+        self.vector(Opcode::of(self.form, 0x11), from, Vector::NONE, Source::Memory(to));
+    }
+
+    /// The number of single precision nearest to a number of double precision, as one of those.
+    pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
+        self.vector(Opcode::to_single(), to, from, Source::Register(from));
+        self.vector(Opcode::to_double(), to, to, Source::Register(to));
+    }
+
+    /// Leaves the upper halves of the registers as code that knows only their lower halves wants
+    /// them.
+    pub(crate) fn zero_upper(&mut self) {
+        self.bytes.extend([0xc5, 0xf8, 0x77]);
+    }
+
+    /// A place in the pool that holds a number in every lane; `bits` are those of one.
+    pub(crate) fn constant(&mut self, bits: u64) -> Entry {
+        self.pool.entry(bits)
+    }
+
+    /// The code and its pool.
+    pub(crate) fn finish(self) -> Vec<u8> {
+        self.pool.append_to(self.bytes)
+    }
+}

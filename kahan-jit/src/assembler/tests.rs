@@ -1,0 +1,320 @@
+//! Every form of every instruction, with every register in every place, decoded by a library that
+//! knows them all.
+
+use iced_x86::{Code, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register};
+
+use super::{Arithmetic, Assembler, Condition, Element, Form, Fused, General, Memory, Order, Source, Vector, Width};
+
+const FORMS: [Form; 8] = {
+    const fn form(element: Element, width: Width) -> Form {
+        Form { element, width }
+    }
+    [
+        form(Element::Single, Width::Scalar),
+        form(Element::Single, Width::Bits128),
+        form(Element::Single, Width::Bits256),
+        form(Element::Single, Width::Bits512),
+        form(Element::Double, Width::Scalar),
+        form(Element::Double, Width::Bits128),
+        form(Element::Double, Width::Bits256),
+        form(Element::Double, Width::Bits512),
+    ]
+};
+
+const GENERAL: [(General, Register); 16] = [
+    (General::Rax, Register::RAX),
+    (General::Rcx, Register::RCX),
+    (General::Rdx, Register::RDX),
+    (General::Rbx, Register::RBX),
+    (General::Rsp, Register::RSP),
+    (General::Rbp, Register::RBP),
+    (General::Rsi, Register::RSI),
+    (General::Rdi, Register::RDI),
+    (General::R8, Register::R8),
+    (General::R9, Register::R9),
+    (General::R10, Register::R10),
+    (General::R11, Register::R11),
+    (General::R12, Register::R12),
+    (General::R13, Register::R13),
+    (General::R14, Register::R14),
+    (General::R15, Register::R15),
+];
+
+/// Offsets that take no byte, one byte, and four.
+const OFFSETS: [i32; 9] = [0, 1, -1, 127, -128, 128, -129, 0x1234_5678, i32::MIN];
+
+/// The only instruction of some code.
+fn decoded(write: impl FnOnce(&mut Assembler), form: Form) -> Instruction {
+    let mut assembler = Assembler::new(form);
+    write(&mut assembler);
+    let length = assembler.bytes.len();
+    let bytes = assembler.finish();
+    let mut decoder = Decoder::new(64, &bytes, DecoderOptions::NONE);
+    let instruction = decoder.decode();
+    assert!(!instruction.is_invalid(), "{form:?}: {:02x?} is no instruction", &bytes[..length]);
+    assert_eq!(instruction.len(), length, "{form:?}: {instruction:?} is shorter than what was written");
+    instruction
+}
+
+/// The register of a form.
+fn vector(form: Form, Vector(number): Vector) -> Register {
+    let first = match form.width {
+        Width::Scalar | Width::Bits128 => Register::XMM0,
+        Width::Bits256 => Register::YMM0,
+        Width::Bits512 => Register::ZMM0,
+    };
+    first + u32::from(number)
+}
+
+/// How a mnemonic ends.
+fn suffix(form: Form) -> &'static str {
+    match (form.width, form.element) {
+        (Width::Scalar, Element::Single) => "ss",
+        (Width::Scalar, Element::Double) => "sd",
+        (_, Element::Single) => "ps",
+        (_, Element::Double) => "pd",
+    }
+}
+
+fn assert_mnemonic(instruction: &Instruction, expected: &str) {
+    assert_eq!(format!("{:?}", instruction.mnemonic()).to_lowercase(), expected, "{instruction:?}");
+}
+
+fn assert_registers(instruction: &Instruction, form: Form, expected: &[Vector]) {
+    for (place, &register) in (0..).zip(expected) {
+        assert_eq!(instruction.op_kind(place), OpKind::Register, "{instruction:?}");
+        assert_eq!(instruction.op_register(place), vector(form, register), "{instruction:?}");
+    }
+}
+
+fn assert_memory(instruction: &Instruction, place: u32, bytes: usize, memory: Memory) {
+    assert_eq!(instruction.op_kind(place), OpKind::Memory, "{instruction:?}");
+    assert_eq!(instruction.memory_size().size(), bytes, "{instruction:?}");
+    let register = |general: General| GENERAL[general as usize].1;
+    let (base, index, offset) = match memory {
+        Memory::At { base, offset } => (register(base), Register::None, i64::from(offset)),
+        Memory::Indexed { base, index } => (register(base), register(index), 0),
+        Memory::Pool(_) => unreachable!("the pool has a test of its own"),
+    };
+    assert_eq!(instruction.memory_base(), base, "{instruction:?}");
+    assert_eq!(instruction.memory_index(), index, "{instruction:?}");
+    assert_eq!(instruction.memory_index_scale(), 1, "{instruction:?}");
+    assert_eq!(instruction.memory_displacement64() as i64, offset, "{instruction:?}");
+}
+
+/// Every place in memory that has a base.
+fn places() -> impl Iterator<Item = Memory> {
+    let at = |(base, _)| OFFSETS.map(|offset| Memory::At { base, offset });
+    let indices = GENERAL.into_iter().filter(|(index, _)| *index != General::Rsp);
+    let indexed = indices.flat_map(|(index, _)| GENERAL.map(|(base, _)| Memory::Indexed { base, index }));
+    GENERAL.into_iter().flat_map(at).chain(indexed)
+}
+
+/// Three registers: all of 32 in each place, the others different.
+fn triples() -> impl Iterator<Item = [Vector; 3]> {
+    (0..32_u32).flat_map(|k| {
+        let [a, b] = [(k * 7 + 3) % 32, (k * 13 + 5) % 32];
+        let all = [[k, a, b], [a, k, b], [a, b, k], [k % 8, a % 8, b % 8], [k % 16, a % 16, b % 16]];
+        all.map(|numbers| numbers.map(|number| Vector(number as u8)))
+    })
+}
+
+/// An instruction with three operands, the last of which may be in memory.
+fn check(name: &str, form: Form, bytes: usize, write: impl Fn(&mut Assembler, Vector, Vector, Source)) {
+    for [to, a, b] in triples() {
+        let instruction = decoded(|assembler| write(assembler, to, a, Source::Register(b)), form);
+        // Only the name with an element at its end is one of AVX-512F.
+        let is_evex = form.width == Width::Bits512 || [to, a, b].iter().any(|register| register.0 >= 16);
+        assert_mnemonic(&instruction, &named(name, form, is_evex));
+        assert_registers(&instruction, form, &[to, a, b]);
+        assert_eq!(instruction.op_count(), 3, "{instruction:?}");
+    }
+    for (k, memory) in (0_u32..).zip(places()) {
+        let (to, a) = (Vector((k % 32) as u8), Vector((k / 3 % 32) as u8));
+        let instruction = decoded(|assembler| write(assembler, to, a, Source::Memory(memory)), form);
+        let is_evex = form.width == Width::Bits512 || to.0 >= 16 || a.0 >= 16;
+        assert_mnemonic(&instruction, &named(name, form, is_evex));
+        assert_registers(&instruction, form, &[to, a]);
+        assert_memory(&instruction, 2, bytes, memory);
+    }
+}
+
+/// The mnemonic: that of an operation on bits is of integers where it is one of AVX-512F.
+fn named(name: &str, form: Form, is_evex: bool) -> String {
+    match (name, form.element) {
+        ("vxor", Element::Single) if is_evex => "vpxord".to_owned(),
+        ("vxor", Element::Double) if is_evex => "vpxorq".to_owned(),
+        ("vxor", Element::Single) => "vxorps".to_owned(),
+        ("vxor", Element::Double) => "vxorpd".to_owned(),
+        _ => format!("{name}{}", suffix(form)),
+    }
+}
+
+#[test]
+fn operations_are_what_was_asked_for() {
+    let operations = [
+        ("vadd", Arithmetic::Add),
+        ("vsub", Arithmetic::Subtract),
+        ("vmul", Arithmetic::Multiply),
+        ("vdiv", Arithmetic::Divide),
+    ];
+    for form in FORMS {
+        for (name, operator) in operations {
+            check(name, form, form.bytes(), |assembler, to, a, b| assembler.arithmetic(operator, to, a, b));
+        }
+        check("vxor", form, form.bytes().max(16), Assembler::exclusive_or);
+    }
+}
+
+#[test]
+fn fused_operations_are_what_was_asked_for() {
+    let operators = [
+        ("vfmadd", Fused::MultiplyAdd),
+        ("vfmsub", Fused::MultiplySubtract),
+        ("vfnmadd", Fused::SubtractProduct),
+    ];
+    let orders = [("132", Order::D132), ("213", Order::D213), ("231", Order::D231)];
+    for form in FORMS {
+        for (name, operator) in operators {
+            for (digits, order) in orders {
+                check(&format!("{name}{digits}"), form, form.bytes(), |assembler, to, b, c| {
+                    assembler.fused(operator, order, to, b, c);
+                });
+            }
+        }
+    }
+}
+
+#[test]
+fn numbers_are_moved_as_was_asked_for() {
+    for form in FORMS {
+        let is_scalar = form.width == Width::Scalar;
+        let moved = if is_scalar { "vmov" } else { "vmovu" };
+        for [to, from, _] in triples() {
+            let instruction = decoded(|assembler| assembler.copy(to, from), form);
+            let whole = Form { width: form.width.max(Width::Bits128), ..form };
+            assert_mnemonic(&instruction, &format!("vmova{}", suffix(whole)));
+            assert_registers(&instruction, form, &[to, from]);
+        }
+        for (k, memory) in (0_u32..).zip(places()) {
+            let register = Vector((k % 32) as u8);
+            let load = decoded(|assembler| assembler.load(register, memory), form);
+            assert_mnemonic(&load, &format!("{moved}{}", suffix(form)));
+            assert_registers(&load, form, &[register]);
+            assert_memory(&load, 1, form.bytes(), memory);
+            let store = decoded(|assembler| assembler.store(memory, register), form);
+            assert_mnemonic(&store, &format!("{moved}{}", suffix(form)));
+            assert_memory(&store, 0, form.bytes(), memory);
+            assert_eq!(store.op1_register(), vector(form, register), "{store:?}");
+        }
+    }
+}
+
+/// All instructions of some code.
+fn all(bytes: &[u8]) -> Vec<Instruction> {
+    let instructions: Vec<Instruction> = Decoder::new(64, bytes, DecoderOptions::NONE).iter().collect();
+    assert!(instructions.iter().all(|instruction| !instruction.is_invalid()));
+    instructions
+}
+
+#[test]
+fn a_number_is_rounded_to_single_precision_and_taken_back() {
+    let form = Form { element: Element::Double, width: Width::Scalar };
+    for [to, from, _] in triples() {
+        let mut assembler = Assembler::new(form);
+        assembler.round_to_single(to, from);
+        let [narrow, wide] = all(&assembler.bytes)[..] else { panic!("two instructions") };
+        assert_mnemonic(&narrow, "vcvtsd2ss");
+        assert_registers(&narrow, form, &[to, from, from]);
+        assert_mnemonic(&wide, "vcvtss2sd");
+        assert_registers(&wide, form, &[to, to, to]);
+    }
+}
+
+#[test]
+fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
+    for form in FORMS {
+        let mut assembler = Assembler::new(form);
+        let numbers = [0x3ff0_0000_3f80_0000, 0x8000_0000_8000_0000, 0x0123_4567_89ab_cdef];
+        for (k, bits) in (0..).zip(numbers.into_iter().chain(numbers)) {
+            let entry = assembler.constant(bits);
+            assembler.arithmetic(Arithmetic::Add, Vector(k), Vector(20), Source::Memory(Memory::Pool(entry)));
+        }
+        let code = assembler.bytes.len();
+        let bytes = assembler.finish();
+        assert_eq!(bytes.len(), code.next_multiple_of(64) + 3 * form.bytes().max(16), "each number once");
+        for (instruction, bits) in all(&bytes[..code]).iter().zip(numbers.into_iter().chain(numbers)) {
+            assert_eq!(instruction.memory_base(), Register::RIP);
+            let place = usize::try_from(instruction.memory_displacement64()).expect("behind the code");
+            let element = if form.element == Element::Double { 8 } else { 4 };
+            let found = &bytes[place..place + form.bytes().max(16)];
+            assert!(found.chunks(element).all(|lane| *lane == bits.to_le_bytes()[..element]), "{form:?}");
+        }
+    }
+}
+
+/// One instruction on registers of addresses.
+fn general(write: impl FnOnce(&mut Assembler)) -> Instruction {
+    decoded(write, FORMS[0])
+}
+
+fn assert_general(instruction: &Instruction, mnemonic: Mnemonic, registers: &[Register]) {
+    assert_eq!(instruction.mnemonic(), mnemonic, "{instruction:?}");
+    for (place, register) in (0..).zip(registers) {
+        assert_eq!(instruction.op_register(place), *register, "{instruction:?}");
+    }
+}
+
+#[test]
+fn addresses_and_counts_are_what_was_asked_for() {
+    for (a, a_name) in GENERAL {
+        for (b, b_name) in GENERAL {
+            assert_general(&general(|x| x.move_general(a, b)), Mnemonic::Mov, &[a_name, b_name]);
+            assert_general(&general(|x| x.add_general(a, b)), Mnemonic::Add, &[a_name, b_name]);
+            assert_general(&general(|x| x.compare(a, b)), Mnemonic::Cmp, &[a_name, b_name]);
+            for offset in OFFSETS {
+                let load = general(|x| x.load_general(a, b, offset));
+                assert_general(&load, Mnemonic::Mov, &[a_name]);
+                assert_memory(&load, 1, 8, Memory::At { base: b, offset });
+            }
+        }
+        assert_general(&general(|x| x.test(a)), Mnemonic::Test, &[a_name, a_name]);
+        assert_general(&general(|x| x.decrement(a)), Mnemonic::Dec, &[a_name]);
+        assert_general(&general(|x| x.push(a)), Mnemonic::Push, &[a_name]);
+        assert_general(&general(|x| x.pop(a)), Mnemonic::Pop, &[a_name]);
+        for number in OFFSETS {
+            let add = general(|x| x.add_immediate(a, number));
+            assert_general(&add, Mnemonic::Add, &[a_name]);
+            assert_eq!(add.immediate(1) as i64, number.into());
+            let and = general(|x| x.and_immediate(a, number));
+            assert_general(&and, Mnemonic::And, &[a_name]);
+            assert_eq!(and.immediate(1) as i64, number.into());
+        }
+    }
+    assert_eq!(general(Assembler::zero_upper).code(), Code::VEX_Vzeroupper);
+    assert_eq!(general(Assembler::ret).code(), Code::Retnq);
+    let touch = general(Assembler::touch_stack);
+    assert_eq!((touch.mnemonic(), touch.memory_base(), touch.immediate(1)), (Mnemonic::Or, Register::RSP, 0));
+    assert_eq!(touch.memory_size().size(), 8);
+}
+
+#[test]
+fn jumps_lead_where_they_are_bound() {
+    let conditions =
+        [(Condition::Below, Mnemonic::Jb), (Condition::Zero, Mnemonic::Je), (Condition::NotZero, Mnemonic::Jne)];
+    for (condition, mnemonic) in conditions {
+        let mut assembler = Assembler::new(FORMS[0]);
+        assembler.ret();
+        let back = assembler.label();
+        let forward = assembler.jump_if_forward(condition);
+        assembler.zero_upper();
+        assembler.jump_if(condition, back);
+        assembler.bind(forward);
+        assembler.ret();
+        let instructions = all(&assembler.bytes);
+        let target = |index: usize| (instructions[index].mnemonic(), instructions[index].near_branch_target());
+        assert_eq!(target(1), (mnemonic, instructions[4].ip()));
+        assert_eq!(target(3), (mnemonic, instructions[1].ip()));
+        assert_eq!(instructions[1].flow_control(), FlowControl::ConditionalBranch);
+    }
+}

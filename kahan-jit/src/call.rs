@@ -1,0 +1,154 @@
+//! The calls into machine code: the only place where it is entered.
+//!
+//! In: code of this crate, and slices. Out: what it computed. Each call checks that its slices are
+//! as long as the code needs them; what code reads and writes beside them is its own stack.
+#![expect(unsafe_code, reason = "machine code is entered by the address of its first byte")]
+
+use crate::Refusal;
+use crate::pages::Pages;
+
+/// How many numbers code reads and writes at least.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Extent {
+    pub(crate) states: usize,
+    pub(crate) constants: usize,
+    pub(crate) results: usize,
+}
+
+/// Code in memory, and what it needs.
+#[derive(Debug)]
+pub(crate) struct Code {
+    pages: Pages,
+    extent: Extent,
+}
+
+impl Code {
+    /// Puts code where it may run. It must be code of a routine of this crate, which reads and
+    /// writes no more than `extent` says.
+    pub(crate) fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
+        Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent })
+    }
+
+    /// How many numbers the results are.
+    pub(crate) fn results(&self) -> usize {
+        self.extent.results
+    }
+
+    /// Runs the code of a [`Function`](crate::Function).
+    pub(crate) fn function<T>(&self, states: &[T], constants: &[T], results: &mut [T]) {
+        let Extent { states: s, constants: c, results: r } = self.extent;
+        assert!(
+            states.len() >= s && constants.len() >= c && results.len() >= r,
+            "{s} states, {c} constants and room for {r} results, not {}, {} and {}",
+            states.len(),
+            constants.len(),
+            results.len()
+        );
+        // SAFETY: the slices are as long as the code needs them, and `results` is borrowed alone.
+        unsafe { self.enter([read(states), read(constants), written(results), 0, 0]) }
+    }
+
+    /// Runs the code of an [`Orbit`](crate::Orbit), `steps` rounds.
+    pub(crate) fn orbit<T>(&self, state: &mut [T], constants: &[T], steps: u64) {
+        self.check_orbit(state, constants);
+        // SAFETY: the slices are as long as the code needs them, and `state` is borrowed alone.
+        unsafe { self.enter([written(state), read(constants), counted(steps), 0, 0]) }
+    }
+
+    /// Runs the code of a [`ComposedOrbit`](crate::ComposedOrbit), `steps` rounds of all stages.
+    pub(crate) fn composed_orbit<T>(&self, state: &mut [T], stages: &[&[T]], steps: u64) {
+        /// As many as the longest composition has, with room.
+        const MOST: usize = 64;
+
+        assert!(!stages.is_empty() && stages.len() <= MOST, "from 1 to {MOST} stages");
+        let mut table = [0; MOST];
+        for (entry, constants) in table.iter_mut().zip(stages) {
+            self.check_orbit(state, constants);
+            *entry = read(constants);
+        }
+        // SAFETY: the slices are as long as the code needs them, `state` is borrowed alone, and the
+        // table has an address for each stage.
+        unsafe { self.enter([written(state), read(&table), stages.len(), counted(steps), 0]) }
+    }
+
+    fn check_orbit<T>(&self, state: &[T], constants: &[T]) {
+        let Extent { states: s, constants: c, .. } = self.extent;
+        assert!(
+            state.len() >= s && constants.len() >= c,
+            "{s} states and {c} constants, not {} and {}",
+            state.len(),
+            constants.len()
+        );
+    }
+
+    /// Runs the code of a [`Sweep`](crate::Sweep) over columns of `len` numbers, `width` at once,
+    /// `steps` times; the constants are `stride` numbers further on for each register.
+    pub(crate) fn sweep<T>(
+        &self,
+        columns: &mut [&mut [T]],
+        width: usize,
+        (constants, stride): (&[T], usize),
+        steps: u64,
+    ) {
+        /// More variables are stepped by other means.
+        const MOST: usize = 256;
+
+        let Extent { states: s, constants: c, .. } = self.extent;
+        assert!(columns.len() >= s && columns.len() <= MOST, "{s} columns, not {}", columns.len());
+        let len = columns.first().map_or(0, |column| column.len());
+        assert!(columns.iter().all(|column| column.len() == len), "columns of one length");
+        assert!(len % width == 0, "columns of whole registers");
+        if len == 0 || steps == 0 {
+            return;
+        }
+        let most = c + (len / width - 1) * stride;
+        assert!(constants.len() >= most, "{most} constants, not {}", constants.len());
+        let mut table = [0; MOST];
+        for (entry, column) in table.iter_mut().zip(columns.iter_mut()) {
+            *entry = written(column);
+        }
+        let bytes = |numbers: usize| numbers * size_of::<T>();
+        // SAFETY: the columns are of one length, a multiple of what is read and written at once,
+        // and are borrowed alone; the table has their addresses. The constants reach as far as the
+        // last register needs them.
+        unsafe { self.enter([read(&table), bytes(len), read(constants), bytes(stride), counted(steps)]) }
+    }
+
+    /// Enters the code.
+    ///
+    /// # Safety
+    /// The arguments are what the routine takes: addresses of as many numbers as it reads and
+    /// writes, those that are written borrowed by the caller alone.
+    #[cfg(target_arch = "x86_64")]
+    unsafe fn enter(&self, [a, b, c, d, e]: [usize; 5]) {
+        type Entry = unsafe extern "sysv64" fn(usize, usize, usize, usize, usize);
+        // SAFETY: the pages begin with the first instruction of a function of this calling
+        // convention, and stay as long as `self` does.
+        let entry: Entry = unsafe { core::mem::transmute(self.pages.start()) };
+        // SAFETY: the caller vouches for the arguments. The processor has the instructions, as no
+        // code is made where it lacks them.
+        unsafe { entry(a, b, c, d, e) }
+    }
+
+    /// There is no code on other machines.
+    ///
+    /// # Safety
+    /// None is needed.
+    #[cfg(not(target_arch = "x86_64"))]
+    unsafe fn enter(&self, _: [usize; 5]) {
+        unreachable!("code is made where the processor has its instructions")
+    }
+}
+
+fn read<T>(numbers: &[T]) -> usize {
+    numbers.as_ptr().expose_provenance()
+}
+
+fn written<T>(numbers: &mut [T]) -> usize {
+    numbers.as_mut_ptr().expose_provenance()
+}
+
+/// A number of steps; those beyond the address space are never run.
+fn counted(steps: u64) -> usize {
+    usize::try_from(steps).unwrap_or(usize::MAX)
+}

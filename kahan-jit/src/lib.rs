@@ -1,0 +1,26 @@
+//! Straight-line programs of floats as machine code.
+//!
+//! In: a [`Program`] over two arrays. Out: code that runs it once ([`Function`]), many times on one
+//! state ([`Orbit`], [`ComposedOrbit`]), or over columns of trajectories ([`Sweep`]), in `f64` or
+//! `f32`, one number or a register of them at a time. The operations and their order are the program's, so are the bits: those of generated
+//! Rust, without fused multiply-adds or with them. It must not know what the numbers mean.
+//!
+//! Modules in reading order: `program`, `lines`, `allocation`, `assembler`, `routine`, `pages`,
+//! `call`. The last two hold all of the `unsafe` code.
+
+mod allocation;
+mod assembler;
+mod call;
+mod instructions;
+mod lines;
+mod pages;
+mod program;
+mod refusal;
+mod routine;
+#[cfg(test)]
+mod tests;
+
+pub use instructions::{Float, InstructionSet, Lanes, Shape};
+pub use program::{Instruction, Program};
+pub use refusal::Refusal;
+pub use routine::{ComposedOrbit, Constants, Function, Orbit, Sweep};

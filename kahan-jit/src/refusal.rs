@@ -1,0 +1,37 @@
+//! Why there is no code.
+
+use crate::Shape;
+
+/// Why there is no code; whoever asked computes in another way.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// The processor lacks the instructions, or they do not fuse.
+    Unavailable(Shape),
+    /// The program is too long for a straight line.
+    TooLong {
+        /// Its instructions.
+        instructions: usize,
+    },
+    /// The system gives no memory that code may run in.
+    Pages(std::io::Error),
+}
+
+impl core::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Unavailable(Shape { instructions, fuses: true, .. }) if !instructions.has_fused() => {
+                write!(f, "{instructions:?} has no multiply-adds that are rounded once")
+            }
+            Self::Unavailable(shape) => {
+                write!(f, "this processor has no {:?} instructions", shape.instructions)
+            }
+            Self::TooLong { instructions } => {
+                write!(f, "a straight line of {instructions} operations is too long to be compiled")
+            }
+            Self::Pages(error) => write!(f, "the system gives no memory for code: {error}"),
+        }
+    }
+}
+
+impl core::error::Error for Refusal {}

@@ -1,0 +1,116 @@
+//! A program run many times on one state, which stays in registers.
+
+use std::marker::PhantomData;
+
+use crate::allocation::{FEWEST_REGISTERS, Place};
+use crate::assembler::{Assembler, Condition, General, Memory};
+use crate::call::{Code, Extent};
+use crate::instructions::{Float, Shape};
+use crate::lines::{Ends, Given};
+use crate::{Program, Refusal};
+
+use super::{Plan, Writer, entry};
+
+/// A program as code that runs many times: its results are the states of the next round, and its
+/// constants stay.
+#[derive(Debug)]
+pub struct Orbit<T> {
+    code: Code,
+    floats: PhantomData<fn(T)>,
+}
+
+/// The same with several sets of constants, which have their turn in each round one after another.
+#[derive(Debug)]
+pub struct ComposedOrbit<T> {
+    code: Code,
+    floats: PhantomData<fn(T)>,
+}
+
+impl<T: Float> Orbit<T> {
+    /// Compiles a program that has a result for each state.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
+        let form = shape.form::<T>();
+        let plan = Plan { ends: ends(program, shape), keeps_constants: true, keeps_literals: true };
+        let mut writer = Writer::begin(program, shape, form, plan, &[])?;
+        let addresses = |_: &mut Assembler, place| address(place, General::Rsi, |index| entry(form, index));
+        writer.assembler.test(General::Rdx);
+        let end = writer.assembler.jump_if_forward(Condition::Zero);
+        writer.before(&addresses);
+        let again = writer.assembler.label();
+        writer.round(&addresses);
+        writer.assembler.decrement(General::Rdx);
+        writer.assembler.jump_if(Condition::NotZero, again);
+        writer.after(&addresses);
+        writer.assembler.bind(end);
+        Ok(Orbit { code: Code::new(&writer.leave(), extent::<T>(program, shape))?, floats: PhantomData })
+    }
+
+    /// Advances the state by so many steps.
+    ///
+    /// # Panics
+    /// If an array is too short.
+    pub fn run(&self, state: &mut [T], constants: &[T], steps: u64) {
+        self.code.orbit(state, constants, steps);
+    }
+}
+
+impl<T: Float> ComposedOrbit<T> {
+    /// Compiles a program that has a result for each state.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
+        let form = shape.form::<T>();
+        let plan = Plan { ends: ends(program, shape), keeps_constants: false, keeps_literals: true };
+        let mut writer = Writer::begin(program, shape, form, plan, &[])?;
+        let addresses = |_: &mut Assembler, place| address(place, General::Rax, |index| entry(form, index));
+        writer.assembler.test(General::Rcx);
+        let end = writer.assembler.jump_if_forward(Condition::Zero);
+        writer.before(&addresses);
+        let again = writer.assembler.label();
+        writer.assembler.move_general(General::R8, General::Rsi);
+        writer.assembler.move_general(General::R9, General::Rdx);
+        let next_stage = writer.assembler.label();
+        writer.assembler.load_general(General::Rax, General::R8, 0);
+        writer.round(&addresses);
+        writer.assembler.add_immediate(General::R8, 8);
+        writer.assembler.decrement(General::R9);
+        writer.assembler.jump_if(Condition::NotZero, next_stage);
+        writer.assembler.decrement(General::Rcx);
+        writer.assembler.jump_if(Condition::NotZero, again);
+        writer.after(&addresses);
+        writer.assembler.bind(end);
+        Ok(ComposedOrbit { code: Code::new(&writer.leave(), extent::<T>(program, shape))?, floats: PhantomData })
+    }
+
+    /// Advances the state by so many steps, each of all stages; `stages` are their constants.
+    ///
+    /// # Panics
+    /// If an array is too short, or there is no stage.
+    pub fn run(&self, state: &mut [T], stages: &[&[T]], steps: u64) {
+        self.code.composed_orbit(state, stages, steps);
+    }
+}
+
+/// Where the states are between two steps: in registers where there is room for the rest.
+fn ends(program: &Program, shape: Shape) -> Ends {
+    let room = usize::from(shape.instructions.registers() - FEWEST_REGISTERS);
+    if program.results().len() <= room { Ends::Carried } else { Ends::InPlace }
+}
+
+fn address(place: Place, constants: General, offset: impl Fn(usize) -> i32) -> Memory {
+    match place {
+        Place::Given(Given::State(i)) => Memory::At { base: General::Rdi, offset: offset(i) },
+        Place::Given(Given::Constant(k)) => Memory::At { base: constants, offset: offset(k) },
+        _ => unreachable!("an orbit has states and constants"),
+    }
+}
+
+fn extent<T: Float>(program: &Program, shape: Shape) -> Extent {
+    let (width, states) = (shape.width::<T>(), program.results().len());
+    assert!(program.states() <= states, "a state that is read has a result");
+    Extent { states: states * width, constants: program.constants() * width, results: 0 }
+}

@@ -1,0 +1,110 @@
+//! A program run over columns: register after register of trajectories, step after step.
+
+use std::marker::PhantomData;
+
+use crate::allocation::Place;
+use crate::assembler::{Assembler, Condition, General, Memory};
+use crate::call::{Code, Extent};
+use crate::instructions::{Float, Shape};
+use crate::lines::{Ends, Given};
+use crate::{Program, Refusal};
+
+use super::{Plan, Writer, entry};
+
+/// Whose constants a sweep takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Constants {
+    /// All trajectories have the same.
+    Shared,
+    /// Each register of trajectories has its own.
+    Own,
+}
+
+/// A program as code that advances many trajectories; column i holds state i of all of them.
+#[derive(Debug)]
+pub struct Sweep<T> {
+    code: Code,
+    width: usize,
+    constants: usize,
+    of: Constants,
+    floats: PhantomData<fn(T)>,
+}
+
+/// The columns whose addresses stay in registers.
+const POINTERS: [General; 6] =
+    [General::R11, General::Rbx, General::R12, General::R13, General::R14, General::R15];
+
+impl<T: Float> Sweep<T> {
+    /// Compiles a program that has a result for each state.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub fn compile(program: &Program, shape: Shape, of: Constants) -> Result<Self, Refusal> {
+        /// Of the registers that a function has to leave as they were, those used here.
+        const SAVED: &[General] = &[General::Rbx, General::R12, General::R13, General::R14, General::R15];
+        let form = shape.form::<T>();
+        let plan =
+            Plan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared, keeps_literals: true };
+        let mut writer = Writer::begin(program, shape, form, plan, SAVED)?;
+        let states = program.results().len();
+        assert!(program.states() <= states, "a state that is read has a result");
+        for (column, pointer) in POINTERS.into_iter().enumerate().take(states) {
+            writer.assembler.load_general(pointer, General::Rdi, place_of(column));
+        }
+        let addresses = |assembler: &mut Assembler, place| match place {
+            Place::Given(Given::State(i)) => {
+                let base = POINTERS.get(i).copied().unwrap_or_else(|| {
+                    assembler.load_general(General::Rax, General::Rdi, place_of(i));
+                    General::Rax
+                });
+                Memory::Indexed { base, index: General::R9 }
+            }
+            Place::Given(Given::Constant(k)) => {
+                Memory::At { base: General::R10, offset: entry(form, k) }
+            }
+            _ => unreachable!("a sweep has states and constants"),
+        };
+        writer.assembler.move_general(General::R10, General::Rdx);
+        writer.before(&addresses);
+        let next_step = writer.assembler.label();
+        writer.assembler.and_immediate(General::R9, 0);
+        writer.assembler.move_general(General::R10, General::Rdx);
+        let next_register = writer.assembler.label();
+        writer.round(&addresses);
+        if of == Constants::Own {
+            writer.assembler.add_general(General::R10, General::Rcx);
+        }
+        writer.assembler.add_immediate(General::R9, form.bytes() as i32);
+        writer.assembler.compare(General::R9, General::Rsi);
+        writer.assembler.jump_if(Condition::Below, next_register);
+        writer.assembler.decrement(General::R8);
+        writer.assembler.jump_if(Condition::NotZero, next_step);
+        let (width, constants) = (shape.width::<T>(), program.constants() * shape.width::<T>());
+        let extent = Extent { states, constants, results: 0 };
+        let code = Code::new(&writer.leave(), extent)?;
+        Ok(Sweep { code, width, constants, of, floats: PhantomData })
+    }
+
+    /// How many trajectories an instruction works on: columns are so long, or a multiple of it.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Advances all trajectories by so many steps. A constant is as many numbers as a register
+    /// holds; where each register of trajectories has its own, all constants of one stand before
+    /// those of the next.
+    ///
+    /// # Panics
+    /// If the columns are not of one length, or that is not a multiple of [`width`](Self::width),
+    /// or there are too few constants, or more than 256 columns.
+    pub fn run(&self, columns: &mut [&mut [T]], constants: &[T], steps: u64) {
+        let stride = if self.of == Constants::Own { self.constants } else { 0 };
+        self.code.sweep(columns, self.width, (constants, stride), steps);
+    }
+}
+
+/// Where the address of a column stands among those of all.
+fn place_of(column: usize) -> i32 {
+    8 * column as i32
+}

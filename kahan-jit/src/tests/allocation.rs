@@ -1,0 +1,127 @@
+//! Registers: what is allocated computes what the program says, with however few there are.
+
+use std::collections::HashMap;
+
+use crate::allocation::{Allocation, FEWEST_REGISTERS, Operand, Operation, Place, Request};
+use crate::assembler::{Fused, Order, Vector};
+use crate::lines::{Binary, Ends, Given, Lines};
+use crate::program::Program;
+
+use super::{Draw, random_program, run, same};
+
+/// A machine with registers and memory that does what is allocated.
+struct Machine {
+    registers: Vec<Option<f64>>,
+    memory: HashMap<String, f64>,
+}
+
+impl Machine {
+    fn at(&self, place: Place) -> f64 {
+        match place {
+            Place::Given(Given::Literal(bits)) => f64::from_bits(bits),
+            _ => *self.memory.get(&format!("{place:?}")).expect("what is read was written"),
+        }
+    }
+
+    fn register(&self, register: Vector) -> f64 {
+        self.registers[usize::from(register.0)].expect("a register is read after it is written")
+    }
+
+    fn operand(&self, operand: Operand) -> f64 {
+        match operand {
+            Operand::Register(register) => self.register(register),
+            Operand::Memory(place) => self.at(place),
+        }
+    }
+
+    fn run(&mut self, operations: &[Operation]) {
+        for operation in operations {
+            let (to, value) = match *operation {
+                Operation::Load(to, place) => (to, self.at(place)),
+                Operation::Store(place, from) => {
+                    self.memory.insert(format!("{place:?}"), self.register(from));
+                    continue;
+                }
+                Operation::Copy(to, from) => (to, self.register(from)),
+                Operation::Binary(operator, to, a, b) => {
+                    let (a, b) = (self.register(a), self.operand(b));
+                    let value = match operator {
+                        Binary::Add => a + b,
+                        Binary::Subtract => a - b,
+                        Binary::Multiply => a * b,
+                        Binary::Divide => a / b,
+                        Binary::ExclusiveOr => f64::from_bits(a.to_bits() ^ b.to_bits()),
+                    };
+                    (to, value)
+                }
+                Operation::Fused(operator, order, to, b, c) => {
+                    let (d, b, c) = (self.register(to), self.register(b), self.operand(c));
+                    let (x, y, z) = match order {
+                        Order::D132 => (d, c, b),
+                        Order::D213 => (b, d, c),
+                        Order::D231 => (b, c, d),
+                    };
+                    let value = match operator {
+                        Fused::MultiplyAdd => x.mul_add(y, z),
+                        Fused::MultiplySubtract => x.mul_add(y, -z),
+                        Fused::SubtractProduct => (-x).mul_add(y, z),
+                    };
+                    (to, value)
+                }
+                Operation::RoundToSingle(to, from) => (to, f64::from(self.register(from) as f32)),
+            };
+            self.registers[usize::from(to.0)] = Some(value);
+        }
+    }
+}
+
+/// Runs what is allocated for a program; the results after so many rounds.
+fn allocated(
+    program: &Program,
+    request: Request,
+    fuses: bool,
+    (states, constants): (&[f64], &[f64]),
+    rounds: usize,
+) -> Vec<f64> {
+    let code = Allocation::of(&Lines::of(program, fuses, request.ends), request);
+    let mut machine = Machine { registers: vec![None; request.registers.into()], memory: HashMap::new() };
+    for (i, state) in states.iter().enumerate() {
+        machine.memory.insert(format!("{:?}", Place::Given(Given::State(i))), *state);
+    }
+    for (k, constant) in constants.iter().enumerate() {
+        machine.memory.insert(format!("{:?}", Place::Given(Given::Constant(k))), *constant);
+    }
+    machine.run(&code.before);
+    (0..rounds).for_each(|_| machine.run(&code.round));
+    machine.run(&code.after);
+    let place = |i| match request.ends {
+        Ends::Elsewhere => Place::Result(i),
+        Ends::Carried | Ends::InPlace => Place::Given(Given::State(i)),
+    };
+    (0..program.results().len()).map(|i| machine.at(place(i))).collect()
+}
+
+#[test]
+fn any_number_of_registers_computes_what_the_program_says() {
+    let mut draw = Draw(17);
+    for case in 0..1500 {
+        let (states, constants) = (1 + draw.below(6), draw.below(8));
+        let program = random_program(&mut draw, states, constants, 3 + case % 60, true);
+        let numbers = |draw: &mut Draw, count| (0..count).map(|_| draw.number()).collect::<Vec<f64>>();
+        let (x, c) = (numbers(&mut draw, states), numbers(&mut draw, constants));
+        let registers = FEWEST_REGISTERS + draw.below(14) as u8;
+        for ends in [Ends::Elsewhere, Ends::InPlace, Ends::Carried] {
+            if ends == Ends::Carried && usize::from(registers - FEWEST_REGISTERS) < states {
+                continue;
+            }
+            let rounds = if ends == Ends::Elsewhere { 1 } else { 3 };
+            for (fuses, keeps) in [(false, false), (false, true), (true, false), (true, true)] {
+                let request = Request { registers, ends, keeps_constants: keeps, keeps_literals: keeps };
+                let found = allocated(&program, request, fuses, (&x, &c), rounds);
+                let expected = (0..rounds).fold(x.clone(), |x, _| run(&program, &x, &c, fuses));
+                let agree = found.iter().zip(&expected).all(|(a, b)| same(*a, *b));
+                assert!(agree, "case {case}, {request:?}, fused {fuses}: {found:?}, {expected:?}\n{program:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! Many trajectories by machine code: whole registers of them, tile by tile.
+//!
+//! A tile stays in the nearest cache while all of its steps run, and its registers do not wait for
+//! each other. What is left after the last whole register goes through a register of its own, filled
+//! up with copies of the last trajectory. However the columns are divided, each trajectory goes
+//! through the same operations.
+
+use kahan_core::{Composition, Level};
+
+use crate::machine::{ColumnsCode, InstructionSet};
+
+use super::columns::Columns;
+use super::scratch::{Scratches, with_scratch};
+use super::{Engine, distinct, in_turn};
+
+/// Trajectories of a tile.
+const TILE: usize = 512;
+
+/// On what columns run, and how they round.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Instructions {
+    /// `None` for the widest that there are.
+    set: Option<InstructionSet>,
+    pub(crate) fuses: bool,
+}
+
+impl Instructions {
+    /// The bits of this build, as fast as this processor computes them.
+    pub(crate) const OF_THE_BUILD: Self = Instructions { set: None, fuses: cfg!(target_feature = "fma") };
+
+    /// Those of a level of ensembles.
+    pub(crate) fn at_level(level: Level) -> Self {
+        match level {
+            Level::Avx512 => Instructions { set: Some(InstructionSet::Avx512), fuses: true },
+            Level::Avx2 => Instructions { set: Some(InstructionSet::Avx2), fuses: true },
+            _ => Self::OF_THE_BUILD,
+        }
+    }
+}
+
+impl Engine {
+    /// Advances every trajectory by code; `false` where there is none.
+    pub(super) fn has_advanced_columns<T: Scratches>(
+        &self,
+        columns: &mut Columns<'_, '_, T>,
+        composition: Composition,
+        steps: u64,
+        Instructions { set, fuses }: Instructions,
+    ) -> bool {
+        let Some(set) = set.or_else(InstructionSet::best) else { return false };
+        let Some(code) = self.codes.columns::<T>(&self.derived, (set, fuses)) else { return false };
+        with_scratch(T::single(), |scratch| {
+            let mut prepared = Prepared { code: &code, composition, constants: &mut scratch.given, length: 0 };
+            let is_one = |values: &[T]| values.len() == 1;
+            let are_shared = is_one(columns.eps) && columns.parameters.iter().all(|values| is_one(values));
+            if are_shared {
+                prepared.of_registers(columns, 0, 1, &mut scratch.constants);
+            }
+            let (trajectories, width) = (columns.columns.first().map_or(0, |column| column.len()), code.width());
+            let whole = trajectories / width * width;
+            for first in (0..whole).step_by(TILE) {
+                let end = whole.min(first + TILE);
+                if !are_shared {
+                    prepared.of_registers(columns, first, (end - first) / width, &mut scratch.constants);
+                }
+                let mut tile: Tile<'_, T> = columns.columns.iter_mut().map(|column| &mut column[first..end]).collect();
+                prepared.run(&mut tile, are_shared, steps);
+            }
+            if whole < trajectories {
+                if !are_shared {
+                    prepared.of_registers(columns, whole, 1, &mut scratch.constants);
+                }
+                let rest = &mut scratch.state;
+                rest.clear();
+                for column in columns.columns.iter() {
+                    let last = column[trajectories - 1];
+                    rest.extend(column[whole..].iter().copied().chain(core::iter::repeat(last)).take(width));
+                }
+                {
+                    let mut tile: Tile<'_, T> = rest.chunks_exact_mut(width).collect();
+                    prepared.run(&mut tile, are_shared, steps);
+                }
+                for (column, advanced) in columns.columns.iter_mut().zip(rest.chunks_exact(width)) {
+                    let rest = &mut column[whole..];
+                    rest.copy_from_slice(&advanced[..rest.len()]);
+                }
+            }
+        });
+        true
+    }
+}
+
+/// A stretch of every column; few columns take no allocation.
+type Tile<'a, T> = smallvec::SmallVec<[&'a mut [T]; 16]>;
+
+/// The constants of the stages that differ, one stage after the other.
+struct Prepared<'a, T> {
+    code: &'a ColumnsCode<T>,
+    composition: Composition,
+    constants: &'a mut Vec<T>,
+    /// Of one stage.
+    length: usize,
+}
+
+impl<T: Scratches> Prepared<'_, T> {
+    /// Those of so many registers of trajectories from this one on.
+    fn of_registers(
+        &mut self,
+        Columns { columns, eps, own, parameters }: &Columns<'_, '_, T>,
+        first: usize,
+        registers: usize,
+        given: &mut Vec<T>,
+    ) {
+        let (width, last) = (self.code.width(), columns.first().map_or(0, |column| column.len()).saturating_sub(1));
+        self.constants.clear();
+        for coefficient in distinct(&self.composition) {
+            let gamma = T::constant(coefficient);
+            for register in 0..registers {
+                let place = |lane: usize| last.min(first + register * width + lane);
+                let of = |values: &[T], lane: usize| if values.len() == 1 { values[0] } else { values[place(lane)] };
+                given.clear();
+                if parameters.is_empty() {
+                    own.iter().for_each(|value| given.extend(core::iter::repeat_n(*value, width)));
+                } else {
+                    parameters.iter().for_each(|values| given.extend((0..width).map(|lane| of(values, lane))));
+                }
+                given.extend((0..width).map(|lane| gamma * of(eps, lane)));
+                self.code.prepare(given, self.constants);
+            }
+        }
+        self.length = self.constants.len() / distinct(&self.composition).len();
+    }
+
+    fn run(&self, tile: &mut [&mut [T]], are_shared: bool, steps: u64) {
+        let stages = distinct(&self.composition).len();
+        let of_stage = |k: usize| &self.constants[k * self.length..][..self.length];
+        if stages == 1 {
+            self.code.run(tile, of_stage(0), are_shared, steps);
+        } else {
+            (0..steps).for_each(|_| in_turn(stages, |k| self.code.run(tile, of_stage(k), are_shared, 1)));
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! The code of a field, compiled when it is first asked for and shared by everyone who steps it.
+
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use kahan_algebra::Derived;
+use kahan_algebra::rational::Rational;
+use kahan_jit::{ComposedOrbit, Constants, Function, InstructionSet, Lanes, Orbit, Refusal, Shape, Sweep};
+
+use crate::engine::Object;
+
+use super::objects;
+use super::{Form, StepKind};
+
+/// The most stages of a composition.
+const MOST_STAGES: usize = 32;
+
+/// What was asked for; `None` where there is none.
+#[derive(Debug)]
+struct Table<K, C>(Mutex<HashMap<K, Option<Arc<C>>>>);
+
+impl<K, C> Default for Table<K, C> {
+    fn default() -> Self {
+        Table(Mutex::default())
+    }
+}
+
+impl<K: Eq + Hash, C> Table<K, C> {
+    fn get(&self, key: K, compile: impl FnOnce() -> Option<Result<C, Refusal>>) -> Option<Arc<C>> {
+        // Nothing panics under the lock but what would panic again.
+        let mut table = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        table.entry(key).or_insert_with(|| Some(Arc::new(compile()?.ok()?))).clone()
+    }
+}
+
+/// The code of a field over one float.
+#[derive(Debug)]
+pub struct CodesOf<T> {
+    orbits: Table<(StepKind, Form, bool), OrbitCode<T>>,
+    functions: Table<Object, FunctionCode<T>>,
+    columns: Table<Shape, ColumnsCode<T>>,
+}
+
+impl<T> Default for CodesOf<T> {
+    fn default() -> Self {
+        CodesOf { orbits: Table::default(), functions: Table::default(), columns: Table::default() }
+    }
+}
+
+/// The code of a field.
+#[derive(Debug, Default)]
+pub struct Codes {
+    single: CodesOf<f32>,
+    double: CodesOf<f64>,
+}
+
+/// A float that has code.
+pub trait Coded: kahan_jit::Float {
+    /// The float nearest to a number, as a double.
+    const NEAREST: fn(&Rational) -> f64;
+
+    /// Its code.
+    #[doc(hidden)]
+    fn of(codes: &Codes) -> &CodesOf<Self>;
+}
+
+impl Coded for f32 {
+    const NEAREST: fn(&Rational) -> f64 = |value| value.to_f32().into();
+
+    fn of(codes: &Codes) -> &CodesOf<f32> {
+        &codes.single
+    }
+}
+
+impl Coded for f64 {
+    const NEAREST: fn(&Rational) -> f64 = Rational::to_f64;
+
+    fn of(codes: &Codes) -> &CodesOf<f64> {
+        &codes.double
+    }
+}
+
+/// The code of an orbit, whose step is one of the map or several of them.
+#[derive(Debug)]
+pub enum OrbitCode<T> {
+    Single(Orbit<T>),
+    Composed(ComposedOrbit<T>),
+}
+
+/// The code of an object.
+#[derive(Debug)]
+pub struct FunctionCode<T>(Function<T>);
+
+/// The code of columns.
+#[derive(Debug)]
+pub struct ColumnsCode<T> {
+    /// From the parameters and ε of a register of trajectories to the constants of their step.
+    constants: Function<T>,
+    count: usize,
+    width: usize,
+    shared: Sweep<T>,
+    own: Sweep<T>,
+}
+
+impl Codes {
+    /// The code of an orbit; `None` where the step is no straight line, or there can be no code.
+    pub(crate) fn orbit<T: Coded>(
+        &self,
+        derived: &Derived,
+        kind: StepKind,
+        form: Form,
+        is_composed: bool,
+    ) -> Option<Arc<OrbitCode<T>>> {
+        T::of(self).orbits.get((kind, form, is_composed), || {
+            let program = kind.program(form.of(derived.step()?), &derived.system.field.symbols);
+            let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
+            let shape = Shape { instructions, lanes: Lanes::One, fuses: kind.fuses };
+            Some(if is_composed {
+                ComposedOrbit::compile(&program, shape).map(OrbitCode::Composed)
+            } else {
+                Orbit::compile(&program, shape).map(OrbitCode::Single)
+            })
+        })
+    }
+
+    /// The code of an object; likewise. Nothing in it is fused.
+    pub(crate) fn function<T: Coded>(&self, derived: &Derived, object: Object) -> Option<Arc<FunctionCode<T>>> {
+        T::of(self).functions.get(object, || {
+            let program = objects::program(object, derived, T::NEAREST)?;
+            let shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One, fuses: false };
+            Some(Function::compile(&program, shape).map(FunctionCode))
+        })
+    }
+
+    /// The code of columns in instructions and a rounding; likewise.
+    pub(crate) fn columns<T: Coded>(
+        &self,
+        derived: &Derived,
+        (instructions, fuses): (InstructionSet, bool),
+    ) -> Option<Arc<ColumnsCode<T>>> {
+        let shape = Shape { instructions, lanes: Lanes::All, fuses };
+        T::of(self).columns.get(shape, || {
+            let step = derived.step()?;
+            let step = step.general.as_deref().unwrap_or(step);
+            Some(ColumnsCode::compile(derived, step, shape))
+        })
+    }
+}
+
+impl<T: Coded> OrbitCode<T> {
+    /// Advances the numbers of a state by so many steps; `stages` are the constants of those that
+    /// differ, the middle one last.
+    pub(crate) fn run(&self, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
+        match self {
+            OrbitCode::Single(orbit) => orbit.run(numbers, &stages[0], steps),
+            OrbitCode::Composed(orbit) => {
+                let mut table: [&[T]; MOST_STAGES] = [&[]; MOST_STAGES];
+                let last = stages.len() - 1;
+                let order = (0..=last).chain((0..last).rev());
+                table.iter_mut().zip(order).for_each(|(entry, stage)| *entry = &stages[stage]);
+                orbit.run(numbers, &table[..=2 * last], steps);
+            }
+        }
+    }
+}
+
+impl<T: Coded> FunctionCode<T> {
+    /// Computes the object at a state, unless there is no room for it; `constants` are the
+    /// parameters and ε.
+    pub(crate) fn has_run(&self, constants: &[T], state: &[T], out: &mut [T]) -> bool {
+        let has_room = self.0.results() <= out.len();
+        if has_room {
+            self.0.run(state, constants, out);
+        }
+        has_room
+    }
+}
+
+impl<T: Coded> ColumnsCode<T> {
+    fn compile(
+        derived: &Derived,
+        step: &kahan_algebra::plan::StepPlan,
+        shape: Shape,
+    ) -> Result<Self, Refusal> {
+        let prepared = objects::constants(&step.constants, derived, T::NEAREST);
+        let kind = StepKind::of::<T>(shape.fuses);
+        let program = kind.program(step, &derived.system.field.symbols);
+        Ok(ColumnsCode {
+            // Constants are rounded once each, whatever the step does.
+            constants: Function::compile(&prepared, Shape { fuses: false, ..shape })?,
+            count: prepared.results().len(),
+            width: shape.width::<T>(),
+            shared: Sweep::compile(&program, shape, Constants::Shared)?,
+            own: Sweep::compile(&program, shape, Constants::Own)?,
+        })
+    }
+
+    /// How many trajectories go side by side.
+    pub(crate) fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Appends the constants of a register of trajectories; `given` are their parameters and ε,
+    /// each a whole register.
+    pub(crate) fn prepare(&self, given: &[T], constants: &mut Vec<T>)
+    where
+        T: Default,
+    {
+        let start = constants.len();
+        constants.resize(start + self.count * self.width, T::default());
+        self.constants.run(&[], given, &mut constants[start..]);
+    }
+
+    /// Advances columns of whole registers, all with these constants, or each register with its
+    /// own.
+    pub(crate) fn run(&self, columns: &mut [&mut [T]], constants: &[T], are_shared: bool, steps: u64) {
+        let sweep = if are_shared { &self.shared } else { &self.own };
+        sweep.run(columns, constants, steps);
+    }
+}

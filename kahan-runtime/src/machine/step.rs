@@ -1,0 +1,162 @@
+//! The step of a map as a program from a state to the next, in every precision and with or without
+//! compensation: what generated code does, operation by operation.
+
+use kahan_algebra::arithmetic::Arithmetic;
+use kahan_algebra::plan::{Plan, StepPlan};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::{Symbol, Symbols};
+use kahan_core::Precision;
+use kahan_jit::Instruction::*;
+use kahan_jit::Program;
+
+use super::StepKind;
+use super::double_double::{DoubleDouble, Pair};
+use super::recorder::Recorder;
+
+/// A component's increment: a numerator, by a reciprocal or as it is.
+pub(super) type Quotient<V> = (V, Option<V>);
+
+/// The increments of a kernel in an arithmetic; `state` and `constant` are its inputs.
+pub(super) fn quotients<A: Arithmetic>(
+    step: &StepPlan,
+    symbols: &Symbols,
+    arithmetic: &A,
+    state: impl Fn(usize) -> A::Value,
+    constant: impl Fn(usize) -> A::Value,
+) -> Vec<Quotient<A::Value>> {
+    let prepared: Vec<_> = (0..step.constants.outputs.len()).map(|k| Some(constant(k))).collect();
+    let results = evaluate(&step.kernel, symbols, arithmetic, &prepared, |symbol| match symbol {
+        Symbol::State(i) => Some(state(i)),
+        _ => None,
+    });
+    let (numerators, reciprocals) = results.split_at(step.reciprocals.len());
+    let reciprocal = |place: &Option<usize>| place.map(|place| reciprocals[place].clone());
+    numerators.iter().cloned().zip(step.reciprocals.iter().map(reciprocal)).collect()
+}
+
+/// The results of a plan in an arithmetic that divides by everything.
+pub(super) fn evaluate<A: Arithmetic>(
+    plan: &Plan,
+    symbols: &Symbols,
+    arithmetic: &A,
+    prepared: &[Option<A::Value>],
+    input: impl Fn(Symbol) -> Option<A::Value>,
+) -> Vec<A::Value> {
+    let results = plan.evaluate_prepared(arithmetic, prepared, |variable| input(symbols.symbol(variable)));
+    results.into_iter().map(|result| result.unwrap_or_else(|| unreachable!("every input has a value"))).collect()
+}
+
+impl StepKind {
+    /// The program from the numbers of a state to those of the next, for a map of n variables and
+    /// the prepared constants of `step`.
+    ///
+    /// The numbers are x₁, …, xₙ; compensated, what each of them lacks comes behind. In
+    /// double-double each is two numbers, the high one first, and the guard comes last.
+    pub(super) fn program(self, step: &StepPlan, symbols: &Symbols) -> Program {
+        match self.precision {
+            Precision::Single => self.rounded(step, symbols, |number| number.to_f32().into()),
+            Precision::SingleThroughDouble => self.through_double(step, symbols),
+            Precision::Double => self.rounded(step, symbols, Rational::to_f64),
+            Precision::DoubleDouble => self.double_double(step, symbols),
+        }
+    }
+
+    fn rounded(self, step: &StepPlan, symbols: &Symbols, nearest: fn(&Rational) -> f64) -> Program {
+        let recorder = Recorder::new(nearest);
+        let (state, quotients) = self.quotients(&recorder, step, symbols);
+        let mut results: Vec<usize> = Vec::new();
+        if !self.compensated {
+            results.extend(state.iter().zip(&quotients).map(|(x, quotient)| added(&recorder, *quotient, *x)));
+            return recorder.finish(results);
+        }
+        let mut lacking = Vec::new();
+        for (i, (&x, &quotient)) in state.iter().zip(&quotients).enumerate() {
+            let carry = recorder.push(State(state.len() + i));
+            let base = recorder.push(Add(x, carry));
+            let moved = recorder.push(Subtract(base, x));
+            let rest = recorder.push(Subtract(carry, moved));
+            let next = added(&recorder, quotient, base);
+            let distance = recorder.push(Subtract(next, base));
+            let lacks = recorder.push(match quotient {
+                (numerator, Some(reciprocal)) => MultiplySubtract(numerator, reciprocal, distance),
+                (increment, None) => Subtract(increment, distance),
+            });
+            results.push(next);
+            lacking.push(recorder.push(Add(rest, lacks)));
+        }
+        results.extend(lacking);
+        recorder.finish(results)
+    }
+
+    fn through_double(self, step: &StepPlan, symbols: &Symbols) -> Program {
+        let recorder = Recorder::new(Rational::to_f64);
+        let (state, quotients) = self.quotients(&recorder, step, symbols);
+        let (mut results, mut lacking) = (Vec::new(), Vec::new());
+        for (i, (&x, &quotient)) in state.iter().zip(&quotients).enumerate() {
+            if self.compensated {
+                let base = recorder.push(Add(x, recorder.push(State(state.len() + i))));
+                let next = added(&recorder, quotient, base);
+                let point = recorder.push(RoundToSingle(next));
+                lacking.push(recorder.push(RoundToSingle(recorder.push(Subtract(next, point)))));
+                results.push(point);
+            } else {
+                results.push(recorder.push(RoundToSingle(added(&recorder, quotient, x))));
+            }
+        }
+        results.extend(lacking);
+        recorder.finish(results)
+    }
+
+    fn double_double(self, step: &StepPlan, symbols: &Symbols) -> Program {
+        let recorder = Recorder::new(Rational::to_f64);
+        let wide = DoubleDouble::new(&recorder, self.fuses);
+        let pair = |entry: fn(usize) -> kahan_jit::Instruction, i: usize| Pair {
+            high: recorder.push(entry(2 * i)),
+            low: recorder.push(entry(2 * i + 1)),
+        };
+        let state: Vec<Pair> = (0..symbols.dimension()).map(|i| pair(State, i)).collect();
+        let quotients = quotients(step, symbols, &wide, |i| state[i], |k| pair(Constant, k));
+        let mut results: Vec<usize> = Vec::new();
+        for (x, (numerator, reciprocal)) in state.iter().zip(&quotients) {
+            let next = match reciprocal {
+                Some(reciprocal) => wide.multiply_add(numerator, reciprocal, x),
+                None => Arithmetic::add(&wide, x, numerator),
+            };
+            results.extend([next.high, next.low]);
+        }
+        results.push(wide.guarded(recorder.push(State(2 * state.len()))));
+        drop(wide);
+        recorder.finish(results)
+    }
+
+    /// The states, and their increments.
+    fn quotients(
+        self,
+        recorder: &Recorder,
+        step: &StepPlan,
+        symbols: &Symbols,
+    ) -> (Vec<usize>, Vec<Quotient<usize>>) {
+        let state: Vec<usize> = (0..symbols.dimension()).map(|i| recorder.push(State(i))).collect();
+        let constant = |k| recorder.push(Constant(k));
+        let mut quotients = quotients(step, symbols, recorder, |i| state[i], constant);
+        if self.rounds_increments {
+            for (numerator, reciprocal) in &mut quotients {
+                if let Some(reciprocal) = reciprocal.take() {
+                    *numerator = recorder.push(Multiply(*numerator, reciprocal));
+                }
+            }
+        }
+        (state, quotients)
+    }
+}
+
+/// A component of the next state: one multiply-add or addition.
+fn added(recorder: &Recorder, (numerator, reciprocal): Quotient<usize>, x: usize) -> usize {
+    // A change of sign becomes a subtraction, with the same bits.
+    recorder.push(match (recorder.negated(numerator), reciprocal) {
+        (Some(inner), Some(reciprocal)) => SubtractProduct(x, inner, reciprocal),
+        (Some(inner), None) => Subtract(x, inner),
+        (None, Some(reciprocal)) => MultiplyAdd(numerator, reciprocal, x),
+        (None, None) => Add(x, numerator),
+    })
+}
