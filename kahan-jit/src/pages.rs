@@ -1,6 +1,6 @@
 //! Memory that code may run in.
-use std::io;
 use memmap2::{Mmap, MmapMut};
+use std::io;
 #[derive(Debug)]
 pub(crate) struct Pages(Mmap);
 impl Pages {
@@ -9,5 +9,7 @@ impl Pages {
         pages.copy_from_slice(bytes);
         Ok(Pages(pages.make_exec()?))
     }
-    pub(crate) fn start(&self) -> *const u8 { self.0.as_ptr() }
+    pub(crate) fn start(&self) -> *const u8 {
+        self.0.as_ptr()
+    }
 }

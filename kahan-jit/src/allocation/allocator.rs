@@ -78,8 +78,7 @@ impl<'a> Allocator<'a> {
             allocator.is_kept[line] = true;
         }
         for ((i, &result), state) in lines.results.iter().enumerate().zip(states) {
-            let is_read_later =
-                |state: usize| state != result && allocator.uses.last(state) > Some(result);
+            let is_read_later = |state: usize| state != result && allocator.uses.last(state) > Some(result);
             let waits = match request.ends {
                 Ends::Carried => true,
                 Ends::InPlace => state.is_some_and(is_read_later),
@@ -124,8 +123,7 @@ impl<'a> Allocator<'a> {
         }
         match self.ends {
             Ends::Carried => {
-                let sources: Vec<Operand> =
-                    lines.results.iter().map(|result| self.source(*result)).collect();
+                let sources: Vec<Operand> = lines.results.iter().map(|result| self.source(*result)).collect();
                 let slots = &mut self.code.slots;
                 carry(&sources, self.registers.len(), slots, &mut self.code.operations);
             }
@@ -203,7 +201,8 @@ impl<'a> Allocator<'a> {
             (self.source_register(a), a)
         } else {
             // Into a register of its own goes what is in memory, or else the number that is added.
-            let overwritten = operands.into_iter().find(|line| self.register_of[*line].is_none()).unwrap_or(c);
+            let overwritten =
+                operands.into_iter().find(|line| self.register_of[*line].is_none()).unwrap_or(c);
             if overwritten == b {
                 (a, b) = (b, a);
             }
@@ -282,10 +281,8 @@ impl Allocator<'_> {
 
     /// Whether a value in memory is read again, and there is room for it.
     fn is_worth_loading(&self, line: usize, time: usize) -> bool {
-        let is_variable = !matches!(
-            self.home[line],
-            Some(Place::Given(Given::Constant(_) | Given::Literal(_))) | None
-        );
+        let is_variable =
+            !matches!(self.home[line], Some(Place::Given(Given::Constant(_) | Given::Literal(_))) | None);
         self.register_of[line].is_none()
             && is_variable
             && self.uses.next_after(line, time).is_some()
@@ -324,7 +321,8 @@ impl Allocator<'_> {
             self.registers[*register].and_then(|line| self.uses.next_after(line, time)).unwrap_or(usize::MAX)
         };
         let farthest = (0..self.registers.len()).filter(|register| !self.locked[*register]).max_by_key(next);
-        let register = farthest.unwrap_or_else(|| unreachable!("an operation has fewer operands than registers"));
+        let register =
+            farthest.unwrap_or_else(|| unreachable!("an operation has fewer operands than registers"));
         if let Some(line) = self.registers[register].take() {
             if self.home[line].is_none() {
                 let slot = self.free_slots.pop().unwrap_or_else(|| {

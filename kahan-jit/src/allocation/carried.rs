@@ -49,9 +49,8 @@ pub(super) fn carry(
 
 /// A move whose register nobody reads any more, or any other.
 fn next(moves: &[(Vector, Operand)]) -> Option<usize> {
-    let is_free = |(to, _): &(Vector, Operand)| {
-        !moves.iter().any(|(_, source)| *source == Operand::Register(*to))
-    };
+    let is_free =
+        |(to, _): &(Vector, Operand)| !moves.iter().any(|(_, source)| *source == Operand::Register(*to));
     moves.iter().position(is_free).or(if moves.is_empty() { None } else { Some(0) })
 }
 

@@ -4,8 +4,8 @@
 //! 512 bits. Bits of register numbers beyond the three that stand in the operands themselves are in
 //! the prefix, inverted.
 
-use super::operands::{Element, Form, General, Memory, Source, Vector, Width};
 use super::Assembler;
+use super::operands::{Element, Form, General, Memory, Source, Vector, Width};
 
 /// Which instruction: the fields of its prefix, and its opcode.
 #[derive(Clone, Copy, Debug)]

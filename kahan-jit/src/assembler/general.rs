@@ -1,7 +1,7 @@
 //! Instructions on addresses and counts, and jumps.
 
-use super::operands::{General, Memory, Source};
 use super::Assembler;
+use super::operands::{General, Memory, Source};
 
 /// When a jump is taken, after a comparison or what sets the same flags.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,9 @@
 
 use iced_x86::{Code, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register};
 
-use super::{Arithmetic, Assembler, Condition, Element, Form, Fused, General, Memory, Order, Source, Vector, Width};
+use super::{
+    Arithmetic, Assembler, Condition, Element, Form, Fused, General, Memory, Order, Source, Vector, Width,
+};
 
 const FORMS: [Form; 8] = {
     const fn form(element: Element, width: Width) -> Form {
@@ -300,8 +302,11 @@ fn addresses_and_counts_are_what_was_asked_for() {
 
 #[test]
 fn jumps_lead_where_they_are_bound() {
-    let conditions =
-        [(Condition::Below, Mnemonic::Jb), (Condition::Zero, Mnemonic::Je), (Condition::NotZero, Mnemonic::Jne)];
+    let conditions = [
+        (Condition::Below, Mnemonic::Jb),
+        (Condition::Zero, Mnemonic::Je),
+        (Condition::NotZero, Mnemonic::Jne),
+    ];
     for (condition, mnemonic) in conditions {
         let mut assembler = Assembler::new(FORMS[0]);
         assembler.ret();
@@ -312,7 +317,8 @@ fn jumps_lead_where_they_are_bound() {
         assembler.bind(forward);
         assembler.ret();
         let instructions = all(&assembler.bytes);
-        let target = |index: usize| (instructions[index].mnemonic(), instructions[index].near_branch_target());
+        let target =
+            |index: usize| (instructions[index].mnemonic(), instructions[index].near_branch_target());
         assert_eq!(target(1), (mnemonic, instructions[4].ip()));
         assert_eq!(target(3), (mnemonic, instructions[1].ip()));
         assert_eq!(instructions[1].flow_control(), FlowControl::ConditionalBranch);

@@ -83,7 +83,10 @@ impl<T: Float> ComposedOrbit<T> {
         writer.assembler.jump_if(Condition::NotZero, again);
         writer.after(&addresses);
         writer.assembler.bind(end);
-        Ok(ComposedOrbit { code: Code::new(&writer.leave(), extent::<T>(program, shape))?, floats: PhantomData })
+        Ok(ComposedOrbit {
+            code: Code::new(&writer.leave(), extent::<T>(program, shape))?,
+            floats: PhantomData,
+        })
     }
 
     /// Advances the state by so many steps, each of all stages; `stages` are their constants.

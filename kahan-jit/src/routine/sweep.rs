@@ -59,9 +59,7 @@ impl<T: Float> Sweep<T> {
                 });
                 Memory::Indexed { base, index: General::R9 }
             }
-            Place::Given(Given::Constant(k)) => {
-                Memory::At { base: General::R10, offset: entry(form, k) }
-            }
+            Place::Given(Given::Constant(k)) => Memory::At { base: General::R10, offset: entry(form, k) },
             _ => unreachable!("a sweep has states and constants"),
         };
         writer.assembler.move_general(General::R10, General::Rdx);

@@ -120,7 +120,10 @@ fn any_number_of_registers_computes_what_the_program_says() {
                 let found = allocated(&program, request, fuses, (&x, &c), rounds);
                 let expected = (0..rounds).fold(x.clone(), |x, _| run(&program, &x, &c, fuses));
                 let agree = found.iter().zip(&expected).all(|(a, b)| same(*a, *b));
-                assert!(agree, "case {case}, {request:?}, fused {fuses}: {found:?}, {expected:?}\n{program:?}");
+                assert!(
+                    agree,
+                    "case {case}, {request:?}, fused {fuses}: {found:?}, {expected:?}\n{program:?}"
+                );
             }
         }
     }

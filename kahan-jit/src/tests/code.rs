@@ -13,7 +13,9 @@ fn shapes(lanes: Lanes) -> impl Iterator<Item = Shape> {
             println!("not run: this processor has no {instructions:?}");
         }
         [false, true].map(|fuses| Shape { instructions, lanes, fuses }).into_iter().filter(
-            |Shape { instructions, fuses, .. }| instructions.is_available() && (!fuses || instructions.has_fused()),
+            |Shape { instructions, fuses, .. }| {
+                instructions.is_available() && (!fuses || instructions.has_fused())
+            },
         )
     })
 }
@@ -87,7 +89,8 @@ fn lanes_of<T: Tested>() {
         let (program, states, constants) = draw_program(&mut draw, case, false);
         for shape in shapes(Lanes::All) {
             let width = shape.width::<T>();
-            let (x, c) = (numbers::<T>(&mut draw, states * width), numbers::<T>(&mut draw, constants * width));
+            let (x, c) =
+                (numbers::<T>(&mut draw, states * width), numbers::<T>(&mut draw, constants * width));
             let mut found = vec![T::of(7.0); states * width];
             Function::compile(&program, shape).expect("it compiles").run(&x, &c, &mut found);
             for lane in 0..width {
@@ -156,15 +159,18 @@ fn sweeps<T: Tested>() {
                     let mut slices: Vec<&mut [T]> = found.iter_mut().map(Vec::as_mut_slice).collect();
                     sweep.run(&mut slices, &all, steps);
                     for trajectory in 0..count {
-                        let at = |columns: &[Vec<T>]| columns.iter().map(|column| column[trajectory]).collect();
+                        let at =
+                            |columns: &[Vec<T>]| columns.iter().map(|column| column[trajectory]).collect();
                         let set = if of == Constants::Own { trajectory / width } else { 0 };
                         let own = &all[set * constants * width..][..constants * width];
-                        let own: Vec<T> = own.iter().skip(trajectory % width).step_by(width).copied().collect();
+                        let own: Vec<T> =
+                            own.iter().skip(trajectory % width).step_by(width).copied().collect();
                         let start: Vec<T> = at(&columns);
                         let fuses = shape.fuses;
                         let expected = (0..steps).fold(start, |x, _| run(&program, &x, &own, fuses));
                         let found: Vec<T> = at(&found);
-                        let what = format!("case {case}, {shape:?}, {of:?}, {steps} steps, trajectory {trajectory}");
+                        let what =
+                            format!("case {case}, {shape:?}, {of:?}, {steps} steps, trajectory {trajectory}");
                         assert_same(&found, &expected, &what, &program);
                     }
                 }
@@ -197,7 +203,8 @@ fn code_is_not_entered_with_too_few_states() {
 
 #[test]
 fn what_an_instruction_set_lacks_is_refused() {
-    let refusal = Orbit::<f64>::compile(&small(), Shape { fuses: true, ..SCALAR }).expect_err("AVX fuses nothing");
+    let refusal =
+        Orbit::<f64>::compile(&small(), Shape { fuses: true, ..SCALAR }).expect_err("AVX fuses nothing");
     assert!(refusal.to_string().contains("no multiply-adds"), "{refusal}");
 }
 
