@@ -1,9 +1,11 @@
 //! Quadratic vector fields that are read at run time, as Kahan maps.
 //!
-//! In: a checked [`System`](kahan_algebra::system::System) and exact values of its parameters. Out:
-//! a [`KahanMap`](kahan_core::KahanMap) over any scalar ([`interpreted`]), and exact orbits with
-//! the growth of their heights ([`heights`]). It must not know the catalog: a system comes from its
-//! caller. Beside them, how work is spread over processors ([`threads`]).
+//! In: a text in the language of `kahan!` ([`Field::parse`]) or a checked
+//! [`System`](kahan_algebra::system::System), and values of its parameters ([`Field::with`]). Out:
+//! a map over slices of any dimension ([`Map::at`]), a [`KahanMap`](kahan_core::KahanMap) over any
+//! scalar ([`Map::as_kahan_map`]), and exact orbits with the growth of their heights ([`heights`]).
+//! It must not know the catalog: a field comes from its caller. Beside them, how work is spread
+//! over processors ([`threads`]).
 
 mod at;
 mod claim;

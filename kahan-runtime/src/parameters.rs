@@ -10,7 +10,7 @@ use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::check::nearest;
 use kahan_algebra::derived::Derived;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::symbols::{Symbol, Symbols};
+use kahan_algebra::symbols::Symbol;
 use kahan_core::num_rational::BigRational;
 
 /// A number that a parameter can be.
@@ -138,8 +138,7 @@ where
     N: AsRef<str>,
     V: ParameterValue,
 {
-    let symbols = &derived.system.field.symbols;
-    let names = &symbols.parameters;
+    let names = &derived.system.field.symbols.parameters;
     let mut values: Vec<Option<Rational>> = vec![None; names.len()];
     for (name, value) in given {
         let name = name.as_ref();
@@ -162,7 +161,7 @@ where
         return Err(ParameterError::Missing(missing));
     }
     let values: Vec<Rational> = values.into_iter().flatten().collect();
-    if is_defined(derived, symbols, &values) {
+    if is_defined(derived, &values) {
         Ok(values)
     } else {
         Err(ParameterError::Undefined(names.iter().cloned().zip(values).collect()))
@@ -170,7 +169,8 @@ where
 }
 
 /// Whether the field divides by nothing that is zero.
-fn is_defined(derived: &Derived, symbols: &Symbols, parameters: &[Rational]) -> bool {
+fn is_defined(derived: &Derived, parameters: &[Rational]) -> bool {
+    let symbols = &derived.system.field.symbols;
     let divisors = derived.divisors.evaluate(&Exact, |variable| match symbols.symbol(variable) {
         Symbol::Parameter(k) => parameters[k].clone(),
         // Divisors are free of everything else.

@@ -3,7 +3,6 @@
 //! The allocator of this program counts what a thread allocates and frees while it is measured.
 
 use allocation_counter::measure;
-use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd};
@@ -14,11 +13,16 @@ use kahan_runtime::{Field, MachineFloat, Map};
 const TEXT: &str = "xdot = y + 0.1234567890123456789*x^2; ydot = mu*x*y - x;";
 const MU: &str = "123456789012345678901234567890/98765432109876543210987654321";
 
+/// The field, read, over ℚ.
+fn exact() -> Interpreted<BigRational, 2> {
+    let map = Field::parse(TEXT).unwrap().with([("mu", Rational::parse(MU).unwrap())]).unwrap();
+    map.as_kahan_map().unwrap()
+}
+
 /// Reads the field, puts it over three scalars and follows an orbit of each.
 fn follow() {
-    let reading = kahan_algebra::read(&lex(TEXT).tokens);
     let number = |text| Rational::parse(text).unwrap();
-    let exact = Interpreted::<BigRational, 2>::new(&reading.system, &[number(MU).to_big()]).unwrap();
+    let exact = exact();
     let start = vector![round::<BigRational>(&number("0.3")), round(&number("0"))];
     assert!(exact.orbit(start, number("0.01").to_big()).nth(3).is_some());
     let last = exact.rounded::<f64>().orbit(vector![0.3, 0.0], 0.01).nth(3).unwrap();
@@ -46,9 +50,7 @@ fn steps_of_floats_allocate_nothing() {
         });
         counted.count_total
     }
-    let reading = kahan_algebra::read(&lex(TEXT).tokens);
-    let mu = Rational::parse(MU).unwrap().to_big();
-    let exact = Interpreted::<BigRational, 2>::new(&reading.system, &[mu]).unwrap();
+    let exact = exact();
     assert_eq!(count(&exact.rounded::<f64>(), vector![0.3, 0.0], 0.01), 0);
     assert_eq!(count(&exact.rounded::<f32>(), vector![0.3, 0.0], 0.01), 0);
     assert_eq!(count(&exact.rounded::<Dd>(), vector![Dd::from(0.3), Dd::from(0.0)], Dd::from(0.01)), 0);

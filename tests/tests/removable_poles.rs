@@ -14,6 +14,7 @@ use kahan_algebra::system::System;
 use kahan_algebra::{Derived, derive};
 use kahan_core::Lift;
 use kahan_core::prelude::*;
+use kahan_runtime::Field;
 use kahan_runtime::heights::HeightsOrbit;
 use kahan_runtime::interpreted::Interpreted;
 use kahan_systems::registry::find;
@@ -88,6 +89,12 @@ fn vector<const N: usize>(x: &[Rational]) -> SVector<BigRational, N> {
     SVector::from_fn(|i, _| x[i].to_big())
 }
 
+/// A system as a map over ℚ, at values of its parameters in their order.
+fn read_at<const N: usize>(system: &System, parameters: &[Rational]) -> Interpreted<BigRational, N> {
+    let map = Field::of(system).with(system.field.symbols.parameters.iter().zip(parameters));
+    map.expect("a field").as_kahan_map().expect("as many variables")
+}
+
 /// Generated code against the same system read at run time: exact steps, and float steps with their
 /// promise, bit for bit.
 fn compiled_and_read_agree<M, const N: usize>(
@@ -120,8 +127,7 @@ fn compiled_and_read_agree<M, const N: usize>(
 /// What is made at run time from the same text: the interpreter, its stepper, projective integers,
 /// and the map's own step.
 fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Place) -> Option<Vec<Rational>> {
-    let parameters: Vec<BigRational> = place.parameters.iter().map(Rational::to_big).collect();
-    let read = Interpreted::<BigRational, N>::new(system, &parameters).expect("a field");
+    let read = read_at::<N>(system, &place.parameters);
     let step = read.try_step(&vector::<N>(&place.x), place.eps.to_big()).ok();
     let step: Option<Vec<Rational>> = step.map(|next| next.iter().cloned().map(Rational::from).collect());
     let point =
@@ -143,8 +149,7 @@ where
 {
     let system = read_unproved(text);
     let parameters: Vec<Rational> = parameters.iter().map(|p| Rational::from(*p)).collect();
-    let big: Vec<BigRational> = parameters.iter().map(Rational::to_big).collect();
-    let read = Interpreted::<BigRational, N>::new(&system, &big).expect("a field");
+    let read = read_at::<N>(&system, &parameters);
     for place in removable_poles(&derive(&system), &parameters, 601) {
         compiled_and_read_agree(name, map, &read, &place);
         let next = run_time_maps_agree::<N>(name, &system, &place);
@@ -166,7 +171,7 @@ fn e9_at_xi_1_has_the_pole_that_e3_loses() {
     let [e3, e9] = ["e3", "e9"].map(|name| read_unproved(find(name).expect("in the catalog").text()));
     let one = Rational::one();
     let map = E9 { xi: one.to_big() };
-    let read = Interpreted::<BigRational, 3>::new(&e9, &[one.to_big()]).expect("E9");
+    let read = read_at::<3>(&e9, core::slice::from_ref(&one));
     for place in removable_poles(&derive(&e3), &[], 602) {
         let place = Place { parameters: vec![one.clone()], ..place };
         compiled_and_read_agree("e9", &map, &read, &place);

@@ -11,9 +11,8 @@ use kahan_core::{Dd, Elimination, KahanMap, PreparedStep, QuadraticField};
 
 use super::float::Float;
 
-use kahan_runtime::interpreted::{
-    CannotInterpret, Interpreted, UnsupportedDimension, VisitDimension, visit_dimension,
-};
+use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension, VisitDimension, visit_dimension};
+use kahan_runtime::{Field, Map, ParameterError};
 
 /// The steps of one map. A step has as many components as x.
 pub(crate) trait Steps<T>: core::fmt::Debug + Send + Sync {
@@ -78,8 +77,9 @@ pub(crate) struct StepsOfSystem {
 impl StepsOfSystem {
     /// They are planned once; `values` are parameters at which the system is defined.
     pub(crate) fn new(system: &System, values: &[BigRational]) -> Result<Self, CannotRun> {
-        let made = visit_dimension(system.field.dimension(), Reader { system, values });
-        made.map_err(CannotRun::Dimension)?.map_err(CannotRun::System)
+        let names = &system.field.symbols.parameters;
+        let map = Field::of(system).with(names.iter().zip(values)).map_err(CannotRun::Parameters)?;
+        visit_dimension(system.field.dimension(), Reader(&map)).map_err(CannotRun::Dimension)
     }
 }
 
@@ -89,35 +89,33 @@ pub enum CannotRun {
     /// It has too many variables.
     Dimension(UnsupportedDimension),
     /// It is not defined at the parameters.
-    System(CannotInterpret),
+    Parameters(ParameterError),
 }
 
 impl core::fmt::Display for CannotRun {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Dimension(why) => why.fmt(f),
-            Self::System(why) => why.fmt(f),
+            Self::Parameters(why) => why.fmt(f),
         }
     }
 }
 
 impl core::error::Error for CannotRun {}
 
-/// Reads a system in whatever dimension it has.
-struct Reader<'a> {
-    system: &'a System,
-    values: &'a [BigRational],
-}
+/// Takes a map in whatever dimension it has.
+struct Reader<'a>(&'a Map);
 
 impl VisitDimension for Reader<'_> {
-    type Output = Result<StepsOfSystem, CannotInterpret>;
+    type Output = StepsOfSystem;
 
-    fn visit<const N: usize>(self) -> Self::Output {
-        let exact = Interpreted::<BigRational, N>::padded(self.system, self.values)?;
-        Ok(StepsOfSystem {
+    fn visit<const N: usize>(self) -> StepsOfSystem {
+        let exact = self.0.as_kahan_map::<BigRational, N>();
+        let exact = exact.unwrap_or_else(|why| unreachable!("the type was chosen for the field: {why}"));
+        StepsOfSystem {
             single: Box::new(exact.rounded()),
             double: Box::new(exact.rounded()),
             double_double: Box::new(exact.rounded()),
-        })
+        }
     }
 }

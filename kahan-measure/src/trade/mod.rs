@@ -22,7 +22,8 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Need, Scene, Scheme, Setting};
 
 use crate::reference::{Certificate, Limits, NoReference, Reference, Trajectory};
-use kahan_runtime::interpreted::{CannotInterpret, UnsupportedDimension};
+use kahan_runtime::ParameterError;
+use kahan_runtime::interpreted::UnsupportedDimension;
 
 use clock::Clock;
 use drift::Integrals;
@@ -85,8 +86,8 @@ pub struct Trade {
 /// Why nothing was measured.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CannotTrade {
-    /// The system cannot be run.
-    System(CannotInterpret),
+    /// The system is not defined at the parameters.
+    Parameters(ParameterError),
     /// It has too many variables.
     Dimension(UnsupportedDimension),
     /// There is no reference trajectory.
@@ -98,7 +99,7 @@ pub enum CannotTrade {
 impl core::fmt::Display for CannotTrade {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
-            Self::System(why) => why.fmt(f),
+            Self::Parameters(why) => why.fmt(f),
             Self::Dimension(why) => why.fmt(f),
             Self::Reference(why) => why.fmt(f),
             Self::NoIntegrals => f.write_str(

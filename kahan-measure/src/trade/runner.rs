@@ -9,7 +9,7 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Precision, QuadraticField, Scalar, Scheme, StepCost};
 use kahan_runtime::Field;
-use kahan_runtime::interpreted::{CannotInterpret, Interpreted, VisitDimension, round, visit_dimension};
+use kahan_runtime::interpreted::{Interpreted, VisitDimension, round, visit_dimension};
 
 use crate::reference::{Limits, NoReference, Reference, Trajectory};
 
@@ -35,12 +35,10 @@ impl Runner {
         parameters: &[Rational],
         start: &[Rational],
     ) -> Result<Self, CannotTrade> {
-        let exact: Vec<BigRational> = parameters.iter().map(Rational::to_big).collect();
-        let read = visit_dimension(system.field.dimension(), Reader { system, parameters: &exact });
-        let map = read.map_err(CannotTrade::Dimension)?.map_err(CannotTrade::System)?;
         let names = &system.field.symbols.parameters;
-        let orbits = Field::of(system).with(names.iter().zip(parameters));
-        let orbits = orbits.map_err(|_| CannotTrade::System(CannotInterpret::Undefined))?;
+        let orbits = Field::of(system).with(names.iter().zip(parameters)).map_err(CannotTrade::Parameters)?;
+        let map =
+            visit_dimension(system.field.dimension(), Reader(&orbits)).map_err(CannotTrade::Dimension)?;
         Ok(Runner { map, orbits, start: start.to_vec() })
     }
 
@@ -131,17 +129,15 @@ impl<const N: usize> Map for Interpreted<BigRational, N> {
     }
 }
 
-/// Reads a system in whatever number of variables it has.
-struct Reader<'a> {
-    system: &'a System,
-    parameters: &'a [BigRational],
-}
+/// Takes a map in whatever number of variables it has.
+struct Reader<'a>(&'a kahan_runtime::Map);
 
 impl VisitDimension for Reader<'_> {
-    type Output = Result<Box<dyn Map>, CannotInterpret>;
+    type Output = Box<dyn Map>;
 
-    fn visit<const N: usize>(self) -> Self::Output {
-        Ok(Box::new(Interpreted::<BigRational, N>::padded(self.system, self.parameters)?))
+    fn visit<const N: usize>(self) -> Box<dyn Map> {
+        let map = self.0.as_kahan_map::<BigRational, N>();
+        Box::new(map.unwrap_or_else(|why| unreachable!("the type was chosen for the field: {why}")))
     }
 }
 

@@ -1,7 +1,7 @@
 //! A system read at run time as a map over any scalar: the traits of generated code, without
 //! generated code.
 //!
-//! In: a checked [`System`] and exact parameter values. Out: a [`KahanMap`](kahan_core::KahanMap)
+//! In: a [`Map`](crate::Map). Out: a [`KahanMap`](kahan_core::KahanMap)
 //! with the bits of the code that the macro would have written for it, so that everything that is
 //! generic over maps (orbits, compositions, the step with a promise) takes fields from the command
 //! line too. It runs the same plans in the same order, several times as slowly.
@@ -11,18 +11,13 @@ mod dimension;
 mod literal;
 mod map;
 mod program;
-mod refusal;
 mod step;
 mod unplanned;
 
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-use kahan_algebra::arithmetic::Exact;
-use kahan_algebra::derive;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::symbols::Symbol;
-use kahan_algebra::system::System;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Scalar, StepCost};
@@ -34,21 +29,20 @@ pub(crate) use literal::Literal;
 
 pub use dimension::{LARGEST_DIMENSION, UnsupportedDimension, VisitDimension, visit_dimension};
 pub use literal::round;
-pub use refusal::CannotInterpret;
 pub use step::InterpretedStep;
 
-/// A system read at run time, over the scalar T in N variables.
+/// A system read at run time, over the scalar T in N variables; made by
+/// [`Map::as_kahan_map`](crate::Map::as_kahan_map).
 ///
 /// Copies share their programs. Two are equal where they share programs and have equal parameters.
 ///
 /// ```
-/// use kahan_algebra::lexer::lex;
 /// use kahan_core::prelude::*;
-/// use kahan_runtime::interpreted::Interpreted;
+/// use kahan_runtime::Field;
 ///
-/// let reading = kahan_algebra::read(&lex("xdot = mu*x*y; ydot = x - y;").tokens);
-/// let exact = Interpreted::<BigRational, 2>::new(&reading.system, &["1/3".parse::<BigRational>().unwrap()]).unwrap();
-/// let map = exact.rounded::<f64>();
+/// let third: BigRational = "1/3".parse().unwrap();
+/// let field = Field::parse("xdot = mu*x*y; ydot = x - y;").unwrap();
+/// let map = field.with([("mu", third)]).unwrap().as_kahan_map::<f64, 2>().unwrap();
 ///
 /// let mu = 1.0 / 3.0;
 /// let compiled = kahan! { xdot = mu*x*y; ydot = x - y; };
@@ -63,54 +57,6 @@ pub struct Interpreted<T, const N: usize> {
 }
 
 impl<const N: usize> Interpreted<BigRational, N> {
-    /// The system at these parameter values, in their order; over any other scalar by
-    /// [`rounded`](Self::rounded).
-    ///
-    /// Cost: deriving and planning the map, some milliseconds for a system of the catalog.
-    ///
-    /// # Errors
-    /// [`CannotInterpret`].
-    pub fn new(system: &System, parameters: &[BigRational]) -> Result<Self, CannotInterpret> {
-        match system.field.dimension() {
-            found if found == N => Self::padded(system, parameters),
-            found => Err(CannotInterpret::Dimension { found, expected: N }),
-        }
-    }
-
-    /// The system among N variables, of which those beyond its own stand still: ẋᵢ = 0.
-    ///
-    /// Its own variables have the bits that [`new`](Self::new) gives them. Two or three types then
-    /// serve every dimension.
-    ///
-    /// # Errors
-    /// [`CannotInterpret`].
-    pub fn padded(system: &System, parameters: &[BigRational]) -> Result<Self, CannotInterpret> {
-        let (found, symbols) = (system.field.dimension(), &system.field.symbols);
-        if found > N {
-            return Err(CannotInterpret::Dimension { found, expected: N });
-        }
-        if symbols.parameters.len() != parameters.len() {
-            return Err(CannotInterpret::Parameters {
-                found: symbols.parameters.len(),
-                given: parameters.len(),
-            });
-        }
-        let derived = derive(system);
-        let divisors = derived.divisors.evaluate(&Exact, |variable| match symbols.symbol(variable) {
-            Symbol::Parameter(k) => Rational::from(parameters[k].clone()),
-            // Divisors are free of everything else.
-            _ => Rational::zero(),
-        });
-        if divisors.iter().any(|value| value.as_ref().is_none_or(Rational::is_zero)) {
-            return Err(CannotInterpret::Undefined);
-        }
-        Ok(Interpreted {
-            code: Arc::new(Code::of(&derived)),
-            parameters: parameters.into(),
-            dimension: PhantomData,
-        })
-    }
-
     /// The system over another scalar, each parameter rounded once from its exact value.
     #[must_use]
     pub fn rounded<T: Scalar>(&self) -> Interpreted<T, N> {

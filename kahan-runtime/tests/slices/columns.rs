@@ -24,7 +24,7 @@ fn advance<T: MachineFloat>(
     columns: &mut [Vec<T>],
 ) {
     let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-    map.at(eps).composed(composition).advance_columns(&mut slices, each, parameters, 20).unwrap();
+    map.at(eps).composed(composition).advance_columns(&mut slices, each, parameters, 5).unwrap();
 }
 
 fn ensembles_agree<M, T, const N: usize>(name: &str, compiled: &M, map: &Map)
@@ -40,9 +40,9 @@ where
             let points = (0..count).map(|i| SVector::<T, N>::from_fn(|c, _| start[c][i])).collect();
             let mut ensemble = Ensemble::new(points).at_level(Level::Baseline).expect("everywhere");
             if composition == Composition::KAHAN {
-                ensemble.advance(&compiled.at(eps), 20);
+                ensemble.advance(&compiled.at(eps), 5);
             } else {
-                ensemble.advance(&compiled.at(eps).composed(composition), 20);
+                ensemble.advance(&compiled.at(eps).composed(composition), 5);
             }
             let mut ours = start;
             advance(map, (eps, &[]), composition, &[], &mut ours);
