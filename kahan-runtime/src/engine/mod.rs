@@ -53,6 +53,22 @@ pub(crate) enum Object {
     Jacobian,
 }
 
+impl Object {
+    /// Its place among all objects of a field; brackets come last.
+    #[cfg(feature = "jit")]
+    pub(crate) fn place(self) -> usize {
+        match self {
+            Object::Field => 0,
+            Object::FieldJacobian => 1,
+            Object::Integrals => 2,
+            Object::Density => 3,
+            Object::Matrix => 4,
+            Object::Jacobian => 5,
+            Object::Bracket(index) => 6 + index,
+        }
+    }
+}
+
 /// The plans of a field, and what has been made of them.
 #[derive(Debug)]
 pub(crate) struct Engine {
@@ -93,6 +109,7 @@ impl Engine {
         let derived = derive(system);
         Engine {
             brackets: derived.brackets.iter().map(|_| OnceLock::new()).collect(),
+            codes: Codes::new(derived.brackets.len()),
             derived,
             steps: OnceLock::new(),
             field: OnceLock::new(),
@@ -100,7 +117,6 @@ impl Engine {
             integrals: OnceLock::new(),
             density: OnceLock::new(),
             code: OnceLock::new(),
-            codes: Codes::default(),
         }
     }
 

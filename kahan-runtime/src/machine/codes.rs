@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::hash::Hash;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use kahan_algebra::Derived;
 use kahan_algebra::rational::Rational;
@@ -38,18 +38,12 @@ impl<K: Eq + Hash, C> Table<K, C> {
 #[derive(Debug)]
 pub struct CodesOf<T> {
     orbits: Table<(StepKind, Form, bool), OrbitCode<T>>,
-    functions: Table<Object, FunctionCode<T>>,
+    functions: Vec<OnceLock<Option<FunctionCode<T>>>>,
     columns: Table<Shape, ColumnsCode<T>>,
 }
 
-impl<T> Default for CodesOf<T> {
-    fn default() -> Self {
-        CodesOf { orbits: Table::default(), functions: Table::default(), columns: Table::default() }
-    }
-}
-
 /// The code of a field.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Codes {
     single: CodesOf<f32>,
     double: CodesOf<f64>,
@@ -103,7 +97,20 @@ pub(crate) struct ColumnsCode<T> {
     own: Sweep<T>,
 }
 
+impl<T> CodesOf<T> {
+    fn new(objects: usize) -> Self {
+        let functions = std::iter::repeat_with(OnceLock::new).take(objects).collect();
+        CodesOf { orbits: Table::default(), functions, columns: Table::default() }
+    }
+}
+
 impl Codes {
+    /// None yet, for a field with so many brackets.
+    pub(crate) fn new(brackets: usize) -> Self {
+        let objects = Object::Bracket(brackets).place();
+        Codes { single: CodesOf::new(objects), double: CodesOf::new(objects) }
+    }
+
     /// The code of an orbit; `None` where the step is no straight line, or there can be no code.
     pub(crate) fn orbit<T: Coded>(
         &self,
@@ -125,16 +132,13 @@ impl Codes {
     }
 
     /// The code of an object; likewise. Nothing in it is fused.
-    pub(crate) fn function<T: Coded>(
-        &self,
-        derived: &Derived,
-        object: Object,
-    ) -> Option<Arc<FunctionCode<T>>> {
-        T::of(self).functions.get(object, || {
+    pub(crate) fn function<T: Coded>(&self, derived: &Derived, object: Object) -> Option<&FunctionCode<T>> {
+        let compile = || {
             let program = objects::program(object, derived, T::NEAREST)?;
             let shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One, fuses: false };
-            Some(Function::compile(&program, shape).map(FunctionCode))
-        })
+            Function::compile(&program, shape).ok().map(FunctionCode)
+        };
+        T::of(self).functions.get(object.place())?.get_or_init(compile).as_ref()
     }
 
     /// The code of columns in instructions and a rounding; likewise.
