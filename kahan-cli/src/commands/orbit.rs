@@ -62,7 +62,8 @@ pub(crate) struct Orbit {
     out: Option<PathBuf>,
 
     /// Print one JSON object; exact numbers are strings p/q, floats are numbers (dd: of 32 digits).
-    /// With --out the rows are in the file only.
+    /// With --out the rows are in the file only. `runs_as` tells whether floats ran as machine code or
+    /// were interpreted, as on other processors and in fields too large for a straight line.
     #[arg(long)]
     json: bool,
 }
@@ -121,7 +122,8 @@ impl Orbit {
         let (parameters, eps) = request.rounded::<A>()?;
         let mut orbit = FloatOrbit::new(arithmetic, request, self.order, &parameters, &eps)
             .map_err(|UndefinedField| request.undefined_field())?;
-        let head = self.head::<A>(request, &parameters, &eps, orbit.integral_names());
+        let mut head = self.head::<A>(request, &parameters, &eps, orbit.integral_names());
+        head.insert("runs_as".to_owned(), json!(orbit.runs_as()));
         self.write(head, |table, progress| {
             let rows = Rows { steps: self.steps, every: self.every, at_once: AT_ONCE, progress };
             rows.follow(&mut orbit, |orbit, n| orbit.write(table, n), FloatOrbit::advance)

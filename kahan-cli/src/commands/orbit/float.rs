@@ -60,6 +60,11 @@ impl<'a, A: Rounded> FloatOrbit<'a, A> {
         Ok(Self { arithmetic, request, map, stages, code, before: state.clone(), state })
     }
 
+    /// How it runs, in words.
+    pub(super) fn runs_as(&self) -> &'static str {
+        if self.code.is_some() { "machine code" } else { "interpreted" }
+    }
+
     /// The names of the integrals, in order.
     pub(super) fn integral_names(&self) -> &[String] {
         self.map.integral_names()
