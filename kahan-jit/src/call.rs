@@ -97,7 +97,7 @@ impl Code {
         assert!(columns.len() >= s && columns.len() <= MOST, "{s} columns, not {}", columns.len());
         let len = columns.first().map_or(0, |column| column.len());
         assert!(columns.iter().all(|column| column.len() == len), "columns of one length");
-        assert!(len % width == 0, "columns of whole registers");
+        assert!(len.is_multiple_of(width), "columns of whole registers");
         if len == 0 || steps == 0 {
             return;
         }

@@ -1,7 +1,9 @@
 //! Every form of every instruction, with every register in every place, decoded by a library that
 //! knows them all.
 
-use iced_x86::{Code, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register};
+use iced_x86::{
+    Code, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register, RoundingControl,
+};
 
 use super::{
     Arithmetic, Assembler, Condition, Element, Form, Fused, General, Memory, Order, Source, Vector, Width,
@@ -55,7 +57,16 @@ fn decoded(write: impl FnOnce(&mut Assembler), form: Form) -> Instruction {
     let instruction = decoder.decode();
     assert!(!instruction.is_invalid(), "{form:?}: {:02x?} is no instruction", &bytes[..length]);
     assert_eq!(instruction.len(), length, "{form:?}: {instruction:?} is shorter than what was written");
+    assert_is_plain(&instruction);
     instruction
+}
+
+/// It works on all lanes, rounds to nearest, and repeats nothing that it reads.
+fn assert_is_plain(instruction: &Instruction) {
+    assert_eq!(instruction.op_mask(), Register::None, "{instruction:?}");
+    assert!(!instruction.zeroing_masking() && !instruction.is_broadcast(), "{instruction:?}");
+    assert_eq!(instruction.rounding_control(), RoundingControl::None, "{instruction:?}");
+    assert!(!instruction.suppress_all_exceptions(), "{instruction:?}");
 }
 
 /// The register of a form.
@@ -216,6 +227,7 @@ fn numbers_are_moved_as_was_asked_for() {
 fn all(bytes: &[u8]) -> Vec<Instruction> {
     let instructions: Vec<Instruction> = Decoder::new(64, bytes, DecoderOptions::NONE).iter().collect();
     assert!(instructions.iter().all(|instruction| !instruction.is_invalid()));
+    instructions.iter().for_each(assert_is_plain);
     instructions
 }
 
@@ -237,7 +249,8 @@ fn a_number_is_rounded_to_single_precision_and_taken_back() {
 fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
     for form in FORMS {
         let mut assembler = Assembler::new(form);
-        let numbers = [0x3ff0_0000_3f80_0000, 0x8000_0000_8000_0000, 0x0123_4567_89ab_cdef];
+        // The last is like the first in one half, and like the second in the other.
+        let numbers = [0x3ff0_0000_3f80_0000, 0x8000_0000_8000_0000, 0x8000_0000_3f80_0000];
         for (k, bits) in (0..).zip(numbers.into_iter().chain(numbers)) {
             let entry = assembler.constant(bits);
             assembler.arithmetic(Arithmetic::Add, Vector(k), Vector(20), Source::Memory(Memory::Pool(entry)));
@@ -252,6 +265,37 @@ fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
             let found = &bytes[place..place + form.bytes().max(16)];
             assert!(found.chunks(element).all(|lane| *lane == bits.to_le_bytes()[..element]), "{form:?}");
         }
+    }
+}
+
+/// Operands of a whole register are aligned to it wherever code ends.
+#[test]
+fn the_pool_begins_with_a_cache_line() {
+    for length in 0..=130 {
+        let mut assembler = Assembler::new(FORMS[7]);
+        (0..length).for_each(|_| assembler.ret());
+        let entry = assembler.constant(1);
+        assembler.load(Vector(0), Memory::Pool(entry));
+        let code = assembler.bytes.len();
+        let bytes = assembler.finish();
+        let place = all(&bytes[..code]).last().expect("the load").memory_displacement64();
+        assert_eq!(place % 64, 0, "{length}");
+        assert!(place >= code as u64 && place < code as u64 + 64, "{length}: right behind the code");
+    }
+}
+
+/// Offsets take one byte where one holds them, but for EVEX, which would count them in operands.
+#[test]
+fn offsets_are_as_short_as_they_can_be() {
+    let length = |offset: i32, register: u8| {
+        let place = Memory::At { base: General::Rdi, offset };
+        decoded(|assembler| assembler.load(Vector(register), place), FORMS[5]).len()
+    };
+    for offset in OFFSETS {
+        let short = i8::try_from(offset).is_ok();
+        // A prefix of two bytes or four, the opcode, the operands.
+        assert_eq!(length(offset, 3), 4 + if short { 1 } else { 4 }, "{offset}");
+        assert_eq!(length(offset, 19), 6 + 4, "{offset}");
     }
 }
 

@@ -59,7 +59,7 @@ impl Engine {
 
     /// Replaces a state by the one so many steps later.
     pub(crate) fn advance_coded<T: Scratches>(&self, stages: &CodedStages<T>, state: &mut [T], steps: u64) {
-        stages.code.run(state, &stages.constants, steps);
+        stages.code.advance(state, &stages.constants, steps);
     }
 
     /// The same, with what the state lacks carried along; `false` where there is no code.
@@ -76,7 +76,7 @@ impl Engine {
         with_scratch(T::single(), |Scratch { state: numbers, .. }| {
             numbers.clear();
             numbers.extend(state.iter().chain(carry.iter()));
-            code.run(numbers, &stages.constants, steps);
+            code.advance(numbers, &stages.constants, steps);
             let (advanced, lacking) = numbers.split_at(state.len());
             state.copy_from_slice(advanced);
             carry.copy_from_slice(lacking);

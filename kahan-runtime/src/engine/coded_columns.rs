@@ -50,20 +50,23 @@ impl Engine {
         let Some(set) = set.or_else(InstructionSet::best) else { return false };
         let Some(code) = self.codes.columns::<T>(&self.derived, (set, fuses)) else { return false };
         with_scratch(T::single(), |scratch| {
-            let mut prepared = Prepared { code: &code, composition, constants: &mut scratch.given, length: 0 };
+            let mut prepared =
+                Prepared { code: &code, composition, constants: &mut scratch.given, length: 0 };
             let is_one = |values: &[T]| values.len() == 1;
             let are_shared = is_one(columns.eps) && columns.parameters.iter().all(|values| is_one(values));
             if are_shared {
                 prepared.of_registers(columns, 0, 1, &mut scratch.constants);
             }
-            let (trajectories, width) = (columns.columns.first().map_or(0, |column| column.len()), code.width());
+            let (trajectories, width) =
+                (columns.columns.first().map_or(0, |column| column.len()), code.width());
             let whole = trajectories / width * width;
             for first in (0..whole).step_by(TILE) {
                 let end = whole.min(first + TILE);
                 if !are_shared {
                     prepared.of_registers(columns, first, (end - first) / width, &mut scratch.constants);
                 }
-                let mut tile: Tile<'_, T> = columns.columns.iter_mut().map(|column| &mut column[first..end]).collect();
+                let mut tile: Tile<'_, T> =
+                    columns.columns.iter_mut().map(|column| &mut column[first..end]).collect();
                 prepared.run(&mut tile, are_shared, steps);
             }
             if whole < trajectories {
@@ -111,18 +114,23 @@ impl<T: Scratches> Prepared<'_, T> {
         registers: usize,
         given: &mut Vec<T>,
     ) {
-        let (width, last) = (self.code.width(), columns.first().map_or(0, |column| column.len()).saturating_sub(1));
+        let (width, last) =
+            (self.code.width(), columns.first().map_or(0, |column| column.len()).saturating_sub(1));
         self.constants.clear();
         for coefficient in distinct(&self.composition) {
             let gamma = T::constant(coefficient);
             for register in 0..registers {
                 let place = |lane: usize| last.min(first + register * width + lane);
-                let of = |values: &[T], lane: usize| if values.len() == 1 { values[0] } else { values[place(lane)] };
+                let of = |values: &[T], lane: usize| {
+                    if values.len() == 1 { values[0] } else { values[place(lane)] }
+                };
                 given.clear();
                 if parameters.is_empty() {
                     own.iter().for_each(|value| given.extend(core::iter::repeat_n(*value, width)));
                 } else {
-                    parameters.iter().for_each(|values| given.extend((0..width).map(|lane| of(values, lane))));
+                    parameters
+                        .iter()
+                        .for_each(|values| given.extend((0..width).map(|lane| of(values, lane))));
                 }
                 given.extend((0..width).map(|lane| gamma * of(eps, lane)));
                 self.code.prepare(given, self.constants);
@@ -135,9 +143,9 @@ impl<T: Scratches> Prepared<'_, T> {
         let stages = distinct(&self.composition).len();
         let of_stage = |k: usize| &self.constants[k * self.length..][..self.length];
         if stages == 1 {
-            self.code.run(tile, of_stage(0), are_shared, steps);
+            self.code.advance(tile, of_stage(0), are_shared, steps);
         } else {
-            (0..steps).for_each(|_| in_turn(stages, |k| self.code.run(tile, of_stage(k), are_shared, 1)));
+            (0..steps).for_each(|_| in_turn(stages, |k| self.code.advance(tile, of_stage(k), are_shared, 1)));
         }
     }
 }

@@ -17,7 +17,6 @@ pub(crate) const LANES: usize = 8;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lanes<T>(pub(crate) [T; LANES]);
 
-/// Loops run over indices, which leave no call of an iterator behind.
 impl<T: Scalar + Copy> Lanes<T> {
     #[inline(always)]
     pub(crate) fn splat(value: T) -> Self {

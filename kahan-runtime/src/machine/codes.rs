@@ -83,18 +83,18 @@ impl Coded for f64 {
 
 /// The code of an orbit, whose step is one of the map or several of them.
 #[derive(Debug)]
-pub enum OrbitCode<T> {
+pub(crate) enum OrbitCode<T> {
     Single(Orbit<T>),
     Composed(ComposedOrbit<T>),
 }
 
 /// The code of an object.
 #[derive(Debug)]
-pub struct FunctionCode<T>(Function<T>);
+pub(crate) struct FunctionCode<T>(Function<T>);
 
 /// The code of columns.
 #[derive(Debug)]
-pub struct ColumnsCode<T> {
+pub(crate) struct ColumnsCode<T> {
     /// From the parameters and ε of a register of trajectories to the constants of their step.
     constants: Function<T>,
     count: usize,
@@ -125,7 +125,11 @@ impl Codes {
     }
 
     /// The code of an object; likewise. Nothing in it is fused.
-    pub(crate) fn function<T: Coded>(&self, derived: &Derived, object: Object) -> Option<Arc<FunctionCode<T>>> {
+    pub(crate) fn function<T: Coded>(
+        &self,
+        derived: &Derived,
+        object: Object,
+    ) -> Option<Arc<FunctionCode<T>>> {
         T::of(self).functions.get(object, || {
             let program = objects::program(object, derived, T::NEAREST)?;
             let shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One, fuses: false };
@@ -151,7 +155,7 @@ impl Codes {
 impl<T: Coded> OrbitCode<T> {
     /// Advances the numbers of a state by so many steps; `stages` are the constants of those that
     /// differ, the middle one last.
-    pub(crate) fn run(&self, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
+    pub(crate) fn advance(&self, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
         match self {
             OrbitCode::Single(orbit) => orbit.run(numbers, &stages[0], steps),
             OrbitCode::Composed(orbit) => {
@@ -214,7 +218,7 @@ impl<T: Coded> ColumnsCode<T> {
 
     /// Advances columns of whole registers, all with these constants, or each register with its
     /// own.
-    pub(crate) fn run(&self, columns: &mut [&mut [T]], constants: &[T], are_shared: bool, steps: u64) {
+    pub(crate) fn advance(&self, columns: &mut [&mut [T]], constants: &[T], are_shared: bool, steps: u64) {
         let sweep = if are_shared { &self.shared } else { &self.own };
         sweep.run(columns, constants, steps);
     }

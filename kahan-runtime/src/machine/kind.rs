@@ -1,5 +1,6 @@
 //! Which step there is code for.
 
+#[cfg(feature = "jit")]
 use kahan_algebra::plan::StepPlan;
 use kahan_core::Precision;
 
@@ -12,9 +13,10 @@ pub(crate) enum Form {
     AnyEps,
 }
 
+#[cfg(feature = "jit")]
 impl Form {
     /// The plan of this form.
-    pub(crate) fn of(self, step: &StepPlan) -> &StepPlan {
+    pub(super) fn of(self, step: &StepPlan) -> &StepPlan {
         match self {
             Form::Own => step,
             Form::AnyEps => step.for_any_step(),
@@ -39,7 +41,8 @@ pub(crate) struct StepKind {
 impl StepKind {
     /// The plain step over T, a float of the machine.
     pub(crate) fn of<T>(fuses: bool) -> Self {
-        let precision = if size_of::<T>() == size_of::<f32>() { Precision::Single } else { Precision::Double };
+        let precision =
+            if size_of::<T>() == size_of::<f32>() { Precision::Single } else { Precision::Double };
         StepKind { precision, compensated: false, rounds_increments: false, fuses }
     }
 

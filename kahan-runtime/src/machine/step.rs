@@ -43,7 +43,10 @@ pub(super) fn evaluate<A: Arithmetic>(
     input: impl Fn(Symbol) -> Option<A::Value>,
 ) -> Vec<A::Value> {
     let results = plan.evaluate_prepared(arithmetic, prepared, |variable| input(symbols.symbol(variable)));
-    results.into_iter().map(|result| result.unwrap_or_else(|| unreachable!("every input has a value"))).collect()
+    results
+        .into_iter()
+        .map(|result| result.unwrap_or_else(|| unreachable!("every input has a value")))
+        .collect()
 }
 
 impl StepKind {

@@ -39,12 +39,7 @@ const FUSES: bool = cfg!(target_feature = "fma");
 
 impl Coding {
     /// The orbit at its first point; `None` where there is no code for it.
-    pub(super) fn begin(
-        map: &Map,
-        scheme: Scheme,
-        eps: &Rational,
-        start: &[Rational],
-    ) -> Option<Self> {
+    pub(super) fn begin(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Option<Self> {
         match scheme.precision {
             Precision::Single => {
                 Running::begin(map, scheme, eps, start, |x: f32| x, |x| vec![x]).map(Coding::Single)
@@ -137,7 +132,7 @@ where
     }
 
     fn run(&mut self, steps: u64) {
-        self.code.run(&mut self.numbers, &self.stages, steps);
+        self.code.advance(&mut self.numbers, &self.stages, steps);
     }
 
     fn point(&self, point: &mut [Dd]) {

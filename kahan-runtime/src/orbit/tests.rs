@@ -54,14 +54,8 @@ where
     }
 }
 
-
 /// The orbit of any map over ℚ in a scheme, at its first point. Coordinates that lack are 0.
-fn of_map<M, const N: usize>(
-    exact: &M,
-    scheme: Scheme,
-    eps: &Rational,
-    start: &[Rational],
-) -> Box<dyn Steps>
+fn of_map<M, const N: usize>(exact: &M, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Box<dyn Steps>
 where
     M: Lift<BigRational, N, Lifted<f32>: 'static, Lifted<f64>: 'static, Lifted<Dd>: 'static>,
 {
@@ -79,7 +73,12 @@ fn number<T: FloatScalar>(value: &BigRational) -> T {
     round(&value.clone().into())
 }
 
-fn in_scheme<M, T, const N: usize>(map: &M, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Box<dyn Steps>
+fn in_scheme<M, T, const N: usize>(
+    map: &M,
+    scheme: Scheme,
+    eps: &Rational,
+    start: &[Rational],
+) -> Box<dyn Steps>
 where
     M: KahanMap<T, N> + 'static,
     T: FloatScalar,
