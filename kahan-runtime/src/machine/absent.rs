@@ -54,6 +54,10 @@ impl Codes {
         None
     }
 
+    pub(crate) fn step<T>(&self, _: &Derived, _: StepKind, _: Form) -> Option<Arc<FunctionCode<T>>> {
+        None
+    }
+
     pub(crate) fn function<T>(&self, _: &Derived, _: Object) -> Option<&FunctionCode<T>> {
         None
     }
