@@ -136,7 +136,7 @@ impl Code {
     /// None is needed.
     #[cfg(not(target_arch = "x86_64"))]
     unsafe fn enter(&self, _: [usize; 5]) {
-        unreachable!("code is made where the processor has its instructions")
+        unreachable!("code at {:p} was made for another processor", self.pages.start())
     }
 }
 
