@@ -91,7 +91,9 @@ impl Assembler {
             Some(other) if is_evex => other,
             _ => (opcode.prefix, opcode.opcode),
         };
-        let (wide, second) = (u8::from(is_wide) << 7, (!a.0 & 15) << 3);
+        // In VEX only fused operations have nothing else to tell the element by.
+        let wide = u8::from(is_wide && (is_evex || map == 2)) << 7;
+        let second = (!a.0 & 15) << 3;
         if is_evex {
             let high = inverted(to.0, 3) << 7 | (x ^ 1) << 6 | (base ^ 1) << 5 | inverted(to.0, 4) << 4;
             let last = length << 5 | inverted(a.0, 4) << 3;
