@@ -100,6 +100,7 @@ fn maps_and_fields_of_slices_that_were_dropped_hold_no_memory() {
     let step = |map: &Map| {
         let (mut x, mut y) = ([0.25, 0.5], [0.5, 0.25]);
         map.at(0.01).advance(&mut x, 2).unwrap();
+        map.at(0.01).step(&[0.25, 0.5], &mut [0.0; 2]).unwrap();
         map.at(0.01_f32).step(&[0.25, 0.5], &mut [0.0; 2]).unwrap();
         map.at(0.01).jacobian(&x, &mut [0.0; 4]).unwrap();
         map.at(0.01).advance_columns(&mut [&mut x, &mut y], &[], &[], 2).unwrap();

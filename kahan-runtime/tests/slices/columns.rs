@@ -1,14 +1,15 @@
 //! Columns are ensembles, and each trajectory of them is the one of its own ε and parameters.
 
+use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Ensemble, EnsembleScalar, Level, Lift};
-use kahan_runtime::{Field, MachineFloat, Map};
-use kahan_systems::{E3, E6, E9, LotkaVolterra};
+use kahan_runtime::{Field, MachineFloat, Map, MapAt};
+use kahan_systems::{E1, E3, E6, E9, LotkaVolterra};
 
 use super::support::{Random, assert_same, catalog, number, steps};
 
 /// Numbers of trajectories that fill groups, and that leave some over.
-const COUNTS: [usize; 5] = [0, 1, 7, 16, 37];
+const COUNTS: [usize; 6] = [0, 1, 7, 16, 37, 523];
 
 /// The columns of so many points.
 fn columns<T: MachineFloat>(n: usize, count: usize) -> Vec<Vec<T>> {
@@ -17,14 +18,26 @@ fn columns<T: MachineFloat>(n: usize, count: usize) -> Vec<Vec<T>> {
 }
 
 fn advance<T: MachineFloat>(
-    map: &Map,
-    (eps, each): (T, &[T]),
+    at: &MapAt<T>,
+    each: &[T],
     composition: Composition,
     parameters: &[&[T]],
     columns: &mut [Vec<T>],
 ) {
     let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-    map.at(eps).composed(composition).advance_columns(&mut slices, each, parameters, 5).unwrap();
+    at.composed(composition).advance_columns(&mut slices, each, parameters, 5).unwrap();
+}
+
+/// The map at each level that this processor has; the others are reported as not run.
+fn levels<T: MachineFloat>(map: &Map, eps: T) -> impl Iterator<Item = (Level, MapAt<T>)> {
+    let at = map.at(eps);
+    [Level::Baseline, Level::Avx2, Level::Avx512].into_iter().filter_map(move |level| {
+        let at = at.at_level(level);
+        if at.is_none() {
+            println!("not run: no code at {level:?}");
+        }
+        at.map(|at| (level, at))
+    })
 }
 
 fn ensembles_agree<M, T, const N: usize>(name: &str, compiled: &M, map: &Map)
@@ -37,24 +50,27 @@ where
     {
         for composition in [Composition::KAHAN, Composition::KAHAN_LI_6] {
             let start = columns::<T>(N, count);
-            let points = (0..count).map(|i| SVector::<T, N>::from_fn(|c, _| start[c][i])).collect();
-            let mut ensemble = Ensemble::new(points).at_level(Level::Baseline).expect("everywhere");
-            if composition == Composition::KAHAN {
-                ensemble.advance(&compiled.at(eps), 5);
-            } else {
-                ensemble.advance(&compiled.at(eps).composed(composition), 5);
-            }
-            let mut ours = start;
-            advance(map, (eps, &[]), composition, &[], &mut ours);
-            for (c, column) in ours.iter().enumerate() {
-                assert_same(column, ensemble.column(c), (name, count, eps, composition));
+            let points: Vec<_> = (0..count).map(|i| SVector::<T, N>::from_fn(|c, _| start[c][i])).collect();
+            for (level, at) in levels(map, eps) {
+                let ensemble = Ensemble::new(points.clone()).at_level(level);
+                let mut ensemble = ensemble.expect("there is code of that level");
+                if composition == Composition::KAHAN {
+                    ensemble.advance(&compiled.at(eps), 5);
+                } else {
+                    ensemble.advance(&compiled.at(eps).composed(composition), 5);
+                }
+                let mut ours = start.clone();
+                advance(&at, &[], composition, &[], &mut ours);
+                for (c, column) in ours.iter().enumerate() {
+                    assert_same(column, ensemble.column(c), (name, count, eps, composition, level));
+                }
             }
         }
     }
 }
 
 #[test]
-fn columns_are_ensembles_at_the_baseline() {
+fn columns_are_ensembles_at_every_level() {
     let [lv, e3, e6] = ["lv", "e3", "e6"].map(|name| catalog(name).map().expect("no parameters"));
     let e9 = catalog("e9").with([("xi", 0.75)]).expect("one parameter");
     ensembles_agree::<_, f64, 2>("lv", &LotkaVolterra, &lv);
@@ -75,16 +91,19 @@ fn trajectories_are_their_own<T: MachineFloat>(text: &str) {
     let start = columns::<T>(n, count);
     let map = field.with([("a", 1), ("b", 2)]).expect("two parameters");
     for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
-        let mut together = start.clone();
-        advance(&map, (number(0.5), &each), composition, &[&a, &b], &mut together);
-        for i in 0..count {
-            let exact =
-                |value: &T| kahan_algebra::rational::Rational::from_f64(value.approximate()).expect("finite");
-            let own = field.with([("a", exact(&a[i])), ("b", exact(&b[i]))]).expect("no zero divides");
-            let mut alone: Vec<Vec<T>> = start.iter().map(|column| vec![column[i]]).collect();
-            advance(&own, (each[i], &[]), composition, &[], &mut alone);
-            let (found, expected): (Vec<T>, Vec<T>) = (0..n).map(|c| (together[c][i], alone[c][0])).unzip();
-            assert_same(&found, &expected, (text, i, composition));
+        for (level, at) in levels(&map, number(0.5)) {
+            let mut together = start.clone();
+            advance(&at, &each, composition, &[&a, &b], &mut together);
+            for i in 0..count {
+                let exact = |value: &T| Rational::from_f64(value.approximate()).expect("finite");
+                let own = field.with([("a", exact(&a[i])), ("b", exact(&b[i]))]).expect("no zero divides");
+                let own = own.at(each[i]).at_level(level).expect("the same step has code");
+                let mut alone: Vec<Vec<T>> = start.iter().map(|column| vec![column[i]]).collect();
+                advance(&own, &[], composition, &[], &mut alone);
+                let pairs = (0..n).map(|c| (together[c][i], alone[c][0]));
+                let (found, expected): (Vec<T>, Vec<T>) = pairs.unzip();
+                assert_same(&found, &expected, (text, i, composition, level));
+            }
         }
     }
 }
@@ -95,4 +114,56 @@ fn a_trajectory_has_the_bits_of_its_own_eps_and_parameters() {
         trajectories_are_their_own::<f64>(text);
         trajectories_are_their_own::<f32>(text);
     }
+}
+
+/// A million points a level, of which some are 0, subnormal, huge, or no numbers.
+///
+/// `cargo test --release -p kahan-runtime --test slices -- --ignored --nocapture` runs it.
+#[test]
+#[ignore = "a million points at every level"]
+fn a_million_points_agree_at_every_level() {
+    fn check<M, T, const N: usize>(name: &str, compiled: &M, map: &Map)
+    where
+        M: Lift<T, N, Prepared: kahan_core::WideStep<T, N> + Sync> + Sync,
+        T: MachineFloat + EnsembleScalar,
+    {
+        const COUNT: usize = 1_000_003;
+
+        let mut random = Random(99);
+        let mut entry = || match random.below(64) {
+            0 => T::zero(),
+            1 => -T::zero(),
+            2 => T::one() / T::zero(),
+            3 => T::zero() / T::zero(),
+            4 => number(f64::from(random.below(1000)) * 1e-39),
+            5 => number(f64::from(random.below(1000)) * 1e34),
+            _ => number::<T>(f64::from(random.below(1 << 22)) - 2_097_152.0) / number(786_432.0),
+        };
+        let start: Vec<Vec<T>> = (0..N).map(|_| (0..COUNT).map(|_| entry()).collect()).collect();
+        let points: Vec<_> = (0..COUNT).map(|i| SVector::<T, N>::from_fn(|c, _| start[c][i])).collect();
+        let eps = number::<T>(0.07);
+        for (level, at) in levels(map, eps) {
+            let mut ensemble = Ensemble::new(points.clone()).at_level(level).expect("there is code");
+            ensemble.advance(&compiled.at(eps), 3);
+            let mut ours = start.clone();
+            let mut slices: Vec<&mut [T]> = ours.iter_mut().map(Vec::as_mut_slice).collect();
+            at.advance_columns(&mut slices, &[], &[], 3).unwrap();
+            for (c, column) in ours.iter().enumerate() {
+                assert_same(column, ensemble.column(c), (name, level));
+            }
+            println!("{name} at {level:?}: {COUNT} points of {N} numbers in {} bytes", size_of::<T>());
+        }
+    }
+    let [lv, e1, e3, e6] = ["lv", "e1", "e3", "e6"].map(|name| catalog(name).map().expect("no parameters"));
+    let e9 = catalog("e9").with([("xi", 0.75)]).expect("one parameter");
+    check::<_, f64, 2>("lv", &LotkaVolterra, &lv);
+    check::<_, f32, 2>("lv", &LotkaVolterra, &lv);
+    check::<_, f64, 3>("e1", &E1, &e1);
+    check::<_, f32, 3>("e1", &E1, &e1);
+    check::<_, f64, 3>("e3", &E3, &e3);
+    check::<_, f32, 3>("e3", &E3, &e3);
+    check::<_, f64, 3>("e6", &E6, &e6);
+    check::<_, f32, 3>("e6", &E6, &e6);
+    check::<_, f64, 3>("e9", &E9 { xi: 0.75 }, &e9);
+    check::<_, f32, 3>("e9", &E9 { xi: 0.75 }, &e9);
 }
