@@ -102,8 +102,13 @@ impl<T: MachineFloat> MapAt<T> {
     pub fn step(&self, x: &[T], next: &mut [T]) -> Result<(), DimensionError> {
         self.check_out(next, self.dimension())?;
         self.check_state(x)?;
-        next.copy_from_slice(x);
-        self.advance_checked(next, 1);
+        match &self.coded {
+            Some(stages) => stages.step(x, next),
+            None => {
+                next.copy_from_slice(x);
+                self.engine().advance(&self.stages, next, 1);
+            }
+        }
         Ok(())
     }
 

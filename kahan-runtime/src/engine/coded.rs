@@ -19,6 +19,13 @@ pub(crate) struct CodedStages<T> {
     constants: Arc<[Vec<T>]>,
 }
 
+impl<T: Scratches> CodedStages<T> {
+    /// The state one step later.
+    pub(crate) fn step(&self, state: &[T], next: &mut [T]) {
+        self.code.step(state, &self.constants, next);
+    }
+}
+
 impl Engine {
     /// The form of a step's stages at these ε, and whether it rounds increments; `None` where they
     /// are not all of one form.

@@ -60,6 +60,10 @@ impl Codes {
 }
 
 impl<T> OrbitCode<T> {
+    pub(crate) fn step(&self, _: &[T], _: &[Vec<T>], _: &mut [T]) {
+        match self.0 {}
+    }
+
     pub(crate) fn advance(&self, _: &mut [T], _: &[Vec<T>], _: u64) {
         match self.0 {}
     }

@@ -153,6 +153,17 @@ impl Codes {
 }
 
 impl<T: Coded> OrbitCode<T> {
+    /// The numbers of the state one step later; `stages` as for [`advance`](Self::advance).
+    pub(crate) fn step(&self, numbers: &[T], stages: &[Vec<T>], next: &mut [T]) {
+        match self {
+            OrbitCode::Single(orbit) => orbit.step(numbers, &stages[0], next),
+            OrbitCode::Composed(_) => {
+                next.copy_from_slice(numbers);
+                self.advance(next, stages, 1);
+            }
+        }
+    }
+
     /// Advances the numbers of a state by so many steps; `stages` are the constants of those that
     /// differ, the middle one last.
     pub(crate) fn advance(&self, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
