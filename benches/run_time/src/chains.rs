@@ -46,10 +46,10 @@ where
         task(
             "run time: a step at a time",
             Box::new(move |n| {
-                let (mut x, mut next) = (black_box(start), [0.0; N]);
+                let (mut x, mut next) = (&mut black_box(start), &mut [0.0; N]);
                 for _ in 0..n {
-                    in_calls.step(&x, &mut next).expect("as many entries as variables");
-                    x = next;
+                    in_calls.step(x, next).expect("as many entries as variables");
+                    std::mem::swap(&mut x, &mut next);
                 }
                 black_box(x);
             }),
