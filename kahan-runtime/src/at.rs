@@ -165,7 +165,7 @@ impl<T: MachineFloat> MapAt<T> {
     /// let rates = [1.0, 0.5, 1.0];
     /// map.at(0.05).advance_columns(&mut [&mut x, &mut y], &[], &[&rates], 100).unwrap();
     ///
-    /// let mut alone = [1.5, 1.0];
+    /// let mut alone = [1.5_f64, 1.0];
     /// map.at(0.05).advance(&mut alone, 100).unwrap();
     /// assert!((x[0] - alone[0]).abs() < 1e-12 && x[1] != x[0]);
     /// ```
