@@ -55,6 +55,8 @@ enum What {
     },
     /// Many trajectories at once, against the machine's bounds and a build for this processor
     Ensembles,
+    /// Fields read at run time beside the macro's code: steps, ensembles, compiling
+    RunTime,
     /// The tiers of one step: what compensation, a promise and double-double cost
     Tiers,
     /// Order 8 against DOP853 at one error of the trajectory
@@ -92,6 +94,7 @@ pub(crate) fn run() -> Result<()> {
         }
         What::Orbits { systems } => print(report::journeys(&chosen(&systems)?, effort)),
         What::Ensembles => print(report::ensembles(effort)?),
+        What::RunTime => print(report::run_time(effort)?),
         What::Tiers => print(report::tiers(effort)?),
         What::Orders => print(report::orders(effort)),
         What::Readme => readme::write(&root(), effort),
@@ -143,6 +146,7 @@ fn all(effort: Effort, path: &Path) -> Result<()> {
         report::steps(&systems, Some(effort))?,
         report::journeys(&systems, effort),
         report::ensembles(effort)?,
+        report::run_time(effort)?,
         report::tiers(effort)?,
         report::orders(effort),
         report::drift(effort),

@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::Command;
 
 use anyhow::{Context, Result, bail};
-use kahan_bench_fields::SOURCES;
+use kahan_bench_fields::{SOURCES, block_of};
 use tempfile::TempDir;
 
 use crate::progress::Progress;
@@ -103,7 +103,8 @@ fn probes() -> Result<Vec<Probe>> {
         };
         probes.push(Probe { block: source.name.to_owned(), source: step(source.text) });
         if let Some((_, file)) = CATALOG.iter().find(|(name, _)| *name == source.name) {
-            let text = format!("use kahan_core::prelude::*;\n\n{}\n", block_of(file)?);
+            let block = block_of(file).context("a file of the catalog without a block")?;
+            let text = format!("use kahan_core::prelude::*;\n\nkahan! {{{block}\n}}\n");
             probes.push(Probe {
                 block: format!("{}, with the catalog's claims", source.name),
                 source: step(&text),
@@ -111,13 +112,6 @@ fn probes() -> Result<Vec<Probe>> {
         }
     }
     Ok(probes)
-}
-
-/// The `kahan!` block of a file, up to the brace at the beginning of a line that ends it.
-fn block_of(file: &str) -> Result<&str> {
-    let begin = file.find("kahan! {").context("a file of the catalog without a block")?;
-    let length = file[begin..].find("\n}").context("a block of the catalog without an end")?;
-    Ok(&file[begin..begin + length + 2])
 }
 
 /// Milliseconds of one build, in processor time.
@@ -235,10 +229,7 @@ mod tests {
 
     #[test]
     fn blocks_end_where_they_do() {
-        assert_eq!(
-            block_of("//! A\nkahan! {\n    a {\n    }\n}\n\nfn b() {\n}\n").unwrap(),
-            "kahan! {\n    a {\n    }\n}"
-        );
+        assert_eq!(block_of("//! A\nkahan! {\n    a {\n    }\n}\n\nfn b() {\n}\n"), Some("\n    a {\n    }"));
         assert!(from_text(BEFORE).is_ok_and(|costs| costs.len() == probes().unwrap().len()));
     }
 

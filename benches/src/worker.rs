@@ -9,6 +9,7 @@ use anyhow::{Context, Result, bail};
 
 /// The packages that are such a process, each with a program of its name.
 pub(crate) const ENSEMBLES: &str = "kahan-bench-ensembles";
+pub(crate) const RUN_TIME: &str = "kahan-bench-run-time";
 pub(crate) const TIERS: &str = "kahan-bench-tiers";
 
 /// Something that a worker can time.

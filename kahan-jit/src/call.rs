@@ -51,8 +51,19 @@ impl Code {
     /// Runs the code of an [`Orbit`](crate::Orbit), `steps` rounds.
     pub(crate) fn orbit<T>(&self, state: &mut [T], constants: &[T], steps: u64) {
         self.check_orbit(state, constants);
+        let state = written(state);
         // SAFETY: the slices are as long as the code needs them, and `state` is borrowed alone.
-        unsafe { self.enter([written(state), read(constants), counted(steps), 0, 0]) }
+        unsafe { self.enter([state, read(constants), counted(steps), state, 0]) }
+    }
+
+    /// Runs one round of it from a state to another; it must be code that writes the last state
+    /// alone.
+    pub(crate) fn orbit_step<T>(&self, state: &[T], constants: &[T], next: &mut [T]) {
+        self.check_orbit(state, constants);
+        self.check_orbit(next, constants);
+        // SAFETY: the slices are as long as the code needs them, and `next`, to which alone it
+        // writes, is borrowed alone.
+        unsafe { self.enter([read(state), read(constants), 1, written(next), 0]) }
     }
 
     /// Runs the code of a [`ComposedOrbit`](crate::ComposedOrbit), `steps` rounds of all stages.

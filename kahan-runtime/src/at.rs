@@ -103,7 +103,7 @@ impl<T: MachineFloat> MapAt<T> {
         self.check_out(next, self.dimension())?;
         self.check_state(x)?;
         match &self.coded {
-            Some(stages) => self.engine().step_coded(stages, x, next),
+            Some(stages) => stages.step(x, next),
             None => {
                 next.copy_from_slice(x);
                 self.engine().advance(&self.stages, next, 1);

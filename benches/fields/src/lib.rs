@@ -70,6 +70,13 @@ pub const SOURCES: [Source; 8] = [
     },
 ];
 
+/// What stands between the braces of a file's `kahan!` block, which ends with a brace at the
+/// beginning of a line; `None` where there is no such block.
+pub fn block_of(file: &str) -> Option<&str> {
+    let (_, block) = file.split_once("kahan! {")?;
+    Some(block.split_once("\n}")?.0)
+}
+
 /// The Euler top of the timings: bounded orbits, no parameter exact.
 pub fn euler_top() -> EulerTop<f64> {
     EulerTop { a1: 1.1, a2: -2.3, a3: 1.7 }

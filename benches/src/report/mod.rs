@@ -5,6 +5,7 @@ mod drift;
 mod ensembles;
 mod journeys;
 mod orders;
+mod run_time;
 mod steps;
 mod tiers;
 
@@ -19,6 +20,7 @@ pub(crate) use drift::drift;
 pub(crate) use ensembles::{ensemble_times, ensembles};
 pub(crate) use journeys::journeys;
 pub(crate) use orders::orders;
+pub(crate) use run_time::run_time;
 pub(crate) use steps::{step_times, steps};
 pub(crate) use tiers::{tier_prices, tiers};
 

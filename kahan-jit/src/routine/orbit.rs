@@ -16,6 +16,7 @@ use super::{Plan, Writer, entry};
 #[derive(Debug)]
 pub struct Orbit<T> {
     code: Code,
+    ends: Ends,
     floats: PhantomData<fn(T)>,
 }
 
@@ -32,10 +33,16 @@ impl<T: Float> Orbit<T> {
     /// # Errors
     /// [`Refusal`].
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
-        let form = shape.form::<T>();
-        let plan = Plan { ends: ends(program, shape), keeps_constants: true, keeps_literals: true };
+        let (form, ends) = (shape.form::<T>(), ends(program, shape));
+        let plan = Plan { ends, keeps_constants: true, keeps_literals: true };
         let mut writer = Writer::begin(program, shape, form, plan, &[])?;
         let addresses = |_: &mut Assembler, place| address(place, General::Rsi, |index| entry(form, index));
+        // States that are carried are read from one array and written to another, which may be the
+        // same.
+        let last = |_: &mut Assembler, place| match place {
+            Place::Given(Given::State(i)) => Memory::At { base: General::Rcx, offset: entry(form, i) },
+            _ => unreachable!("only states are written at the end"),
+        };
         writer.assembler.test(General::Rdx);
         let end = writer.assembler.jump_if_forward(Condition::Zero);
         writer.before(&addresses);
@@ -43,9 +50,10 @@ impl<T: Float> Orbit<T> {
         writer.round(&addresses);
         writer.assembler.decrement(General::Rdx);
         writer.assembler.jump_if(Condition::NotZero, again);
-        writer.after(&addresses);
+        writer.after(&last);
         writer.assembler.bind(end);
-        Ok(Orbit { code: Code::new(&writer.leave(), extent::<T>(program, shape))?, floats: PhantomData })
+        let code = Code::new(&writer.leave(), extent::<T>(program, shape))?;
+        Ok(Orbit { code, ends, floats: PhantomData })
     }
 
     /// Advances the state by so many steps.
@@ -54,6 +62,20 @@ impl<T: Float> Orbit<T> {
     /// If an array is too short.
     pub fn run(&self, state: &mut [T], constants: &[T], steps: u64) {
         self.code.orbit(state, constants, steps);
+    }
+
+    /// The state one step after another one. Entries are copied by the code itself: a copy before it
+    /// would read several at once of those that were just written one by one, and wait for them.
+    ///
+    /// # Panics
+    /// If an array is too short, or `state` and `next` differ in length.
+    pub fn step(&self, state: &[T], constants: &[T], next: &mut [T]) {
+        if self.ends == Ends::Carried {
+            self.code.orbit_step(state, constants, next);
+        } else {
+            next.copy_from_slice(state);
+            self.run(next, constants, 1);
+        }
     }
 }
 

@@ -1,10 +1,10 @@
 //! The same by machine code, where there is some.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use kahan_core::{Composition, Scalar};
 
-use crate::machine::{Form, FunctionCode, OrbitCode, StepKind};
+use crate::machine::{Form, OrbitCode, StepKind};
 
 use super::scratch::{Scratch, Scratches, with_scratch};
 use super::step::Steps;
@@ -17,8 +17,13 @@ pub(crate) struct CodedStages<T> {
     kind: StepKind,
     form: Form,
     constants: Arc<[Vec<T>]>,
-    /// The step of a single stage from a state to another, once it was asked for.
-    step: Arc<OnceLock<Option<Arc<FunctionCode<T>>>>>,
+}
+
+impl<T: Scratches> CodedStages<T> {
+    /// The state one step later.
+    pub(crate) fn step(&self, state: &[T], next: &mut [T]) {
+        self.code.step(state, &self.constants, next);
+    }
 }
 
 impl Engine {
@@ -56,20 +61,7 @@ impl Engine {
         let constants = with_scratch(T::single(), |scratch| {
             own.iter().map(|constants| self.prepared(form, constants, scratch)).collect()
         });
-        Some(CodedStages { code, kind, form, constants, step: Arc::default() })
-    }
-
-    /// One step from a state to another.
-    pub(crate) fn step_coded<T: Scratches>(&self, stages: &CodedStages<T>, state: &[T], next: &mut [T]) {
-        let CodedStages { kind, form, constants, step, .. } = stages;
-        if let [constants] = &**constants
-            && let Some(step) = step.get_or_init(|| self.codes.step(&self.derived, *kind, *form))
-            && step.has_run(constants, state, next)
-        {
-            return;
-        }
-        next.copy_from_slice(state);
-        self.advance_coded(stages, next, 1);
+        Some(CodedStages { code, kind, form, constants })
     }
 
     /// Replaces a state by the one so many steps later.

@@ -15,6 +15,12 @@ use super::{Engine, distinct, in_turn};
 
 /// Trajectories of a tile.
 const TILE: usize = 512;
+/// Bytes of a cache line. What lies across two takes two accesses.
+const LINE: usize = 64;
+/// Bytes of a page.
+const PAGE: usize = 4096;
+/// Steps from which on it takes less to move a tile than to go on across lines.
+const WORTH_MOVING: u64 = 8;
 
 /// On what columns run, and how they round.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,7 +73,14 @@ impl Engine {
                 }
                 let mut tile: Tile<'_, T> =
                     columns.columns.iter_mut().map(|column| &mut column[first..end]).collect();
-                prepared.run(&mut tile, are_shared, steps);
+                let crosses = |column: &&mut [T]| column.as_ptr().align_offset(LINE) != 0;
+                if steps >= WORTH_MOVING && tile.iter().any(crosses) {
+                    run_in_lines(&mut tile, &mut scratch.state, |moved| {
+                        prepared.run(moved, are_shared, steps);
+                    });
+                } else {
+                    prepared.run(&mut tile, are_shared, steps);
+                }
             }
             if whole < trajectories {
                 if !are_shared {
@@ -91,6 +104,29 @@ impl Engine {
         });
         true
     }
+}
+
+/// Runs a tile where its columns begin with cache lines, in `room`, and takes the results back.
+fn run_in_lines<T: Scratches>(tile: &mut [&mut [T]], room: &mut Vec<T>, run: impl FnOnce(&mut [&mut [T]])) {
+    let line = LINE / size_of::<T>();
+    let len = tile.first().map_or(0, |column| column.len());
+    // A processor takes places that lie whole pages apart for the same at first, and a load waits for
+    // a store that went there. So columns begin at places spread over a page.
+    let page = PAGE / size_of::<T>();
+    let apart = (page / tile.len().max(1)).next_multiple_of(line);
+    let stride = len.next_multiple_of(page) + apart;
+    room.clear();
+    room.resize(tile.len() * stride + line, T::zero());
+    let begin = room.as_ptr().align_offset(LINE).min(line);
+    let columns = || (0..).step_by(stride).map(|at| at..at + len);
+    let moved = &mut room[begin..];
+    tile.iter().zip(columns()).for_each(|(column, place)| moved[place].copy_from_slice(column));
+    run(&mut moved
+        .chunks_mut(stride)
+        .map(|column| &mut column[..len])
+        .take(tile.len())
+        .collect::<Tile<'_, T>>());
+    tile.iter_mut().zip(columns()).for_each(|(column, place)| column.copy_from_slice(&moved[place]));
 }
 
 /// A stretch of every column; few columns take no allocation.

@@ -54,10 +54,6 @@ impl Codes {
         None
     }
 
-    pub(crate) fn step<T>(&self, _: &Derived, _: StepKind, _: Form) -> Option<Arc<FunctionCode<T>>> {
-        None
-    }
-
     pub(crate) fn function<T>(&self, _: &Derived, _: Object) -> Option<&FunctionCode<T>> {
         None
     }
@@ -68,6 +64,10 @@ impl Codes {
 }
 
 impl<T> OrbitCode<T> {
+    pub(crate) fn step(&self, _: &[T], _: &[Vec<T>], _: &mut [T]) {
+        match self.0 {}
+    }
+
     pub(crate) fn advance(&self, _: &mut [T], _: &[Vec<T>], _: u64) {
         match self.0 {}
     }

@@ -6,9 +6,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use kahan_algebra::Derived;
 use kahan_algebra::rational::Rational;
-use kahan_jit::{
-    ComposedOrbit, Constants, Function, InstructionSet, Lanes, Orbit, Program, Refusal, Shape, Sweep,
-};
+use kahan_jit::{ComposedOrbit, Constants, Function, InstructionSet, Lanes, Orbit, Refusal, Shape, Sweep};
 
 use crate::engine::Object;
 
@@ -40,7 +38,6 @@ impl<K: Eq + Hash, C> Table<K, C> {
 #[derive(Debug)]
 pub struct CodesOf<T> {
     orbits: Table<(StepKind, Form, bool), OrbitCode<T>>,
-    steps: Table<(StepKind, Form), FunctionCode<T>>,
     functions: Vec<OnceLock<Option<FunctionCode<T>>>>,
     columns: Table<Shape, ColumnsCode<T>>,
 }
@@ -103,7 +100,7 @@ pub(crate) struct ColumnsCode<T> {
 impl<T> CodesOf<T> {
     fn new(objects: usize) -> Self {
         let functions = std::iter::repeat_with(OnceLock::new).take(objects).collect();
-        CodesOf { orbits: Table::default(), steps: Table::default(), functions, columns: Table::default() }
+        CodesOf { orbits: Table::default(), functions, columns: Table::default() }
     }
 }
 
@@ -123,25 +120,14 @@ impl Codes {
         is_composed: bool,
     ) -> Option<Arc<OrbitCode<T>>> {
         T::of(self).orbits.get((kind, form, is_composed), || {
-            let (program, shape) = step(derived, kind, form)?;
+            let program = kind.program(form.of(derived.step()?), &derived.system.field.symbols);
+            let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
+            let shape = Shape { instructions, lanes: Lanes::One, fuses: kind.fuses };
             Some(if is_composed {
                 ComposedOrbit::compile(&program, shape).map(OrbitCode::Composed)
             } else {
                 Orbit::compile(&program, shape).map(OrbitCode::Single)
             })
-        })
-    }
-
-    /// The code of one step, from a state to another; likewise.
-    pub(crate) fn step<T: Coded>(
-        &self,
-        derived: &Derived,
-        kind: StepKind,
-        form: Form,
-    ) -> Option<Arc<FunctionCode<T>>> {
-        T::of(self).steps.get((kind, form), || {
-            let (program, shape) = step(derived, kind, form)?;
-            Some(Function::compile(&program, shape).map(FunctionCode))
         })
     }
 
@@ -170,14 +156,18 @@ impl Codes {
     }
 }
 
-/// The program of a step, and what its code is made of.
-fn step(derived: &Derived, kind: StepKind, form: Form) -> Option<(Program, Shape)> {
-    let program = kind.program(form.of(derived.step()?), &derived.system.field.symbols);
-    let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
-    Some((program, Shape { instructions, lanes: Lanes::One, fuses: kind.fuses }))
-}
-
 impl<T: Coded> OrbitCode<T> {
+    /// The numbers of the state one step later; `stages` as for [`advance`](Self::advance).
+    pub(crate) fn step(&self, numbers: &[T], stages: &[Vec<T>], next: &mut [T]) {
+        match self {
+            OrbitCode::Single(orbit) => orbit.step(numbers, &stages[0], next),
+            OrbitCode::Composed(_) => {
+                next.copy_from_slice(numbers);
+                self.advance(next, stages, 1);
+            }
+        }
+    }
+
     /// Advances the numbers of a state by so many steps; `stages` are the constants of those that
     /// differ, the middle one last.
     pub(crate) fn advance(&self, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
@@ -196,7 +186,7 @@ impl<T: Coded> OrbitCode<T> {
 
 impl<T: Coded> FunctionCode<T> {
     /// Computes the object at a state, unless there is no room for it; `constants` are the
-    /// parameters and ε, or for a step what it is prepared with.
+    /// parameters and ε.
     pub(crate) fn has_run(&self, constants: &[T], state: &[T], out: &mut [T]) -> bool {
         let has_room = self.0.results() <= out.len();
         if has_room {

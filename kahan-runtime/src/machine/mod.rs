@@ -23,7 +23,7 @@ mod step;
 #[cfg(not(feature = "jit"))]
 pub(crate) use absent::*;
 #[cfg(feature = "jit")]
-pub(crate) use codes::{Coded, Codes, ColumnsCode, FunctionCode, OrbitCode};
+pub(crate) use codes::{Coded, Codes, ColumnsCode, OrbitCode};
 #[cfg(feature = "jit")]
 pub(crate) use kahan_jit::InstructionSet;
 pub(crate) use kind::{Form, StepKind};
