@@ -17,23 +17,23 @@ pub(super) struct Code {
 
 /// The state of a pass.
 pub(super) struct Allocator<'a> {
-    lines: &'a Lines,
-    ends: Ends,
-    uses: Uses,
+    pub(super) lines: &'a Lines,
+    pub(super) ends: Ends,
+    pub(super) uses: Uses,
     /// What is in each register; those of what is kept are not among them.
-    registers: Vec<Option<usize>>,
+    pub(super) registers: Vec<Option<usize>>,
     /// Registers that hold an operand of the line at hand.
-    locked: Vec<bool>,
-    register_of: Vec<Option<Vector>>,
+    pub(super) locked: Vec<bool>,
+    pub(super) register_of: Vec<Option<Vector>>,
     /// Where a value stands in memory.
-    home: Vec<Option<Place>>,
-    is_kept: Vec<bool>,
-    free_slots: Vec<usize>,
+    pub(super) home: Vec<Option<Place>>,
+    pub(super) is_kept: Vec<bool>,
+    pub(super) free_slots: Vec<usize>,
     /// The results that each line is.
-    results_of: Vec<Vec<usize>>,
+    pub(super) results_of: Vec<Vec<usize>>,
     /// Whether a result has to wait for the end of the round.
-    waits: Vec<bool>,
-    code: Code,
+    pub(super) waits: Vec<bool>,
+    pub(super) code: Code,
 }
 
 impl<'a> Allocator<'a> {
@@ -241,135 +241,5 @@ impl<'a> Allocator<'a> {
         });
         self.define(time, to);
         self.free_slots_of(&[a]);
-    }
-}
-
-/// Registers, memory, and what moves between them.
-impl Allocator<'_> {
-    fn source(&self, line: usize) -> Operand {
-        match (self.register_of[line], self.home[line]) {
-            (Some(register), _) => Operand::Register(register),
-            (None, Some(place)) => Operand::Memory(place),
-            (None, None) => unreachable!("a value is somewhere until its last use"),
-        }
-    }
-
-    fn source_register(&self, line: usize) -> Vector {
-        self.register_of[line].unwrap_or_else(|| unreachable!("the operand was brought into a register"))
-    }
-
-    /// The register of an operand, into which it is loaded if need be.
-    fn in_register(&mut self, line: usize, time: usize) -> Vector {
-        if let Operand::Memory(place) = self.source(line) {
-            let register = self.fresh(time);
-            self.code.operations.push(Operation::Load(register, place));
-            self.registers[usize::from(register.0)] = Some(line);
-            self.register_of[line] = Some(register);
-        }
-        self.lock(line);
-        self.source_register(line)
-    }
-
-    /// An operand that may stand in memory.
-    fn operand(&mut self, line: usize, time: usize) -> Operand {
-        if self.is_worth_loading(line, time) {
-            return Operand::Register(self.in_register(line, time));
-        }
-        self.lock(line);
-        self.source(line)
-    }
-
-    /// Whether a value in memory is read again, and there is room for it.
-    fn is_worth_loading(&self, line: usize, time: usize) -> bool {
-        let is_variable =
-            !matches!(self.home[line], Some(Place::Given(Given::Constant(_) | Given::Literal(_))) | None);
-        self.register_of[line].is_none()
-            && is_variable
-            && self.uses.next_after(line, time).is_some()
-            && self.registers.contains(&None)
-    }
-
-    fn lock(&mut self, line: usize) {
-        if let Some(register) = self.register_of[line].filter(|_| !self.is_kept[line]) {
-            self.locked[usize::from(register.0)] = true;
-        }
-    }
-
-    /// A register for the line at hand: the one that it is carried in, where that is free.
-    fn target(&mut self, time: usize) -> Vector {
-        let carried = self.results_of[time].first().filter(|_| self.ends == Ends::Carried);
-        match carried {
-            Some(&i) if self.registers[i].is_none() => Vector(i as u8),
-            _ => self.fresh(time),
-        }
-    }
-
-    /// A register to write to: a free one, or that of the value that is used last.
-    fn fresh(&mut self, time: usize) -> Vector {
-        let index = match self.registers.iter().position(Option::is_none) {
-            Some(free) => free,
-            None => self.give_up(time),
-        };
-        let taken = 1 + self.registers.iter().filter(|register| register.is_some()).count();
-        self.code.most_taken = self.code.most_taken.max(taken as u8);
-        Vector(index as u8)
-    }
-
-    /// Empties the register whose value is used farthest away.
-    fn give_up(&mut self, time: usize) -> usize {
-        let next = |register: &usize| {
-            self.registers[*register].and_then(|line| self.uses.next_after(line, time)).unwrap_or(usize::MAX)
-        };
-        let farthest = (0..self.registers.len()).filter(|register| !self.locked[*register]).max_by_key(next);
-        let register =
-            farthest.unwrap_or_else(|| unreachable!("an operation has fewer operands than registers"));
-        if let Some(line) = self.registers[register].take() {
-            if self.home[line].is_none() {
-                let slot = self.free_slots.pop().unwrap_or_else(|| {
-                    self.code.slots += 1;
-                    self.code.slots - 1
-                });
-                self.home[line] = Some(Place::Slot(slot));
-                self.code.operations.push(Operation::Store(Place::Slot(slot), Vector(register as u8)));
-            }
-            self.register_of[line] = None;
-        }
-        register
-    }
-
-    /// The line at hand has read these; what is not used again gives up its register.
-    fn release(&mut self, lines: &[usize], time: usize) {
-        for &line in lines {
-            self.uses.end(line, time);
-            self.drop_dead(line);
-        }
-        self.locked.fill(false);
-    }
-
-    fn drop_dead(&mut self, line: usize) {
-        if self.uses.next(line).is_none()
-            && !self.is_kept[line]
-            && let Some(register) = self.register_of[line].take()
-        {
-            self.registers[usize::from(register.0)] = None;
-        }
-    }
-
-    /// Slots are free again after the line that reads them last.
-    fn free_slots_of(&mut self, lines: &[usize]) {
-        for &line in lines {
-            if self.uses.next(line).is_none()
-                && let Some(Place::Slot(slot)) = self.home[line]
-            {
-                self.home[line] = None;
-                self.free_slots.push(slot);
-            }
-        }
-    }
-
-    /// The line at hand is in this register now.
-    fn define(&mut self, line: usize, register: Vector) {
-        self.registers[usize::from(register.0)] = Some(line);
-        self.register_of[line] = Some(register);
     }
 }

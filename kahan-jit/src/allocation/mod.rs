@@ -9,6 +9,7 @@
 
 mod allocator;
 mod carried;
+mod registers;
 mod uses;
 
 use crate::assembler::{Fused, Order, Vector};

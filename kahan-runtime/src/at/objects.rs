@@ -1,0 +1,110 @@
+//! The objects of a map at a state.
+
+use crate::engine::Object;
+use crate::{ClaimError, DimensionError};
+
+use super::{MachineFloat, MapAt};
+
+impl<T: MachineFloat> MapAt<T> {
+    /// f(x), an entry a variable.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` or `out` has not an entry a variable.
+    pub fn field(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
+        self.object(Object::Field, x, out, self.dimension())
+    }
+
+    /// f′(x) row by row: ∂fᵢ/∂xⱼ is entry n·i + j, with n variables.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
+    pub fn field_jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
+        self.object(Object::FieldJacobian, x, out, self.dimension().pow(2))
+    }
+
+    /// A(x,ε) = I − εf′(x), row by row.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
+    pub fn matrix(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
+        self.check_state(x)?;
+        self.check_out(out, self.dimension().pow(2))?;
+        self.engine().matrix(&self.constants, x, out);
+        Ok(())
+    }
+
+    /// ∂x̃/∂x, row by row.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
+    pub fn jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
+        self.check_state(x)?;
+        self.check_out(out, self.dimension().pow(2))?;
+        self.engine().jacobian(&self.constants, x, out);
+        Ok(())
+    }
+
+    /// The integrals, in the order of [`Field::integrals`](crate::Field::integrals).
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable, or `out` not one an integral.
+    pub fn integrals(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
+        self.object(Object::Integrals, x, out, self.map.field().integrals().len())
+    }
+
+    /// The density of the invariant measure.
+    ///
+    /// # Errors
+    /// [`ClaimError`] if the field claims none, or `x` has not an entry a variable.
+    pub fn density(&self, x: &[T]) -> Result<T, ClaimError> {
+        if self.map.field().derived().density.is_none() {
+            return Err(ClaimError::NoDensity);
+        }
+        let mut out = [T::zero()];
+        self.object(Object::Density, x, &mut out, 1)?;
+        Ok(out[0])
+    }
+
+    /// The Poisson tensor of a bracket, row by row.
+    ///
+    /// # Errors
+    /// [`ClaimError`] if the field claims no bracket of this name, if `x` has not an entry a
+    /// variable, or `out` not n².
+    pub fn bracket(&self, name: &str, x: &[T], out: &mut [T]) -> Result<(), ClaimError> {
+        let mut brackets = self.map.field().brackets();
+        let Some(index) = brackets.position(|known| known == name) else {
+            let brackets = self.map.field().brackets().map(str::to_owned).collect();
+            return Err(ClaimError::NoBracket { name: name.to_owned(), brackets });
+        };
+        let n = self.dimension();
+        self.object(Object::Bracket(index), x, out, n.pow(2))?;
+        spread_antisymmetric(out, n);
+        Ok(())
+    }
+
+    fn object(&self, object: Object, x: &[T], out: &mut [T], entries: usize) -> Result<(), DimensionError> {
+        self.check_state(x)?;
+        self.check_out(out, entries)?;
+        self.engine().evaluate(object, &self.constants, x, out);
+        Ok(())
+    }
+}
+
+/// The entries above the diagonal of an antisymmetric matrix, row by row at the beginning of
+/// `entries`, become the whole matrix.
+fn spread_antisymmetric<T: MachineFloat>(entries: &mut [T], n: usize) {
+    let mut above = n * (n - 1) / 2;
+    // From the last to the first: no entry is written to before it was moved away.
+    for i in (0..n).rev() {
+        for j in (i + 1..n).rev() {
+            above -= 1;
+            entries[i * n + j] = entries[above];
+        }
+    }
+    for i in 0..n {
+        entries[i * n + i] = T::zero();
+        for j in 0..i {
+            entries[i * n + j] = -entries[j * n + i];
+        }
+    }
+}
