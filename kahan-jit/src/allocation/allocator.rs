@@ -116,6 +116,7 @@ impl<'a> Allocator<'a> {
                     let to = self.target(time);
                     self.code.operations.push(Operation::RoundToSingle(to, from));
                     self.define(time, to);
+                    self.free_slots_of(&[a]);
                 }
             }
             self.locked.fill(false);
