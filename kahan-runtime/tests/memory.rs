@@ -79,8 +79,8 @@ fn no_step_allocates<T: MachineFloat>(n: usize, is_dense: bool) {
             at.advance(&mut x, 3).unwrap();
             at.advance_with_carry(&mut x, &mut carry, 3).unwrap();
             at.field(&x, &mut next).unwrap();
-            at.advance_columns(&mut columns, &[], &[], 3).unwrap();
-            at.advance_columns(&mut columns, &each, &[&each], 3).unwrap();
+            at.advance_columns(&mut columns, &[], &[], 9).unwrap();
+            at.advance_columns(&mut columns, &each, &[&each], 9).unwrap();
         };
         run();
         assert_eq!(measure(|| (0..10).for_each(|_| run())).count_total, 0, "{n} variables, {eps:?}");

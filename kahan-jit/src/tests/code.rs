@@ -119,6 +119,9 @@ fn orbits<T: Tested>() {
             let stages: Vec<Vec<T>> = (0..3).map(|_| numbers(&mut draw, constants)).collect();
             let orbit = Orbit::compile(&program, shape).expect("it compiles");
             let composed = ComposedOrbit::compile(&program, shape).expect("it compiles");
+            let mut found = numbers::<T>(&mut draw, states);
+            orbit.step(&x, &stages[0], &mut found);
+            assert_same(&found, &run(&program, &x, &stages[0], fuses), &what, &program);
             for steps in [0, 1, 2, 5] {
                 let mut found = x.clone();
                 orbit.run(&mut found, &stages[0], steps);
