@@ -7,7 +7,7 @@ use std::sync::Arc;
 use kahan_core::{Composition, Level};
 
 use crate::dimension::Argument;
-use crate::engine::{CodedStages, Columns, Engine, Instructions, Scratches, Stage};
+use crate::engine::{CodedStages, Columns, ColumnsOnce, Engine, Instructions, Scratches, Stage};
 use crate::{DimensionError, Map};
 
 /// A float of the machine: `f64` or `f32`.
@@ -35,6 +35,7 @@ pub struct MapAt<T> {
     stages: Arc<[Stage<T>]>,
     /// The same as machine code, where there is some.
     coded: Option<CodedStages<T>>,
+    columns: Arc<ColumnsOnce<T>>,
 }
 
 impl<T: MachineFloat> MapAt<T> {
@@ -42,8 +43,16 @@ impl<T: MachineFloat> MapAt<T> {
     pub(crate) fn new(map: Map, constants: Arc<[T]>) -> Self {
         let composition = Composition::KAHAN;
         let instructions = Instructions::OF_THE_BUILD;
-        MapAt { map, constants, composition, instructions, stages: Arc::default(), coded: None }
-            .composed(composition)
+        MapAt {
+            map,
+            constants,
+            composition,
+            instructions,
+            stages: Arc::default(),
+            coded: None,
+            columns: Arc::default(),
+        }
+        .composed(composition)
     }
 
     /// The same map with each step replaced by a composition of steps, which has a higher order; a
@@ -68,7 +77,7 @@ impl<T: MachineFloat> MapAt<T> {
     #[must_use]
     pub fn at_level(&self, level: Level) -> Option<Self> {
         let instructions = Instructions::at_level(level);
-        let at = MapAt { instructions, ..self.clone() }.composed(self.composition);
+        let at = MapAt { instructions, columns: Arc::default(), ..self.clone() }.composed(self.composition);
         (level == Level::Baseline || level.is_available() && at.coded.is_some()).then_some(at)
     }
 
@@ -183,7 +192,8 @@ impl<T: MachineFloat> MapAt<T> {
         let (own, own_eps) = self.own();
         let eps = if eps.is_empty() { &[own_eps] } else { eps };
         let mut columns = Columns { columns, eps, own, parameters };
-        self.engine().advance_columns(&mut columns, self.composition, steps, self.instructions);
+        let code = (self.instructions, &*self.columns);
+        self.engine().advance_columns(&mut columns, self.composition, steps, code);
         Ok(())
     }
 

@@ -1,6 +1,6 @@
 //! The same by machine code, where there is some.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use kahan_core::{Composition, Scalar};
 
@@ -17,6 +17,8 @@ pub(crate) struct CodedStages<T> {
     kind: StepKind,
     form: Form,
     constants: Arc<[Vec<T>]>,
+    /// The code that carries what a state lacks, once it was asked for.
+    carrying: Arc<OnceLock<Option<Arc<OrbitCode<T>>>>>,
 }
 
 impl<T: Scratches> CodedStages<T> {
@@ -61,7 +63,7 @@ impl Engine {
         let constants = with_scratch(T::single(), |scratch| {
             own.iter().map(|constants| self.prepared(form, constants, scratch)).collect()
         });
-        Some(CodedStages { code, kind, form, constants })
+        Some(CodedStages { code, kind, form, constants, carrying: Arc::default() })
     }
 
     /// Replaces a state by the one so many steps later.
@@ -77,8 +79,10 @@ impl Engine {
         carry: &mut [T],
         steps: u64,
     ) -> bool {
-        let kind = StepKind { compensated: true, ..stages.kind };
-        let code = self.codes.orbit(&self.derived, kind, stages.form, stages.constants.len() > 1);
+        let code = stages.carrying.get_or_init(|| {
+            let kind = StepKind { compensated: true, ..stages.kind };
+            self.codes.orbit(&self.derived, kind, stages.form, stages.constants.len() > 1)
+        });
         let Some(code) = code else { return false };
         with_scratch(T::single(), |Scratch { state: numbers, .. }| {
             numbers.clear();

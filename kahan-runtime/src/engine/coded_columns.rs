@@ -5,6 +5,8 @@
 //! up with copies of the last trajectory. However the columns are divided, each trajectory goes
 //! through the same operations.
 
+use std::sync::{Arc, OnceLock};
+
 use kahan_core::{Composition, Level};
 
 use crate::machine::{ColumnsCode, InstructionSet};
@@ -30,6 +32,9 @@ pub(crate) struct Instructions {
     pub(crate) fuses: bool,
 }
 
+/// The code of columns, once it was asked for; `None` where there is none.
+pub(crate) type ColumnsOnce<T> = OnceLock<Option<Arc<ColumnsCode<T>>>>;
+
 impl Instructions {
     /// The bits of this build, as fast as this processor computes them.
     pub(crate) const OF_THE_BUILD: Self = Instructions { set: None, fuses: cfg!(target_feature = "fma") };
@@ -52,12 +57,13 @@ impl Engine {
         composition: Composition,
         steps: u64,
         Instructions { set, fuses }: Instructions,
+        code: &ColumnsOnce<T>,
     ) -> bool {
-        let Some(set) = set.or_else(InstructionSet::best) else { return false };
-        let Some(code) = self.codes.columns::<T>(&self.derived, (set, fuses)) else { return false };
+        let code = code
+            .get_or_init(|| self.codes.columns(&self.derived, (set.or_else(InstructionSet::best)?, fuses)));
+        let Some(code) = code else { return false };
         with_scratch(T::single(), |scratch| {
-            let mut prepared =
-                Prepared { code: &code, composition, constants: &mut scratch.given, length: 0 };
+            let mut prepared = Prepared { code, composition, constants: &mut scratch.given, length: 0 };
             let is_one = |values: &[T]| values.len() == 1;
             let are_shared = is_one(columns.eps) && columns.parameters.iter().all(|values| is_one(values));
             if are_shared {

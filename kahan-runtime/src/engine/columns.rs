@@ -11,7 +11,7 @@ use kahan_core::{Composition, Scalar};
 use super::lanes::{LANES, Lanes};
 use super::scratch::{Local, Scratch, Scratches, with_scratch};
 use super::step::Step;
-use super::{Engine, Instructions, distinct, in_turn};
+use super::{ColumnsOnce, Engine, Instructions, distinct, in_turn};
 
 /// What is to be advanced.
 #[derive(Debug)]
@@ -71,9 +71,9 @@ impl Engine {
         columns: &mut Columns<'_, '_, T>,
         composition: Composition,
         steps: u64,
-        instructions: Instructions,
+        (instructions, code): (Instructions, &ColumnsOnce<T>),
     ) {
-        if self.has_advanced_columns(columns, composition, steps, instructions) {
+        if self.has_advanced_columns(columns, composition, steps, instructions, code) {
             return;
         }
         let step = self.steps().of_lanes();

@@ -29,7 +29,7 @@ use line::Line;
 use step::{Step, Steps, into_matrix};
 
 pub(crate) use coded::CodedStages;
-pub(crate) use coded_columns::Instructions;
+pub(crate) use coded_columns::{ColumnsOnce, Instructions};
 pub(crate) use columns::Columns;
 use scratch::{Room, with_scratch};
 pub(crate) use scratch::{Scratch, Scratches};
