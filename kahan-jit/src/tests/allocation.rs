@@ -107,7 +107,7 @@ fn any_number_of_registers_computes_what_the_program_says() {
     for case in 0..1500 {
         let (states, constants) = (1 + draw.below(6), draw.below(8));
         let program = random_program(&mut draw, states, constants, 3 + case % 60, true);
-        let numbers = |draw: &mut Draw, count| (0..count).map(|_| draw.number()).collect::<Vec<f64>>();
+        let numbers = |draw: &mut Draw, count| (0..count).map(|_| draw.number(300)).collect::<Vec<f64>>();
         let (x, c) = (numbers(&mut draw, states), numbers(&mut draw, constants));
         let registers = FEWEST_REGISTERS + draw.below(14) as u8;
         for ends in [Ends::Elsewhere, Ends::InPlace, Ends::Carried] {

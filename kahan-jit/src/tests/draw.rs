@@ -17,9 +17,10 @@ impl Draw {
         (self.next() % bound as u64) as usize
     }
 
-    /// A number of ordinary size, now and then one of the kinds that are special.
-    pub(crate) fn number(&mut self) -> f64 {
-        match self.below(60) {
+    /// A number of ordinary size, now and then one of the kinds that are special. Those spread from
+    /// result to result, so there are so many `ordinary` numbers for each of them.
+    pub(crate) fn number(&mut self, ordinary: usize) -> f64 {
+        match self.below(5 + ordinary) {
             0 => 0.0,
             1 => -0.0,
             2 => f64::INFINITY,
@@ -46,7 +47,7 @@ pub(crate) fn random_program(
     for k in 0..constants {
         program.push(Instruction::Constant(k));
     }
-    program.push(Instruction::Literal(draw.number()));
+    program.push(Instruction::Literal(draw.number(55)));
     program.push(Instruction::Literal(2.0));
     for _ in 0..operations {
         let known = program.instructions.len();
