@@ -15,6 +15,8 @@ mod engine;
 mod field;
 pub mod heights;
 pub mod interpreted;
+mod line;
+mod literal;
 mod machine;
 mod map;
 pub mod orbit;

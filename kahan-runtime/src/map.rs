@@ -53,7 +53,7 @@ impl Map {
     /// [`DimensionError`] if N is smaller than the number of variables.
     pub fn as_kahan_map<T: Scalar, const N: usize>(&self) -> Result<Interpreted<T, N>, DimensionError> {
         DimensionError::check_type(N, self.field.variables().len())?;
-        Ok(Interpreted::of(self.field.engine.code(), self.parameters.iter().map(round).collect()))
+        Ok(Interpreted::of(&self.field.engine, self.parameters.iter().map(round).collect()))
     }
 
     /// The orbit in a scheme, with ε, half the time step, from a first point; each number is

@@ -3,7 +3,7 @@
 
 use kahan_core::Scalar;
 
-use super::line::has_value;
+use crate::line::has_value;
 
 /// Replaces `b`, a matrix of `a`'s height and any width, by the solution X of A·X = B; `a` is used
 /// up. Both are row by row, A is n×n.

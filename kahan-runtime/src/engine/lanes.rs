@@ -8,7 +8,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 use kahan_core::num_traits::{One, Zero};
 use kahan_core::{Constant, Scalar};
 
-use super::line::has_value;
+use crate::line::has_value;
 
 /// How many trajectories stand side by side.
 pub(crate) const LANES: usize = 8;

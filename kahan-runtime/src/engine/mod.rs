@@ -9,11 +9,10 @@ mod coded_columns;
 mod columns;
 mod elimination;
 mod lanes;
-mod line;
 mod scratch;
 mod step;
 
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 
 use kahan_algebra::derived::{Derived, derive};
 use kahan_algebra::plan::Plan;
@@ -22,16 +21,16 @@ use kahan_core::__private::Dual;
 use kahan_core::{Composition, Constant, FloatScalar, Scalar};
 
 use crate::interpreted::Code;
+use crate::line::{Line, has_value};
 use crate::machine::Codes;
 
 use elimination::solve;
-use line::Line;
 use step::{Step, Steps, into_matrix};
 
 pub(crate) use coded::CodedStages;
 pub(crate) use coded_columns::{ColumnsOnce, Instructions};
 pub(crate) use columns::Columns;
-use scratch::{Room, with_scratch};
+use scratch::{Room, sized, with_scratch};
 pub(crate) use scratch::{Scratch, Scratches};
 
 /// A function of the state.
@@ -79,7 +78,7 @@ pub(crate) struct Engine {
     integrals: OnceLock<Line>,
     density: OnceLock<Line>,
     brackets: Vec<OnceLock<Line>>,
-    code: OnceLock<Arc<Code>>,
+    code: OnceLock<Code>,
     pub(crate) codes: Codes,
 }
 
@@ -120,27 +119,42 @@ impl Engine {
         }
     }
 
-    /// The programs of maps over any scalar.
-    pub(crate) fn code(&self) -> &Arc<Code> {
-        self.code.get_or_init(|| Arc::new(Code::of(&self.derived)))
+    /// What only maps over any scalar run.
+    pub(crate) fn code(&self) -> &Code {
+        self.code.get_or_init(|| Code::of(&self.derived))
     }
 
-    fn steps(&self) -> &Steps {
+    /// The forms of the step.
+    pub(crate) fn steps(&self) -> &Steps {
         self.steps.get_or_init(|| Steps::of(&self.derived))
+    }
+
+    /// f(x)
+    pub(crate) fn field(&self) -> &Line {
+        self.made(&self.field, &self.derived.field)
+    }
+
+    /// f′(x), row by row.
+    pub(crate) fn field_jacobian(&self) -> &Line {
+        self.made(&self.field_jacobian, &self.derived.field_jacobian)
     }
 
     fn line(&self, object: Object) -> Option<&Line> {
         let derived = &self.derived;
-        let (kept, plan): (&OnceLock<Line>, &Plan) = match object {
-            Object::Field => (&self.field, &derived.field),
-            Object::FieldJacobian => (&self.field_jacobian, &derived.field_jacobian),
-            Object::Integrals => (&self.integrals, &derived.integrals),
-            Object::Density => (&self.density, derived.density.as_ref()?),
-            Object::Bracket(index) => (self.brackets.get(index)?, &derived.brackets.get(index)?.1),
+        Some(match object {
+            Object::Field => self.field(),
+            Object::FieldJacobian => self.field_jacobian(),
+            Object::Integrals => self.made(&self.integrals, &derived.integrals),
+            Object::Density => self.made(&self.density, derived.density.as_ref()?),
+            Object::Bracket(index) => self.made(self.brackets.get(index)?, &derived.brackets.get(index)?.1),
             // They are computed from others.
             Object::Matrix | Object::Jacobian => return None,
-        };
-        Some(kept.get_or_init(|| Line::of(plan, &derived.system.field.symbols)))
+        })
+    }
+
+    /// The line of a plan, which is made where there is none yet.
+    fn made<'a>(&'a self, kept: &'a OnceLock<Line>, plan: &Plan) -> &'a Line {
+        kept.get_or_init(|| Line::of(plan, &self.derived.system.field.symbols))
     }
 
     /// The distinct stages of a composition, each prepared; `constants` are the parameters and ε.
@@ -217,8 +231,9 @@ impl Engine {
         }
         let Some(line) = self.line(object) else { return };
         with_scratch(T::single(), |scratch| {
-            let results = line.results(constants, &mut scratch.registers, state);
-            out.iter_mut().zip(results).for_each(|(out, result)| *out = result);
+            let registers = sized(&mut scratch.registers, line.registers());
+            let results = has_value(line.results(constants.iter().copied(), registers, state));
+            out.iter_mut().zip(results.iter()).for_each(|(out, result)| *out = result);
         });
     }
 

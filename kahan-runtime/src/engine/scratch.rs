@@ -7,7 +7,7 @@ use core::cell::Cell;
 use std::thread::LocalKey;
 
 use kahan_core::__private::Dual;
-use kahan_core::FloatScalar;
+use kahan_core::{FloatScalar, Scalar};
 
 use crate::machine::Coded;
 
@@ -79,6 +79,12 @@ macro_rules! implement_for_float {
 
 implement_for_float!(f32);
 implement_for_float!(f64);
+
+/// So many registers; what they hold means nothing.
+pub(super) fn sized<V: Scalar>(registers: &mut Vec<V>, size: usize) -> &mut [V] {
+    registers.resize(size, V::zero());
+    registers
+}
 
 /// Does the work with the scratch of this thread; a thread that is ending gets a new one.
 pub(crate) fn with_scratch<V, R>(local: Local<V>, work: impl FnOnce(&mut Scratch<V>) -> R) -> R {

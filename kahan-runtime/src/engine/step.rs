@@ -6,9 +6,10 @@ use kahan_algebra::plan::StepPlan;
 use kahan_core::__private::may_divide_by;
 use kahan_core::Scalar;
 
+use crate::line::{Line, has_value};
+
 use super::elimination::solve;
-use super::line::Line;
-use super::scratch::Room;
+use super::scratch::{Room, sized};
 
 /// The forms of a step.
 #[derive(Debug)]
@@ -58,7 +59,7 @@ impl Steps {
 pub(crate) struct Step {
     kind: Kind,
     /// For each component the index of its reciprocal.
-    reciprocals: Vec<Option<usize>>,
+    pub(crate) reciprocals: Vec<Option<usize>>,
 }
 
 #[derive(Debug)]
@@ -86,6 +87,14 @@ impl Step {
         Step { kind, reciprocals: vec![None; symbols.dimension()] }
     }
 
+    /// The lines of its constants and of its kernel, where it is a straight line.
+    pub(crate) fn lines(&self) -> Option<[&Line; 2]> {
+        match &self.kind {
+            Kind::Straight { constants, kernel } => Some([constants, kernel]),
+            Kind::Elimination { .. } => None,
+        }
+    }
+
     /// Whether it compares numbers, which several side by side can't.
     pub(crate) fn has_lanes(&self) -> bool {
         matches!(self.kind, Kind::Straight { .. })
@@ -101,15 +110,13 @@ impl Step {
     ) {
         match &self.kind {
             Kind::Straight { constants: prepared, kernel } => {
-                let start = given.len();
-                given.extend(prepared.results(constants, registers, &[]));
-                registers.clear();
-                registers.extend(given.drain(start..));
-                kernel.give(registers, given);
+                let registers = sized(registers, prepared.registers());
+                let prepared = has_value(prepared.results(constants.iter().copied(), registers, &[]));
+                append_given(kernel, prepared.iter(), given);
             }
             Kind::Elimination { field_jacobian, field } => {
-                field_jacobian.give(constants, given);
-                field.give(constants, given);
+                append_given(field_jacobian, constants.iter().copied(), given);
+                append_given(field, constants.iter().copied(), given);
             }
         }
     }
@@ -125,11 +132,11 @@ impl Step {
     /// Appends the registers of the step, with what was prepared.
     pub(crate) fn open<V: Scalar + Copy>(&self, given: &[V], registers: &mut Vec<V>) {
         match &self.kind {
-            Kind::Straight { kernel, .. } => kernel.open(given, registers),
+            Kind::Straight { kernel, .. } => append_registers(kernel, given, registers),
             Kind::Elimination { field_jacobian, field } => {
                 let (of_slopes, of_field) = given.split_at(field_jacobian.given());
-                field_jacobian.open(of_slopes, registers);
-                field.open(of_field, registers);
+                append_registers(field_jacobian, of_slopes, registers);
+                append_registers(field, of_field, registers);
             }
         }
     }
@@ -193,7 +200,8 @@ impl Step {
     pub(crate) fn prepared<V: Scalar + Copy>(&self, constants: &[V], registers: &mut Vec<V>) -> Vec<V> {
         match &self.kind {
             Kind::Straight { constants: prepared, .. } => {
-                prepared.results(constants, registers, &[]).collect()
+                let registers = sized(registers, prepared.registers());
+                has_value(prepared.results(constants.iter().copied(), registers, &[])).iter().collect()
             }
             Kind::Elimination { .. } => Vec::new(),
         }
@@ -216,14 +224,14 @@ impl Step {
         let Room { outcome, matrix } = room;
         outcome.clear();
         match &self.kind {
-            Kind::Straight { kernel, .. } => outcome.extend(kernel.run(registers, state)),
+            Kind::Straight { kernel, .. } => outcome.extend(has_value(kernel.run(registers, state)).iter()),
             Kind::Elimination { field_jacobian, field } => {
                 let (of_slopes, of_field) = registers.split_at_mut(field_jacobian.registers());
                 let eps = field_jacobian.eps(of_slopes);
                 matrix.clear();
-                matrix.extend(field_jacobian.run(of_slopes, state));
+                matrix.extend(has_value(field_jacobian.run(of_slopes, state)).iter());
                 into_matrix(matrix, eps, state.len());
-                outcome.extend(field.run(of_field, state));
+                outcome.extend(has_value(field.run(of_field, state)).iter());
                 solve(matrix, outcome, state.len());
                 let time_step = eps + eps;
                 outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
@@ -240,6 +248,19 @@ impl Step {
             place => (numerators[i], place.map(|place| reciprocals[place])),
         }
     }
+}
+
+/// Appends what the first registers of a line hold whatever the state.
+fn append_given<V: Scalar>(line: &Line, constants: impl IntoIterator<Item = V>, given: &mut Vec<V>) {
+    let start = given.len();
+    given.resize(start + line.given(), V::zero());
+    line.give(constants, &mut given[start..]);
+}
+
+/// Appends the registers of a line, filled with what is given.
+fn append_registers<V: Scalar + Copy>(line: &Line, given: &[V], registers: &mut Vec<V>) {
+    registers.extend_from_slice(given);
+    registers.resize(registers.len() + line.registers() - given.len(), V::zero());
 }
 
 /// A component of the next state.

@@ -5,7 +5,10 @@ use kahan_core::__private::jacobian_by_duals;
 use kahan_core::nalgebra::{SMatrix, SVector};
 use kahan_core::{KahanMap, Lift, Pivot, QuadraticField, Scalar, SingularStep};
 
-use super::program::{Inputs, Program, Registers};
+use smallvec::SmallVec;
+
+use crate::line::Line;
+
 use super::unplanned::Unplanned;
 use super::{Interpreted, InterpretedStep};
 
@@ -15,38 +18,41 @@ fn vector<T: Scalar, const N: usize>(mut values: impl Iterator<Item = T>) -> SVe
 }
 
 impl<T: Scalar, const N: usize> Interpreted<T, N> {
-    /// A program whose results are a vector.
-    fn vector(&self, program: &Program, inputs: &Inputs<'_, T>) -> SVector<T, N> {
-        vector(program.values(inputs, &mut Registers::new()).iter())
+    /// A line whose results are numerators and the denominator behind them.
+    fn fraction(&self, line: &Line, x: &SVector<T, N>, eps: &T) -> (SVector<T, N>, T) {
+        self.run(line, x.as_slice(), eps, |results| {
+            let numerators = results.iter().len() - 1;
+            (vector(results.iter().take(numerators)), results.get(numerators))
+        })
     }
 
-    /// A program whose results are numerators and the denominator behind them.
-    fn fraction(&self, program: &Program, x: &SVector<T, N>, eps: &T) -> (SVector<T, N>, T) {
-        let mut registers = Registers::new();
-        let results = program.values(&Inputs { eps: Some(eps), ..self.inputs(x) }, &mut registers);
-        let numerators = results.iter().len() - 1;
-        (vector(results.iter().take(numerators)), results.get(numerators))
+    /// A line of two points whose results are a vector.
+    fn vector_of_two(&self, line: &Line, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
+        let own = self.variables().len();
+        let mut points: SmallVec<[T; 16]> = SmallVec::new();
+        [x, y].into_iter().for_each(|point| points.extend(point.iter().take(own).cloned()));
+        self.run(line, &points, &T::zero(), |results| vector(results.iter()))
     }
 }
 
 impl<T: Scalar, const N: usize> QuadraticField<T, N> for Interpreted<T, N> {
     fn field(&self, x: &SVector<T, N>) -> SVector<T, N> {
-        self.vector(&self.code.field, &self.inputs(x))
+        self.run(self.engine.field(), x.as_slice(), &T::zero(), |results| vector(results.iter()))
     }
 
     fn field_jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        let mut registers = Registers::new();
-        let entries = self.code.field_jacobian.values(&self.inputs(x), &mut registers);
-        let own = self.code.states.len();
-        SMatrix::from_fn(|i, j| if i.max(j) < own { entries.get(i * own + j) } else { T::zero() })
+        let own = self.variables().len();
+        self.run(self.engine.field_jacobian(), x.as_slice(), &T::zero(), |entries| {
+            SMatrix::from_fn(|i, j| if i.max(j) < own { entries.get(i * own + j) } else { T::zero() })
+        })
     }
 
     fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
-        self.vector(&self.code.bilinear, &Inputs { other: y.as_slice(), ..self.inputs(x) })
+        self.vector_of_two(&self.engine.code().bilinear, x, y)
     }
 
     fn polarized(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
-        self.vector(&self.code.polarized, &Inputs { other: y.as_slice(), ..self.inputs(x) })
+        self.vector_of_two(&self.engine.code().polarized, x, y)
     }
 }
 
@@ -70,32 +76,29 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     }
 
     fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
-        match &self.code.step {
+        match self.engine.derived.step() {
             Some(_) => jacobian_by_duals(self, x, &eps),
             None => Unplanned(self.clone()).jacobian(x, eps),
         }
     }
 
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
-        match &self.code.det_matrix {
-            Some(program) => {
-                let inputs = Inputs { eps: Some(&eps), ..self.inputs(x) };
-                program.values(&inputs, &mut Registers::new()).get(0)
-            }
+        match &self.engine.code().det_matrix {
+            Some(line) => self.run(line, x.as_slice(), &eps, |results| results.get(0)),
             None => Unplanned(self.clone()).det_matrix(x, eps),
         }
     }
 
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
-        match &self.code.rational_map {
-            Some(program) => self.fraction(program, x, &eps),
+        match &self.engine.code().rational_map {
+            Some(line) => self.fraction(line, x, &eps),
             None => Unplanned(self.clone()).rational_map(x, eps),
         }
     }
 
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
-        match &self.code.reduced_map {
-            Some(program) => self.fraction(program, x, &eps),
+        match &self.engine.code().reduced_map {
+            Some(line) => self.fraction(line, x, &eps),
             None => self.rational_map(x, eps),
         }
     }

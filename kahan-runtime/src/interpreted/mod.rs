@@ -8,33 +8,33 @@
 
 mod code;
 mod dimension;
-mod literal;
 mod map;
-mod program;
 mod step;
 mod unplanned;
 
 use std::marker::PhantomData;
 use std::sync::Arc;
 
+use kahan_algebra::plan;
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Scalar, StepCost};
+use smallvec::SmallVec;
 
-use program::{Inputs, Program, Registers};
+use crate::engine::Engine;
+use crate::line::{Line, Results, has_value};
 
 pub(crate) use code::Code;
-pub(crate) use literal::Literal;
 
+pub use crate::literal::round;
 pub use dimension::{LARGEST_DIMENSION, UnsupportedDimension, VisitDimension, visit_dimension};
-pub use literal::round;
 pub use step::InterpretedStep;
 
 /// A system read at run time, over the scalar T in N variables; made by
 /// [`Map::as_kahan_map`](crate::Map::as_kahan_map).
 ///
-/// Copies share their programs. Two are equal where they share programs and have equal parameters.
+/// Copies share their field. Two are equal where they share it and have equal parameters.
 ///
 /// ```
 /// use kahan_core::prelude::*;
@@ -51,7 +51,7 @@ pub use step::InterpretedStep;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Interpreted<T, const N: usize> {
-    code: Arc<Code>,
+    engine: Arc<Engine>,
     parameters: Arc<[T]>,
     dimension: PhantomData<[(); N]>,
 }
@@ -67,14 +67,19 @@ impl<const N: usize> Interpreted<BigRational, N> {
 impl<T: Scalar, const N: usize> Interpreted<T, N> {
     /// The map at these parameters, at which the field is defined; N is no less than its number of
     /// variables.
-    pub(crate) fn of(code: &Arc<Code>, parameters: Arc<[T]>) -> Self {
-        Interpreted { code: Arc::clone(code), parameters, dimension: PhantomData }
+    pub(crate) fn of(engine: &Arc<Engine>, parameters: Arc<[T]>) -> Self {
+        Interpreted { engine: Arc::clone(engine), parameters, dimension: PhantomData }
     }
 
     /// What a step of the generated code costs.
     #[must_use]
     pub fn cost(&self) -> StepCost {
-        self.code.cost
+        let of_plan =
+            |plan::StepCost { operations, divisions, chain }| StepCost { operations, divisions, chain };
+        match self.engine.derived.step() {
+            Some(step) => of_plan(step.cost()),
+            None => StepCost::of_elimination(self.variables().len()),
+        }
     }
 
     /// The same system at other parameters, in their order. Where the field divides by zero at
@@ -85,43 +90,67 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
     #[must_use]
     pub fn with_parameters(&self, parameters: &[T]) -> Self {
         assert_eq!(parameters.len(), self.parameters.len(), "a system has as many parameters as it declares");
-        Interpreted { code: Arc::clone(&self.code), parameters: parameters.into(), dimension: PhantomData }
+        Self::of(&self.engine, parameters.into())
     }
 
     /// The names of the state variables, in order.
     #[must_use]
     pub fn variables(&self) -> &[String] {
-        &self.code.states
+        &self.engine.derived.system.field.symbols.states
     }
 
     /// The names of the integrals that the block claims without `when`, in order.
     pub fn integral_names(&self) -> impl ExactSizeIterator<Item = &str> {
-        self.code.integrals.iter().map(|integral| integral.name.as_str())
+        self.engine.derived.integral_names.iter().map(String::as_str)
     }
 
     /// The integrals at x; ε, half the time step, is `eps`. `None` for one that divides by zero
     /// there in an exact scalar.
     pub fn integrals(&self, x: &SVector<T, N>, eps: &T) -> Vec<Option<T>> {
-        let inputs = Inputs { eps: Some(eps), ..self.inputs(x) };
-        let value = |program: &Program| Some(program.run(&inputs, &mut Registers::new())?.get(0));
-        self.code.integrals.iter().map(|integral| value(&integral.program)).collect()
+        let value = |line: &Line| {
+            let mut registers = Registers::new();
+            let registers = sized(&mut registers, line.registers());
+            Some(line.results(self.constants(eps), registers, x.as_slice())?.get(0))
+        };
+        self.engine.code().integrals.iter().map(value).collect()
     }
 
     /// The same system over another scalar, each parameter put into it by `lift`.
     #[must_use]
     pub fn over<U>(&self, lift: impl Fn(&T) -> U) -> Interpreted<U, N> {
         let parameters = self.parameters.iter().map(lift).collect();
-        Interpreted { code: Arc::clone(&self.code), parameters, dimension: PhantomData }
+        Interpreted { engine: Arc::clone(&self.engine), parameters, dimension: PhantomData }
     }
 
-    /// What a program of the state and the parameters reads.
-    fn inputs<'a>(&'a self, x: &'a SVector<T, N>) -> Inputs<'a, T> {
-        Inputs { state: x.as_slice(), parameters: &self.parameters, ..Inputs::default() }
+    /// The parameters and ε.
+    fn constants<'a>(&'a self, eps: &'a T) -> impl Iterator<Item = T> + use<'a, T, N> {
+        self.parameters.iter().chain([eps]).cloned()
     }
+
+    /// What is seen of the results of a line; ε is anything where the line does not read it.
+    ///
+    /// # Panics
+    /// For exact scalars, at a division by zero.
+    fn run<R>(&self, line: &Line, state: &[T], eps: &T, see: impl FnOnce(Results<'_, T>) -> R) -> R {
+        let mut registers = Registers::new();
+        let registers = sized(&mut registers, line.registers());
+        see(has_value(line.results(self.constants(eps), registers, state)))
+    }
+}
+
+/// The registers of a run. So many are on the stack; a line that needs more allocates them at once.
+type Registers<T> = SmallVec<[T; 64]>;
+
+/// So many of them, as a slice: whether they are on the stack is asked here, and not for each
+/// operand.
+#[inline]
+fn sized<T: Scalar>(registers: &mut Registers<T>, size: usize) -> &mut [T] {
+    registers.resize(size, T::zero());
+    registers.as_mut_slice()
 }
 
 impl<T: PartialEq, const N: usize> PartialEq for Interpreted<T, N> {
     fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.code, &other.code) && self.parameters == other.parameters
+        Arc::ptr_eq(&self.engine, &other.engine) && self.parameters == other.parameters
     }
 }

@@ -5,9 +5,9 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::{Elimination, PreparedStep, Quotients, Scalar, WideStep};
 use std::sync::Arc;
 
-use super::Interpreted;
-use super::code::StepCode;
-use super::program::{Inputs, Registers};
+use crate::line::has_value;
+
+use super::{Interpreted, Registers, sized};
 
 /// The step of an [`Interpreted`] system at one ε: its constants, and the kernel they belong to.
 ///
@@ -17,6 +17,8 @@ use super::program::{Inputs, Registers};
 pub struct InterpretedStep<T, const N: usize> {
     map: Interpreted<T, N>,
     eps: T,
+    /// Whether it takes the general form of the step.
+    is_general: bool,
     /// What the kernel's registers hold whatever the state.
     kept: Arc<[T]>,
 }
@@ -27,30 +29,35 @@ impl<T: Scalar, const N: usize> InterpretedStep<T, N> {
     /// # Panics
     /// Where the parameters make the field divide by zero, for exact scalars.
     pub(super) fn new(map: Interpreted<T, N>, eps: T) -> Self {
-        let keep = |step: &StepCode| {
-            let StepCode { constants, kernel, .. } = step.at(&eps);
-            let inputs = Inputs { parameters: &map.parameters, eps: Some(&eps), ..Inputs::default() };
-            let mut registers = Registers::new();
-            let prepared: Vec<T> = constants.values(&inputs, &mut registers).iter().collect();
-            kernel.keep(&Inputs { prepared: &prepared, ..Inputs::default() })
+        let is_general = map.engine.steps().are_general(&eps);
+        let kept = match map.engine.steps().form(is_general).lines() {
+            Some([constants, kernel]) => {
+                let (mut registers, mut kept) = (Registers::new(), Registers::new());
+                let registers = sized(&mut registers, constants.registers());
+                let prepared = has_value(constants.results(map.constants(&eps), registers, &[]));
+                let kept = sized(&mut kept, kernel.given());
+                kernel.give(prepared.iter(), kept);
+                Arc::from(&*kept)
+            }
+            None => Arc::new([]) as Arc<[T]>,
         };
-        let kept = map.code.step.as_ref().map_or_else(|| Arc::new([]) as Arc<[T]>, keep);
-        InterpretedStep { map, eps, kept }
+        InterpretedStep { map, eps, is_general, kept }
     }
 }
 
 impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
     #[inline]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
-        let Some(step) = &self.map.code.step else {
+        let step = self.map.engine.steps().form(self.is_general);
+        let Some([_, kernel]) = step.lines() else {
             return Elimination::new(self.map.clone(), self.eps.clone()).quotients(x);
         };
-        let StepCode { kernel, reciprocals, .. } = step.at(&self.eps);
         let mut registers = Registers::new();
-        let inputs = Inputs { kept: &self.kept, state: x.as_slice(), ..Inputs::default() };
-        let results = kernel.run(&inputs, &mut registers)?;
-        let own = reciprocals.len();
-        let reciprocal = |i: usize| Some(results.get(own + (*reciprocals.get(i)?)?));
+        let registers = sized(&mut registers, kernel.registers());
+        registers[..self.kept.len()].clone_from_slice(&self.kept);
+        let results = kernel.run(registers, x.as_slice())?;
+        let own = step.reciprocals.len();
+        let reciprocal = |i: usize| Some(results.get(own + (*step.reciprocals.get(i)?)?));
         // A step read at run time can have several reciprocals.
         Some(Quotients::over_several(
             from_fn(|i| if i < own { results.get(i) } else { T::zero() }),
@@ -69,6 +76,7 @@ impl<T: Scalar, const N: usize> WideStep<T, N> for InterpretedStep<T, N> {
         InterpretedStep {
             map: self.map.over(&spread),
             eps: spread(&self.eps),
+            is_general: self.is_general,
             kept: self.kept.iter().map(&spread).collect(),
         }
     }

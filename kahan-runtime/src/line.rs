@@ -1,13 +1,14 @@
-//! A plan made ready to run over states that are slices: names resolved, registers numbered.
+//! A plan made ready to run over any scalar: names resolved, registers numbered.
 //!
 //! The instructions and their order are the plan's, and each is the call that generated code makes
-//! for it, so the bits are the same.
+//! for it, so the bits are the same. Whoever runs a line brings its registers.
 
 use kahan_algebra::plan::{Node, Operation, Plan};
+use kahan_algebra::poly::Variable;
 use kahan_algebra::symbols::{Symbol, Symbols};
 use kahan_core::Scalar;
 
-use crate::interpreted::Literal;
+use crate::literal::Literal;
 
 /// One instruction; operands are earlier registers.
 #[derive(Clone, Copy, Debug)]
@@ -16,9 +17,9 @@ enum Instruction {
     Subtract(u32, u32),
     Multiply(u32, u32),
     Divide(u32, u32),
-    /// 1/d in a kernel.
+    /// 1/d where it may have no value.
     Reciprocal(u32),
-    /// n/d in a kernel.
+    /// n/d where it may have no value.
     Quotient(u32, u32),
     Negate(u32),
     MultiplyAdd(u32, u32, u32),
@@ -29,13 +30,13 @@ enum Instruction {
 /// Straight-line instructions with several results.
 ///
 /// Registers are numbered in the order in which they are filled: with the constants (the parameters
-/// and ε, or in a kernel what was prepared), the numbers that the plan writes out, the states, and
-/// the result of each instruction.
+/// and ε, or in a kernel what was prepared), the numbers that the plan writes out, the states (those
+/// of a second point behind those of the first), and the result of each instruction.
 #[derive(Clone, Debug)]
-pub(super) struct Line {
+pub(crate) struct Line {
     constants: usize,
     literals: Vec<Literal>,
-    /// All of them, or none where the line reads none.
+    /// Those of as many points as the line reads.
     states: usize,
     instructions: Vec<Instruction>,
     results: Vec<u32>,
@@ -43,26 +44,36 @@ pub(super) struct Line {
 
 impl Line {
     /// A plan of the states, the parameters and ε, whose divisions are written as quotients.
-    pub(super) fn of(plan: &Plan, symbols: &Symbols) -> Self {
+    pub(crate) fn of(plan: &Plan, symbols: &Symbols) -> Self {
         Self::new(plan, symbols, symbols.parameters.len() + 1, false)
     }
 
-    /// The kernel of a step with so many prepared constants, where a reciprocal is one of the
-    /// scalar.
-    pub(super) fn of_kernel(plan: &Plan, symbols: &Symbols, prepared: usize) -> Self {
+    /// The same where a division by zero may have no value.
+    pub(crate) fn with_poles(plan: &Plan, symbols: &Symbols) -> Self {
+        Self::new(plan, symbols, symbols.parameters.len() + 1, true)
+    }
+
+    /// The kernel of a step with so many prepared constants, where a division by zero may have no
+    /// value.
+    pub(crate) fn of_kernel(plan: &Plan, symbols: &Symbols, prepared: usize) -> Self {
         Self::new(plan, symbols, prepared, true)
     }
 
-    fn new(plan: &Plan, symbols: &Symbols, constants: usize, is_kernel: bool) -> Self {
+    fn new(plan: &Plan, symbols: &Symbols, constants: usize, has_poles: bool) -> Self {
         let literal = |operation: &Operation| match operation {
             Operation::Constant(value) => Some(Literal::from(value)),
             _ => None,
         };
-        let has_states = plan.inputs().iter().any(|variable| symbols.is_state(*variable));
+        let points = |variable: &Variable| match symbols.symbol(*variable) {
+            Symbol::State(_) => 1,
+            Symbol::SecondState(_) => 2,
+            Symbol::Parameter(_) | Symbol::Epsilon => 0,
+        };
+        let points = plan.inputs().iter().map(points).max().unwrap_or(0);
         let mut line = Line {
             constants,
             literals: plan.operations.iter().filter_map(literal).collect(),
-            states: if has_states { symbols.dimension() } else { 0 },
+            states: points * symbols.dimension(),
             instructions: Vec::new(),
             results: Vec::new(),
         };
@@ -76,12 +87,12 @@ impl Line {
                     Symbol::Parameter(k) => k,
                     Symbol::Epsilon => symbols.parameters.len(),
                     Symbol::State(i) => states + i,
-                    Symbol::SecondState(_) => unreachable!("a line has one state"),
+                    Symbol::SecondState(i) => states + symbols.dimension() + i,
                 }),
                 _ => None,
             };
             places.push(place.unwrap_or_else(|| {
-                line.instructions.push(instruction(plan, operation, &places, is_kernel));
+                line.instructions.push(instruction(plan, operation, &places, has_poles));
                 states + line.states + line.instructions.len() - 1
             }));
         }
@@ -89,86 +100,104 @@ impl Line {
         line
     }
 
-    /// Appends what the first registers hold whatever the state.
-    pub(super) fn give<V: Scalar>(&self, constants: &[V], given: &mut Vec<V>) {
-        given.extend_from_slice(&constants[..self.constants]);
-        given.extend(self.literals.iter().map(|literal| V::constant(&literal.as_constant())));
+    /// Puts into the first registers what they hold whatever the state.
+    pub(crate) fn give<V: Scalar>(&self, constants: impl IntoIterator<Item = V>, registers: &mut [V]) {
+        let literals = self.literals.iter().map(|literal| V::constant(&literal.as_constant()));
+        let given = constants.into_iter().take(self.constants).chain(literals);
+        registers.iter_mut().zip(given).for_each(|(register, given)| *register = given);
     }
 
     /// How much is [given](Self::give).
-    pub(super) fn given(&self) -> usize {
+    pub(crate) fn given(&self) -> usize {
         self.constants + self.literals.len()
     }
 
     /// How many registers it takes.
-    pub(super) fn registers(&self) -> usize {
+    pub(crate) fn registers(&self) -> usize {
         self.given() + self.states + self.instructions.len()
     }
 
     /// ε, which is the last of the constants outside of kernels.
-    pub(super) fn eps<V: Copy>(&self, registers: &[V]) -> V {
-        registers[self.constants - 1]
+    pub(crate) fn eps<V: Clone>(&self, registers: &[V]) -> V {
+        registers[self.constants - 1].clone()
     }
 
-    /// Appends the registers of the line, filled with what is given.
-    pub(super) fn open<V: Scalar + Copy>(&self, given: &[V], registers: &mut Vec<V>) {
-        registers.extend_from_slice(given);
-        registers.resize(registers.len() + self.registers() - given.len(), V::zero());
-    }
-
-    /// Runs the line in its registers, and shows its results. What was given stays, so that the
-    /// line can be run again.
+    /// Runs the line in its registers, and shows its results; `None` where a division by zero has
+    /// no value in this scalar. What was given stays, so that the line can be run again.
     #[inline(always)]
-    pub(super) fn run<'a, V: Scalar + Copy>(
+    pub(crate) fn run<'a, V: Scalar>(
         &'a self,
         registers: &'a mut [V],
         state: &[V],
-    ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
+    ) -> Option<Results<'a, V>> {
         let first = self.given() + self.states;
-        registers[self.given()..first].copy_from_slice(&state[..self.states]);
+        registers[self.given()..first].clone_from_slice(&state[..self.states]);
         for (to, instruction) in (first..).zip(&self.instructions) {
-            let at = |register: u32| registers[register as usize];
+            let at = |register: u32| registers[register as usize].clone();
             registers[to] = match *instruction {
                 Instruction::Add(a, b) => at(a) + at(b),
                 Instruction::Subtract(a, b) => at(a) - at(b),
                 Instruction::Multiply(a, b) => at(a) * at(b),
                 Instruction::Divide(a, b) => at(a) / at(b),
-                Instruction::Reciprocal(d) => has_value(at(d).reciprocal()),
-                Instruction::Quotient(a, b) => has_value(at(a).quotient(at(b))),
+                Instruction::Reciprocal(d) => registers[d as usize].reciprocal()?,
+                Instruction::Quotient(a, b) => at(a).quotient(at(b))?,
                 Instruction::Negate(a) => -at(a),
                 Instruction::MultiplyAdd(a, b, c) => at(a).multiply_add(at(b), at(c)),
                 Instruction::MultiplySubtract(a, b, c) => at(a).multiply_subtract(at(b), at(c)),
                 Instruction::SubtractProduct(a, b, c) => at(a).subtract_product(at(b), at(c)),
             };
         }
-        self.results.iter().map(|result| registers[*result as usize])
+        Some(Results { registers, places: &self.results })
     }
 
-    /// The results of a single run; what `registers` hold is lost.
-    pub(super) fn results<'a, V: Scalar + Copy>(
+    /// The results of a single run.
+    pub(crate) fn results<'a, V: Scalar>(
         &'a self,
-        constants: &[V],
-        registers: &'a mut Vec<V>,
+        constants: impl IntoIterator<Item = V>,
+        registers: &'a mut [V],
         state: &[V],
-    ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
-        registers.clear();
+    ) -> Option<Results<'a, V>> {
         self.give(constants, registers);
-        registers.resize(self.registers(), V::zero());
         self.run(registers, state)
     }
 }
 
-/// Floats, and what is made of them, can be divided by zero.
+/// The results of a run, in its registers.
+#[derive(Debug)]
+pub(crate) struct Results<'a, V> {
+    registers: &'a [V],
+    places: &'a [u32],
+}
+
+impl<'a, V: Clone> Results<'a, V> {
+    /// The result with this index.
+    #[inline]
+    pub(crate) fn get(&self, index: usize) -> V {
+        self.registers[self.places[index] as usize].clone()
+    }
+
+    /// All of them, in order.
+    #[inline(always)]
+    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
+        let registers = self.registers;
+        self.places.iter().map(|place| registers[*place as usize].clone())
+    }
+}
+
+/// What has a value over floats at any place, and over exact scalars wherever the field is defined.
+///
+/// # Panics
+/// Where it has none.
 #[inline(always)]
-pub(super) fn has_value<V>(quotient: Option<V>) -> V {
-    quotient.unwrap_or_else(|| unreachable!("floats have a reciprocal of zero"))
+pub(crate) fn has_value<V>(value: Option<V>) -> V {
+    value.unwrap_or_else(|| panic!("an exact number is divided by zero"))
 }
 
 fn register(places: &[usize], node: Node) -> u32 {
     u32::try_from(places[node.0]).unwrap_or_else(|_| unreachable!("plans have a budget of terms"))
 }
 
-fn instruction(plan: &Plan, operation: &Operation, places: &[usize], is_kernel: bool) -> Instruction {
+fn instruction(plan: &Plan, operation: &Operation, places: &[usize], has_poles: bool) -> Instruction {
     let at = |node: Node| register(places, node);
     let is_one =
         |node: Node| matches!(&plan.operations[node.0], Operation::Constant(one) if one.as_i64() == Some(1));
@@ -176,8 +205,8 @@ fn instruction(plan: &Plan, operation: &Operation, places: &[usize], is_kernel: 
         Operation::Add(a, b) => Instruction::Add(at(a), at(b)),
         Operation::Subtract(a, b) => Instruction::Subtract(at(a), at(b)),
         Operation::Multiply(a, b) => Instruction::Multiply(at(a), at(b)),
-        Operation::Divide(a, b) if is_kernel && is_one(a) => Instruction::Reciprocal(at(b)),
-        Operation::Divide(a, b) if is_kernel => Instruction::Quotient(at(a), at(b)),
+        Operation::Divide(a, b) if has_poles && is_one(a) => Instruction::Reciprocal(at(b)),
+        Operation::Divide(a, b) if has_poles => Instruction::Quotient(at(a), at(b)),
         Operation::Divide(a, b) => Instruction::Divide(at(a), at(b)),
         Operation::Negate(a) => Instruction::Negate(at(a)),
         Operation::MultiplyAdd(a, b, c) => Instruction::MultiplyAdd(at(a), at(b), at(c)),
