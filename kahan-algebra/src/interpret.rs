@@ -3,12 +3,7 @@
 //! Exact arithmetic gives exact answers and says where something has no value; floats give what
 //! floats give.
 
-mod increment;
 mod map;
-mod program;
-mod stepper;
-
-pub use stepper::{Pole, Stepper};
 
 use crate::arithmetic::{Arithmetic, determinant};
 use crate::derived::{Derived, derive};
@@ -86,8 +81,7 @@ impl Interpreter {
         point: &Point<A::Value>,
     ) -> Result<Evaluation<A::Value>, UndefinedField> {
         let derived = &self.derived;
-        let divisors = self.run(arithmetic, &derived.divisors, point, None).ok_or(UndefinedField)?;
-        if divisors.iter().any(|divisor| arithmetic.is_zero(divisor)) {
+        if !derived.is_defined_at(arithmetic, &point.parameters) {
             return Err(UndefinedField);
         }
         let vector = |plan: &Plan| self.run(arithmetic, plan, point, None).ok_or(UndefinedField);

@@ -150,6 +150,16 @@ impl Line {
         Some(Results { registers, places: &self.results })
     }
 
+    /// Whether the run that has filled these registers divides by zero.
+    pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V]) -> bool {
+        self.instructions.iter().any(|instruction| match *instruction {
+            Instruction::Divide(_, d) | Instruction::Reciprocal(d) | Instruction::Quotient(_, d) => {
+                registers[d as usize].is_zero()
+            }
+            _ => false,
+        })
+    }
+
     /// The results of a single run.
     pub(crate) fn results<'a, V: Scalar>(
         &'a self,

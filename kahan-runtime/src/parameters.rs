@@ -10,7 +10,6 @@ use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::check::nearest;
 use kahan_algebra::derived::Derived;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::symbols::Symbol;
 use kahan_core::num_rational::BigRational;
 
 /// A number that a parameter can be.
@@ -161,20 +160,9 @@ where
         return Err(ParameterError::Missing(missing));
     }
     let values: Vec<Rational> = values.into_iter().flatten().collect();
-    if is_defined(derived, &values) {
+    if derived.is_defined_at(&Exact, &values) {
         Ok(values)
     } else {
         Err(ParameterError::Undefined(names.iter().cloned().zip(values).collect()))
     }
-}
-
-/// Whether the field divides by nothing that is zero.
-fn is_defined(derived: &Derived, parameters: &[Rational]) -> bool {
-    let symbols = &derived.system.field.symbols;
-    let divisors = derived.divisors.evaluate(&Exact, |variable| match symbols.symbol(variable) {
-        Symbol::Parameter(k) => parameters[k].clone(),
-        // Divisors are free of everything else.
-        _ => Rational::zero(),
-    });
-    divisors.iter().all(|value| value.as_ref().is_some_and(|value| !value.is_zero()))
 }

@@ -13,13 +13,14 @@ use std::sync::OnceLock;
 pub use listing::StepListing;
 pub use names::{StepName, StepNames, constant_names};
 
+use crate::arithmetic::Arithmetic;
 use crate::field::Field;
 use crate::kahan::{
     RationalMap, Reduced, bilinear_form, field_jacobian, polarization, scaled_matrix, scaled_rhs,
 };
 use crate::plan::{Node, Plan, PlanBuilder, StepPlan};
 use crate::poly::Polynomial;
-use crate::symbols::Symbols;
+use crate::symbols::{Symbol, Symbols};
 use crate::syntax::ClaimKind;
 use crate::system::System;
 
@@ -104,6 +105,16 @@ impl Derived {
     /// Cost: the first call plans it, which takes some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
         self.step.get_or_init(|| StepPlan::of_map(&self.system.field, self.map.as_ref())).as_ref()
+    }
+
+    /// Whether the field divides by nothing that is zero at these parameters, in their order.
+    pub fn is_defined_at<A: Arithmetic>(&self, arithmetic: &A, parameters: &[A::Value]) -> bool {
+        let symbols = &self.system.field.symbols;
+        let divisors = self.divisors.evaluate(arithmetic, |variable| match symbols.symbol(variable) {
+            Symbol::Parameter(k) => parameters[k].clone(),
+            _ => unreachable!("divisors are free of everything else"),
+        });
+        divisors.iter().all(|value| value.as_ref().is_some_and(|value| !arithmetic.is_zero(value)))
     }
 
     /// The plan of each function that generated code has, with the words for it: `det A`, `bracket

@@ -1,24 +1,64 @@
 //! The map and its Jacobian at a point.
 
 use crate::arithmetic::{Arithmetic, Dual, solve};
+use crate::plan::{Operation, Plan, StepPlan};
 use crate::rational::Rational;
-use crate::symbols::Symbol;
 
-use super::increment::Increment;
-use super::program::Input;
 use super::{Interpreter, Point};
 
 impl Interpreter {
     /// x̃ of the reduced map; `None` at a pole, where a float divides by zero, too.
     pub fn next<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<A::Value>> {
-        let input = |variable| match self.derived.system.field.symbols.symbol(variable) {
-            Symbol::State(i) | Symbol::SecondState(i) => Input::State(i),
-            Symbol::Parameter(k) => Input::Fixed(point.parameters[k].clone()),
-            Symbol::Epsilon => Input::Fixed(point.eps.clone()),
+        match self.derived.step() {
+            Some(step) => self.next_by(step.at(arithmetic, &point.eps), arithmetic, point),
+            None => self.next_by_elimination(arithmetic, point),
+        }
+    }
+
+    fn next_by<A: Arithmetic>(
+        &self,
+        step: &StepPlan,
+        arithmetic: &A,
+        point: &Point<A::Value>,
+    ) -> Option<Vec<A::Value>> {
+        let StepPlan { constants, kernel, reciprocals, .. } = step;
+        let prepared = self.run_partly(arithmetic, constants, point, None);
+        let divisors = kernel.operations.iter().filter_map(|operation| match *operation {
+            Operation::Divide(_, divisor) => Some(divisor),
+            _ => None,
+        });
+        let outputs = kernel.outputs.iter().copied().chain(divisors).collect();
+        let kernel_and_divisors = Plan { operations: kernel.operations.clone(), outputs };
+        let values = kernel_and_divisors
+            .evaluate_prepared(arithmetic, &prepared, |variable| Some(self.value_of(variable, point, None)));
+        let values: Vec<A::Value> = values.into_iter().collect::<Option<_>>()?;
+        let (results, divisors) = values.split_at(kernel.outputs.len());
+        // A float has a value where it divides by zero, and still that is a pole.
+        if divisors.iter().any(|divisor| arithmetic.is_zero(divisor)) {
+            return None;
+        }
+        let (numerators, reciprocal_values) = results.split_at(reciprocals.len());
+        let next = |((x, numerator), place): ((_, _), &Option<usize>)| match place {
+            Some(place) => arithmetic.multiply_add(numerator, &reciprocal_values[*place], x),
+            None => arithmetic.add(x, numerator),
         };
-        let mut state = point.state.clone();
-        Increment::of(&self.derived, arithmetic, &point.eps, &input).add_to(&mut state, arithmetic).ok()?;
-        Some(state)
+        Some(point.state.iter().zip(numerators).zip(reciprocals).map(next).collect())
+    }
+
+    /// A (x̃ − x)/(2ε) = f
+    fn next_by_elimination<A: Arithmetic>(
+        &self,
+        arithmetic: &A,
+        point: &Point<A::Value>,
+    ) -> Option<Vec<A::Value>> {
+        let matrix = self.matrix(arithmetic, point)?;
+        let field = self.run(arithmetic, &self.derived.field, point, None)?;
+        let right: Vec<Vec<A::Value>> = field.into_iter().map(|component| vec![component]).collect();
+        let slopes = solve(arithmetic, &matrix, &right)?.solution;
+        let two_eps = arithmetic.add(&point.eps, &point.eps);
+        let next =
+            |(x, slope): (_, &Vec<A::Value>)| arithmetic.add(x, &arithmetic.multiply(&two_eps, &slope[0]));
+        Some(point.state.iter().zip(&slopes).map(next).collect())
     }
 
     /// ∂x̃/∂x: of the reduced map by dual numbers, else A(x,ε)⁻¹A(x̃,−ε).

@@ -8,15 +8,17 @@ use crate::line::has_value;
 /// Replaces `b`, a matrix of `a`'s height and any width, by the solution X of A·X = B; `a` is used
 /// up. Both are row by row, A is n×n.
 ///
-/// For a singular matrix the answer is not finite.
-pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) {
+/// Whether A is singular, with a pivot that is exactly 0: the answer is then not finite.
+pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> bool {
     let width = b.len() / n;
+    let mut is_singular = false;
     for k in 0..n {
         let better =
             |best: usize, i: usize| if a[i * n + k].is_better_pivot(&a[best * n + k]) { i } else { best };
         let row = (k + 1..n).fold(k, better);
         swap_rows(a, n, k, row);
         swap_rows(b, width, k, row);
+        is_singular |= a[k * n + k].is_zero();
         // The pivot itself is not needed again: its reciprocal takes its place.
         let reciprocal = has_value(a[k * n + k].reciprocal());
         for i in k + 1..n {
@@ -35,6 +37,7 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) {
             b[k * width + j] = entry * a[k * n + k];
         }
     }
+    is_singular
 }
 
 fn swap_rows<V>(matrix: &mut [V], width: usize, k: usize, row: usize) {

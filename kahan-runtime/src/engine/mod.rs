@@ -139,12 +139,16 @@ impl Engine {
         self.made(&self.field_jacobian, &self.derived.field_jacobian)
     }
 
+    fn line_of_integrals(&self) -> &Line {
+        self.made(&self.integrals, &self.derived.integrals)
+    }
+
     fn line(&self, object: Object) -> Option<&Line> {
         let derived = &self.derived;
         Some(match object {
             Object::Field => self.field(),
             Object::FieldJacobian => self.field_jacobian(),
-            Object::Integrals => self.made(&self.integrals, &derived.integrals),
+            Object::Integrals => self.line_of_integrals(),
             Object::Density => self.made(&self.density, derived.density.as_ref()?),
             Object::Bracket(index) => self.made(self.brackets.get(index)?, &derived.brackets.get(index)?.1),
             // They are computed from others.
@@ -235,6 +239,18 @@ impl Engine {
             let results = has_value(line.results(constants.iter().copied(), registers, state));
             out.iter_mut().zip(results.iter()).for_each(|(out, result)| *out = result);
         });
+    }
+
+    /// The integrals at a state, in order; `constants` are the parameters and ε.
+    pub(crate) fn integrals<'a, V: Scalar + Copy>(
+        &'a self,
+        constants: &[V],
+        state: &[V],
+        scratch: &'a mut Scratch<V>,
+    ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
+        let line = self.line_of_integrals();
+        let registers = sized(&mut scratch.registers, line.registers());
+        has_value(line.results(constants.iter().copied(), registers, state)).iter()
     }
 
     /// A(x,ε), row by row; `constants` are the parameters and ε.

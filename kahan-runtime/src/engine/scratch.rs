@@ -14,7 +14,7 @@ use crate::machine::Coded;
 use super::lanes::Lanes;
 
 /// The vectors that steps over V are computed in; what they hold between two calls means nothing.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Scratch<V> {
     /// The registers of lines.
     pub(super) registers: Vec<V>,
@@ -28,18 +28,20 @@ pub struct Scratch<V> {
 }
 
 /// Where a step leaves what it is about to add.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Room<V> {
     /// Numerators, then their reciprocals.
     pub(super) outcome: Vec<V>,
     /// A(x,ε), row by row.
     pub(super) matrix: Vec<V>,
+    /// Whether it has turned out to be singular.
+    pub(super) is_singular: bool,
 }
 
 impl<V> Default for Scratch<V> {
     fn default() -> Self {
         let [registers, outcome, matrix, constants, given, state] = [const { Vec::new() }; 6];
-        Scratch { registers, room: Room { outcome, matrix }, constants, given, state }
+        Scratch { registers, room: Room { outcome, matrix, is_singular: false }, constants, given, state }
     }
 }
 

@@ -195,6 +195,14 @@ impl Step {
         }
     }
 
+    /// Whether the step that was computed here divides by a number that is exactly 0.
+    pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V], room: &Room<V>) -> bool {
+        match &self.kind {
+            Kind::Straight { kernel, .. } => kernel.has_divided_by_zero(registers),
+            Kind::Elimination { .. } => room.is_singular,
+        }
+    }
+
     /// What the state's kernel reads; `constants` are the parameters and ε. Nothing, where the step
     /// is no straight line.
     pub(crate) fn prepared<V: Scalar + Copy>(&self, constants: &[V], registers: &mut Vec<V>) -> Vec<V> {
@@ -221,7 +229,7 @@ impl Step {
     /// Computes numerators and reciprocals.
     #[inline(always)]
     fn compute<V: Scalar + Copy>(&self, state: &[V], registers: &mut [V], room: &mut Room<V>) {
-        let Room { outcome, matrix } = room;
+        let Room { outcome, matrix, is_singular } = room;
         outcome.clear();
         match &self.kind {
             Kind::Straight { kernel, .. } => outcome.extend(has_value(kernel.run(registers, state)).iter()),
@@ -232,7 +240,7 @@ impl Step {
                 matrix.extend(has_value(field_jacobian.run(of_slopes, state)).iter());
                 into_matrix(matrix, eps, state.len());
                 outcome.extend(has_value(field.run(of_field, state)).iter());
-                solve(matrix, outcome, state.len());
+                *is_singular = solve(matrix, outcome, state.len());
                 let time_step = eps + eps;
                 outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
             }

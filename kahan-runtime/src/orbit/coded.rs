@@ -25,7 +25,7 @@ pub(super) enum Coding {
 pub(super) struct Running<T> {
     code: Arc<OrbitCode<T>>,
     /// The constants of the stages that differ, the middle one last.
-    stages: Vec<Vec<T>>,
+    stages: Arc<[Vec<T>]>,
     numbers: Vec<T>,
     /// How the numbers are a state.
     kind: StepKind,

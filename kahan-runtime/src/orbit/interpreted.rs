@@ -10,7 +10,7 @@ use crate::interpreted::round;
 use super::stages;
 
 /// An orbit by the interpreter, in the numbers that it runs in.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Interpreting {
     Single(Walk<f32>),
     /// The numbers are those of single precision.
@@ -20,9 +20,11 @@ pub(super) enum Interpreting {
 }
 
 /// A state, what it lacks where that is carried, and the stages that differ.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Walk<V> {
     map: Map,
+    /// The parameters, and ε of the whole step.
+    constants: Vec<V>,
     stages: Vec<Stage<V>>,
     state: Vec<V>,
     carry: Vec<V>,
@@ -42,12 +44,31 @@ impl Interpreting {
         }
     }
 
-    /// The orbit in double-double, from this point on.
-    pub(super) fn from_point(map: &Map, scheme: Scheme, eps: &Rational, point: &[Dd]) -> Self {
-        let origin = vec![Rational::zero(); point.len()];
-        let mut walk = Walk::begin(map, scheme, eps, &origin, |x: Dd| x);
-        walk.state.copy_from_slice(point);
-        Self::DoubleDouble(walk)
+    /// Goes to a point, without what is carried beside it.
+    pub(super) fn put(&mut self, point: &[Dd]) {
+        match self {
+            Self::Single(walk) => walk.put(point, |x| x.high() as f32),
+            Self::SingleThroughDouble(walk) | Self::Double(walk) => walk.put(point, Dd::high),
+            Self::DoubleDouble(walk) => walk.put(point, |x| x),
+        }
+    }
+
+    /// The integrals at the point.
+    pub(super) fn integrals(&mut self) -> Vec<Dd> {
+        match self {
+            Self::Single(walk) => walk.integrals(),
+            Self::SingleThroughDouble(walk) | Self::Double(walk) => walk.integrals(),
+            Self::DoubleDouble(walk) => walk.integrals(),
+        }
+    }
+
+    /// Takes a step, and tells whether it divides by a number that is exactly 0.
+    pub(super) fn divides_by_zero(&mut self) -> bool {
+        match self {
+            Self::Single(walk) => walk.divides_by_zero(),
+            Self::SingleThroughDouble(walk) | Self::Double(walk) => walk.divides_by_zero(),
+            Self::DoubleDouble(walk) => walk.divides_by_zero(),
+        }
     }
 
     /// So many steps further.
@@ -93,13 +114,16 @@ where
             map.field().engine.stage(&constants, &mut scratch)
         };
         let stages = stages(scheme.composition, round(eps)).into_iter().map(stage).collect();
+        if let Some(last) = constants.last_mut() {
+            *last = exact(eps);
+        }
         let state: Vec<V> = start.iter().map(exact).collect();
         let carry = if scheme.compensated { vec![V::zero(); state.len()] } else { Vec::new() };
-        Walk { map: map.clone(), stages, state, carry, scratch }
+        Walk { map: map.clone(), constants, stages, state, carry, scratch }
     }
 
     fn advance(&mut self, steps: u64) {
-        let Walk { map, stages, state, carry, scratch } = self;
+        let Walk { map, stages, state, carry, scratch, .. } = self;
         map.field().engine.run(stages, steps, scratch, |step, rounds, registers, room| {
             if carry.is_empty() {
                 step.advance(rounds, state, registers, room);
@@ -107,6 +131,26 @@ where
                 step.advance_with_carry(rounds, [state, carry], registers, room);
             }
         });
+    }
+
+    fn put(&mut self, point: &[Dd], narrow: impl Fn(Dd) -> V) {
+        self.state.iter_mut().zip(point).for_each(|(entry, x)| *entry = narrow(*x));
+        self.carry.fill(V::zero());
+    }
+
+    fn integrals(&mut self) -> Vec<Dd> {
+        let Walk { map, constants, state, scratch, .. } = self;
+        map.field().engine.integrals(constants, state, scratch).map(Dd::from).collect()
+    }
+
+    fn divides_by_zero(&mut self) -> bool {
+        let Walk { map, stages, state, scratch, .. } = self;
+        let mut divides = false;
+        map.field().engine.run(stages, 1, scratch, |step, rounds, registers, room| {
+            step.advance(rounds, state, registers, room);
+            divides |= step.has_divided_by_zero(registers, room);
+        });
+        divides
     }
 
     fn point(&self, point: &mut [Dd]) {
@@ -118,7 +162,7 @@ impl Walk<f64> {
     /// Steps of a state in single precision, each rounded once.
     fn advance_through(&mut self, steps: u64) {
         let single = |x: f64| f64::from(x as f32);
-        let Walk { map, stages, state, carry, scratch } = self;
+        let Walk { map, stages, state, carry, scratch, .. } = self;
         let mut next = state.clone();
         map.field().engine.run(stages, steps, scratch, |step, rounds, registers, room| {
             next.copy_from_slice(state);

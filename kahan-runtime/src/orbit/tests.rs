@@ -9,6 +9,7 @@ use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra}
 use crate::Field;
 use crate::interpreted::round;
 
+use super::End;
 use super::interpreted::Interpreting;
 
 fn q(text: &str) -> Rational {
@@ -159,4 +160,28 @@ fn the_catalog_by_code_is_the_catalog_compiled() {
     agree("e7", &["19/17"], &E7 { xi: big("19/17") });
     agree::<_, 3>("e8", &[], &E8);
     agree("e9", &["0.1"], &E9 { xi: big("0.1") });
+}
+
+/// The end of an orbit in one stretch is where single steps come to it, in every scheme.
+#[test]
+fn an_orbit_ends_after_its_last_finite_point() {
+    let end_of = |text: &str, eps: &str, scheme: Scheme| {
+        let map = Field::parse(text).expect("a field").map().expect("no parameters");
+        let begin = || map.orbit(scheme, &q(eps), &[q("1")]).expect("one variable");
+        let (mut orbit, mut stepped) = (begin(), begin());
+        let end = orbit.advance_while_finite(5000).expect_err("it ends");
+        (0..end.steps).for_each(|_| stepped.advance(1));
+        assert!(same(orbit.point(), stepped.point()), "{text}, {scheme}: {:?}", orbit.point());
+        stepped.advance(1);
+        assert!(!stepped.is_finite(), "{text}, {scheme}: {:?}", stepped.point());
+        end
+    };
+    for scheme in Scheme::all() {
+        let end = end_of("xdot = 1000*x;", "1/2000", scheme);
+        assert!(end.steps > 0 && !end.is_pole, "{scheme}: {end:?}");
+        if scheme.order() == 2 {
+            // A step of x' = x² goes from x to x/(1 - 2εx): from 1 to 2, and from 2 nowhere.
+            assert_eq!(end_of("xdot = x^2;", "1/4", scheme), End { steps: 1, is_pole: true }, "{scheme}");
+        }
+    }
 }
