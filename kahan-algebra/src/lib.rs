@@ -14,6 +14,7 @@ pub mod arithmetic;
 pub mod check;
 pub mod derived;
 pub mod diagnostics;
+pub mod family;
 pub mod field;
 pub mod interpret;
 pub mod kahan;
@@ -37,6 +38,7 @@ pub mod token;
 pub use derived::{Derived, derive};
 
 use diagnostics::{Diagnostic, Diagnostics};
+use family::Family;
 use prime_field::SplitMix64;
 use system::System;
 use token::Token;
@@ -46,6 +48,8 @@ use token::Token;
 pub struct Reading {
     /// The system; what is broken in it is replaced by zeros, so that it can always be emitted.
     pub system: System,
+    /// The family, where the block holds one instead of equations; the system is then empty.
+    pub family: Option<Family>,
     /// The mistakes, in the order of their places; none means that every claim is proved.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -55,12 +59,19 @@ pub struct Reading {
 pub fn read(tokens: &[Token]) -> Reading {
     let mut diagnostics = Diagnostics::default();
     let block = parse::parse(tokens, &mut diagnostics);
+    if let Some(family) = check::check_family(&block, &mut diagnostics) {
+        if family.is_sound {
+            family::conserved::check_claims(&family, &mut diagnostics);
+        }
+        let system = System::without_field(block.header);
+        return Reading { system, family: Some(family), diagnostics: diagnostics.finish() };
+    }
     let system = check::check(block, &mut diagnostics);
     // A wrong field makes every claim wrong: only its own mistakes are worth reporting.
     if system.is_field_sound {
         prove::check_claims(&system, seed(tokens), &mut diagnostics);
     }
-    Reading { system, diagnostics: diagnostics.finish() }
+    Reading { system, family: None, diagnostics: diagnostics.finish() }
 }
 
 /// The seed of the prover's points: a hash of the block's text, so that builds are reproducible.

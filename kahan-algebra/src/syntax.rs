@@ -18,20 +18,46 @@ pub struct Name {
     pub span: Span,
 }
 
-/// `[header] (const | equation | claim)*`.
+/// `[header] (const | equation | family | claim)*`.
 #[derive(Clone, Debug, Default)]
 pub struct Block {
     /// `pub struct E7 { xi }`, where there is one.
     pub header: Option<Header>,
     /// `const xi = 1/2;`
     pub constants: Vec<Constant>,
-    /// `xdot = y*z;`
+    /// `xdot = y*z;`, or the equations of the family, whose states are the names of its arrays.
     pub equations: Vec<Equation>,
+    /// `for i in periodic { … }`, where the equations stand in one.
+    pub family: Option<FamilyHead>,
     /// `integral`, `density`, `bracket`.
     pub claims: Vec<Claim>,
+    /// `hamiltonian H = sum(…);` of a family, read as a claim of an integral.
+    pub hamiltonians: Vec<Claim>,
     /// Left-hand sides without `dot`: mistakes already, but their names are not to be reported a
     /// second time.
     pub misspelt_states: Vec<Name>,
+}
+
+/// What lies beyond the two ends of a chain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Boundary {
+    /// The other end: site n is site 0.
+    Periodic,
+    /// Nothing: states there are 0.
+    Open,
+}
+
+/// `for i in periodic`, which one family of equations for every site stands behind.
+#[derive(Clone, Debug)]
+pub struct FamilyHead {
+    /// What lies beyond the ends of the chain.
+    pub boundary: Boundary,
+    /// Where it stands.
+    pub span: Span,
+    /// How many equations stood before it, outside of the family.
+    pub equations_before: usize,
+    /// How many stood in it and before it.
+    pub equations_until: usize,
 }
 
 /// `attributes visibility struct Name (; | { param, … })`.
@@ -160,7 +186,9 @@ impl Expr {
             ExprKind::Name(name) => visit(name, self.span),
             ExprKind::Sum(terms) => terms.iter().for_each(|term| term.expr.visit_names(visit)),
             ExprKind::Product(factors) => factors.iter().for_each(|factor| factor.expr.visit_names(visit)),
-            ExprKind::Negation(inner) | ExprKind::Power(inner, _) => inner.visit_names(visit),
+            ExprKind::Negation(inner) | ExprKind::Power(inner, _) | ExprKind::OverSites(inner) => {
+                inner.visit_names(visit);
+            }
         }
     }
 }
@@ -170,7 +198,7 @@ impl Expr {
 pub enum ExprKind {
     /// A literal, exactly.
     Number(Rational),
-    /// An identifier.
+    /// An identifier; in a family also a value at a site, written `x[i]`, `x[i+1]`, `x[i-2]`.
     Name(String),
     /// `a + b − c …`
     Sum(Vec<Term>),
@@ -180,6 +208,8 @@ pub enum ExprKind {
     Negation(Box<Expr>),
     /// `a^n`
     Power(Box<Expr>, i64),
+    /// `sum(a)` over all sites, in a claim of a family.
+    OverSites(Box<Expr>),
 }
 
 /// One term of a sum.

@@ -109,6 +109,14 @@ pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
 }
 
 impl System {
+    /// A system of no equation: what stands for a block whose field is something else.
+    #[must_use]
+    pub fn without_field(header: Option<Header>) -> Self {
+        let symbols = Symbols { states: Vec::new(), parameters: Vec::new() };
+        let field = Field { symbols, components: Vec::new() };
+        System { header, constants: Vec::new(), field, is_field_sound: false, claims: Vec::new() }
+    }
+
     /// The unconditional claims of one kind, in order.
     pub fn accessors(&self, kind: ClaimKind) -> impl Iterator<Item = &Claim> {
         self.claims.iter().filter(move |claim| claim.kind == kind && claim.is_unconditional())

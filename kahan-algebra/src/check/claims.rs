@@ -12,6 +12,7 @@ use crate::token::Span;
 
 use super::conditions;
 use super::entries::entry_places;
+use super::expand::sum_out_of_place;
 use super::names::{Meaning, Scope, expressions};
 
 /// The largest exponent in a claim.
@@ -148,6 +149,7 @@ impl Compiler {
                 Ok(product)
             }
             ExprKind::Power(base, exponent) => self.power(base, *exponent, expr.span, scope),
+            ExprKind::OverSites(_) => Err(sum_out_of_place(expr.span)),
         }
     }
 

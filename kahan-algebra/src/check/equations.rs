@@ -41,7 +41,7 @@ fn component(value: &Expr, scope: &Scope, diagnostics: &mut Diagnostics) -> Comp
 }
 
 /// p/q in lowest terms. A constant divisor is a factor of p already.
-fn reduced(expansion: Expansion, span: Span) -> Result<Component, Diagnostic> {
+pub(super) fn reduced(expansion: Expansion, span: Span) -> Result<Component, Diagnostic> {
     if expansion.denominator.is_one() {
         return Ok(Component { numerator: expansion.numerator, denominator: expansion.denominator });
     }
@@ -106,6 +106,6 @@ fn raising_factor(expr: &Expr, scope: &Scope) -> Span {
             expr.span
         }
         ExprKind::Power(inner, _) if degree(inner) > 2 => raising_factor(inner, scope),
-        ExprKind::Power(..) | ExprKind::Number(_) | ExprKind::Name(_) => expr.span,
+        ExprKind::Power(..) | ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::OverSites(_) => expr.span,
     }
 }

@@ -74,6 +74,7 @@ impl Expander<'_> {
             ExprKind::Sum(terms) => self.sum(terms, expr.span),
             ExprKind::Product(factors) => self.product(factors),
             ExprKind::Power(base, exponent) => self.power(base, *exponent, expr.span),
+            ExprKind::OverSites(_) => Err(sum_out_of_place(expr.span)),
         }
     }
 
@@ -222,6 +223,16 @@ impl Expander<'_> {
         }
         a.mul_within(b, &mut self.budget).map_err(|_| too_large(span))
     }
+}
+
+/// The mistake of a sum over sites where there are none to sum over.
+pub(super) fn sum_out_of_place(span: Span) -> Diagnostic {
+    Diagnostic::new(
+        Kind::Claim,
+        span,
+        "`sum(…)` runs over all sites, and stands in the claims of a family",
+        "in an equation write the neighbours out, as in `x[i-1] + x[i+1]`",
+    )
 }
 
 /// The mistake of a term of degree `degree` > 2.

@@ -10,10 +10,13 @@ mod constants;
 mod entries;
 mod equations;
 mod expand;
+mod family;
 mod names;
+mod outside;
 mod spelling;
+mod sums;
 
-use crate::diagnostics::{Diagnostics, Kind};
+use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::field::Field;
 use crate::syntax::Block;
 use crate::system::System;
@@ -21,11 +24,27 @@ use crate::token::Span;
 
 use names::Scope;
 
+pub use family::check_family;
 pub use spelling::nearest;
 
-/// Checks a block.
+/// The mistake of a family where a plain system is wanted.
+#[must_use]
+pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
+    Diagnostic::new(
+        Kind::Empty,
+        span,
+        "a family of equations stands here, and the number of its sites is not known",
+        "say how many there are, as with `--sites 8`",
+    )
+}
+
+/// Checks a block of plain equations.
 #[must_use]
 pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
+    if let Some(head) = &block.family {
+        diagnostics.push(number_of_sites_wanted(head.span));
+        return System::without_field(block.header);
+    }
     if block.equations.is_empty() && diagnostics.is_empty() {
         diagnostics.report(
             Kind::Empty,

@@ -5,7 +5,7 @@ use crate::syntax::{Block, ClaimKind, Constant, Equation, Name};
 use crate::table::distinct;
 use crate::token::{Span, TokenKind};
 
-use super::claim::claim;
+use super::claim::{claim, hamiltonian};
 use super::cursor::Cursor;
 use super::expr::parse_expr;
 use super::keyword::wrong_keyword;
@@ -30,6 +30,7 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
     let named = cursor.identifier(1).is_some();
     match word {
         "const" if named => constant(cursor, block),
+        "hamiltonian" if named && cursor.has_sites => hamiltonian(cursor, block),
         "integral" if named => claim(cursor, block, ClaimKind::Integral),
         "density" if named => claim(cursor, block, ClaimKind::Density),
         "bracket" if named => claim(cursor, block, ClaimKind::Bracket),
@@ -51,6 +52,7 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
             "the header stands at the beginning of a block, and a block has one",
             "move it to the top, or write a second `kahan!` block",
         ),
+        _ if cursor.is_open(1, '[') && cursor.has_sites => Err(super::family::outside(cursor)),
         _ => match wrong_keyword(cursor, block) {
             Some(diagnostic) => Err(diagnostic),
             None => equation(cursor, block),

@@ -18,6 +18,13 @@ pub(super) fn claim(cursor: &mut Cursor<'_>, block: &mut Block, kind: ClaimKind)
     outcome
 }
 
+/// Reads `hamiltonian NAME = expr;`.
+pub(super) fn hamiltonian(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
+    let outcome = claim(cursor, block, ClaimKind::Integral);
+    block.hamiltonians.extend(block.claims.pop());
+    outcome
+}
+
 /// Fills `claim`; its body is set only when all of it was read.
 fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
     let body = if claim.kind == ClaimKind::Bracket {

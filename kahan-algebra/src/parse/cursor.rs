@@ -14,11 +14,17 @@ pub(super) struct Cursor<'a> {
     pub(super) item_may_follow: bool,
     /// Whether `=` ends the expression: on the left side of a relation behind `when`.
     pub(super) is_left_side: bool,
+    /// Whether the block holds a family, so that names may have the index of a site.
+    pub(super) has_sites: bool,
 }
 
 impl<'a> Cursor<'a> {
     pub(super) fn new(tokens: &'a [Token]) -> Self {
-        Cursor { tokens, at: 0, item_may_follow: false, is_left_side: false }
+        let word = |token: &Token, text: &str| token.kind == TokenKind::Identifier && token.text == text;
+        let has_sites = tokens.windows(3).any(|three| {
+            word(&three[0], "for") && three[1].kind == TokenKind::Identifier && word(&three[2], "in")
+        });
+        Cursor { tokens, at: 0, item_may_follow: false, is_left_side: false, has_sites }
     }
 
     pub(super) fn position(&self) -> usize {
@@ -31,6 +37,11 @@ impl<'a> Cursor<'a> {
 
     pub(super) fn peek(&self, ahead: usize) -> Option<&'a Token> {
         self.tokens.get(self.at + ahead)
+    }
+
+    /// The token `behind` tokens before the next one.
+    pub(super) fn before(&self, behind: usize) -> Option<&'a Token> {
+        self.tokens.get(self.at.checked_sub(behind)?)
     }
 
     pub(super) fn advance(&mut self) {
@@ -118,10 +129,19 @@ impl<'a> Cursor<'a> {
     /// `bracket P {`.
     pub(super) fn begins_item(&self, ahead: usize) -> bool {
         let Some(word) = self.identifier(ahead) else { return false };
-        let equation = word.len() > 3 && word.ends_with("dot") && self.is_punctuation(ahead + 1, '=');
+        let equation = word.len() > 3 && word.ends_with("dot") && self.is_punctuation(ahead + 1, '=')
+            || self.begins_equation_of_family(ahead)
+            || (word == "for" && self.identifier(ahead + 2) == Some("in"));
         let named = self.identifier(ahead + 1).is_some()
             && (self.is_punctuation(ahead + 2, '=') || self.is_open(ahead + 2, '{'));
-        equation || (named && matches!(word, "const" | "integral" | "density" | "bracket"))
+        let is_keyword = matches!(word, "const" | "integral" | "density" | "bracket")
+            || (self.has_sites && word == "hamiltonian");
+        equation || (named && is_keyword)
+    }
+
+    /// Whether `x[i]dot` stands `ahead` tokens from here.
+    fn begins_equation_of_family(&self, ahead: usize) -> bool {
+        self.has_sites && self.is_open(ahead + 1, '[') && self.identifier(ahead + 4) == Some("dot")
     }
 
     /// Leaves a broken item that began at `start`: past its `;`, or up to the line that begins the

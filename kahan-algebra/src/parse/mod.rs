@@ -9,6 +9,7 @@ mod block;
 mod claim;
 mod cursor;
 mod expr;
+mod family;
 mod header;
 mod keyword;
 mod mistakes;
@@ -19,6 +20,7 @@ use crate::syntax::Block;
 use crate::token::{Span, Token};
 
 use cursor::Cursor;
+pub(crate) use family::name as neighbour_name;
 
 /// What a parsing function gives: its syntax, or the first mistake in it.
 type Parsed<T> = Result<T, Diagnostic>;
@@ -35,7 +37,12 @@ pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
     header::parse_header(&mut cursor, &mut block, diagnostics);
     while !cursor.is_at_end() {
         let start = cursor.position();
-        if let Err(diagnostic) = block::parse_item(&mut cursor, &mut block) {
+        let outcome = if family::begins(&cursor) {
+            family::family(&mut cursor, &mut block, diagnostics)
+        } else {
+            block::parse_item(&mut cursor, &mut block)
+        };
+        if let Err(diagnostic) = outcome {
             diagnostics.push(diagnostic);
             cursor.skip_item(start);
         }

@@ -10,7 +10,7 @@ use super::{Node, Operation, Plan};
 impl Plan {
     /// The plan with multiply-adds. On targets without them it is carried out as before.
     #[must_use]
-    pub(super) fn fused(mut self) -> Self {
+    pub(crate) fn fused(mut self) -> Self {
         let mut uses = self.uses();
         let required = self.required();
         let mut ready = vec![0; self.operations.len()];

@@ -26,13 +26,27 @@ impl Plan {
     /// nothing.
     #[must_use]
     pub(super) fn split(&self, epsilon: Variable, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
+        // A divisor may be zero, which is a pole of the step and no mistake in preparing it; but
+        // where a form contains 1/ε, whoever prepares it has looked at ε.
+        self.split_where(|divisor| self.operations[divisor.0] == Operation::Input(epsilon), varies)
+    }
+
+    /// The same for a line without poles: quotients are prepared, too.
+    #[must_use]
+    pub(crate) fn separated(&self, varies: impl Fn(Variable) -> bool) -> (Plan, Plan) {
+        self.split_where(|_| true, varies)
+    }
+
+    fn split_where(
+        &self,
+        may_divide_by: impl Fn(Node) -> bool,
+        varies: impl Fn(Variable) -> bool,
+    ) -> (Plan, Plan) {
         let mut fixed = vec![true; self.operations.len()];
         for (index, operation) in self.operations.iter().enumerate() {
             fixed[index] = match operation {
                 Operation::Input(variable) => !varies(*variable),
-                // A divisor may be zero, which is a pole of the step and no mistake in preparing
-                // it; but where a form contains 1/ε, whoever prepares it has looked at ε.
-                Operation::Divide(_, divisor) => self.operations[divisor.0] == Operation::Input(epsilon),
+                Operation::Divide(_, divisor) if !may_divide_by(*divisor) => false,
                 _ => operation.operands().all(|operand| fixed[operand.0]),
             };
         }

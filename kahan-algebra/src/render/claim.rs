@@ -64,6 +64,10 @@ fn write(expr: &Expr, notation: Notation) -> (String, Level) {
             }
             (text, Level::Product)
         }
+        ExprKind::OverSites(inner) => {
+            let sum = if notation == Notation::Latex { "\\sum_i " } else { "sum" };
+            (format!("{sum}({})", at_least(inner, Level::Sum, notation)), Level::Atom)
+        }
         ExprKind::Power(base, exponent) => {
             (notation.power(&at_least(base, Level::Atom, notation), *exponent), Level::Power)
         }

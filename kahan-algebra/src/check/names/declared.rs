@@ -10,6 +10,19 @@ use super::super::spelling::is_keyword;
 use super::{Scope, is_epsilon, report_reserved};
 
 impl Scope {
+    /// The scope of a family whose names are known, and no constant yet.
+    pub(in crate::check) fn of_family(symbols: Symbols) -> Self {
+        Scope {
+            symbols,
+            constants: FxHashMap::default(),
+            claims: Vec::new(),
+            poisoned: FxHashSet::default(),
+            used: FxHashSet::default(),
+            all_claims: FxHashSet::default(),
+            misspelt_states: Vec::new(),
+        }
+    }
+
     /// The scope of a block with its states and parameters, and no constant or claim yet.
     pub(in crate::check) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
         let mut scope = Scope {

@@ -1,0 +1,254 @@
+//! A family: arrays, parameters of the chain and of its sites, equations, sums.
+
+use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use crate::family::{Family, SiteSum};
+use crate::field::Component;
+use crate::parse::neighbour_name;
+use crate::symbols::Symbols;
+use crate::syntax::{Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, FamilyHead};
+use crate::token::Span;
+
+use super::constants;
+use super::equations;
+use super::names::{Scope, is_epsilon};
+use super::outside::values_beyond_the_ends;
+use super::sums::summand;
+
+/// Checks the family of a block; `None` where it has none.
+#[must_use]
+pub fn check_family(block: &Block, diagnostics: &mut Diagnostics) -> Option<Family> {
+    let head = block.family.as_ref()?;
+    let before = diagnostics.len();
+    report_strangers(block, head, diagnostics);
+    let names = Names::of(block, head, diagnostics);
+    let mut scope = Scope::of_family(names.symbols());
+    names.report_plain_arrays(block, &mut scope, diagnostics);
+    let constants = constants::evaluate(block, &mut scope, diagnostics);
+    for name in &names.site_parameters {
+        scope.mark_used(name);
+    }
+    let components = equations::expand_all(block, &mut scope, diagnostics);
+    let sums = |claims: &[Claim], scope: &mut Scope, diagnostics: &mut Diagnostics| -> Vec<SiteSum> {
+        claims.iter().filter_map(|claim| sum(claim, &names.arrays, scope, diagnostics)).collect()
+    };
+    let linear: Vec<Claim> = block.claims.iter().filter(|claim| claim.kind == ClaimKind::Integral).cloned().collect();
+    let integrals = sums(&linear, &mut scope, diagnostics);
+    let hamiltonians = sums(&block.hamiltonians, &mut scope, diagnostics);
+    if let [_, second, ..] = &*block.hamiltonians {
+        let help = "write one";
+        diagnostics.report(Kind::Claim, second.name.span, "a family has one Hamiltonian", help);
+    }
+    scope.report_unused(&with_names_of_sites(block, &names), diagnostics);
+    let mut family = Family {
+        header: block.header.clone(),
+        constants,
+        boundary: head.boundary,
+        arrays: names.arrays,
+        parameters: names.parameters,
+        site_parameters: names.site_parameters,
+        reach: names.reach,
+        symbols: scope.symbols,
+        components,
+        integrals,
+        hamiltonian: hamiltonians.into_iter().next(),
+        span: head.span,
+        is_sound: false,
+    };
+    if family.boundary == Boundary::Open && diagnostics.len() == before {
+        values_beyond_the_ends(&family, block, diagnostics);
+    }
+    let is_read = block.equations.iter().all(|equation| equation.value.is_some());
+    family.is_sound = diagnostics.len() == before && is_read && !family.arrays.is_empty() && diagnostics.is_empty();
+    Some(family)
+}
+
+/// The header's parameters of sites are used as `c[i]`, never as `c`.
+fn with_names_of_sites(block: &Block, names: &Names) -> Block {
+    let mut block = block.clone();
+    if let Some(header) = &mut block.header {
+        header.parameters.retain(|name| !names.site_parameters.contains(&name.text));
+    }
+    block
+}
+
+/// What stands beside a family and cannot.
+fn report_strangers(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnostics) {
+    for (index, equation) in block.equations.iter().enumerate() {
+        if !(head.equations_before..head.equations_until).contains(&index) {
+            let help = format!("write `{}[i]dot = …;` into the family, or a block of its own", equation.state.text);
+            let message = "a block has equations or one family, and this equation stands outside of the family";
+            diagnostics.report(Kind::Syntax, equation.state.span, message, help);
+        }
+    }
+    if head.equations_before == head.equations_until && diagnostics.is_empty() {
+        let help = "write one equation an array, as in `x[i]dot = x[i]*(x[i+1] - x[i-1]);`";
+        diagnostics.report(Kind::Empty, head.span, "the family holds no equation", help);
+    }
+    for claim in &block.claims {
+        if claim.kind != ClaimKind::Integral {
+            let message = format!("a family has no `{}`", claim.kind.keyword());
+            let help = "it may claim `integral S = sum(…);` and `hamiltonian H = sum(…);`";
+            diagnostics.report(Kind::Claim, claim.name.span, message, help);
+        }
+    }
+    for claim in block.claims.iter().chain(&block.hamiltonians) {
+        if let Some(condition) = claim.conditions.first() {
+            let help = "remove `when`, or fix the parameter by `const`";
+            diagnostics.report(Kind::Claim, condition.span(), "claims of a family have no conditions", help);
+        }
+    }
+}
+
+/// The names that a family declares and uses.
+struct Names {
+    arrays: Vec<String>,
+    parameters: Vec<String>,
+    site_parameters: Vec<String>,
+    reach: usize,
+}
+
+impl Names {
+    fn of(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnostics) -> Self {
+        let mut arrays: Vec<String> = Vec::new();
+        for equation in &block.equations[head.equations_before..head.equations_until] {
+            let array = &equation.state;
+            if arrays.contains(&array.text) {
+                let message = format!("`{}[i]dot` is given twice", array.text);
+                let help = "remove one of the equations, or rename its array";
+                diagnostics.report(Kind::Name, array.span, message, help);
+            } else {
+                arrays.push(array.text.clone());
+            }
+        }
+        let used = used_names(block);
+        let mut reach = 1;
+        let mut at_sites: Vec<String> = Vec::new();
+        let mut plain: Vec<String> = Vec::new();
+        for (name, _) in &used {
+            match neighbour(name) {
+                Some((base, offset)) => {
+                    reach = reach.max(offset.unsigned_abs() as usize);
+                    push_new(&mut at_sites, base);
+                }
+                None => push_new(&mut plain, name),
+            }
+        }
+        let is_constant = |name: &String| block.constants.iter().any(|constant| constant.name.text == **name);
+        let is_known = |name: &String| arrays.contains(name) || is_constant(name) || is_epsilon(name);
+        let (mut parameters, mut site_parameters) = (Vec::new(), Vec::new());
+        match &block.header {
+            Some(header) => {
+                for name in &header.parameters {
+                    let text = &name.text;
+                    let message = if arrays.contains(text) {
+                        format!("`{text}` is an array (`{text}[i]dot` is given), so it cannot be a parameter")
+                    } else if parameters.contains(text) || site_parameters.contains(text) {
+                        format!("the parameter `{text}` is declared twice")
+                    } else {
+                        let list = if at_sites.contains(text) { &mut site_parameters } else { &mut parameters };
+                        list.push(text.clone());
+                        continue;
+                    };
+                    diagnostics.report(Kind::Name, name.span, message, "rename one of them, or remove one");
+                }
+            }
+            None => {
+                site_parameters = at_sites.into_iter().filter(|name| !is_known(name)).collect();
+                let is_new = |name: &String| !is_known(name) && !site_parameters.contains(name);
+                parameters = plain.into_iter().filter(is_new).collect();
+            }
+        }
+        Names { arrays, parameters, site_parameters, reach }
+    }
+
+    fn symbols(&self) -> Symbols {
+        let reach = self.reach as i64;
+        let states = (-reach..=reach)
+            .flat_map(|offset| self.arrays.iter().map(move |array| neighbour_name(array, offset)));
+        let of_sites = self
+            .site_parameters
+            .iter()
+            .flat_map(|name| (-reach..=reach).map(move |offset| neighbour_name(name, offset)));
+        Symbols {
+            states: states.collect(),
+            parameters: self.parameters.iter().cloned().chain(of_sites).collect(),
+        }
+    }
+
+    /// Reports arrays without an index, once each.
+    fn report_plain_arrays(&self, block: &Block, scope: &mut Scope, diagnostics: &mut Diagnostics) {
+        for (name, span) in used_names(block) {
+            let is_at_sites = self.arrays.contains(&name) || self.site_parameters.contains(&name);
+            if is_at_sites && !scope.is_poisoned(&name) {
+                let message = format!("`{name}` has a value at each site");
+                diagnostics.report(Kind::Name, span, message, format!("write `{name}[i]`"));
+                scope.poison(&name);
+            }
+        }
+    }
+}
+
+/// Array and offset of `x[i+1]`.
+fn neighbour(name: &str) -> Option<(&str, i64)> {
+    let (base, index) = name.split_once("[i")?;
+    let offset = index.strip_suffix(']')?;
+    Some((base, if offset.is_empty() { 0 } else { offset.parse().ok()? }))
+}
+
+fn push_new(names: &mut Vec<String>, name: &str) {
+    if !names.iter().any(|known| known == name) {
+        names.push(name.to_owned());
+    }
+}
+
+/// The names of all equations and claims, with their places.
+fn used_names(block: &Block) -> Vec<(String, Span)> {
+    let mut names = Vec::new();
+    let equations = block.equations.iter().filter_map(|equation| equation.value.as_ref());
+    let claims = block.claims.iter().chain(&block.hamiltonians).filter_map(|claim| match &claim.body {
+        Some(ClaimBody::Function(expr)) => Some(expr),
+        _ => None,
+    });
+    for expr in equations.chain(claims) {
+        expr.visit_names(&mut |name, span| names.push((name.to_owned(), span)));
+    }
+    names
+}
+
+/// A claimed sum; `None` where a mistake in it was reported.
+fn sum(
+    claim: &Claim,
+    arrays: &[String],
+    scope: &mut Scope,
+    diagnostics: &mut Diagnostics,
+) -> Option<SiteSum> {
+    let name = &claim.name;
+    if arrays.contains(&name.text) {
+        let message = format!("the claim `{}` has the name of an array", name.text);
+        diagnostics.report(Kind::Name, name.span, message, "rename the claim");
+        return None;
+    }
+    if !scope.is_free(name, "claim", diagnostics) {
+        return None;
+    }
+    scope.claims.push(name.text.clone());
+    let Some(ClaimBody::Function(written)) = &claim.body else { return None };
+    if !scope.resolve(written, true, diagnostics) {
+        return None;
+    }
+    let density = density(written, scope).map_err(|mistake| diagnostics.push(mistake)).ok()?;
+    Some(SiteSum { name: name.clone(), written: written.clone(), density })
+}
+
+fn density(written: &Expr, scope: &Scope) -> Result<Component, Diagnostic> {
+    let component = equations::reduced(super::expand::expand_in_claim(&summand(written)?, scope)?, written.span)?;
+    if component.numerator.contains(scope.symbols.epsilon()) || component.denominator.contains(scope.symbols.epsilon()) {
+        return Err(Diagnostic::new(
+            Kind::Claim,
+            written.span,
+            "a sum over sites that is claimed is free of `eps`",
+            "write the sum that the field keeps; what the map keeps is made of it",
+        ));
+    }
+    Ok(component)
+}

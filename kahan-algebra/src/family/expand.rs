@@ -1,0 +1,111 @@
+//! A family at a given number of sites, as the plain system that a block of equations gives.
+
+use crate::field::{Component, Field};
+use crate::poly::{Monomial, Polynomial};
+use crate::symbols::Symbols;
+use crate::syntax::Boundary;
+use crate::system::System;
+
+use super::{Family, Role};
+
+impl Family {
+    /// The names of a chain of `sites` sites: `x0`, `x1`, …, arrays interleaved; the parameters of
+    /// the chain, then `c0`, `c1`, ….
+    #[must_use]
+    pub fn symbols_at(&self, sites: usize) -> Symbols {
+        let names = || self.arrays.iter().chain(&self.site_parameters);
+        let all: Vec<&String> = names().chain(&self.parameters).collect();
+        // `x` and `x1` side by side would make one name twice.
+        let is_prefix = |name: &String, other: &String| {
+            other.strip_prefix(name.as_str()).is_some_and(|rest| {
+                !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit())
+            })
+        };
+        let is_unclear = names().any(|name| all.iter().any(|other| is_prefix(name, other)));
+        let infix = if is_unclear { "_" } else { "" };
+        let at = |name: &String, site: usize| format!("{name}{infix}{site}");
+        let states = (0..sites).flat_map(|site| self.arrays.iter().map(move |name| at(name, site)));
+        let of_sites =
+            self.site_parameters.iter().flat_map(|name| (0..sites).map(move |site| at(name, site)));
+        Symbols {
+            states: states.collect(),
+            parameters: self.parameters.iter().cloned().chain(of_sites).collect(),
+        }
+    }
+
+    /// The system of a chain of `sites` sites, without claims. Where a periodic chain is shorter
+    /// than the stencil, a site is its own neighbour.
+    #[must_use]
+    pub fn at_sites(&self, sites: usize) -> System {
+        let symbols = self.symbols_at(sites);
+        let mut components = Vec::with_capacity(sites * self.block());
+        for site in 0..sites {
+            components.extend(self.components.iter().map(|component| self.moved(component, site, sites, &symbols)));
+        }
+        System {
+            header: self.header.clone(),
+            constants: self.constants.clone(),
+            field: Field { symbols, components },
+            is_field_sound: self.is_sound,
+            claims: Vec::new(),
+        }
+    }
+
+    /// A quotient written for site i, at one site of a chain.
+    pub(super) fn moved(
+        &self,
+        component: &Component,
+        site: usize,
+        sites: usize,
+        symbols: &Symbols,
+    ) -> Component {
+        Component {
+            numerator: self.moved_polynomial(&component.numerator, site, sites, symbols),
+            denominator: self.moved_polynomial(&component.denominator, site, sites, symbols),
+        }
+    }
+
+    fn moved_polynomial(
+        &self,
+        polynomial: &Polynomial,
+        site: usize,
+        sites: usize,
+        symbols: &Symbols,
+    ) -> Polynomial {
+        let terms = polynomial.terms().filter_map(|(monomial, coefficient)| {
+            let monomial = self.moved_monomial(monomial, site, sites, symbols)?;
+            Some((monomial, coefficient.clone()))
+        });
+        Polynomial::from_terms(terms)
+    }
+
+    /// `None` where a value beyond the end of an open chain makes it zero.
+    fn moved_monomial(
+        &self,
+        monomial: &Monomial,
+        site: usize,
+        sites: usize,
+        symbols: &Symbols,
+    ) -> Option<Monomial> {
+        let neighbour = |offset: i64| {
+            let place = site as i64 + offset;
+            match self.boundary {
+                Boundary::Periodic => Some(place.rem_euclid(sites as i64) as usize),
+                Boundary::Open => usize::try_from(place).ok().filter(|place| *place < sites),
+            }
+        };
+        let mut moved = Monomial::one();
+        for &(variable, exponent) in monomial.powers() {
+            let variable = match self.role(variable) {
+                Role::State { offset, array } => symbols.state(neighbour(offset)? * self.block() + array),
+                Role::Parameter(k) => symbols.parameter(k),
+                Role::SiteParameter { offset, index } => {
+                    symbols.parameter(self.parameters.len() + index * sites + neighbour(offset)?)
+                }
+                Role::Epsilon => symbols.epsilon(),
+            };
+            moved = moved.mul(&Monomial::power(variable, exponent));
+        }
+        Some(moved)
+    }
+}

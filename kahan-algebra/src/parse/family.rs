@@ -1,0 +1,174 @@
+//! Families: `for i in periodic { x[i]dot = …; }`, the equations of every site of a chain.
+
+use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use crate::syntax::{Block, Boundary, Equation, FamilyHead, Name};
+use crate::token::{Span, TokenKind};
+
+use super::block::{equals, semicolon};
+use super::cursor::Cursor;
+use super::expr::parse_expr;
+use super::number::parse_number;
+use super::{Parsed, error};
+
+const SHAPE: &str = "write `for i in periodic { x[i]dot = …; }`, or `for i in open { … }`";
+
+/// The largest offset of a neighbour.
+const FARTHEST: i64 = 64;
+
+/// Whether the next item is a family.
+pub(super) fn begins(cursor: &Cursor<'_>) -> bool {
+    cursor.identifier(0) == Some("for")
+        && (cursor.identifier(2) == Some("in") || cursor.identifier(1).is_some() && !cursor.has_sites)
+}
+
+/// Reads a family; mistakes in an equation end that equation only.
+pub(super) fn family(
+    cursor: &mut Cursor<'_>,
+    block: &mut Block,
+    diagnostics: &mut Diagnostics,
+) -> Parsed<()> {
+    let start = cursor.here();
+    cursor.advance();
+    let index = cursor.expect_name("the index of a site")?;
+    if index.text != "i" {
+        let message = format!("the index of a site is called `i`, not `{}`", index.text);
+        diagnostics.report(Kind::Name, index.span, message, "write `for i in …` and `x[i]`");
+    }
+    if cursor.identifier(0) != Some("in") {
+        let found = cursor.describe_next();
+        return error(Kind::Syntax, cursor.here(), format!("expected `in`, found {found}"), SHAPE);
+    }
+    cursor.advance();
+    let boundary = match cursor.identifier(0) {
+        Some("periodic") => Boundary::Periodic,
+        Some("open") => Boundary::Open,
+        _ => {
+            let found = cursor.describe_next();
+            let message = format!("a chain is `periodic` or `open`, and {found} is neither");
+            diagnostics.report(Kind::Syntax, cursor.here(), message, SHAPE);
+            Boundary::Periodic
+        }
+    };
+    cursor.advance();
+    let span = start.to(cursor.behind());
+    if !cursor.is_open(0, '{') {
+        let found = cursor.describe_next();
+        return error(Kind::Syntax, span.to(cursor.here()), format!("expected `{{`, found {found}"), SHAPE);
+    }
+    cursor.advance();
+    let equations_before = block.equations.len();
+    while !cursor.is_at_end() && !cursor.is_close('}') {
+        if let Err(diagnostic) = equation(cursor, block, &index.text) {
+            diagnostics.push(diagnostic);
+            skip_equation(cursor);
+        }
+    }
+    if cursor.is_at_end() {
+        diagnostics.report(Kind::Syntax, span, "the `{` of this family is not closed", "write `}`");
+    }
+    cursor.advance();
+    cursor.take(';');
+    if block.family.is_some() {
+        return error(Kind::Syntax, span, "a block has one family", "write its equations into the first one");
+    }
+    let equations_until = block.equations.len();
+    block.family = Some(FamilyHead { boundary, span, equations_before, equations_until });
+    Ok(())
+}
+
+/// Reads `x[i]dot = expr;`.
+fn equation(cursor: &mut Cursor<'_>, block: &mut Block, index: &str) -> Parsed<()> {
+    let array = cursor.expect_name("an equation")?;
+    let is_at_site = cursor.is_open(0, '[') && cursor.identifier(1) == Some(index);
+    if !is_at_site {
+        let base = array.text.strip_suffix("dot").filter(|base| !base.is_empty()).unwrap_or(&array.text);
+        let span = if cursor.is_open(0, '[') { array.span.to(cursor.skip_group()) } else { array.span };
+        let message = "an equation of a family is that of site `i`";
+        return error(Kind::Name, span, message, format!("write `{base}[i]dot = …;`"));
+    }
+    let group = cursor.skip_group();
+    let span = array.span.to(group);
+    if group.last - group.first != 2 {
+        let help = format!("write `{}[i]dot = …;` and shift the other side", array.text);
+        return error(Kind::Name, span, "the left side of an equation is at site `i`", help);
+    }
+    if cursor.identifier(0) != Some("dot") {
+        let help = format!("write `{}[i]dot = …;`", array.text);
+        let span = span.to(cursor.here());
+        return error(Kind::Name, span, "this left-hand side does not end in `dot`", help);
+    }
+    cursor.advance();
+    let state = Name { text: array.text, span: span.to(cursor.behind()) };
+    block.equations.push(Equation { state, value: None });
+    equals(cursor)?;
+    let value = parse_expr(cursor)?;
+    if let Some(equation) = block.equations.last_mut() {
+        equation.value = Some(value);
+    }
+    semicolon(cursor)
+}
+
+/// Leaves a broken equation: past its `;`, or up to the `}` of the family.
+fn skip_equation(cursor: &mut Cursor<'_>) {
+    while let Some(token) = cursor.peek(0) {
+        match token.kind {
+            TokenKind::Open(_) => {
+                cursor.skip_group();
+            }
+            TokenKind::Close('}') => return,
+            TokenKind::Punctuation(';') => return cursor.advance(),
+            _ => cursor.advance(),
+        }
+    }
+}
+
+/// Reads the index of `x[i+1]`, whose array was just read, and names the value: `x[i+1]`.
+pub(super) fn neighbour(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<String> {
+    let opening = cursor.position();
+    let group = cursor.skip_group();
+    let end = cursor.position();
+    let wrong = |message: &str| {
+        let help = format!("write `{array}[i]`, `{array}[i+1]`, `{array}[i-2]`: `i` and an integer");
+        error(Kind::Syntax, span.to(group), message, help)
+    };
+    let token = |place: usize| cursor.before(end - place).filter(|_| place + 1 < end);
+    let index = token(opening + 1);
+    if index.is_none_or(|index| index.kind != TokenKind::Identifier || index.text != "i") {
+        return wrong("the index of a site is `i`, or `i` and an integer");
+    }
+    match end - opening {
+        3 => Ok(format!("{array}[i]")),
+        5 => {
+            let sign = match token(opening + 2).map(|token| &token.kind) {
+                Some(TokenKind::Punctuation('+')) => 1,
+                Some(TokenKind::Punctuation('-')) => -1,
+                _ => return wrong("an offset is added to `i` or subtracted from it"),
+            };
+            let literal = token(opening + 3).filter(|token| token.kind == TokenKind::Literal);
+            let place = Span::token(opening + 3);
+            let value = match literal {
+                Some(literal) => parse_number(&literal.text, place)?,
+                None => return wrong("an offset is an integer literal"),
+            };
+            let Some(offset) = value.as_i64().filter(|_| value.is_integer()) else {
+                return wrong("this offset is no integer");
+            };
+            if offset > FARTHEST {
+                return wrong(&format!("neighbours farther than {FARTHEST} sites are not read"));
+            }
+            Ok(name(array, sign * offset))
+        }
+        _ => wrong("an index is `i` and one integer"),
+    }
+}
+
+/// The value of an array at the site `offset` from site i: `x[i]`, `x[i+1]`, `x[i-2]`.
+pub(crate) fn name(array: &str, offset: i64) -> String {
+    if offset == 0 { format!("{array}[i]") } else { format!("{array}[i{offset:+}]") }
+}
+
+/// The mistake of `x[i]dot = …` outside of a family.
+pub(super) fn outside(cursor: &Cursor<'_>) -> Diagnostic {
+    let message = "an equation at a site stands in the braces of its family";
+    Diagnostic::new(Kind::Syntax, cursor.here(), message, SHAPE)
+}
