@@ -158,7 +158,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                 }
                 let relative =
                     if residual.is_zero() { residual } else { residual / (size + right.absolute()) };
-                if relative != relative {
+                if !relative.is_finite_number() {
                     return relative;
                 }
                 if relative.magnitude_exceeds(&worst) {
