@@ -6,9 +6,11 @@ use core::fmt;
 use std::vec::Vec;
 
 use crate::SingularStep;
+use crate::ensemble::Level;
 use crate::step::error::pole;
 
 use super::folded::Folded;
+use super::parts::{InParts, Plan};
 use super::sites::Site;
 use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Shape};
 
@@ -23,6 +25,8 @@ pub struct LatticeAt<M, T> {
     backward: Vec<T>,
     site: Site<T>,
     folded: Folded<T>,
+    parts: Option<InParts<T>>,
+    whole: u64,
 }
 
 /// Whether a step goes with the time or against it.
@@ -43,6 +47,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                 return Err(LatticeError::SiteParameter { name, given, sites });
             }
         }
+        let plan = T::PARTS.and_then(|lanes| Plan::new(sites, M::Shape::REACH, lanes));
         let is_ring = M::BOUNDARY == Boundary::Periodic;
         Ok(Self {
             forward: map.constants(&eps, T::clone),
@@ -51,8 +56,21 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
             eps,
             sites,
             site: Site::of::<M::Shape>(),
+            parts: plan.map(|plan| InParts::new::<M::Shape>(plan, M::BOUNDARY)),
+            whole: 0,
             folded: Folded::new(sites * M::Shape::BLOCK, is_ring, M::Shape::LOWER, M::Shape::UPPER),
         })
+    }
+
+    /// The same map, its steps on another level; `None` if this processor lacks it.
+    ///
+    /// A level decides the last bits of long chains of `f32` and `f64`, as those of an
+    /// [`Ensemble`](crate::Ensemble); the largest is taken unless told otherwise.
+    pub fn at_level(mut self, level: Level) -> Option<Self> {
+        if let Some(parts) = &mut self.parts {
+            parts.level = level;
+        }
+        level.is_available().then_some(self)
     }
 
     /// The number of sites.
@@ -63,6 +81,12 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// ε, half the time step.
     pub fn eps(&self) -> &T {
         &self.eps
+    }
+
+    /// How many steps were one elimination of the whole chain: all of a short one, and those of a
+    /// long one whose parts met too small a pivot.
+    pub fn whole_eliminations(&self) -> u64 {
+        self.whole
     }
 
     /// One step, x ↦ x̃, in place.
@@ -180,6 +204,13 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
             Direction::Forward => (&self.forward, self.eps.clone()),
             Direction::Backward => (&self.backward, -self.eps.clone()),
         };
+        let twice = eps.clone() + eps;
+        if let Some(parts) = &mut self.parts
+            && T::step_in_parts(parts, &self.map, constants, &twice, &mut self.site, state)
+        {
+            return Some(());
+        }
+        self.whole += 1;
         let block = M::Shape::BLOCK;
         let mut last = None;
         let x = &*state;
@@ -194,9 +225,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                 row.add(column, entry.clone());
             }
         })?;
-        let twice = eps.clone() + eps;
         for (x, w) in state.iter_mut().zip(increments) {
-            *x += twice.clone() * w.clone();
+            *x = w.clone().multiply_add(twice.clone(), x.clone());
         }
         Some(())
     }

@@ -9,6 +9,9 @@ use std::vec::Vec;
 
 use crate::Scalar;
 
+use super::LatticeScalar;
+use super::parts::Kernel;
+
 /// What lies beyond the two ends of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Boundary {
@@ -27,7 +30,7 @@ pub enum Boundary {
 ///
 /// Where the chain wraps around, the same site may stand at several places of `x`; what the line
 /// writes for each place is then added.
-pub trait Family<T: Scalar>: Clone + Debug {
+pub trait Family<T: LatticeScalar>: Clone + Debug + Sync {
     /// The sizes, as one type.
     type Shape: Shape;
 
@@ -85,7 +88,7 @@ pub struct Stencil<
 >;
 
 /// The sizes of a [`Stencil`] as constants.
-pub trait Shape: 'static {
+pub trait Shape: Kernel + 'static {
     /// Arrays a site.
     const BLOCK: usize;
     /// The largest offset, at least 1.

@@ -120,6 +120,11 @@ impl<T: Scalar> Folded<T> {
         Some(&self.solution)
     }
 
+    /// What the last call solved for.
+    pub(super) fn solution(&self) -> &[T] {
+        &self.solution
+    }
+
     /// Eliminates a place from the rows of the window, of which the best becomes the pivot's and is
     /// done; the others move up.
     fn eliminate(&mut self, place: usize, rows: usize) -> Option<()> {

@@ -10,6 +10,7 @@ mod error;
 mod family;
 mod folded;
 mod map;
+mod parts;
 mod scalar;
 mod sites;
 #[cfg(test)]

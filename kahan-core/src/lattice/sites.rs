@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use crate::Scalar;
 
-use super::{Boundary, Family, Shape};
+use super::{Boundary, Family, LatticeScalar, Shape};
 
 /// The neighbour of site i at this offset, if the chain has one there.
 pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
@@ -46,7 +46,7 @@ impl<L: Scalar> Site<L> {
     /// Gathers the neighbourhood of site i, each number taken to L by `lift`.
     fn gather<M, T>(&mut self, map: &M, state: &[T], i: usize, lift: impl Fn(&T) -> L)
     where
-        T: Scalar,
+        T: LatticeScalar,
         M: Family<T>,
     {
         let (block, reach, parameters) = (M::Shape::BLOCK, M::Shape::REACH as isize, M::Shape::PARAMETERS);
@@ -73,7 +73,7 @@ impl<L: Scalar> Site<L> {
         lift: impl Fn(&T) -> L,
     ) -> &[L]
     where
-        T: Scalar,
+        T: LatticeScalar,
         M: Family<T>,
     {
         self.gather(map, state, i, lift);
@@ -90,7 +90,7 @@ impl<L: Scalar> Site<L> {
         i: usize,
         lift: impl Fn(&T) -> L,
     ) where
-        T: Scalar,
+        T: LatticeScalar,
         M: Family<T>,
     {
         self.gather(map, state, i, lift);

@@ -4,13 +4,13 @@ use std::vec;
 use std::vec::Vec;
 
 use crate::lattice::{Boundary, Family, Stencil};
-use crate::{Constant, Scalar};
+use crate::{Constant, LatticeScalar, Scalar};
 
 /// ẋᵢ = xᵢ(xᵢ₊₁ − xᵢ₋₁), closed to a ring.
 #[derive(Clone, Debug)]
 pub(super) struct Volterra;
 
-impl<T: Scalar> Family<T> for Volterra {
+impl<T: LatticeScalar> Family<T> for Volterra {
     type Shape = Stencil<1, 1, 0, 1, 1, 1, 3, 3>;
     const ARRAYS: &'static [&'static str] = &["x"];
     const SITE_PARAMETERS: &'static [&'static str] = &[];
@@ -45,7 +45,7 @@ impl<T: Scalar> Family<T> for Volterra {
 #[derive(Clone, Debug)]
 pub(super) struct Toda;
 
-impl<T: Scalar> Family<T> for Toda {
+impl<T: LatticeScalar> Family<T> for Toda {
     type Shape = Stencil<2, 1, 0, 2, 3, 3, 3, 7>;
     const ARRAYS: &'static [&'static str] = &["a", "b"];
     const SITE_PARAMETERS: &'static [&'static str] = &[];
@@ -90,7 +90,7 @@ pub(super) struct Kdv<T> {
     pub(super) dispersion: Vec<T>,
 }
 
-impl<T: Scalar> Family<T> for Kdv<T> {
+impl<T: LatticeScalar> Family<T> for Kdv<T> {
     type Shape = Stencil<1, 2, 1, 4, 2, 2, 5, 5>;
     const ARRAYS: &'static [&'static str] = &["u"];
     const SITE_PARAMETERS: &'static [&'static str] = &["dispersion"];

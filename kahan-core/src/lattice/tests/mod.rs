@@ -3,3 +3,4 @@
 #[cfg(feature = "exact")]
 mod exact;
 mod families;
+mod parts;
