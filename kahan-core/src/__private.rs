@@ -14,8 +14,12 @@ pub use core::result::Result;
 
 pub use kahan_derive;
 pub use nalgebra::{SMatrix, SVector};
+#[cfg(feature = "std")]
+pub use std::vec::{self, Vec};
 
 pub use crate::field::linear::{components, vector};
+#[cfg(feature = "std")]
+pub use crate::lattice::{Boundary, Family, Shape, Stencil};
 pub use crate::scalar::Dual;
 pub use crate::scalar::tuning::fenced;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};

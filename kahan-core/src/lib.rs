@@ -80,6 +80,9 @@ mod composition;
 mod ensemble;
 
 #[cfg(feature = "std")]
+mod lattice;
+
+#[cfg(feature = "std")]
 mod scene;
 
 // The doors: what users and generated code come in by.
@@ -105,6 +108,8 @@ pub use ensemble::{Advances, Axis, Ensemble, EnsembleScalar, Level, Reciprocal};
 pub use field::{Integrals, Named, QuadraticField};
 #[cfg(feature = "std")]
 pub use flow::{Flow, FlowScalar, NoFlow};
+#[cfg(feature = "std")]
+pub use lattice::{LatticeAt, LatticeError, LatticeMap, LatticeScalar};
 pub use map::{
     Accumulation, Compensated, Elimination, ErrorEstimates, Estimated, KahanAt, KahanMap, Lift, Method,
     Orbit, Pivot, Rounded, Scaled, Single, ThroughF64, eps_from_dt,

@@ -9,6 +9,7 @@
 mod advance;
 mod columns;
 mod grid;
+pub(crate) mod lanes;
 mod level;
 mod scalar;
 mod sweep;

@@ -12,16 +12,19 @@ use crate::{Method, PreparedStep, Scalar};
 
 use super::columns::{GROUP, Group};
 
-/// Consecutive trajectories side by side in one register, as a scalar.
-pub(crate) trait Register<T>: Scalar + Copy {
+/// Consecutive numbers side by side in one register, as a scalar.
+pub trait Register<T>: Scalar + Copy {
     /// How many; a divisor of [`GROUP`].
     const WIDTH: usize;
 
     /// The entries from `place` on.
-    fn load(group: &Group<T>, place: usize) -> Self;
+    fn load(entries: &[T], place: usize) -> Self;
 
     /// Writes the entries from `place` on.
-    fn store(self, group: &mut Group<T>, place: usize);
+    fn store(self, entries: &mut [T], place: usize);
+
+    /// The number in every lane.
+    fn spread(value: &T) -> Self;
 }
 
 /// A scalar is a register of one.
@@ -29,13 +32,18 @@ impl<T: Scalar + Copy> Register<T> for T {
     const WIDTH: usize = 1;
 
     #[inline(always)]
-    fn load(group: &Group<T>, place: usize) -> Self {
-        group[place]
+    fn load(entries: &[T], place: usize) -> Self {
+        entries[place]
     }
 
     #[inline(always)]
-    fn store(self, group: &mut Group<T>, place: usize) {
-        group[place] = self;
+    fn store(self, entries: &mut [T], place: usize) {
+        entries[place] = self;
+    }
+
+    #[inline(always)]
+    fn spread(value: &T) -> Self {
+        *value
     }
 }
 

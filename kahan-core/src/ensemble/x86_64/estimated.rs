@@ -10,12 +10,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
-use crate::ensemble::columns::Group;
 use crate::ensemble::sweep::Register;
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
-use super::Spread;
 use super::lanes::{lanes, machine};
 
 lanes!(F64x8Estimated(__m512d), quotient estimated_f64);

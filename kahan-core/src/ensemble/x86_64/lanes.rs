@@ -14,12 +14,11 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
-use crate::ensemble::columns::Group;
 use crate::ensemble::sweep::Register;
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
-use super::Spread;
+mod choosing;
 
 /// Runs intrinsics of the instructions that a lane type stands for.
 macro_rules! machine {
@@ -77,22 +76,20 @@ macro_rules! lanes {
             const WIDTH: usize = $lanes;
 
             #[inline(always)]
-            fn load(group: &Group<$float>, place: usize) -> Self {
-                let entries = &group[place..place + $lanes];
+            fn load(entries: &[$float], place: usize) -> Self {
+                let entries = &entries[place..place + $lanes];
                 // The pointer is good for as many floats as the register holds, and need not be
                 // aligned.
                 Self(machine!($load(entries.as_ptr())))
             }
 
             #[inline(always)]
-            fn store(self, group: &mut Group<$float>, place: usize) {
-                let entries = &mut group[place..place + $lanes];
+            fn store(self, entries: &mut [$float], place: usize) {
+                let entries = &mut entries[place..place + $lanes];
                 // As in `load`.
                 machine!($store(entries.as_mut_ptr(), self.0));
             }
-        }
 
-        impl Spread<$float> for $name {
             #[inline(always)]
             fn spread(value: &$float) -> Self {
                 Self::splat(*value)

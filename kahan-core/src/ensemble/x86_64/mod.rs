@@ -16,17 +16,12 @@ mod tests;
 use crate::{Method, WideStep};
 
 use super::columns::Group;
+use super::lanes::{Lanes, OverLanes};
 use super::level::{Instructions, Level, Reciprocal};
 use super::sweep::{Register, sweep};
 
 use estimated::{F32x16Estimated, F64x8Estimated};
 use lanes::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
-
-/// A register that can be filled with one number.
-pub(super) trait Spread<T>: Register<T> {
-    /// The number in every lane.
-    fn spread(value: &T) -> Self;
-}
 
 macro_rules! dispatch_for_float {
     ($sweep:ident, $float:ty: $sse2:ty, $avx2:ty, $avx512:ty, $estimated:ty) => {
@@ -76,7 +71,7 @@ macro_rules! over_registers {
         where
             K: Method,
             T: crate::Scalar,
-            R: Spread<T>,
+            R: Register<T>,
             S: WideStep<T, N>,
         {
             $body
@@ -99,4 +94,36 @@ over_registers! {
         let wide = K::map(stages, |step| step.widen(R::spread));
         sweep::<K, R, T, _, N>(&wide, columns, steps)
     }
+}
+
+macro_rules! run_over_lanes_of {
+    ($run:ident, $float:ty: $sse2:ty, $avx2:ty, $avx512:ty) => {
+        /// Runs work over the lanes of a level or, should the processor lack it, of the baseline.
+        pub(super) fn $run<W: OverLanes<$float>>(work: W, level: Level) -> W::Output {
+            match level {
+                Level::Avx512 if level.is_available() => {
+                    // SAFETY: the processor has AVX-512F; it was asked in the line above.
+                    unsafe { work_on_avx512::<$avx512, _, W>(work) }
+                }
+                Level::Avx2 if level.is_available() => {
+                    // SAFETY: the processor has AVX2 and FMA; it was asked in the line above.
+                    unsafe { work_on_avx2::<$avx2, _, W>(work) }
+                }
+                _ => work.run::<$sse2>(),
+            }
+        }
+    };
+}
+
+run_over_lanes_of!(run_over_f32, f32: F32x4, F32x8, F32x16);
+run_over_lanes_of!(run_over_f64, f64: F64x2, F64x4, F64x8);
+
+#[target_feature(enable = "avx2,fma")]
+fn work_on_avx2<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
+    work.run::<L>()
+}
+
+#[target_feature(enable = "avx512f")]
+fn work_on_avx512<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
+    work.run::<L>()
 }

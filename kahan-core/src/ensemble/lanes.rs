@@ -1,0 +1,72 @@
+//! Lanes that choose: what work in registers needs where its numbers decide.
+//!
+//! In: work that is written once, over any lanes. Out: the same work, compiled for the instructions
+//! of a level and run there. One float is the register of processors that have no other.
+
+use super::level::Level;
+use super::sweep::Register;
+
+/// A register whose lanes are compared and chosen from, each for itself.
+pub trait Lanes<T>: Register<T> {
+    /// Which lanes a comparison holds in.
+    type Mask: Copy;
+
+    /// Where |self| > |other|; not where either is not a number.
+    fn exceeds(self, other: Self) -> Self::Mask;
+
+    /// `yes` where the mask is set, `no` elsewhere.
+    fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
+}
+
+/// Work over lanes of T.
+pub trait OverLanes<T> {
+    /// What comes of it.
+    type Output;
+
+    /// Does it; to be inlined into its caller, whose instructions it then is compiled with.
+    fn run<L: Lanes<T>>(self) -> Self::Output;
+}
+
+/// A float that fills lanes.
+pub trait InLanes: Sized {
+    /// Numbers in the widest register.
+    const MOST: usize;
+
+    /// Runs work over the lanes of a level or, should the processor lack it, of the baseline.
+    fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output;
+}
+
+macro_rules! implement_for_float {
+    ($float:ty, $most:literal, $run:ident) => {
+        impl Lanes<$float> for $float {
+            type Mask = bool;
+
+            #[inline(always)]
+            fn exceeds(self, other: Self) -> bool {
+                self.abs() > other.abs()
+            }
+
+            #[inline(always)]
+            fn choose(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+        }
+
+        impl InLanes for $float {
+            const MOST: usize = $most;
+
+            fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output {
+                #[cfg(target_arch = "x86_64")]
+                return super::x86_64::$run(work, level);
+                #[cfg(not(target_arch = "x86_64"))]
+                {
+                    let _ = level;
+                    work.run::<Self>()
+                }
+            }
+        }
+    };
+}
+
+implement_for_float!(f32, 16, run_over_f32);
+implement_for_float!(f64, 8, run_over_f64);

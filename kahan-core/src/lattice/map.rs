@@ -1,0 +1,36 @@
+//! A family as a map of chains.
+
+use super::{Family, LatticeAt, LatticeError, LatticeScalar, Shape};
+
+/// The Kahan map of a family: x ↦ x̃ for chains of any number of sites.
+///
+/// A state is site by site, arrays interleaved: array b of site i is entry i·[`BLOCK`](Self::BLOCK)
+/// + b. **ε is half the time step.** The macro implements it for a block with a family.
+pub trait LatticeMap<T: LatticeScalar>: Family<T> {
+    /// The names of the arrays, in their order within a site.
+    const ARRAYS: &'static [&'static str];
+    /// The number of arrays: the numbers that a site takes in a state.
+    const BLOCK: usize;
+    /// The largest offset of a neighbour in the equations, at least 1.
+    const REACH: usize;
+
+    /// The map at this ε, half the time step, for a chain of this many sites, with all memory that
+    /// its steps need.
+    ///
+    /// Every number of sites but 0 is right: where a periodic chain is shorter than the stencil, a
+    /// site is its own neighbour, and its couplings add up.
+    ///
+    /// # Errors
+    /// No sites, or parameters of another number of sites.
+    fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError>;
+}
+
+impl<T: LatticeScalar, M: Family<T>> LatticeMap<T> for M {
+    const ARRAYS: &'static [&'static str] = <M as Family<T>>::ARRAYS;
+    const BLOCK: usize = M::Shape::BLOCK;
+    const REACH: usize = M::Shape::REACH;
+
+    fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
+        LatticeAt::new(self.clone(), eps, sites)
+    }
+}

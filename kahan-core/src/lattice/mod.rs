@@ -1,0 +1,23 @@
+//! Chains of any number of sites: one equation a site, couplings to a few neighbours.
+//!
+//! In: what the macro makes of a family `for i in periodic { … }`, the straight line of one site.
+//! Out: steps of the whole chain that cost what its couplings cost. A(x,ε) is a band, with corners
+//! where the chain is periodic; the linear system is solved, never inverted, and nothing is
+//! allocated a step. What a state means, and what is conserved, is not known here.
+
+mod at;
+mod error;
+mod family;
+mod folded;
+mod map;
+mod parts;
+mod scalar;
+mod sites;
+#[cfg(test)]
+mod tests;
+
+pub use at::LatticeAt;
+pub use error::LatticeError;
+pub use family::{Boundary, Family, Shape, Stencil};
+pub use map::LatticeMap;
+pub use scalar::LatticeScalar;

@@ -1,0 +1,324 @@
+//! The two passes over some parts side by side, one in each lane.
+//!
+//! In: gathered sites. Out of the first pass: what eliminating the interiors leaves of the rows of
+//! the separators to either side. Out of the second, with the separators known: the interiors one
+//! step later. The second eliminates again what the first has not stored, which moves less memory
+//! than storing it would.
+
+use core::array::from_fn;
+
+use crate::Scalar;
+use crate::ensemble::lanes::Lanes;
+use crate::lattice::{Family, LatticeScalar, Stencil};
+
+use super::scratch::Scratch;
+use super::window::{Row, Window};
+
+/// A line's results at one site: f, and for each array its entries, site by site.
+struct Line<L, const B: usize, const SITES: usize> {
+    f: [L; B],
+    a: [[[L; B]; SITES]; B],
+}
+
+/// The passes of a [`Shape`](crate::lattice::Shape).
+pub trait Kernel {
+    /// The first pass over parts of `interior` sites and their separators: writes 2S rows of 2S + 1
+    /// numbers, S = R·B, first those of the separators to the right, and in each row first the
+    /// columns of the separators to the right; and last the largest multiplier of such a row.
+    #[doc(hidden)]
+    fn contribute<M, L, T>(constants: &[T], interior: usize, scratch: &mut Scratch<T>)
+    where
+        M: Family<T, Shape = Self>,
+        L: Lanes<T>,
+        T: LatticeScalar + Copy;
+
+    /// The second pass, with what the separators gain, first that to the left: x + 2ε w in place of
+    /// x.
+    #[doc(hidden)]
+    fn substitute<M, L, T>(constants: &[T], twice: &T, interior: usize, scratch: &mut Scratch<T>)
+    where
+        M: Family<T, Shape = Self>,
+        L: Lanes<T>,
+        T: LatticeScalar + Copy;
+}
+
+impl<
+    const B: usize,
+    const R: usize,
+    const P: usize,
+    const C: usize,
+    const LOWER: usize,
+    const UPPER: usize,
+    const SITES: usize,
+    const WIDTH: usize,
+> Kernel for Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
+{
+    #[inline(always)]
+    fn contribute<M, L, T>(constants: &[T], interior: usize, scratch: &mut Scratch<T>)
+    where
+        M: Family<T, Shape = Self>,
+        L: Lanes<T>,
+        T: LatticeScalar + Copy,
+    {
+        let constants: [L; C] = from_fn(|k| L::spread(&constants[k]));
+        let (x, c) = (scratch.x.entries(), scratch.c.entries());
+        // The line at a site counted from the first of the interior.
+        let line = |site: usize| Self::line::<M, L, T>(&constants, x, c, site);
+
+        // The rows of the left separator, which no part before this one sees to the left.
+        let mut border = [[Row::<L, B, R, WIDTH>::zero(); B]; R];
+        for r in 0..R {
+            let Line { f, a } = line(R + r);
+            for b in 0..B {
+                border[r][b].right = f[b];
+                for k in R - r..SITES {
+                    for e in 0..B {
+                        let site = r + k - R;
+                        if site < R {
+                            border[r][b].left[site][e] = a[b][k][e];
+                        } else if LOWER + (site - R) * B + e < WIDTH {
+                            border[r][b].band[LOWER + (site - R) * B + e] = a[b][k][e];
+                        }
+                    }
+                }
+            }
+        }
+        let mut window = Window::<L, B, R, LOWER, WIDTH>::new();
+        let mut worst = L::zero();
+        let mut take = |row| {
+            let pivot = window.push(row);
+            for r in 0..R {
+                for b in 0..B {
+                    let multiplier = border[r][b].band[0] * pivot.band[0];
+                    worst = L::choose(worst.exceeds(multiplier), worst, multiplier);
+                    border[r][b] = border[r][b].reduced(multiplier, &pivot);
+                }
+            }
+        };
+        for i in 0..R {
+            let line = line(2 * R + i);
+            for b in 0..B {
+                take(Self::row_at_edge(&line, b, i));
+            }
+        }
+        for i in R..interior {
+            let line = line(2 * R + i);
+            for b in 0..B {
+                take(Self::row(&line, b));
+            }
+        }
+
+        // What is left is small and dense: the last interior columns, the separator to the right,
+        // the one to the left, right-hand sides.
+        let s = R * B;
+        let (rows, columns) = (LOWER + 2 * s, LOWER + 2 * s + 1);
+        let dense = scratch.dense.entries();
+        let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
+        for row in 0..rows {
+            for column in 0..columns {
+                L::zero().store(dense, place(row, column));
+            }
+        }
+        let mut write = |row: usize, from: &Row<L, B, R, WIDTH>| {
+            for k in 0..WIDTH.min(LOWER + s) {
+                from.band[k].store(dense, place(row, k));
+            }
+            for r in 0..R {
+                for b in 0..B {
+                    from.left[r][b].store(dense, place(row, LOWER + s + r * B + b));
+                }
+            }
+            from.right.store(dense, place(row, columns - 1));
+        };
+        for k in 0..LOWER {
+            write(k, &window.rows[k]);
+        }
+        for r in 0..R {
+            for b in 0..B {
+                write(LOWER + s + r * B + b, &border[r][b]);
+            }
+        }
+        for r in 0..R {
+            // Of the right separator's rows only what leads to the interior: the rest is the next
+            // part's.
+            let Line { a, .. } = line(2 * R + interior + r);
+            for b in 0..B {
+                for k in 0..R - r {
+                    for e in 0..B {
+                        let back = (R - r - k) * B - e;
+                        if back <= LOWER {
+                            a[b][k][e].store(dense, place(LOWER + r * B + b, LOWER - back));
+                        }
+                    }
+                }
+            }
+        }
+        let worst = Self::eliminate::<L, T>(dense, LOWER, rows, worst);
+        worst.store(dense, place(rows, 0));
+    }
+
+    #[inline(always)]
+    fn substitute<M, L, T>(constants: &[T], twice: &T, interior: usize, scratch: &mut Scratch<T>)
+    where
+        M: Family<T, Shape = Self>,
+        L: Lanes<T>,
+        T: LatticeScalar + Copy,
+    {
+        let constants: [L; C] = from_fn(|k| L::spread(&constants[k]));
+        let twice = L::spread(twice);
+        let (x, c) = (scratch.x.entries(), scratch.c.entries());
+        let (done, known) = (scratch.done.entries(), scratch.known.entries());
+        let left: [[L; B]; R] = from_fn(|r| from_fn(|b| L::load(known, (r * B + b) * L::WIDTH)));
+        let stride = (WIDTH + 1) * L::WIDTH;
+
+        let mut window = Window::<L, B, 0, LOWER, WIDTH>::new();
+        let mut count = 0;
+        let mut take = |row: Row<L, B, R, WIDTH>, right: L| {
+            let pivot = window.push(Row { band: row.band, left: [], right });
+            // The first ones are rows of the identity.
+            if count >= LOWER {
+                let kept = &mut done[(count - LOWER) * stride..][..stride];
+                for k in 0..WIDTH {
+                    pivot.band[k].store(kept, k * L::WIDTH);
+                }
+                pivot.right.store(kept, WIDTH * L::WIDTH);
+            }
+            count += 1;
+        };
+        for i in 0..R {
+            let line = Self::line::<M, L, T>(&constants, x, c, 2 * R + i);
+            for b in 0..B {
+                let row = Self::row_at_edge(&line, b, i);
+                let mut right = row.right;
+                for r in 0..R {
+                    for b in 0..B {
+                        right = right.subtract_product(row.left[r][b], left[r][b]);
+                    }
+                }
+                take(row, right);
+            }
+        }
+        for i in R..interior {
+            let line = Self::line::<M, L, T>(&constants, x, c, 2 * R + i);
+            for b in 0..B {
+                let row = Self::row(&line, b);
+                take(row, row.right);
+            }
+        }
+        for _ in 0..LOWER {
+            take(Row::zero(), L::zero());
+        }
+
+        // What the unknowns after the current one gain, beginning with the right separator's.
+        let mut after: [L; WIDTH] =
+            from_fn(|k| if k < R * B { L::load(known, (R * B + k) * L::WIDTH) } else { L::zero() });
+        for unknown in (0..interior * B).rev() {
+            let kept = &done[unknown * stride..][..stride];
+            let mut sum = L::load(kept, WIDTH * L::WIDTH);
+            for k in (1..WIDTH).rev() {
+                sum = sum.subtract_product(L::load(kept, k * L::WIDTH), after[k - 1]);
+            }
+            let gained = sum * L::load(kept, 0);
+            for k in (1..WIDTH).rev() {
+                after[k] = after[k - 1];
+            }
+            after[0] = gained;
+            let place = (2 * R * B + unknown) * L::WIDTH;
+            gained.multiply_add(twice, L::load(x, place)).store(x, place);
+        }
+    }
+}
+
+impl<
+    const B: usize,
+    const R: usize,
+    const P: usize,
+    const C: usize,
+    const LOWER: usize,
+    const UPPER: usize,
+    const SITES: usize,
+    const WIDTH: usize,
+> Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
+{
+    /// The line of a gathered site.
+    #[inline(always)]
+    fn line<M, L, T>(constants: &[L; C], x: &[T], c: &[T], site: usize) -> Line<L, B, SITES>
+    where
+        M: Family<T, Shape = Self>,
+        L: Lanes<T>,
+        T: LatticeScalar + Copy,
+    {
+        let first = site - R;
+        let seen_x = &x[first * B * L::WIDTH..][..SITES * B * L::WIDTH];
+        let seen_c = &c[first * P * L::WIDTH..][..SITES * P * L::WIDTH];
+        let x: [[L; B]; SITES] = from_fn(|k| from_fn(|b| L::load(seen_x, (k * B + b) * L::WIDTH)));
+        let c: [[L; P]; SITES] = from_fn(|k| from_fn(|p| L::load(seen_c, (k * P + p) * L::WIDTH)));
+        let mut line = Line { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
+        let a = line.a.as_flattened_mut().as_flattened_mut();
+        M::rows(constants, x.as_flattened(), c.as_flattened(), &mut line.f, a);
+        line
+    }
+
+    /// A row whose site sees no separator to the left.
+    #[inline(always)]
+    fn row<L: Scalar + Copy>(line: &Line<L, B, SITES>, b: usize) -> Row<L, B, R, WIDTH> {
+        let mut row = Row::zero();
+        row.right = line.f[b];
+        let entries = line.a[b].as_flattened();
+        for k in 0..WIDTH {
+            // The first and last rows of a block see fewer entries to one side.
+            if R * B + b + k >= LOWER && R * B + b + k - LOWER < SITES * B {
+                row.band[k] = entries[R * B + b + k - LOWER];
+            }
+        }
+        row
+    }
+
+    /// A row of the first R sites, i of them before its own.
+    #[inline(always)]
+    fn row_at_edge<L: Scalar + Copy>(line: &Line<L, B, SITES>, b: usize, i: usize) -> Row<L, B, R, WIDTH> {
+        let mut row = Self::row(line, b);
+        for k in 0..R - i {
+            for e in 0..B {
+                row.left[i + k][e] = line.a[b][k][e];
+                // Where it stands in the band it would be eliminated with the identity's rows.
+                let distance = (R - k) * B + b - e;
+                if distance <= LOWER {
+                    row.band[LOWER - distance] = L::zero();
+                }
+            }
+        }
+        row
+    }
+
+    /// Eliminates the first columns of a dense system, pivots from the first rows only.
+    #[inline(always)]
+    fn eliminate<L: Lanes<T>, T>(dense: &mut [T], first: usize, rows: usize, worst: L) -> L {
+        let (columns, mut worst) = (rows + 1, worst);
+        let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
+        for column in 0..first {
+            for row in column + 1..first {
+                let (a, b) = (place(column, column), place(row, column));
+                let mask = L::load(dense, b).exceeds(L::load(dense, a));
+                for k in column..columns {
+                    let (a, b) = (L::load(dense, place(column, k)), L::load(dense, place(row, k)));
+                    L::choose(mask, b, a).store(dense, place(column, k));
+                    L::choose(mask, a, b).store(dense, place(row, k));
+                }
+            }
+            let reciprocal = L::one() / L::load(dense, place(column, column));
+            for row in column + 1..rows {
+                let multiplier = L::load(dense, place(row, column)) * reciprocal;
+                if row >= first {
+                    worst = L::choose(worst.exceeds(multiplier), worst, multiplier);
+                }
+                for k in column + 1..columns {
+                    let pivot = L::load(dense, place(column, k));
+                    let entry = L::load(dense, place(row, k)).subtract_product(multiplier, pivot);
+                    entry.store(dense, place(row, k));
+                }
+            }
+        }
+        worst
+    }
+}

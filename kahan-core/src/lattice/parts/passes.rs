@@ -1,0 +1,173 @@
+//! The two passes over all groups, on the lanes of a level and on threads.
+//!
+//! In: a state. Out of the first pass, which only reads it: what each part leaves. Out of the
+//! second: the interiors one step later. A group's numbers depend on no other group, so threads
+//! change no bit.
+
+use core::ops::Range;
+
+use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
+use crate::lattice::{LatticeMap, LatticeScalar, Shape};
+
+use super::group::Parts;
+use super::kernel::Kernel;
+use super::plan::Plan;
+use super::scratch::Scratch;
+use super::{InParts, joints};
+
+/// The first pass: fills the joints.
+pub(super) fn first<M, T>(parts: &mut InParts<T>, map: &M, constants: &[T], state: &[T])
+where
+    M: LatticeMap<T>,
+    T: LatticeScalar + InLanes + Copy + Send + Sync,
+{
+    let InParts { plan, level, scratch, joints, .. } = parts;
+    let (plan, level) = (&*plan, *level);
+    let size = plan.lanes() * joints::size(M::Shape::REACH * M::Shape::BLOCK);
+    divide(scratch, 0..plan.groups(), joints, &|group| group * size, &|scratch, groups, joints| {
+        T::run(First { plan, map, constants, state, groups, scratch, joints }, level);
+    });
+}
+
+/// The second pass: moves the interiors.
+pub(super) fn second<M, T>(parts: &mut InParts<T>, map: &M, constants: &[T], twice: &T, state: &mut [T])
+where
+    M: LatticeMap<T>,
+    T: LatticeScalar + InLanes + Copy + Send + Sync,
+{
+    let InParts { plan, level, scratch, kept, reduced, .. } = parts;
+    let (plan, level, kept, gained) = (&*plan, *level, &**kept, reduced.solution());
+    let sites = state.len() / M::Shape::BLOCK;
+    let state = &mut state[..plan.start(plan.groups()) * M::Shape::BLOCK];
+    let place = |group| plan.start(group) * M::Shape::BLOCK;
+    divide(scratch, 0..plan.groups(), state, &place, &|scratch, groups, state| {
+        T::run(Second { plan, map, constants, twice, kept, gained, sites, groups, scratch, state }, level);
+    });
+}
+
+/// Divides groups, and the numbers that belong to them, among threads, each with a scratch of its
+/// own; `place` is where a group's numbers begin.
+fn divide<T: Send>(
+    scratch: &mut [Scratch<T>],
+    groups: Range<usize>,
+    numbers: &mut [T],
+    place: &(impl Fn(usize) -> usize + Sync),
+    work: &(impl Fn(&mut Scratch<T>, Range<usize>, &mut [T]) + Sync),
+) {
+    match scratch {
+        [] => {}
+        [one] => work(one, groups, numbers),
+        #[cfg(not(feature = "parallel"))]
+        [one, ..] => work(one, groups, numbers),
+        #[cfg(feature = "parallel")]
+        several => {
+            let half = several.len() / 2;
+            let middle = groups.start + groups.len() * half / several.len();
+            let (these, those) = several.split_at_mut(half);
+            let (before, after) = numbers.split_at_mut(place(middle) - place(groups.start));
+            rayon::join(
+                || divide(these, groups.start..middle, before, place, work),
+                || divide(those, middle..groups.end, after, place, work),
+            );
+        }
+    }
+}
+
+/// The parts of a group that fit the lanes, batch after batch: each with the number of its first
+/// part.
+#[inline(always)]
+fn batches(plan: &Plan, group: usize, width: usize) -> impl Iterator<Item = (usize, Parts)> {
+    let (start, length, lanes) = (plan.start(group), plan.length(group), plan.lanes());
+    (0..lanes)
+        .step_by(width)
+        .map(move |k| (group * lanes + k, Parts { start: start + k * length, length, count: width }))
+}
+
+struct First<'a, M, T> {
+    plan: &'a Plan,
+    map: &'a M,
+    constants: &'a [T],
+    state: &'a [T],
+    groups: Range<usize>,
+    scratch: &'a mut Scratch<T>,
+    joints: &'a mut [T],
+}
+
+impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for First<'_, M, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes<T>>(self) {
+        let Self { plan, map, constants, state, groups, scratch, joints } = self;
+        let separator = M::Shape::REACH * M::Shape::BLOCK;
+        let columns = M::Shape::LOWER + 2 * separator + 1;
+        let mut joints = joints.chunks_exact_mut(joints::size(separator));
+        for group in groups {
+            for (_, parts) in batches(plan, group, L::WIDTH) {
+                parts.gather_all(map, state, scratch.x.entries(), scratch.c.entries());
+                M::Shape::contribute::<M, L, T>(constants, parts.length - M::Shape::REACH, scratch);
+                let dense = scratch.dense.entries();
+                for (lane, joint) in joints.by_ref().take(L::WIDTH).enumerate() {
+                    let from = |row: usize, column: usize| dense[(row * columns + column) * L::WIDTH + lane];
+                    for row in 0..2 * separator {
+                        for column in 0..2 * separator + 1 {
+                            joint[row * (2 * separator + 1) + column] =
+                                from(M::Shape::LOWER + row, M::Shape::LOWER + column);
+                        }
+                    }
+                    joint[joints::size(separator) - 1] = from(M::Shape::LOWER + 2 * separator, 0);
+                }
+            }
+        }
+    }
+}
+
+struct Second<'a, M, T> {
+    plan: &'a Plan,
+    map: &'a M,
+    constants: &'a [T],
+    twice: &'a T,
+    /// States of the sites of the reduced system, and what they gain.
+    kept: &'a [T],
+    gained: &'a [T],
+    sites: usize,
+    groups: Range<usize>,
+    scratch: &'a mut Scratch<T>,
+    /// From the first site of the first group on.
+    state: &'a mut [T],
+}
+
+impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for Second<'_, M, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes<T>>(self) {
+        let Self { plan, map, constants, twice, kept, gained, sites, groups, scratch, state } = self;
+        let (block, reach) = (M::Shape::BLOCK, M::Shape::REACH);
+        let separator = reach * block;
+        let first = plan.start(groups.start);
+        for group in groups {
+            for (part, parts) in batches(plan, group, L::WIDTH) {
+                parts.gather_parameters(map, sites, scratch.c.entries());
+                let here = Parts { start: parts.start - first, ..parts };
+                let x = scratch.x.entries();
+                here.gather_inner(state, block, 0, parts.length, &mut x[separator * L::WIDTH..]);
+                for lane in 0..L::WIDTH {
+                    let separators = (part + lane) * separator;
+                    for k in 0..separator {
+                        // The separator to the right may lie in another thread's numbers.
+                        x[(parts.length * block + separator + k) * L::WIDTH + lane] =
+                            kept[separators + separator + k];
+                    }
+                    let known = scratch.known.entries();
+                    for k in 0..2 * separator {
+                        known[k * L::WIDTH + lane] = gained[separators + k];
+                    }
+                }
+                M::Shape::substitute::<M, L, T>(constants, twice, parts.length - reach, scratch);
+                let x = scratch.x.entries();
+                here.scatter_inner(state, block, reach, parts.length, &x[2 * separator * L::WIDTH..]);
+            }
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! Elimination with partial pivoting in a window of rows that moves along a band, in registers.
+//!
+//! In: the rows of a band, one at a time. Out: for each, the row that is done with, its pivot's
+//! reciprocal first. What a row says of the separator to the left, and its right-hand side, go
+//! along. All loops have lengths known while compiling, so that they are unrolled and every number
+//! has a register.
+
+use crate::Scalar;
+use crate::ensemble::lanes::Lanes;
+
+/// A row, from the current column on.
+#[derive(Clone, Copy)]
+pub(super) struct Row<L, const B: usize, const R: usize, const WIDTH: usize> {
+    pub(super) band: [L; WIDTH],
+    /// The entries at the separator to the left.
+    pub(super) left: [[L; B]; R],
+    /// The right-hand side.
+    pub(super) right: L,
+}
+
+impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Row<L, B, R, WIDTH> {
+    #[inline(always)]
+    pub(super) fn zero() -> Self {
+        Self { band: [L::zero(); WIDTH], left: [[L::zero(); B]; R], right: L::zero() }
+    }
+
+    /// Exchanges with another row where a mask is set.
+    #[inline(always)]
+    fn exchange<T>(&mut self, other: &mut Self, mask: L::Mask)
+    where
+        L: Lanes<T>,
+    {
+        let exchange = |a: &mut L, b: &mut L| (*a, *b) = (L::choose(mask, *b, *a), L::choose(mask, *a, *b));
+        for k in 0..WIDTH {
+            exchange(&mut self.band[k], &mut other.band[k]);
+        }
+        for r in 0..R {
+            for b in 0..B {
+                exchange(&mut self.left[r][b], &mut other.left[r][b]);
+            }
+        }
+        exchange(&mut self.right, &mut other.right);
+    }
+
+    /// The row less a multiple of the pivot's, from the next column on.
+    #[inline(always)]
+    pub(super) fn reduced(&self, multiplier: L, pivot: &Self) -> Self {
+        let mut next = Self::zero();
+        for k in 1..WIDTH {
+            next.band[k - 1] = self.band[k].subtract_product(multiplier, pivot.band[k]);
+        }
+        for r in 0..R {
+            for b in 0..B {
+                next.left[r][b] = self.left[r][b].subtract_product(multiplier, pivot.left[r][b]);
+            }
+        }
+        next.right = self.right.subtract_product(multiplier, pivot.right);
+        next
+    }
+}
+
+/// The rows that may still become pivots.
+pub(super) struct Window<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
+    pub(super) rows: [Row<L, B, R, WIDTH>; LOWER],
+}
+
+impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
+    Window<L, B, R, LOWER, WIDTH>
+{
+    /// Before the first row: rows of the identity, for columns before the first.
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        let mut rows = [Row::zero(); LOWER];
+        for (k, row) in rows.iter_mut().enumerate() {
+            row.band[k] = L::one();
+        }
+        Self { rows }
+    }
+
+    /// Takes in the row whose first entry is at the current column, eliminates that column, and
+    /// returns the pivot's row, with its pivot's reciprocal in place of the pivot.
+    #[inline(always)]
+    pub(super) fn push<T>(&mut self, row: Row<L, B, R, WIDTH>) -> Row<L, B, R, WIDTH>
+    where
+        L: Lanes<T>,
+    {
+        let mut pivot = row;
+        for k in 0..LOWER {
+            let mask = self.rows[k].band[0].exceeds(pivot.band[0]);
+            pivot.exchange(&mut self.rows[k], mask);
+        }
+        pivot.band[0] = L::one() / pivot.band[0];
+        for k in 0..LOWER {
+            let multiplier = self.rows[k].band[0] * pivot.band[0];
+            self.rows[k] = self.rows[k].reduced(multiplier, &pivot);
+        }
+        pivot
+    }
+}

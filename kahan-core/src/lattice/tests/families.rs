@@ -1,0 +1,133 @@
+//! Families by hand, as the macro writes them.
+
+use std::vec;
+use std::vec::Vec;
+
+use crate::lattice::{Boundary, Family, Stencil};
+use crate::{Constant, LatticeScalar, Scalar};
+
+/// ẋᵢ = xᵢ(xᵢ₊₁ − xᵢ₋₁), closed to a ring.
+#[derive(Clone, Debug)]
+pub(super) struct Volterra;
+
+impl<T: LatticeScalar> Family<T> for Volterra {
+    type Shape = Stencil<1, 1, 0, 1, 1, 1, 3, 3>;
+    const ARRAYS: &'static [&'static str] = &["x"];
+    const SITE_PARAMETERS: &'static [&'static str] = &[];
+    const BOUNDARY: Boundary = Boundary::Periodic;
+
+    fn constants<L: Scalar>(&self, eps: &L, _lift: impl Fn(&T) -> L) -> Vec<L> {
+        vec![eps.clone()]
+    }
+
+    fn site_parameter(&self, _index: usize) -> &[T] {
+        &[]
+    }
+
+    #[inline(always)]
+    fn field<L: Scalar>(_constants: &[L], x: &[L], _c: &[L], f: &mut [L]) {
+        f[0] = x[1].clone() * (x[2].clone() - x[0].clone());
+    }
+
+    #[inline(always)]
+    fn rows<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L], a: &mut [L]) {
+        let eps = constants[0].clone();
+        let difference = x[2].clone() - x[0].clone();
+        let scaled = eps.clone() * x[1].clone();
+        f[0] = x[1].clone() * difference.clone();
+        a[0] = scaled.clone();
+        a[1] = L::one().subtract_product(eps, difference);
+        a[2] = -scaled;
+    }
+}
+
+/// Toda's chain in Flaschka's variables, open: ȧᵢ = aᵢ(bᵢ₊₁ − bᵢ), ḃᵢ = 2(aᵢ² − aᵢ₋₁²).
+#[derive(Clone, Debug)]
+pub(super) struct Toda;
+
+impl<T: LatticeScalar> Family<T> for Toda {
+    type Shape = Stencil<2, 1, 0, 2, 3, 3, 3, 7>;
+    const ARRAYS: &'static [&'static str] = &["a", "b"];
+    const SITE_PARAMETERS: &'static [&'static str] = &[];
+    const BOUNDARY: Boundary = Boundary::Open;
+
+    fn constants<L: Scalar>(&self, eps: &L, _lift: impl Fn(&T) -> L) -> Vec<L> {
+        vec![eps.clone(), L::constant(&Constant::integer(4)) * eps.clone()]
+    }
+
+    fn site_parameter(&self, _index: usize) -> &[T] {
+        &[]
+    }
+
+    #[inline(always)]
+    fn field<L: Scalar>(_constants: &[L], x: &[L], _c: &[L], f: &mut [L]) {
+        let two = L::constant(&Constant::integer(2));
+        f[0] = x[2].clone() * (x[5].clone() - x[3].clone());
+        f[1] = two * (x[2].clone() * x[2].clone() - x[0].clone() * x[0].clone());
+    }
+
+    #[inline(always)]
+    fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]) {
+        let (eps, four_eps) = (constants[0].clone(), constants[1].clone());
+        <Self as Family<T>>::field(constants, x, c, f);
+        let scaled = eps.clone() * x[2].clone();
+        a[2] = L::one().subtract_product(eps, x[5].clone() - x[3].clone());
+        a[3] = scaled.clone();
+        a[5] = -scaled;
+        a[6] = four_eps.clone() * x[0].clone();
+        a[8] = -(four_eps * x[2].clone());
+        a[9] = L::one();
+    }
+}
+
+/// u_t = −6 u u_x − u_xxx by central differences of step h, closed to a ring, with a coefficient of
+/// the dispersion at each site.
+#[derive(Clone, Debug)]
+pub(super) struct Kdv<T> {
+    /// 1/h
+    pub(super) inverse: T,
+    /// What the third derivative is multiplied by.
+    pub(super) dispersion: Vec<T>,
+}
+
+impl<T: LatticeScalar> Family<T> for Kdv<T> {
+    type Shape = Stencil<1, 2, 1, 4, 2, 2, 5, 5>;
+    const ARRAYS: &'static [&'static str] = &["u"];
+    const SITE_PARAMETERS: &'static [&'static str] = &["dispersion"];
+    const BOUNDARY: Boundary = Boundary::Periodic;
+
+    /// 3/h, 1/(2h³), and both times ε
+    fn constants<L: Scalar>(&self, eps: &L, lift: impl Fn(&T) -> L) -> Vec<L> {
+        let inverse = lift(&self.inverse);
+        let advection = L::constant(&Constant::integer(3)) * inverse.clone();
+        let third = inverse.clone() * inverse.clone() * inverse * L::constant(&Constant::ratio(1, 2));
+        vec![advection.clone(), third.clone(), eps.clone() * advection, eps.clone() * third]
+    }
+
+    fn site_parameter(&self, _index: usize) -> &[T] {
+        &self.dispersion
+    }
+
+    #[inline(always)]
+    fn field<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L]) {
+        let slope = x[3].clone() - x[1].clone();
+        let two = L::constant(&Constant::integer(2));
+        let third = (x[4].clone() - x[0].clone()).subtract_product(two, slope.clone());
+        let advection = constants[0].clone() * x[2].clone() * slope;
+        f[0] = -(constants[1].clone() * c[2].clone()).multiply_add(third, advection);
+    }
+
+    #[inline(always)]
+    fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]) {
+        <Self as Family<T>>::field(constants, x, c, f);
+        let slope = x[3].clone() - x[1].clone();
+        let dispersion = constants[3].clone() * c[2].clone();
+        let both = dispersion.clone() + dispersion.clone();
+        let advection = constants[2].clone() * x[2].clone();
+        a[0] = -dispersion.clone();
+        a[1] = both.clone() - advection.clone();
+        a[2] = constants[2].clone().multiply_add(slope, L::one());
+        a[3] = advection - both;
+        a[4] = dispersion;
+    }
+}
