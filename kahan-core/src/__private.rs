@@ -19,7 +19,7 @@ pub use std::vec::{self, Vec};
 
 pub use crate::field::linear::{components, vector};
 #[cfg(feature = "std")]
-pub use crate::lattice::{Boundary, Family, Shape, Stencil};
+pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil, Sums};
 pub use crate::scalar::Dual;
 pub use crate::scalar::tuning::fenced;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};
@@ -53,6 +53,12 @@ pub mod arguments {
     pub fn eps() {}
     pub fn prepared() {}
     pub fn lift() {}
+    pub fn constants() {}
+    pub fn index() {}
+    pub fn c() {}
+    pub fn f() {}
+    pub fn a() {}
+    pub fn s() {}
 }
 
 /// The increments numeratorᵢ · reciprocal, of a step that has a value.

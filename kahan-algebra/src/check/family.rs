@@ -31,7 +31,8 @@ pub fn check_family(block: &Block, diagnostics: &mut Diagnostics) -> Option<Fami
     let sums = |claims: &[Claim], scope: &mut Scope, diagnostics: &mut Diagnostics| -> Vec<SiteSum> {
         claims.iter().filter_map(|claim| sum(claim, &names.arrays, scope, diagnostics)).collect()
     };
-    let linear: Vec<Claim> = block.claims.iter().filter(|claim| claim.kind == ClaimKind::Integral).cloned().collect();
+    let linear: Vec<Claim> =
+        block.claims.iter().filter(|claim| claim.kind == ClaimKind::Integral).cloned().collect();
     let integrals = sums(&linear, &mut scope, diagnostics);
     let hamiltonians = sums(&block.hamiltonians, &mut scope, diagnostics);
     if let [_, second, ..] = &*block.hamiltonians {
@@ -58,7 +59,8 @@ pub fn check_family(block: &Block, diagnostics: &mut Diagnostics) -> Option<Fami
         values_beyond_the_ends(&family, block, diagnostics);
     }
     let is_read = block.equations.iter().all(|equation| equation.value.is_some());
-    family.is_sound = diagnostics.len() == before && is_read && !family.arrays.is_empty() && diagnostics.is_empty();
+    family.is_sound =
+        diagnostics.len() == before && is_read && !family.arrays.is_empty() && diagnostics.is_empty();
     Some(family)
 }
 
@@ -75,8 +77,10 @@ fn with_names_of_sites(block: &Block, names: &Names) -> Block {
 fn report_strangers(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnostics) {
     for (index, equation) in block.equations.iter().enumerate() {
         if !(head.equations_before..head.equations_until).contains(&index) {
-            let help = format!("write `{}[i]dot = …;` into the family, or a block of its own", equation.state.text);
-            let message = "a block has equations or one family, and this equation stands outside of the family";
+            let help =
+                format!("write `{}[i]dot = …;` into the family, or a block of its own", equation.state.text);
+            let message =
+                "a block has equations or one family, and this equation stands outside of the family";
             diagnostics.report(Kind::Syntax, equation.state.span, message, help);
         }
     }
@@ -145,7 +149,8 @@ impl Names {
                     } else if parameters.contains(text) || site_parameters.contains(text) {
                         format!("the parameter `{text}` is declared twice")
                     } else {
-                        let list = if at_sites.contains(text) { &mut site_parameters } else { &mut parameters };
+                        let list =
+                            if at_sites.contains(text) { &mut site_parameters } else { &mut parameters };
                         list.push(text.clone());
                         continue;
                     };
@@ -241,8 +246,11 @@ fn sum(
 }
 
 fn density(written: &Expr, scope: &Scope) -> Result<Component, Diagnostic> {
-    let component = equations::reduced(super::expand::expand_in_claim(&summand(written)?, scope)?, written.span)?;
-    if component.numerator.contains(scope.symbols.epsilon()) || component.denominator.contains(scope.symbols.epsilon()) {
+    let component =
+        equations::reduced(super::expand::expand_in_claim(&summand(written)?, scope)?, written.span)?;
+    if component.numerator.contains(scope.symbols.epsilon())
+        || component.denominator.contains(scope.symbols.epsilon())
+    {
         return Err(Diagnostic::new(
             Kind::Claim,
             written.span,

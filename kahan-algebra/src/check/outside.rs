@@ -11,7 +11,8 @@ use crate::syntax::Block;
 /// multiply a state that lies as far outside, which is 0.
 pub(super) fn values_beyond_the_ends(family: &Family, block: &Block, diagnostics: &mut Diagnostics) {
     let equations = family.components.iter().zip(&block.equations);
-    let equations = equations.filter_map(|(component, equation)| Some((component, equation.value.as_ref()?.span)));
+    let equations =
+        equations.filter_map(|(component, equation)| Some((component, equation.value.as_ref()?.span)));
     let sums = family.sums().map(|sum| (&sum.density, sum.written.span));
     for (component, span) in equations.chain(sums) {
         if let Some(name) = undefined(family, component) {

@@ -47,7 +47,10 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
         return Err(Diagnostic::new(
             Kind::Claim,
             integral.written.span,
-            format!("`{}` is of degree {degree}: of sums over all sites, linear ones are proved for every chain", name.text),
+            format!(
+                "`{}` is of degree {degree}: of sums over all sites, linear ones are proved for every chain",
+                name.text
+            ),
             "write `hamiltonian` for the energy; at a given number of sites `kahan discover --sites 4` looks for others",
         ));
     }
@@ -66,7 +69,11 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
             return Err(Diagnostic::new(
                 Kind::FalseClaim,
                 name.span,
-                format!("`{}` is not kept: in a chain of {sites} {} its derivative is {text}", name.text, plural(sites)),
+                format!(
+                    "`{}` is not kept: in a chain of {sites} {} its derivative is {text}",
+                    name.text,
+                    plural(sites)
+                ),
                 "correct the claim or the equations",
             ));
         }

@@ -17,9 +17,9 @@ impl Family {
         let all: Vec<&String> = names().chain(&self.parameters).collect();
         // `x` and `x1` side by side would make one name twice.
         let is_prefix = |name: &String, other: &String| {
-            other.strip_prefix(name.as_str()).is_some_and(|rest| {
-                !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit())
-            })
+            other
+                .strip_prefix(name.as_str())
+                .is_some_and(|rest| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit()))
         };
         let is_unclear = names().any(|name| all.iter().any(|other| is_prefix(name, other)));
         let infix = if is_unclear { "_" } else { "" };
@@ -40,7 +40,8 @@ impl Family {
         let symbols = self.symbols_at(sites);
         let mut components = Vec::with_capacity(sites * self.block());
         for site in 0..sites {
-            components.extend(self.components.iter().map(|component| self.moved(component, site, sites, &symbols)));
+            components
+                .extend(self.components.iter().map(|component| self.moved(component, site, sites, &symbols)));
         }
         System {
             header: self.header.clone(),

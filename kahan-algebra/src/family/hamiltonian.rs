@@ -18,7 +18,7 @@ use super::{Family, Role, SiteSum};
 /// One entry of K above the diagonal: of the row of array `row` at site i and the column of array
 /// `column` at site i + `offset`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Entry {
+pub(super) struct Entry {
     /// The array of the row.
     pub row: usize,
     /// The array of the column.
@@ -36,16 +36,25 @@ pub(super) fn stencil(family: &Family, hamiltonian: &SiteSum) -> Result<Vec<Entr
     let degree = family.symbols.degree(&hamiltonian.density.numerator);
     if degree > 3 {
         return Err(refuse(
-            format!("`{}` is of degree {degree}: the map keeps a modified energy where it is at most 3", name.text),
+            format!(
+                "`{}` is of degree {degree}: the map keeps a modified energy where it is at most 3",
+                name.text
+            ),
             "write a Hamiltonian of degree three at most",
         ));
     }
     if degree == 0 {
-        return Err(refuse(format!("`{}` says nothing: it depends on no state", name.text), "write a sum of states"));
+        return Err(refuse(
+            format!("`{}` says nothing: it depends on no state", name.text),
+            "write a sum of states",
+        ));
     }
-    let divides_by_site = hamiltonian.density.denominator.variables().into_iter().any(|variable| {
-        matches!(family.role(variable), Role::SiteParameter { .. })
-    });
+    let divides_by_site = hamiltonian
+        .density
+        .denominator
+        .variables()
+        .into_iter()
+        .any(|variable| matches!(family.role(variable), Role::SiteParameter { .. }));
     if divides_by_site {
         return Err(refuse(
             format!("`{}` divides by a parameter of a site", name.text),
@@ -127,11 +136,7 @@ impl<'a> Chain<'a> {
     }
 
     /// Adds ẋ = K∇H, term by term; the middle of the chain first.
-    fn equate(
-        &self,
-        unknowns: &[(usize, usize, usize)],
-        equations: &mut Equations,
-    ) -> Result<(), Missing> {
+    fn equate(&self, unknowns: &[(usize, usize, usize)], equations: &mut Equations) -> Result<(), Missing> {
         let system = self.family.at_sites(self.sites);
         let middle = self.sites / 2;
         let rest = (0..self.sites).filter(|site| *site != middle && self.family.boundary == Boundary::Open);
@@ -163,10 +168,14 @@ impl<'a> Chain<'a> {
     /// array at a site.
     fn column(&self, (row, column, offset): (usize, usize, usize), site: usize, array: usize) -> Polynomial {
         let mut sum = Polynomial::zero();
-        if row == array && let Some(slope) = self.slope(site as i64 + offset as i64, column) {
+        if row == array
+            && let Some(slope) = self.slope(site as i64 + offset as i64, column)
+        {
             sum = &sum + slope;
         }
-        if column == array && let Some(slope) = self.slope(site as i64 - offset as i64, row) {
+        if column == array
+            && let Some(slope) = self.slope(site as i64 - offset as i64, row)
+        {
             sum = &sum - slope;
         }
         sum
@@ -183,7 +192,10 @@ impl<'a> Chain<'a> {
 
     /// The coefficients of each monomial in states and in parameters of sites: those of all sides
     /// but the last, and of the last. Terms of the last side come first.
-    fn by_monomial(&self, sides: &[Polynomial]) -> Vec<(Monomial, (Vec<RationalFunction>, RationalFunction))> {
+    fn by_monomial(
+        &self,
+        sides: &[Polynomial],
+    ) -> Vec<(Monomial, (Vec<RationalFunction>, RationalFunction))> {
         let first_of_sites = self.symbols.states.len() + self.family.parameters.len();
         let epsilon = self.symbols.epsilon();
         let varies = |variable: crate::poly::Variable| {

@@ -1,9 +1,11 @@
 //! The straight lines of one site: its field, its rows of A(x,ε), what its claims sum.
 
+use crate::derived::constant_names;
 use crate::field::Component;
-use crate::plan::{Node, Plan, PlanBuilder};
+use crate::plan::{Node, Operation, Plan, PlanBuilder};
 use crate::poly::{Polynomial, Variable};
 use crate::symbols::Symbols;
+use crate::table::distinct;
 
 use super::{Family, Role, SiteSum};
 
@@ -17,12 +19,14 @@ pub struct Place {
     pub column: usize,
 }
 
-/// The lines of a family. Their inputs are the values that a site sees, first those of the arrays,
-/// then those of the parameters of sites, and prepared constants.
+/// The lines of a family.
 #[derive(Clone, Debug)]
 pub struct Lines {
-    /// The names of the inputs: as states the values that a site sees, as parameters those of the
-    /// chain.
+    /// The names of what the prepared constants are made of: the parameters of the chain.
+    pub given: Symbols,
+    /// The names of what the lines read: as states the values that a site sees, first those of the
+    /// arrays, then those of the parameters of sites, each from −reach on; as parameters the
+    /// prepared constants.
     pub symbols: Symbols,
     /// From ε and the parameters of the chain to the prepared constants.
     pub constants: Plan,
@@ -64,12 +68,23 @@ impl Family {
         let sums: Vec<Node> = self.sums().map(|sum| writer.quotient(&sum.density)).collect();
         let rows = field.len() + nodes.len();
         let outputs: Vec<Node> = field.iter().chain(&nodes).chain(&sums).copied().collect();
-        let (constants, all) = writer.builder.finish(&outputs).separated(|variable| symbols.is_state(variable));
+        let (constants, all) =
+            writer.builder.finish(&outputs).separated(|variable| symbols.is_state(variable));
         let part = |range: std::ops::Range<usize>| Plan {
             outputs: all.outputs[range].to_vec(),
             operations: all.operations.clone(),
         };
-        let needed = |plan: Plan| Plan::together([&plan]);
+        let names = constant_names(&constants, &symbols);
+        let given = Symbols { states: symbols.states.clone(), parameters: symbols.parameters };
+        let symbols = Symbols { states: symbols.states, parameters: names };
+        let read = |operation: &Operation| match operation {
+            Operation::Prepared(place) => Operation::Input(symbols.parameter(*place)),
+            other => other.clone(),
+        };
+        let needed = |plan: Plan| {
+            let operations = plan.operations.iter().map(read).collect();
+            Plan::together([&Plan { operations, ..plan }])
+        };
         Lines {
             constants,
             rows: needed(part(0..rows)).fused(),
@@ -78,6 +93,7 @@ impl Family {
             entries,
             lower,
             upper,
+            given,
             symbols,
         }
     }
@@ -97,13 +113,24 @@ impl Family {
         places
     }
 
-    /// The values that a site sees, parameters of sites among them, as states.
+    /// The values that a site sees, parameters of sites among them, as states whose names are
+    /// identifiers.
     fn line_symbols(&self) -> Symbols {
         let of_sites = self.symbols.parameters[self.parameters.len()..].iter();
-        Symbols {
-            states: self.symbols.states.iter().chain(of_sites).cloned().collect(),
-            parameters: self.parameters.clone(),
-        }
+        let identifier = |name: &String| match name.split_once("[i") {
+            Some((base, "]")) => base.to_owned(),
+            Some((base, offset)) => {
+                let side = if offset.starts_with('-') { "before" } else { "after" };
+                format!("{base}_{side}_{}", offset.trim_matches(|c: char| !c.is_ascii_digit()))
+            }
+            None => name.clone(),
+        };
+        let names: Vec<String> = self.symbols.states.iter().chain(of_sites).map(identifier).collect();
+        let is_clear =
+            distinct(names.iter().chain(&self.parameters)).len() == names.len() + self.parameters.len();
+        let numbered = || (0..names.len()).map(|k| format!("value_{k}")).collect();
+        let states = if is_clear { names } else { numbered() };
+        Symbols { states, parameters: self.parameters.clone() }
     }
 }
 

@@ -14,6 +14,7 @@ mod tests;
 use crate::field::Component;
 use crate::poly::Variable;
 use crate::rational::Rational;
+use crate::render::Notation;
 use crate::symbols::{Symbol, Symbols};
 use crate::syntax::{Boundary, Expr, Header, Name};
 use crate::token::Span;
@@ -110,9 +111,7 @@ impl Family {
     pub fn role(&self, variable: Variable) -> Role {
         let offset = |place: usize| place as i64 - self.reach as i64;
         match self.symbols.symbol(variable) {
-            Symbol::State(k) => {
-                Role::State { offset: offset(k / self.block()), array: k % self.block() }
-            }
+            Symbol::State(k) => Role::State { offset: offset(k / self.block()), array: k % self.block() },
             Symbol::Parameter(k) if k < self.parameters.len() => Role::Parameter(k),
             Symbol::Parameter(k) => {
                 let k = k - self.parameters.len();
@@ -126,6 +125,20 @@ impl Family {
     #[must_use]
     pub fn place(&self, offset: i64, array: usize) -> usize {
         (offset + self.reach as i64) as usize * self.block() + array
+    }
+
+    /// The equations, expanded: `x[i]dot = x[i]*x[i+1] - x[i]*x[i-1]`.
+    pub fn equations(&self) -> impl Iterator<Item = String> {
+        self.arrays.iter().zip(&self.components).map(|(array, component)| {
+            let polynomial = |polynomial| Notation::Text.polynomial(&self.symbols, polynomial);
+            let above = polynomial(&component.numerator);
+            let right = if component.denominator.is_one() {
+                above
+            } else {
+                Notation::Text.quotient(&above, &polynomial(&component.denominator))
+            };
+            format!("{array}[i]dot = {right}")
+        })
     }
 
     /// The places, among the states, of the values that the field of an array depends on.

@@ -19,6 +19,12 @@ pub enum Level {
     Atom,
 }
 
+/// An expression as it was written.
+#[must_use]
+pub fn expression_text(expr: &Expr) -> String {
+    expr_text(expr, Notation::Text)
+}
+
 /// An expression in a notation, with the parentheses it needs.
 fn expr_text(expr: &Expr, notation: Notation) -> String {
     write(expr, notation).0

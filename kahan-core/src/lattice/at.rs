@@ -78,6 +78,11 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         self.sites
     }
 
+    /// The family.
+    pub(super) fn map(&self) -> &M {
+        &self.map
+    }
+
     /// ε, half the time step.
     pub fn eps(&self) -> &T {
         &self.eps

@@ -13,6 +13,7 @@ mod map;
 mod parts;
 mod scalar;
 mod sites;
+mod sums;
 #[cfg(test)]
 mod tests;
 
@@ -21,3 +22,4 @@ pub use error::LatticeError;
 pub use family::{Boundary, Family, Shape, Stencil};
 pub use map::LatticeMap;
 pub use scalar::LatticeScalar;
+pub use sums::{Energy, Sums};

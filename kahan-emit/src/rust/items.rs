@@ -92,11 +92,15 @@ pub(super) fn emit_captured_value(context: &Context<'_>, input: &Flat) -> TokenS
     if !context.has_parameters() {
         return quote!(#name);
     }
-    let fields = context.system.field.symbols.parameters.iter().map(|parameter| {
-        let field = identifier(parameter, Span::call_site());
-        let place = input.tokens.iter().position(|token| token.text == *parameter);
-        let captured = identifier(parameter, place.map_or_else(Span::call_site, |place| input.spans[place]));
-        quote!(#field: ::core::clone::Clone::clone(&#captured))
-    });
+    let parameters = context.system.field.symbols.parameters.iter();
+    let fields = parameters.map(|parameter| emit_captured(parameter, input));
     quote!(#name { #(#fields),* })
+}
+
+/// `mu: Clone::clone(&mu)`, the second name from where the block has it.
+pub(super) fn emit_captured(parameter: &str, input: &Flat) -> TokenStream {
+    let field = identifier(parameter, Span::call_site());
+    let place = input.tokens.iter().position(|token| token.text == parameter);
+    let captured = identifier(parameter, place.map_or_else(Span::call_site, |place| input.spans[place]));
+    quote!(#field: ::core::clone::Clone::clone(&#captured))
 }

@@ -25,6 +25,7 @@
 
 mod claims;
 mod docs;
+mod family;
 mod field;
 mod header;
 mod inputs;
@@ -91,6 +92,9 @@ fn emit(core: &TokenStream, block: TokenStream, reading: &Reading, input: &Flat)
     let spans = &input.spans;
     let header = reading.system.header.as_ref().map(|_| header::read(block));
     let errors = emit_errors(&reading.diagnostics, spans);
+    if let Some(family) = &reading.family {
+        return family::emit_family(core, family, header.as_ref(), input, &errors);
+    }
     if reading.system.field.dimension() == 0 {
         return emit_without_field(reading, header.as_ref(), spans, &errors);
     }

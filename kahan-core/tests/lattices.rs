@@ -1,0 +1,141 @@
+//! Families as the macro writes them: their steps against plain blocks and against the defining
+//! equation, and what they keep.
+#![cfg(feature = "std")]
+
+use kahan_core::prelude::*;
+
+kahan! {
+    /// Volterra's chain, closed.
+    #[derive(Copy)]
+    pub struct Ring;
+    for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
+    integral S = sum(x[i]);
+}
+
+kahan! {
+    /// Volterra's chain, open.
+    pub struct Chain;
+    for i in open { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
+    integral S = sum(x[i]);
+}
+
+kahan! {
+    /// Toda's chain in Flaschka's variables.
+    pub struct Toda;
+    for i in periodic {
+        a[i]dot = a[i]*(b[i+1] - b[i]);
+        b[i]dot = 2*(a[i]^2 - a[i-1]^2);
+    }
+    integral P = sum(b[i]);
+}
+
+kahan! {
+    /// u_t = −6 u u_x − u_xxx by differences of width h.
+    pub struct Kdv { h }
+    for i in periodic {
+        u[i]dot = -3*(u[i+1]^2 - u[i-1]^2)/(2*h) - (u[i+2] - 2*u[i+1] + 2*u[i-1] - u[i-2])/(2*h^3);
+    }
+    integral mass = sum(u[i]);
+    hamiltonian H = sum((u[i+1] - u[i])^2/(2*h^2) - u[i]^3);
+}
+
+kahan! {
+    /// Species along a shore, each with a growth of its own.
+    pub struct Shore { mu, r }
+    for i in open { n[i]dot = n[i]*(r[i] - n[i] - mu*(n[i-1] + n[i+1])); }
+}
+
+kahan! {
+    /// Four sites of the ring, written out.
+    pub struct FourSites;
+    adot = a*(b - d);
+    bdot = b*(c - a);
+    cdot = c*(d - b);
+    ddot = d*(a - c);
+}
+
+#[test]
+fn four_sites_are_the_plain_block_of_four() {
+    let start = [0.5_f64, 1.25, 2.0, 0.75];
+    let mut state = start.to_vec();
+    LatticeMap::at(&Ring, 0.05, 4).unwrap().advance(&mut state, 10);
+    let block = FourSites.orbit(SVector::from(start), 0.05).nth(10).unwrap();
+    for (k, value) in state.iter().enumerate() {
+        assert!((value - block[k]).abs() < 1e-13, "{state:?} {block}");
+    }
+}
+
+#[test]
+fn a_linear_sum_is_kept() {
+    for sites in [1, 2, 3, 5, 17, 300, 3000] {
+        let start: Vec<f64> = (0..sites).map(|i| 1.0 + 0.5 * (0.7 * i as f64).sin()).collect();
+        let mut ring = LatticeMap::at(&Ring, 0.05, sites).unwrap();
+        let mut chain = LatticeMap::at(&Chain, 0.05, sites).unwrap();
+        let before = ring.integrals(&start)[0];
+        let mut state = start.clone();
+        ring.advance(&mut state, 100);
+        // Each step rounds each entry once or twice.
+        assert!((ring.integrals(&state)[0] - before).abs() < 1e-13 * before, "{sites}");
+        let mut state = start.clone();
+        chain.advance(&mut state, 100);
+        assert!((chain.integrals(&state)[0] - before).abs() < 1e-13 * before, "{sites}");
+    }
+}
+
+#[test]
+fn the_modified_energy_is_kept_and_the_energy_is_not() {
+    let sites = 64;
+    let h = 0.25;
+    let map = Kdv { h };
+    let mut at = map.at(0.01, sites).unwrap();
+    let mut state: Vec<f64> = (0..sites)
+        .map(|i| {
+            let x = h * (i as f64 - 32.0);
+            0.5 / (0.5 * x).cosh().powi(2)
+        })
+        .collect();
+    let (energy, modified) = (at.hamiltonian(&state), at.modified_energy(&state));
+    let mut worst = 0.0_f64;
+    for _ in 0..200 {
+        at.step(&mut state);
+        worst = worst.max((at.hamiltonian(&state) - energy).abs());
+        assert!((at.modified_energy(&state) - modified).abs() < 1e-12 * modified.abs());
+    }
+    assert!(worst > 1e-9);
+}
+
+#[test]
+fn parameters_of_sites_are_data() {
+    let sites = 40;
+    let r: Vec<f64> = (0..sites).map(|i| 1.0 + 0.01 * i as f64).collect();
+    let shore = Shore { mu: 0.3, r };
+    let mut at = shore.at(0.1, sites).unwrap();
+    let start = vec![0.5; sites];
+    let mut state = start.clone();
+    at.step(&mut state);
+    assert!(at.residual(&start, &state) < 1e-15);
+    at.step_back(&mut state);
+    assert!(state.iter().zip(&start).all(|(a, b)| (a - b).abs() < 1e-14));
+    assert!(shore.at(0.1, 39).is_err());
+}
+
+#[test]
+fn a_field_without_a_name_takes_its_parameters_from_the_scope() {
+    let mu = 0.5;
+    let field = kahan! { for i in open { x[i]dot = x[i]*(mu - x[i-1] - x[i+1]); } };
+    let mut state = vec![1.0; 10];
+    field.at(0.05, 10).unwrap().step(&mut state);
+    assert!(state[0] > state[1]);
+}
+
+#[test]
+fn toda_keeps_its_momentum() {
+    let sites = 30;
+    let mut at = LatticeMap::at(&Toda, 0.02, sites).unwrap();
+    let mut state: Vec<f64> = (0..2 * sites)
+        .map(|k| if k % 2 == 0 { if k == 2 * sites - 2 { 0.0 } else { 0.5 } } else { (0.3 * k as f64).cos() })
+        .collect();
+    let before = at.integrals(&state)[0];
+    at.advance(&mut state, 500);
+    assert!((at.integrals(&state)[0] - before).abs() < 1e-12);
+}
