@@ -30,16 +30,40 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Row<L
     where
         L: Lanes<T>,
     {
-        let exchange = |a: &mut L, b: &mut L| (*a, *b) = (L::choose(mask, *b, *a), L::choose(mask, *a, *b));
         for k in 0..WIDTH {
-            exchange(&mut self.band[k], &mut other.band[k]);
+            exchange(&mut self.band[k], &mut other.band[k], mask);
         }
         for r in 0..R {
             for b in 0..B {
-                exchange(&mut self.left[r][b], &mut other.left[r][b]);
+                exchange(&mut self.left[r][b], &mut other.left[r][b], mask);
             }
         }
-        exchange(&mut self.right, &mut other.right);
+        exchange(&mut self.right, &mut other.right, mask);
+    }
+
+    /// The row with another right-hand side, and nothing of the separator.
+    #[inline(always)]
+    pub(super) fn without_left(self, right: L) -> Row<L, B, 0, WIDTH> {
+        Row { band: self.band, left: [], right }
+    }
+
+    /// Writes the row from `place` on, the band up to its first `columns`.
+    #[inline(always)]
+    pub(super) fn write<T>(&self, numbers: &mut [T], place: usize, columns: usize)
+    where
+        L: Lanes<T>,
+    {
+        for k in 0..WIDTH {
+            if k < columns {
+                self.band[k].store(numbers, place + k * L::WIDTH);
+            }
+        }
+        for r in 0..R {
+            for b in 0..B {
+                self.left[r][b].store(numbers, place + (columns + r * B + b) * L::WIDTH);
+            }
+        }
+        self.right.store(numbers, place + (columns + R * B) * L::WIDTH);
     }
 
     /// The row less a multiple of the pivot's, from the next column on.
@@ -57,6 +81,12 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Row<L
         next.right = self.right.subtract_product(multiplier, pivot.right);
         next
     }
+}
+
+/// Exchanges two numbers where a mask is set.
+#[inline(always)]
+fn exchange<L: Lanes<T>, T>(a: &mut L, b: &mut L, mask: L::Mask) {
+    (*a, *b) = (L::choose(mask, *b, *a), L::choose(mask, *a, *b));
 }
 
 /// The rows that may still become pivots.
