@@ -19,6 +19,7 @@ use super::columns::Group;
 use super::lanes::{Lanes, OverLanes};
 use super::level::{Instructions, Level, Reciprocal};
 use super::sweep::{Register, sweep};
+use super::twice::Twice;
 
 use estimated::{F32x16Estimated, F64x8Estimated};
 use lanes::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
@@ -115,8 +116,8 @@ macro_rules! run_over_lanes_of {
     };
 }
 
-run_over_lanes_of!(run_over_f32, f32: F32x4, F32x8, F32x16);
-run_over_lanes_of!(run_over_f64, f64: F64x2, F64x4, F64x8);
+run_over_lanes_of!(run_over_f32, f32: Twice<F32x4>, Twice<F32x8>, F32x16);
+run_over_lanes_of!(run_over_f64, f64: Twice<F64x2>, Twice<F64x4>, F64x8);
 
 #[target_feature(enable = "avx2,fma")]
 fn work_on_avx2<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {

@@ -6,6 +6,9 @@
 use crate::lattice::sites::neighbour;
 use crate::lattice::{Family, LatticeScalar, Shape};
 
+/// The lanes of the widest register.
+const MOST: usize = 32;
+
 /// Parts of one length, one after another in the chain.
 #[derive(Clone, Copy)]
 pub(super) struct Parts {
@@ -89,11 +92,13 @@ impl Parts {
         lanes: &mut [T],
     ) {
         let len = (to - from) * block;
-        let first = (self.start + from) * block;
-        for k in 0..self.count {
-            let part = &state[first + k * self.length * block..][..len];
-            for (place, number) in part.iter().enumerate() {
-                lanes[place * self.count + k] = *number;
+        let mut parts: [&[T]; MOST] = [&[]; MOST];
+        for (k, part) in parts.iter_mut().enumerate().take(self.count) {
+            *part = &state[(self.start + k * self.length + from) * block..][..len];
+        }
+        for (place, register) in lanes.chunks_exact_mut(self.count).take(len).enumerate() {
+            for k in 0..self.count {
+                register[k] = parts[k][place];
             }
         }
     }
@@ -109,11 +114,16 @@ impl Parts {
         lanes: &[T],
     ) {
         let len = (to - from) * block;
-        let first = (self.start + from) * block;
-        for k in 0..self.count {
-            let part = &mut state[first + k * self.length * block..][..len];
-            for (place, number) in part.iter_mut().enumerate() {
-                *number = lanes[place * self.count + k];
+        let mut parts: [&mut [T]; MOST] = core::array::from_fn(|_| [].as_mut_slice());
+        let mut rest = &mut state[(self.start + from) * block..];
+        for part in parts.iter_mut().take(self.count) {
+            let (first, others) = rest.split_at_mut(len);
+            *part = first;
+            rest = others.get_mut(self.length * block - len..).unwrap_or_default();
+        }
+        for (place, register) in lanes.chunks_exact(self.count).take(len).enumerate() {
+            for k in 0..self.count {
+                parts[k][place] = register[k];
             }
         }
     }

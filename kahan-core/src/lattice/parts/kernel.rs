@@ -228,18 +228,20 @@ impl<
         }
 
         // What the unknowns after the current one gain, beginning with the right separator's.
-        let mut after: [L; WIDTH] =
-            from_fn(|k| if k < R * B { L::load(known, (R * B + k) * L::WIDTH) } else { L::zero() });
+        let mut after = [L::zero(); WIDTH];
+        for k in 0..WIDTH {
+            if k < R * B {
+                after[k] = L::load(known, (R * B + k) * L::WIDTH);
+            }
+        }
         for unknown in (0..interior * B).rev() {
             let kept = &done[(LOWER + unknown) * stride..][..stride];
             let mut sum = L::load(kept, WIDTH * L::WIDTH);
             for k in (1..WIDTH).rev() {
                 sum = sum.subtract_product(L::load(kept, k * L::WIDTH), after[k - 1]);
-            }
-            let gained = sum * L::load(kept, 0);
-            for k in (1..WIDTH).rev() {
                 after[k] = after[k - 1];
             }
+            let gained = sum * L::load(kept, 0);
             after[0] = gained;
             let place = (2 * R * B + unknown) * L::WIDTH;
             gained.multiply_add(twice, L::load(x, place)).store(x, place);

@@ -24,12 +24,18 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Row<L
         Self { band: [L::zero(); WIDTH], left: [[L::zero(); B]; R], right: L::zero() }
     }
 
-    /// Exchanges with another row where a mask is set.
+    /// Exchanges with another row where its first entry is larger.
+    ///
+    /// As a rule it is in no lane, so that asking takes less time than choosing.
     #[inline(always)]
-    fn exchange<T>(&mut self, other: &mut Self, mask: L::Mask)
+    fn exchange_if_larger<T>(&mut self, other: &mut Self)
     where
         L: Lanes<T>,
     {
+        let mask = other.band[0].exceeds(self.band[0]);
+        if !L::any(mask) {
+            return;
+        }
         for k in 0..WIDTH {
             exchange(&mut self.band[k], &mut other.band[k], mask);
         }
@@ -114,16 +120,24 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     where
         L: Lanes<T>,
     {
-        let mut pivot = row;
-        for k in 0..LOWER {
-            let mask = self.rows[k].band[0].exceeds(pivot.band[0]);
-            pivot.exchange(&mut self.rows[k], mask);
+        let Some(mut pivot) = self.rows.first().copied() else {
+            let mut pivot = row;
+            pivot.band[0] = L::one() / pivot.band[0];
+            return pivot;
+        };
+        // The rows after the first, which stands for the pivot.
+        let mut row = row;
+        for k in 1..LOWER {
+            pivot.exchange_if_larger(&mut self.rows[k]);
         }
+        pivot.exchange_if_larger(&mut row);
         pivot.band[0] = L::one() / pivot.band[0];
-        for k in 0..LOWER {
+        for k in 1..LOWER {
             let multiplier = self.rows[k].band[0] * pivot.band[0];
-            self.rows[k] = self.rows[k].reduced(multiplier, &pivot);
+            self.rows[k - 1] = self.rows[k].reduced(multiplier, &pivot);
         }
+        let multiplier = row.band[0] * pivot.band[0];
+        self.rows[LOWER - 1] = row.reduced(multiplier, &pivot);
         pivot
     }
 }
