@@ -25,6 +25,9 @@ pub trait Lanes<T>: Register<T> {
 pub trait OverLanes<T> {
     /// What comes of it.
     type Output;
+    /// Whether so little is alive at once that registers hold it twice, and the work is done by
+    /// pairs of them.
+    const IS_SMALL: bool;
 
     /// Does it; to be inlined into its caller, whose instructions it then is compiled with.
     fn run<L: Lanes<T>>(self) -> Self::Output;
