@@ -14,6 +14,9 @@ pub trait Lanes<T>: Register<T> {
     /// Where |self| > |other|; not where either is not a number.
     fn exceeds(self, other: Self) -> Self::Mask;
 
+    /// Whether the mask is set in some lane.
+    fn any(mask: Self::Mask) -> bool;
+
     /// `yes` where the mask is set, `no` elsewhere.
     fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
@@ -22,6 +25,9 @@ pub trait Lanes<T>: Register<T> {
 pub trait OverLanes<T> {
     /// What comes of it.
     type Output;
+    /// Whether so little is alive at once that registers hold it twice, and the work is done by
+    /// pairs of them.
+    const IS_SMALL: bool;
 
     /// Does it; to be inlined into its caller, whose instructions it then is compiled with.
     fn run<L: Lanes<T>>(self) -> Self::Output;
@@ -44,6 +50,11 @@ macro_rules! implement_for_float {
             #[inline(always)]
             fn exceeds(self, other: Self) -> bool {
                 self.abs() > other.abs()
+            }
+
+            #[inline(always)]
+            fn any(mask: bool) -> bool {
+                mask
             }
 
             #[inline(always)]

@@ -14,6 +14,8 @@ mod level;
 mod scalar;
 mod sweep;
 #[cfg(target_arch = "x86_64")]
+mod twice;
+#[cfg(target_arch = "x86_64")]
 mod x86_64;
 
 use core::fmt;

@@ -19,6 +19,7 @@ use super::columns::Group;
 use super::lanes::{Lanes, OverLanes};
 use super::level::{Instructions, Level, Reciprocal};
 use super::sweep::{Register, sweep};
+use super::twice::Twice;
 
 use estimated::{F32x16Estimated, F64x8Estimated};
 use lanes::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
@@ -109,6 +110,7 @@ macro_rules! run_over_lanes_of {
                     // SAFETY: the processor has AVX2 and FMA; it was asked in the line above.
                     unsafe { work_on_avx2::<$avx2, _, W>(work) }
                 }
+                _ if W::IS_SMALL => work.run::<Twice<$sse2>>(),
                 _ => work.run::<$sse2>(),
             }
         }
@@ -119,10 +121,14 @@ run_over_lanes_of!(run_over_f32, f32: F32x4, F32x8, F32x16);
 run_over_lanes_of!(run_over_f64, f64: F64x2, F64x4, F64x8);
 
 #[target_feature(enable = "avx2,fma")]
-fn work_on_avx2<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
-    work.run::<L>()
+fn work_on_avx2<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output
+where
+    Twice<L>: Lanes<T>,
+{
+    if W::IS_SMALL { work.run::<Twice<L>>() } else { work.run::<L>() }
 }
 
+/// Its registers are as many as hold a group.
 #[target_feature(enable = "avx512f")]
 fn work_on_avx512<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
     work.run::<L>()

@@ -6,6 +6,9 @@
 use crate::lattice::sites::neighbour;
 use crate::lattice::{Family, LatticeScalar, Shape};
 
+/// The lanes of the widest register.
+const MOST: usize = 32;
+
 /// Parts of one length, one after another in the chain.
 #[derive(Clone, Copy)]
 pub(super) struct Parts {
@@ -19,12 +22,13 @@ pub(super) struct Parts {
 
 impl Parts {
     /// Gathers numbers of the sites from `from` to `to` of every part, counted from its first one:
-    /// `block` numbers a site, those of a lane found by their site in the chain.
+    /// `block` numbers a site, `stride` registers apart, found by their site in the chain.
     #[inline(always)]
     fn gather<T: LatticeScalar + Copy>(
         self,
         (from, to): (isize, isize),
         block: usize,
+        stride: usize,
         lanes: &mut [T],
         number: impl Fn(isize, usize) -> T,
     ) {
@@ -32,7 +36,7 @@ impl Parts {
             for b in 0..block {
                 for k in 0..self.count {
                     let chain = (self.start + k * self.length) as isize + site;
-                    lanes[(s * block + b) * self.count + k] = number(chain, b);
+                    lanes[(s * stride + b) * self.count + k] = number(chain, b);
                 }
             }
         }
@@ -54,9 +58,9 @@ impl Parts {
         };
         // Between the separators' outer neighbours nothing wraps around.
         let place = |site: isize| (site + reach) as usize * block * count;
-        self.gather((-reach, 0), block, x, edge);
-        self.gather_inner::<T>(state, block, 0, self.length, &mut x[place(0)..]);
-        self.gather((length, length + 2 * reach), block, &mut x[place(length)..], edge);
+        self.gather((-reach, 0), block, block, x, edge);
+        self.gather_inner(state, block, 1, 0, self.length, &mut x[place(0)..]);
+        self.gather((length, length + 2 * reach), block, block, &mut x[place(length)..], edge);
         self.gather_parameters(map, sites, c);
     }
 
@@ -67,33 +71,43 @@ impl Parts {
         T: LatticeScalar + Copy,
         M: Family<T>,
     {
-        let reach = M::Shape::REACH as isize;
-        if M::Shape::PARAMETERS > 0 {
-            let range = (-reach, self.length as isize + 2 * reach);
-            self.gather(range, M::Shape::PARAMETERS, c, |site, p| {
-                let values = map.site_parameter(p);
+        let (reach, length) = (M::Shape::REACH as isize, self.length as isize);
+        let (count, parameters) = (self.count, M::Shape::PARAMETERS);
+        let place = |site: isize| (site + reach) as usize * parameters * count;
+        for p in 0..parameters {
+            let values = map.site_parameter(p);
+            let edge = |site: isize, _| {
                 neighbour(M::BOUNDARY, sites, 0, site).map_or_else(T::zero, |site| values[site])
-            });
+            };
+            let mut gather =
+                |from, to| self.gather((from, to), 1, parameters, &mut c[place(from) + p * count..], edge);
+            gather(-reach, 0);
+            gather(length, length + 2 * reach);
+            self.gather_inner(values, 1, parameters, 0, self.length, &mut c[place(0) + p * count..]);
         }
     }
 
     /// The sites from `from` to `to` of each part, none of which wraps around, in a run of numbers
-    /// in which the first part begins at `start`.
+    /// in which the first part begins at `start`; one number goes to every `stride`-th register.
     #[inline(always)]
     pub(super) fn gather_inner<T: LatticeScalar + Copy>(
         self,
         state: &[T],
         block: usize,
+        stride: usize,
         from: usize,
         to: usize,
         lanes: &mut [T],
     ) {
         let len = (to - from) * block;
-        let first = (self.start + from) * block;
-        for k in 0..self.count {
-            let part = &state[first + k * self.length * block..][..len];
-            for (place, number) in part.iter().enumerate() {
-                lanes[place * self.count + k] = *number;
+        let mut parts: [&[T]; MOST] = [&[]; MOST];
+        for (k, part) in parts.iter_mut().enumerate().take(self.count) {
+            *part = &state[(self.start + k * self.length + from) * block..][..len];
+        }
+        for (place, registers) in lanes.chunks_mut(stride * self.count).take(len).enumerate() {
+            let register = &mut registers[..self.count];
+            for k in 0..self.count {
+                register[k] = parts[k][place];
             }
         }
     }
@@ -109,11 +123,16 @@ impl Parts {
         lanes: &[T],
     ) {
         let len = (to - from) * block;
-        let first = (self.start + from) * block;
-        for k in 0..self.count {
-            let part = &mut state[first + k * self.length * block..][..len];
-            for (place, number) in part.iter_mut().enumerate() {
-                *number = lanes[place * self.count + k];
+        let mut parts: [&mut [T]; MOST] = core::array::from_fn(|_| [].as_mut_slice());
+        let mut rest = &mut state[(self.start + from) * block..];
+        for part in parts.iter_mut().take(self.count) {
+            let (first, others) = rest.split_at_mut(len);
+            *part = first;
+            rest = others.get_mut(self.length * block - len..).unwrap_or_default();
+        }
+        for (place, register) in lanes.chunks_exact(self.count).take(len).enumerate() {
+            for k in 0..self.count {
+                parts[k][place] = register[k];
             }
         }
     }

@@ -20,6 +20,60 @@ struct Line<L, const B: usize, const SITES: usize> {
     a: [[[L; B]; SITES]; B],
 }
 
+/// The first pass under way.
+struct Sweep<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
+    window: Window<L, B, R, LOWER, WIDTH>,
+    /// The rows of the left separator.
+    border: [[Row<L, B, R, WIDTH>; B]; R],
+    /// The largest multiplier of such a row.
+    worst: L,
+}
+
+impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
+    Sweep<L, B, R, LOWER, WIDTH>
+{
+    /// Takes in the next row and eliminates a column.
+    #[inline(always)]
+    fn take<T>(&mut self, row: Row<L, B, R, WIDTH>)
+    where
+        L: Lanes<T>,
+    {
+        let pivot = self.window.push(row);
+        for r in 0..R {
+            for b in 0..B {
+                let multiplier = self.border[r][b].band[0] * pivot.band[0];
+                self.worst = L::choose(self.worst.exceeds(multiplier), self.worst, multiplier);
+                self.border[r][b] = self.border[r][b].reduced(multiplier, &pivot);
+            }
+        }
+    }
+}
+
+/// The second pass under way, to where the elimination is complete.
+struct Again<'a, L, T, const B: usize, const LOWER: usize, const WIDTH: usize> {
+    window: Window<L, B, 0, LOWER, WIDTH>,
+    /// The rows that are done with, each with its right-hand side.
+    done: &'a mut [T],
+    count: usize,
+}
+
+impl<L: Lanes<T>, T, const B: usize, const LOWER: usize, const WIDTH: usize>
+    Again<'_, L, T, B, LOWER, WIDTH>
+{
+    /// Takes in the next row, eliminates a column, and keeps its row.
+    #[inline(always)]
+    fn take(&mut self, row: Row<L, B, 0, WIDTH>) {
+        let pivot = self.window.push(row);
+        let stride = (WIDTH + 1) * L::WIDTH;
+        let kept = &mut self.done[self.count * stride..][..stride];
+        for k in 0..WIDTH {
+            pivot.band[k].store(kept, k * L::WIDTH);
+        }
+        pivot.right.store(kept, WIDTH * L::WIDTH);
+        self.count += 1;
+    }
+}
+
 /// The passes of a [`Shape`](crate::lattice::Shape).
 pub trait Kernel {
     /// The first pass over parts of `interior` sites and their separators: writes 2S rows of 2S + 1
@@ -62,13 +116,10 @@ impl<
     {
         let constants: [L; C] = from_fn(|k| L::spread(&constants[k]));
         let (x, c) = (scratch.x.entries(), scratch.c.entries());
-        // The line at a site counted from the first of the interior.
-        let line = |site: usize| Self::line::<M, L, T>(&constants, x, c, site);
-
         // The rows of the left separator, which no part before this one sees to the left.
         let mut border = [[Row::<L, B, R, WIDTH>::zero(); B]; R];
         for r in 0..R {
-            let Line { f, a } = line(R + r);
+            let Line { f, a } = Self::line::<M, L, T>(&constants, x, c, R + r);
             for b in 0..B {
                 border[r][b].right = f[b];
                 for k in R - r..SITES {
@@ -83,30 +134,20 @@ impl<
                 }
             }
         }
-        let mut window = Window::<L, B, R, LOWER, WIDTH>::new();
-        let mut worst = L::zero();
-        let mut take = |row| {
-            let pivot = window.push(row);
-            for r in 0..R {
-                for b in 0..B {
-                    let multiplier = border[r][b].band[0] * pivot.band[0];
-                    worst = L::choose(worst.exceeds(multiplier), worst, multiplier);
-                    border[r][b] = border[r][b].reduced(multiplier, &pivot);
-                }
-            }
-        };
+        let mut sweep = Sweep { window: Window::<L, B, R, LOWER, WIDTH>::new(), border, worst: L::zero() };
         for i in 0..R {
-            let line = line(2 * R + i);
+            let line = Self::line::<M, L, T>(&constants, x, c, 2 * R + i);
             for b in 0..B {
-                take(Self::row_at_edge(&line, b, i));
+                sweep.take(Self::row_at_edge(&line, b, i));
             }
         }
         for i in R..interior {
-            let line = line(2 * R + i);
+            let line = Self::line::<M, L, T>(&constants, x, c, 2 * R + i);
             for b in 0..B {
-                take(Self::row(&line, b));
+                sweep.take(Self::row(&line, b));
             }
         }
+        let Sweep { window, border, worst } = sweep;
 
         // What is left is small and dense: the last interior columns, the separator to the right,
         // the one to the left, right-hand sides.
@@ -119,29 +160,18 @@ impl<
                 L::zero().store(dense, place(row, column));
             }
         }
-        let mut write = |row: usize, from: &Row<L, B, R, WIDTH>| {
-            for k in 0..WIDTH.min(LOWER + s) {
-                from.band[k].store(dense, place(row, k));
-            }
-            for r in 0..R {
-                for b in 0..B {
-                    from.left[r][b].store(dense, place(row, LOWER + s + r * B + b));
-                }
-            }
-            from.right.store(dense, place(row, columns - 1));
-        };
         for k in 0..LOWER {
-            write(k, &window.rows[k]);
+            window.rows[k].write(dense, place(k, 0), LOWER + s);
         }
         for r in 0..R {
             for b in 0..B {
-                write(LOWER + s + r * B + b, &border[r][b]);
+                border[r][b].write(dense, place(LOWER + s + r * B + b, 0), LOWER + s);
             }
         }
         for r in 0..R {
             // Of the right separator's rows only what leads to the interior: the rest is the next
             // part's.
-            let Line { a, .. } = line(2 * R + interior + r);
+            let Line { a, .. } = Self::line::<M, L, T>(&constants, x, c, 2 * R + interior + r);
             for b in 0..B {
                 for k in 0..R - r {
                     for e in 0..B {
@@ -171,20 +201,8 @@ impl<
         let left: [[L; B]; R] = from_fn(|r| from_fn(|b| L::load(known, (r * B + b) * L::WIDTH)));
         let stride = (WIDTH + 1) * L::WIDTH;
 
-        let mut window = Window::<L, B, 0, LOWER, WIDTH>::new();
-        let mut count = 0;
-        let mut take = |row: Row<L, B, R, WIDTH>, right: L| {
-            let pivot = window.push(Row { band: row.band, left: [], right });
-            // The first ones are rows of the identity.
-            if count >= LOWER {
-                let kept = &mut done[(count - LOWER) * stride..][..stride];
-                for k in 0..WIDTH {
-                    pivot.band[k].store(kept, k * L::WIDTH);
-                }
-                pivot.right.store(kept, WIDTH * L::WIDTH);
-            }
-            count += 1;
-        };
+        // The first ones that are done with are rows of the identity.
+        let mut sweep = Again { window: Window::<L, B, 0, LOWER, WIDTH>::new(), done, count: 0 };
         for i in 0..R {
             let line = Self::line::<M, L, T>(&constants, x, c, 2 * R + i);
             for b in 0..B {
@@ -195,33 +213,35 @@ impl<
                         right = right.subtract_product(row.left[r][b], left[r][b]);
                     }
                 }
-                take(row, right);
+                sweep.take(row.without_left(right));
             }
         }
         for i in R..interior {
             let line = Self::line::<M, L, T>(&constants, x, c, 2 * R + i);
             for b in 0..B {
                 let row = Self::row(&line, b);
-                take(row, row.right);
+                sweep.take(row.without_left(row.right));
             }
         }
         for _ in 0..LOWER {
-            take(Row::zero(), L::zero());
+            sweep.take(Row::zero());
         }
 
         // What the unknowns after the current one gain, beginning with the right separator's.
-        let mut after: [L; WIDTH] =
-            from_fn(|k| if k < R * B { L::load(known, (R * B + k) * L::WIDTH) } else { L::zero() });
+        let mut after = [L::zero(); WIDTH];
+        for k in 0..WIDTH {
+            if k < R * B {
+                after[k] = L::load(known, (R * B + k) * L::WIDTH);
+            }
+        }
         for unknown in (0..interior * B).rev() {
-            let kept = &done[unknown * stride..][..stride];
+            let kept = &done[(LOWER + unknown) * stride..][..stride];
             let mut sum = L::load(kept, WIDTH * L::WIDTH);
             for k in (1..WIDTH).rev() {
                 sum = sum.subtract_product(L::load(kept, k * L::WIDTH), after[k - 1]);
-            }
-            let gained = sum * L::load(kept, 0);
-            for k in (1..WIDTH).rev() {
                 after[k] = after[k - 1];
             }
+            let gained = sum * L::load(kept, 0);
             after[0] = gained;
             let place = (2 * R * B + unknown) * L::WIDTH;
             gained.multiply_add(twice, L::load(x, place)).store(x, place);
@@ -251,8 +271,15 @@ impl<
         let first = site - R;
         let seen_x = &x[first * B * L::WIDTH..][..SITES * B * L::WIDTH];
         let seen_c = &c[first * P * L::WIDTH..][..SITES * P * L::WIDTH];
-        let x: [[L; B]; SITES] = from_fn(|k| from_fn(|b| L::load(seen_x, (k * B + b) * L::WIDTH)));
-        let c: [[L; P]; SITES] = from_fn(|k| from_fn(|p| L::load(seen_c, (k * P + p) * L::WIDTH)));
+        let (mut x, mut c) = ([[L::zero(); B]; SITES], [[L::zero(); P]; SITES]);
+        for k in 0..SITES {
+            for b in 0..B {
+                x[k][b] = L::load(seen_x, (k * B + b) * L::WIDTH);
+            }
+            for p in 0..P {
+                c[k][p] = L::load(seen_c, (k * P + p) * L::WIDTH);
+            }
+        }
         let mut line = Line { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
         let a = line.a.as_flattened_mut().as_flattened_mut();
         M::rows(constants, x.as_flattened(), c.as_flattened(), &mut line.f, a);

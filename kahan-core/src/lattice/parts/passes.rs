@@ -23,7 +23,7 @@ where
 {
     let InParts { plan, level, scratch, joints, .. } = parts;
     let (plan, level) = (&*plan, *level);
-    let size = plan.lanes() * joints::size(M::Shape::REACH * M::Shape::BLOCK);
+    let size = plan.lanes() * joints::size(separator::<M::Shape>());
     divide(scratch, 0..plan.groups(), joints, &|group| group * size, &|scratch, groups, joints| {
         T::run(First { plan, map, constants, state, groups, scratch, joints }, level);
     });
@@ -83,6 +83,17 @@ fn batches(plan: &Plan, group: usize, width: usize) -> impl Iterator<Item = (usi
         .map(move |k| (group * lanes + k, Parts { start: start + k * length, length, count: width }))
 }
 
+/// Whether two sets of so many rows of so many numbers fit sixteen registers, which are all that AVX2
+/// has.
+const fn is_small(rows: usize, numbers: usize) -> bool {
+    2 * rows * numbers <= 16
+}
+
+/// The unknowns of a separator.
+const fn separator<S: Shape>() -> usize {
+    S::REACH * S::BLOCK
+}
+
 struct First<'a, M, T> {
     plan: &'a Plan,
     map: &'a M,
@@ -95,11 +106,16 @@ struct First<'a, M, T> {
 
 impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for First<'_, M, T> {
     type Output = ();
+    /// The rows of the window, and those of the separator.
+    const IS_SMALL: bool = is_small(
+        M::Shape::LOWER + separator::<M::Shape>(),
+        M::Shape::LOWER + M::Shape::UPPER + 1 + separator::<M::Shape>(),
+    );
 
     #[inline(always)]
     fn run<L: Lanes<T>>(self) {
         let Self { plan, map, constants, state, groups, scratch, joints } = self;
-        let separator = M::Shape::REACH * M::Shape::BLOCK;
+        let separator = separator::<M::Shape>();
         let columns = M::Shape::LOWER + 2 * separator + 1;
         let mut joints = joints.chunks_exact_mut(joints::size(separator));
         for group in groups {
@@ -139,6 +155,8 @@ struct Second<'a, M, T> {
 
 impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for Second<'_, M, T> {
     type Output = ();
+    /// The rows of the window, which know nothing of the separator.
+    const IS_SMALL: bool = is_small(M::Shape::LOWER, M::Shape::LOWER + M::Shape::UPPER + 1);
 
     #[inline(always)]
     fn run<L: Lanes<T>>(self) {
@@ -151,7 +169,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for Second<'_, M, T
                 parts.gather_parameters(map, sites, scratch.c.entries());
                 let here = Parts { start: parts.start - first, ..parts };
                 let x = scratch.x.entries();
-                here.gather_inner(state, block, 0, parts.length, &mut x[separator * L::WIDTH..]);
+                here.gather_inner(state, block, 1, 0, parts.length, &mut x[separator * L::WIDTH..]);
                 for lane in 0..L::WIDTH {
                     let separators = (part + lane) * separator;
                     for k in 0..separator {

@@ -14,7 +14,7 @@ pub struct Scratch<T> {
     pub(super) c: Buffer<T>,
     /// The small system that the first pass ends with, and its largest multiplier.
     pub(super) dense: Buffer<T>,
-    /// The rows that are done, each with its right-hand side.
+    /// The rows that are done with, rows of the identity first, each with its right-hand side.
     pub(super) done: Buffer<T>,
     /// What the separators to either side gain.
     pub(super) known: Buffer<T>,
@@ -30,7 +30,7 @@ impl<T: Scalar> Scratch<T> {
             x: registers(sites * S::BLOCK),
             c: registers(sites * S::PARAMETERS),
             dense: registers(dense * (dense + 1) + 1),
-            done: registers(plan.longest() * S::BLOCK * (width + 1)),
+            done: registers((plan.longest() * S::BLOCK + S::LOWER) * (width + 1)),
             known: registers(2 * separator),
         }
     }

@@ -24,22 +24,52 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Row<L
         Self { band: [L::zero(); WIDTH], left: [[L::zero(); B]; R], right: L::zero() }
     }
 
-    /// Exchanges with another row where a mask is set.
+    /// Exchanges with another row where its first entry is larger.
+    ///
+    /// As a rule it is in no lane, so that asking takes less time than choosing.
     #[inline(always)]
-    fn exchange<T>(&mut self, other: &mut Self, mask: L::Mask)
+    fn exchange_if_larger<T>(&mut self, other: &mut Self)
     where
         L: Lanes<T>,
     {
-        let exchange = |a: &mut L, b: &mut L| (*a, *b) = (L::choose(mask, *b, *a), L::choose(mask, *a, *b));
+        let mask = other.band[0].exceeds(self.band[0]);
+        if !L::any(mask) {
+            return;
+        }
         for k in 0..WIDTH {
-            exchange(&mut self.band[k], &mut other.band[k]);
+            exchange(&mut self.band[k], &mut other.band[k], mask);
         }
         for r in 0..R {
             for b in 0..B {
-                exchange(&mut self.left[r][b], &mut other.left[r][b]);
+                exchange(&mut self.left[r][b], &mut other.left[r][b], mask);
             }
         }
-        exchange(&mut self.right, &mut other.right);
+        exchange(&mut self.right, &mut other.right, mask);
+    }
+
+    /// The row with another right-hand side, and nothing of the separator.
+    #[inline(always)]
+    pub(super) fn without_left(self, right: L) -> Row<L, B, 0, WIDTH> {
+        Row { band: self.band, left: [], right }
+    }
+
+    /// Writes the row from `place` on, the band up to its first `columns`.
+    #[inline(always)]
+    pub(super) fn write<T>(&self, numbers: &mut [T], place: usize, columns: usize)
+    where
+        L: Lanes<T>,
+    {
+        for k in 0..WIDTH {
+            if k < columns {
+                self.band[k].store(numbers, place + k * L::WIDTH);
+            }
+        }
+        for r in 0..R {
+            for b in 0..B {
+                self.left[r][b].store(numbers, place + (columns + r * B + b) * L::WIDTH);
+            }
+        }
+        self.right.store(numbers, place + (columns + R * B) * L::WIDTH);
     }
 
     /// The row less a multiple of the pivot's, from the next column on.
@@ -57,6 +87,12 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Row<L
         next.right = self.right.subtract_product(multiplier, pivot.right);
         next
     }
+}
+
+/// Exchanges two numbers where a mask is set.
+#[inline(always)]
+fn exchange<L: Lanes<T>, T>(a: &mut L, b: &mut L, mask: L::Mask) {
+    (*a, *b) = (L::choose(mask, *b, *a), L::choose(mask, *a, *b));
 }
 
 /// The rows that may still become pivots.
@@ -84,16 +120,24 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     where
         L: Lanes<T>,
     {
-        let mut pivot = row;
-        for k in 0..LOWER {
-            let mask = self.rows[k].band[0].exceeds(pivot.band[0]);
-            pivot.exchange(&mut self.rows[k], mask);
+        let Some(mut pivot) = self.rows.first().copied() else {
+            let mut pivot = row;
+            pivot.band[0] = L::one() / pivot.band[0];
+            return pivot;
+        };
+        // The rows after the first, which stands for the pivot.
+        let mut row = row;
+        for k in 1..LOWER {
+            pivot.exchange_if_larger(&mut self.rows[k]);
         }
+        pivot.exchange_if_larger(&mut row);
         pivot.band[0] = L::one() / pivot.band[0];
-        for k in 0..LOWER {
+        for k in 1..LOWER {
             let multiplier = self.rows[k].band[0] * pivot.band[0];
-            self.rows[k] = self.rows[k].reduced(multiplier, &pivot);
+            self.rows[k - 1] = self.rows[k].reduced(multiplier, &pivot);
         }
+        let multiplier = row.band[0] * pivot.band[0];
+        self.rows[LOWER - 1] = row.reduced(multiplier, &pivot);
         pivot
     }
 }

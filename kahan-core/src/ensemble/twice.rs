@@ -1,0 +1,134 @@
+//! Two registers as one.
+//!
+//! In: a register type. Out: one of twice the lanes. Where each result waits for the one before, two
+//! such chains take the time of one.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use num_traits::{One, Zero};
+
+use crate::scalar::assignments;
+use crate::{Constant, Scalar};
+
+use super::lanes::Lanes;
+use super::sweep::Register;
+
+/// The lanes of the first register, then those of the second.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Twice<L>(L, L);
+
+macro_rules! operator {
+    ($Operator:ident $method:ident) => {
+        impl<L: Scalar + Copy> $Operator for Twice<L> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(other.0), self.1.$method(other.1))
+            }
+        }
+    };
+}
+operator!(Add add);
+operator!(Sub sub);
+operator!(Mul mul);
+operator!(Div div);
+assignments!([L: Scalar + Copy] Twice<L>);
+
+impl<L: Scalar + Copy> Neg for Twice<L> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
+
+impl<L: Scalar + Copy> Zero for Twice<L> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self(L::zero(), L::zero())
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0.is_zero() && self.1.is_zero()
+    }
+}
+
+impl<L: Scalar + Copy> One for Twice<L> {
+    #[inline(always)]
+    fn one() -> Self {
+        Self(L::one(), L::one())
+    }
+}
+
+impl<L: Scalar + Copy> Scalar for Twice<L> {
+    #[inline(always)]
+    fn constant(c: &Constant<'_>) -> Self {
+        Self(L::constant(c), L::constant(c))
+    }
+
+    #[inline(always)]
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        Self(self.0.multiply_add(factor.0, addend.0), self.1.multiply_add(factor.1, addend.1))
+    }
+
+    #[inline(always)]
+    fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+        Self(
+            self.0.multiply_subtract(factor.0, subtrahend.0),
+            self.1.multiply_subtract(factor.1, subtrahend.1),
+        )
+    }
+
+    #[inline(always)]
+    fn subtract_product(self, a: Self, b: Self) -> Self {
+        Self(self.0.subtract_product(a.0, b.0), self.1.subtract_product(a.1, b.1))
+    }
+}
+
+macro_rules! lanes_of {
+    ($float:ty) => {
+        impl<L: Register<$float>> Register<$float> for Twice<L> {
+            const WIDTH: usize = 2 * L::WIDTH;
+
+            #[inline(always)]
+            fn load(entries: &[$float], place: usize) -> Self {
+                Self(L::load(entries, place), L::load(entries, place + L::WIDTH))
+            }
+
+            #[inline(always)]
+            fn store(self, entries: &mut [$float], place: usize) {
+                self.0.store(entries, place);
+                self.1.store(entries, place + L::WIDTH);
+            }
+
+            #[inline(always)]
+            fn spread(value: &$float) -> Self {
+                Self(L::spread(value), L::spread(value))
+            }
+        }
+
+        impl<L: Lanes<$float>> Lanes<$float> for Twice<L> {
+            type Mask = (L::Mask, L::Mask);
+
+            #[inline(always)]
+            fn exceeds(self, other: Self) -> Self::Mask {
+                (self.0.exceeds(other.0), self.1.exceeds(other.1))
+            }
+
+            #[inline(always)]
+            fn any(mask: Self::Mask) -> bool {
+                L::any(mask.0) | L::any(mask.1)
+            }
+
+            #[inline(always)]
+            fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self {
+                Self(L::choose(mask.0, yes.0, no.0), L::choose(mask.1, yes.1, no.1))
+            }
+        }
+    };
+}
+
+lanes_of!(f32);
+lanes_of!(f64);
