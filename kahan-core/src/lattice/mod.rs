@@ -6,11 +6,13 @@
 //! allocated a step. What a state means, and what is conserved, is not known here.
 
 mod at;
+
 mod error;
 mod family;
 mod folded;
 mod map;
 mod parts;
+mod promise;
 mod scalar;
 mod sites;
 #[cfg(test)]
@@ -20,4 +22,5 @@ pub use at::LatticeAt;
 pub use error::LatticeError;
 pub use family::{Boundary, Family, Shape, Stencil};
 pub use map::LatticeMap;
+use scalar::Judged;
 pub use scalar::LatticeScalar;
