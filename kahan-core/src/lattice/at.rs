@@ -40,6 +40,12 @@ enum Direction {
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     pub(super) fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
+        let plan = T::PARTS.and_then(|lanes| Plan::new(sites, M::Shape::REACH, lanes));
+        Self::planned(map, eps, sites, plan)
+    }
+
+    /// The same, cut as planned or not at all.
+    pub(super) fn planned(map: M, eps: T, sites: usize, plan: Option<Plan>) -> Result<Self, LatticeError> {
         if sites == 0 {
             return Err(LatticeError::NoSites);
         }
@@ -49,7 +55,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                 return Err(LatticeError::SiteParameter { name, given, sites });
             }
         }
-        let plan = T::PARTS.and_then(|lanes| Plan::new(sites, M::Shape::REACH, lanes));
         let is_ring = M::BOUNDARY == Boundary::Periodic;
         Ok(Self {
             forward: map.constants(&eps, T::clone),
