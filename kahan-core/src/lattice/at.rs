@@ -13,7 +13,7 @@ use super::folded::Folded;
 use super::parts::{InParts, Plan};
 use super::promise::{Promise, REFINEMENTS};
 use super::sites::Site;
-use super::{Boundary, Judged, LatticeError, LatticeMap, LatticeScalar, Shape};
+use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Shape};
 
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///

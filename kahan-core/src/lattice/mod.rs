@@ -22,5 +22,4 @@ pub use at::LatticeAt;
 pub use error::LatticeError;
 pub use family::{Boundary, Family, Shape, Stencil};
 pub use map::LatticeMap;
-use scalar::Judged;
 pub use scalar::LatticeScalar;

@@ -1,8 +1,10 @@
 //! Which scalars chains are made of, and how each is solved for.
 
 use crate::ensemble::lanes::InLanes;
-use crate::scalar::Wide;
+use num_traits::Zero;
+
 use crate::scalar::bounded::{Bounded, Number, power_of_two};
+use crate::scalar::{Size, Wide};
 use crate::{Dd, Pivot, Scalar};
 
 use super::LatticeMap;
@@ -16,16 +18,26 @@ use super::sites::Site;
     note = "`f32`, `f64` and `Dd` are, with the feature `exact` also `BigRational`"
 )]
 #[expect(private_bounds, reason = "what judges a step is no scalar that others could give")]
-pub trait LatticeScalar: Pivot + Judged + Send + Sync {
+pub trait LatticeScalar: Pivot + Solved + Send + Sync {
     /// |self|
     fn absolute(&self) -> Self;
+}
+
+/// How chains of a scalar are solved, and their steps judged.
+pub(super) trait Solved: Sized {
+    /// Wider numbers that tell how good a step is.
+    type Near: Judge<Self>;
+
+    /// Still wider ones, for what the others leave open: in these nothing underflows.
+    type Far: Judge<Self>;
+
+    /// u, the relative error of an operation; 0 of an exact scalar.
+    const UNIT: f64;
 
     /// How many parts of a chain are eliminated side by side; none for scalars without lanes.
-    #[doc(hidden)]
     const PARTS: Option<usize> = None;
 
     /// One step in parts, if they can vouch for it; otherwise the state stays as it is.
-    #[doc(hidden)]
     fn step_in_parts<M: LatticeMap<Self>>(
         _parts: &mut InParts<Self>,
         _map: &M,
@@ -33,31 +45,28 @@ pub trait LatticeScalar: Pivot + Judged + Send + Sync {
         _twice: &Self,
         _site: &mut Site<Self>,
         _state: &mut [Self],
-    ) -> bool {
+    ) -> bool
+    where
+        Self: LatticeScalar,
+    {
         false
     }
 }
 
-/// A scalar whose steps can be judged.
-pub(super) trait Judged: Sized {
-    /// Wider numbers, with bounds on their errors, that tell how good a step is.
-    type Judge: Scalar;
-
-    /// u, the relative error of an operation; 0 of an exact scalar.
-    const UNIT: f64;
-
+/// Numbers with bounds on their errors, in which a formula over T is judged.
+pub(super) trait Judge<T>: Scalar {
     /// The same number.
-    fn judged(&self) -> Self::Judge;
+    fn given(number: &T) -> Self;
 
-    /// The nearest number, and what is known of the value.
-    fn known(value: &Self::Judge) -> (Self, Known);
+    /// The nearest number of T, and what is known of the value.
+    fn known(&self) -> (T, Known);
 }
 
 /// What is known of a value of a formula: a number, and how far it may be off.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known {
-    pub(super) size: f64,
-    pub(super) error: f64,
+    pub(super) size: Size,
+    pub(super) error: Size,
     /// No input may be larger, or underflow was not allowed for.
     pub(super) largest_input: f64,
 }
@@ -65,45 +74,45 @@ pub(super) struct Known {
 impl Known {
     /// What the size is at least: a little less, which pays for the roundings of sums of sizes too;
     /// nothing where the error is no small part of it.
-    pub(super) fn at_least(self) -> f64 {
-        if 64.0 * self.error <= self.size { 62.0 / 64.0 * self.size } else { 0.0 }
+    pub(super) fn at_least(self) -> Size {
+        let is_certain = Size::from(64.0) * self.error <= self.size;
+        if is_certain { Size::from(62.0 / 64.0) * self.size } else { Size::zero() }
     }
 }
 
-/// The promise of a float, judged in a wider one.
+/// How numbers of a float become wider ones, and back.
 macro_rules! judged_in {
     ($float:ty, $wider:ty: |$number:ident| $widen:expr, |$value:ident| $round:expr) => {
-        impl Judged for $float {
-            type Judge = Bounded<$wider>;
-
-            const UNIT: f64 = <Self as Number>::UNIT;
-
-            fn judged(&self) -> Self::Judge {
-                let $number = *self;
+        impl Judge<$float> for Bounded<$wider> {
+            fn given($number: &$float) -> Self {
                 Bounded::given($widen)
             }
 
-            fn known(value: &Self::Judge) -> (Self, Known) {
-                let $value = value.value();
-                let largest_input = power_of_two(value.largest_input().min(1000) as i32);
-                let (size, error) = ($value.size().into(), value.error().into());
+            fn known(&self) -> ($float, Known) {
+                let $value = self.value();
+                let largest_input = power_of_two(self.largest_input().min(1000) as i32);
+                let (size, error) = ($value.size().into(), self.error().into());
                 ($round, Known { size, error, largest_input })
             }
         }
     };
 }
 
-macro_rules! implement_for_float {
-    ($float:ty) => {
-        impl LatticeScalar for $float {
-            fn absolute(&self) -> Self {
-                self.abs()
-            }
+judged_in!(f32, f64: |number| (*number).into(), |value| value as f32);
+judged_in!(f32, Wide: |number| Wide::from(*number), |value| value.to_f32());
+judged_in!(f64, Dd: |number| (*number).into(), |value| value.into());
+judged_in!(f64, Wide: |number| Wide::from(*number), |value| value.to_f64());
+judged_in!(Dd, Wide: |number| Wide::from_double_double(number.high(), number.low()), |value| {
+    let (high, low) = value.to_double_double();
+    Dd::new(high, low)
+});
 
-            #[doc(hidden)]
+/// A float, judged in a wider one; what stands in brackets is how its chains are solved.
+macro_rules! implement_for_float {
+    (in lanes: $float:ty, $near:ty) => {
+        implement_for_float! { $float, $near, [
             const PARTS: Option<usize> = Some(<$float as InLanes>::MOST);
 
-            #[doc(hidden)]
             fn step_in_parts<M: LatticeMap<Self>>(
                 parts: &mut InParts<Self>,
                 map: &M,
@@ -114,25 +123,29 @@ macro_rules! implement_for_float {
             ) -> bool {
                 parts.step(map, constants, twice, site, state)
             }
+        ] }
+    };
+    ($float:ty, $near:ty, [$($in_parts:tt)*]) => {
+        impl LatticeScalar for $float {
+            fn absolute(&self) -> Self {
+                self.abs()
+            }
+        }
+
+        impl Solved for $float {
+            type Near = Bounded<$near>;
+            type Far = Bounded<Wide>;
+
+            const UNIT: f64 = <Self as Number>::UNIT;
+
+            $($in_parts)*
         }
     };
 }
 
-implement_for_float!(f32);
-implement_for_float!(f64);
-
-judged_in!(f32, f64: |number| number.into(), |value| value as f32);
-judged_in!(f64, Dd: |number| number.into(), |value| value.into());
-judged_in!(Dd, Wide: |number| Wide::from_double_double(number.high(), number.low()), |value| {
-    let (high, low) = value.to_double_double();
-    Dd::new(high, low)
-});
-
-impl LatticeScalar for Dd {
-    fn absolute(&self) -> Self {
-        self.abs()
-    }
-}
+implement_for_float!(in lanes: f32, f64);
+implement_for_float!(in lanes: f64, Dd);
+implement_for_float!(Dd, Wide, []);
 
 #[cfg(feature = "exact")]
 impl LatticeScalar for num_rational::BigRational {
@@ -142,16 +155,22 @@ impl LatticeScalar for num_rational::BigRational {
 }
 
 #[cfg(feature = "exact")]
-impl Judged for num_rational::BigRational {
-    type Judge = Self;
+impl Solved for num_rational::BigRational {
+    type Near = Self;
+    type Far = Self;
 
     const UNIT: f64 = 0.0;
+}
 
-    fn judged(&self) -> Self {
-        self.clone()
+/// Nothing is left open.
+#[cfg(feature = "exact")]
+impl Judge<Self> for num_rational::BigRational {
+    fn given(number: &Self) -> Self {
+        number.clone()
     }
 
-    fn known(value: &Self) -> (Self, Known) {
-        (value.clone(), Known { size: value.approximate().abs(), error: 0.0, largest_input: f64::INFINITY })
+    fn known(&self) -> (Self, Known) {
+        let size = Size::from(self.approximate().abs());
+        (self.clone(), Known { size, error: Size::zero(), largest_input: f64::INFINITY })
     }
 }

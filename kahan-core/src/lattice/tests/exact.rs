@@ -123,6 +123,17 @@ fn promised_steps_keep_their_promise() {
     }
 }
 
+/// Numbers far below those whose products a float holds: the tail of a soliton.
+#[test]
+fn promises_hold_for_the_smallest_numbers() {
+    let x: Vec<f64> = (0..40).map(|i| 0.5_f64.powi(26 * i)).collect();
+    let mut next = x.clone();
+    Volterra::<true>.at(0.0625, 40).expect("sites").try_step(&mut next).expect("no pole");
+    let [x, next] = [x, next].map(|state| state.into_iter().map(rational).collect::<Vec<_>>());
+    let residual = Volterra::<true>.at(rational(0.0625), 40).expect("sites").residual(&x, &next);
+    assert!(residual <= rational(11.0 * f64::EPSILON / 2.0), "{:e}", residual.approximate());
+}
+
 #[test]
 fn a_ring_of_one_or_two_volterra_sites_stands_still() {
     for sites in 1..=2 {

@@ -163,11 +163,11 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Tangled<T, OPEN> {
 
     #[inline(always)]
     fn field<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L]) {
-        for b in 0..3 {
-            f[b] = L::one();
+        for (b, f) in f.iter_mut().enumerate() {
+            *f = L::one();
             for term in 0..8 {
                 let (p, q) = factors(b, term);
-                f[b] += constants[1 + term].clone() * (x[p].clone() * x[q].clone());
+                *f += constants[1 + term].clone() * (x[p].clone() * x[q].clone());
             }
         }
     }
