@@ -7,7 +7,7 @@ use super::level::Level;
 use super::sweep::Register;
 
 /// A register whose lanes are compared and chosen from, each for itself.
-pub trait Lanes<T>: Register<T> {
+pub(crate) trait Lanes<T>: Register<T> {
     /// Which lanes a comparison holds in.
     type Mask: Copy;
 
@@ -22,7 +22,7 @@ pub trait Lanes<T>: Register<T> {
 }
 
 /// Work over lanes of T.
-pub trait OverLanes<T> {
+pub(crate) trait OverLanes<T> {
     /// What comes of it.
     type Output;
     /// Whether so little is alive at once that registers hold it twice, and the work is done by
@@ -34,7 +34,7 @@ pub trait OverLanes<T> {
 }
 
 /// A float that fills lanes.
-pub trait InLanes: Sized {
+pub(crate) trait InLanes: Sized {
     /// Numbers in the widest register.
     const MOST: usize;
 

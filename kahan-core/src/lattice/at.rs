@@ -7,17 +7,18 @@ use std::vec::Vec;
 
 use crate::SingularStep;
 use crate::ensemble::Level;
-use crate::step::error::pole;
+use crate::step::error::{Reason, pole};
 
 use super::folded::Folded;
 use super::parts::{InParts, Plan};
+use super::promise::{Promise, REFINEMENTS};
 use super::sites::Site;
 use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Shape};
 
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///
 /// Made by [`LatticeMap::at`]; it owns the memory of a step, and a step allocates nothing.
-pub struct LatticeAt<M, T> {
+pub struct LatticeAt<M, T: LatticeScalar> {
     map: M,
     eps: T,
     sites: usize,
@@ -26,7 +27,8 @@ pub struct LatticeAt<M, T> {
     site: Site<T>,
     folded: Folded<T>,
     parts: Option<InParts<T>>,
-    whole: u64,
+    whole_eliminations: u64,
+    promise: Promise<T>,
 }
 
 /// Whether a step goes with the time or against it.
@@ -38,6 +40,12 @@ enum Direction {
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     pub(super) fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
+        let plan = T::PARTS.and_then(|lanes| Plan::new(sites, M::Shape::REACH, lanes));
+        Self::planned(map, eps, sites, plan)
+    }
+
+    /// The same, cut as planned or not at all.
+    pub(super) fn planned(map: M, eps: T, sites: usize, plan: Option<Plan>) -> Result<Self, LatticeError> {
         if sites == 0 {
             return Err(LatticeError::NoSites);
         }
@@ -47,17 +55,17 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                 return Err(LatticeError::SiteParameter { name, given, sites });
             }
         }
-        let plan = T::PARTS.and_then(|lanes| Plan::new(sites, M::Shape::REACH, lanes));
         let is_ring = M::BOUNDARY == Boundary::Periodic;
         Ok(Self {
             forward: map.constants(&eps, T::clone),
             backward: map.constants(&-eps.clone(), T::clone),
+            promise: Promise::new(&map, &eps, sites * M::Shape::BLOCK),
             map,
             eps,
             sites,
             site: Site::of::<M::Shape>(),
             parts: plan.map(|plan| InParts::new::<M::Shape>(plan, M::BOUNDARY)),
-            whole: 0,
+            whole_eliminations: 0,
             folded: Folded::new(sites * M::Shape::BLOCK, is_ring, M::Shape::LOWER, M::Shape::UPPER),
         })
     }
@@ -91,7 +99,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// How many steps were one elimination of the whole chain: all of a short one, and those of a
     /// long one whose parts met too small a pivot.
     pub fn whole_eliminations(&self) -> u64 {
-        self.whole
+        self.whole_eliminations
     }
 
     /// One step, x ↦ x̃, in place.
@@ -116,16 +124,65 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// One step whose result is finite, in place; the state stays as it is where there is none.
+    /// One step with a promise, in place; the state stays as it is where there is none.
+    ///
+    /// `Ok` says of x̃, for this very call, that |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every
+    /// unknown i: A(x,ε) and b(x,ε) = x + εBx + 2εc are exact at the floats as given, and k is the
+    /// number of entries in the row of A. An exact scalar's step is exact.
     ///
     /// # Errors
-    /// At a pole, and where numbers are not finite.
+    /// At a pole, where numbers are not finite or leave the range, and where two refinements do not
+    /// keep the promise.
     ///
     /// # Panics
     /// If the state is not of this chain's length.
     pub fn try_step(&mut self, state: &mut [T]) -> Result<(), SingularStep> {
-        let _ = state;
-        Err(SingularStep::pole(self.eps.approximate()))
+        self.check(state);
+        self.promise.before.clone_from_slice(state);
+        let tried = self.promised(state);
+        if tried.is_err() {
+            state.clone_from_slice(&self.promise.before);
+        }
+        tried
+    }
+
+    fn promised(&mut self, state: &mut [T]) -> Result<(), SingularStep> {
+        let eps = self.eps.approximate();
+        let failed = |reason, bound| Err(SingularStep::because(reason, f64::NAN, bound, eps));
+        if !state.iter().all(T::is_finite_number) {
+            return failed(Reason::NotFinite, f64::INFINITY);
+        }
+        if self.in_direction(Direction::Forward, state).is_none() {
+            return Err(SingularStep::pole(eps));
+        }
+        if T::UNIT == 0.0 {
+            return Ok(());
+        }
+        let mut least = f64::INFINITY;
+        for turn in 0..=REFINEMENTS {
+            let is_finite = state.iter().all(T::is_finite_number);
+            let bound = if is_finite { self.promise.bound(&self.map, state) } else { f64::INFINITY };
+            if bound <= 1.0 {
+                return Ok(());
+            }
+            least = bound.min(least);
+            if turn < REFINEMENTS {
+                // What is not finite is begun again, from x̃ = x.
+                if !is_finite {
+                    state.clone_from_slice(&self.promise.before);
+                    self.promise.bound(&self.map, state);
+                }
+                let Promise { before, residual, .. } = &self.promise;
+                let (map, constants) = (&self.map, &self.forward);
+                let correction =
+                    whole(map, constants, &mut self.site, &mut self.folded, before, Some(residual));
+                let Some(correction) = correction else { return Err(SingularStep::pole(eps)) };
+                for (x, d) in state.iter_mut().zip(correction) {
+                    *x += d.clone();
+                }
+            }
+        }
+        failed(Reason::Refined, least * T::UNIT)
     }
 
     /// So many steps, in place.
@@ -180,7 +237,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
             for b in 0..M::Shape::BLOCK {
                 let increment = twice.clone() * site.f(b).clone();
                 let (mut residual, mut right, mut size) = (-increment.clone(), increment, T::zero());
-                for (j, entry) in site.entries::<M::Shape>(M::BOUNDARY, self.sites, b) {
+                for (j, entry) in site.row::<M::Shape>(M::BOUNDARY, self.sites, b) {
                     residual += entry.clone() * (next[j].clone() - x[j].clone());
                     right += entry.clone() * x[j].clone();
                     size += (entry.clone() * next[j].clone()).absolute();
@@ -215,29 +272,37 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         {
             return Some(());
         }
-        self.whole += 1;
-        let block = M::Shape::BLOCK;
-        let mut last = None;
-        let x = &*state;
-        let increments = self.folded.solve(|unknown, row| {
-            let (i, b) = (unknown / block, unknown % block);
-            if last != Some(i) {
-                self.site.rows(&self.map, constants, x, i, T::clone);
-                last = Some(i);
-            }
-            row.add_right(self.site.f(b).clone());
-            for (column, entry) in self.site.entries::<M::Shape>(M::BOUNDARY, self.sites, b) {
-                row.add(column, entry.clone());
-            }
-        })?;
-        for (x, w) in state.iter_mut().zip(increments) {
+        self.whole_eliminations += 1;
+        let gained = whole(&self.map, constants, &mut self.site, &mut self.folded, state, None)?;
+        for (x, w) in state.iter_mut().zip(gained) {
             *x = w.clone().multiply_add(twice.clone(), x.clone());
         }
         Some(())
     }
 }
 
-impl<M: fmt::Debug, T: fmt::Debug> fmt::Debug for LatticeAt<M, T> {
+/// The solution of A(x,ε)·w = f(x), or of another right-hand side, by one elimination of the whole
+/// chain.
+fn whole<'a, M: LatticeMap<T>, T: LatticeScalar>(
+    map: &M,
+    constants: &[T],
+    site: &mut Site<T>,
+    folded: &'a mut Folded<T>,
+    x: &[T],
+    right: Option<&[T]>,
+) -> Option<&'a [T]> {
+    let (block, sites) = (M::Shape::BLOCK, x.len() / M::Shape::BLOCK);
+    folded.solve(|unknown, row| {
+        let (i, b) = (unknown / block, unknown % block);
+        site.rows(map, constants, x, i, T::clone);
+        row.add_right(right.map_or_else(|| site.f(b).clone(), |right| right[unknown].clone()));
+        for (column, entry) in site.entries::<M::Shape>(M::BOUNDARY, sites, b) {
+            row.add(column, entry.clone());
+        }
+    })
+}
+
+impl<M: fmt::Debug, T: LatticeScalar> fmt::Debug for LatticeAt<M, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { map, eps, sites, .. } = self;
         f.debug_struct("LatticeAt").field("map", map).field("eps", eps).field("sites", sites).finish()

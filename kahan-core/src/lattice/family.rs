@@ -88,6 +88,7 @@ pub struct Stencil<
 >;
 
 /// The sizes of a [`Stencil`] as constants.
+#[expect(private_bounds, reason = "the passes over a chain are nobody else's")]
 pub trait Shape: Kernel + 'static {
     /// Arrays a site.
     const BLOCK: usize;

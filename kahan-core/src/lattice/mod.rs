@@ -6,11 +6,13 @@
 //! allocated a step. What a state means, and what is conserved, is not known here.
 
 mod at;
+
 mod error;
 mod family;
 mod folded;
 mod map;
 mod parts;
+mod promise;
 mod scalar;
 mod sites;
 mod sums;

@@ -1,7 +1,11 @@
 //! Which scalars chains are made of, and how each is solved for.
 
 use crate::ensemble::lanes::InLanes;
-use crate::{Dd, Pivot};
+use num_traits::Zero;
+
+use crate::scalar::bounded::{Bounded, Number, power_of_two};
+use crate::scalar::{Size, Wide};
+use crate::{Dd, Pivot, Scalar};
 
 use super::LatticeMap;
 use super::parts::InParts;
@@ -13,16 +17,27 @@ use super::sites::Site;
     label = "not a `LatticeScalar`; for a number, write `1.0`, not `1`",
     note = "`f32`, `f64` and `Dd` are, with the feature `exact` also `BigRational`"
 )]
-pub trait LatticeScalar: Pivot + Send + Sync {
+#[expect(private_bounds, reason = "what judges a step is no scalar that others could give")]
+pub trait LatticeScalar: Pivot + Solved + Send + Sync {
     /// |self|
     fn absolute(&self) -> Self;
+}
+
+/// How chains of a scalar are solved, and their steps judged.
+pub(super) trait Solved: Sized {
+    /// Wider numbers that tell how good a step is.
+    type Near: Judge<Self>;
+
+    /// Still wider ones, for what the others leave open: in these nothing underflows.
+    type Far: Judge<Self>;
+
+    /// u, the relative error of an operation; 0 of an exact scalar.
+    const UNIT: f64;
 
     /// How many parts of a chain are eliminated side by side; none for scalars without lanes.
-    #[doc(hidden)]
     const PARTS: Option<usize> = None;
 
     /// One step in parts, if they can vouch for it; otherwise the state stays as it is.
-    #[doc(hidden)]
     fn step_in_parts<M: LatticeMap<Self>>(
         _parts: &mut InParts<Self>,
         _map: &M,
@@ -30,22 +45,74 @@ pub trait LatticeScalar: Pivot + Send + Sync {
         _twice: &Self,
         _site: &mut Site<Self>,
         _state: &mut [Self],
-    ) -> bool {
+    ) -> bool
+    where
+        Self: LatticeScalar,
+    {
         false
     }
 }
 
-macro_rules! implement_for_float {
-    ($float:ty) => {
-        impl LatticeScalar for $float {
-            fn absolute(&self) -> Self {
-                self.abs()
+/// Numbers with bounds on their errors, in which a formula over T is judged.
+pub(super) trait Judge<T>: Scalar {
+    /// The same number.
+    fn given(number: &T) -> Self;
+
+    /// The nearest number of T, and what is known of the value.
+    fn known(&self) -> (T, Known);
+}
+
+/// What is known of a value of a formula: a number, and how far it may be off.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Known {
+    pub(super) size: Size,
+    pub(super) error: Size,
+    /// No input may be larger, or underflow was not allowed for.
+    pub(super) largest_input: f64,
+}
+
+impl Known {
+    /// What the size is at least: a little less, which pays for the roundings of sums of sizes too;
+    /// nothing where the error is no small part of it.
+    pub(super) fn at_least(self) -> Size {
+        let is_certain = Size::from(64.0) * self.error <= self.size;
+        if is_certain { Size::from(62.0 / 64.0) * self.size } else { Size::zero() }
+    }
+}
+
+/// How numbers of a float become wider ones, and back.
+macro_rules! judged_in {
+    ($float:ty, $wider:ty: |$number:ident| $widen:expr, |$value:ident| $round:expr) => {
+        impl Judge<$float> for Bounded<$wider> {
+            fn given($number: &$float) -> Self {
+                Bounded::given($widen)
             }
 
-            #[doc(hidden)]
+            fn known(&self) -> ($float, Known) {
+                let $value = self.value();
+                let largest_input = power_of_two(self.largest_input().min(1000) as i32);
+                let (size, error) = ($value.size().into(), self.error().into());
+                ($round, Known { size, error, largest_input })
+            }
+        }
+    };
+}
+
+judged_in!(f32, f64: |number| (*number).into(), |value| value as f32);
+judged_in!(f32, Wide: |number| Wide::from(*number), |value| value.to_f32());
+judged_in!(f64, Dd: |number| (*number).into(), |value| value.into());
+judged_in!(f64, Wide: |number| Wide::from(*number), |value| value.to_f64());
+judged_in!(Dd, Wide: |number| Wide::from_double_double(number.high(), number.low()), |value| {
+    let (high, low) = value.to_double_double();
+    Dd::new(high, low)
+});
+
+/// A float, judged in a wider one; what stands in brackets is how its chains are solved.
+macro_rules! implement_for_float {
+    (in lanes: $float:ty, $near:ty) => {
+        implement_for_float! { $float, $near, [
             const PARTS: Option<usize> = Some(<$float as InLanes>::MOST);
 
-            #[doc(hidden)]
             fn step_in_parts<M: LatticeMap<Self>>(
                 parts: &mut InParts<Self>,
                 map: &M,
@@ -56,22 +123,54 @@ macro_rules! implement_for_float {
             ) -> bool {
                 parts.step(map, constants, twice, site, state)
             }
+        ] }
+    };
+    ($float:ty, $near:ty, [$($in_parts:tt)*]) => {
+        impl LatticeScalar for $float {
+            fn absolute(&self) -> Self {
+                self.abs()
+            }
+        }
+
+        impl Solved for $float {
+            type Near = Bounded<$near>;
+            type Far = Bounded<Wide>;
+
+            const UNIT: f64 = <Self as Number>::UNIT;
+
+            $($in_parts)*
         }
     };
 }
 
-implement_for_float!(f32);
-implement_for_float!(f64);
-
-impl LatticeScalar for Dd {
-    fn absolute(&self) -> Self {
-        self.abs()
-    }
-}
+implement_for_float!(in lanes: f32, f64);
+implement_for_float!(in lanes: f64, Dd);
+implement_for_float!(Dd, Wide, []);
 
 #[cfg(feature = "exact")]
 impl LatticeScalar for num_rational::BigRational {
     fn absolute(&self) -> Self {
         num_traits::Signed::abs(self)
+    }
+}
+
+#[cfg(feature = "exact")]
+impl Solved for num_rational::BigRational {
+    type Near = Self;
+    type Far = Self;
+
+    const UNIT: f64 = 0.0;
+}
+
+/// Nothing is left open.
+#[cfg(feature = "exact")]
+impl Judge<Self> for num_rational::BigRational {
+    fn given(number: &Self) -> Self {
+        number.clone()
+    }
+
+    fn known(&self) -> (Self, Known) {
+        let size = Size::from(self.approximate().abs());
+        (self.clone(), Known { size, error: Size::zero(), largest_input: f64::INFINITY })
     }
 }

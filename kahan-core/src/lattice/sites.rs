@@ -122,4 +122,20 @@ impl<L: Scalar> Site<L> {
             site.map(|site| (site * S::BLOCK + place % S::BLOCK, entry))
         })
     }
+
+    /// The entries of the row of array b of A itself, each unknown once: on a ring shorter than the
+    /// stencil several entries of a line are added.
+    pub(super) fn row<S: Shape>(
+        &self,
+        boundary: Boundary,
+        sites: usize,
+        b: usize,
+    ) -> impl Iterator<Item = (usize, L)> {
+        let entries = move || self.entries::<S>(boundary, sites, b);
+        entries().enumerate().filter_map(move |(place, (column, _))| {
+            let is_first = entries().take(place).all(|(earlier, _)| earlier != column);
+            let same = move || entries().filter(move |(other, _)| *other == column);
+            is_first.then(|| (column, same().fold(L::zero(), |sum, (_, entry)| sum + entry.clone())))
+        })
+    }
 }

@@ -4,6 +4,7 @@
 //! the separators to either side. Out of the second, with the separators known: the interiors one
 //! step later. The second eliminates again what the first has not stored, which moves less memory
 //! than storing it would.
+#![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::array::from_fn;
 
@@ -75,11 +76,10 @@ impl<L: Lanes<T>, T, const B: usize, const LOWER: usize, const WIDTH: usize>
 }
 
 /// The passes of a [`Shape`](crate::lattice::Shape).
-pub trait Kernel {
+pub(in crate::lattice) trait Kernel {
     /// The first pass over parts of `interior` sites and their separators: writes 2S rows of 2S + 1
     /// numbers, S = R·B, first those of the separators to the right, and in each row first the
     /// columns of the separators to the right; and last the largest multiplier of such a row.
-    #[doc(hidden)]
     fn contribute<M, L, T>(constants: &[T], interior: usize, scratch: &mut Scratch<T>)
     where
         M: Family<T, Shape = Self>,
@@ -88,7 +88,6 @@ pub trait Kernel {
 
     /// The second pass, with what the separators gain, first that to the left: x + 2ε w in place of
     /// x.
-    #[doc(hidden)]
     fn substitute<M, L, T>(constants: &[T], twice: &T, interior: usize, scratch: &mut Scratch<T>)
     where
         M: Family<T, Shape = Self>,

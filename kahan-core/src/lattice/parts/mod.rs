@@ -26,12 +26,12 @@ use super::folded::Folded;
 use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Shape};
 
-pub use kernel::Kernel;
+pub(super) use kernel::Kernel;
 pub(super) use plan::Plan;
-pub use scratch::Scratch;
+use scratch::Scratch;
 
 /// The memory of steps in parts.
-pub struct InParts<T> {
+pub(super) struct InParts<T> {
     plan: Plan,
     pub(super) level: Level,
     /// One for each thread.

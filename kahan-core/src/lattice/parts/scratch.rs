@@ -7,7 +7,7 @@ use super::buffer::Buffer;
 use super::plan::Plan;
 
 /// Registers of the sites of a group of parts.
-pub struct Scratch<T> {
+pub(in crate::lattice) struct Scratch<T> {
     /// States, from R sites before the left separator to R after the right one.
     pub(super) x: Buffer<T>,
     /// Parameters of the same sites.

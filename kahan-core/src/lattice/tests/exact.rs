@@ -6,7 +6,7 @@ use num_rational::BigRational;
 
 use crate::{Constant, LatticeMap, Scalar};
 
-use super::families::{Kdv, Toda, Volterra};
+use super::families::{Kdv, Tangled, Toda, Volterra};
 
 type Q = BigRational;
 
@@ -20,8 +20,8 @@ fn state(len: usize) -> Vec<Q> {
 }
 
 /// The step of a chain: (x̃ − x)/(2ε) = 2f(½(x + x̃)) − ½f(x) − ½f(x̃), and back again.
-fn satisfies_kahans_equation<M: LatticeMap<Q>>(fewest: usize, map: impl Fn(usize) -> M) {
-    for sites in fewest..=12 {
+fn satisfies_kahans_equation<M: LatticeMap<Q>>(fewest: usize, most: usize, map: impl Fn(usize) -> M) {
+    for sites in fewest..=most {
         let eps = q(2, 17);
         let mut at = map(sites).at(eps.clone(), sites).expect("sites");
         let x = state(sites * M::BLOCK);
@@ -43,22 +43,111 @@ fn satisfies_kahans_equation<M: LatticeMap<Q>>(fewest: usize, map: impl Fn(usize
     }
 }
 
+fn kdv<const OPEN: bool>(sites: usize) -> Kdv<Q, OPEN> {
+    Kdv { inverse: q(3, 2), dispersion: (0..sites).map(|i| q(1 + i as i64, 3)).collect() }
+}
+
+fn tangled<const OPEN: bool>(_sites: usize) -> Tangled<Q, OPEN> {
+    Tangled(core::array::from_fn(|term| q(2 - 3 * (term as i64 % 3), 1 + term as i64)))
+}
+
 #[test]
 fn steps_satisfy_kahans_equation_at_every_length() {
-    satisfies_kahans_equation(1, |_| Toda);
-    // On one or two sites rings of these stand still.
-    satisfies_kahans_equation(3, |_| Volterra);
-    satisfies_kahans_equation(3, |sites| Kdv {
-        inverse: q(3, 2),
-        dispersion: (0..sites).map(|i| q(1 + i as i64, 3)).collect(),
-    });
+    satisfies_kahans_equation(1, 12, |_| Toda::<true>);
+    satisfies_kahans_equation(2, 12, |_| Toda::<false>);
+    // One or two sites of these rings stand still, as does a single open site.
+    satisfies_kahans_equation(2, 12, |_| Volterra::<true>);
+    satisfies_kahans_equation(3, 12, |_| Volterra::<false>);
+    satisfies_kahans_equation(2, 12, kdv::<true>);
+    satisfies_kahans_equation(3, 12, kdv::<false>);
+    satisfies_kahans_equation(1, 6, tangled::<true>);
+    satisfies_kahans_equation(1, 6, tangled::<false>);
+}
+
+/// Numbers of 64 bits without a pattern.
+fn random(seed: u64) -> impl Iterator<Item = u64> {
+    (1_u64..).map(move |k| {
+        let z = (seed ^ k.wrapping_mul(0x9e37_79b9_7f4a_7c15)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        (z ^ (z >> 29)).wrapping_mul(0x94d0_49bb_1331_11eb) ^ (z >> 32)
+    })
+}
+
+fn rational(x: f64) -> Q {
+    Q::from_float(x).expect("finite")
+}
+
+/// What `try_step` promises of random states, judged over rationals; `rational_map` is the same
+/// family with the same parameters. Some steps must succeed.
+fn keeps_its_promise<M, E>(map: &M, exact: &E, sites: usize, most_entries: usize)
+where
+    M: LatticeMap<f64>,
+    E: LatticeMap<Q>,
+{
+    let mut succeeded = 0;
+    for (round, eps) in [1e-6, 1e-3, 0.1, 1.0, 30.0, 1e3].into_iter().enumerate() {
+        let mut at = map.at(eps, sites).expect("sites");
+        // From 1/4 to 4, of either sign.
+        let x: Vec<f64> = random(round as u64)
+            .take(sites * <M as LatticeMap<f64>>::BLOCK)
+            .map(|bits| {
+                let size = 2f64.powf((bits >> 11) as f64 / (1_u64 << 51) as f64 - 2.0);
+                if bits % 3 == 0 { -size } else { size }
+            })
+            .collect();
+        let mut next = x.clone();
+        if at.try_step(&mut next).is_err() {
+            assert_eq!(next, x);
+            continue;
+        }
+        succeeded += 1;
+        let [x, next] = [x, next].map(|state| state.into_iter().map(rational).collect::<Vec<_>>());
+        let residual = exact.at(rational(eps), sites).expect("sites").residual(&x, &next);
+        let promise = rational((most_entries as f64 + 8.0) * f64::EPSILON / 2.0);
+        assert!(residual <= promise, "{sites} sites, eps = {eps}: {:e}", residual.approximate());
+        assert!(residual > q(0, 1));
+    }
+    assert!(succeeded >= 5, "{succeeded} of 6 at {sites} sites");
+}
+
+#[test]
+fn promised_steps_keep_their_promise() {
+    for sites in [3, 4, 17, 100, 200, 400] {
+        keeps_its_promise(&Volterra::<false>, &Volterra::<false>, sites, 3);
+        keeps_its_promise(&Volterra::<true>, &Volterra::<true>, sites, 3);
+        keeps_its_promise(&Toda::<true>, &Toda::<true>, sites, 3);
+    }
+    for sites in [3, 8, 70] {
+        let coefficients = core::array::from_fn(|term| 0.5 - 0.125 * term as f64);
+        let exact = coefficients.map(rational);
+        keeps_its_promise(&Tangled::<_, false>(coefficients), &Tangled::<_, false>(exact), sites, 16);
+    }
+}
+
+/// Numbers far below those whose products a float holds: the tail of a soliton.
+#[test]
+fn promises_hold_for_the_smallest_numbers() {
+    let x: Vec<f64> = (0..40).map(|i| 0.5_f64.powi(26 * i)).collect();
+    let mut next = x.clone();
+    Volterra::<true>.at(0.0625, 40).expect("sites").try_step(&mut next).expect("no pole");
+    let [x, next] = [x, next].map(|state| state.into_iter().map(rational).collect::<Vec<_>>());
+    let residual = Volterra::<true>.at(rational(0.0625), 40).expect("sites").residual(&x, &next);
+    assert!(residual <= rational(11.0 * f64::EPSILON / 2.0), "{:e}", residual.approximate());
 }
 
 #[test]
 fn a_ring_of_one_or_two_volterra_sites_stands_still() {
     for sites in 1..=2 {
         let mut x = state(sites);
-        Volterra.at(q(1, 3), sites).expect("sites").step(&mut x);
+        Volterra::<false>.at(q(1, 3), sites).expect("sites").step(&mut x);
         assert_eq!(x, state(sites));
     }
+}
+
+#[test]
+fn a_pole_is_an_error_and_leaves_the_state() {
+    // One open Toda site: ȧ = −ab, ḃ = 2a², so that det A = 1 + εb + 4ε²a² is 0 here.
+    let mut x = [q(0, 1), q(-3, 1)];
+    let mut at = Toda::<true>.at(q(1, 3), 1).expect("a site");
+    assert!(at.try_step(&mut x).is_err());
+    assert_eq!(x, [q(0, 1), q(-3, 1)]);
 }

@@ -6,15 +6,19 @@ use std::vec::Vec;
 use crate::lattice::{Boundary, Family, Stencil};
 use crate::{Constant, LatticeScalar, Scalar};
 
-/// ẋᵢ = xᵢ(xᵢ₊₁ − xᵢ₋₁), closed to a ring.
-#[derive(Clone, Debug)]
-pub(super) struct Volterra;
+const fn boundary(is_open: bool) -> Boundary {
+    if is_open { Boundary::Open } else { Boundary::Periodic }
+}
 
-impl<T: LatticeScalar> Family<T> for Volterra {
+/// ẋᵢ = xᵢ(xᵢ₊₁ − xᵢ₋₁).
+#[derive(Clone, Debug)]
+pub(super) struct Volterra<const OPEN: bool>;
+
+impl<T: LatticeScalar, const OPEN: bool> Family<T> for Volterra<OPEN> {
     type Shape = Stencil<1, 1, 0, 1, 1, 1, 3, 3>;
     const ARRAYS: &'static [&'static str] = &["x"];
     const SITE_PARAMETERS: &'static [&'static str] = &[];
-    const BOUNDARY: Boundary = Boundary::Periodic;
+    const BOUNDARY: Boundary = boundary(OPEN);
 
     fn constants<L: Scalar>(&self, eps: &L, _lift: impl Fn(&T) -> L) -> Vec<L> {
         vec![eps.clone()]
@@ -41,15 +45,15 @@ impl<T: LatticeScalar> Family<T> for Volterra {
     }
 }
 
-/// Toda's chain in Flaschka's variables, open: ȧᵢ = aᵢ(bᵢ₊₁ − bᵢ), ḃᵢ = 2(aᵢ² − aᵢ₋₁²).
+/// Toda's chain in Flaschka's variables: ȧᵢ = aᵢ(bᵢ₊₁ − bᵢ), ḃᵢ = 2(aᵢ² − aᵢ₋₁²).
 #[derive(Clone, Debug)]
-pub(super) struct Toda;
+pub(super) struct Toda<const OPEN: bool>;
 
-impl<T: LatticeScalar> Family<T> for Toda {
+impl<T: LatticeScalar, const OPEN: bool> Family<T> for Toda<OPEN> {
     type Shape = Stencil<2, 1, 0, 2, 3, 3, 3, 7>;
     const ARRAYS: &'static [&'static str] = &["a", "b"];
     const SITE_PARAMETERS: &'static [&'static str] = &[];
-    const BOUNDARY: Boundary = Boundary::Open;
+    const BOUNDARY: Boundary = boundary(OPEN);
 
     fn constants<L: Scalar>(&self, eps: &L, _lift: impl Fn(&T) -> L) -> Vec<L> {
         vec![eps.clone(), L::constant(&Constant::integer(4)) * eps.clone()]
@@ -80,21 +84,21 @@ impl<T: LatticeScalar> Family<T> for Toda {
     }
 }
 
-/// u_t = −6 u u_x − u_xxx by central differences of step h, closed to a ring, with a coefficient of
+/// u_t = −6 u u_x − u_xxx by central differences of step h, with a coefficient of
 /// the dispersion at each site.
 #[derive(Clone, Debug)]
-pub(super) struct Kdv<T> {
+pub(super) struct Kdv<T, const OPEN: bool> {
     /// 1/h
     pub(super) inverse: T,
     /// What the third derivative is multiplied by.
     pub(super) dispersion: Vec<T>,
 }
 
-impl<T: LatticeScalar> Family<T> for Kdv<T> {
+impl<T: LatticeScalar, const OPEN: bool> Family<T> for Kdv<T, OPEN> {
     type Shape = Stencil<1, 2, 1, 4, 2, 2, 5, 5>;
     const ARRAYS: &'static [&'static str] = &["u"];
     const SITE_PARAMETERS: &'static [&'static str] = &["dispersion"];
-    const BOUNDARY: Boundary = Boundary::Periodic;
+    const BOUNDARY: Boundary = boundary(OPEN);
 
     /// 3/h, 1/(2h³), and both times ε
     fn constants<L: Scalar>(&self, eps: &L, lift: impl Fn(&T) -> L) -> Vec<L> {
@@ -129,5 +133,56 @@ impl<T: LatticeScalar> Family<T> for Kdv<T> {
         a[2] = constants[2].clone().multiply_add(slope, L::one());
         a[3] = advection - both;
         a[4] = dispersion;
+    }
+}
+
+/// A field without any structure: three arrays, offsets up to five, each derivative a sum of eight
+/// products of states anywhere near.
+#[derive(Clone, Debug)]
+pub(super) struct Tangled<T, const OPEN: bool>(pub(super) [T; 8]);
+
+/// The two factors of a term of array b.
+const fn factors(b: usize, term: usize) -> (usize, usize) {
+    let seed = 7 * b + 11 * term + 3;
+    ((seed * seed + 5 * seed) % 33, (3 * seed * seed + 17) % 33)
+}
+
+impl<T: LatticeScalar, const OPEN: bool> Family<T> for Tangled<T, OPEN> {
+    type Shape = Stencil<3, 5, 0, 9, 17, 17, 11, 35>;
+    const ARRAYS: &'static [&'static str] = &["u", "v", "w"];
+    const SITE_PARAMETERS: &'static [&'static str] = &[];
+    const BOUNDARY: Boundary = boundary(OPEN);
+
+    fn constants<L: Scalar>(&self, eps: &L, lift: impl Fn(&T) -> L) -> Vec<L> {
+        core::iter::once(eps.clone()).chain(self.0.iter().map(lift)).collect()
+    }
+
+    fn site_parameter(&self, _index: usize) -> &[T] {
+        &[]
+    }
+
+    #[inline(always)]
+    fn field<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L]) {
+        for (b, f) in f.iter_mut().enumerate() {
+            *f = L::one();
+            for term in 0..8 {
+                let (p, q) = factors(b, term);
+                *f += constants[1 + term].clone() * (x[p].clone() * x[q].clone());
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]) {
+        <Self as Family<T>>::field(constants, x, c, f);
+        for b in 0..3 {
+            a[33 * b + 15 + b] = L::one();
+            for term in 0..8 {
+                let (p, q) = factors(b, term);
+                let coefficient = constants[0].clone() * constants[1 + term].clone();
+                a[33 * b + p] -= coefficient.clone() * x[q].clone();
+                a[33 * b + q] -= coefficient * x[p].clone();
+            }
+        }
     }
 }

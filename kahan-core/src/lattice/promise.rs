@@ -1,0 +1,138 @@
+//! The step that promises a small backward error.
+//!
+//! In: a state and ε as given. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every
+//! unknown i, A(x,ε) and b(x,ε) exact at the floats as given and k the entries in its row of A; or
+//! why there is none. Residuals are computed in wider numbers that carry bounds on their own errors,
+//! in still wider ones where numbers are very small, and refine a step at most twice. With d = x̃ − x the residual b − A·x̃ is 2εf − A·d, and b is
+//! A·x + 2εf.
+
+use core::cell::Cell;
+use std::vec;
+use std::vec::Vec;
+
+use num_traits::Zero;
+
+use crate::Scalar;
+use crate::scalar::Size;
+
+use super::scalar::Judge;
+use super::sites::Site;
+use super::{LatticeMap, LatticeScalar, Shape};
+
+/// How often a step is refined.
+pub(super) const REFINEMENTS: usize = 2;
+
+/// The memory of steps that promise.
+pub(super) struct Promise<T: LatticeScalar> {
+    near: Rows<T::Near>,
+    far: Rows<T::Far>,
+    /// The largest of ε and the parameters.
+    largest: f64,
+    /// The state that the step began at.
+    pub(super) before: Vec<T>,
+    /// b − A·x̃, rounded.
+    pub(super) residual: Vec<T>,
+}
+
+/// The rows of a chain over numbers that judge.
+struct Rows<J> {
+    eps: J,
+    constants: Vec<J>,
+    site: Site<J>,
+}
+
+/// What x̃ leaves in a row.
+struct Rest<T> {
+    /// b − A·x̃, rounded.
+    residual: T,
+    /// The backward error in units of (k + 8)·u, at most; not a number where it is not known.
+    bound: f64,
+}
+
+impl<T: LatticeScalar> Promise<T> {
+    pub(super) fn new<M: LatticeMap<T>>(map: &M, eps: &T, len: usize) -> Self {
+        let largest = Cell::new(larger(0.0, eps));
+        let note = |number: &T| {
+            largest.set(larger(largest.get(), number));
+            T::Near::given(number)
+        };
+        let near = map.constants(&T::Near::given(eps), note);
+        for parameter in 0..M::Shape::PARAMETERS {
+            let values = map.site_parameter(parameter);
+            largest.set(values.iter().fold(largest.get(), larger));
+        }
+        let far = map.constants(&T::Far::given(eps), T::Far::given);
+        Self {
+            near: Rows { eps: T::Near::given(eps), constants: near, site: Site::of::<M::Shape>() },
+            far: Rows { eps: T::Far::given(eps), constants: far, site: Site::of::<M::Shape>() },
+            largest: largest.get(),
+            before: vec![T::zero(); len],
+            residual: vec![T::zero(); len],
+        }
+    }
+
+    /// The backward error of `next` in units of (k + 8)·u, at most; infinite where it is not known.
+    /// Leaves the residual.
+    pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {
+        let Self { near, far, before, residual, .. } = self;
+        let block = M::Shape::BLOCK;
+        let largest = before.iter().chain(next).fold(self.largest, larger);
+        let mut worst = 0.0;
+        for i in 0..before.len() / block {
+            near.site.rows(map, &near.constants, before, i, T::Near::given);
+            for b in 0..block {
+                let mut rest = near.rest::<M, T>(b, before, next, largest);
+                if rest.bound.is_nan() || rest.bound > 1.0 {
+                    far.site.rows(map, &far.constants, before, i, T::Far::given);
+                    rest = far.rest::<M, T>(b, before, next, largest);
+                }
+                residual[i * block + b] = rest.residual;
+                // What is not a number is worse than any.
+                worst = if rest.bound <= worst { worst } else { rest.bound };
+            }
+        }
+        if worst.is_nan() { f64::INFINITY } else { worst }
+    }
+}
+
+impl<J: Scalar> Rows<J> {
+    /// What `next` leaves in the row of array b of the site whose line was run last; no
+    /// input is larger than `largest`.
+    fn rest<M, T>(&self, b: usize, before: &[T], next: &[T], largest: f64) -> Rest<T>
+    where
+        M: LatticeMap<T>,
+        T: LatticeScalar,
+        J: Judge<T>,
+    {
+        let sites = before.len() / M::Shape::BLOCK;
+        let increment = (self.eps.clone() + self.eps.clone()) * self.site.f(b).clone();
+        let (mut rest, mut right) = (increment.clone(), increment);
+        let (mut size, mut entries) = (Size::zero(), 0);
+        for (column, entry) in self.site.row::<M::Shape>(M::BOUNDARY, sites, b) {
+            let (_, known) = entry.known();
+            let (x, y) = (J::given(&before[column]), J::given(&next[column]));
+            rest -= entry.clone() * (y.clone() - x.clone());
+            right += entry * x;
+            size = size + known.at_least() * y.known().1.size;
+            entries += usize::from(!known.at_least().is_zero());
+        }
+        let (residual, known) = rest.known();
+        let (_, right) = right.known();
+        let (size, error) = (size + right.at_least(), known.size + known.error);
+        let is_allowed_for = largest < known.largest_input.min(right.largest_input);
+        let bound = if size.is_zero() && error.is_zero() {
+            0.0
+        } else if is_allowed_for {
+            f64::from(error / size) / ((entries as f64 + 8.0) * T::UNIT)
+        } else {
+            f64::NAN
+        };
+        Rest { residual, bound }
+    }
+}
+
+/// The larger of a size and that of a number.
+fn larger<T: LatticeScalar>(size: f64, number: &T) -> f64 {
+    let own = number.approximate().abs();
+    if own <= size { size } else { own }
+}
