@@ -15,7 +15,9 @@ pub use core::result::Result;
 pub use kahan_derive;
 pub use nalgebra::{SMatrix, SVector};
 
+pub use crate::field::couplings::{Couplings, LARGEST_FACTOR, Row};
 pub use crate::field::linear::{components, vector};
+pub use crate::map::{CoupledField, CoupledStep, slopes_matrix};
 pub use crate::scalar::Dual;
 pub use crate::scalar::tuning::fenced;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};

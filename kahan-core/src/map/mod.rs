@@ -9,6 +9,7 @@
 
 mod at;
 mod checked;
+mod coupled;
 mod elimination;
 mod error_estimate;
 mod lift;
@@ -26,6 +27,7 @@ use crate::{Constant, PreparedStep, QuadraticField, Scalar, SingularStep};
 use checked::try_step;
 
 pub use at::KahanAt;
+pub use coupled::{CoupledField, CoupledStep, slopes_matrix};
 pub use elimination::Elimination;
 pub use error_estimate::{ErrorEstimates, Estimated};
 pub use lift::Lift;

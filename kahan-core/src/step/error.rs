@@ -32,6 +32,8 @@ pub(crate) enum Reason {
     BeyondRange,
     /// So many digits of 64 bits leave open what the step is.
     Digits(usize),
+    /// Elimination and its refinements leave too large a backward error.
+    Refined,
     /// Numbers overflowed before anything else was known.
     Overflow,
 }
@@ -98,6 +100,9 @@ impl fmt::Display for SingularStep {
             )?,
             Reason::Digits(count) => {
                 write!(f, "{count} digits of 64 bits do not tell whether this point is a pole")?;
+            }
+            Reason::Refined => {
+                write!(f, "the refined step leaves a backward error of {bound:.0e}")?;
             }
             Reason::Overflow => {
                 write!(f, "det A is not finite: the point, eps or a parameter is too large or not a number")?;

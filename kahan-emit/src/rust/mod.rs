@@ -24,6 +24,7 @@
 //! name of a function.
 
 mod claims;
+mod coupled;
 mod docs;
 mod field;
 mod header;
