@@ -79,7 +79,7 @@ impl Couplings<'_> {
     /// Replaces A by its factors: left of the diagonal those of rows, on it the reciprocals of
     /// pivots. `row` is a row to work in.
     ///
-    /// `false` where a factor exceeds [`LARGEST_FACTOR`], and where an exact pivot is 0.
+    /// `false` where a factor exceeds [`LARGEST_FACTOR`], and where a pivot is 0.
     pub fn factor<T: Scalar>(&self, values: &mut [T], row: &mut [T]) -> bool {
         let most = T::constant(&Constant::integer(LARGEST_FACTOR));
         let mut is_refused = false;
@@ -102,6 +102,7 @@ impl Couplings<'_> {
                 values[place] = row[self.columns[place] as usize].clone();
             }
             let pivot = &mut values[this.diagonal as usize];
+            is_refused |= pivot.is_zero();
             let Some(reciprocal) = pivot.reciprocal() else { return false };
             *pivot = reciprocal;
         }

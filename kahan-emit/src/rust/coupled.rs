@@ -209,7 +209,10 @@ fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
             }
         }
         let pivot = entry(row.diagonal);
-        lines.extend(quote! { let #pivot = #pivot.reciprocal()?; });
+        lines.extend(quote! {
+            __is_refused |= #pivot.is_zero();
+            let #pivot = #pivot.reciprocal()?;
+        });
     }
     lines
 }
