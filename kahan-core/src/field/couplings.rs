@@ -7,8 +7,11 @@
 
 use crate::{Constant, Scalar};
 
-/// The most that a row is multiplied by when it is subtracted from another: a pivot that is smaller
-/// than an entry below it by more than this factor sends the step to partial pivoting.
+/// A pivot that is smaller, by more than this factor, than an entry of its row and an entry of its
+/// column sends the step to partial pivoting.
+///
+/// Elsewhere the product that is subtracted from an entry is at most this many times as large as
+/// another entry of its row or column, so that no digits are lost.
 pub const LARGEST_FACTOR: i64 = 16;
 
 /// Where A(x,ε) has entries, those that elimination fills in among them. Rows and columns are
@@ -79,7 +82,7 @@ impl Couplings<'_> {
     /// Replaces A by its factors: left of the diagonal those of rows, on it the reciprocals of
     /// pivots. `row` is a row to work in.
     ///
-    /// `false` where a factor exceeds [`LARGEST_FACTOR`], and where a pivot is 0.
+    /// `false` where a pivot is 0, or smaller than [`LARGEST_FACTOR`] allows.
     pub fn factor<T: Scalar>(&self, values: &mut [T], row: &mut [T]) -> bool {
         let most = T::constant(&Constant::integer(LARGEST_FACTOR));
         let mut is_refused = false;
@@ -91,7 +94,11 @@ impl Couplings<'_> {
                 let pivot = self.columns[place] as usize;
                 let above = &self.rows[pivot];
                 let factor = row[pivot].clone() * values[above.diagonal as usize].clone();
-                is_refused |= factor.is_better_pivot(&most);
+                is_refused |= factor.is_better_pivot(&most)
+                    && above.right().any(|upper| {
+                        let ratio = values[upper].clone() * values[above.diagonal as usize].clone();
+                        ratio.is_better_pivot(&most)
+                    });
                 for upper in above.right() {
                     let entry = &mut row[self.columns[upper] as usize];
                     *entry = entry.clone().subtract_product(factor.clone(), values[upper].clone());

@@ -101,6 +101,10 @@ impl fmt::Display for SingularStep {
             Reason::Digits(count) => {
                 write!(f, "{count} digits of 64 bits do not tell whether this point is a pole")?;
             }
+            Reason::Refined if bound.is_infinite() => write!(
+                f,
+                "elimination leaves the range of the scalar, or its digits do not tell the backward error"
+            )?,
             Reason::Refined => {
                 write!(f, "the refined step leaves a backward error of {bound:.0e}")?;
             }

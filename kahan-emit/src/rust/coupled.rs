@@ -193,9 +193,11 @@ fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
         for left in row.own..row.diagonal {
             let above = &rows[columns[left]];
             let (factor, reciprocal) = (entry(left), entry(above.diagonal));
+            let upper = (above.diagonal + 1..above.end).map(entry);
             lines.extend(quote! {
                 let #factor = #factor * #reciprocal.clone();
-                __is_refused |= #factor.is_better_pivot(&__most);
+                __is_refused |= #factor.is_better_pivot(&__most)
+                    && (false #(|| (#upper.clone() * #reciprocal.clone()).is_better_pivot(&__most))*);
             });
             for upper in above.diagonal + 1..above.end {
                 let place = (row.own..row.end).find(|&place| columns[place] == columns[upper]);

@@ -9,7 +9,7 @@
 
 use core::array::from_fn;
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 use num_traits::{One, Zero};
 
 use crate::SingularStep;
@@ -104,15 +104,24 @@ where
         rest: &impl Fn(&[T; N]) -> Rest<T, N>,
         least: &mut f64,
     ) -> Result<SVector<T, N>, SingularStep> {
-        let solution = |b: [T; N]| match solve(self.step.matrix(self.x, &self.step.eps), vector(b)) {
+        // Rows of one size: an entry that is alone in its row stays what it is divided by, so that a
+        // component that is 0 comes out as 0.
+        let matrix = self.step.matrix(self.x, &self.step.eps);
+        let scales: [T; N] = from_fn(|i| {
+            let row = matrix.row(i);
+            let larger = |one: T, other: &T| if other.magnitude_exceeds(&one) { *other } else { one };
+            T::one() / row.iter().fold(T::zero(), larger)
+        });
+        let scaled = SMatrix::from_fn(|i, j| matrix[(i, j)] * scales[i]);
+        let solution = |b: [T; N]| match solve(scaled, vector(from_fn(|i| b[i] * scales[i]))) {
             Some(solution) => components(&solution).clone(),
             None => from_fn(|_| T::zero() / T::zero()),
         };
         if let Some(next) = self.refined(solution, rest, least) {
             return Ok(next);
         }
-        let determinant = determinant(self.step.matrix(self.x, &self.step.eps)).approximate();
-        let reason = if determinant == 0.0 { Reason::Pole } else { Reason::Refined };
+        let reason = if determinant(scaled).is_zero() { Reason::Pole } else { Reason::Refined };
+        let determinant = determinant(matrix).approximate();
         Err(SingularStep::because(reason, determinant, *least, self.step.eps.approximate()))
     }
 
