@@ -16,10 +16,12 @@ mod graph;
 mod orders;
 
 use crate::derived::over_divisors;
+use crate::diagnostics::{Diagnostic, Kind};
 use crate::field::Field;
 use crate::kahan::field_jacobian;
 use crate::plan::{Plan, StepCost, triangular_blocks};
 use crate::table::distinct;
+use crate::token::Span;
 
 use graph::Graph;
 use orders::cheapest;
@@ -27,6 +29,12 @@ use orders::cheapest;
 /// The most variables of a field whose map is written out where that is possible. Beyond, every
 /// step eliminates along the couplings.
 pub const MOST_EXPANDED: usize = 8;
+
+/// The most variables of a block that is compiled.
+const MOST_VARIABLES: usize = 200;
+/// The most entries of f′ that are not identically zero in a block of many variables that is
+/// compiled.
+const MOST_SLOPES: usize = 800;
 
 /// The most products in an elimination that is written as a straight line.
 const MOST_STRAIGHT: usize = 1500;
@@ -104,6 +112,23 @@ impl Couplings {
         }
         let slopes = over_divisors(field, written);
         Couplings { order, rows, columns, blocks: ends, places, slopes }
+    }
+
+    /// What is wrong with a field that is to be compiled and has too many couplings for that.
+    #[must_use]
+    pub fn too_many(&self, span: Span) -> Option<Diagnostic> {
+        let (variables, slopes) = (self.order.len(), self.places.len());
+        (variables > MOST_VARIABLES || slopes > MOST_SLOPES).then(|| {
+            Diagnostic::new(
+                Kind::TooLarge,
+                span,
+                format!(
+                    "{variables} variables with {slopes} couplings take too long to compile: a block has at most \
+                     {MOST_VARIABLES} and {MOST_SLOPES}"
+                ),
+                "write the equations once, as a family: `for i in periodic { x[i]dot = …; }`",
+            )
+        })
     }
 
     /// Whether elimination is written as a straight line.

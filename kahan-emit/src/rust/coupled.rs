@@ -79,8 +79,46 @@ pub(super) fn emit_parameters(context: &Context<'_>) -> TokenStream {
     quote!([#(#parameters),*])
 }
 
-/// The body of a function that returns a plan's results as an array.
+/// The most operations in one function. Compilers take more than twice the time for one that is
+/// twice as long, above all over numbers that carry bounds.
+const MOST_OPERATIONS: usize = 160;
+
+/// The body of a function that returns a plan's results as an array: in parts where it is long.
 fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
+    if plan.operations.len() <= 2 * MOST_OPERATIONS {
+        return emit_part(context, plan);
+    }
+    let (scalar, dimension) = (&context.scalar, &context.dimension);
+    let parameters = Literal::usize_unsuffixed(context.system.field.symbols.parameters.len());
+    let parts = plan.operations.len().div_ceil(MOST_OPERATIONS);
+    let results = plan.outputs.len().div_ceil(parts);
+    let parts = plan.outputs.chunks(results).zip((0..).step_by(results)).map(|(outputs, start)| {
+        let part = Plan { operations: plan.operations.clone(), outputs: outputs.to_vec() };
+        let body = emit_part(context, &Plan::together([&part]));
+        let [start, end] = [start, start + outputs.len()].map(Literal::usize_unsuffixed);
+        let count = Literal::usize_unsuffixed(outputs.len());
+        quote! {
+            {
+                #[inline(never)]
+                fn part<#scalar: __kahan::Scalar>(
+                    __parameters: &[#scalar; #parameters],
+                    x: &[#scalar; #dimension],
+                ) -> [#scalar; #count] {
+                    #body
+                }
+                __out[#start..#end].clone_from_slice(&part(__parameters, x));
+            }
+        }
+    });
+    quote! {
+        let mut __out = __kahan::core::array::from_fn(|_| __kahan::integer(0));
+        #(#parts)*
+        __out
+    }
+}
+
+/// The body of a function that returns a plan's results as an array.
+fn emit_part(context: &Context<'_>, plan: &Plan) -> TokenStream {
     let symbols = &context.system.field.symbols;
     let inputs = plan.inputs();
     let states = emit_pattern(&inputs, symbols, Symbol::State).map(|states| quote! { let #states = x; });
