@@ -6,7 +6,7 @@
 //! at run time and the command read the same [`Derived`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`],
-//! [`system`], [`kahan`], [`plan`], [`derived`], [`relations`], [`prove`], [`specialise`],
+//! [`system`], [`kahan`], [`plan`], [`elimination`], [`derived`], [`relations`], [`prove`], [`specialise`],
 //! [`interpret`], [`render`]; beneath them the exact arithmetic of [`rational`], [`poly`] and
 //! [`rational_function`].
 
@@ -14,6 +14,7 @@ pub mod arithmetic;
 pub mod check;
 pub mod derived;
 pub mod diagnostics;
+pub mod elimination;
 pub mod family;
 pub mod field;
 pub mod interpret;

@@ -17,9 +17,11 @@ pub use nalgebra::{SMatrix, SVector};
 #[cfg(feature = "std")]
 pub use std::vec::{self, Vec};
 
+pub use crate::field::couplings::{Couplings, LARGEST_FACTOR, Row};
 pub use crate::field::linear::{components, vector};
 #[cfg(feature = "std")]
 pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil, Sums};
+pub use crate::map::{CoupledField, CoupledStep, slopes_matrix};
 pub use crate::scalar::Dual;
 pub use crate::scalar::tuning::fenced;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};

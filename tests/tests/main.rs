@@ -34,6 +34,8 @@ mod floats {
     mod through_f64;
 }
 
+mod many;
+
 mod methods {
     //! Compositions, estimates, orders.
 

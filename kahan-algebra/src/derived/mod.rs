@@ -14,6 +14,7 @@ pub use listing::StepListing;
 pub use names::{StepName, StepNames, constant_names};
 
 use crate::arithmetic::Arithmetic;
+use crate::elimination::Couplings;
 use crate::field::Field;
 use crate::kahan::{
     RationalMap, Reduced, bilinear_form, field_jacobian, polarization, scaled_matrix, scaled_rhs,
@@ -53,6 +54,11 @@ pub struct Derived {
     /// The numerators of the reduced map before its denominator; `None` where nothing that depends
     /// on a state was divided out, so that they are (N, D) up to a factor without poles.
     pub reduced_map: Option<Plan>,
+    /// How A(x,ε) is eliminated in more than [`MOST_EXPANDED`] variables, where nothing is written
+    /// out.
+    ///
+    /// [`MOST_EXPANDED`]: crate::elimination::MOST_EXPANDED
+    pub couplings: Option<Couplings>,
     /// The integrals that are claimed without `when`, together.
     pub integrals: Plan,
     /// Their names, in order.
@@ -72,24 +78,28 @@ pub struct Derived {
 #[must_use]
 pub fn derive(system: &System) -> Derived {
     let field = &system.field;
-    let n = field.dimension();
-    let map = RationalMap::of(field);
+    let couplings = Couplings::of(field);
+    let map = if couplings.is_some() { None } else { RationalMap::of(field) };
     let claims = |kind| system.accessors(kind).map(|claim| (claim.name.text.clone(), &claim.plan));
     let single = |plan: &Plan| Plan::together([plan]);
     Derived {
         divisors: Plan::of(field.components.iter().map(|component| &component.denominator)),
-        field: over_divisors(field, field.components.iter().map(|component| &component.numerator), 1),
-        field_jacobian: over_divisors(field, field_jacobian(field).iter().flatten(), n),
-        bilinear: over_divisors(field, &bilinear_form(field), 1),
-        polarized: over_divisors(field, &polarization(field), 1),
-        matrix: over_divisors(field, scaled_matrix(field).iter().flatten(), n),
-        rhs: over_divisors(field, &scaled_rhs(field), 1),
+        field: over_divisors(
+            field,
+            by_components(field.components.iter().map(|component| &component.numerator)),
+        ),
+        field_jacobian: over_divisors(field, by_rows(&field_jacobian(field))),
+        bilinear: over_divisors(field, by_components(&bilinear_form(field))),
+        polarized: over_divisors(field, by_components(&polarization(field))),
+        matrix: over_divisors(field, by_rows(&scaled_matrix(field))),
+        rhs: over_divisors(field, by_components(&scaled_rhs(field))),
         det_matrix: map.as_ref().map(|map| over_product(map, [&map.denominator])),
         rational_map: map
             .as_ref()
             .map(|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
         reduced_map: map.as_ref().and_then(|map| reduced_map(&field.symbols, &map.reduced)),
         map,
+        couplings,
         integrals: Plan::together(claims(ClaimKind::Integral).map(|(_, plan)| plan)),
         integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
         density: claims(ClaimKind::Density).next().map(|(_, plan)| single(plan)),
@@ -104,7 +114,9 @@ impl Derived {
     ///
     /// Cost: the first call plans it, which takes some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
-        self.step.get_or_init(|| StepPlan::of_map(&self.system.field, self.map.as_ref())).as_ref()
+        let plan = || StepPlan::of_map(&self.system.field, self.map.as_ref());
+        let written = || if self.couplings.is_some() { None } else { plan() };
+        self.step.get_or_init(written).as_ref()
     }
 
     /// Whether the field divides by nothing that is zero at these parameters, in their order.
@@ -154,20 +166,31 @@ impl Derived {
     }
 }
 
-/// These numerators, `width` of them over what each component of the field divides by.
-fn over_divisors<'a>(
+/// These numerators, each over what the component of the field with its index divides by.
+pub(crate) fn over_divisors<'a>(
     field: &Field,
-    numerators: impl IntoIterator<Item = &'a Polynomial>,
-    width: usize,
+    numerators: impl IntoIterator<Item = (&'a Polynomial, usize)>,
 ) -> Plan {
     let mut builder = PlanBuilder::default();
     let mut outputs: Vec<Node> = Vec::new();
-    for (index, numerator) in numerators.into_iter().enumerate() {
+    for (numerator, component) in numerators {
         let above = builder.polynomial(numerator);
-        let below = builder.polynomial(&field.components[index / width].denominator);
+        let below = builder.polynomial(&field.components[component].denominator);
         outputs.push(builder.divide(above, below));
     }
     builder.finish(&outputs)
+}
+
+/// One numerator a component.
+fn by_components<'a>(
+    numerators: impl IntoIterator<Item = &'a Polynomial>,
+) -> impl Iterator<Item = (&'a Polynomial, usize)> {
+    numerators.into_iter().zip(0..)
+}
+
+/// The numerators of a matrix, row by row.
+fn by_rows(rows: &[Vec<Polynomial>]) -> impl Iterator<Item = (&Polynomial, usize)> {
+    rows.iter().enumerate().flat_map(|(i, row)| row.iter().map(move |entry| (entry, i)))
 }
 
 /// These polynomials over ∏q.

@@ -55,6 +55,7 @@ pub use accuracy::LARGEST_SIZE;
 pub use builder::PlanBuilder;
 pub use cost::Cost;
 pub use step::{StepCost, StepPlan};
+pub(crate) use structure::blocks as triangular_blocks;
 pub(crate) use words::{descriptions, kind};
 
 use crate::arithmetic::Arithmetic;

@@ -27,37 +27,9 @@ impl Structure {
         self.depends[i][j]
     }
 
-    /// The strongly connected components of the graph in which i points to the states that fᵢ
-    /// depends on, each after those that it depends on: A is block triangular in this order.
+    /// The blocks in whose order A is block triangular.
     pub(super) fn blocks(&self) -> Vec<Vec<usize>> {
-        let reaches = self.reaches();
-        let mut blocks: Vec<Vec<usize>> = Vec::new();
-        for (i, reached) in reaches.iter().enumerate() {
-            match blocks.iter_mut().find(|block| reached[block[0]] && reaches[block[0]][i]) {
-                Some(block) => block.push(i),
-                None => blocks.push(vec![i]),
-            }
-        }
-        // A block reaches all that the blocks it depends on reach, and those blocks besides.
-        let weight = |block: &Vec<usize>| {
-            let others = |&(j, reached): &(usize, &bool)| *reached && !block.contains(&j);
-            reaches[block[0]].iter().enumerate().filter(others).count()
-        };
-        sorted_by_key(blocks, |block| (weight(block), block[0]))
-    }
-
-    /// Which states each state depends on, directly or through others.
-    fn reaches(&self) -> Vec<Vec<bool>> {
-        let mut reaches = self.depends.clone();
-        for via in 0..reaches.len() {
-            let through = reaches[via].clone();
-            for row in reaches.iter_mut().filter(|row| row[via]) {
-                for (entry, through) in row.iter_mut().zip(&through) {
-                    *entry |= through;
-                }
-            }
-        }
-        reaches
+        blocks(&self.depends)
     }
 
     /// States of a block that do not act on each other or themselves: their rows and columns of A
@@ -74,4 +46,37 @@ impl Structure {
         }
         distinct(chosen)
     }
+}
+
+/// The strongly connected components of the graph in which i points to the states that fᵢ depends
+/// on, each after those that it depends on: A is block triangular in this order.
+pub(crate) fn blocks(depends: &[Vec<bool>]) -> Vec<Vec<usize>> {
+    let reaches = reaches(depends);
+    let mut blocks: Vec<Vec<usize>> = Vec::new();
+    for (i, reached) in reaches.iter().enumerate() {
+        match blocks.iter_mut().find(|block| reached[block[0]] && reaches[block[0]][i]) {
+            Some(block) => block.push(i),
+            None => blocks.push(vec![i]),
+        }
+    }
+    // A block reaches all that the blocks it depends on reach, and those blocks besides.
+    let weight = |block: &Vec<usize>| {
+        let others = |&(j, reached): &(usize, &bool)| *reached && !block.contains(&j);
+        reaches[block[0]].iter().enumerate().filter(others).count()
+    };
+    sorted_by_key(blocks, |block| (weight(block), block[0]))
+}
+
+/// Which states each state depends on, directly or through others.
+fn reaches(depends: &[Vec<bool>]) -> Vec<Vec<bool>> {
+    let mut reaches = depends.to_vec();
+    for via in 0..reaches.len() {
+        let through = reaches[via].clone();
+        for row in reaches.iter_mut().filter(|row| row[via]) {
+            for (entry, through) in row.iter_mut().zip(&through) {
+                *entry |= through;
+            }
+        }
+    }
+    reaches
 }

@@ -3,6 +3,7 @@
 //! In: a state. Out: f, f′, and the two symmetric forms whose diagonal is Q and f. An
 //! implementation is free of ε: what depends on the step belongs to [`KahanMap`](crate::KahanMap).
 
+pub(crate) mod couplings;
 pub(crate) mod linear;
 mod named;
 

@@ -89,15 +89,22 @@ where
     /// # Panics
     /// Always: `HAS_LANES` is false.
     fn widen<L: Scalar>(&self, _spread: impl Fn(&T) -> L) -> NoLanes {
-        panic!(
-            "a step by elimination chooses its pivots by comparing, so it has no lanes: step each state alone"
-        )
+        NoLanes::refused()
     }
 }
 
 /// The wide step of a step without lanes: there is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoLanes {}
+
+impl NoLanes {
+    /// What is asked for where there are no lanes.
+    pub(super) fn refused() -> Self {
+        panic!(
+            "a step by elimination chooses its pivots by comparing, so it has no lanes: step each state alone"
+        )
+    }
+}
 
 impl<L: Scalar, const N: usize> PreparedStep<L, N> for NoLanes {
     fn quotients(&self, _x: &SVector<L, N>) -> Option<Quotients<L, N>> {

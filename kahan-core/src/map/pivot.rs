@@ -5,9 +5,10 @@
 
 use nalgebra::SVector;
 
-use crate::{Dd, Scalar, SingularStep};
+use crate::{Dd, KahanMap, Scalar, SingularStep};
 
 use super::checked::try_step;
+use super::coupled::{CoupledField, CoupledStep, in_double_double, in_wide_only};
 use super::lift::Lift;
 use super::stable::{beyond, higher, in_next_wider, in_own_precision, in_wide};
 
@@ -39,6 +40,21 @@ pub trait Pivot: Scalar {
     {
         try_step(map, prepared, x, eps)
     }
+
+    /// The same for many variables, where the promise is of the backward error.
+    #[doc(hidden)]
+    fn backward_stable_step<F, K, const N: usize, const P: usize, const M: usize, const S: usize>(
+        map: &F,
+        prepared: &CoupledStep<K, Self, P, M, S>,
+        x: &SVector<Self, N>,
+        eps: &Self,
+    ) -> Result<SVector<Self, N>, SingularStep>
+    where
+        F: KahanMap<Self, N, Prepared = CoupledStep<K, Self, P, M, S>>,
+        K: CoupledField<N, P, M, S>,
+    {
+        try_step(map, prepared, x, eps)
+    }
 }
 
 /// A float, whose promise is kept by bounds: by a first rung, or where that proves too little by
@@ -47,7 +63,7 @@ pub trait Pivot: Scalar {
 /// A rung prepares the step anew, over values with bounds: a prepared float does not tell how large
 /// the terms of a sum were that it is. In a loop compilers do that once, before its first round.
 macro_rules! implement_for_float {
-    ($float:ty: |$map:ident, $x:ident, $eps:ident| $first:expr, else $next:expr) => {
+    ($float:ty: |$map:ident, $x:ident, $eps:ident| $first:expr, else $next:expr, of_many $many:expr) => {
         impl Pivot for $float {
             #[inline]
             fn magnitude_exceeds(&self, other: &Self) -> bool {
@@ -74,6 +90,19 @@ macro_rules! implement_for_float {
                     None => higher($next, $map, $x, $eps),
                 }
             }
+
+            fn backward_stable_step<F, K, const N: usize, const P: usize, const M: usize, const S: usize>(
+                _map: &F,
+                prepared: &CoupledStep<K, Self, P, M, S>,
+                x: &SVector<Self, N>,
+                _eps: &Self,
+            ) -> Result<SVector<Self, N>, SingularStep>
+            where
+                F: KahanMap<Self, N, Prepared = CoupledStep<K, Self, P, M, S>>,
+                K: CoupledField<N, P, M, S>,
+            {
+                $many(prepared, x)
+            }
         }
     };
 }
@@ -87,9 +116,9 @@ implement_for_float!(f32: |map, x, eps| if const { N > MOST_OF_SINGLE } {
     in_next_wider(map, x, eps)
 } else {
     in_own_precision(map, x, eps)
-}, else if const { N > MOST_OF_SINGLE } { in_wide } else { beyond });
-implement_for_float!(f64: |map, x, eps| in_own_precision(map, x, eps), else beyond);
-implement_for_float!(Dd: |map, x, eps| in_own_precision(map, x, eps), else in_wide);
+}, else if const { N > MOST_OF_SINGLE } { in_wide } else { beyond }, of_many in_double_double);
+implement_for_float!(f64: |map, x, eps| in_own_precision(map, x, eps), else beyond, of_many in_double_double);
+implement_for_float!(Dd: |map, x, eps| in_own_precision(map, x, eps), else in_wide, of_many in_wide_only);
 
 #[cfg(feature = "exact")]
 impl Pivot for num_rational::BigRational {

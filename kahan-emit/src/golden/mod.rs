@@ -15,7 +15,7 @@ use syn::{Block, Expr, ImplItem, Item, ItemImpl, Stmt};
 use crate::rust::{expand, formatted, text};
 
 /// The blocks, each with the functions that it is there to show, where these are not all.
-const BLOCKS: [(&str, &[&str]); 5] = [
+const BLOCKS: [(&str, &[&str]); 6] = [
     // A system with claims.
     ("e3", &[]),
     // Parameters and what is divided by them.
@@ -26,6 +26,8 @@ const BLOCKS: [(&str, &[&str]); 5] = [
     ("broken", &["integrals", "prepare"]),
     // Beyond the budget of terms: it steps by elimination.
     ("dense", &["prepare", "lift"]),
+    // Of more than eight variables: it eliminates along the couplings.
+    ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
 ];
 
 /// What was shown so far.
@@ -128,4 +130,18 @@ fn expanding_twice_gives_the_same_tokens() {
     let block = "struct S { a } xdot = a*x*y; ydot = x - y/a; integral h = x - x + 1/x;";
     let expansion = || text(&quote!(::kahan_core), block).expect("Rust tokens");
     assert_eq!(expansion(), expansion());
+}
+
+#[test]
+fn a_block_of_too_many_couplings_is_told_of_families() {
+    for (n, is_refused) in [(200, false), (201, true)] {
+        let ring: String =
+            (0..n).map(|i| format!("x{i}dot = x{i}*(x{} - x{});", (i + 1) % n, (i + n - 1) % n)).collect();
+        for block in [format!("struct Ring; {ring}"), ring] {
+            let tokens =
+                expand(&quote!(::kahan_core), block.parse().expect("Rust tokens")).tokens.to_string();
+            assert_eq!(tokens.contains("compile_error"), is_refused, "{n}");
+            assert_eq!(tokens.contains("as a family: `for i in periodic"), is_refused, "{n}");
+        }
+    }
 }

@@ -1,18 +1,22 @@
 //! `QuadraticField`: f, f′, the bilinear form and the polarised field.
 
+use kahan_algebra::elimination::Couplings;
 use kahan_algebra::plan::Plan;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Context;
+use super::coupled::{Sizes, emit_parameters};
 use super::inputs::emit_inputs;
 use super::plan::{Emitted, emit_plan};
 
 /// Expands to `impl<T: Scalar> QuadraticField<T, 3> for E6 { … }`.
 pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
-    let value = emit_vector(context, &derived.field);
-    let slope = emit_matrix(context, &derived.field_jacobian);
+    let (value, slope) = match &derived.couplings {
+        Some(couplings) => emit_coupled_field(context, couplings),
+        None => (emit_vector(context, &derived.field), emit_matrix(context, &derived.field_jacobian)),
+    };
     let bilinear = emit_vector(context, &derived.bilinear);
     // Without a linear and a constant part the two forms are one.
     let polarized = if derived.polarized == derived.bilinear {
@@ -38,6 +42,22 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
             }
         }
     }
+}
+
+/// The bodies of `field` and `field_jacobian` in many variables.
+fn emit_coupled_field(context: &Context<'_>, couplings: &Couplings) -> (TokenStream, TokenStream) {
+    let (scalar, dimension, own) = (&context.scalar, &context.dimension, emit_parameters(context));
+    let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
+    let field = quote!(__kahan::CoupledField<#dimension, #parameters, #slopes, #places>);
+    let value = quote! {
+        __kahan::vector(<__Coupled as #field>::field::<#scalar>(&#own, __kahan::components(x)))
+    };
+    let slope = quote! {
+        __kahan::slopes_matrix::<__Coupled, #scalar, #dimension, #parameters, #slopes, #places>(
+            <__Coupled as #field>::slopes(&#own, __kahan::components(x)),
+        )
+    };
+    (value, slope)
 }
 
 /// The body of a function that returns the plan's results as a vector.

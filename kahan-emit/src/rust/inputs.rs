@@ -50,7 +50,7 @@ pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
 }
 
 /// A point's components, those that are not read without a name; `None` if none is.
-fn emit_pattern(
+pub(super) fn emit_pattern(
     inputs: &[Variable],
     symbols: &Symbols,
     symbol: impl Fn(usize) -> Symbol,

@@ -1,11 +1,13 @@
 //! `KahanMap`: how the step is prepared, and the closed forms of N and D where they are within the
 //! budget.
 
+use kahan_algebra::elimination::Couplings;
 use kahan_algebra::plan::Plan;
 use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
+use super::coupled::{Sizes, emit_coupled, emit_parameters};
 use super::field::emit_body;
 use super::items::identifier;
 use super::step::{EmittedStep, emit_step};
@@ -14,15 +16,20 @@ use super::step::{EmittedStep, emit_step};
 /// written here, is a default method.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
-    let (items, prepared) = match context.derived.step() {
-        Some(step) => {
-            let EmittedStep { items, prepared, prepare } = emit_step(context, step);
-            (items, emit_prepared(context, &prepared, &prepare))
+    let stable = quote!(stable_step);
+    let (items, prepared, promise) = match (&context.derived.couplings, context.derived.step()) {
+        (Some(couplings), _) => {
+            let prepared = emit_coupled_step(context, couplings);
+            (emit_coupled(context, couplings), prepared, quote!(backward_stable_step))
         }
-        None => (TokenStream::new(), emit_elimination(context)),
+        (None, Some(step)) => {
+            let EmittedStep { items, prepared, prepare } = emit_step(context, step);
+            (items, emit_prepared(context, &prepared, &prepare), stable)
+        }
+        (None, None) => (TokenStream::new(), emit_elimination(context), stable),
     };
     let closed_forms = emit_closed_forms(context);
-    let (stable_step, lift) = (emit_stable_step(context), emit_lift(context));
+    let (stable_step, lift) = (emit_stable_step(context, &promise), emit_lift(context));
     quote! {
         #items
         impl<#scalar: __kahan::Scalar> __kahan::KahanMap<#scalar, #dimension> for #this {
@@ -50,8 +57,8 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
     }
 }
 
-/// The step with a promise, which runs the prepared one over scalars that carry their error bounds.
-fn emit_stable_step(context: &Context<'_>) -> TokenStream {
+/// The step with a promise, by this function of the scalar.
+fn emit_stable_step(context: &Context<'_>, promise: &TokenStream) -> TokenStream {
     let (scalar, vector) = (&context.scalar, context.vector());
     quote! {
         #[inline(always)]
@@ -64,7 +71,23 @@ fn emit_stable_step(context: &Context<'_>) -> TokenStream {
         where
             #scalar: __kahan::Pivot,
         {
-            __kahan::Pivot::stable_step(self, prepared, x, eps)
+            __kahan::Pivot::#promise(self, prepared, x, eps)
+        }
+    }
+}
+
+/// The step of many variables, and the Jacobian by the same elimination.
+fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
+    let (scalar, vector, matrix) = (&context.scalar, context.vector(), context.matrix());
+    let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
+    let own = emit_parameters(context);
+    quote! {
+        type Prepared = __kahan::CoupledStep<__Coupled, #scalar, #parameters, #slopes, #places>;
+        fn prepare(&self, eps: &#scalar) -> Self::Prepared {
+            __kahan::CoupledStep::new(#own, eps.clone())
+        }
+        fn jacobian(&self, x: &#vector, eps: #scalar) -> #matrix {
+            self.prepare(&eps).jacobian(x)
         }
     }
 }

@@ -24,6 +24,7 @@
 //! name of a function.
 
 mod claims;
+mod coupled;
 mod docs;
 mod family;
 mod field;
@@ -41,8 +42,9 @@ mod tokens;
 
 use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::system::System;
+use kahan_algebra::token::Span;
 use kahan_algebra::{Derived, Reading, derive};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use tokens::Flat;
@@ -99,6 +101,11 @@ fn emit(core: &TokenStream, block: TokenStream, reading: &Reading, input: &Flat)
         return emit_without_field(reading, header.as_ref(), spans, &errors);
     }
     let derived = derive(&reading.system);
+    let place = reading.system.header.as_ref().map_or(Span::token(0), |header| header.name.span);
+    if let Some(mistake) = derived.couplings.as_ref().and_then(|couplings| couplings.too_many(place)) {
+        let errors = [errors, emit_errors(&[mistake], spans)].into_iter().collect();
+        return emit_without_field(reading, header.as_ref(), spans, &errors);
+    }
     let context = Context::of(&derived, spans);
     let definition = items::emit_struct(&context, header.as_ref());
     let implementations = emit_implementations(core, &context);
@@ -140,13 +147,13 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
 fn emit_without_field(
     reading: &Reading,
     header: Option<&RustHeader>,
-    spans: &[Span],
+    spans: &[proc_macro2::Span],
     errors: &TokenStream,
 ) -> TokenStream {
     if header.is_none() {
         // A single `compile_error!` is right as an item and as an expression; there is no telling
         // which is wanted.
-        return if reading.diagnostics.len() == 1 {
+        return if reading.diagnostics.len() <= 1 {
             errors.clone()
         } else {
             quote! { { #errors } }
@@ -158,8 +165,10 @@ fn emit_without_field(
 }
 
 /// One `compile_error!` a mistake, over its tokens.
-fn emit_errors(diagnostics: &[Diagnostic], spans: &[Span]) -> TokenStream {
-    let at = |index: usize| spans.get(index).or(spans.last()).copied().unwrap_or_else(Span::call_site);
+fn emit_errors(diagnostics: &[Diagnostic], spans: &[proc_macro2::Span]) -> TokenStream {
+    let at = |index: usize| {
+        spans.get(index).or(spans.last()).copied().unwrap_or_else(proc_macro2::Span::call_site)
+    };
     diagnostics
         .iter()
         .map(|diagnostic| {
@@ -172,11 +181,12 @@ fn emit_errors(diagnostics: &[Diagnostic], spans: &[Span]) -> TokenStream {
 }
 
 impl<'a> Context<'a> {
-    fn of(derived: &'a Derived, spans: &[Span]) -> Self {
+    fn of(derived: &'a Derived, spans: &[proc_macro2::Span]) -> Self {
         let system = &derived.system;
         let name = match &system.header {
             Some(header) => {
-                let span = spans.get(header.name.span.first).copied().unwrap_or_else(Span::call_site);
+                let span =
+                    spans.get(header.name.span.first).copied().unwrap_or_else(proc_macro2::Span::call_site);
                 items::identifier(&header.name.text, span)
             }
             None => format_ident!("Field"),

@@ -125,7 +125,8 @@ impl<'a> Kernel<'a> {
             let over = if reciprocals.len() == 1 { quote!(over_each) } else { quote!(over_several) };
             quote!(__kahan::Some(__kahan::Quotients::#over([#(#numerators),*], [#(#each),*])))
         };
-        let (cost, constants) = (emit_cost(plan), names.iter().map(|name| format_ident!("__e_{name}")));
+        let (cost, constants) =
+            (emit_cost(plan.cost()), names.iter().map(|name| format_ident!("__e_{name}")));
         quote! {
             pub struct #name;
             impl __kahan::Kernel<#dimension, #count> for #name {
@@ -146,8 +147,8 @@ impl<'a> Kernel<'a> {
 }
 
 /// Expands to `const COST: StepCost = StepCost::of(operations, divisions, chain);`.
-fn emit_cost(plan: &StepPlan) -> TokenStream {
-    let StepCost { operations, divisions, chain } = plan.cost();
+pub(super) fn emit_cost(cost: StepCost) -> TokenStream {
+    let StepCost { operations, divisions, chain } = cost;
     let [operations, divisions, chain] = [operations, divisions, chain].map(Literal::u32_unsuffixed);
     quote! {
         const COST: __kahan::StepCost = __kahan::StepCost::of(#operations, #divisions, #chain);

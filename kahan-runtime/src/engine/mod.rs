@@ -7,6 +7,7 @@
 mod coded;
 mod coded_columns;
 mod columns;
+mod couplings;
 mod elimination;
 mod lanes;
 mod scratch;
@@ -30,6 +31,7 @@ use step::{Step, Steps, into_matrix};
 pub(crate) use coded::CodedStages;
 pub(crate) use coded_columns::{ColumnsOnce, Instructions};
 pub(crate) use columns::Columns;
+pub(crate) use couplings::{Factors, Tables};
 use scratch::{Room, sized, with_scratch};
 pub(crate) use scratch::{Scratch, Scratches};
 
@@ -277,9 +279,11 @@ impl Engine {
             self.advance(&self.stages(constants, Composition::KAHAN), &mut next, 1);
             let behind: Vec<T> = parameters.iter().copied().chain([-eps]).collect();
             self.matrix(&behind, &next, out);
-            let mut matrix = vec![T::zero(); out.len()];
-            self.matrix(constants, state, &mut matrix);
-            solve(&mut matrix, out, state.len());
+            if !step.solves_columns(constants, state, out) {
+                let mut matrix = vec![T::zero(); out.len()];
+                self.matrix(constants, state, &mut matrix);
+                solve(&mut matrix, out, state.len());
+            }
         }
     }
 }

@@ -11,6 +11,7 @@ use kahan_core::{FloatScalar, Scalar};
 
 use crate::machine::Coded;
 
+use super::couplings::Factors;
 use super::lanes::Lanes;
 
 /// The vectors that steps over V are computed in; what they hold between two calls means nothing.
@@ -34,14 +35,23 @@ pub(crate) struct Room<V> {
     pub(super) outcome: Vec<V>,
     /// A(x,ε), row by row.
     pub(super) matrix: Vec<V>,
+    /// The entries of f′ in many variables, and the factors of A.
+    pub(super) slopes: Vec<V>,
+    pub(super) factors: Factors<V>,
     /// Whether it has turned out to be singular.
     pub(super) is_singular: bool,
 }
 
 impl<V> Default for Scratch<V> {
     fn default() -> Self {
-        let [registers, outcome, matrix, constants, given, state] = [const { Vec::new() }; 6];
-        Scratch { registers, room: Room { outcome, matrix, is_singular: false }, constants, given, state }
+        let [registers, outcome, matrix, slopes, constants, given, state] = [const { Vec::new() }; 7];
+        Scratch {
+            registers,
+            room: Room { outcome, matrix, slopes, factors: Factors::default(), is_singular: false },
+            constants,
+            given,
+            state,
+        }
     }
 }
 

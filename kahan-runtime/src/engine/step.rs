@@ -8,6 +8,7 @@ use kahan_core::Scalar;
 
 use crate::line::{Line, has_value};
 
+use super::couplings::{Factors, Tables};
 use super::elimination::solve;
 use super::scratch::{Room, sized};
 
@@ -64,8 +65,16 @@ pub(crate) struct Step {
 
 #[derive(Debug)]
 enum Kind {
-    Straight { constants: Line, kernel: Line },
-    Elimination { field_jacobian: Line, field: Line },
+    Straight {
+        constants: Line,
+        kernel: Line,
+    },
+    /// With `couplings` the line gives the entries of f′ that these place, else all of them.
+    Elimination {
+        slopes: Line,
+        field: Line,
+        couplings: Option<Tables>,
+    },
 }
 
 impl Step {
@@ -81,8 +90,12 @@ impl Step {
     fn by_elimination(derived: &Derived) -> Self {
         let symbols = &derived.system.field.symbols;
         let kind = Kind::Elimination {
-            field_jacobian: Line::of(&derived.field_jacobian, symbols),
+            slopes: Line::of(
+                derived.couplings.as_ref().map_or(&derived.field_jacobian, |couplings| &couplings.slopes),
+                symbols,
+            ),
             field: Line::of(&derived.field, symbols),
+            couplings: derived.couplings.as_ref().map(Tables::of),
         };
         Step { kind, reciprocals: vec![None; symbols.dimension()] }
     }
@@ -92,6 +105,14 @@ impl Step {
         match &self.kind {
             Kind::Straight { constants, kernel } => Some([constants, kernel]),
             Kind::Elimination { .. } => None,
+        }
+    }
+
+    /// The line of the entries of f′ in many variables, and where these stand.
+    pub(crate) fn couplings(&self) -> Option<(&Line, &Tables)> {
+        match &self.kind {
+            Kind::Elimination { slopes, couplings, .. } => Some((slopes, couplings.as_ref()?)),
+            Kind::Straight { .. } => None,
         }
     }
 
@@ -114,8 +135,8 @@ impl Step {
                 let prepared = has_value(prepared.results(constants.iter().copied(), registers, &[]));
                 append_given(kernel, prepared.iter(), given);
             }
-            Kind::Elimination { field_jacobian, field } => {
-                append_given(field_jacobian, constants.iter().copied(), given);
+            Kind::Elimination { slopes, field, .. } => {
+                append_given(slopes, constants.iter().copied(), given);
                 append_given(field, constants.iter().copied(), given);
             }
         }
@@ -125,7 +146,7 @@ impl Step {
     pub(crate) fn registers(&self) -> usize {
         match &self.kind {
             Kind::Straight { kernel, .. } => kernel.registers(),
-            Kind::Elimination { field_jacobian, field } => field_jacobian.registers() + field.registers(),
+            Kind::Elimination { slopes, field, .. } => slopes.registers() + field.registers(),
         }
     }
 
@@ -133,9 +154,9 @@ impl Step {
     pub(crate) fn open<V: Scalar + Copy>(&self, given: &[V], registers: &mut Vec<V>) {
         match &self.kind {
             Kind::Straight { kernel, .. } => append_registers(kernel, given, registers),
-            Kind::Elimination { field_jacobian, field } => {
-                let (of_slopes, of_field) = given.split_at(field_jacobian.given());
-                append_registers(field_jacobian, of_slopes, registers);
+            Kind::Elimination { slopes, field, .. } => {
+                let (of_slopes, of_field) = given.split_at(slopes.given());
+                append_registers(slopes, of_slopes, registers);
                 append_registers(field, of_field, registers);
             }
         }
@@ -215,6 +236,20 @@ impl Step {
         }
     }
 
+    /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings of many variables; whether it could.
+    pub(super) fn solves_columns<V: Scalar + Copy>(&self, constants: &[V], state: &[V], b: &mut [V]) -> bool {
+        let Some((slopes, tables)) = self.couplings() else { return false };
+        let mut registers = vec![V::zero(); slopes.registers()];
+        let results = has_value(slopes.results(constants.iter().copied(), &mut registers, state));
+        let entries: Vec<V> = results.iter().collect();
+        let mut factors = Factors::default();
+        let is_factored = tables.factor(&entries, &constants[constants.len() - 1], &mut factors);
+        if is_factored {
+            (0..state.len()).for_each(|column| tables.solve(&mut factors, b, state.len(), column));
+        }
+        is_factored
+    }
+
     /// x̃ − x, a component after the other.
     pub(super) fn increments<'a, V: Scalar + Copy>(
         &'a self,
@@ -229,18 +264,33 @@ impl Step {
     /// Computes numerators and reciprocals.
     #[inline(always)]
     fn compute<V: Scalar + Copy>(&self, state: &[V], registers: &mut [V], room: &mut Room<V>) {
-        let Room { outcome, matrix, is_singular } = room;
+        let Room { outcome, matrix, slopes: entries, factors, is_singular } = room;
         outcome.clear();
         match &self.kind {
             Kind::Straight { kernel, .. } => outcome.extend(has_value(kernel.run(registers, state)).iter()),
-            Kind::Elimination { field_jacobian, field } => {
-                let (of_slopes, of_field) = registers.split_at_mut(field_jacobian.registers());
-                let eps = field_jacobian.eps(of_slopes);
-                matrix.clear();
-                matrix.extend(has_value(field_jacobian.run(of_slopes, state)).iter());
-                into_matrix(matrix, eps, state.len());
+            Kind::Elimination { slopes, field, couplings } => {
+                let (of_slopes, of_field) = registers.split_at_mut(slopes.registers());
+                let eps = slopes.eps(of_slopes);
                 outcome.extend(has_value(field.run(of_field, state)).iter());
-                *is_singular = solve(matrix, outcome, state.len());
+                // Room for partial pivoting, which may be wanted at a later step only.
+                matrix.clear();
+                matrix.reserve(state.len() * state.len());
+                entries.clear();
+                entries.extend(has_value(slopes.run(of_slopes, state)).iter());
+                *is_singular = match couplings {
+                    Some(tables) if tables.factor(entries, &eps, factors) => {
+                        tables.solve(factors, outcome, 1, 0);
+                        false
+                    }
+                    _ => {
+                        match couplings {
+                            Some(tables) => tables.spread(entries, matrix),
+                            None => matrix.extend_from_slice(entries),
+                        }
+                        into_matrix(matrix, eps, state.len());
+                        solve(matrix, outcome, state.len())
+                    }
+                };
                 let time_step = eps + eps;
                 outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
             }

@@ -26,6 +26,19 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         })
     }
 
+    /// A(x,ε)⁻¹·A(x̃,−ε) along the couplings of many variables; `None` in few, and where a pivot is
+    /// too small.
+    fn jacobian_along_couplings(&self, x: &SVector<T, N>, eps: &T) -> Option<SMatrix<T, N, N>> {
+        let (tables, mut factors) = self.factors(x.as_slice(), eps)?;
+        let next = self.step(x, eps.clone());
+        let mut jacobian = self.matrix(&next, -eps.clone());
+        let own = self.variables().len();
+        for column in jacobian.data.0.iter_mut().take(own) {
+            tables.solve(&mut factors, &mut column[..own], 1, 0);
+        }
+        Some(jacobian)
+    }
+
     /// A line of two points whose results are a vector.
     fn vector_of_two(&self, line: &Line, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
         let own = self.variables().len();
@@ -78,7 +91,10 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
         match self.engine.derived.step() {
             Some(_) => jacobian_by_duals(self, x, &eps),
-            None => Unplanned(self.clone()).jacobian(x, eps),
+            None => match self.jacobian_along_couplings(x, &eps) {
+                Some(jacobian) => jacobian,
+                None => Unplanned(self.clone()).jacobian(x, eps),
+            },
         }
     }
 

@@ -22,7 +22,7 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::{Scalar, StepCost};
 use smallvec::SmallVec;
 
-use crate::engine::Engine;
+use crate::engine::{Engine, Factors, Tables};
 use crate::line::{Line, Results, has_value};
 
 pub(crate) use code::Code;
@@ -78,7 +78,10 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
             |plan::StepCost { operations, divisions, chain }| StepCost { operations, divisions, chain };
         match self.engine.derived.step() {
             Some(step) => of_plan(step.cost()),
-            None => StepCost::of_elimination(self.variables().len()),
+            None => match &self.engine.derived.couplings {
+                Some(couplings) => of_plan(couplings.cost(&self.engine.derived.field)),
+                None => StepCost::of_elimination(self.variables().len()),
+            },
         }
     }
 
@@ -120,6 +123,27 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
     pub fn over<U>(&self, lift: impl Fn(&T) -> U) -> Interpreted<U, N> {
         let parameters = self.parameters.iter().map(lift).collect();
         Interpreted { engine: Arc::clone(&self.engine), parameters, dimension: PhantomData }
+    }
+
+    /// x̃ − x along the couplings of many variables; `None` in few, and where a pivot is too small.
+    fn along_couplings(&self, state: &[T], eps: &T) -> Option<Vec<T>> {
+        let (tables, mut factors) = self.factors(state, eps)?;
+        let mut velocity = self.list(self.engine.field(), state, eps);
+        tables.solve(&mut factors, &mut velocity, 1, 0);
+        let time_step = eps.clone() + eps.clone();
+        Some(velocity.into_iter().map(|entry| time_step.clone() * entry).collect())
+    }
+
+    /// The factors of A(x,ε) along the couplings, and where they stand.
+    fn factors(&self, state: &[T], eps: &T) -> Option<(&Tables, Factors<T>)> {
+        let (slopes, tables) = self.engine.steps().form(false).couplings()?;
+        let mut factors = Factors::default();
+        tables.factor(&self.list(slopes, state, eps), eps, &mut factors).then_some((tables, factors))
+    }
+
+    /// The results of a line.
+    fn list(&self, line: &Line, state: &[T], eps: &T) -> Vec<T> {
+        self.run(line, state, eps, |results| results.iter().collect())
     }
 
     /// The parameters and ε.

@@ -50,6 +50,10 @@ impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let step = self.map.engine.steps().form(self.is_general);
         let Some([_, kernel]) = step.lines() else {
+            if let Some(increments) = self.map.along_couplings(x.as_slice(), &self.eps) {
+                let mut increments = increments.into_iter();
+                return Some(Quotients::whole(from_fn(|_| increments.next().unwrap_or_else(T::zero))));
+            }
             return Elimination::new(self.map.clone(), self.eps.clone()).quotients(x);
         };
         let mut registers = Registers::new();

@@ -2,6 +2,7 @@
 
 mod catalog;
 mod columns;
+mod couplings;
 mod errors;
 mod large;
 mod random;

@@ -19,3 +19,4 @@ mod scalars;
 mod tests;
 
 pub(super) use rungs::{beyond, higher, in_next_wider, in_own_precision, in_wide};
+pub(super) use scalars::{Promised, Widened};

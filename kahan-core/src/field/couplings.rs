@@ -1,0 +1,166 @@
+//! Elimination along the couplings of many variables: tables that say where A(x,ε) has entries, and
+//! loops over them.
+//!
+//! In: numbers at the places of the tables. Out: A = L·U in those places, and solutions of A·X = B.
+//! Rows are not exchanged, so a pivot may be too small to divide by: [`factor`](Couplings::factor)
+//! says so, and whoever calls pivots instead.
+
+use crate::{Constant, Scalar};
+
+/// A pivot that is smaller, by more than this factor, than an entry of its row and an entry of its
+/// column sends the step to partial pivoting.
+///
+/// Elsewhere the product that is subtracted from an entry is at most this many times as large as
+/// another entry of its row or column, so that no digits are lost.
+pub const LARGEST_FACTOR: i64 = 16;
+
+/// Where A(x,ε) has entries, those that elimination fills in among them. Rows and columns are
+/// counted in the order of elimination, entries row after row.
+#[derive(Clone, Copy, Debug)]
+pub struct Couplings<'a> {
+    /// Which variable is eliminated at each turn.
+    pub order: &'a [u32],
+    /// The rows.
+    pub rows: &'a [Row],
+    /// The column of each entry.
+    pub columns: &'a [u32],
+    /// Where each block ends, the number of its last row and 1: blocks are solved one after the
+    /// other.
+    pub blocks: &'a [u32],
+    /// The place of each entry of f′ that is not identically zero.
+    pub places: &'a [u32],
+}
+
+/// The places of a row's entries.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    start: u32,
+    own: u32,
+    diagonal: u32,
+    end: u32,
+}
+
+impl Row {
+    /// A row from its first entry, the first in its own block, the one on the diagonal, and the end
+    /// behind its last.
+    #[must_use]
+    pub const fn new(start: u32, own: u32, diagonal: u32, end: u32) -> Self {
+        Row { start, own, diagonal, end }
+    }
+
+    fn left(&self) -> core::ops::Range<usize> {
+        self.own as usize..self.diagonal as usize
+    }
+
+    fn right(&self) -> core::ops::Range<usize> {
+        self.diagonal as usize + 1..self.end as usize
+    }
+
+    fn own(&self) -> core::ops::Range<usize> {
+        self.own as usize..self.end as usize
+    }
+
+    /// The entries that are multiplied by what is solved already.
+    fn solved(&self) -> core::ops::Range<usize> {
+        self.start as usize..self.diagonal as usize
+    }
+}
+
+impl Couplings<'_> {
+    /// A(x,ε) = I − εf′(x), from the entries of f′ in the order of their places.
+    pub fn fill<T: Scalar>(&self, slopes: &[T], eps: &T, values: &mut [T]) {
+        values.fill(T::zero());
+        for (place, slope) in self.places.iter().zip(slopes) {
+            values[*place as usize] = -(eps.clone() * slope.clone());
+        }
+        for row in self.rows {
+            let diagonal = &mut values[row.diagonal as usize];
+            *diagonal = T::one() + diagonal.clone();
+        }
+    }
+
+    /// Replaces A by its factors: left of the diagonal those of rows, on it the reciprocals of
+    /// pivots. `row` is a row to work in.
+    ///
+    /// `false` where a pivot is 0, or smaller than [`LARGEST_FACTOR`] allows.
+    pub fn factor<T: Scalar>(&self, values: &mut [T], row: &mut [T]) -> bool {
+        let most = T::constant(&Constant::integer(LARGEST_FACTOR));
+        let mut is_refused = false;
+        for this in self.rows {
+            for place in this.own() {
+                row[self.columns[place] as usize] = values[place].clone();
+            }
+            for place in this.left() {
+                let pivot = self.columns[place] as usize;
+                let above = &self.rows[pivot];
+                let factor = row[pivot].clone() * values[above.diagonal as usize].clone();
+                is_refused |= factor.is_better_pivot(&most)
+                    && above.right().any(|upper| {
+                        let ratio = values[upper].clone() * values[above.diagonal as usize].clone();
+                        ratio.is_better_pivot(&most)
+                    });
+                for upper in above.right() {
+                    let entry = &mut row[self.columns[upper] as usize];
+                    *entry = entry.clone().subtract_product(factor.clone(), values[upper].clone());
+                }
+                row[pivot] = factor;
+            }
+            for place in this.own() {
+                values[place] = row[self.columns[place] as usize].clone();
+            }
+            let pivot = &mut values[this.diagonal as usize];
+            is_refused |= pivot.is_zero();
+            let Some(reciprocal) = pivot.reciprocal() else { return false };
+            *pivot = reciprocal;
+        }
+        !is_refused
+    }
+
+    /// Replaces b by the solution of A·x = b, both in the order of elimination; `values` are
+    /// factors.
+    pub fn solve<T: Scalar>(&self, values: &[T], b: &mut [T]) {
+        let mut first = 0;
+        for end in self.blocks {
+            let block = first..*end as usize;
+            for i in block.clone() {
+                b[i] = self.reduced(self.rows[i].solved(), i, values, b);
+            }
+            for i in block.rev() {
+                let row = &self.rows[i];
+                b[i] = self.reduced(row.right(), i, values, b) * values[row.diagonal as usize].clone();
+            }
+            first = *end as usize;
+        }
+    }
+
+    /// bᵢ without the products at these places.
+    #[inline]
+    fn reduced<T: Scalar>(&self, places: core::ops::Range<usize>, i: usize, values: &[T], b: &[T]) -> T {
+        let columns = &self.columns[places.clone()];
+        columns.iter().zip(&values[places]).fold(b[i].clone(), |sum, (column, value)| {
+            sum.subtract_product(value.clone(), b[*column as usize].clone())
+        })
+    }
+
+    /// The variables of the rows and columns of f′ that have an entry, in the order of the places.
+    pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
+        let mut row = 0;
+        self.places.iter().map(move |&place| {
+            while self.rows[row].end <= place {
+                row += 1;
+            }
+            (self.order[row] as usize, self.order[self.columns[place as usize] as usize] as usize)
+        })
+    }
+
+    /// The most entries in a row of A.
+    #[must_use]
+    pub fn widest_row(&self) -> usize {
+        let width = |row: &Row| {
+            let slopes = self.places.iter().filter(|place| (row.start..row.end).contains(place));
+            let others = slopes.filter(|place| **place != row.diagonal);
+            1 + others.count()
+        };
+        self.rows.iter().map(width).max().unwrap_or(0)
+    }
+}

@@ -1,0 +1,234 @@
+//! The step that promises a small backward error: what more than eight variables have.
+//!
+//! In: a point and ε as given. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in
+//! every row i, A(x,ε) and b(x,ε) exact at the floats as given and k the most entries in a row of A;
+//! or why there is none. Elimination gives x̃, and residuals in wider numbers, which carry bounds on
+//! their own errors, refine it at most twice. Nothing is believed but such a bound.
+//!
+//! With d = x̃ − x the residual b − A·x̃ is 2εf − A·d, whose terms are small with ε.
+
+use core::array::from_fn;
+
+use nalgebra::{SMatrix, SVector};
+use num_traits::{One, Zero};
+
+use crate::SingularStep;
+use crate::field::linear::{components, determinant, solve, vector};
+use crate::map::stable::{Promised, Widened};
+use crate::scalar::bounded::{Bounded, Magnitude, Working};
+use crate::step::error::Reason;
+
+use super::{CoupledField, CoupledStep, Factors};
+
+/// How often a solution is refined, with either elimination.
+const REFINEMENTS: usize = 2;
+
+/// What a solution leaves.
+struct Rest<T, const N: usize> {
+    /// b − A·x̃, rounded.
+    residual: [T; N],
+    /// The backward error, at most; infinite where nothing is known.
+    bound: f64,
+}
+
+/// The promised step of a scalar with a wider one.
+#[inline(never)]
+pub(in crate::map) fn in_double_double<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
+    step: &CoupledStep<K, T, P, M, S>,
+    x: &SVector<T, N>,
+) -> Result<SVector<T, N>, SingularStep>
+where
+    K: CoupledField<N, P, M, S>,
+    T: Widened,
+{
+    let attempt = Attempt { step, x: components(x) };
+    attempt.promised(|next| attempt.rest(next, T::embed, T::round))
+}
+
+/// The same of the widest scalar.
+#[inline(never)]
+pub(in crate::map) fn in_wide_only<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
+    step: &CoupledStep<K, T, P, M, S>,
+    x: &SVector<T, N>,
+) -> Result<SVector<T, N>, SingularStep>
+where
+    K: CoupledField<N, P, M, S>,
+    T: Promised,
+{
+    let attempt = Attempt { step, x: components(x) };
+    attempt.promised(|next| attempt.rest_in_wide(next))
+}
+
+/// A step that is to be promised.
+struct Attempt<'a, K, T, const N: usize, const P: usize, const M: usize, const S: usize> {
+    step: &'a CoupledStep<K, T, P, M, S>,
+    x: &'a [T; N],
+}
+
+impl<K, T, const N: usize, const P: usize, const M: usize, const S: usize> Attempt<'_, K, T, N, P, M, S>
+where
+    K: CoupledField<N, P, M, S>,
+    T: Promised,
+{
+    /// Elimination along the couplings, and if that does not do, by partial pivoting; either with
+    /// residuals by `rest`, and if that does not tell, in wide numbers, in which nothing overflows.
+    fn promised(&self, rest: impl Fn(&[T; N]) -> Rest<T, N>) -> Result<SVector<T, N>, SingularStep> {
+        let given = self.x.iter().chain(&self.step.parameters).chain([&self.step.eps]);
+        if !given.clone().all(T::is_finite_number) {
+            return Err(SingularStep::because(
+                Reason::NotFinite,
+                f64::NAN,
+                f64::INFINITY,
+                self.step.eps.approximate(),
+            ));
+        }
+        let slopes = K::slopes(&self.step.parameters, self.x);
+        let mut least = f64::INFINITY;
+        let factors = Factors::<T, S>::of::<N, M>(&K::COUPLINGS, &slopes, &self.step.eps);
+        if let Some(factors) = factors {
+            let solution = |mut b: [T; N]| {
+                factors.solve(&K::COUPLINGS, &mut b);
+                b
+            };
+            if let Some(next) = self.refined(solution, &rest, &mut least) {
+                return Ok(next);
+            }
+        }
+        self.promised_by_pivoting(&rest, &mut least)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn promised_by_pivoting(
+        &self,
+        rest: &impl Fn(&[T; N]) -> Rest<T, N>,
+        least: &mut f64,
+    ) -> Result<SVector<T, N>, SingularStep> {
+        // Rows of one size: an entry that is alone in its row stays what it is divided by, so that a
+        // component that is 0 comes out as 0.
+        let matrix = self.step.matrix(self.x, &self.step.eps);
+        let scales: [T; N] = from_fn(|i| {
+            let row = matrix.row(i);
+            let larger = |one: T, other: &T| if other.magnitude_exceeds(&one) { *other } else { one };
+            T::one() / row.iter().fold(T::zero(), larger)
+        });
+        let scaled = SMatrix::from_fn(|i, j| matrix[(i, j)] * scales[i]);
+        let solution = |b: [T; N]| match solve(scaled, vector(from_fn(|i| b[i] * scales[i]))) {
+            Some(solution) => components(&solution).clone(),
+            None => from_fn(|_| T::zero() / T::zero()),
+        };
+        if let Some(next) = self.refined(solution, rest, least) {
+            return Ok(next);
+        }
+        let reason = if determinant(scaled).is_zero() { Reason::Pole } else { Reason::Refined };
+        let determinant = determinant(matrix).approximate();
+        Err(SingularStep::because(reason, determinant, *least, self.step.eps.approximate()))
+    }
+
+    /// x̃ with the promised backward error, if refinement with residuals by `rest` or in wide numbers
+    /// gets there; the least bound on the error that was reached goes to `least`.
+    fn refined(
+        &self,
+        solution: impl Fn([T; N]) -> [T; N],
+        rest: impl Fn(&[T; N]) -> Rest<T, N>,
+        least: &mut f64,
+    ) -> Option<SVector<T, N>> {
+        let promise = (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT;
+        let time_step = self.step.eps + self.step.eps;
+        let velocity = solution(K::field(&self.step.parameters, self.x));
+        let first: [T; N] = from_fn(|i| self.x[i] + time_step * velocity[i]);
+        let mut attempt = |rest: &dyn Fn(&[T; N]) -> Rest<T, N>| {
+            let mut next = first;
+            for turn in 0..=REFINEMENTS {
+                if !next.iter().all(T::is_finite_number) {
+                    return None;
+                }
+                let Rest { residual, bound } = rest(&next);
+                *least = bound.min(*least);
+                if bound <= promise {
+                    return Some(vector(next));
+                }
+                if turn < REFINEMENTS {
+                    let correction = solution(residual);
+                    let better: [T; N] = from_fn(|i| next[i] + correction[i]);
+                    if better == next {
+                        return None;
+                    }
+                    next = better;
+                }
+            }
+            None
+        };
+        attempt(&rest).or_else(|| attempt(&|next| self.rest_in_wide(next)))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn rest_in_wide(&self, next: &[T; N]) -> Rest<T, N> {
+        self.rest(next, T::widen, T::narrow)
+    }
+
+    /// What x̃ = `next` leaves, computed in V.
+    fn rest<V: Working>(&self, next: &[T; N], embed: impl Fn(&T) -> V, round: impl Fn(V) -> T) -> Rest<T, N> {
+        let mut sum = V::Magnitude::zero();
+        let mut given = |number: &T| {
+            let value = embed(number);
+            sum = sum + value.size();
+            Bounded::<V>::given(value)
+        };
+        let eps = given(&self.step.eps);
+        let parameters: [Bounded<V>; P] = from_fn(|k| given(&self.step.parameters[k]));
+        let x: [Bounded<V>; N] = from_fn(|i| given(&self.x[i]));
+        let next: [Bounded<V>; N] = from_fn(|i| given(&next[i]));
+        let slopes = K::slopes(&parameters, &x);
+        // 2f, which becomes 2f + f′d and 2f − f′x.
+        let mut left = K::field(&parameters, &x).map(|component| component + component);
+        let mut right = left;
+        let mut diagonal = [Bounded::<V>::one(); N];
+        let mut sizes = [V::Magnitude::zero(); N];
+        for ((i, j), slope) in K::COUPLINGS.pairs().zip(slopes) {
+            left[i] = left[i] + slope * (next[j] - x[j]);
+            right[i] = right[i] - slope * x[j];
+            let entry = eps * slope;
+            if i == j {
+                diagonal[i] = diagonal[i] - entry;
+            } else {
+                sizes[i] = sizes[i] + at_least(&entry) * next[j].value().size();
+            }
+        }
+        let mut bound = V::Magnitude::zero();
+        let mut largest_input = u32::MAX;
+        let residual = from_fn(|i| {
+            let residual = eps * left[i] - (next[i] - x[i]);
+            let own = at_least(&diagonal[i]) * next[i].value().size();
+            let size = sizes[i] + own + at_least(&(x[i] + eps * right[i]));
+            let error = residual.value().size() + residual.error();
+            if !(size.is_zero() && error.is_zero()) {
+                let quotient = error / size;
+                // What is not a number is worse than any.
+                bound = if quotient <= bound { bound } else { quotient };
+            }
+            largest_input = largest_input.min(residual.largest_input()).min(right[i].largest_input());
+            round(residual.value())
+        });
+        let is_allowed_for = V::Magnitude::of(power(largest_input)) > sum;
+        let bound = if is_allowed_for { bound.into() } else { f64::NAN };
+        Rest { residual, bound: if bound.is_nan() { f64::INFINITY } else { bound } }
+    }
+}
+
+/// 2^power, for as large a power as there is.
+fn power(power: u32) -> f64 {
+    crate::scalar::bounded::power_of_two(power.min(1000) as i32)
+}
+
+/// What |v| is at least: a little less than |v̂|, which pays for the roundings of sums of sizes too;
+/// nothing where the error is no small part of it.
+fn at_least<V: Working>(value: &Bounded<V>) -> V::Magnitude {
+    let size = value.value().size();
+    if V::Magnitude::of(64.0) * value.error() <= size {
+        V::Magnitude::of(62.0 / 64.0) * size
+    } else {
+        V::Magnitude::zero()
+    }
+}

@@ -1,0 +1,196 @@
+//! The step of a field of many variables, by elimination along its couplings.
+//!
+//! In: the entries of f′ and f as the macro writes them, and tables of where they stand. Out:
+//! increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), Jacobians, and a step with a small backward error. Where a
+//! pivot is too small, partial pivoting on the whole matrix takes over: no leading minor may hurt.
+
+mod backward;
+
+use core::array::from_fn;
+use core::marker::PhantomData;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::field::couplings::Couplings;
+use crate::field::linear::{components, increment_by_elimination, solve, vector};
+use crate::step::error::pole;
+use crate::{PreparedStep, Quotients, Scalar, StepCost, WideStep};
+
+use super::elimination::NoLanes;
+
+pub(super) use backward::{in_double_double, in_wide_only};
+
+/// The formulas of a field in N variables with P parameters: M entries of f′, and S places in which
+/// A is eliminated.
+pub trait CoupledField<const N: usize, const P: usize, const M: usize, const S: usize>: 'static {
+    /// Where A has entries.
+    const COUPLINGS: Couplings<'static>;
+    /// What one step costs.
+    const COST: StepCost;
+
+    /// f(x)
+    fn field<T: Scalar>(parameters: &[T; P], x: &[T; N]) -> [T; N];
+
+    /// The entries of f′(x), in the order of their places.
+    fn slopes<T: Scalar>(parameters: &[T; P], x: &[T; N]) -> [T; M];
+
+    /// A(x,ε)⁻¹f(x), or `None` where a pivot is too small: by the tables, or in a straight line of
+    /// the same operations.
+    fn velocity<T: Scalar>(parameters: &[T; P], x: &[T; N], eps: &T) -> Option<[T; N]> {
+        let factors = Factors::<T, S>::of::<N, M>(&Self::COUPLINGS, &Self::slopes(parameters, x), eps)?;
+        let mut velocity = Self::field(parameters, x);
+        factors.solve(&Self::COUPLINGS, &mut velocity);
+        Some(velocity)
+    }
+}
+
+/// A(x,ε) = L·U, in S places.
+struct Factors<T, const S: usize>([T; S]);
+
+impl<T: Scalar, const S: usize> Factors<T, S> {
+    /// `None` where a pivot is too small.
+    fn of<const N: usize, const M: usize>(
+        couplings: &Couplings<'_>,
+        slopes: &[T; M],
+        eps: &T,
+    ) -> Option<Self> {
+        let mut values = from_fn(|_| T::zero());
+        couplings.fill(slopes, eps, &mut values);
+        let mut row: [T; N] = from_fn(|_| T::zero());
+        couplings.factor(&mut values, &mut row).then_some(Self(values))
+    }
+
+    /// Replaces b by A⁻¹b, in the order of the variables.
+    fn solve<const N: usize>(&self, couplings: &Couplings<'_>, b: &mut [T; N]) {
+        let mut ordered: [T; N] = from_fn(|k| b[couplings.order[k] as usize].clone());
+        couplings.solve(&self.0, &mut ordered);
+        for (turn, value) in couplings.order.iter().zip(ordered) {
+            b[*turn as usize] = value;
+        }
+    }
+}
+
+/// The prepared step of a [`CoupledField`]: its parameters and ε.
+pub struct CoupledStep<K, T, const P: usize, const M: usize, const S: usize> {
+    parameters: [T; P],
+    eps: T,
+    field: PhantomData<fn() -> K>,
+}
+
+impl<K, T: Clone, const P: usize, const M: usize, const S: usize> CoupledStep<K, T, P, M, S> {
+    /// The step at these parameters and ε, half the time step.
+    pub fn new(parameters: [T; P], eps: T) -> Self {
+        Self { parameters, eps, field: PhantomData }
+    }
+}
+
+impl<K, T: Clone, const P: usize, const M: usize, const S: usize> Clone for CoupledStep<K, T, P, M, S> {
+    fn clone(&self) -> Self {
+        Self::new(self.parameters.clone(), self.eps.clone())
+    }
+}
+
+impl<K, T: Copy, const P: usize, const M: usize, const S: usize> Copy for CoupledStep<K, T, P, M, S> {}
+
+/// f′(x) from its entries.
+pub fn slopes_matrix<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
+    slopes: [T; M],
+) -> SMatrix<T, N, N>
+where
+    K: CoupledField<N, P, M, S>,
+    T: Scalar,
+{
+    let mut matrix = SMatrix::from_fn(|_, _| T::zero());
+    for ((i, j), slope) in K::COUPLINGS.pairs().zip(slopes) {
+        matrix[(i, j)] = slope;
+    }
+    matrix
+}
+
+impl<K, T, const P: usize, const M: usize, const S: usize> CoupledStep<K, T, P, M, S>
+where
+    T: Scalar,
+{
+    /// A(x,ε)
+    fn matrix<const N: usize>(&self, x: &[T; N], eps: &T) -> SMatrix<T, N, N>
+    where
+        K: CoupledField<N, P, M, S>,
+    {
+        let mut matrix = slopes_matrix::<K, T, N, P, M, S>(K::slopes(&self.parameters, x));
+        for (place, entry) in matrix.iter_mut().enumerate() {
+            let scaled = -(eps.clone() * entry.clone());
+            *entry = if place % (N + 1) == 0 { T::one() + scaled } else { scaled };
+        }
+        matrix
+    }
+
+    /// The increment by partial pivoting, where elimination in the order of the couplings does not
+    /// do.
+    #[cold]
+    #[inline(never)]
+    fn pivoted<const N: usize>(&self, x: &[T; N]) -> Option<SVector<T, N>>
+    where
+        K: CoupledField<N, P, M, S>,
+    {
+        let field = vector(K::field(&self.parameters, x));
+        increment_by_elimination(self.matrix(x, &self.eps), field, &self.eps)
+    }
+
+    /// ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε).
+    ///
+    /// # Panics
+    /// At a pole of an exact scalar.
+    pub fn jacobian<const N: usize>(&self, x: &SVector<T, N>) -> SMatrix<T, N, N>
+    where
+        K: CoupledField<N, P, M, S>,
+    {
+        let Some(next) = self.next(x) else { pole(&self.eps) };
+        let mut back = self.matrix(components(&next), &-self.eps.clone());
+        let slopes = K::slopes(&self.parameters, components(x));
+        let Some(factors) = Factors::<T, S>::of::<N, M>(&K::COUPLINGS, &slopes, &self.eps) else {
+            return solve(self.matrix(components(x), &self.eps), back).unwrap_or_else(|| pole(&self.eps));
+        };
+        back.data.0.iter_mut().for_each(|column| factors.solve(&K::COUPLINGS, column));
+        back
+    }
+}
+
+impl<K, T, const N: usize, const P: usize, const M: usize, const S: usize> PreparedStep<T, N>
+    for CoupledStep<K, T, P, M, S>
+where
+    K: CoupledField<N, P, M, S>,
+    T: Scalar,
+{
+    const COST: StepCost = K::COST;
+
+    /// `None` where det A(x,ε) = 0, for a scalar that has no reciprocal of zero.
+    #[inline]
+    fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
+        let x = components(x);
+        let [increments] = match K::velocity(&self.parameters, x, &self.eps) {
+            Some(velocity) => {
+                let time_step = self.eps.clone() + self.eps.clone();
+                [velocity.map(|entry| time_step.clone() * entry)]
+            }
+            None => self.pivoted(x)?.data.0,
+        };
+        Some(Quotients::whole(increments))
+    }
+}
+
+impl<K, T, const N: usize, const P: usize, const M: usize, const S: usize> WideStep<T, N>
+    for CoupledStep<K, T, P, M, S>
+where
+    K: CoupledField<N, P, M, S>,
+    T: Scalar,
+{
+    const HAS_LANES: bool = false;
+
+    type Wide<L: Scalar> = NoLanes;
+
+    /// # Panics
+    /// Always: `HAS_LANES` is false.
+    fn widen<L: Scalar>(&self, _spread: impl Fn(&T) -> L) -> NoLanes {
+        NoLanes::refused()
+    }
+}

@@ -1,0 +1,286 @@
+//! A field of many variables: its entries, where they stand in A(x,ε), and their elimination.
+//!
+//! ```text
+//! pub struct __Coupled;
+//! impl CoupledField<24, 0, 72, 114> for __Coupled {
+//!     const COUPLINGS …; const COST …; fn field(parameters, x) …; fn slopes(parameters, x) …; fn velocity(…) …
+//! }
+//! ```
+//!
+//! Nothing here grows faster than the couplings: no function holds a whole matrix.
+
+use std::ops::Range;
+
+use kahan_algebra::elimination::{Couplings, Row};
+use kahan_algebra::plan::Plan;
+use kahan_algebra::symbols::Symbol;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Context;
+use super::inputs::{binding, emit_pattern};
+use super::items::identifier;
+use super::plan::{Emitted, emit_plan};
+use super::step::emit_cost;
+
+/// Emits `__Coupled`, what [`emit_map`](super::map::emit_map) and
+/// [`emit_field`](super::field::emit_field) build on.
+pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
+    let (scalar, dimension) = (&context.scalar, &context.dimension);
+    let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
+    let (tables, cost) = (emit_tables(couplings), emit_cost(couplings.cost(&context.derived.field)));
+    let field = emit_entries(context, &context.derived.field);
+    let entries = emit_entries(context, &couplings.slopes);
+    let velocity = couplings.is_straight().then(|| emit_velocity(context, couplings));
+    quote! {
+        pub struct __Coupled;
+        impl __kahan::CoupledField<#dimension, #parameters, #slopes, #places> for __Coupled {
+            const COUPLINGS: __kahan::Couplings<'static> = #tables;
+            #cost
+            fn field<#scalar: __kahan::Scalar>(
+                __parameters: &[#scalar; #parameters],
+                x: &[#scalar; #dimension],
+            ) -> [#scalar; #dimension] {
+                #field
+            }
+            fn slopes<#scalar: __kahan::Scalar>(
+                __parameters: &[#scalar; #parameters],
+                x: &[#scalar; #dimension],
+            ) -> [#scalar; #slopes] {
+                #entries
+            }
+            #velocity
+        }
+    }
+}
+
+/// The numbers of parameters, of entries of f′, and of places.
+pub(super) struct Sizes {
+    pub(super) parameters: Literal,
+    pub(super) slopes: Literal,
+    pub(super) places: Literal,
+}
+
+impl Sizes {
+    pub(super) fn of(context: &Context<'_>, couplings: &Couplings) -> Self {
+        let [parameters, slopes, places] =
+            [context.system.field.symbols.parameters.len(), couplings.places.len(), couplings.columns.len()]
+                .map(Literal::usize_unsuffixed);
+        Sizes { parameters, slopes, places }
+    }
+}
+
+/// Expands to the parameters in order, `[self.mu.clone()]`.
+pub(super) fn emit_parameters(context: &Context<'_>) -> TokenStream {
+    let parameters = context.system.field.symbols.parameters.iter().map(|parameter| {
+        let field = identifier(parameter, Span::call_site());
+        quote!(self.#field.clone())
+    });
+    quote!([#(#parameters),*])
+}
+
+/// The most operations in one function. Compilers take more than twice the time for one that is
+/// twice as long, above all over numbers that carry bounds.
+const MOST_OPERATIONS: usize = 160;
+
+/// The body of a function that returns a plan's results as an array: in parts where it is long.
+fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
+    if plan.operations.len() <= 2 * MOST_OPERATIONS {
+        return emit_part(context, plan);
+    }
+    let (scalar, dimension) = (&context.scalar, &context.dimension);
+    let parameters = Literal::usize_unsuffixed(context.system.field.symbols.parameters.len());
+    let parts = plan.operations.len().div_ceil(MOST_OPERATIONS);
+    let results = plan.outputs.len().div_ceil(parts);
+    let parts = plan.outputs.chunks(results).zip((0..).step_by(results)).map(|(outputs, start)| {
+        let part = Plan { operations: plan.operations.clone(), outputs: outputs.to_vec() };
+        let body = emit_part(context, &Plan::together([&part]));
+        let [start, end] = [start, start + outputs.len()].map(Literal::usize_unsuffixed);
+        let count = Literal::usize_unsuffixed(outputs.len());
+        quote! {
+            {
+                #[inline(never)]
+                fn part<#scalar: __kahan::Scalar>(
+                    __parameters: &[#scalar; #parameters],
+                    x: &[#scalar; #dimension],
+                ) -> [#scalar; #count] {
+                    #body
+                }
+                __out[#start..#end].clone_from_slice(&part(__parameters, x));
+            }
+        }
+    });
+    quote! {
+        let mut __out = __kahan::core::array::from_fn(|_| __kahan::integer(0));
+        #(#parts)*
+        __out
+    }
+}
+
+/// The body of a function that returns a plan's results as an array.
+fn emit_part(context: &Context<'_>, plan: &Plan) -> TokenStream {
+    let symbols = &context.system.field.symbols;
+    let inputs = plan.inputs();
+    let states = emit_pattern(&inputs, symbols, Symbol::State).map(|states| quote! { let #states = x; });
+    let parameters = emit_own_parameters(context, plan);
+    let Emitted { bindings, results } = emit_plan(plan, symbols, &context.scalar);
+    quote! { #states #parameters #bindings [#(#results),*] }
+}
+
+/// Binds the parameters that a plan reads: `let [__p_mu, _] = __parameters;`.
+fn emit_own_parameters(context: &Context<'_>, plan: &Plan) -> Option<TokenStream> {
+    let symbols = &context.system.field.symbols;
+    let inputs = plan.inputs();
+    let is_read = |k: &usize| inputs.contains(&symbols.parameter(*k));
+    let names = (0..symbols.parameters.len()).map(|k| match is_read(&k) {
+        true => {
+            let name = binding(symbols, symbols.parameter(k));
+            quote!(#name)
+        }
+        false => quote!(_),
+    });
+    (0..symbols.parameters.len()).any(|k| is_read(&k)).then(|| quote! { let [#(#names),*] = __parameters; })
+}
+
+/// Expands to `Couplings { order: &[0, 2, …], … }`.
+fn emit_tables(couplings: &Couplings) -> TokenStream {
+    let list = |numbers: &[usize]| {
+        let numbers = numbers.iter().map(|number| Literal::usize_unsuffixed(*number));
+        quote!(&[#(#numbers),*])
+    };
+    let Couplings { order, rows, columns, blocks, places, .. } = couplings;
+    let rows = rows.iter().map(|&Row { start, own, diagonal, end }| {
+        let [start, own, diagonal, end] = [start, own, diagonal, end].map(Literal::usize_unsuffixed);
+        quote!(__kahan::Row::new(#start, #own, #diagonal, #end))
+    });
+    let [order, columns, blocks, places] = [order, columns, blocks, places].map(|numbers| list(numbers));
+    quote! {
+        __kahan::Couplings {
+            order: #order,
+            rows: &[#(#rows),*],
+            columns: #columns,
+            blocks: #blocks,
+            places: #places,
+        }
+    }
+}
+
+/// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`: the operations of the tables' loops, in
+/// their order, without loops.
+fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
+    let (scalar, dimension) = (&context.scalar, &context.dimension);
+    let Sizes { parameters, slopes, .. } = Sizes::of(context, couplings);
+    let given = (0..couplings.places.len()).map(|k| format_ident!("__d{k}"));
+    let right = (0..couplings.order.len()).map(|i| format_ident!("__b{i}"));
+    let (filled, is_there) = emit_filled(couplings);
+    let factors = emit_factors(couplings, is_there);
+    let solution = emit_solution(couplings);
+    let results = (0..couplings.order.len()).map(|i| format_ident!("__b{i}"));
+    quote! {
+        fn velocity<#scalar: __kahan::Scalar>(
+            __parameters: &[#scalar; #parameters],
+            x: &[#scalar; #dimension],
+            eps: &#scalar,
+        ) -> __kahan::Option<[#scalar; #dimension]> {
+            let [#(#given),*]: [#scalar; #slopes] = Self::slopes(__parameters, x);
+            let [__zero, __one]: [#scalar; 2] = [__kahan::integer(0), __kahan::integer(1)];
+            #filled
+            let __most: #scalar = __kahan::integer(__kahan::LARGEST_FACTOR);
+            let mut __is_refused = false;
+            #factors
+            if __is_refused {
+                return __kahan::None;
+            }
+            let [#(#right),*]: [#scalar; #dimension] = Self::field(__parameters, x);
+            #solution
+            __kahan::Some([#(#results),*])
+        }
+    }
+}
+
+/// The entry at a place.
+fn entry(place: usize) -> Ident {
+    format_ident!("__a{place}")
+}
+
+/// A = I − εf′, and which places are not zero.
+fn emit_filled(couplings: &Couplings) -> (TokenStream, Vec<bool>) {
+    let mut is_there = vec![false; couplings.columns.len()];
+    let mut lines = TokenStream::new();
+    for (k, &place) in couplings.places.iter().enumerate() {
+        let (value, slope) = (entry(place), format_ident!("__d{k}"));
+        lines.extend(quote! { let #value = -(eps.clone() * #slope); });
+        is_there[place] = true;
+    }
+    for row in &couplings.rows {
+        let diagonal = entry(row.diagonal);
+        lines.extend(match is_there[row.diagonal] {
+            true => quote! { let #diagonal = __one.clone() + #diagonal; },
+            false => quote! { let #diagonal = __one.clone(); },
+        });
+        is_there[row.diagonal] = true;
+    }
+    (lines, is_there)
+}
+
+/// Factors in place of the entries left of the diagonal, reciprocals in place of the pivots.
+fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
+    let Couplings { rows, columns, .. } = couplings;
+    let mut lines = TokenStream::new();
+    for row in rows {
+        for left in row.own..row.diagonal {
+            let above = &rows[columns[left]];
+            let (factor, reciprocal) = (entry(left), entry(above.diagonal));
+            let upper = (above.diagonal + 1..above.end).map(entry);
+            lines.extend(quote! {
+                let #factor = #factor * #reciprocal.clone();
+                __is_refused |= #factor.is_better_pivot(&__most)
+                    && (false #(|| (#upper.clone() * #reciprocal.clone()).is_better_pivot(&__most))*);
+            });
+            for upper in above.diagonal + 1..above.end {
+                let place = (row.own..row.end).find(|&place| columns[place] == columns[upper]);
+                let Some(place) = place else { unreachable!("what elimination fills in has a place") };
+                let (value, upper) = (entry(place), entry(upper));
+                let before = if is_there[place] { quote!(#value) } else { quote!(__zero.clone()) };
+                lines.extend(quote! {
+                    let #value = #before.subtract_product(#factor.clone(), #upper.clone());
+                });
+                is_there[place] = true;
+            }
+        }
+        let pivot = entry(row.diagonal);
+        lines.extend(quote! {
+            __is_refused |= #pivot.is_zero();
+            let #pivot = #pivot.reciprocal()?;
+        });
+    }
+    lines
+}
+
+/// The solution in place of the right-hand side, block after block.
+fn emit_solution(couplings: &Couplings) -> TokenStream {
+    let Couplings { order, rows, columns, .. } = couplings;
+    let right = |turn: usize| format_ident!("__b{}", order[turn]);
+    let reduced = |start: TokenStream, places: Range<usize>| {
+        places.fold(start, |sum, place| {
+            let (value, known) = (entry(place), right(columns[place]));
+            quote!(#sum.subtract_product(#value.clone(), #known.clone()))
+        })
+    };
+    let mut lines = TokenStream::new();
+    let mut first = 0;
+    for &end in &couplings.blocks {
+        for turn in (first..end).filter(|&turn| rows[turn].start < rows[turn].diagonal) {
+            let (row, own) = (&rows[turn], right(turn));
+            let value = reduced(quote!(#own), row.start..row.diagonal);
+            lines.extend(quote! { let #own = #value; });
+        }
+        for turn in (first..end).rev() {
+            let (row, own, reciprocal) = (&rows[turn], right(turn), entry(rows[turn].diagonal));
+            let value = reduced(quote!(#own), row.diagonal + 1..row.end);
+            lines.extend(quote! { let #own = #value * #reciprocal; });
+        }
+        first = end;
+    }
+    lines
+}

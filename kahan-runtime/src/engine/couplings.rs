@@ -1,0 +1,90 @@
+//! The tables of a field of many variables, as `kahan-core` runs them, on slices.
+
+use kahan_algebra::elimination;
+use kahan_core::__private::{Couplings, Row};
+use kahan_core::Scalar;
+
+/// Where A(x,ε) has entries.
+#[derive(Debug)]
+pub(crate) struct Tables {
+    order: Vec<u32>,
+    rows: Vec<Row>,
+    columns: Vec<u32>,
+    blocks: Vec<u32>,
+    places: Vec<u32>,
+}
+
+/// What the tables are run in.
+#[derive(Clone, Debug)]
+pub(crate) struct Factors<V> {
+    values: Vec<V>,
+    /// A row, or a right-hand side in the order of elimination.
+    row: Vec<V>,
+}
+
+impl<V> Default for Factors<V> {
+    fn default() -> Self {
+        Factors { values: Vec::new(), row: Vec::new() }
+    }
+}
+
+impl Tables {
+    pub(super) fn of(couplings: &elimination::Couplings) -> Self {
+        let number = |number: &usize| u32::try_from(*number).expect("fewer places than fill the memory");
+        let list = |numbers: &[usize]| numbers.iter().map(number).collect();
+        let row = |row: &elimination::Row| {
+            Row::new(number(&row.start), number(&row.own), number(&row.diagonal), number(&row.end))
+        };
+        Tables {
+            order: list(&couplings.order),
+            rows: couplings.rows.iter().map(row).collect(),
+            columns: list(&couplings.columns),
+            blocks: list(&couplings.blocks),
+            places: list(&couplings.places),
+        }
+    }
+
+    fn couplings(&self) -> Couplings<'_> {
+        let Tables { order, rows, columns, blocks, places } = self;
+        Couplings { order, rows, columns, blocks, places }
+    }
+
+    /// Factors A(x,ε), from the entries of f′; `false` where a pivot is too small.
+    pub(crate) fn factor<V: Scalar>(&self, slopes: &[V], eps: &V, factors: &mut Factors<V>) -> bool {
+        let Factors { values, row } = factors;
+        values.resize(self.columns.len(), V::zero());
+        row.resize(self.order.len(), V::zero());
+        let couplings = self.couplings();
+        couplings.fill(slopes, eps, values);
+        couplings.factor(values, row)
+    }
+
+    /// Replaces b by A⁻¹b. Of a matrix, row by row, its column; of a vector, the only one.
+    pub(crate) fn solve<V: Scalar>(
+        &self,
+        factors: &mut Factors<V>,
+        b: &mut [V],
+        width: usize,
+        column: usize,
+    ) {
+        let Factors { values, row } = factors;
+        let place = |turn: u32| turn as usize * width + column;
+        for (own, turn) in row.iter_mut().zip(&self.order) {
+            own.clone_from(&b[place(*turn)]);
+        }
+        self.couplings().solve(values, row);
+        for (own, turn) in row.iter().zip(&self.order) {
+            b[place(*turn)].clone_from(own);
+        }
+    }
+
+    /// f′(x), row by row, from its entries.
+    pub(super) fn spread<V: Scalar + Copy>(&self, slopes: &[V], matrix: &mut Vec<V>) {
+        let n = self.order.len();
+        matrix.clear();
+        matrix.resize(n * n, V::zero());
+        for ((i, j), slope) in self.couplings().pairs().zip(slopes) {
+            matrix[i * n + j] = *slope;
+        }
+    }
+}
