@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use kahan_algebra::family::Family;
 use kahan_algebra::lexer::{Lexed, lex};
 use kahan_algebra::system::System;
 use kahan_algebra::{check, diagnostics, parse, read};
@@ -48,8 +49,23 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn system(&self) -> Result<System, Diagnostics> {
-        let reading = read(&self.lexed.tokens);
+        let mut reading = read(&self.lexed.tokens);
+        if let Some(family) = &reading.family
+            && reading.diagnostics.is_empty()
+        {
+            reading.diagnostics.push(check::number_of_sites_wanted(family.span));
+        }
         self.accept(reading.system, reading.diagnostics)
+    }
+
+    /// The family, with its claims proved for every number of sites; `None` where the block has
+    /// plain equations.
+    ///
+    /// # Errors
+    /// The mistakes of the text.
+    pub fn family(&self) -> Result<Option<Family>, Diagnostics> {
+        let reading = read(&self.lexed.tokens);
+        self.accept(reading.family, reading.diagnostics)
     }
 
     /// The system, its claims read but not proved.
@@ -75,9 +91,9 @@ impl FieldText {
         kahan_algebra::seed(&self.lexed.tokens)
     }
 
-    fn accept(&self, system: System, mistakes: Vec<diagnostics::Diagnostic>) -> Result<System, Diagnostics> {
+    fn accept<T>(&self, read: T, mistakes: Vec<diagnostics::Diagnostic>) -> Result<T, Diagnostics> {
         if mistakes.is_empty() {
-            return Ok(system);
+            return Ok(read);
         }
         Err(Diagnostics::new(mistakes, &self.text, &self.lexed.ranges, &self.origin))
     }

@@ -1,12 +1,13 @@
 //! A family at a given number of sites, as the plain system that a block of equations gives.
 
 use crate::field::{Component, Field};
+use crate::plan::PlanBuilder;
 use crate::poly::{Monomial, Polynomial};
 use crate::symbols::Symbols;
-use crate::syntax::Boundary;
-use crate::system::System;
+use crate::syntax::{Boundary, ClaimBody, ClaimKind};
+use crate::system::{Claim, System};
 
-use super::{Family, Role};
+use super::{Family, Role, SiteSum};
 
 impl Family {
     /// The names of a chain of `sites` sites: `x0`, `x1`, …, arrays interleaved; the parameters of
@@ -33,7 +34,7 @@ impl Family {
         }
     }
 
-    /// The system of a chain of `sites` sites, without claims. Where a periodic chain is shorter
+    /// The system of a chain of `sites` sites, with the linear integrals. Where a periodic chain is shorter
     /// than the stencil, a site is its own neighbour.
     #[must_use]
     pub fn at_sites(&self, sites: usize) -> System {
@@ -43,12 +44,33 @@ impl Family {
             components
                 .extend(self.components.iter().map(|component| self.moved(component, site, sites, &symbols)));
         }
+        let claims = self.integrals.iter().map(|sum| self.claim_at(sum, sites, &symbols)).collect();
         System {
             header: self.header.clone(),
             constants: self.constants.clone(),
             field: Field { symbols, components },
             is_field_sound: self.is_sound,
-            claims: Vec::new(),
+            claims,
+        }
+    }
+
+    /// A linear integral of a chain, which was proved for every number of sites.
+    fn claim_at(&self, sum: &SiteSum, sites: usize, symbols: &Symbols) -> Claim {
+        let mut builder = PlanBuilder::default();
+        let mut total = builder.polynomial(&Polynomial::zero());
+        for site in 0..sites {
+            let density = self.moved(&sum.density, site, sites, symbols);
+            let above = builder.polynomial(&density.numerator);
+            let below = builder.polynomial(&density.denominator);
+            let term = builder.divide(above, below);
+            total = builder.add(total, term);
+        }
+        Claim {
+            kind: ClaimKind::Integral,
+            name: sum.name.clone(),
+            body: Some(ClaimBody::Function(sum.written.clone())),
+            plan: builder.finish(&[total]),
+            conditions: Vec::new(),
         }
     }
 

@@ -16,6 +16,8 @@ pub(crate) struct Block {
     /// The catalog's entry, where it is one.
     pub(crate) entry: Option<&'static Entry>,
     text: FieldText,
+    /// How many sites a family is to have.
+    sites: Option<usize>,
 }
 
 impl Block {
@@ -37,17 +39,48 @@ impl Block {
 
     /// A part of a text.
     pub(super) fn within(text: String, body: Range<usize>, origin: String) -> Self {
-        Block { entry: None, text: FieldText::part(text, body, origin) }
+        Block { entry: None, text: FieldText::part(text, body, origin), sites: None }
     }
 
-    /// The system, with its claims proved as the macro does it.
+    /// The same block, whose family has so many sites.
+    pub(super) fn of_sites(self, sites: Option<usize>) -> Self {
+        Block { sites, ..self }
+    }
+
+    /// The system, with its claims proved as the macro does it; of a family that of a chain.
     pub(crate) fn system(&self) -> Result<System, Refusal> {
-        self.text.system().map_err(refusal)
+        match self.sites {
+            Some(sites) => self.chain(sites),
+            None => self.text.system().map_err(refusal),
+        }
     }
 
     /// The system, its claims read but not proved.
     pub(crate) fn unproved_system(&self) -> Result<System, Refusal> {
-        self.text.unproved_system().map_err(refusal)
+        match self.sites {
+            Some(sites) => self.chain(sites),
+            None => self.text.unproved_system().map_err(refusal),
+        }
+    }
+
+    /// The plain system of a chain of `sites` sites.
+    fn chain(&self, sites: usize) -> Result<System, Refusal> {
+        /// The most variables that are written out.
+        const MOST: usize = 200;
+
+        let family = self.text.family().map_err(refusal)?;
+        let Some(family) = family else {
+            return Err(Refusal::new(
+                "--sites is for a family, `for i in periodic { x[i]dot = …; }`, and this field has its equations written out",
+            ));
+        };
+        if sites.saturating_mul(family.block()) > MOST {
+            return Err(Refusal::new(format!(
+                "--sites {sites}: the command writes a chain out, up to {MOST} variables; longer ones are stepped by `kahan!` in a program, \
+                 for any number of sites"
+            )));
+        }
+        Ok(family.at_sites(sites))
     }
 
     /// The text of the block, as it was given.

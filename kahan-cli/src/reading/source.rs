@@ -12,7 +12,7 @@ use crate::printing::Refusal;
 
 use super::block::Block;
 use super::file::{chosen, read_file};
-use super::values::given_values;
+use super::values::{given_values, whole};
 
 /// The system that a command is about.
 #[derive(Args, Clone, Debug, Default)]
@@ -33,6 +33,11 @@ pub(crate) struct Source {
     /// its line.
     #[arg(long, value_name = "NAME", requires = "file", visible_alias = "struct")]
     block: Option<String>,
+
+    /// How many sites the chain has, for a field that is a family `for i in periodic { … }`; its
+    /// variables are then x0, x1, ….
+    #[arg(long, value_name = "N", value_parser = sites)]
+    sites: Option<usize>,
 
     /// The value of a parameter; once for each.
     ///
@@ -97,6 +102,10 @@ impl Source {
 
     /// The block that was named; `None` if none was.
     pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
+        Ok(self.named_block()?.map(|block| block.of_sites(self.sites)))
+    }
+
+    fn named_block(&self) -> Result<Option<Block>, Refusal> {
         match (&self.system, &self.field, &self.file) {
             (None, None, None) => Ok(None),
             (Some(name), None, None) => match find(name) {
@@ -174,6 +183,10 @@ impl Source {
             ))
         })
     }
+}
+
+fn sites(text: &str) -> Result<usize, String> {
+    whole(text, 1, usize::MAX)
 }
 
 fn names() -> Vec<&'static str> {
