@@ -138,7 +138,8 @@ fn a_block_of_too_many_couplings_is_told_of_families() {
         let ring: String =
             (0..n).map(|i| format!("x{i}dot = x{i}*(x{} - x{});", (i + 1) % n, (i + n - 1) % n)).collect();
         for block in [format!("struct Ring; {ring}"), ring] {
-            let tokens = expand(&quote!(::kahan_core), block.parse().expect("Rust tokens")).tokens.to_string();
+            let tokens =
+                expand(&quote!(::kahan_core), block.parse().expect("Rust tokens")).tokens.to_string();
             assert_eq!(tokens.contains("compile_error"), is_refused, "{n}");
             assert_eq!(tokens.contains("as a family: `for i in periodic"), is_refused, "{n}");
         }
