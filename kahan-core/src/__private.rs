@@ -47,6 +47,17 @@ pub fn ratio<T: Scalar>(p: i64, q: i64) -> T {
     T::constant(&Constant::ratio(p, q))
 }
 
+/// Puts a result where it belongs. What is no float is put there by a call: compilers look at every
+/// pair of stores that lie side by side, and take minutes where these are thousands.
+#[inline(always)]
+pub fn put<T: Scalar>(place: &mut T, result: T) {
+    #[inline(never)]
+    fn called<T>(place: &mut T, result: T) {
+        *place = result;
+    }
+    if crate::scalar::tuning::is_float::<T>() { *place = result } else { called(place, result) }
+}
+
 /// Functions with the names of arguments: generated code imports them, so that no constant of the
 /// user's captures a pattern.
 pub mod arguments {

@@ -86,27 +86,32 @@ const MOST_OPERATIONS: usize = 160;
 /// The body of a function that returns a plan's results as an array: in parts where it is long.
 fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     if plan.operations.len() <= 2 * MOST_OPERATIONS {
-        return emit_part(context, plan);
+        let (bindings, results) = emit_part(context, plan);
+        return quote! { #bindings [#(#results),*] };
     }
     let (scalar, dimension) = (&context.scalar, &context.dimension);
     let parameters = Literal::usize_unsuffixed(context.system.field.symbols.parameters.len());
+    let count = Literal::usize_unsuffixed(plan.outputs.len());
     let parts = plan.operations.len().div_ceil(MOST_OPERATIONS);
     let results = plan.outputs.len().div_ceil(parts);
     let parts = plan.outputs.chunks(results).zip((0..).step_by(results)).map(|(outputs, start)| {
         let part = Plan { operations: plan.operations.clone(), outputs: outputs.to_vec() };
-        let body = emit_part(context, &Plan::together([&part]));
-        let [start, end] = [start, start + outputs.len()].map(Literal::usize_unsuffixed);
-        let count = Literal::usize_unsuffixed(outputs.len());
+        let (bindings, results) = emit_part(context, &Plan::together([&part]));
+        let places = (start..).map(Literal::usize_unsuffixed);
+        let lines =
+            places.zip(results).map(|(place, result)| quote! { __kahan::put(&mut __out[#place], #result); });
         quote! {
             {
                 #[inline(never)]
                 fn part<#scalar: __kahan::Scalar>(
                     __parameters: &[#scalar; #parameters],
                     x: &[#scalar; #dimension],
-                ) -> [#scalar; #count] {
-                    #body
+                    __out: &mut [#scalar; #count],
+                ) {
+                    #bindings
+                    #(#lines)*
                 }
-                __out[#start..#end].clone_from_slice(&part(__parameters, x));
+                part(__parameters, x, &mut __out);
             }
         }
     });
@@ -117,14 +122,14 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     }
 }
 
-/// The body of a function that returns a plan's results as an array.
-fn emit_part(context: &Context<'_>, plan: &Plan) -> TokenStream {
+/// The bindings of a plan, and its results.
+fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = plan.inputs();
     let states = emit_pattern(&inputs, symbols, Symbol::State).map(|states| quote! { let #states = x; });
     let parameters = emit_own_parameters(context, plan);
     let Emitted { bindings, results } = emit_plan(plan, symbols, &context.scalar);
-    quote! { #states #parameters #bindings [#(#results),*] }
+    (quote! { #states #parameters #bindings }, results)
 }
 
 /// Binds the parameters that a plan reads: `let [__p_mu, _] = __parameters;`.

@@ -114,7 +114,7 @@ where
         });
         let scaled = SMatrix::from_fn(|i, j| matrix[(i, j)] * scales[i]);
         let solution = |b: [T; N]| match solve(scaled, vector(from_fn(|i| b[i] * scales[i]))) {
-            Some(solution) => components(&solution).clone(),
+            Some(solution) => *components(&solution),
             None => from_fn(|_| T::zero() / T::zero()),
         };
         if let Some(next) = self.refined(solution, rest, least) {
@@ -187,11 +187,11 @@ where
         let mut diagonal = [Bounded::<V>::one(); N];
         let mut sizes = [V::Magnitude::zero(); N];
         for ((i, j), slope) in K::COUPLINGS.pairs().zip(slopes) {
-            left[i] = left[i] + slope * (next[j] - x[j]);
-            right[i] = right[i] - slope * x[j];
+            left[i] += slope * (next[j] - x[j]);
+            right[i] -= slope * x[j];
             let entry = eps * slope;
             if i == j {
-                diagonal[i] = diagonal[i] - entry;
+                diagonal[i] -= entry;
             } else {
                 sizes[i] = sizes[i] + at_least(&entry) * next[j].value().size();
             }
