@@ -3,8 +3,9 @@
 //! The allocator of this program counts what a thread allocates while it is measured.
 
 use allocation_counter::measure;
+use kahan_core::__private::{Boundary, Family, Stencil};
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Ensemble};
+use kahan_core::{Composition, Ensemble, LatticeScalar};
 use kahan_systems::{E1, E3, E6, E9, EulerTop, LotkaVolterra};
 use kahan_tests::random_systems::Dense6;
 
@@ -74,4 +75,54 @@ fn advancing_an_ensemble_allocates_nothing() {
     });
     assert_eq!(counted.count_total, 0);
     assert!(ensemble.points().all(|point| point.iter().all(|entry| entry.is_finite())));
+}
+
+/// Volterra's ring ẋᵢ = xᵢ(xᵢ₊₁ − xᵢ₋₁).
+#[derive(Clone, Debug)]
+struct Ring;
+
+impl<T: LatticeScalar> Family<T> for Ring {
+    type Shape = Stencil<1, 1, 0, 1, 1, 1, 3, 3>;
+    const ARRAYS: &'static [&'static str] = &["x"];
+    const SITE_PARAMETERS: &'static [&'static str] = &[];
+    const BOUNDARY: Boundary = Boundary::Periodic;
+
+    fn constants<L: Scalar>(&self, eps: &L, _lift: impl Fn(&T) -> L) -> Vec<L> {
+        vec![eps.clone()]
+    }
+
+    fn site_parameter(&self, _index: usize) -> &[T] {
+        &[]
+    }
+
+    fn field<L: Scalar>(_constants: &[L], x: &[L], _c: &[L], f: &mut [L]) {
+        f[0] = x[1].clone() * (x[2].clone() - x[0].clone());
+    }
+
+    #[inline(always)]
+    fn rows<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L], a: &mut [L]) {
+        let (eps, difference) = (constants[0].clone(), x[2].clone() - x[0].clone());
+        f[0] = x[1].clone() * difference.clone();
+        a[0] = eps.clone() * x[1].clone();
+        a[1] = L::one() - eps.clone() * difference;
+        a[2] = -(eps * x[1].clone());
+    }
+}
+
+#[test]
+fn chains_allocate_nothing_once_they_are_made() {
+    for sites in [20, 3000] {
+        let mut at = Ring.at(0.05, sites).expect("sites");
+        let mut x: Vec<f64> = (0..sites).map(|i| 1.0 + 0.5 * (i as f64).sin()).collect();
+        let counted = measure(|| {
+            at.advance(&mut x, 3);
+            at.step_back(&mut x);
+            at.for_each(&mut x, 2, |k, x| assert!(k > 0 && x[0] > 0.0));
+            at.try_step(&mut x).expect("no pole");
+            // The refuge.
+            x[0] = f64::NAN;
+            at.step(&mut x);
+        });
+        assert_eq!(counted.count_total, 0, "{sites} sites");
+    }
 }

@@ -4,10 +4,10 @@
 
 use core::ops::Range;
 
-use crate::Scalar;
 use crate::lattice::folded::{Folded, Row};
 use crate::lattice::sites::Site;
 use crate::lattice::{LatticeMap, LatticeScalar, Shape};
+use crate::{Constant, Scalar};
 
 use super::plan::Plan;
 
@@ -39,7 +39,7 @@ where
     let (block, separator) = (M::Shape::BLOCK, M::Shape::REACH * M::Shape::BLOCK);
     let (sites, left_over) = (state.len() / block, plan.left_over());
     let joint = |part: usize| &joints[part * size(separator)..][..size(separator)];
-    let most = crate::__private::integer::<T>(GROWTH);
+    let most = T::constant(&Constant::integer(GROWTH));
     let is_small = |joint: &[T]| joint.last().is_some_and(|worst| !worst.magnitude_exceeds(&most));
     if !(0..plan.parts()).all(|part| is_small(joint(part))) {
         return None;

@@ -57,20 +57,27 @@ fn divide<T: Send>(
     match scratch {
         [] => {}
         [one] => work(one, groups, numbers),
-        #[cfg(not(feature = "parallel"))]
-        [one, ..] => work(one, groups, numbers),
-        #[cfg(feature = "parallel")]
         several => {
             let half = several.len() / 2;
             let middle = groups.start + groups.len() * half / several.len();
             let (these, those) = several.split_at_mut(half);
             let (before, after) = numbers.split_at_mut(place(middle) - place(groups.start));
-            rayon::join(
+            join(
                 || divide(these, groups.start..middle, before, place, work),
                 || divide(those, middle..groups.end, after, place, work),
             );
         }
     }
+}
+
+#[cfg(feature = "parallel")]
+use rayon::join;
+
+/// Without threads there is one scratch, and nothing to divide.
+#[cfg(not(feature = "parallel"))]
+fn join(first: impl FnOnce(), second: impl FnOnce()) {
+    first();
+    second();
 }
 
 /// The parts of a group that fit the lanes, batch after batch: each with the number of its first
