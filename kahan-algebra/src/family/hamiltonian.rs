@@ -10,6 +10,7 @@ use crate::poly::{Monomial, Polynomial};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use crate::syntax::Boundary;
+use crate::table::Table;
 
 use super::conserved::{longest, plural};
 use super::linear::Equations;
@@ -204,7 +205,7 @@ impl<'a> Chain<'a> {
         };
         let groups: Vec<_> = sides.iter().map(|side| side.group(varies)).collect();
         let mut monomials: Vec<&Monomial> = Vec::new();
-        for (monomial, _) in groups.iter().rev().flat_map(|group| group.iter()) {
+        for (monomial, _) in groups.iter().rev().flat_map(Table::iter) {
             if !monomials.contains(&monomial) {
                 monomials.push(monomial);
             }

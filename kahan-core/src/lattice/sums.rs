@@ -48,9 +48,9 @@ impl<M: LatticeMap<T> + Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 
     /// Runs the densities of every site, over the scalar that `lift` takes a state's entry to.
-    fn for_each_site<S, L: Scalar>(&self, x: &[S], lift: impl Fn(&S) -> L, mut visit: impl FnMut(&[L]))
+    fn for_each_site<S, L>(&self, x: &[S], lift: impl Fn(&S) -> L, mut visit: impl FnMut(&[L]))
     where
-        L: FromScalar<T>,
+        L: Scalar + FromScalar<T>,
     {
         let (map, sites) = (self.map(), self.sites());
         let (block, reach, parameters) = (M::Shape::BLOCK, M::Shape::REACH as isize, M::Shape::PARAMETERS);
