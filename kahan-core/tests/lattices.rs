@@ -6,7 +6,6 @@ use kahan_core::prelude::*;
 
 kahan! {
     /// Volterra's chain, closed.
-    #[derive(Copy)]
     pub struct Ring;
     for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
     integral S = sum(x[i]);

@@ -6,11 +6,12 @@
 //!
 //! A block claims every rational formula that holds, and the macro proves it while it compiles the
 //! block; the file's first lines name what no rational formula can say. The half step ε is written
-//! `eps`. [`registry`] says how a system is added.
+//! `eps`. [`registry`] says how a system is added. [`lattices`] are systems of any number of sites.
 
 #[macro_use]
 pub mod registry;
 pub mod entry;
+pub mod lattices;
 pub mod solution;
 pub mod special;
 

@@ -7,6 +7,8 @@ mod catalog {
     mod operation_counts;
 }
 
+mod lattices;
+
 mod solutions {
     //! Special functions and explicit solutions: against values of another program, against
     //! identities, against each other in two precisions, and against exact orbits.

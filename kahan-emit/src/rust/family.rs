@@ -78,8 +78,12 @@ impl Context<'_> {
         let header = header.unwrap_or(&nothing);
         let (attributes, visibility) = (&header.attributes, &header.visibility);
         let formulas = self.documentation(has_docs(attributes));
+        // Values of sites stand in vectors, which are cloned.
+        let copy = self.family.site_parameters.is_empty().then(|| quote!(::core::marker::Copy,));
         let derives = quote! {
-            #[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+            #[::core::prelude::v1::derive(
+                ::core::clone::Clone, #copy ::core::fmt::Debug, ::core::cmp::PartialEq
+            )]
         };
         if !self.has_parameters() {
             return quote! { #(#attributes)* #formulas #derives #visibility struct #name; };

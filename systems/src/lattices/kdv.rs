@@ -1,0 +1,19 @@
+//! The equation of Korteweg and de Vries, u_t = −6 u u_x − u_xxx, on a ring of width h a site.
+//!
+//! Central differences of H = Σ (½u_x² − u³) keep its Hamiltonian form, u_t = D ∇H with the
+//! difference D = (S − S⁻¹)/2h, S the shift: so the map keeps a modified energy.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    /// The equation of Korteweg and de Vries by central differences.
+    pub struct Kdv {
+        /// The distance of two sites.
+        h
+    }
+    for i in periodic {
+        u[i]dot = -3*(u[i+1]^2 - u[i-1]^2)/(2*h) - (u[i+2] - 2*u[i+1] + 2*u[i-1] - u[i-2])/(2*h^3);
+    }
+    integral mass = sum(u[i]);
+    hamiltonian H = sum((u[i+1] - u[i])^2/(2*h^2) - u[i]^3);
+}

@@ -1,0 +1,15 @@
+//! Species along a shore: Lotka and Volterra's competition with neighbours.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    /// Species that each grow at a rate of their own and compete with themselves and, by `mu`, with
+    /// their neighbours.
+    pub struct Species {
+        /// How much a neighbour counts beside a species' own kind.
+        mu,
+        /// The rate of growth of each species.
+        r
+    }
+    for i in open { n[i]dot = n[i]*(r[i] - n[i] - mu*(n[i-1] + n[i+1])); }
+}
