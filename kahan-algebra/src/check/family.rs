@@ -20,7 +20,9 @@ pub fn check_family(block: &Block, diagnostics: &mut Diagnostics) -> Option<Fami
     let head = block.family.as_ref()?;
     let before = diagnostics.len();
     report_strangers(block, head, diagnostics);
-    let names = Names::of(block, head, diagnostics);
+    let equations = block.equations[head.equations_before..head.equations_until].to_vec();
+    let block = &Block { equations, ..block.clone() };
+    let names = Names::of(block, diagnostics);
     let mut scope = Scope::of_family(names.symbols());
     names.report_plain_arrays(block, &mut scope, diagnostics);
     let constants = constants::evaluate(block, &mut scope, diagnostics);
@@ -112,9 +114,9 @@ struct Names {
 }
 
 impl Names {
-    fn of(block: &Block, head: &FamilyHead, diagnostics: &mut Diagnostics) -> Self {
+    fn of(block: &Block, diagnostics: &mut Diagnostics) -> Self {
         let mut arrays: Vec<String> = Vec::new();
-        for equation in &block.equations[head.equations_before..head.equations_until] {
+        for equation in &block.equations {
             let array = &equation.state;
             if arrays.contains(&array.text) {
                 let message = format!("`{}[i]dot` is given twice", array.text);

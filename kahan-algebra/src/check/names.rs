@@ -127,6 +127,10 @@ impl Scope {
         }
         let help = if name == "ϵ" {
             "for half the time step write `eps` (in claims)".to_owned()
+        } else if let Some((array, _)) = name.split_once('[') {
+            format!(
+                "give it an equation `{array}[i]dot = …;`, or declare it as a parameter: `struct Name {{ {array} }}`"
+            )
         } else if let Some(nearest) = self.nearest(name, in_claim) {
             // Nothing else may use the name that was meant; that is not a second mistake.
             self.mark_used(&nearest);

@@ -82,8 +82,8 @@ pub(super) fn stencil(family: &Family, hamiltonian: &SiteSum) -> Result<Vec<Entr
                 Kind::FalseClaim,
                 name.span,
                 format!(
-                    "`{}` is no Hamiltonian of this family: no constant antisymmetric stencil K of reach {} gives the term `{term}` of `{array}[i]dot` in K∇{}{place}",
-                    name.text, family.reach, name.text
+                    "`{0}` is no Hamiltonian of this family: for every constant antisymmetric stencil K of reach {1}, K∇{0} differs from `{array}[i]dot` at the term `{term}`{place}",
+                    name.text, family.reach
                 ),
                 "correct the Hamiltonian or the equations",
             )

@@ -52,7 +52,7 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
             "the header stands at the beginning of a block, and a block has one",
             "move it to the top, or write a second `kahan!` block",
         ),
-        _ if cursor.is_open(1, '[') && cursor.has_sites => Err(super::family::outside(cursor)),
+        _ if cursor.is_open(1, '[') => Err(super::family::outside(cursor)),
         _ => match wrong_keyword(cursor, block) {
             Some(diagnostic) => Err(diagnostic),
             None => equation(cursor, block),

@@ -16,6 +16,8 @@ pub(super) struct Cursor<'a> {
     pub(super) is_left_side: bool,
     /// Whether the block holds a family, so that names may have the index of a site.
     pub(super) has_sites: bool,
+    /// What the index of a site is called: `i`, unless that is the mistake.
+    pub(super) index: &'a str,
 }
 
 impl<'a> Cursor<'a> {
@@ -24,7 +26,7 @@ impl<'a> Cursor<'a> {
         let has_sites = tokens.windows(3).any(|three| {
             word(&three[0], "for") && three[1].kind == TokenKind::Identifier && word(&three[2], "in")
         });
-        Cursor { tokens, at: 0, item_may_follow: false, is_left_side: false, has_sites }
+        Cursor { tokens, at: 0, item_may_follow: false, is_left_side: false, has_sites, index: "i" }
     }
 
     pub(super) fn position(&self) -> usize {

@@ -29,10 +29,13 @@ pub(super) fn family(
 ) -> Parsed<()> {
     let start = cursor.here();
     cursor.advance();
+    let found = cursor.identifier(0);
     let index = cursor.expect_name("the index of a site")?;
     if index.text != "i" {
         let message = format!("the index of a site is called `i`, not `{}`", index.text);
         diagnostics.report(Kind::Name, index.span, message, "write `for i in …` and `x[i]`");
+        // The rest is read as it was meant.
+        cursor.index = found.unwrap_or("i");
     }
     if cursor.identifier(0) != Some("in") {
         let found = cursor.describe_next();
@@ -58,7 +61,7 @@ pub(super) fn family(
     cursor.advance();
     let equations_before = block.equations.len();
     while !cursor.is_at_end() && !cursor.is_close('}') {
-        if let Err(diagnostic) = equation(cursor, block, &index.text) {
+        if let Err(diagnostic) = equation(cursor, block) {
             diagnostics.push(diagnostic);
             skip_equation(cursor);
         }
@@ -69,6 +72,7 @@ pub(super) fn family(
     cursor.advance();
     cursor.take(';');
     if block.family.is_some() {
+        block.equations.truncate(equations_before);
         return error(Kind::Syntax, span, "a block has one family", "write its equations into the first one");
     }
     let equations_until = block.equations.len();
@@ -77,9 +81,9 @@ pub(super) fn family(
 }
 
 /// Reads `x[i]dot = expr;`.
-fn equation(cursor: &mut Cursor<'_>, block: &mut Block, index: &str) -> Parsed<()> {
+fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     let array = cursor.expect_name("an equation")?;
-    let is_at_site = cursor.is_open(0, '[') && cursor.identifier(1) == Some(index);
+    let is_at_site = cursor.is_open(0, '[') && cursor.identifier(1) == Some(cursor.index);
     if !is_at_site {
         let base = array.text.strip_suffix("dot").filter(|base| !base.is_empty()).unwrap_or(&array.text);
         let span = if cursor.is_open(0, '[') { array.span.to(cursor.skip_group()) } else { array.span };
@@ -133,7 +137,7 @@ pub(super) fn neighbour(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Par
     };
     let token = |place: usize| cursor.before(end - place).filter(|_| place + 1 < end);
     let index = token(opening + 1);
-    if index.is_none_or(|index| index.kind != TokenKind::Identifier || index.text != "i") {
+    if index.is_none_or(|index| index.kind != TokenKind::Identifier || index.text != cursor.index) {
         return wrong("the index of a site is `i`, or `i` and an integer");
     }
     match end - opening {

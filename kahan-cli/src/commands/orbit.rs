@@ -62,7 +62,9 @@ pub(crate) struct Orbit {
     out: Option<PathBuf>,
 
     /// Print one JSON object; exact numbers are strings p/q, floats are numbers (dd: of 32 digits).
-    /// With --out the rows are in the file only. `runs_as` tells whether floats ran as machine code or
+    /// With --out the rows are in the file only.
+    ///
+    /// `runs_as` tells whether floats ran as machine code or
     /// were interpreted, as on other processors and in fields too large for a straight line.
     #[arg(long)]
     json: bool,
@@ -76,7 +78,9 @@ Examples:
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
-  kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100";
+  kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
+  kahan orbit --field 'for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }' --sites 5 \\
+      --eps 0.05 --at 1,2,1,1,1 --steps 100";
 
 fn count(text: &str) -> Result<i64, String> {
     whole(text, 0, i64::MAX)

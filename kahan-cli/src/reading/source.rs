@@ -34,8 +34,9 @@ pub(crate) struct Source {
     #[arg(long, value_name = "NAME", requires = "file", visible_alias = "struct")]
     block: Option<String>,
 
-    /// How many sites the chain has, for a field that is a family `for i in periodic { … }`; its
-    /// variables are then x0, x1, ….
+    /// The sites of a family `for i in … { … }`, whose variables are then x0, x1, ….
+    ///
+    /// The command writes the chain out, up to 200 variables.
     #[arg(long, value_name = "N", value_parser = sites)]
     sites: Option<usize>,
 
