@@ -1,1 +1,216 @@
+//! Families against chains that are written out by hand, and claims that hold or do not.
 
+use std::fmt::Write as _;
+
+use crate::lexer::lex;
+use crate::prime_field::SplitMix64;
+use crate::{Reading, read};
+
+/// A term: its coefficient, and names with the offsets of their sites.
+type Term = (i64, Vec<(&'static str, i64)>);
+
+/// The equations of a family, an array each.
+struct Random {
+    is_open: bool,
+    arrays: Vec<(&'static str, Vec<Term>)>,
+}
+
+impl Random {
+    fn new(random: &mut SplitMix64) -> Self {
+        let mut below = |n: u64| (random.next_u64() % n) as i64;
+        let names = &["x", "y", "z"][..1 + below(3) as usize];
+        let mut term = |is_open: bool| {
+            let mut factors = Vec::new();
+            for _ in 0..=below(2) {
+                factors.push((names[below(names.len() as u64) as usize], below(7) - 3));
+            }
+            match below(3) {
+                0 => factors.push(("c", if is_open { 0 } else { below(5) - 2 })),
+                1 => factors.push(("mu", i64::MAX)),
+                _ => {}
+            }
+            (below(9) - 4, factors)
+        };
+        let is_open = term(false).0 > 0;
+        let arrays = names.iter().map(|name| (*name, (0..4).map(|_| term(is_open)).collect())).collect();
+        Random { is_open, arrays }
+    }
+
+    fn text(&self) -> String {
+        let boundary = if self.is_open { "open" } else { "periodic" };
+        let equations: String = self
+            .arrays
+            .iter()
+            .map(|(array, terms)| {
+                let name = |name: &str, offset: i64| {
+                    if offset == i64::MAX {
+                        name.to_owned()
+                    } else {
+                        crate::parse::neighbour_name(name, offset)
+                    }
+                };
+                format!(
+                    "{array}[i]dot = {};",
+                    sum(terms.iter().map(|(coefficient, factors)| {
+                        (*coefficient, factors.iter().map(|(base, offset)| name(base, *offset)).collect())
+                    }))
+                )
+            })
+            .collect();
+        format!("for i in {boundary} {{ {equations} }}")
+    }
+
+    /// The chain written out.
+    fn chain(&self, sites: i64) -> String {
+        let mut text = String::new();
+        for site in 0..sites {
+            for (array, terms) in &self.arrays {
+                let terms = terms.iter().filter_map(|(coefficient, factors)| {
+                    let mut names = Vec::new();
+                    for (base, offset) in factors {
+                        if *offset == i64::MAX {
+                            names.push((*base).to_owned());
+                            continue;
+                        }
+                        let place = site + offset;
+                        if self.is_open && !(0..sites).contains(&place) {
+                            return None;
+                        }
+                        names.push(format!("{base}{}", place.rem_euclid(sites)));
+                    }
+                    Some((*coefficient, names))
+                });
+                let _ = write!(text, "{array}{site}dot = {};", sum(terms));
+            }
+        }
+        text
+    }
+}
+
+fn sum(terms: impl Iterator<Item = (i64, Vec<String>)>) -> String {
+    let terms = terms.map(|(coefficient, names)| format!("({coefficient})*{}", names.join("*")));
+    let text = terms.collect::<Vec<_>>().join(" + ");
+    if text.is_empty() { "0".to_owned() } else { text }
+}
+
+fn reading(text: &str) -> Reading {
+    read(&lex(text).tokens)
+}
+
+#[test]
+fn random_families_are_the_chains_that_one_writes_out() {
+    let mut random = SplitMix64::new(18);
+    for _ in 0..60 {
+        let family = Random::new(&mut random);
+        let read_family = reading(&family.text());
+        assert!(read_family.diagnostics.is_empty(), "{}: {:?}", family.text(), read_family.diagnostics);
+        let checked = read_family.family.expect("a family");
+        for sites in 1..=8 {
+            let system = checked.at_sites(sites as usize);
+            let plain = reading(&family.chain(sites)).system;
+            // Parameters come in the order of their use in a block without a header.
+            let names = |system: &crate::system::System| {
+                let symbols = system.field.symbols.clone();
+                let component = |component: &crate::field::Component| {
+                    let mut terms: Vec<String> = component
+                        .numerator
+                        .terms()
+                        .map(|(monomial, coefficient)| {
+                            let mut factors: Vec<String> = monomial
+                                .powers()
+                                .iter()
+                                .map(|(variable, power)| format!("{}^{power}", symbols.name(*variable)))
+                                .collect();
+                            factors.sort();
+                            format!("{coefficient} {}", factors.join(" "))
+                        })
+                        .collect();
+                    terms.sort();
+                    terms
+                };
+                (symbols.states.clone(), system.field.components.iter().map(component).collect::<Vec<_>>())
+            };
+            assert_eq!(names(&system), names(&plain), "{} at {sites}", family.text());
+        }
+    }
+}
+
+/// Whether the claims of a family are proved.
+fn holds(text: &str) -> bool {
+    let reading = reading(text);
+    assert!(reading.family.is_some(), "{text}");
+    let false_claims = reading.diagnostics.len();
+    assert!(
+        reading.diagnostics.iter().all(|mistake| mistake.kind == crate::diagnostics::Kind::FalseClaim),
+        "{text}: {:?}",
+        reading.diagnostics
+    );
+    false_claims == 0
+}
+
+#[test]
+fn sums_that_telescope_are_kept_and_others_are_not() {
+    // What flows from site to site, ending where the chain ends or not.
+    for (flux, before, ends) in [
+        ("x[i]*x[i+1]", "x[i-1]*x[i]", true),
+        ("x[i]^2", "x[i-1]^2", false),
+        ("3*x[i]*x[i+2] + x[i]", "3*x[i-1]*x[i+1] + x[i-1]", false),
+        ("c[i]*x[i]*x[i+1]", "c[i-1]*x[i-1]*x[i]", true),
+    ] {
+        let family = |boundary: &str, more: &str| {
+            format!("for i in {boundary} {{ x[i]dot = {flux} - ({before}){more}; }} integral S = sum(x[i]);")
+        };
+        assert!(holds(&family("periodic", "")), "{flux}");
+        assert_eq!(holds(&family("open", "")), ends, "{flux}");
+        for boundary in ["periodic", "open"] {
+            assert!(!holds(&family(boundary, " + 1/7*x[i]*x[i+1]")), "{flux}");
+            assert!(!holds(&family(boundary, " - 1/1000")), "{flux}");
+        }
+    }
+    assert!(holds(
+        "for i in periodic { a[i]dot = b[i+1] - a[i]*b[i]; b[i]dot = a[i]*b[i] - b[i]; } integral S = sum(a[i] + b[i]);"
+    ));
+    assert!(!holds(
+        "for i in open { a[i]dot = b[i+1] - a[i]*b[i]; b[i]dot = a[i]*b[i] - b[i]; } integral S = sum(a[i] + b[i]);"
+    ));
+    // A divisor of its own at each site.
+    assert!(holds("for i in periodic { x[i]dot = x[i+1]/c[i+1] - x[i]/c[i]; } integral S = sum(x[i]);"));
+}
+
+#[test]
+fn constant_stencils_are_found_where_they_are() {
+    let periodic = |gradient: fn(&str) -> String, density: &str, more: &str| {
+        let [before, after] = ["-1", "+1"].map(gradient);
+        format!(
+            "for i in periodic {{ x[i]dot = k*(({after}) - ({before})){more}; }} hamiltonian H = sum({density});"
+        )
+    };
+    // ∂/∂x of Σ x[i]^2 x[i+1] at a site `s` away.
+    let gradient = |s: &str| {
+        let at = |more: i64| {
+            let offset: i64 = s.parse::<i64>().unwrap() + more;
+            crate::parse::neighbour_name("x", offset)
+        };
+        format!("2*{0}*{1} + {2}^2", at(0), at(1), at(-1))
+    };
+    assert!(holds(&periodic(gradient, "x[i]^2*x[i+1]", "")));
+    assert!(!holds(&periodic(gradient, "x[i]^2*x[i+1]", " + x[i]")));
+    assert!(!holds(&periodic(gradient, "x[i]^2*x[i+1] + x[i]", " + x[i]*x[i+1]")));
+    // Ends count: x[i+1]² has no partner beyond them.
+    assert!(holds("for i in open { x[i]dot = x[i+1]^2 - x[i-1]^2; } hamiltonian H = sum(x[i]^3);"));
+    assert!(!holds(
+        "for i in open { x[i]dot = x[i+1]^2 - x[i-1]^2 + 1; } hamiltonian H = sum(x[i]^3 + x[i]);"
+    ));
+    // Positions and momenta: coupled oscillators with cubic springs.
+    let oscillators = |boundary: &str, force: &str| {
+        format!(
+            "for i in {boundary} {{ q[i]dot = p[i]/m; p[i]dot = {force}; }} \
+             hamiltonian H = sum(p[i]^2/(2*m) + k/2*(q[i+1] - q[i])^2 + (q[i+1] - q[i])^3/3);"
+        )
+    };
+    let force = "k*(q[i+1] - 2*q[i] + q[i-1]) + (q[i+1] - q[i])^2 - (q[i] - q[i-1])^2";
+    assert!(holds(&oscillators("periodic", force)));
+    // The density at the first site lacks the spring to the left wall.
+    assert!(!holds(&oscillators("open", force)));
+    assert!(!holds(&oscillators("periodic", &force.replace("2*q[i]", "3*q[i]"))));
+}
