@@ -1,7 +1,7 @@
 //! A family: the same equations at every site of a chain, for any number of sites.
 //!
-//! In: a checked family. Out: its straight lines for one site ([`line`]), the plain system of a
-//! chain of n sites ([`expand`]), and what its map keeps whatever n is ([`conserved`]).
+//! In: a checked family. Out: its straight lines for one site ([`Lines`]), the plain system of a
+//! chain of n sites ([`Family::at_sites`]), and what its map keeps whatever n is ([`conserved`]).
 
 pub mod conserved;
 mod expand;
