@@ -4,6 +4,7 @@ mod objects;
 
 use std::sync::Arc;
 
+use kahan_algebra::arithmetic::Float64;
 use kahan_core::{Composition, Level};
 
 use crate::dimension::Argument;
@@ -165,6 +166,9 @@ impl<T: MachineFloat> MapAt<T> {
     /// empty one means those of the map. A trajectory has the same bits whatever stands beside it,
     /// and those of an ensemble at its ε and parameters.
     ///
+    /// What is not a number stays so, and a trajectory at whose parameters the field divides by zero
+    /// is not a number either. The rest never notices.
+    ///
     /// # Errors
     /// [`DimensionError`] for what has another length.
     ///
@@ -194,7 +198,24 @@ impl<T: MachineFloat> MapAt<T> {
         let mut columns = Columns { columns, eps, own, parameters };
         let code = (self.instructions, &*self.columns);
         self.engine().advance_columns(&mut columns, self.composition, steps, code);
+        if self.map.field().has_divisors() {
+            self.forget_undefined(&mut columns);
+        }
         Ok(())
+    }
+
+    /// Where the field divides by zero at a trajectory's parameters there is no map; its code, which
+    /// has no such divisor any more, does not notice.
+    fn forget_undefined(&self, Columns { columns, parameters, .. }: &mut Columns<'_, '_, T>) {
+        let trajectories = columns.first().map_or(0, |column| column.len());
+        for k in 0..trajectories {
+            let of_trajectory = |values: &&[T]| if values.len() == 1 { values[0] } else { values[k] };
+            let values: Vec<f64> =
+                parameters.iter().map(|values| of_trajectory(values).approximate()).collect();
+            if !values.is_empty() && !self.map.field().derived().is_defined_at(&Float64, &values) {
+                columns.iter_mut().for_each(|column| column[k] = T::zero() / T::zero());
+            }
+        }
     }
 
     fn check_columns(

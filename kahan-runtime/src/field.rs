@@ -95,6 +95,11 @@ impl Field {
         &self.system().field.symbols.parameters
     }
 
+    /// Whether the field divides by something that depends on parameters.
+    pub(crate) fn has_divisors(&self) -> bool {
+        self.system().field.components.iter().any(|component| !component.denominator.is_one())
+    }
+
     /// The integrals that are claimed without `when`, in their order.
     #[must_use]
     pub fn integrals(&self) -> &[String] {

@@ -29,6 +29,8 @@ pub use claim::ClaimError;
 pub use diagnostics::Diagnostics;
 pub use dimension::DimensionError;
 pub use field::Field;
+pub use kahan_algebra::rational::Rational;
+pub use kahan_core::{Composition, Level};
 pub use map::Map;
 pub use parameters::{ParameterError, ParameterValue};
 pub use text::FieldText;

@@ -167,3 +167,19 @@ fn a_million_points_agree_at_every_level() {
     check::<_, f64, 3>("e9", &E9 { xi: 0.75 }, &e9);
     check::<_, f32, 3>("e9", &E9 { xi: 0.75 }, &e9);
 }
+
+#[test]
+fn a_trajectory_whose_field_divides_by_zero_is_no_number() {
+    let field = Field::parse("xdot = x*y/(a - b); ydot = -x;").expect("a field");
+    let map = field.with([("a", 2.0), ("b", 1.5)]).expect("its parameters");
+    for trajectories in [3, 40] {
+        let a: Vec<f64> = (0..trajectories).map(|k| 1.5 + f64::from(k % 3)).collect();
+        let (mut x, mut y) = (vec![1.0; a.len()], vec![0.5; a.len()]);
+        map.at(0.1)
+            .advance_columns(&mut [&mut x, &mut y], &[], &[&a, &[1.5]], 1)
+            .expect("columns of one length");
+        for (k, a) in a.iter().enumerate() {
+            assert_eq!((x[k].is_nan(), y[k].is_nan()), (*a == 1.5, *a == 1.5), "{k}");
+        }
+    }
+}

@@ -105,7 +105,12 @@ impl PlanSheet {
             milliseconds(self.derive_time),
             milliseconds(self.plan_time)
         ));
-        if self.derived.map.is_none() {
+        if self.derived.couplings.is_some() {
+            page.line("");
+            page.prose(
+                "Systems of more than eight variables have no closed form here: det A and (N, D) are computed on the numeric matrix.",
+            );
+        } else if self.derived.map.is_none() {
             page.line("");
             page.prose(&format!(
                 "N and D are beyond the budget ({TERM_BUDGET} terms, and the work that derives them), so det A and (N, D) are \
@@ -114,6 +119,7 @@ impl PlanSheet {
         }
         match &self.step {
             Some(step) => self.step_sections(&mut page, step),
+            None if self.derived.couplings.is_some() => page.section("step", paragraph(ALONG_COUPLINGS)),
             None => page.section("step", paragraph(ELIMINATION)),
         }
         page.text
@@ -172,6 +178,11 @@ fn domain(holds_to: u32) -> Vec<String> {
          pivoting, or 300 u, by measurement at random points in short floats; {end}"
     ))
 }
+
+/// The same for systems that are eliminated along their couplings.
+const ALONG_COUPLINGS: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination along the couplings of the variables, in an order found \
+    beforehand; where a pivot is small, with pivoting. What it does depends on the numbers that it meets, so nothing is counted here. \
+    det A = 0 counts as a pole, and the Jacobian is A(x,eps)^-1 A(x~,-eps).";
 
 /// Why there are no lines to show.
 const ELIMINATION: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination with pivoting in a loop: N and D are beyond the budget, \
