@@ -73,14 +73,12 @@ pub(crate) struct Orbit {
 const EXAMPLES: &str = "\
 Examples:
   kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000
-  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8
-  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --scalar dd
+  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8 --scalar dd
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
-  kahan orbit --field 'for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }' --sites 5 \\
-      --eps 0.05 --at 1,2,1,1,1 --steps 100";
+  kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 3 --eps 0.1 --at 1,2,3 --steps 9";
 
 fn count(text: &str) -> Result<i64, String> {
     whole(text, 0, i64::MAX)
