@@ -34,8 +34,8 @@ impl Family {
         }
     }
 
-    /// The system of a chain of `sites` sites, with the linear integrals. Where a periodic chain is shorter
-    /// than the stencil, a site is its own neighbour.
+    /// The system of a chain of `sites` sites, with the linear integrals. Where a periodic chain is
+    /// shorter than the stencil, a site is its own neighbour.
     #[must_use]
     pub fn at_sites(&self, sites: usize) -> System {
         let symbols = self.symbols_at(sites);

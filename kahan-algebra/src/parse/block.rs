@@ -75,6 +75,11 @@ fn constant(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
 fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     let left = cursor.expect_name("an equation")?;
     let state = state_of(cursor, block, left)?;
+    right_side(cursor, block, state)
+}
+
+/// Reads `= expr;` behind the left-hand side of this state.
+pub(super) fn right_side(cursor: &mut Cursor<'_>, block: &mut Block, state: Name) -> Parsed<()> {
     block.equations.push(Equation { state, value: None });
     equals(cursor)?;
     let value = parse_expr(cursor)?;

@@ -1,12 +1,11 @@
 //! Families: `for i in periodic { x[i]dot = …; }`, the equations of every site of a chain.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{Block, Boundary, Equation, FamilyHead, Name};
+use crate::syntax::{Block, Boundary, FamilyHead, Name};
 use crate::token::{Span, TokenKind};
 
-use super::block::{equals, semicolon};
+use super::block::right_side;
 use super::cursor::Cursor;
-use super::expr::parse_expr;
 use super::number::parse_number;
 use super::{Parsed, error};
 
@@ -103,13 +102,7 @@ fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     }
     cursor.advance();
     let state = Name { text: array.text, span: span.to(cursor.behind()) };
-    block.equations.push(Equation { state, value: None });
-    equals(cursor)?;
-    let value = parse_expr(cursor)?;
-    if let Some(equation) = block.equations.last_mut() {
-        equation.value = Some(value);
-    }
-    semicolon(cursor)
+    right_side(cursor, block, state)
 }
 
 /// Leaves a broken equation: past its `;`, or up to the `}` of the family.
