@@ -6,8 +6,8 @@
 //! at run time and the command read the same [`Derived`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`],
-//! [`system`], [`kahan`], [`plan`], [`elimination`], [`derived`], [`relations`], [`prove`], [`specialise`],
-//! [`interpret`], [`render`]; beneath them the exact arithmetic of [`rational`], [`poly`] and
+//! [`system`], [`family`], [`kahan`], [`plan`], [`elimination`], [`derived`], [`relations`],
+//! [`prove`], [`specialise`], [`interpret`], [`render`]; beneath them the exact arithmetic of [`rational`], [`poly`] and
 //! [`rational_function`].
 
 pub mod arithmetic;

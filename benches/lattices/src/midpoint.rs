@@ -104,7 +104,8 @@ fn midpoint(h: f64, start: &[f64], eps: f64, steps: u32) -> (Vec<f64>, Duration,
             let evaluated = begun.elapsed();
             let mut at = Newton { kdv: Kdv { h }, right }.at(eps, sites).expect("a chain");
             let mut next = m.clone();
-            // Its memory is new each time, which is not the method's fault: once before the clock runs.
+            // Its memory is new each time, which is not the method's fault: it is touched before
+            // the clock runs.
             at.step(&mut next);
             next.clone_from(&m);
             let begun = Instant::now();

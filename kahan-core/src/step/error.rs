@@ -69,8 +69,8 @@ impl SingularStep {
     }
 
     /// The smallest bound on ‖x̃ − exact‖∞/‖exact‖∞ that was reached in any precision: infinite at
-    /// a pole, and where none was sought. In more than eight variables it is the backward error. A bound below 64 u belongs to a result that the scalar
-    /// cannot hold.
+    /// a pole, and where none was sought. In more than eight variables it is the backward error.
+    /// A bound below 64 u belongs to a result that the scalar cannot hold.
     pub fn bound(&self) -> f64 {
         self.bound
     }

@@ -3,7 +3,8 @@
 //! ```text
 //! pub struct __Coupled;
 //! impl CoupledField<24, 0, 72, 114> for __Coupled {
-//!     const COUPLINGS …; const COST …; fn field(parameters, x) …; fn slopes(parameters, x) …; fn velocity(…) …
+//!     const COUPLINGS …; const COST …;
+//!     fn field(parameters, x) …; fn slopes(parameters, x) …; fn velocity(…) …
 //! }
 //! ```
 //!
