@@ -7,17 +7,19 @@
 mod kdv;
 mod species;
 mod toda;
-mod volterra;
+mod volterra_chain;
+mod volterra_ring;
 
 pub use kdv::Kdv;
 pub use species::Species;
 pub use toda::Toda;
-pub use volterra::{VolterraChain, VolterraRing};
+pub use volterra_chain::VolterraChain;
+pub use volterra_ring::VolterraRing;
 
-/// The name of each family, and the file that its block stands in.
+/// The name of each family, and the file that holds its block and no other.
 pub const ALL: [(&str, &str); 5] = [
-    ("volterra-ring", include_str!("volterra.rs")),
-    ("volterra-chain", include_str!("volterra.rs")),
+    ("volterra-ring", include_str!("volterra_ring.rs")),
+    ("volterra-chain", include_str!("volterra_chain.rs")),
     ("toda", include_str!("toda.rs")),
     ("species", include_str!("species.rs")),
     ("kdv", include_str!("kdv.rs")),

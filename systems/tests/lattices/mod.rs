@@ -2,7 +2,11 @@
 
 use std::ops::Range;
 
+use kahan_algebra::diagnostics::Kind;
+use kahan_algebra::lexer::lex;
+use kahan_algebra::read;
 use kahan_core::prelude::*;
+use kahan_systems::entry::block_range;
 use kahan_systems::lattices::{ALL, Kdv, Species, Toda, VolterraChain, VolterraRing};
 use kahan_systems::{VolterraFour, VolterraLattice};
 
@@ -72,8 +76,24 @@ fn sums_and_modified_energies_are_kept_exactly() {
 }
 
 #[test]
-fn every_family_has_its_text() {
-    for (name, text) in ALL {
-        assert!(text.contains("for i in"), "{name}");
+fn every_name_stands_for_the_family_of_its_file() {
+    let types = ALL.map(|(name, text)| {
+        assert_eq!(text.matches("kahan! {").count(), 1, "{name}: its text holds one block");
+        let block = &text[block_range(text).expect("a block")];
+        let reading = read(&lex(block).tokens);
+        assert_eq!(reading.diagnostics, [], "{name}");
+        reading.family.expect("a family").name().to_owned()
+    });
+    assert_eq!(types, ["VolterraRing", "VolterraChain", "Toda", "Species", "Kdv"]);
+}
+
+/// The Poisson tensors of Toda's chain depend on its state.
+#[test]
+fn no_constant_stencil_makes_the_energy_of_toda_its_hamiltonian() {
+    let toda = "for i in periodic { a[i]dot = a[i]*(b[i+1] - b[i]); b[i]dot = 2*(a[i]^2 - a[i-1]^2); }";
+    for energy in ["b[i]^2 + 2*a[i]^2", "b[i]^3/3 + a[i]^2*(b[i] + b[i+1])"] {
+        let reading = read(&lex(&format!("{toda} hamiltonian H = sum({energy});")).tokens);
+        let kinds: Vec<Kind> = reading.diagnostics.iter().map(|mistake| mistake.kind).collect();
+        assert_eq!(kinds, [Kind::FalseClaim], "{energy}");
     }
 }

@@ -1,4 +1,4 @@
-//! Volterra's chain, closed and open: each species eats the one and is eaten by the other of its
+//! Volterra's chain closed to a ring: each species eats the one and is eaten by the other of its
 //! neighbours (V. Volterra, 1931; M. Kac and P. van Moerbeke, Adv. Math. 16 (1975) 160–169).
 
 use kahan_core::prelude::*;
@@ -7,12 +7,5 @@ kahan! {
     /// Volterra's chain closed to a ring; at three and four sites it is that of the catalog.
     pub struct VolterraRing;
     for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
-    integral S = sum(x[i]);
-}
-
-kahan! {
-    /// Volterra's chain with two ends.
-    pub struct VolterraChain;
-    for i in open { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
     integral S = sum(x[i]);
 }
