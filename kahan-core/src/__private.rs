@@ -21,6 +21,9 @@ pub use crate::field::couplings::{Couplings, LARGEST_FACTOR, Row};
 pub use crate::field::linear::{components, vector};
 #[cfg(feature = "std")]
 pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil, Sums};
+/// What steps chains whose sizes are known at run time only: `kahan-runtime` calls them.
+#[cfg(feature = "std")]
+pub use crate::lattice::{Folded, Row as BandRow, Total, neighbour};
 pub use crate::map::{CoupledField, CoupledStep, slopes_matrix};
 pub use crate::scalar::Dual;
 pub use crate::scalar::tuning::fenced;

@@ -3,7 +3,8 @@
 //! In: a text in the language of `kahan!` ([`Field::parse`]) or a checked
 //! [`System`](kahan_algebra::system::System), and values of its parameters ([`Field::with`]). Out:
 //! a map over slices of any dimension ([`Map::at`]), a [`KahanMap`](kahan_core::KahanMap) over any
-//! scalar ([`Map::as_kahan_map`]), and exact orbits with the growth of their heights ([`heights`]).
+//! scalar ([`Map::as_kahan_map`]), exact orbits with the growth of their heights ([`heights`]), and
+//! of a family chains of any number of sites ([`Lattice`]).
 //! It must not know the catalog: a field comes from its caller. Beside them, how work is spread
 //! over processors ([`threads`]).
 
@@ -15,6 +16,7 @@ mod engine;
 mod field;
 pub mod heights;
 pub mod interpreted;
+mod lattice;
 mod line;
 mod literal;
 mod machine;
@@ -31,6 +33,7 @@ pub use dimension::DimensionError;
 pub use field::Field;
 pub use kahan_algebra::rational::Rational;
 pub use kahan_core::{Composition, Level};
+pub use lattice::{Lattice, LatticeAt, LatticeError};
 pub use map::Map;
 pub use parameters::{ParameterError, ParameterValue};
 pub use text::FieldText;

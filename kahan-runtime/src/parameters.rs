@@ -138,31 +138,45 @@ where
     V: ParameterValue,
 {
     let names = &derived.system.field.symbols.parameters;
-    let mut values: Vec<Option<Rational>> = vec![None; names.len()];
+    let values = in_order(names, given, |name, value| {
+        value.to_rational().ok_or_else(|| ParameterError::NotFinite(name.to_owned()))
+    })?;
+    if derived.is_defined_at(&Exact, &values) {
+        Ok(values)
+    } else {
+        Err(ParameterError::Undefined(names.iter().cloned().zip(values).collect()))
+    }
+}
+
+/// What is read of that which is given for each name, in the order of the names.
+pub(crate) fn in_order<N, V, R>(
+    names: &[String],
+    given: impl IntoIterator<Item = (N, V)>,
+    read: impl Fn(&str, V) -> Result<R, ParameterError>,
+) -> Result<Vec<R>, ParameterError>
+where
+    N: AsRef<str>,
+{
+    let mut values: Vec<Option<R>> = names.iter().map(|_| None).collect();
     for (name, value) in given {
         let name = name.as_ref();
         let Some(index) = names.iter().position(|known| known == name) else {
             return Err(ParameterError::Unknown {
                 name: name.to_owned(),
                 nearest: nearest(name, names).cloned(),
-                parameters: names.clone(),
+                parameters: names.to_vec(),
             });
         };
         if values[index].is_some() {
             return Err(ParameterError::Twice(name.to_owned()));
         }
-        let value = value.to_rational().ok_or_else(|| ParameterError::NotFinite(name.to_owned()))?;
-        values[index] = Some(value);
+        values[index] = Some(read(name, value)?);
     }
     let missing = names.iter().zip(&values).filter(|(_, value)| value.is_none());
     let missing: Vec<String> = missing.map(|(name, _)| name.clone()).collect();
-    if !missing.is_empty() {
-        return Err(ParameterError::Missing(missing));
-    }
-    let values: Vec<Rational> = values.into_iter().flatten().collect();
-    if derived.is_defined_at(&Exact, &values) {
-        Ok(values)
+    if missing.is_empty() {
+        Ok(values.into_iter().flatten().collect())
     } else {
-        Err(ParameterError::Undefined(names.iter().cloned().zip(values).collect()))
+        Err(ParameterError::Missing(missing))
     }
 }

@@ -41,7 +41,7 @@ impl Order {
 }
 
 /// The memory of an elimination of so many unknowns.
-pub(super) struct Folded<T> {
+pub struct Folded<T> {
     order: Order,
     len: usize,
     /// How far the entries of a row reach to the left and, before exchanges, to the right.
@@ -58,7 +58,7 @@ pub(super) struct Folded<T> {
 }
 
 /// A row while it is written.
-pub(super) struct Row<'a, T> {
+pub struct Row<'a, T> {
     order: Order,
     len: usize,
     /// The place of the first entry.
@@ -68,12 +68,12 @@ pub(super) struct Row<'a, T> {
 
 impl<T: Scalar> Row<'_, T> {
     /// Adds to the entry of an unknown.
-    pub(super) fn add(&mut self, unknown: usize, value: T) {
+    pub fn add(&mut self, unknown: usize, value: T) {
         self.entries[self.order.place(unknown, self.len) - self.first] += value;
     }
 
     /// Adds to the right-hand side.
-    pub(super) fn add_right(&mut self, value: T) {
+    pub fn add_right(&mut self, value: T) {
         if let Some(right) = self.entries.last_mut() {
             *right += value;
         }
@@ -82,7 +82,7 @@ impl<T: Scalar> Row<'_, T> {
 
 impl<T: Scalar> Folded<T> {
     /// For a band that reaches so far to the left and right, closed to a ring or not.
-    pub(super) fn new(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
+    pub fn new(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         let farthest = 2 * lower.max(upper);
         let (order, lower, upper) =
             if is_ring { (Order::Folded, farthest, farthest) } else { (Order::Natural, lower, upper) };
@@ -102,7 +102,7 @@ impl<T: Scalar> Folded<T> {
 
     /// The solution of the system whose row of an unknown `write` adds to one of zeros; `None`
     /// where an exact scalar has no pivot.
-    pub(super) fn solve(&mut self, mut write: impl FnMut(usize, &mut Row<'_, T>)) -> Option<&[T]> {
+    pub fn solve(&mut self, mut write: impl FnMut(usize, &mut Row<'_, T>)) -> Option<&[T]> {
         let stride = self.width + 1;
         let mut rows = 0;
         for place in 0..self.len {

@@ -11,7 +11,7 @@ use crate::Scalar;
 use super::{Boundary, Family, LatticeScalar, Shape};
 
 /// The neighbour of site i at this offset, if the chain has one there.
-pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
+pub fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
     let place = i as isize + offset;
     match boundary {
         Boundary::Periodic => Some(place.rem_euclid(sites as isize) as usize),

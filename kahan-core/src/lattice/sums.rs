@@ -128,18 +128,20 @@ impl<T: LatticeScalar> FromScalar<T> for Dual<T, 1> {
 }
 
 /// A sum and what it has lost by rounding.
-#[derive(Clone)]
-struct Total<T> {
+#[derive(Clone, Debug)]
+pub struct Total<T> {
     sum: T,
     lost: T,
 }
 
 impl<T: LatticeScalar> Total<T> {
-    fn zero() -> Self {
+    /// The empty sum.
+    pub fn zero() -> Self {
         Self { sum: T::zero(), lost: T::zero() }
     }
 
-    fn add(&mut self, term: &T) {
+    /// Adds a term.
+    pub fn add(&mut self, term: &T) {
         let sum = self.sum.clone() + term.clone();
         let (large, small) = if term.magnitude_exceeds(&self.sum) {
             (term.clone(), &self.sum)
@@ -150,7 +152,8 @@ impl<T: LatticeScalar> Total<T> {
         self.sum = sum;
     }
 
-    fn sum(self) -> T {
+    /// What has been added.
+    pub fn sum(self) -> T {
         // An infinite sum has lost what is no number.
         if self.sum.is_finite_number() { self.sum + self.lost } else { self.sum }
     }

@@ -1,0 +1,173 @@
+//! Families read at run time: chains of any number of sites, against those of the macro.
+//!
+//! The allocator of this program counts what a thread allocates while it is measured.
+
+use allocation_counter::measure;
+use kahan_core::LatticeMap;
+use kahan_core::prelude::*;
+use kahan_runtime::{FieldText, Lattice, LatticeError, ParameterError};
+
+/// A family as the macro has it, and its text.
+macro_rules! family {
+    ($text:ident, $($block:tt)*) => {
+        kahan! { $($block)* }
+        const $text: &str = stringify!($($block)*);
+    };
+}
+
+family! { RING,
+    pub struct Ring;
+    for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
+    integral S = sum(x[i]);
+}
+
+family! { TODA,
+    pub struct Toda;
+    for i in open {
+        a[i]dot = a[i]*(b[i+1] - b[i]);
+        b[i]dot = 2*(a[i]^2 - a[i-1]^2);
+    }
+}
+
+family! { KDV,
+    pub struct Kdv { h }
+    for i in periodic {
+        u[i]dot = -3*(u[i+1]^2 - u[i-1]^2)/(2*h) - (u[i+2] - 2*u[i+1] + 2*u[i-1] - u[i-2])/(2*h^3);
+    }
+    integral mass = sum(u[i]);
+    hamiltonian H = sum((u[i+1] - u[i])^2/(2*h^2) - u[i]^3);
+}
+
+family! { SHORE,
+    pub struct Shore { mu, r, s }
+    for i in open { n[i]dot = n[i]*(r[i] + s[i]*n[i] - mu*(n[i-1] + n[i+1])); }
+}
+
+fn lattice(text: &str) -> Lattice {
+    let family = FieldText::new(text.to_owned(), "family".to_owned()).family().unwrap();
+    Lattice::of(&family.expect("a family"))
+}
+
+fn start(len: usize) -> Vec<f64> {
+    (0..len).map(|k| 1.0 + 0.5 * (0.7 * k as f64).sin()).collect()
+}
+
+/// Steps of both; the largest difference of two components.
+fn apart<M: LatticeMap<f64>>(text: &str, map: &M, eps: f64, sites: usize, values: &[(&str, &[f64])]) -> f64 {
+    let mut chain = lattice(text).at(eps, sites, values.iter().copied()).unwrap();
+    let mut state = start(chain.unknowns());
+    let mut expected = state.clone();
+    let mut compiled = map.at(eps, sites).unwrap();
+    let mut worst = 0.0_f64;
+    for _ in 0..10 {
+        chain.step(&mut state).unwrap();
+        compiled.step(&mut expected);
+        let differences = state.iter().zip(&expected).map(|(a, b)| (a - b).abs());
+        worst = differences.fold(worst, f64::max);
+        assert!(state.iter().all(|x| x.is_finite()));
+    }
+    worst
+}
+
+#[test]
+fn short_chains_have_the_bits_of_the_macro() {
+    for sites in [1, 2, 3, 4, 5, 8, 13] {
+        let r: Vec<f64> = (0..sites).map(|i| 1.0 + 0.1 * i as f64).collect();
+        let s: Vec<f64> = (0..sites).map(|i| -1.0 - 0.01 * i as f64).collect();
+        let shore = Shore { mu: 0.3, r: r.clone(), s: s.clone() };
+        let values: [(&str, &[f64]); 3] = [("s", &s), ("mu", &[0.3]), ("r", &r)];
+        assert_eq!(apart(RING, &Ring, 0.05, sites, &[]), 0.0, "{sites}");
+        assert_eq!(apart(TODA, &Toda, 0.05, sites, &[]), 0.0, "{sites}");
+        assert_eq!(apart(KDV, &Kdv { h: 0.5 }, 0.01, sites, &[("h", &[0.5])]), 0.0, "{sites}");
+        assert_eq!(apart(SHORE, &shore, 0.05, sites, &values), 0.0, "{sites}");
+    }
+}
+
+/// Long chains of the macro are cut into parts: other roundings, some units in the last place a
+/// step, of numbers of size one.
+#[test]
+fn long_chains_are_those_of_the_macro() {
+    for sites in [300, 3000] {
+        assert!(apart(RING, &Ring, 0.05, sites, &[]) < 1e-13, "{sites}");
+        assert!(apart(KDV, &Kdv { h: 0.5 }, 0.01, sites, &[("h", &[0.5])]) < 1e-12, "{sites}");
+    }
+}
+
+#[test]
+fn what_is_kept_is_what_the_macro_says_is_kept() {
+    for sites in [1, 5, 64, 1000] {
+        let lattice = lattice(KDV);
+        assert_eq!((lattice.integrals(), lattice.hamiltonian()), (vec!["mass"], Some("H")));
+        let mut chain = lattice.at(0.01, sites, [("h", [0.5])]).unwrap();
+        let mut compiled = LatticeMap::at(&Kdv { h: 0.5 }, 0.01, sites).unwrap();
+        let mut state = start(sites);
+        assert_eq!(chain.integrals(&state).unwrap(), compiled.integrals(&state));
+        assert_eq!(chain.hamiltonian(&state).unwrap(), Some(compiled.hamiltonian(&state)));
+        let before = chain.modified_energy(&state).unwrap().unwrap();
+        // Terms of size one, summed with their errors; their steps round a few times.
+        let bound = 1e-14 * sites as f64;
+        assert!((before - compiled.modified_energy(&state)).abs() <= bound);
+        for _ in 0..20 {
+            chain.step(&mut state).unwrap();
+        }
+        let after = chain.modified_energy(&state).unwrap().unwrap();
+        assert!((after - before).abs() <= 20.0 * bound, "{sites}: {}", after - before);
+    }
+    let mut ring = lattice(RING).at::<&str, [f64; 1]>(0.1, 4, []).unwrap();
+    assert_eq!(ring.hamiltonian(&start(4)).unwrap(), None);
+    assert_eq!(ring.modified_energy(&start(4)).unwrap(), None);
+}
+
+#[test]
+fn one_number_serves_all_sites() {
+    let shore = lattice(SHORE);
+    let step = |r: &[f64]| {
+        let mut state = start(5);
+        shore.at(0.05, 5, [("mu", &[0.3][..]), ("r", r), ("s", &[-1.0])]).unwrap().step(&mut state).unwrap();
+        state
+    };
+    assert_eq!(step(&[1.5]), step(&[1.5; 5]));
+    assert_ne!(step(&[1.5]), step(&[1.5, 1.5, 1.5, 1.5, 1.6]));
+}
+
+#[test]
+fn steps_allocate_nothing() {
+    let mut chain = lattice(KDV).at(0.01, 200, [("h", [0.5])]).unwrap();
+    let mut state = start(200);
+    let counted = measure(|| (0..10).for_each(|_| chain.step(&mut state).unwrap()));
+    assert_eq!(counted.count_total, 0);
+    let counted = measure(|| drop(chain.modified_energy(&state)));
+    assert!(counted.count_total > 0, "nothing is counted");
+}
+
+#[test]
+fn mistakes_are_values() {
+    let shore = lattice(SHORE);
+    let at = |sites, values: &[(&str, &[f64])]| shore.at(0.1, sites, values.iter().copied()).unwrap_err();
+    let one: &[f64] = &[1.0];
+    assert_eq!(at(0, &[("mu", one), ("r", one), ("s", one)]), LatticeError::NoSites);
+    assert_eq!(
+        at(3, &[("mu", one), ("r", &[1.0, 2.0]), ("s", one)]).to_string(),
+        "the parameter `r` has 2 numbers; give one, or 3, one a site"
+    );
+    assert_eq!(
+        at(3, &[("mu", &[1.0, 2.0, 3.0]), ("r", one), ("s", one)]).to_string(),
+        "the parameter `mu` has 3 numbers; give one, as the chain has it once"
+    );
+    let missing = ParameterError::Missing(vec!["mu".to_owned(), "s".to_owned()]);
+    assert_eq!(at(3, &[("r", one)]), LatticeError::Parameter(missing));
+    let twice = ParameterError::Twice("r".to_owned());
+    assert_eq!(at(3, &[("r", one), ("mu", one), ("r", one)]), LatticeError::Parameter(twice));
+    let infinite = ParameterError::NotFinite("r".to_owned());
+    assert_eq!(at(2, &[("mu", one), ("r", &[1.0, f64::NAN]), ("s", one)]), LatticeError::Parameter(infinite));
+    assert!(at(3, &[("nu", one)]).to_string().contains("no parameter `nu`"));
+    assert!(
+        lattice(KDV).at(0.1, 9, [("h", [0.0])]).unwrap_err().to_string().contains("divides by zero at h = 0")
+    );
+    let mut chain = lattice(RING).at::<&str, [f64; 1]>(0.1, 4, []).unwrap();
+    assert_eq!(chain.step(&mut [1.0; 3]).unwrap_err().expected(), 4);
+    assert!(chain.integrals(&[1.0; 5]).is_err() && chain.modified_energy(&[1.0; 5]).is_err());
+    let mut state = [1.0, f64::NAN, 1.0, 1.0];
+    chain.step(&mut state).unwrap();
+    assert!(state.iter().any(|x| x.is_nan()));
+}
