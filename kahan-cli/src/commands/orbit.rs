@@ -5,6 +5,7 @@
 //! ([`exact`]). The table is plain text with commas: names are identifiers and numbers have no
 //! commas, so nothing in it ever needs quoting.
 
+mod chain;
 mod exact;
 mod float;
 mod stops;
@@ -20,6 +21,7 @@ use serde_json::{Map, Value, json};
 use crate::numbers::{DoubleDouble, Printable, Rounded, ScalarKind};
 use crate::printing::{Answer, Broken, Format, Progress, Refusal, Sink, Table, has_room_for_progress};
 use crate::reading::{Request, Start, whole};
+use chain::is_array;
 use exact::ExactOrbit;
 use float::FloatOrbit;
 
@@ -34,9 +36,20 @@ use float::FloatOrbit;
 /// eps steps back.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
+#[command(mut_arg("at", |at| at.required(false).required_unless_present("begin")))]
 pub(crate) struct Orbit {
     #[command(flatten)]
     start: Start,
+
+    /// How a chain of any number of --sites begins: a file F.npy or F.csv, or formulas of the site
+    /// i.
+    ///
+    /// A formula for each array, as in 'x = 1 + 1/2*cos(2*pi*i/n)', several separated by `;`: there
+    /// are i from 0 to n - 1, pi, the parameters of the chain, and sin, cos, tanh, sech, exp, sqrt
+    /// and more. A file has a row a site, a column an array. Values of --param may then be formulas
+    /// or files, too. Beyond 200 variables the rows show the range of each array.
+    #[arg(id = "begin", long = "start", value_name = "S", conflicts_with = "at", requires = "sites")]
+    begin: Option<String>,
 
     /// The number of steps; 0 prints the first point.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = count)]
@@ -57,8 +70,11 @@ pub(crate) struct Orbit {
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = positive_count)]
     every: i64,
 
-    /// Write the table to this file, which appears when it is complete.
-    #[arg(long, value_name = "F.csv")]
+    /// Write the table to this file, which appears when it is complete; with --start also the
+    /// states to an array F.npy.
+    ///
+    /// The array has a row a point, of the sites, or of the sites and the arrays.
+    #[arg(long, value_name = "F")]
     out: Option<PathBuf>,
 
     /// Print one JSON object; exact numbers are strings p/q, floats are numbers (dd: of 32 digits).
@@ -78,7 +94,8 @@ Examples:
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
-  kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 3 --eps 0.1 --at 1,2,3 --steps 9";
+  kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 3 --eps 0.1 --at 1,2,3 --steps 9
+  kahan orbit --file chain.txt --sites 1000 --start 'x = 1 + cos(2*pi*i/n)/2' --eps 0.1 --steps 99 --out x.npy";
 
 fn count(text: &str) -> Result<i64, String> {
     whole(text, 0, i64::MAX)
@@ -91,6 +108,14 @@ fn positive_count(text: &str) -> Result<i64, String> {
 impl Orbit {
     /// Writes the rows; what is left to say is the answer.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        if let Some(start) = &self.begin {
+            return self.chain(start);
+        }
+        if self.out.as_deref().is_some_and(is_array) {
+            return Err(Refusal::new(
+                "--out F.npy is for the states of a chain, with --start; write --out F.csv",
+            ));
+        }
         let request = self.start.request()?;
         match self.scalar {
             ScalarKind::Exact if self.order != 2 => Err(Refusal::new(format!(
@@ -138,14 +163,15 @@ impl Orbit {
         head: Map<String, Value>,
         fill: impl FnOnce(&mut Table, Option<&Progress>) -> Result<Option<String>, Broken>,
     ) -> Result<Answer, Refusal> {
-        let sink = match &self.out {
+        let file = self.out.as_deref().filter(|path| !is_array(path));
+        let sink = match file {
             Some(path) => Sink::file(path, "--out")?,
             None => Sink::standard(),
         };
-        let format = if self.json && self.out.is_none() { Format::Json } else { Format::Csv };
+        let format = if self.json && file.is_none() { Format::Json } else { Format::Csv };
         let mut table = Table::new(sink, format);
-        let progress = has_room_for_progress(self.out.is_some())
-            .then(|| Progress::new(self.steps.unsigned_abs(), "steps"));
+        let progress =
+            has_room_for_progress(file.is_some()).then(|| Progress::new(self.steps.unsigned_abs(), "steps"));
         let written = table.begin(&head).and_then(|()| {
             let stopped = fill(&mut table, progress.as_ref())?;
             table.end(&json!(stopped))?;
@@ -163,7 +189,7 @@ impl Orbit {
             }
         };
         // With rows in a file, the object that describes them is the answer.
-        let answer = match &self.out {
+        let answer = match file {
             Some(path) if self.json => {
                 let mut object = head;
                 object.insert("out".to_owned(), json!(path.display().to_string()));

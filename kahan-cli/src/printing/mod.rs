@@ -3,12 +3,14 @@
 
 mod interrupt;
 pub(crate) mod layout;
+mod npy;
 mod output;
 pub(crate) mod page;
 mod progress;
 mod sink;
 mod table;
 
+pub(crate) use npy::Npy;
 pub(crate) use output::{Answer, Refusal, columns, finish, shorten, widths};
 pub(crate) use progress::Progress;
 pub(crate) use sink::{Broken, Sink, has_room_for_progress};

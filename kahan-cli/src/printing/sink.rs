@@ -7,7 +7,7 @@
 //! them do not take a million system calls.
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, ErrorKind, IsTerminal, Stdout, Write};
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Seek, SeekFrom, Stdout, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -93,9 +93,14 @@ impl Sink {
 
     /// Takes some text.
     pub(crate) fn write(&mut self, text: &str) -> Result<(), Broken> {
+        self.write_bytes(text.as_bytes())
+    }
+
+    /// Takes what is no text.
+    pub(super) fn write_bytes(&mut self, bytes: &[u8]) -> Result<(), Broken> {
         let written = match &mut self.0 {
-            Place::File { writer, .. } => writer.write_all(text.as_bytes()),
-            Place::Standard { writer, flushed } => writer.write_all(text.as_bytes()).and_then(|()| {
+            Place::File { writer, .. } => writer.write_all(bytes),
+            Place::Standard { writer, flushed } => writer.write_all(bytes).and_then(|()| {
                 if flushed.elapsed() >= PATIENCE {
                     writer.flush()?;
                     *flushed = Instant::now();
@@ -103,6 +108,16 @@ impl Sink {
                 Ok(())
             }),
         };
+        written.map_err(|error| self.broken(&error))
+    }
+
+    /// Writes other bytes in the place of the first ones of a file.
+    pub(super) fn overwrite_beginning(&mut self, bytes: &[u8]) -> Result<(), Broken> {
+        let Place::File { writer, .. } = &mut self.0 else { return Ok(()) };
+        let written = writer.rewind().and_then(|()| {
+            writer.write_all(bytes)?;
+            writer.seek(SeekFrom::End(0)).map(|_| ())
+        });
         written.map_err(|error| self.broken(&error))
     }
 

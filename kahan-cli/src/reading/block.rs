@@ -3,12 +3,16 @@
 
 use std::ops::Range;
 
+use kahan_algebra::family::Family;
 use kahan_algebra::system::System;
 use kahan_runtime::{Diagnostics, FieldText};
 use kahan_systems::entry::Entry;
 
 use super::rust_file::blocks;
 use crate::printing::Refusal;
+
+/// The most variables of a chain that is written out.
+pub(crate) const MOST_VARIABLES: usize = 200;
 
 /// A text with a block in it.
 #[derive(Debug)]
@@ -65,22 +69,23 @@ impl Block {
 
     /// The plain system of a chain of `sites` sites.
     fn chain(&self, sites: usize) -> Result<System, Refusal> {
-        /// The most variables that are written out.
-        const MOST: usize = 200;
-
-        let family = self.text.family().map_err(refusal)?;
-        let Some(family) = family else {
-            return Err(Refusal::new(
-                "--sites is for a family, `for i in periodic { x[i]dot = …; }`, and this field has its equations written out",
-            ));
-        };
-        if sites.saturating_mul(family.block()) > MOST {
+        let family = self.family("--sites")?;
+        if sites.saturating_mul(family.block()) > MOST_VARIABLES {
             return Err(Refusal::new(format!(
-                "--sites {sites}: the command writes a chain out, up to {MOST} variables; longer ones are stepped by `kahan!` in a program, \
-                 for any number of sites"
+                "--sites {sites}: the command writes a chain out, up to {MOST_VARIABLES} variables; longer ones are stepped by \
+                 `kahan orbit --start …`, and by `kahan!` in a program, for any number of sites"
             )));
         }
         Ok(family.at_sites(sites))
+    }
+
+    /// The family that the block has; `option` is what a block of equations is refused for.
+    pub(super) fn family(&self, option: &str) -> Result<Family, Refusal> {
+        self.text.family().map_err(refusal)?.ok_or_else(|| {
+            Refusal::new(format!(
+                "{option} is for a family, `for i in periodic {{ x[i]dot = …; }}`, and this field has its equations written out"
+            ))
+        })
     }
 
     /// The text of the block, as it was given.

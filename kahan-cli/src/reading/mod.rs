@@ -4,13 +4,17 @@
 //! [`Refusal`](crate::printing::Refusal).
 
 mod block;
+mod chain;
 mod file;
+mod formula;
+mod number_file;
 mod request;
 mod rust_file;
 mod source;
 mod values;
 
-pub(crate) use block::Block;
+pub(crate) use block::{Block, MOST_VARIABLES};
+pub(crate) use chain::Chain;
 pub(crate) use request::Request;
 pub(crate) use source::{Source, Start};
 pub(crate) use values::{coordinates, number, seconds, whole};

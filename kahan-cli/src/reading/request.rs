@@ -26,7 +26,7 @@ impl Start {
         let system = block.system()?;
         let name = block.name(&system);
         let point = Point {
-            state: coordinates(&self.at, &system.field.symbols.states)?,
+            state: coordinates(self.at.as_deref().unwrap_or_default(), &system.field.symbols.states)?,
             parameters: self.source.parameter_values(&system, &name)?,
             eps: number(&self.eps, "--eps")?,
         };

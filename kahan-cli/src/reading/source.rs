@@ -38,14 +38,14 @@ pub(crate) struct Source {
     ///
     /// The command writes the chain out, up to 200 variables.
     #[arg(long, value_name = "N", value_parser = sites)]
-    sites: Option<usize>,
+    pub(super) sites: Option<usize>,
 
     /// The value of a parameter; once for each.
     ///
     /// `show` and `verify` put it in before the map is reduced, `eval` and `orbit` after.
     /// `discover` leaves the others generic. `scan` takes FROM:TO:STEP in the place of V.
     #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
-    parameters: Vec<String>,
+    pub(super) parameters: Vec<String>,
 }
 
 /// A system, a step and a point: what an evaluation or an orbit begins with.
@@ -59,8 +59,8 @@ pub(crate) struct Start {
     pub(super) eps: String,
 
     /// The (first) point, its coordinates separated by commas: 1,-2/3,0.5.
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
-    pub(super) at: String,
+    #[arg(long, value_name = "X", allow_hyphen_values = true, required = true)]
+    pub(super) at: Option<String>,
 }
 
 impl Source {

@@ -1,6 +1,7 @@
 //! `kahan orbit` from outside: its numbers against known orbits and the generated maps, its files,
 //! its manners.
 
+mod chains;
 mod files;
 mod json;
 mod manners;

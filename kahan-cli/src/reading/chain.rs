@@ -1,0 +1,156 @@
+//! A chain of any number of sites: its map, and the state that it begins with.
+//!
+//! Numbers of sites are given once, by a formula of the index i, or by a file.
+
+use kahan_runtime::{Lattice, LatticeAt};
+
+use super::formula::{Formula, Known, formula, formulas};
+use super::number_file::{Numbers, is_file, read};
+use super::source::Start;
+use super::values::number;
+use crate::printing::Refusal;
+
+/// A chain, ready to step.
+pub(crate) struct Chain {
+    /// The family's name in answers.
+    pub(crate) name: String,
+    pub(crate) lattice: Lattice,
+    /// The names of a short chain's variables.
+    pub(crate) variables: Vec<String>,
+    pub(crate) map: LatticeAt,
+    pub(crate) sites: usize,
+    pub(crate) eps: f64,
+    /// The parameters that the chain has once.
+    pub(crate) parameters: Vec<(String, f64)>,
+    /// Site by site, arrays interleaved.
+    pub(crate) state: Vec<f64>,
+}
+
+impl Start {
+    /// The chain that begins with what `--start` says; the names of its variables are made for at
+    /// most so many.
+    pub(crate) fn chain(&self, start: &str, most_names: usize) -> Result<Chain, Refusal> {
+        /// More would not fit into memory.
+        const MOST_SITES: usize = 1 << 28;
+
+        let block = self.source.required_block()?;
+        let family = block.family("--start")?;
+        let sites = self.source.sites.ok_or_else(|| {
+            Refusal::new("--start is for a chain of some number of sites: add --sites N, as in --sites 1000")
+        })?;
+        if sites.saturating_mul(family.block()) > MOST_SITES {
+            return Err(Refusal::new(format!("--sites {sites}: at most {MOST_SITES} numbers are stepped")));
+        }
+        let eps = number(&self.eps, "--eps")?.to_f64();
+        if !eps.is_finite() {
+            return Err(Refusal::new("--eps is beyond the range of f64"));
+        }
+        let size = ("n".to_owned(), sites as f64);
+        let given = self.source.parameters.iter();
+        let known = std::slice::from_ref(&size);
+        let values: Vec<(&str, Vec<f64>)> =
+            given.map(|given| parameter(given, sites, known)).collect::<Result<_, _>>()?;
+        let lattice = Lattice::of(&family);
+        let map = lattice
+            .at(eps, sites, values.iter().map(|(name, value)| (name, value)))
+            .map_err(|error| Refusal::new(format!("--param: {error}")))?;
+        let once = |name: &String| {
+            let (name, value) = values.iter().find(|(given, _)| given == name)?;
+            Some(((*name).to_owned(), *value.first()?))
+        };
+        let parameters: Vec<(String, f64)> = lattice.parameters().iter().filter_map(once).collect();
+        let known: Vec<(String, f64)> = known.iter().chain(&parameters).cloned().collect();
+        let state = state(start, lattice.arrays(), sites, &known)?;
+        let variables =
+            if map.unknowns() <= most_names { family.symbols_at(sites).states } else { Vec::new() };
+        let name = family.name().to_owned();
+        Ok(Chain { name, variables, map, sites, eps, parameters, state, lattice })
+    }
+}
+
+/// The numbers of `--param NAME=V`: one, or one a site.
+fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str, Vec<f64>), Refusal> {
+    let Some((name, value)) = given.split_once('=') else {
+        return Err(Refusal::new(format!("--param: `{given}` is not NAME=VALUE, as in --param c=1/2")));
+    };
+    let (name, value) = (name.trim(), value.trim());
+    let option = format!("--param {name}");
+    if is_file(value) {
+        return Ok((name, read(value, &option)?.values));
+    }
+    if let Ok(number) = number(value, &option) {
+        return Ok((name, vec![number.to_f64()]));
+    }
+    let formula = formula(value, known, &option)?;
+    let places = if formula.is_of_sites() { sites } else { 1 };
+    Ok((name, (0..places).map(|site| formula.at(site)).collect()))
+}
+
+/// The first state, all of it numbers.
+fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<Vec<f64>, Refusal> {
+    let state = if is_file(start) {
+        of_file(start, arrays, sites)?
+    } else {
+        let formulas = in_order(formulas(start, known, "--start")?, arrays)?;
+        (0..sites).flat_map(|site| formulas.iter().map(move |formula| formula.at(site))).collect()
+    };
+    match state.iter().position(|value| !value.is_finite()) {
+        Some(place) => Err(Refusal::new(format!(
+            "--start: {}[{}] is {}, and a state is of numbers",
+            arrays[place % arrays.len()],
+            place / arrays.len(),
+            state[place]
+        ))),
+        None => Ok(state),
+    }
+}
+
+fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refusal> {
+    let Numbers { names, values } = read(path, "--start")?;
+    if let Some(names) = names.filter(|names| names != arrays) {
+        return Err(Refusal::new(format!(
+            "--start: the columns of {path} are {}, and those of a state {}",
+            names.join(", "),
+            arrays.join(", ")
+        )));
+    }
+    if values.len() == sites * arrays.len() {
+        return Ok(values);
+    }
+    Err(Refusal::new(format!(
+        "--start: the file {path} has {} numbers, and {sites} sites take {}: a site after the other, each with its {}",
+        values.len(),
+        sites * arrays.len(),
+        arrays.join(", ")
+    )))
+}
+
+/// A formula an array, in the order of the arrays.
+fn in_order(given: Vec<(String, Formula)>, arrays: &[String]) -> Result<Vec<Formula>, Refusal> {
+    let mut formulas: Vec<Option<Formula>> = vec![None; arrays.len()];
+    for (name, formula) in given {
+        let Some(index) = arrays.iter().position(|array| *array == name) else {
+            return Err(Refusal::new(format!(
+                "--start: there is no array `{name}`; the family has {}",
+                arrays.join(", ")
+            )));
+        };
+        if formulas[index].replace(formula).is_some() {
+            return Err(Refusal::new(format!("--start: `{name}` is given twice; leave one of them out")));
+        }
+    }
+    let missing: Vec<String> = arrays
+        .iter()
+        .zip(&formulas)
+        .filter(|(_, f)| f.is_none())
+        .map(|(name, _)| format!("`{name} = …`"))
+        .collect();
+    if missing.is_empty() {
+        Ok(formulas.into_iter().flatten().collect())
+    } else {
+        Err(Refusal::new(format!(
+            "--start: add {}; a start is a file F.npy or F.csv, or a formula for each array, as in 'x = 1 + 1/2*cos(2*pi*i/n)'",
+            missing.join(", ")
+        )))
+    }
+}
