@@ -41,13 +41,13 @@ pub(crate) struct Orbit {
     #[command(flatten)]
     start: Start,
 
-    /// How a chain of any number of --sites begins: a file F.npy or F.csv, or formulas of the site
-    /// i.
+    /// How a chain of --sites begins: F.npy, F.csv or formulas of the site i.
     ///
-    /// A formula for each array, as in 'x = 1 + 1/2*cos(2*pi*i/n)', several separated by `;`: there
-    /// are i from 0 to n - 1, pi, the parameters of the chain, and sin, cos, tanh, sech, exp, sqrt
-    /// and more. A file has a row a site, a column an array. Values of --param may then be formulas
-    /// or files, too. Beyond 200 variables the rows show the range of each array.
+    /// The number of sites may be any. A formula for each array, as in 'x = 1 + 1/2*cos(2*pi*i/n)',
+    /// several separated by `;`: there are i from 0 to n - 1, pi, the parameters of the chain, and
+    /// sin, cos, tanh, sech, exp, sqrt and more. A file has a row a site, a column an array. Values
+    /// of --param may then be formulas or files, too. Beyond 200 variables the rows show the range
+    /// of each array.
     #[arg(id = "begin", long = "start", value_name = "S", conflicts_with = "at", requires = "sites")]
     begin: Option<String>,
 
@@ -70,10 +70,10 @@ pub(crate) struct Orbit {
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = positive_count)]
     every: i64,
 
-    /// Write the table to this file, which appears when it is complete; with --start also the
-    /// states to an array F.npy.
+    /// Write the table to this file, or to F.npy the states of a chain.
     ///
-    /// The array has a row a point, of the sites, or of the sites and the arrays.
+    /// The file appears when it is complete. With --start, F.npy gets an array that has a row a
+    /// point, of the sites, or of the sites and the arrays; the table is printed all the same.
     #[arg(long, value_name = "F")]
     out: Option<PathBuf>,
 
@@ -94,8 +94,7 @@ Examples:
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
-  kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 3 --eps 0.1 --at 1,2,3 --steps 9
-  kahan orbit --file chain.txt --sites 1000 --start 'x = 1 + cos(2*pi*i/n)/2' --eps 0.1 --steps 99 --out x.npy";
+  kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9";
 
 fn count(text: &str) -> Result<i64, String> {
     whole(text, 0, i64::MAX)

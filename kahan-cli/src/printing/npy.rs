@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn headers_have_one_length() {
-        for (rows, row) in [(0, vec![3]), (u64::MAX, vec![usize::MAX, usize::MAX])] {
+        for (rows, row) in [(0, vec![3]), (u64::MAX, vec![1 << 28, 1 << 28])] {
             let header = header(rows, &row);
             assert_eq!((header.len(), header[127]), (128, b'\n'));
             assert_eq!(usize::from(u16::from_le_bytes([header[8], header[9]])), 118);

@@ -7,6 +7,7 @@ use kahan_algebra::family::Family;
 use kahan_algebra::system::System;
 use kahan_runtime::{Diagnostics, FieldText};
 use kahan_systems::entry::Entry;
+use kahan_systems::lattices;
 
 use super::rust_file::blocks;
 use crate::printing::Refusal;
@@ -28,6 +29,11 @@ impl Block {
     /// A block of the catalog.
     pub(crate) fn of_catalog(entry: &'static Entry) -> Self {
         Block::new(Some(entry), entry.text().to_owned(), entry.command.to_owned())
+    }
+
+    /// A family of the catalog.
+    pub(crate) fn of_family(family: &lattices::Entry) -> Self {
+        Block::new(None, family.text.to_owned(), family.command.to_owned())
     }
 
     /// A text from elsewhere; `origin` is what it is called in reports.
@@ -80,7 +86,7 @@ impl Block {
     }
 
     /// The family that the block has; `option` is what a block of equations is refused for.
-    pub(super) fn family(&self, option: &str) -> Result<Family, Refusal> {
+    pub(crate) fn family(&self, option: &str) -> Result<Family, Refusal> {
         self.text.family().map_err(refusal)?.ok_or_else(|| {
             Refusal::new(format!(
                 "{option} is for a family, `for i in periodic {{ x[i]dot = …; }}`, and this field has its equations written out"

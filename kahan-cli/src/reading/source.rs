@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
+use kahan_systems::lattices;
 use kahan_systems::registry::{all, find};
 
 use crate::printing::Refusal;
@@ -34,9 +35,10 @@ pub(crate) struct Source {
     #[arg(long, value_name = "NAME", requires = "file", visible_alias = "struct")]
     block: Option<String>,
 
-    /// The sites of a family `for i in … { … }`, whose variables are then x0, x1, ….
+    /// The sites of a family `for i in … { … }`, with variables x0, x1, ….
     ///
-    /// The command writes the chain out, up to 200 variables.
+    /// The command writes the chain out, up to 200 variables; `orbit` with --start steps any
+    /// number.
     #[arg(long, value_name = "N", value_parser = sites)]
     pub(super) sites: Option<usize>,
 
@@ -109,9 +111,10 @@ impl Source {
     fn named_block(&self) -> Result<Option<Block>, Refusal> {
         match (&self.system, &self.field, &self.file) {
             (None, None, None) => Ok(None),
-            (Some(name), None, None) => match find(name) {
-                Some(entry) => Ok(Some(Block::of_catalog(entry))),
-                None => Err(unknown_system(name)),
+            (Some(name), None, None) => match (find(name), lattices::find(name)) {
+                (Some(entry), _) => Ok(Some(Block::of_catalog(entry))),
+                (None, Some(family)) => Ok(Some(Block::of_family(family))),
+                (None, None) => Err(unknown_system(name)),
             },
             (None, Some(text), None) => Ok(Some(Block::of_text(text.clone(), "--field".to_owned()))),
             (None, None, Some(path)) => {
@@ -191,17 +194,18 @@ fn sites(text: &str) -> Result<usize, String> {
 }
 
 fn names() -> Vec<&'static str> {
-    all().map(|entry| entry.command).collect()
+    all().map(|entry| entry.command).chain(lattices::ALL.map(|family| family.command)).collect()
 }
 
 fn unknown_system(name: &str) -> Refusal {
     // Nothing is near to a name that is longer than any.
     let wanted: String = name.chars().take(64).flat_map(char::to_lowercase).collect();
     let distance = |known: &str| strsim::levenshtein(&wanted, &known.to_lowercase());
-    let nearest = all()
-        .min_by_key(|entry| distance(entry.command).min(distance(entry.type_name)))
-        .filter(|entry| distance(entry.command).min(distance(entry.type_name)) <= wanted.chars().count() / 2);
-    let hint = nearest.map_or_else(String::new, |entry| format!(" Did you mean `{}`?", entry.command));
+    let known = all().map(|entry| [entry.command, entry.type_name]);
+    let known = known.chain(lattices::ALL.map(|family| [family.command; 2]));
+    let near = known.map(|names| (names.map(distance).into_iter().min(), names[0]));
+    let nearest = near.min().filter(|(least, _)| *least <= Some(wanted.chars().count() / 2));
+    let hint = nearest.map_or_else(String::new, |(_, name)| format!(" Did you mean `{name}`?"));
     let names = names().join(", ");
     Refusal::new(format!(
         "there is no system `{name}`.{hint} The catalog has {names}; --field TEXT takes a field of your own."

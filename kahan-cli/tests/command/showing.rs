@@ -18,7 +18,13 @@ fn the_list_names_the_systems_of_the_paper_then_the_others() {
     let others = ["weierstrass", "volterra", "volterra4", "lagrange", "henon-heiles", "zhukovsky"];
     let last = ["clebsch", "maxwell-bloch", "nahm", "lorenz"];
     assert_eq!(names, [&paper[..], &others[..], &last[..]].concat());
-    assert!(names.iter().all(|name| answer(&["list"]).contains(name)));
+    let families: Vec<&str> =
+        list["families"].as_array().expect("a list").iter().filter_map(|one| one["name"].as_str()).collect();
+    assert_eq!(families, ["volterra-ring", "volterra-chain", "toda", "species", "kdv"]);
+    let table = answer(&["list"]);
+    assert!(names.iter().chain(&families).all(|name| table.contains(name)));
+    assert!(table.contains("mu,r[i]"), "{table}");
+    assert!(refusal(&["show", "kvd", "--sites", "4"]).contains("`kdv`"));
 }
 
 #[test]

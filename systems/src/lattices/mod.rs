@@ -16,11 +16,43 @@ pub use toda::Toda;
 pub use volterra_chain::VolterraChain;
 pub use volterra_ring::VolterraRing;
 
-/// The name of each family, and the file that holds its block and no other.
-pub const ALL: [(&str, &str); 5] = [
-    ("volterra-ring", include_str!("volterra_ring.rs")),
-    ("volterra-chain", include_str!("volterra_chain.rs")),
-    ("toda", include_str!("toda.rs")),
-    ("species", include_str!("species.rs")),
-    ("kdv", include_str!("kdv.rs")),
+/// A family of the catalog.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Its name on the command line: `kdv`.
+    pub command: &'static str,
+    /// What it is, in one line.
+    pub title: &'static str,
+    /// The source file that holds its block and no other.
+    pub text: &'static str,
+}
+
+/// The families of the catalog.
+pub const ALL: [Entry; 5] = [
+    Entry {
+        command: "volterra-ring",
+        title: "Volterra's chain closed to a ring",
+        text: include_str!("volterra_ring.rs"),
+    },
+    Entry {
+        command: "volterra-chain",
+        title: "Volterra's chain with two ends",
+        text: include_str!("volterra_chain.rs"),
+    },
+    Entry { command: "toda", title: "Toda's chain in Flaschka's variables", text: include_str!("toda.rs") },
+    Entry {
+        command: "species",
+        title: "species along a shore that compete with their neighbours",
+        text: include_str!("species.rs"),
+    },
+    Entry {
+        command: "kdv",
+        title: "the Korteweg-de Vries equation by central differences",
+        text: include_str!("kdv.rs"),
+    },
 ];
+
+/// The family of this command name.
+pub fn find(command: &str) -> Option<&'static Entry> {
+    ALL.iter().find(|entry| entry.command == command)
+}

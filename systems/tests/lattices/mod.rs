@@ -7,7 +7,7 @@ use kahan_algebra::lexer::lex;
 use kahan_algebra::read;
 use kahan_core::prelude::*;
 use kahan_systems::entry::block_range;
-use kahan_systems::lattices::{ALL, Kdv, Species, Toda, VolterraChain, VolterraRing};
+use kahan_systems::lattices::{ALL, Entry, Kdv, Species, Toda, VolterraChain, VolterraRing};
 use kahan_systems::{VolterraFour, VolterraLattice};
 
 fn rational(p: i64, q: i64) -> BigRational {
@@ -77,7 +77,7 @@ fn sums_and_modified_energies_are_kept_exactly() {
 
 #[test]
 fn every_name_stands_for_the_family_of_its_file() {
-    let types = ALL.map(|(name, text)| {
+    let types = ALL.map(|Entry { command: name, text, .. }| {
         assert_eq!(text.matches("kahan! {").count(), 1, "{name}: its text holds one block");
         let block = &text[block_range(text).expect("a block")];
         let reading = read(&lex(block).tokens);
