@@ -200,7 +200,7 @@ fn names() -> Vec<&'static str> {
 fn unknown_system(name: &str) -> Refusal {
     // Nothing is near to a name that is longer than any.
     let wanted: String = name.chars().take(64).flat_map(char::to_lowercase).collect();
-    let distance = |known: &str| strsim::levenshtein(&wanted, &known.to_lowercase());
+    let distance = |known: &str| strsim::osa_distance(&wanted, &known.to_lowercase());
     let known = all().map(|entry| [entry.command, entry.type_name]);
     let known = known.chain(lattices::ALL.map(|family| [family.command; 2]));
     let near = known.map(|names| (names.map(distance).into_iter().min(), names[0]));
