@@ -2,6 +2,7 @@
 //! equation, and what they keep.
 #![cfg(feature = "std")]
 
+use kahan_core::LatticeError;
 use kahan_core::prelude::*;
 
 kahan! {
@@ -137,4 +138,18 @@ fn toda_keeps_its_momentum() {
     let before = at.integrals(&state)[0];
     at.advance(&mut state, 500);
     assert!((at.integrals(&state)[0] - before).abs() < 1e-12);
+}
+
+#[test]
+fn a_divisor_of_zero_is_an_error() {
+    assert_eq!(Kdv { h: 0.0_f64 }.at(0.1, 9).unwrap_err(), LatticeError::Undefined);
+    // 1/h³ is beyond the range of f32.
+    assert_eq!(Kdv { h: 1e-20_f32 }.at(0.1, 9).unwrap_err(), LatticeError::Undefined);
+    assert!(Kdv { h: 1e-20 }.at(0.1, 9).is_ok());
+    #[cfg(feature = "exact")]
+    {
+        let [zero, one] = [0, 1].map(|p| BigRational::from_integer(p.into()));
+        assert_eq!(Kdv { h: zero.clone() }.at(one.clone(), 9).unwrap_err(), LatticeError::Undefined);
+        assert!(Kdv { h: one }.at(zero, 9).is_ok());
+    }
 }

@@ -24,7 +24,7 @@ impl Family<f64> for Newton {
     const SITE_PARAMETERS: &'static [&'static str] = &["right"];
     const BOUNDARY: Boundary = Boundary::Periodic;
 
-    fn constants<L: Scalar>(&self, eps: &L, lift: impl Fn(&f64) -> L) -> Vec<L> {
+    fn constants<L: Scalar>(&self, eps: L, lift: impl Fn(&f64) -> L) -> Option<Vec<L>> {
         self.kdv.constants(eps, lift)
     }
 

@@ -55,10 +55,16 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                 return Err(LatticeError::SiteParameter { name, given, sites });
             }
         }
+        let constants = |eps| {
+            let constants = map.constants(eps, T::clone)?;
+            constants.iter().all(T::is_finite_number).then_some(constants)
+        };
+        let forward = constants(eps.clone()).ok_or(LatticeError::Undefined)?;
+        let backward = constants(-eps.clone()).ok_or(LatticeError::Undefined)?;
         let is_ring = M::BOUNDARY == Boundary::Periodic;
         Ok(Self {
-            forward: map.constants(&eps, T::clone),
-            backward: map.constants(&-eps.clone(), T::clone),
+            forward,
+            backward,
             promise: Promise::new(&map, &eps, sites * M::Shape::BLOCK),
             map,
             eps,

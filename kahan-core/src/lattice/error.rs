@@ -8,6 +8,9 @@ use core::fmt;
 pub enum LatticeError {
     /// A chain has at least one site.
     NoSites,
+    /// The equations divide by zero at these parameters, or what follows from them and ε leaves the
+    /// range of the numbers.
+    Undefined,
     /// A parameter that each site has is given for another number of sites.
     SiteParameter {
         /// Its name in the family.
@@ -23,6 +26,12 @@ impl fmt::Display for LatticeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSites => write!(f, "a chain has at least one site"),
+            Self::Undefined => {
+                write!(
+                    f,
+                    "the equations divide by zero, or leave the range of the numbers, at these parameters and this eps"
+                )
+            }
             Self::SiteParameter { name, given, sites } => {
                 write!(f, "the parameter `{name}` of each site has {given} values for {sites} sites")
             }

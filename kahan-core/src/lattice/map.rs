@@ -21,7 +21,7 @@ pub trait LatticeMap<T: LatticeScalar>: Family<T> {
     /// site is its own neighbour, and its couplings add up.
     ///
     /// # Errors
-    /// No sites, or parameters of another number of sites.
+    /// No sites, parameters of another number of sites, or at which the equations divide by zero.
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError>;
 }
 

@@ -24,8 +24,9 @@ pub(super) const REFINEMENTS: usize = 2;
 
 /// The memory of steps that promise.
 pub(super) struct Promise<T: LatticeScalar> {
-    near: Rows<T::Near>,
-    far: Rows<T::Far>,
+    /// `None` where a divisor of the constants cannot be told from zero.
+    near: Option<Rows<T::Near>>,
+    far: Option<Rows<T::Far>>,
     /// The largest of ε and the parameters.
     largest: f64,
     /// The state that the step began at.
@@ -56,15 +57,14 @@ impl<T: LatticeScalar> Promise<T> {
             largest.set(larger(largest.get(), number));
             T::Near::given(number)
         };
-        let near = map.constants(&T::Near::given(eps), note);
+        let near = Rows::new(map, eps, note);
         for parameter in 0..M::Shape::PARAMETERS {
             let values = map.site_parameter(parameter);
             largest.set(values.iter().fold(largest.get(), larger));
         }
-        let far = map.constants(&T::Far::given(eps), T::Far::given);
         Self {
-            near: Rows { eps: T::Near::given(eps), constants: near, site: Site::of::<M::Shape>() },
-            far: Rows { eps: T::Far::given(eps), constants: far, site: Site::of::<M::Shape>() },
+            near,
+            far: Rows::new(map, eps, T::Far::given),
             largest: largest.get(),
             before: vec![T::zero(); len],
             residual: vec![T::zero(); len],
@@ -74,7 +74,9 @@ impl<T: LatticeScalar> Promise<T> {
     /// The backward error of `next` in units of (k + 8)·u, at most; infinite where it is not known.
     /// Leaves the residual.
     pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {
-        let Self { near, far, before, residual, .. } = self;
+        let Self { near: Some(near), far: Some(far), before, residual, .. } = self else {
+            return f64::INFINITY;
+        };
         let block = M::Shape::BLOCK;
         let largest = before.iter().chain(next).fold(self.largest, larger);
         let mut worst = 0.0;
@@ -96,6 +98,11 @@ impl<T: LatticeScalar> Promise<T> {
 }
 
 impl<J: Scalar> Rows<J> {
+    fn new<M: LatticeMap<T>, T: LatticeScalar>(map: &M, eps: &T, given: impl Fn(&T) -> J) -> Option<Self> {
+        let eps = given(eps);
+        Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of::<M::Shape>() })
+    }
+
     /// What `next` leaves in the row of array b of the site whose line was run last; no
     /// input is larger than `largest`.
     fn rest<M, T>(&self, b: usize, before: &[T], next: &[T], largest: f64) -> Rest<T>

@@ -55,7 +55,8 @@ impl<M: LatticeMap<T> + Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
         let (map, sites) = (self.map(), self.sites());
         let (block, reach, parameters) = (M::Shape::BLOCK, M::Shape::REACH as isize, M::Shape::PARAMETERS);
         assert!(x.len() == sites * block, "a state of {} numbers for a chain of {}", x.len(), sites * block);
-        let constants = map.constants(&L::from_scalar(self.eps()), L::from_scalar);
+        // What a chain was made with has constants.
+        let Some(constants) = map.constants(L::from_scalar(self.eps()), L::from_scalar) else { return };
         let (mut values, mut given, mut densities) =
             (Vec::new(), Vec::new(), vec![L::zero(); M::INTEGRALS.len() + 1]);
         for i in 0..sites {

@@ -20,7 +20,7 @@ use quote::{format_ident, quote};
 use super::header::{RustHeader, has_docs};
 use super::inputs::binding;
 use super::items::identifier;
-use super::plan::{Emitted, emit_plan};
+use super::plan::{Emitted, emit_kernel, emit_plan};
 use super::tokens::Flat;
 
 struct Context<'a> {
@@ -200,19 +200,20 @@ impl Context<'_> {
             .map(|(k, name)| {
                 let (binding, field) =
                     (binding(&lines.given, lines.given.parameter(k)), identifier(name, Span::call_site()));
-                quote! { let #binding = &lift(&self.#field); }
+                quote! { let #binding = lift(&self.#field); }
             })
             .collect();
-        let Emitted { bindings: steps, results } = emit_plan(&lines.constants, &lines.given, line_scalar);
+        let Emitted { bindings: steps, results } =
+            emit_kernel(&lines.constants, &lines.given, line_scalar, &[], false);
         quote! {
             fn constants<#line_scalar: __kahan::Scalar>(
                 &self,
-                eps: &#line_scalar,
+                eps: #line_scalar,
                 lift: impl __kahan::Fn(&#scalar) -> #line_scalar,
-            ) -> __kahan::Vec<#line_scalar> {
+            ) -> __kahan::Option<__kahan::Vec<#line_scalar>> {
                 #bindings
                 #steps
-                __kahan::Vec::from([#(#results),*])
+                __kahan::Some(__kahan::Vec::from([#(#results),*]))
             }
         }
     }

@@ -87,8 +87,8 @@ impl<T: LatticeScalar> Family<T> for Ring {
     const SITE_PARAMETERS: &'static [&'static str] = &[];
     const BOUNDARY: Boundary = Boundary::Periodic;
 
-    fn constants<L: Scalar>(&self, eps: &L, _lift: impl Fn(&T) -> L) -> Vec<L> {
-        vec![eps.clone()]
+    fn constants<L: Scalar>(&self, eps: L, _lift: impl Fn(&T) -> L) -> Option<Vec<L>> {
+        Some(vec![eps])
     }
 
     fn site_parameter(&self, _index: usize) -> &[T] {

@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use crate::{Constant, LatticeMap, Scalar};
 
 use super::families::{Kdv, Tangled, Toda, Volterra};
+use super::random;
 
 type Q = BigRational;
 
@@ -62,14 +63,6 @@ fn steps_satisfy_kahans_equation_at_every_length() {
     satisfies_kahans_equation(3, 12, kdv::<false>);
     satisfies_kahans_equation(1, 6, tangled::<true>);
     satisfies_kahans_equation(1, 6, tangled::<false>);
-}
-
-/// Numbers of 64 bits without a pattern.
-fn random(seed: u64) -> impl Iterator<Item = u64> {
-    (1_u64..).map(move |k| {
-        let z = (seed ^ k.wrapping_mul(0x9e37_79b9_7f4a_7c15)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        (z ^ (z >> 29)).wrapping_mul(0x94d0_49bb_1331_11eb) ^ (z >> 32)
-    })
 }
 
 fn rational(x: f64) -> Q {

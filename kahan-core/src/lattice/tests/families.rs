@@ -20,8 +20,8 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Volterra<OPEN> {
     const SITE_PARAMETERS: &'static [&'static str] = &[];
     const BOUNDARY: Boundary = boundary(OPEN);
 
-    fn constants<L: Scalar>(&self, eps: &L, _lift: impl Fn(&T) -> L) -> Vec<L> {
-        vec![eps.clone()]
+    fn constants<L: Scalar>(&self, eps: L, _lift: impl Fn(&T) -> L) -> Option<Vec<L>> {
+        Some(vec![eps])
     }
 
     fn site_parameter(&self, _index: usize) -> &[T] {
@@ -55,8 +55,8 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Toda<OPEN> {
     const SITE_PARAMETERS: &'static [&'static str] = &[];
     const BOUNDARY: Boundary = boundary(OPEN);
 
-    fn constants<L: Scalar>(&self, eps: &L, _lift: impl Fn(&T) -> L) -> Vec<L> {
-        vec![eps.clone(), L::constant(&Constant::integer(4)) * eps.clone()]
+    fn constants<L: Scalar>(&self, eps: L, _lift: impl Fn(&T) -> L) -> Option<Vec<L>> {
+        Some(vec![eps.clone(), L::constant(&Constant::integer(4)) * eps])
     }
 
     fn site_parameter(&self, _index: usize) -> &[T] {
@@ -101,11 +101,11 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Kdv<T, OPEN> {
     const BOUNDARY: Boundary = boundary(OPEN);
 
     /// 3/h, 1/(2h³), and both times ε
-    fn constants<L: Scalar>(&self, eps: &L, lift: impl Fn(&T) -> L) -> Vec<L> {
+    fn constants<L: Scalar>(&self, eps: L, lift: impl Fn(&T) -> L) -> Option<Vec<L>> {
         let inverse = lift(&self.inverse);
         let advection = L::constant(&Constant::integer(3)) * inverse.clone();
         let third = inverse.clone() * inverse.clone() * inverse * L::constant(&Constant::ratio(1, 2));
-        vec![advection.clone(), third.clone(), eps.clone() * advection, eps.clone() * third]
+        Some(vec![advection.clone(), third.clone(), eps.clone() * advection, eps * third])
     }
 
     fn site_parameter(&self, _index: usize) -> &[T] {
@@ -153,8 +153,8 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Tangled<T, OPEN> {
     const SITE_PARAMETERS: &'static [&'static str] = &[];
     const BOUNDARY: Boundary = boundary(OPEN);
 
-    fn constants<L: Scalar>(&self, eps: &L, lift: impl Fn(&T) -> L) -> Vec<L> {
-        core::iter::once(eps.clone()).chain(self.0.iter().map(lift)).collect()
+    fn constants<L: Scalar>(&self, eps: L, lift: impl Fn(&T) -> L) -> Option<Vec<L>> {
+        Some(core::iter::once(eps).chain(self.0.iter().map(lift)).collect())
     }
 
     fn site_parameter(&self, _index: usize) -> &[T] {

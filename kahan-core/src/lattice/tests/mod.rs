@@ -1,6 +1,15 @@
 //! Families as the macro writes them, and the laws of their steps.
 
+mod dense;
 #[cfg(feature = "exact")]
 mod exact;
 mod families;
 mod parts;
+
+/// Numbers of 64 bits without a pattern.
+fn random(seed: u64) -> impl Iterator<Item = u64> {
+    (1_u64..).map(move |k| {
+        let z = (seed ^ k.wrapping_mul(0x9e37_79b9_7f4a_7c15)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        (z ^ (z >> 29)).wrapping_mul(0x94d0_49bb_1331_11eb) ^ (z >> 32)
+    })
+}

@@ -24,7 +24,12 @@ fn tangled<const OPEN: bool>(_sites: usize) -> Tangled<f64, OPEN> {
 }
 
 /// Short parts, so that few sites make several groups.
-fn in_short_parts<M: LatticeMap<f64>>(map: M, eps: f64, sites: usize, level: Level) -> LatticeAt<M, f64> {
+pub(super) fn in_short_parts<M: LatticeMap<f64>>(
+    map: M,
+    eps: f64,
+    sites: usize,
+    level: Level,
+) -> LatticeAt<M, f64> {
     let reach = <M::Shape as Shape>::REACH;
     let plan = Plan::with_length(sites, reach, 8, 8 * reach, 1);
     LatticeAt::planned(map, eps, sites, plan).expect("sites").at_level(level).expect("asked for")
