@@ -33,13 +33,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let mut profiles = vec![u.clone()];
     let first = kept(&mut chain, &u);
-    let mut drift = [0.0_f64; 4];
+    let mut changes = [const { Vec::new() }; 4];
     for k in 1..=STEPS {
         chain.step(&mut u);
         if k % 100 == 0 {
             let now = kept(&mut chain, &u);
-            for ((drift, now), first) in drift.iter_mut().zip(now).zip(first) {
-                *drift = drift.max((now / first - 1.0).abs());
+            for ((changes, now), first) in changes.iter_mut().zip(now).zip(first) {
+                changes.push(now / first - 1.0);
             }
         }
         if k <= 12_000 && k % 1_000 == 0 {
@@ -47,8 +47,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     println!("{STEPS} steps of {} to t = {}", 2.0 * eps, 2.0 * eps * STEPS as f64);
-    for (name, drift) in ["mass", "momentum", "energy", "modified energy"].into_iter().zip(drift) {
-        println!("{name:<16} changes by {drift:.1e} of itself at most");
+    for (name, changes) in ["mass", "momentum", "energy", "modified energy"].into_iter().zip(&changes) {
+        let largest = changes.iter().fold(0.0_f64, |largest, change| largest.max(change.abs()));
+        let trend = trend(changes);
+        println!(
+            "{name:<16} changes by {largest:.1e} of itself at most, by {trend:+.1e} along a straight line"
+        );
     }
     if let Some(path) = std::env::args().nth(1) {
         std::fs::write(path, picture(&profiles))?;
@@ -60,6 +64,16 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn kept(chain: &mut LatticeAt<Kdv<f64>, f64>, u: &[f64]) -> [f64; 4] {
     let momentum = u.iter().map(|u| u * u).sum();
     [chain.integrals(u)[0], momentum, chain.hamiltonian(u), chain.modified_energy(u)]
+}
+
+/// By how much the straight line through evenly spaced values, of least squares, rises from the
+/// first to the last of them.
+fn trend(values: &[f64]) -> f64 {
+    let middle = (values.len() - 1) as f64 / 2.0;
+    let place = |k: usize| k as f64 - middle;
+    let above: f64 = values.iter().enumerate().map(|(k, value)| place(k) * value).sum();
+    let below: f64 = (0..values.len()).map(|k| place(k).powi(2)).sum();
+    above / below * 2.0 * middle
 }
 
 /// The profiles, each some way above the one before.

@@ -15,7 +15,7 @@ use syn::{Block, Expr, ImplItem, Item, ItemImpl, Stmt};
 use crate::rust::{expand, formatted, text};
 
 /// The blocks, each with the functions that it is there to show, where these are not all.
-const BLOCKS: [(&str, &[&str]); 6] = [
+const BLOCKS: [(&str, &[&str]); 7] = [
     // A system with claims.
     ("e3", &[]),
     // Parameters and what is divided by them.
@@ -28,6 +28,8 @@ const BLOCKS: [(&str, &[&str]); 6] = [
     ("dense", &["prepare", "lift"]),
     // Of more than eight variables: it eliminates along the couplings.
     ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
+    // A family: the lines of one site.
+    ("family", &["constants", "site_parameter", "field", "rows", "densities"]),
 ];
 
 /// What was shown so far.
