@@ -11,7 +11,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use kahan_core::prelude::*;
-use kahan_core::LatticeScalar;
+use kahan_core::{LatticeScalar, Level};
 
 use families::{Kdv, Toda, Volterra};
 
@@ -20,15 +20,25 @@ const ROUNDS: usize = 7;
 const WORK: usize = 20_000_000;
 
 fn main() {
-    println!("| sites | Volterra | the same in f32 | KdV, five points | Toda, two arrays | triad, an element |");
+    for level in [Level::Avx512, Level::Avx2].into_iter().filter(|level| level.is_available()) {
+        println!("{level:?}\n");
+        table(level);
+    }
+    midpoint::table();
+}
+
+fn table(level: Level) {
+    println!(
+        "| sites | Volterra | the same in f32 | KdV, five points | Toda, two arrays | triad, an element |"
+    );
     println!("|---:|---:|---:|---:|---:|---:|");
     for sites in [1_000, 10_000, 100_000, 1_000_000, 10_000_000] {
         let h = 0.1;
         let mut contenders: Vec<Box<dyn FnMut() -> f64>> = vec![
-            chain(&Volterra, sites, 0.05_f64, |i| 1.0 + 0.5 * (0.01 * i).sin()),
-            chain(&Volterra, sites, 0.05_f32, |i| (1.0 + 0.5 * (0.01 * i).sin()) as f32),
-            chain(&Kdv { h }, sites, 0.5 * h * h * h, |i| (0.01 * i).sin()),
-            chain(&Toda, sites, 0.05, |i| 0.5 + 0.1 * (0.01 * i).sin()),
+            chain(level, &Volterra, sites, 0.05_f64, |i| 1.0 + 0.5 * (0.01 * i).sin()),
+            chain(level, &Volterra, sites, 0.05_f32, |i| (1.0 + 0.5 * (0.01 * i).sin()) as f32),
+            chain(level, &Kdv { h }, sites, 0.5 * h * h * h, |i| (0.01 * i).sin()),
+            chain(level, &Toda, sites, 0.05, |i| 0.5 + 0.1 * (0.01 * i).sin()),
             triad(sites),
         ];
         let mut least = vec![f64::INFINITY; contenders.len()];
@@ -41,17 +51,18 @@ fn main() {
         println!("| {sites} | {} |", figures.join(" | "));
     }
     println!();
-    midpoint::table();
 }
 
 /// Nanoseconds a site and step of a family.
 fn chain<T: LatticeScalar + Copy, M: LatticeMap<T> + 'static>(
+    level: Level,
     map: &M,
     sites: usize,
     eps: T,
     start: impl Fn(f64) -> T,
 ) -> Box<dyn FnMut() -> f64> {
-    let mut at = map.at(eps, sites).expect("parameters of this many sites");
+    let at = map.at(eps, sites).expect("parameters of this many sites");
+    let mut at = at.at_level(level).expect("an available level");
     let start: Vec<T> = (0..sites * M::BLOCK).map(|i| start(i as f64)).collect();
     let steps = (WORK / sites).clamp(2, 2_000) as u64;
     Box::new(move || {

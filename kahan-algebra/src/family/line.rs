@@ -3,7 +3,8 @@
 use crate::derived::constant_names;
 use crate::field::Component;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
-use crate::poly::{Polynomial, Variable};
+use crate::poly::{Polynomial, Variable, gcd};
+use crate::rational::Rational;
 use crate::symbols::Symbols;
 use crate::table::distinct;
 
@@ -56,10 +57,9 @@ impl Family {
         let mut nodes = Vec::new();
         let (mut lower, mut upper) = (0, 0);
         for (row, component) in self.components.iter().enumerate() {
-            let scale = writer.scale_of_row(component);
             for column in self.with_diagonal(row) {
                 let slope = component.numerator.derivative(self.symbols.state(column));
-                nodes.push(writer.entry(&slope, scale, column == center + row));
+                nodes.push(writer.entry(&slope, &component.denominator, column == center + row));
                 entries.push(Place { row, column });
                 lower = lower.max((center + row).saturating_sub(column));
                 upper = upper.max(column.saturating_sub(center + row));
@@ -161,39 +161,62 @@ impl Writer<'_> {
         self.builder.polynomial(&renamed)
     }
 
-    /// 1 over what a component divides by, which is prepared unless it differs from site to site;
-    /// `None` where it is 1.
-    fn reciprocal(&mut self, component: &Component) -> Option<Node> {
-        if component.denominator.is_one() {
-            return None;
-        }
-        let below = self.polynomial(&component.denominator);
-        let one = self.polynomial(&Polynomial::one());
-        Some(self.builder.divide(one, below))
-    }
-
     fn quotient(&mut self, component: &Component) -> Node {
-        let above = self.polynomial(&component.numerator);
-        match self.reciprocal(component) {
-            Some(reciprocal) => self.builder.multiply(above, reciprocal),
-            None => above,
-        }
+        self.multiple(None, &component.numerator, &component.denominator)
     }
 
-    /// ε over what a component divides by.
-    fn scale_of_row(&mut self, component: &Component) -> Node {
-        let eps = self.builder.input(self.symbols.epsilon());
-        match self.reciprocal(component) {
-            Some(reciprocal) => self.builder.multiply(eps, reciprocal),
-            None => eps,
+    /// A quotient, or ε times it, as a sum of prepared coefficients times polynomials of integers in
+    /// what a site sees: what the parameters make of a term is computed once and not at each site.
+    /// Where sites divide by numbers of their own, the whole sum is divided.
+    fn multiple(&mut self, eps: Option<Node>, above: &Polynomial, below: &Polynomial) -> Node {
+        let is_prepared = !below.variables().iter().any(|variable| self.is_of_site(*variable));
+        let one = Polynomial::one();
+        let (inside, outside) = if is_prepared { (below, &one) } else { (&one, below) };
+        let mut sum = self.builder.constant(&Rational::ZERO);
+        for (coefficient, values) in self.by_coefficient(above) {
+            let common = gcd(&coefficient, inside);
+            let [coefficient, inside] =
+                [&coefficient, inside].map(|of| of.checked_div(&common).unwrap_or_else(|| of.clone()));
+            let mut factor = self.polynomial(&coefficient.scale(&values.content()));
+            if let Some(eps) = eps {
+                factor = self.builder.multiply(factor, eps);
+            }
+            let inside = self.polynomial(&inside);
+            let factor = self.builder.divide(factor, inside);
+            let values = self.polynomial(&values.primitive_part());
+            let term = self.builder.multiply(factor, values);
+            sum = self.builder.add(sum, term);
         }
+        // One reciprocal serves a row.
+        let [one, outside] = [&one, outside].map(|of| self.polynomial(of));
+        let reciprocal = self.builder.divide(one, outside);
+        self.builder.multiply(sum, reciprocal)
+    }
+
+    fn is_of_site(&self, variable: Variable) -> bool {
+        self.symbols.is_state(self.renamed(variable))
+    }
+
+    /// A polynomial as coefficients of parameters, none a multiple of another, and what each is
+    /// multiplied by at a site.
+    fn by_coefficient(&self, polynomial: &Polynomial) -> Vec<(Polynomial, Polynomial)> {
+        let mut terms: Vec<(Polynomial, Polynomial)> = Vec::new();
+        for (monomial, coefficient) in polynomial.group(|variable| self.is_of_site(variable)).iter() {
+            let primitive = coefficient.primitive_part();
+            let term = Polynomial::constant(coefficient.content()).mul_monomial(monomial);
+            match terms.iter_mut().find(|(known, _)| *known == primitive) {
+                Some((_, values)) => *values = &*values + &term,
+                None => terms.push((primitive, term)),
+            }
+        }
+        terms
     }
 
     /// δ − ε ∂f/∂x
-    fn entry(&mut self, slope: &Polynomial, scale: Node, is_diagonal: bool) -> Node {
+    fn entry(&mut self, slope: &Polynomial, below: &Polynomial, is_diagonal: bool) -> Node {
+        let eps = self.builder.input(self.symbols.epsilon());
         // −ε times a sum is ε times the sum of the other sign, which costs nothing.
-        let slope = self.polynomial(&-slope);
-        let scaled = self.builder.multiply(scale, slope);
+        let scaled = self.multiple(Some(eps), &-slope, below);
         if !is_diagonal {
             return scaled;
         }

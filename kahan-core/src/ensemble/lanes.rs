@@ -19,7 +19,13 @@ pub(crate) trait Lanes<T>: Register<T> {
 
     /// `yes` where the mask is set, `no` elsewhere.
     fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// Rows for columns.
+    fn transposed(rows: Square<T>) -> Square<T>;
 }
+
+/// Four rows of four numbers.
+pub(crate) type Square<T> = [[T; 4]; 4];
 
 /// Work over lanes of T.
 pub(crate) trait OverLanes<T> {
@@ -60,6 +66,11 @@ macro_rules! implement_for_float {
             #[inline(always)]
             fn choose(mask: bool, yes: Self, no: Self) -> Self {
                 if mask { yes } else { no }
+            }
+
+            #[inline(always)]
+            fn transposed(rows: Square<$float>) -> Square<$float> {
+                core::array::from_fn(|k| core::array::from_fn(|r| rows[r][k]))
             }
         }
 

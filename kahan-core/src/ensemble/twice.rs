@@ -10,7 +10,7 @@ use num_traits::{One, Zero};
 use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
-use super::lanes::Lanes;
+use super::lanes::{Lanes, Square};
 use super::sweep::Register;
 
 /// The lanes of the first register, then those of the second.
@@ -125,6 +125,11 @@ macro_rules! lanes_of {
             #[inline(always)]
             fn choose(mask: Self::Mask, yes: Self, no: Self) -> Self {
                 Self(L::choose(mask.0, yes.0, no.0), L::choose(mask.1, yes.1, no.1))
+            }
+
+            #[inline(always)]
+            fn transposed(rows: Square<$float>) -> Square<$float> {
+                L::transposed(rows)
             }
         }
     };

@@ -27,7 +27,7 @@ pub struct Kdv<T> {
 const _: () = {
     use ::kahan_core::__private::{self as __kahan, arguments::*, Clone as _};
     impl<T: __kahan::LatticeScalar> __kahan::Family<T> for Kdv<T> {
-        type Shape = __kahan::Stencil<1, 2, 0, 6, 2, 2, 5, 5>;
+        type Shape = __kahan::Stencil<1, 2, 0, 7, 2, 2, 5, 5>;
         const ARRAYS: &'static [&'static __kahan::str] = &["u"];
         const SITE_PARAMETERS: &'static [&'static __kahan::str] = &[];
         const BOUNDARY: __kahan::Boundary = __kahan::Boundary::Periodic;
@@ -37,19 +37,25 @@ const _: () = {
             lift: impl __kahan::Fn(&T) -> L,
         ) -> __kahan::Option<__kahan::Vec<L>> {
             let __p_h = lift(&self.h);
+            let __c_1_2 = __kahan::ratio::<L>(1, 2);
             let __t_h_squared = __p_h.clone() * __p_h.clone();
-            let __reciprocal_1 = (__p_h.clone() * __t_h_squared.clone()).reciprocal()?;
-            let __product_1 = __reciprocal_1.clone() * eps;
-            let __product_2 = __kahan::ratio::<L>(1, 2) * __product_1.clone();
-            let __reciprocal_2 = __t_h_squared.reciprocal()?;
+            let __t_h_h_squared = __p_h.clone() * __t_h_squared.clone();
+            let __reciprocal_1 = __c_1_2.clone().quotient(__t_h_h_squared.clone())?;
+            let __reciprocal_2 = __kahan::ratio::<L>(3, 2).quotient(__p_h.clone())?;
+            let __quotient_1 = (__c_1_2.clone() * eps.clone())
+                .quotient(__t_h_h_squared.clone())?;
+            let __quotient_2 = eps.clone().quotient(__t_h_h_squared)?;
+            let __quotient_3 = (eps * __kahan::integer::<L>(3)).quotient(__p_h)?;
+            let __reciprocal_3 = __c_1_2.quotient(__t_h_squared)?;
             __kahan::Some(
                 __kahan::Vec::from([
-                    __p_h,
                     __reciprocal_1,
-                    __product_2.clone(),
-                    -__product_2,
-                    __product_1,
                     __reciprocal_2,
+                    __quotient_1.clone(),
+                    -__quotient_1,
+                    __quotient_3,
+                    __quotient_2,
+                    __reciprocal_3,
                 ]),
             )
         }
@@ -64,24 +70,27 @@ const _: () = {
             let __s_u_before_1 = &x[1];
             let __s_u_after_1 = &x[3];
             let __s_u_after_2 = &x[4];
-            let __p_h = &constants[0];
-            let __p_constant_1 = &constants[1];
+            let __p_constant_1 = &constants[0];
+            let __p_constant_2 = &constants[1];
             let __c_2 = __kahan::integer::<L>(2);
-            f[0] = __p_h
+            f[0] = __p_constant_1
                 .clone()
                 .multiply_add(
-                    (__s_u_before_1.clone() * __s_u_before_1.clone()
-                        - __s_u_after_1.clone() * __s_u_after_1.clone())
-                        * __kahan::integer::<L>(3) * __p_h.clone(),
-                    __s_u_after_1
+                    __c_2
                         .clone()
                         .multiply_add(
-                            __c_2.clone(),
+                            __s_u_after_1.clone(),
                             __s_u_before_2
                                 .clone()
-                                .subtract_product(__s_u_before_1.clone(), __c_2),
+                                .subtract_product(__c_2, __s_u_before_1.clone()),
                         ) - __s_u_after_2.clone(),
-                ) * __kahan::ratio::<L>(1, 2) * __p_constant_1.clone();
+                    __p_constant_2.clone()
+                        * (__s_u_before_1.clone() * __s_u_before_1.clone())
+                            .subtract_product(
+                                __s_u_after_1.clone(),
+                                __s_u_after_1.clone(),
+                            ),
+                );
         }
         #[inline(always)]
         fn rows<L: __kahan::Scalar>(
@@ -95,45 +104,40 @@ const _: () = {
             let __s_u_before_1 = &x[1];
             let __s_u_after_1 = &x[3];
             let __s_u_after_2 = &x[4];
-            let __p_h = &constants[0];
-            let __p_constant_1 = &constants[1];
-            let __p_constant_2 = &constants[2];
-            let __p_constant_3 = &constants[3];
-            let __p_constant_4 = &constants[4];
-            let __c_1 = __kahan::integer::<L>(1);
-            let __c_3 = __kahan::integer::<L>(3);
+            let __p_constant_1 = &constants[0];
+            let __p_constant_2 = &constants[1];
+            let __p_constant_3 = &constants[2];
+            let __p_constant_4 = &constants[3];
+            let __p_constant_5 = &constants[4];
+            let __p_constant_6 = &constants[5];
             let __c_2 = __kahan::integer::<L>(2);
-            f[0] = __p_h
+            f[0] = __p_constant_1
                 .clone()
                 .multiply_add(
-                    (__s_u_before_1.clone() * __s_u_before_1.clone()
-                        - __s_u_after_1.clone() * __s_u_after_1.clone()) * __c_3.clone()
-                        * __p_h.clone(),
-                    __s_u_after_1
+                    __c_2
                         .clone()
                         .multiply_add(
-                            __c_2.clone(),
+                            __s_u_after_1.clone(),
                             __s_u_before_2
                                 .clone()
-                                .subtract_product(__s_u_before_1.clone(), __c_2),
+                                .subtract_product(__c_2, __s_u_before_1.clone()),
                         ) - __s_u_after_2.clone(),
-                ) * __kahan::ratio::<L>(1, 2) * __p_constant_1.clone();
-            a[0] = __p_constant_3.clone();
-            a[1] = __p_constant_4.clone()
-                * __c_1
-                    .clone()
-                    .subtract_product(
-                        __c_3.clone(),
-                        __p_h.clone() * (__s_u_before_1.clone() * __p_h.clone()),
-                    );
-            a[2] = __c_1.clone();
-            a[3] = __p_constant_4.clone()
-                * __c_3
-                    .multiply_subtract(
-                        __p_h.clone() * (__s_u_after_1.clone() * __p_h.clone()),
-                        __c_1,
-                    );
-            a[4] = __p_constant_2.clone();
+                    __p_constant_2.clone()
+                        * (__s_u_before_1.clone() * __s_u_before_1.clone())
+                            .subtract_product(
+                                __s_u_after_1.clone(),
+                                __s_u_after_1.clone(),
+                            ),
+                );
+            a[0] = __p_constant_4.clone();
+            a[1] = __p_constant_6
+                .clone()
+                .subtract_product(__s_u_before_1.clone(), __p_constant_5.clone());
+            a[2] = __kahan::integer::<L>(1);
+            a[3] = __s_u_after_1
+                .clone()
+                .multiply_subtract(__p_constant_5.clone(), __p_constant_6.clone());
+            a[4] = __p_constant_3.clone();
         }
     }
     impl<T: __kahan::LatticeScalar> __kahan::Sums<T> for Kdv<T> {
@@ -147,27 +151,22 @@ const _: () = {
         ) {
             let __s_u = &x[2];
             let __s_u_after_1 = &x[3];
-            let __p_h = &constants[0];
-            let __p_constant_5 = &constants[5];
-            let __c_2 = __kahan::integer::<L>(2);
+            let __p_constant_7 = &constants[6];
+            let __t_u_squared = __s_u.clone() * __s_u.clone();
             s[0] = __s_u.clone();
-            s[1] = -(__kahan::ratio::<L>(1, 2)
-                * __s_u
-                    .clone()
-                    .multiply_subtract(
-                        __s_u
-                            .clone()
-                            .multiply_add(
-                                __c_2
-                                    .clone()
-                                    .multiply_subtract(
-                                        __p_h.clone() * (__p_h.clone() * __s_u.clone()),
-                                        __kahan::integer::<L>(1),
-                                    ),
-                                __s_u_after_1.clone() * __c_2,
-                            ),
-                        __s_u_after_1.clone() * __s_u_after_1.clone(),
-                    ) * __p_constant_5.clone());
+            s[1] = __p_constant_7
+                .clone()
+                .multiply_subtract(
+                    __s_u_after_1
+                        .clone()
+                        .multiply_add(
+                            __s_u_after_1
+                                .clone()
+                                .subtract_product(__kahan::integer::<L>(2), __s_u.clone()),
+                            __t_u_squared.clone(),
+                        ),
+                    __s_u.clone() * __t_u_squared,
+                );
         }
     }
     impl<T: __kahan::LatticeScalar> __kahan::Energy<T> for Kdv<T> {

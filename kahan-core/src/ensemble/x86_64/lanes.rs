@@ -19,6 +19,7 @@ use crate::scalar::assignments;
 use crate::{Constant, Scalar};
 
 mod choosing;
+mod transposing;
 
 /// Runs intrinsics of the instructions that a lane type stands for.
 macro_rules! machine {

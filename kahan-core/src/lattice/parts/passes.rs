@@ -85,9 +85,7 @@ fn join(first: impl FnOnce(), second: impl FnOnce()) {
 #[inline(always)]
 fn batches(plan: &Plan, group: usize, width: usize) -> impl Iterator<Item = (usize, Parts)> {
     let (start, length, lanes) = (plan.start(group), plan.length(group), plan.lanes());
-    (0..lanes)
-        .step_by(width)
-        .map(move |k| (group * lanes + k, Parts { start: start + k * length, length, count: width }))
+    (0..lanes).step_by(width).map(move |k| (group * lanes + k, Parts { start: start + k * length, length }))
 }
 
 /// Whether two sets of so many rows of so many numbers fit sixteen registers, which are all that AVX2
@@ -127,7 +125,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for First<'_, M, T>
         let mut joints = joints.chunks_exact_mut(joints::size(separator));
         for group in groups {
             for (_, parts) in batches(plan, group, L::WIDTH) {
-                parts.gather_all(map, state, scratch.x.entries(), scratch.c.entries());
+                parts.gather_all::<M, L, T>(map, state, scratch.x.entries(), scratch.c.entries());
                 M::Shape::contribute::<M, L, T>(constants, parts.length - M::Shape::REACH, scratch);
                 let dense = scratch.dense.entries();
                 for (lane, joint) in joints.by_ref().take(L::WIDTH).enumerate() {
@@ -173,10 +171,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for Second<'_, M, T
         let first = plan.start(groups.start);
         for group in groups {
             for (part, parts) in batches(plan, group, L::WIDTH) {
-                parts.gather_parameters(map, sites, scratch.c.entries());
+                parts.gather_parameters::<M, L, T>(map, sites, scratch.c.entries());
                 let here = Parts { start: parts.start - first, ..parts };
                 let x = scratch.x.entries();
-                here.gather_inner(state, block, 1, 0, parts.length, &mut x[separator * L::WIDTH..]);
+                here.gather_inner::<L, T>(state, block, 1, 0, parts.length, &mut x[separator * L::WIDTH..]);
                 for lane in 0..L::WIDTH {
                     let separators = (part + lane) * separator;
                     for k in 0..separator {
@@ -191,7 +189,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for Second<'_, M, T
                 }
                 M::Shape::substitute::<M, L, T>(constants, twice, parts.length - reach, scratch);
                 let x = scratch.x.entries();
-                here.scatter_inner(state, block, reach, parts.length, &x[2 * separator * L::WIDTH..]);
+                here.scatter_inner::<L, T>(state, block, reach, parts.length, &x[2 * separator * L::WIDTH..]);
             }
         }
     }

@@ -1,14 +1,14 @@
-//! Comparing and choosing, lane by lane.
+//! Comparing and choosing, lane by lane, and what transposes squares beside it.
 
 use core::arch::x86_64::*;
 
-use crate::ensemble::lanes::Lanes;
+use crate::ensemble::lanes::{Lanes, Square};
 
-use super::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8, machine};
+use super::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8, machine, transposing};
 
 /// A register's comparison of magnitudes, and its choice between two.
 macro_rules! choosing {
-    ($name:ident of $float:ty, $mask:ty: |$a:ident, $b:ident| $exceeds:expr, |$asked:ident| $any:expr, |$chosen:ident, $yes:ident, $no:ident| $choose:expr) => {
+    ($name:ident of $float:ty, $mask:ty: |$a:ident, $b:ident| $exceeds:expr, |$asked:ident| $any:expr, |$chosen:ident, $yes:ident, $no:ident| $choose:expr, transposed $transposed:path) => {
         impl Lanes<$float> for $name {
             type Mask = $mask;
 
@@ -28,6 +28,11 @@ macro_rules! choosing {
                 let ($yes, $no) = (yes.0, no.0);
                 Self(machine!($choose))
             }
+
+            #[inline(always)]
+            fn transposed(rows: Square<$float>) -> Square<$float> {
+                $transposed(rows)
+            }
         }
     };
 }
@@ -39,7 +44,8 @@ choosing! {
         _mm_cmpgt_pd(_mm_andnot_pd(sign, a), _mm_andnot_pd(sign, b))
     },
     |mask| _mm_movemask_pd(mask) != 0,
-    |mask, yes, no| _mm_or_pd(_mm_and_pd(mask, yes), _mm_andnot_pd(mask, no))
+    |mask, yes, no| _mm_or_pd(_mm_and_pd(mask, yes), _mm_andnot_pd(mask, no)),
+    transposed transposing::doubles_by_two
 }
 
 choosing! {
@@ -49,7 +55,8 @@ choosing! {
         _mm_cmpgt_ps(_mm_andnot_ps(sign, a), _mm_andnot_ps(sign, b))
     },
     |mask| _mm_movemask_ps(mask) != 0,
-    |mask, yes, no| _mm_or_ps(_mm_and_ps(mask, yes), _mm_andnot_ps(mask, no))
+    |mask, yes, no| _mm_or_ps(_mm_and_ps(mask, yes), _mm_andnot_ps(mask, no)),
+    transposed transposing::singles
 }
 
 choosing! {
@@ -59,7 +66,8 @@ choosing! {
         _mm256_cmp_pd::<_CMP_GT_OQ>(_mm256_andnot_pd(sign, a), _mm256_andnot_pd(sign, b))
     },
     |mask| _mm256_movemask_pd(mask) != 0,
-    |mask, yes, no| _mm256_blendv_pd(no, yes, mask)
+    |mask, yes, no| _mm256_blendv_pd(no, yes, mask),
+    transposed transposing::doubles_by_four
 }
 
 choosing! {
@@ -69,19 +77,22 @@ choosing! {
         _mm256_cmp_ps::<_CMP_GT_OQ>(_mm256_andnot_ps(sign, a), _mm256_andnot_ps(sign, b))
     },
     |mask| _mm256_movemask_ps(mask) != 0,
-    |mask, yes, no| _mm256_blendv_ps(no, yes, mask)
+    |mask, yes, no| _mm256_blendv_ps(no, yes, mask),
+    transposed transposing::singles
 }
 
 choosing! {
     F64x8 of f64, __mmask8:
     |a, b| _mm512_cmp_pd_mask::<_CMP_GT_OQ>(_mm512_abs_pd(a), _mm512_abs_pd(b)),
     |mask| mask != 0,
-    |mask, yes, no| _mm512_mask_blend_pd(mask, no, yes)
+    |mask, yes, no| _mm512_mask_blend_pd(mask, no, yes),
+    transposed transposing::doubles_by_four
 }
 
 choosing! {
     F32x16 of f32, __mmask16:
     |a, b| _mm512_cmp_ps_mask::<_CMP_GT_OQ>(_mm512_abs_ps(a), _mm512_abs_ps(b)),
     |mask| mask != 0,
-    |mask, yes, no| _mm512_mask_blend_ps(mask, no, yes)
+    |mask, yes, no| _mm512_mask_blend_ps(mask, no, yes),
+    transposed transposing::singles
 }
