@@ -34,7 +34,7 @@ pub const MOST_EXPANDED: usize = 8;
 const MOST_VARIABLES: usize = 200;
 /// The most entries of f′ that are not identically zero in a block of many variables that is
 /// compiled.
-const MOST_SLOPES: usize = 600;
+const MOST_SLOPES: usize = 1500;
 
 /// The most products in an elimination that is written as a straight line.
 const MOST_STRAIGHT: usize = 1500;

@@ -19,16 +19,26 @@ pub(crate) fn solve<T: Scalar, const N: usize, const M: usize>(
     mut a: SMatrix<T, N, N>,
     mut b: SMatrix<T, N, M>,
 ) -> Option<SMatrix<T, N, M>> {
+    solve_in_place(&mut a, &mut b)?;
+    Some(b)
+}
+
+/// The same in the place of B, at the cost of A: large matrices are not copied.
+#[inline(always)]
+pub(crate) fn solve_in_place<T: Scalar, const N: usize, const M: usize>(
+    a: &mut SMatrix<T, N, N>,
+    b: &mut SMatrix<T, N, M>,
+) -> Option<()> {
     for k in 0..N {
-        let row = pivot_row(&a, k);
+        let row = pivot_row(a, k);
         a.swap_rows(k, row);
         b.swap_rows(k, row);
         // The pivot itself is not needed again: its reciprocal takes its place.
         let reciprocal = a[(k, k)].reciprocal()?;
         for i in k + 1..N {
             let factor = a[(i, k)].clone() * reciprocal.clone();
-            subtract_row(&mut a, i, k, k + 1, &factor);
-            subtract_row(&mut b, i, k, 0, &factor);
+            subtract_row(a, i, k, k + 1, &factor);
+            subtract_row(b, i, k, 0, &factor);
         }
         a[(k, k)] = reciprocal;
     }
@@ -41,11 +51,17 @@ pub(crate) fn solve<T: Scalar, const N: usize, const M: usize>(
             b[(k, j)] = entry * a[(k, k)].clone();
         }
     }
-    Some(b)
+    Some(())
 }
 
 /// det A; 0 for a singular matrix in every scalar.
 pub(crate) fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) -> T {
+    eliminated_determinant(&mut a)
+}
+
+/// The same, at the cost of A.
+#[inline(always)]
+pub(crate) fn eliminated_determinant<T: Scalar, const N: usize>(a: &mut SMatrix<T, N, N>) -> T {
     let mut determinant = T::one();
     for k in 0..N {
         // All entries, not the pivot alone: beside an entry that is not a number, a zero pivot
@@ -53,7 +69,7 @@ pub(crate) fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) ->
         if (k..N).all(|i| a[(i, k)].is_zero()) {
             return T::zero();
         }
-        let row = pivot_row(&a, k);
+        let row = pivot_row(a, k);
         if row != k {
             a.swap_rows(k, row);
             determinant = -determinant;
@@ -63,7 +79,7 @@ pub(crate) fn determinant<T: Scalar, const N: usize>(mut a: SMatrix<T, N, N>) ->
             let Some(reciprocal) = a[(k, k)].reciprocal() else { return T::zero() };
             for i in k + 1..N {
                 let factor = a[(i, k)].clone() * reciprocal.clone();
-                subtract_row(&mut a, i, k, k + 1, &factor);
+                subtract_row(a, i, k, k + 1, &factor);
             }
         }
     }

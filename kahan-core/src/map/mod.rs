@@ -27,7 +27,7 @@ use crate::{Constant, PreparedStep, QuadraticField, Scalar, SingularStep};
 use checked::try_step;
 
 pub use at::KahanAt;
-pub use coupled::{CoupledField, CoupledStep, slopes_matrix};
+pub use coupled::{CoupledField, CoupledStep, Postfix, slopes_matrix};
 pub use elimination::Elimination;
 pub use error_estimate::{ErrorEstimates, Estimated};
 pub use lift::Lift;

@@ -3,7 +3,7 @@
 //! ```text
 //! pub struct __Coupled;
 //! impl CoupledField<24, 0, 72, 114> for __Coupled {
-//!     const COUPLINGS …; const COST …;
+//!     const COUPLINGS …; const FIELD …; const SLOPES …; const COST …;
 //!     fn field(parameters, x) …; fn slopes(parameters, x) …; fn velocity(…) …
 //! }
 //! ```
@@ -19,6 +19,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
+use super::formulas::emit_formulas;
 use super::inputs::{binding, emit_pattern};
 use super::items::identifier;
 use super::plan::{Emitted, emit_plan};
@@ -32,11 +33,15 @@ pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> Toke
     let (tables, cost) = (emit_tables(couplings), emit_cost(couplings.cost(&context.derived.field)));
     let field = emit_entries(context, &context.derived.field);
     let entries = emit_entries(context, &couplings.slopes);
+    let table = |plan| emit_formulas(plan, &context.system.field.symbols);
+    let [field_table, slopes_table] = [&context.derived.field, &couplings.slopes].map(table);
     let velocity = couplings.is_straight().then(|| emit_velocity(context, couplings));
     quote! {
         pub struct __Coupled;
         impl __kahan::CoupledField<#dimension, #parameters, #slopes, #places> for __Coupled {
             const COUPLINGS: __kahan::Couplings<'static> = #tables;
+            const FIELD: &'static [__kahan::Postfix<'static>] = #field_table;
+            const SLOPES: &'static [__kahan::Postfix<'static>] = #slopes_table;
             #cost
             fn field<#scalar: __kahan::Scalar>(
                 __parameters: &[#scalar; #parameters],

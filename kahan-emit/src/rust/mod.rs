@@ -28,6 +28,7 @@ mod coupled;
 mod docs;
 mod family;
 mod field;
+mod formulas;
 mod header;
 mod inputs;
 mod items;

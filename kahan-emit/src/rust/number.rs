@@ -14,12 +14,21 @@ pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
         let integer = Literal::i64_unsuffixed(integer);
         return quote!(__kahan::integer::<#scalar>(#integer));
     }
-    if let Some((numerator, denominator)) =
-        value.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32)
-    {
-        let (numerator, denominator) =
-            (Literal::i64_unsuffixed(numerator), Literal::i64_unsuffixed(denominator));
+    if let Some([numerator, denominator]) = small(value) {
         return quote!(__kahan::ratio::<#scalar>(#numerator, #denominator));
+    }
+    let exact = emit_exact(value);
+    quote!(<#scalar as __kahan::Scalar>::constant(&#exact))
+}
+
+/// A constant as data: `__kahan::Constant::integer(3)`.
+pub(super) fn emit_exact(value: &Rational) -> TokenStream {
+    if let Some(integer) = value.as_i64() {
+        let integer = Literal::i64_unsuffixed(integer);
+        return quote!(__kahan::Constant::integer(#integer));
+    }
+    if let Some([numerator, denominator]) = small(value) {
+        return quote!(__kahan::Constant::ratio(#numerator, #denominator));
     }
     let negative = value.is_negative();
     let limbs = |digits: Vec<u64>| {
@@ -33,11 +42,18 @@ pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
     let bits = |bits: u64| Literal::u64_unsuffixed(bits);
     let (single, double, low) = (bits(single.into()), bits(double), bits(low));
     quote! {
-        <#scalar as __kahan::Scalar>::constant(&__kahan::Constant::exact(
+        __kahan::Constant::exact(
             #negative, #numerator, #denominator,
             __kahan::f32::from_bits(#single),
             __kahan::f64::from_bits(#double),
             __kahan::f64::from_bits(#low),
-        ))
+        )
     }
+}
+
+/// Numerator and denominator of a small quotient.
+fn small(value: &Rational) -> Option<[Literal; 2]> {
+    let (numerator, denominator) = value.as_small_ratio()?;
+    let is_small = numerator.abs().max(denominator) <= EXACT_IN_F32;
+    is_small.then(|| [numerator, denominator].map(Literal::i64_unsuffixed))
 }

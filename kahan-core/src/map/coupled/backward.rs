@@ -13,12 +13,13 @@ use nalgebra::{SMatrix, SVector};
 use num_traits::{One, Zero};
 
 use crate::SingularStep;
-use crate::field::linear::{components, determinant, solve, vector};
+use crate::field::linear::{components, eliminated_determinant, solve_in_place, vector};
 use crate::map::stable::{Promised, Widened};
 use crate::scalar::bounded::{Bounded, Magnitude, Working};
 use crate::step::error::Reason;
 
-use super::{CoupledField, CoupledStep, Factors};
+use super::formulas::Values;
+use super::{CoupledField, CoupledStep, Factors, zeros};
 
 /// How often a solution is refined, with either elimination.
 const REFINEMENTS: usize = 2;
@@ -104,25 +105,54 @@ where
         rest: &impl Fn(&[T; N]) -> Rest<T, N>,
         least: &mut f64,
     ) -> Result<SVector<T, N>, SingularStep> {
-        // Rows of one size: an entry that is alone in its row stays what it is divided by, so that a
-        // component that is 0 comes out as 0.
-        let matrix = self.step.matrix(self.x, &self.step.eps);
+        let solution = |b: [T; N]| {
+            let mut solution = vector(b);
+            match self.solve_scaled(&mut solution) {
+                Some(()) => *components(&solution),
+                None => from_fn(|_| T::zero() / T::zero()),
+            }
+        };
+        if let Some(next) = self.refined(solution, rest, least) {
+            return Ok(next);
+        }
+        let [determinant, scaled] = self.determinants();
+        let reason = if scaled.is_zero() { Reason::Pole } else { Reason::Refined };
+        Err(SingularStep::because(reason, determinant.approximate(), *least, self.step.eps.approximate()))
+    }
+
+    /// A(x,ε) with rows of one size, and what they are multiplied by: an entry that is alone in its
+    /// row stays what it is divided by, so that a component that is 0 comes out as 0.
+    fn scale(&self, matrix: &mut SMatrix<T, N, N>) -> [T; N] {
+        self.step.write_matrix(self.x, &self.step.eps, matrix);
         let scales: [T; N] = from_fn(|i| {
             let row = matrix.row(i);
             let larger = |one: T, other: &T| if other.magnitude_exceeds(&one) { *other } else { one };
             T::one() / row.iter().fold(T::zero(), larger)
         });
-        let scaled = SMatrix::from_fn(|i, j| matrix[(i, j)] * scales[i]);
-        let solution = |b: [T; N]| match solve(scaled, vector(from_fn(|i| b[i] * scales[i]))) {
-            Some(solution) => *components(&solution),
-            None => from_fn(|_| T::zero() / T::zero()),
-        };
-        if let Some(next) = self.refined(solution, rest, least) {
-            return Ok(next);
+        for (i, scale) in scales.iter().enumerate() {
+            matrix.row_mut(i).iter_mut().for_each(|entry| *entry *= *scale);
         }
-        let reason = if determinant(scaled).is_zero() { Reason::Pole } else { Reason::Refined };
-        let determinant = determinant(matrix).approximate();
-        Err(SingularStep::because(reason, determinant, *least, self.step.eps.approximate()))
+        scales
+    }
+
+    /// Replaces b by A⁻¹b.
+    #[inline(never)]
+    fn solve_scaled(&self, b: &mut SVector<T, N>) -> Option<()> {
+        let mut matrix = zeros();
+        let scales = self.scale(&mut matrix);
+        b.iter_mut().zip(scales).for_each(|(entry, scale)| *entry *= scale);
+        solve_in_place(&mut matrix, b)
+    }
+
+    /// det A, and that of the scaled matrix.
+    #[inline(never)]
+    fn determinants(&self) -> [T; 2] {
+        let mut matrix = zeros();
+        self.step.write_matrix(self.x, &self.step.eps, &mut matrix);
+        let own = eliminated_determinant(&mut matrix);
+        matrix.iter_mut().for_each(|entry| *entry = T::zero());
+        self.scale(&mut matrix);
+        [own, eliminated_determinant(&mut matrix)]
     }
 
     /// x̃ with the promised backward error, if refinement with residuals by `rest` or in wide numbers
@@ -180,13 +210,15 @@ where
         let parameters: [Bounded<V>; P] = from_fn(|k| given(&self.step.parameters[k]));
         let x: [Bounded<V>; N] = from_fn(|i| given(&self.x[i]));
         let next: [Bounded<V>; N] = from_fn(|i| given(&next[i]));
-        let slopes = K::slopes(&parameters, &x);
         // 2f, which becomes 2f + f′d and 2f − f′x.
-        let mut left = K::field(&parameters, &x).map(|component| component + component);
+        let mut left = [Bounded::<V>::zero(); N];
+        for (left, component) in left.iter_mut().zip(Values::of(K::FIELD, &parameters, &x)) {
+            *left = component + component;
+        }
         let mut right = left;
         let mut diagonal = [Bounded::<V>::one(); N];
         let mut sizes = [V::Magnitude::zero(); N];
-        for ((i, j), slope) in K::COUPLINGS.pairs().zip(slopes) {
+        for ((i, j), slope) in K::COUPLINGS.pairs().zip(Values::of(K::SLOPES, &parameters, &x)) {
             left[i] += slope * (next[j] - x[j]);
             right[i] -= slope * x[j];
             let entry = eps * slope;

@@ -5,26 +5,32 @@
 //! pivot is too small, partial pivoting on the whole matrix takes over: no leading minor may hurt.
 
 mod backward;
+mod formulas;
 
 use core::array::from_fn;
 use core::marker::PhantomData;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{ArrayStorage, SMatrix, SVector};
 
 use crate::field::couplings::Couplings;
-use crate::field::linear::{components, increment_by_elimination, solve, vector};
+use crate::field::linear::{components, solve_in_place, vector};
 use crate::step::error::pole;
 use crate::{PreparedStep, Quotients, Scalar, StepCost, WideStep};
 
 use super::elimination::NoLanes;
 
 pub(super) use backward::{in_double_double, in_wide_only};
+pub use formulas::Postfix;
 
 /// The formulas of a field in N variables with P parameters: M entries of f′, and S places in which
 /// A is eliminated.
 pub trait CoupledField<const N: usize, const P: usize, const M: usize, const S: usize>: 'static {
     /// Where A has entries.
     const COUPLINGS: Couplings<'static>;
+    /// f as a table.
+    const FIELD: &'static [Postfix<'static>];
+    /// The entries of f′ as a table, in the order of their places.
+    const SLOPES: &'static [Postfix<'static>];
     /// What one step costs.
     const COST: StepCost;
 
@@ -100,28 +106,52 @@ where
     K: CoupledField<N, P, M, S>,
     T: Scalar,
 {
-    let mut matrix = SMatrix::from_fn(|_, _| T::zero());
+    let mut matrix = zeros();
     for ((i, j), slope) in K::COUPLINGS.pairs().zip(slopes) {
         matrix[(i, j)] = slope;
     }
     matrix
 }
 
+/// A matrix is made where it stays and worked on in its place: a copy of two hundred rows is a good
+/// part of a thread's stack.
+#[inline(never)]
+fn zeros<T: Scalar, const N: usize>() -> SMatrix<T, N, N> {
+    SMatrix::from_array_storage(ArrayStorage(from_fn(|_| from_fn(|_| T::zero()))))
+}
+
 impl<K, T, const P: usize, const M: usize, const S: usize> CoupledStep<K, T, P, M, S>
 where
     T: Scalar,
 {
-    /// A(x,ε)
-    fn matrix<const N: usize>(&self, x: &[T; N], eps: &T) -> SMatrix<T, N, N>
+    /// Writes A(x,ε) over zeros.
+    #[inline(never)]
+    fn write_matrix<const N: usize>(&self, x: &[T; N], eps: &T, matrix: &mut SMatrix<T, N, N>)
     where
         K: CoupledField<N, P, M, S>,
     {
-        let mut matrix = slopes_matrix::<K, T, N, P, M, S>(K::slopes(&self.parameters, x));
-        for (place, entry) in matrix.iter_mut().enumerate() {
-            let scaled = -(eps.clone() * entry.clone());
-            *entry = if place % (N + 1) == 0 { T::one() + scaled } else { scaled };
+        for ((i, j), slope) in K::COUPLINGS.pairs().zip(K::slopes(&self.parameters, x)) {
+            matrix[(i, j)] = -(eps.clone() * slope);
         }
-        matrix
+        for i in 0..N {
+            matrix[(i, i)] = T::one() + matrix[(i, i)].clone();
+        }
+    }
+
+    /// Replaces B by A(x,ε)⁻¹B, by partial pivoting.
+    #[cold]
+    #[inline(never)]
+    fn solve_by_pivoting<const N: usize, const C: usize>(
+        &self,
+        x: &[T; N],
+        b: &mut SMatrix<T, N, C>,
+    ) -> Option<()>
+    where
+        K: CoupledField<N, P, M, S>,
+    {
+        let mut matrix = zeros();
+        self.write_matrix(x, &self.eps, &mut matrix);
+        solve_in_place(&mut matrix, b)
     }
 
     /// The increment by partial pivoting, where elimination in the order of the couplings does not
@@ -132,8 +162,10 @@ where
     where
         K: CoupledField<N, P, M, S>,
     {
-        let field = vector(K::field(&self.parameters, x));
-        increment_by_elimination(self.matrix(x, &self.eps), field, &self.eps)
+        let mut velocity = vector(K::field(&self.parameters, x));
+        self.solve_by_pivoting(x, &mut velocity)?;
+        let time_step = self.eps.clone() + self.eps.clone();
+        Some(velocity.map(|entry| time_step.clone() * entry))
     }
 
     /// ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε).
@@ -145,12 +177,17 @@ where
         K: CoupledField<N, P, M, S>,
     {
         let Some(next) = self.next(x) else { pole(&self.eps) };
-        let mut back = self.matrix(components(&next), &-self.eps.clone());
+        let mut back = zeros();
+        self.write_matrix(components(&next), &-self.eps.clone(), &mut back);
         let slopes = K::slopes(&self.parameters, components(x));
-        let Some(factors) = Factors::<T, S>::of::<N, M>(&K::COUPLINGS, &slopes, &self.eps) else {
-            return solve(self.matrix(components(x), &self.eps), back).unwrap_or_else(|| pole(&self.eps));
-        };
-        back.data.0.iter_mut().for_each(|column| factors.solve(&K::COUPLINGS, column));
+        match Factors::<T, S>::of::<N, M>(&K::COUPLINGS, &slopes, &self.eps) {
+            Some(factors) => back.data.0.iter_mut().for_each(|column| factors.solve(&K::COUPLINGS, column)),
+            None => {
+                if self.solve_by_pivoting(components(x), &mut back).is_none() {
+                    pole(&self.eps)
+                }
+            }
+        }
         back
     }
 }

@@ -1,0 +1,124 @@
+//! Formulas as tables in postfix order, which one loop runs.
+//!
+//! In: a table, parameters, a state. Out: the formulas' values, one after the other. Over numbers
+//! that carry bounds a straight line of a large field is more code than all the rest of a crate, and
+//! it is run seldom: there the table takes its place. A formula needs as many places on the stack as
+//! the macro allows it, which visits deep operands first.
+
+use crate::{Constant, Scalar};
+
+/// The most values that a formula has on the stack at once.
+const DEEPEST: usize = 16;
+
+/// What is done next.
+#[derive(Clone, Copy, Debug)]
+pub enum Postfix<'a> {
+    /// Puts a state's entry on the stack.
+    State(u16),
+    /// Puts a parameter there.
+    Parameter(u16),
+    /// Puts an exact number there.
+    Number(Constant<'a>),
+    /// Replaces a by −a.
+    Negate,
+    /// Replaces a, b by a + b.
+    Add,
+    /// Replaces a, b by a − b.
+    Subtract,
+    /// Replaces a, b by b − a.
+    SubtractFrom,
+    /// Replaces a, b by a·b.
+    Multiply,
+    /// Replaces a, b by a/b.
+    Divide,
+    /// Replaces a, b by b/a.
+    DivideInto,
+    /// Takes the value from the stack, which is empty then: a formula's.
+    Done,
+}
+
+/// The formulas' values, each computed when it is asked for.
+pub(super) struct Values<'a, T> {
+    rest: core::slice::Iter<'a, Postfix<'a>>,
+    parameters: &'a [T],
+    x: &'a [T],
+}
+
+impl<'a, T> Values<'a, T> {
+    pub(super) fn of(formulas: &'a [Postfix<'a>], parameters: &'a [T], x: &'a [T]) -> Self {
+        Self { rest: formulas.iter(), parameters, x }
+    }
+}
+
+impl<T: Scalar + Copy> Iterator for Values<'_, T> {
+    type Item = T;
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<T> {
+        let mut stack = [T::zero(); DEEPEST];
+        let mut height = 0;
+        for step in self.rest.by_ref() {
+            let value = match *step {
+                Postfix::State(k) => self.x[usize::from(k)],
+                Postfix::Parameter(k) => self.parameters[usize::from(k)],
+                Postfix::Number(ref number) => T::constant(number),
+                Postfix::Done => return Some(stack[0]),
+                Postfix::Negate => {
+                    height -= 1;
+                    -stack[height]
+                }
+                _ => {
+                    height -= 2;
+                    let (a, b) = (stack[height], stack[height + 1]);
+                    match step {
+                        Postfix::Add => a + b,
+                        Postfix::Subtract => a - b,
+                        Postfix::SubtractFrom => b - a,
+                        Postfix::Multiply => a * b,
+                        Postfix::Divide => a / b,
+                        _ => b / a,
+                    }
+                }
+            };
+            stack[height] = value;
+            height += 1;
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Postfix::*;
+    use super::Values;
+    use crate::Constant;
+
+    #[test]
+    fn tables_are_run_in_their_order() {
+        // 2x₁/p − (p − 1), −x₀(x₁ + ½), (p/x₀)
+        let table = [
+            Number(Constant::integer(2)),
+            State(1),
+            Multiply,
+            Parameter(0),
+            Divide,
+            Number(Constant::integer(1)),
+            Parameter(0),
+            SubtractFrom,
+            Subtract,
+            Done,
+            State(1),
+            Number(Constant::ratio(1, 2)),
+            Add,
+            State(0),
+            Multiply,
+            Negate,
+            Done,
+            State(0),
+            Parameter(0),
+            DivideInto,
+            Done,
+        ];
+        assert!(Values::of(&table, &[4.0], &[3.0, 5.0]).eq([-0.5, -16.5, 4.0 / 3.0]));
+    }
+}

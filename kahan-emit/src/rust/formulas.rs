@@ -1,0 +1,132 @@
+//! The results of plans as tables in postfix order.
+//!
+//! ```text
+//! { use __kahan::Postfix::*; &[State(0), State(1), Multiply, Done, State(0), Negate, Done] }
+//! ```
+//!
+//! A step that several results need is written for each of them.
+
+use kahan_algebra::plan::{Node, Operation, Plan};
+use kahan_algebra::symbols::{Symbol, Symbols};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::number::emit_exact;
+
+/// Expands to the table of a plan's results.
+pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
+    let mut writer = Writer { plan, symbols, depths: depths(plan), steps: TokenStream::new() };
+    for output in &plan.outputs {
+        writer.node(*output);
+        writer.steps.extend(quote!(Done,));
+    }
+    let steps = writer.steps;
+    quote! { { use __kahan::Postfix::*; &[#steps] } }
+}
+
+/// How many values each step has on the stack at most, operands in the better order.
+fn depths(plan: &Plan) -> Vec<usize> {
+    let mut depths: Vec<usize> = Vec::with_capacity(plan.operations.len());
+    for operation in &plan.operations {
+        let of = |node: Node| depths[node.0];
+        let pair = |a: usize, b: usize| if a == b { a + 1 } else { a.max(b) };
+        depths.push(match *operation {
+            Operation::MultiplyAdd(a, b, c)
+            | Operation::MultiplySubtract(a, b, c)
+            | Operation::SubtractProduct(c, a, b) => pair(pair(of(a), of(b)), of(c)),
+            _ => {
+                let mut operands = operation.operands();
+                match (operands.next(), operands.next()) {
+                    (Some(a), Some(b)) => pair(of(a), of(b)),
+                    (Some(a), None) => of(a),
+                    _ => 1,
+                }
+            }
+        });
+    }
+    depths
+}
+
+struct Writer<'a> {
+    plan: &'a Plan,
+    symbols: &'a Symbols,
+    depths: Vec<usize>,
+    steps: TokenStream,
+}
+
+impl Writer<'_> {
+    fn node(&mut self, node: Node) {
+        let index = |k: usize| Literal::usize_unsuffixed(k);
+        let step = match self.plan.operations[node.0] {
+            Operation::Input(variable) => match self.symbols.symbol(variable) {
+                Symbol::State(k) => {
+                    let k = index(k);
+                    quote!(State(#k))
+                }
+                Symbol::Parameter(k) => {
+                    let k = index(k);
+                    quote!(Parameter(#k))
+                }
+                Symbol::Epsilon | Symbol::SecondState(_) => unreachable!("a field has no such variable"),
+            },
+            Operation::Constant(ref value) => {
+                let value = emit_exact(value);
+                quote!(Number(#value))
+            }
+            Operation::Prepared(_) => unreachable!("formulas of a field prepare nothing"),
+            Operation::Negate(a) => {
+                self.node(a);
+                quote!(Negate)
+            }
+            Operation::Add(a, b) => self.two(Part::Of(a), Part::Of(b), ["Add"; 2]),
+            Operation::Subtract(a, b) => self.two(Part::Of(a), Part::Of(b), ["Subtract", "SubtractFrom"]),
+            Operation::Multiply(a, b) => self.two(Part::Of(a), Part::Of(b), ["Multiply"; 2]),
+            Operation::Divide(a, b) => self.two(Part::Of(a), Part::Of(b), ["Divide", "DivideInto"]),
+            Operation::MultiplyAdd(a, b, c) => self.two(Part::Product(a, b), Part::Of(c), ["Add"; 2]),
+            Operation::MultiplySubtract(a, b, c) => {
+                self.two(Part::Product(a, b), Part::Of(c), ["Subtract", "SubtractFrom"])
+            }
+            Operation::SubtractProduct(a, b, c) => {
+                self.two(Part::Of(a), Part::Product(b, c), ["Subtract", "SubtractFrom"])
+            }
+        };
+        self.steps.extend(quote!(#step,));
+    }
+
+    /// Writes two operands, the deeper first; the name of what joins them, which depends on that.
+    fn two(&mut self, a: Part, b: Part, names: [&str; 2]) -> TokenStream {
+        let is_exchanged = self.depth(b) > self.depth(a);
+        let [first, second] = if is_exchanged { [b, a] } else { [a, b] };
+        self.part(first);
+        self.part(second);
+        let name = quote::format_ident!("{}", names[usize::from(is_exchanged)]);
+        quote!(#name)
+    }
+
+    fn depth(&self, part: Part) -> usize {
+        match part {
+            Part::Of(node) => self.depths[node.0],
+            Part::Product(a, b) => {
+                let (a, b) = (self.depths[a.0], self.depths[b.0]);
+                if a == b { a + 1 } else { a.max(b) }
+            }
+        }
+    }
+
+    fn part(&mut self, part: Part) {
+        match part {
+            Part::Of(node) => self.node(node),
+            Part::Product(a, b) => {
+                let product = self.two(Part::Of(a), Part::Of(b), ["Multiply"; 2]);
+                self.steps.extend(quote!(#product,));
+            }
+        }
+    }
+}
+
+/// An operand: a step, or a product that is not one by itself.
+#[derive(Clone, Copy)]
+enum Part {
+    Of(Node),
+    Product(Node, Node),
+}
