@@ -1,20 +1,32 @@
-//! Points to SVG: axes with round ticks, lines and dots, labels where the curves end.
+//! Pictures: points, orbits in space and grids of numbers as drawings with axes.
 //!
-//! The drawings take colours and type from the page (`currentColor` and classes), scale with the
-//! window, and are read out by their label. Lengths are units of the view box; text stays legible
-//! on a telephone because the box is small.
+//! One description of a figure ([`Plot`], [`Space`], [`Grid`]) becomes a [`Drawing`], which is SVG
+//! within a page, or a file of its own, as SVG or as PNG. Drawings take colours and type from a
+//! style sheet that knows light and dark, scale with the window, and are read out by their label.
+//! Lengths are units of the view box; text stays legible on a telephone because the box is small.
 
+mod drawing;
+#[cfg_attr(not(test), expect(dead_code, reason = "maps of stability are its first caller"))]
+mod grid;
 mod number_line;
+mod palette;
+mod path;
+mod ramp;
+#[cfg(feature = "png")]
+mod raster;
+#[cfg(test)]
+mod sight;
+mod space;
 #[cfg(test)]
 mod tests;
 
-use std::fmt::Write as _;
-
 use maud::{Markup, html};
 
-use crate::numbers::decimal;
-
+pub(crate) use drawing::{Drawing, Format, Sheet};
 pub(crate) use number_line::NumberLine;
+pub(crate) use palette::{Theme, style};
+use path::{Place, dots, line, polyline, tenths, text};
+pub(crate) use space::{Cloud, Space};
 
 /// How the points of a series are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +37,8 @@ pub(crate) enum Mark {
     Dots,
     /// A small dot each.
     Points,
+    /// A dot each that is as fine as can be seen, for very many.
+    Fine,
     /// A thin line with a dot at each.
     Both,
 }
@@ -40,6 +54,25 @@ pub(crate) enum Side {
     Below,
 }
 
+impl Mark {
+    fn has_line(self) -> bool {
+        matches!(self, Mark::Line | Mark::Both)
+    }
+
+    fn has_dots(self) -> bool {
+        self != Mark::Line
+    }
+
+    /// The classes of its dots.
+    fn dots(self) -> &'static str {
+        match self {
+            Mark::Points => "dots small",
+            Mark::Fine => "dots fine",
+            _ => "dots",
+        }
+    }
+}
+
 /// Points that belong together.
 #[derive(Clone, Debug)]
 pub(crate) struct Series {
@@ -51,7 +84,7 @@ pub(crate) struct Series {
     pub(crate) colour: usize,
     /// How it is drawn.
     pub(crate) mark: Mark,
-    /// (x, y) in the units of the axes; what is not finite is left out.
+    /// (x, y) in the units of the axes; what these do not show is left out, and no line leads there.
     pub(crate) points: Vec<(f64, f64)>,
 }
 
@@ -84,56 +117,50 @@ const TOP: f64 = 16.0;
 const BOTTOM: f64 = 50.0;
 
 impl Plot {
-    /// The place of a point in the view box.
-    fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
+    /// A drawing without levels, whose axes show all points.
+    pub(crate) fn around(description: &str, [x, y]: [&str; 2], series: Vec<Series>) -> Self {
+        let points = || series.iter().flat_map(|series| &series.points);
+        Plot {
+            description: description.to_owned(),
+            size: SIZE,
+            x: NumberLine::around(x, points().map(|point| point.0)),
+            y: NumberLine::around(y, points().map(|point| point.1)),
+            levels: Vec::new(),
+            series,
+        }
+    }
+
+    fn frame(&self) -> Frame {
         let (width, height) = self.size;
-        (self.x.place(x, LEFT, width - RIGHT), self.y.place(y, height - BOTTOM, TOP))
+        Frame { left: LEFT, right: width - RIGHT, top: TOP, bottom: height - BOTTOM }
+    }
+
+    /// The place of a point in the view box.
+    fn place(&self, point: (f64, f64)) -> (f64, f64) {
+        self.frame().place(&self.x, &self.y, point)
+    }
+
+    fn shows(&self, &(x, y): &(f64, f64)) -> bool {
+        self.x.shows(x) && self.y.shows(y)
+    }
+
+    /// How many points there are that the axes do not show.
+    pub(crate) fn outside(&self) -> usize {
+        self.series.iter().flat_map(|series| &series.points).filter(|point| !self.shows(point)).count()
     }
 
     /// The drawing.
-    pub(crate) fn svg(&self) -> Markup {
-        let (width, height) = self.size;
-        html! {
-            svg viewBox=(format!("0 0 {width} {height}")) role="img" aria-label=(self.description) {
-                (self.axes())
-                @for (level, label) in &self.levels { (self.level(*level, label)) }
-                @for series in &self.series { (self.series(series)) }
-                // Labels last, so that no curve runs through them.
-                @for series in &self.series { (self.label(series)) }
+    pub(crate) fn drawing(&self) -> Drawing {
+        let body = html! {
+            (self.frame().axes(&self.x, &self.y))
+            @for (level, label) in &self.levels { (self.level(*level, label)) }
+            @for series in &self.series { (self.series(series)) }
+            // Labels last, so that no curve runs through them.
+            @for (colour, place, anchor, words) in self.labels() {
+                g.(format!("c{colour}")) { g.label { (text(place, anchor, words)) } }
             }
-        }
-    }
-
-    fn axes(&self) -> Markup {
-        let (width, height) = self.size;
-        let (bottom, right) = (height - BOTTOM, width - RIGHT);
-        let (xs, x_decimals) = self.x.ticks();
-        let (ys, y_decimals) = self.y.ticks();
-        let middle = (TOP + bottom) / 2.0;
-        html! {
-            g.grid {
-                @for x in &xs { (line((self.place((*x, self.y.low)).0, TOP), (self.place((*x, self.y.low)).0, bottom))) }
-                @for y in &ys { (line((LEFT, self.place((self.x.low, *y)).1), (right, self.place((self.x.low, *y)).1))) }
-            }
-            g.axes {
-                (line((LEFT, bottom), (right, bottom)))
-                (line((LEFT, TOP), (LEFT, bottom)))
-            }
-            g.ticks {
-                @for x in &xs {
-                    (text((self.place((*x, self.y.low)).0, bottom + 18.0), "middle", &decimal(*x, x_decimals)))
-                }
-                @for y in &ys {
-                    (text((LEFT - 7.0, self.place((self.x.low, *y)).1 + 4.5), "end", &decimal(*y, y_decimals)))
-                }
-            }
-            g.names {
-                (text(((LEFT + right) / 2.0, height - 8.0), "middle", &self.x.label))
-                text transform=(format!("translate(16 {}) rotate(-90)", tenths(middle))) text-anchor="middle" {
-                    (self.y.label)
-                }
-            }
-        }
+        };
+        Drawing { description: self.description.clone(), size: self.size, body }
     }
 
     fn level(&self, level: f64, label: &str) -> Markup {
@@ -151,71 +178,84 @@ impl Plot {
 
     fn series(&self, series: &Series) -> Markup {
         let colour = format!("c{}", series.colour);
-        let places: Vec<(f64, f64)> = series
-            .points
-            .iter()
-            .filter(|(x, y)| x.is_finite() && y.is_finite())
-            .map(|&point| self.place(point))
-            .collect();
+        let parts = series.points.split(|point| !self.shows(point));
+        let parts: Vec<Vec<(f64, f64)>> =
+            parts.map(|part| part.iter().map(|&point| self.place(point)).collect()).collect();
         html! {
             g.(colour) {
-                @if matches!(series.mark, Mark::Line | Mark::Both) {
-                    path.line.thin[series.mark == Mark::Both] d=(polyline(&places)) {}
+                @if series.mark.has_line() {
+                    path.line.thin[series.mark == Mark::Both] d=(parts.iter().map(|part| polyline(part)).collect::<String>()) {}
                 }
-                @if series.mark != Mark::Line { path.dots.small[series.mark == Mark::Points] d=(dots(&places)) {} }
+                @if series.mark.has_dots() { path.(series.mark.dots()) d=(dots(&parts.concat())) {} }
             }
         }
     }
 
-    /// The label beside the last point, on the side where there is room.
-    fn label(&self, series: &Series) -> Markup {
-        let last = series.points.iter().rev().find(|(x, y)| self.x.shows(*x) && self.y.shows(*y));
-        let (Some(&last), false) = (last, series.label.is_empty()) else { return html! {} };
-        let (x, y) = self.place(last);
-        let (width, _) = self.size;
-        let anchor = if series.side == Side::Left || x > 0.7 * width { "end" } else { "start" };
-        let y = if series.side == Side::Below || y < TOP + 10.0 { y + 24.0 } else { y - 10.0 };
-        let colour = format!("c{}", series.colour);
-        html! { g.(colour) { g.label { (text((x, y), anchor, &series.label)) } } }
+    /// The colour, place, anchor and words of each label: beside the last point, on the side where
+    /// there is room, and below another one that would be in its way.
+    fn labels(&self) -> Vec<(usize, Place, &'static str, &str)> {
+        const LINE: f64 = 16.0;
+
+        let mut labels: Vec<(usize, Place, &'static str, &str)> = Vec::new();
+        for series in self.series.iter().filter(|series| !series.label.is_empty()) {
+            let last = series.points.iter().rev().find(|point| self.shows(point));
+            let Some(&last) = last else { continue };
+            let (x, y) = self.place(last);
+            let anchor = if series.side == Side::Left || x > 0.7 * self.size.0 { "end" } else { "start" };
+            let mut y = if series.side == Side::Below || y < TOP + 10.0 { y + 24.0 } else { y - 10.0 };
+            let is_taken = |y: f64| {
+                labels
+                    .iter()
+                    .any(|(_, (at, height), ..)| (at - x).abs() < 2.0 * LINE && (height - y).abs() < LINE)
+            };
+            while is_taken(y) {
+                y += LINE;
+            }
+            labels.push((series.colour, (x, y), anchor, &series.label));
+        }
+        labels
     }
 }
 
-/// A straight line.
-pub(crate) fn line(from: (f64, f64), to: (f64, f64)) -> Markup {
-    html! { line x1=(tenths(from.0)) y1=(tenths(from.1)) x2=(tenths(to.0)) y2=(tenths(to.1)) {} }
+/// The rectangle within a drawing that two axes span.
+#[derive(Clone, Copy, Debug)]
+struct Frame {
+    left: f64,
+    right: f64,
+    top: f64,
+    bottom: f64,
 }
 
-/// Words at a place; `anchor` is `start`, `middle` or `end`.
-pub(crate) fn text(at: (f64, f64), anchor: &str, words: &str) -> Markup {
-    html! { text x=(tenths(at.0)) y=(tenths(at.1)) text-anchor=(anchor) { (words) } }
-}
+impl Frame {
+    fn place(&self, x: &NumberLine, y: &NumberLine, point: (f64, f64)) -> (f64, f64) {
+        (x.place(point.0, self.left, self.right), y.place(point.1, self.bottom, self.top))
+    }
 
-/// A line through places, in tenths of a unit; places that fall together are one.
-pub(crate) fn polyline(places: &[(f64, f64)]) -> String {
-    let mut path = String::new();
-    let mut before = None;
-    for &(x, y) in places {
-        let here = (tenths(x), tenths(y));
-        if before.as_ref() != Some(&here) {
-            let command = if before.is_none() { 'M' } else { 'L' };
-            // Writing to a string cannot fail.
-            let _ = write!(path, "{command}{} {}", here.0, here.1);
-            before = Some(here);
+    /// Both axes with their names, round values and lines across.
+    fn axes(&self, x: &NumberLine, y: &NumberLine) -> Markup {
+        let Frame { left, right, top, bottom } = *self;
+        let xs = x.ticks().into_iter().map(|tick| (x.place(tick.value, left, right), tick.text));
+        let ys = y.ticks().into_iter().map(|tick| (y.place(tick.value, bottom, top), tick.text));
+        let (xs, ys): (Vec<_>, Vec<_>) = (xs.collect(), ys.collect());
+        html! {
+            g.grid {
+                @for (x, _) in &xs { (line((*x, top), (*x, bottom))) }
+                @for (y, _) in &ys { (line((left, *y), (right, *y))) }
+            }
+            g.axes {
+                (line((left, bottom), (right, bottom)))
+                (line((left, top), (left, bottom)))
+            }
+            g.ticks {
+                @for (x, value) in &xs { (text((*x, bottom + 18.0), "middle", value)) }
+                @for (y, value) in &ys { (text((left - 7.0, y + 4.5), "end", value)) }
+            }
+            g.names {
+                (text(((left + right) / 2.0, bottom + 42.0), "middle", &x.name()))
+                text transform=(format!("translate(16 {}) rotate(-90)", tenths((top + bottom) / 2.0))) text-anchor="middle" {
+                    (y.name())
+                }
+            }
         }
     }
-    path
-}
-
-/// A dot at each place: lines of no length with round ends, which is a third of the size of
-/// circles.
-pub(crate) fn dots(places: &[(f64, f64)]) -> String {
-    places.iter().fold(String::new(), |mut path, &(x, y)| {
-        let _ = write!(path, "M{} {}h0", tenths(x), tenths(y));
-        path
-    })
-}
-
-fn tenths(value: f64) -> String {
-    let text = format!("{value:.1}");
-    text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
 }

@@ -4,6 +4,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::found::Found;
 use super::{errata, figures, solutions, structures, systems, verification};
+use crate::plot::{Theme, style};
 
 /// When the page is made, for its foot.
 #[derive(Clone, Debug)]
@@ -31,7 +32,7 @@ pub fn page(found: &Found<'_>, making: &Making) -> String {
                 meta name="color-scheme" content="light dark";
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
                 title { (TITLE) }
-                style { (PreEscaped(include_str!("style.css"))) }
+                style { (PreEscaped(style(":root", Theme::Viewer))) (PreEscaped(include_str!("style.css"))) }
             }
             body {
                 a.skip href="#systems" { "Skip to the systems" }

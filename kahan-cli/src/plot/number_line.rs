@@ -1,14 +1,23 @@
 //! A number line with round ticks.
 
+use crate::numbers::decimal;
+
 /// A number line.
 #[derive(Clone, Debug)]
 pub(crate) struct NumberLine {
-    /// What it shows: `log n`.
+    /// What it shows: `log n`, `t, in units of time`.
     pub(crate) label: String,
     /// The least value shown.
     pub(crate) low: f64,
     /// The greatest value shown.
     pub(crate) high: f64,
+}
+
+/// A round value, and how it is written.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tick {
+    pub(super) value: f64,
+    pub(super) text: String,
 }
 
 impl NumberLine {
@@ -18,21 +27,51 @@ impl NumberLine {
             .filter(|value| value.is_finite())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
-        let room = if high > low { 0.04 * (high - low) } else { 0.5 };
+        let room = if high > low { 0.04 * (high - low) } else { 0.5 * low.abs().max(1.0) };
         NumberLine { label: label.to_owned(), low: low - room, high: high + room }
     }
 
-    /// Round values on it, three to eight of them, and how many decimals they need.
-    pub(super) fn ticks(&self) -> (Vec<f64>, usize) {
+    /// One that shows nearly all of these values: a few that lie far away, as beside a pole, do not
+    /// make the rest a dot.
+    pub(crate) fn around_most(label: &str, values: impl Iterator<Item = f64>) -> Self {
+        let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
+        values.sort_unstable_by(f64::total_cmp);
+        let (Some(&least), Some(&greatest)) = (values.first(), values.last()) else {
+            return NumberLine::around(label, std::iter::empty());
+        };
+        let part = |share: f64| values[(share * (values.len() - 1) as f64) as usize];
+        let (low, high) = (part(0.02), part(0.98));
+        let reach = high - low;
+        let ends = [least.max(low - reach), greatest.min(high + reach)];
+        NumberLine::around(label, ends.into_iter())
+    }
+
+    /// Its label, with the power of ten that the values at the ticks leave out.
+    pub(super) fn name(&self) -> String {
+        match self.power() {
+            0 => self.label.clone(),
+            power => format!("{}, times 10{}", self.label, superscript(power)),
+        }
+    }
+
+    /// The power of ten that is taken out of very large and very small values.
+    fn power(&self) -> i32 {
+        let largest = self.low.abs().max(self.high.abs());
+        if (1e-3..1e6).contains(&largest) { 0 } else { largest.log10().floor() as i32 }
+    }
+
+    /// Round values on it, three to eight of them.
+    pub(super) fn ticks(&self) -> Vec<Tick> {
         let rough = (self.high - self.low) / 7.0;
-        let power = rough.log10().floor();
-        let unit = 10_f64.powf(power);
+        let unit = 10_f64.powf(rough.log10().floor());
         let step = [1.0, 2.0, 5.0, 10.0].into_iter().find(|m| m * unit >= rough).unwrap_or(10.0) * unit;
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);
+        let scale = 10_f64.powi(-self.power());
         // 0.1 + 0.2 is no label.
-        let decimals = (-step.log10().floor()).max(0.0) as usize;
-        (ticks.map(|tick| if tick.abs() < step / 2.0 { 0.0 } else { tick }).collect(), decimals)
+        let decimals = (-(step * scale * 1.001).log10().floor()).max(0.0) as usize;
+        let round = |tick: f64| if tick.abs() < step / 2.0 { 0.0 } else { tick };
+        ticks.map(round).map(|value| Tick { value, text: decimal(value * scale, decimals) }).collect()
     }
 
     pub(super) fn place(&self, value: f64, from: f64, to: f64) -> f64 {
@@ -44,28 +83,62 @@ impl NumberLine {
     }
 }
 
+/// A whole number as an exponent.
+fn superscript(power: i32) -> String {
+    let raised = |c: char| match c {
+        '-' => '⁻',
+        digit => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize - '0' as usize],
+    };
+    power.to_string().chars().map(raised).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::NumberLine;
 
     #[test]
     fn ticks_are_round_and_lie_on_the_axis() {
-        for (low, high) in [(0.0, 1.0), (-3.2, 7.9), (0.0, 812_345.0), (1.59, 1.64), (-1e-9, 1e-9)] {
+        for (low, high) in
+            [(0.0, 1.0), (-3.2, 7.9), (0.0, 812_345.0), (1.59, 1.64), (-1e-9, 1e-9), (-3e17, 1e16)]
+        {
             let line = NumberLine { label: String::new(), low, high };
-            let (ticks, decimals) = line.ticks();
+            let ticks = line.ticks();
             assert!((3..=8).contains(&ticks.len()), "{low}..{high}: {ticks:?}");
-            assert!(ticks.iter().all(|tick| line.shows(*tick)), "{low}..{high}: {ticks:?}");
-            let labels: std::collections::BTreeSet<String> =
-                ticks.iter().map(|tick| format!("{tick:.decimals$}")).collect();
+            assert!(ticks.iter().all(|tick| line.shows(tick.value)), "{low}..{high}: {ticks:?}");
+            assert!(ticks.iter().all(|tick| tick.text.chars().count() <= 6), "{low}..{high}: {ticks:?}");
+            let labels: std::collections::BTreeSet<&str> = ticks.iter().map(|tick| &*tick.text).collect();
             assert_eq!(labels.len(), ticks.len(), "the labels differ: {labels:?}");
         }
     }
 
     #[test]
+    fn the_power_that_is_taken_out_stands_in_the_name() {
+        let line = NumberLine { label: "x".to_owned(), low: -2e-9, high: 2e-9 };
+        assert_eq!(line.name(), "x, times 10⁻⁹");
+        assert!(
+            line.ticks().iter().any(|tick| tick.text == "−1.5" || tick.text == "−1"),
+            "{:?}",
+            line.ticks()
+        );
+        assert_eq!(NumberLine { label: "x".to_owned(), low: 0.0, high: 10.0 }.name(), "x");
+    }
+
+    #[test]
     fn an_axis_around_one_value_or_none_still_has_a_length() {
-        for values in [vec![], vec![2.0], vec![f64::NAN, 2.0, f64::INFINITY]] {
-            let line = NumberLine::around("", values.into_iter());
+        for values in [vec![], vec![2.0], vec![1e300], vec![f64::NAN, 2.0, f64::INFINITY]] {
+            let line = NumberLine::around("", values.clone().into_iter());
+            assert!(line.high > line.low, "{line:?}");
+            let line = NumberLine::around_most("", values.into_iter());
             assert!(line.high > line.low, "{line:?}");
         }
+    }
+
+    #[test]
+    fn a_few_values_far_away_do_not_make_the_rest_a_dot() {
+        let usual = (0..1000).map(|i| f64::from(i) / 1000.0);
+        let line = NumberLine::around_most("", usual.clone().chain([1e9, -1e12]));
+        assert!(line.low > -2.0 && line.high < 3.0 && line.shows(0.0) && line.shows(0.999), "{line:?}");
+        let (most, all) = (NumberLine::around_most("", usual.clone()), NumberLine::around("", usual));
+        assert_eq!((most.low, most.high), (all.low, all.high));
     }
 }

@@ -8,7 +8,7 @@ use maud::{Markup, html};
 use super::super::words::scientific;
 use super::Plate;
 use crate::numbers::decimal;
-use crate::plot::{Mark, NumberLine, Plot, Series, dots, line, polyline, text};
+use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
 use kahan_paper::figures::DE4;
 use kahan_systems::{E4, e4};
 
@@ -94,85 +94,24 @@ fn projection(a: &str, i: usize, b: &str, j: usize, orbit: &[Point], curve: &[Po
             Series::new("", 3, Mark::Points, flat(orbit)),
         ],
     }
-    .svg()
-}
-
-/// Parallel projection from the front, a little from the right and from above, that fills the
-/// drawing with a box.
-struct View {
-    middle: Point,
-    scale: f64,
-}
-
-/// Width and height of the view box of the spatial drawing, and the room that is left around the
-/// box.
-const SPACE: (f64, f64) = (480.0, 400.0);
-const ROOM: f64 = 34.0;
-const TURN: f64 = 0.62;
-const TILT: f64 = 0.36;
-
-/// To the right, upwards, and towards the eye.
-fn turned(p: &Point) -> (f64, f64, f64) {
-    let (right, back) = (p[0] * TURN.cos() - p[1] * TURN.sin(), p[0] * TURN.sin() + p[1] * TURN.cos());
-    (right, p[2] * TILT.cos() + back * TILT.sin(), p[2] * TILT.sin() - back * TILT.cos())
-}
-
-impl View {
-    /// The view of the box with these opposite corners.
-    fn of(low: &Point, high: &Point) -> Self {
-        let half = (high - low) / 2.0;
-        let corners = (0..8_usize)
-            .map(|bits| Point::from_fn(|i, _| if bits >> i & 1 == 1 { half[i] } else { -half[i] }));
-        let (right, up) = corners
-            .map(|corner| turned(&corner))
-            .fold((0.0_f64, 0.0_f64), |(a, b), (right, up, _)| (a.max(right.abs()), b.max(up.abs())));
-        let scale = ((SPACE.0 / 2.0 - ROOM) / right).min((SPACE.1 / 2.0 - ROOM) / up);
-        View { middle: (low + high) / 2.0, scale }
-    }
-
-    fn place(&self, point: &Point) -> (f64, f64) {
-        let (right, up, _) = turned(&(point - self.middle));
-        (SPACE.0 / 2.0 + self.scale * right, SPACE.1 / 2.0 - self.scale * up)
-    }
+    .drawing()
+    .inline()
 }
 
 /// The curve in its box, near points larger than far ones.
 fn in_space(orbit: &[Point], curve: &[Point]) -> Markup {
-    let bound = |pick: fn(f64, f64) -> f64| {
-        curve.iter().copied().reduce(|a, b| a.zip_map(&b, pick)).unwrap_or_default()
+    let axis = |label: &str, k: usize| NumberLine::around(label, curve.iter().map(|point| point[k]));
+    let cloud = |colour, mark, points: &[Point]| {
+        let points = points.iter().map(|point| [point[0], point[1], point[2]]).collect();
+        Cloud { colour, mark, points }
     };
-    let (low, high) = (bound(f64::min), bound(f64::max));
-    let view = View::of(&low, &high);
-    let corner = |bits: usize| Point::from_fn(|i, _| if bits >> i & 1 == 1 { high[i] } else { low[i] });
-    let edges =
-        (0..8_usize).flat_map(|from| [1, 2, 4].map(|bit| (from, from | bit))).filter(|(from, to)| from != to);
-    let depths: Vec<f64> = orbit.iter().map(|point| turned(point).2).collect();
-    let (far, near) =
-        depths.iter().fold((f64::MAX, f64::MIN), |(a, b), depth| (a.min(*depth), b.max(*depth)));
-    let layer = |index: usize| {
-        let cut = |i: usize| far + (near - far) * i as f64 / 3.0;
-        let inside = |depth: f64| depth >= cut(index) && (depth < cut(index + 1) || index == 2);
-        let places = orbit.iter().zip(&depths).filter(|(_, depth)| inside(**depth));
-        dots(&places.map(|(point, _)| view.place(point)).collect::<Vec<_>>())
-    };
-    let places: Vec<(f64, f64)> = curve.iter().map(|point| view.place(point)).collect();
-    // Beside the edges of the outline: two below, one on the left.
-    let names = [
-        ("x", 0b000, 0b001, (12.0, 20.0)),
-        ("y", 0b000, 0b010, (-12.0, 20.0)),
-        ("z", 0b010, 0b110, (-14.0, 5.0)),
-    ];
-    let names = names.map(|(name, from, to, (right, down))| {
-        let (x, y) = view.place(&((corner(from) + corner(to)) / 2.0));
-        (name, (x + right, y + down))
-    });
-    html! {
-        svg viewBox=(format!("0 0 {} {}", SPACE.0, SPACE.1)) role="img"
-            aria-label="The orbit of dE4 in space: a thousand points on one closed curve that is bent like a saddle's edge" {
-            g.grid { @for (from, to) in edges { (line(view.place(&corner(from)), view.place(&corner(to)))) } }
-            g.names { @for (name, place) in names { (text(place, "middle", name)) } }
-            g.c6 { path.line d=(polyline(&places)) {} }
-            g.c3 { @for index in 0..3 { path.dots.(["far", "between", "near"][index]) d=(layer(index)) {} } }
-        }
+    Space {
+        description: "The orbit of dE4 in space: a thousand points on one closed curve that is bent like a saddle's edge"
+            .to_owned(),
+        size: (480.0, 400.0),
+        axes: [axis("x", 0), axis("y", 1), axis("z", 2)],
+        clouds: vec![cloud(6, Mark::Line, curve), cloud(3, Mark::Dots, orbit)],
     }
+    .drawing()
+    .inline()
 }

@@ -7,21 +7,13 @@ use super::super::words::grouped;
 use super::Plate;
 use super::orbit::{Heights, Orbit, h};
 use crate::numbers::decimal;
-use crate::plot::{Mark, NumberLine, Plot, SIZE, Series, Side};
+use crate::plot::{Mark, NumberLine, Plot, Series, Side};
 use kahan_paper::figures::{DE1, DE3, DE4, DE7, DE9, LV};
 
 fn drawing(description: &str, [x, y]: [&str; 2], levels: Vec<(f64, String)>, series: Vec<Series>) -> Markup {
-    let points = || series.iter().flat_map(|series| &series.points);
-    let heights = points().map(|point| point.1).chain(levels.iter().map(|level| level.0));
-    Plot {
-        description: description.to_owned(),
-        size: SIZE,
-        x: NumberLine::around(x, points().map(|point| point.0)),
-        y: NumberLine::around(y, heights),
-        levels,
-        series,
-    }
-    .svg()
+    let heights = series.iter().flat_map(|series| &series.points).map(|point| point.1);
+    let y_axis = NumberLine::around(y, heights.chain(levels.iter().map(|level| level.0)));
+    Plot { y: y_axis, levels, ..Plot::around(description, [x, y], series) }.drawing().inline()
 }
 
 /// Heights against n on logarithmic scales, where nᵏ is a straight line of slope k.

@@ -89,7 +89,7 @@ fn portrait(title: &str, seen: &str, mark: Mark, orbits: &[Vec<Point>]) -> Marku
         levels: Vec::new(),
         series: series.collect(),
     };
-    html! { div.portrait { p.title { (title) } (plot.svg()) } }
+    html! { div.portrait { p.title { (title) } (plot.drawing().inline()) } }
 }
 
 #[cfg(test)]

@@ -1,24 +1,10 @@
 //! The work–precision picture: price against error, a line for each order in doubles, small dots
 //! for other scalars and for compensation, the front above all.
 
-use crate::plot::{Mark, NumberLine, Plot, Series, Side};
+use crate::plot::{Mark, NumberLine, Plot, Series, Sheet, Side, Theme};
 
 use kahan_core::{Need, Precision, Scene};
 use kahan_measure::trade::{Measured, Trade};
-
-/// Colours and type, which the atlas has from its page: light, and dark where the viewer is.
-const STYLE: &str = "\
-svg{--paper:#fdfcf9;--ink:#1d2126;--soft:#575e67;--rule:#d9d6cd;--c1:#2166ac;--c2:#1b7837;--c3:#c0392b;--c4:#b35806;--c5:#762a83;\
---c6:#6b7280;background:var(--paper);color:var(--ink);font-family:system-ui,sans-serif}\
-@media(prefers-color-scheme:dark){svg{--paper:#14171b;--ink:#e4e6e8;--soft:#a3abb5;--rule:#353b43;--c1:#74add1;--c2:#7fcf8f;\
---c3:#f4806f;--c4:#f0a45d;--c5:#c6a0dc;--c6:#9aa3af}}\
-text{fill:currentColor;font-size:13px}.grid line{stroke:var(--rule);stroke-width:.8}.axes line{stroke:var(--soft)}\
-.ticks text{fill:var(--soft);font-size:12px}.names text{font-style:italic}\
-.level line{stroke:var(--soft);stroke-dasharray:5 4}.level text{fill:var(--soft);font-size:12px}\
-.line,.dots{fill:none;stroke:var(--c);stroke-linejoin:round}.line{stroke-width:2}.line.thin{stroke-width:1}\
-.dots{stroke-width:4;stroke-linecap:round}.dots.small{stroke-width:2.4}\
-.label text{fill:var(--c);font-weight:600;font-size:11px;paint-order:stroke;stroke:var(--paper);stroke-width:3px}\
-.c1{--c:var(--c1)}.c2{--c:var(--c2)}.c3{--c:var(--c3)}.c4{--c:var(--c4)}.c5{--c:var(--c5)}.c6{--c:var(--c6)}";
 
 /// Width and height of the view box.
 const SIZE: (f64, f64) = (720.0, 480.0);
@@ -70,11 +56,7 @@ pub(super) fn picture(trade: &Trade, title: &str, scene: &Scene) -> String {
         levels: vec![level],
         series,
     };
-    let drawing = plot.svg().into_string();
-    let opening =
-        format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" ", SIZE.0, SIZE.1);
-    let drawing = drawing.replacen("<svg ", &opening, 1);
-    drawing.replacen('>', &format!("><style>{STYLE}</style>"), 1) + "\n"
+    plot.drawing().svg(&Sheet { pixels: (SIZE.0 as u32, SIZE.1 as u32), theme: Theme::Viewer })
 }
 
 /// The colour of each order: 2, 4, 6, 8.

@@ -1,0 +1,171 @@
+//! A grid of numbers over two axes, in colours with a legend.
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use maud::{Markup, html};
+
+use super::path::{line, tenths, text};
+use super::ramp::{Rgb, colour};
+use super::{Drawing, Frame, NumberLine};
+use crate::printing::Refusal;
+
+/// Numbers over a rectangle, cell by cell.
+#[derive(Clone, Debug)]
+pub(crate) struct Grid {
+    /// What is seen, for those who do not see it.
+    pub(crate) description: String,
+    /// Width and height of the view box.
+    pub(crate) size: (f64, f64),
+    /// From the left edge of the first cell to the right edge of the last.
+    pub(crate) x: NumberLine,
+    /// From the lower edge of the lowest cells to the upper edge of the highest.
+    pub(crate) y: NumberLine,
+    /// What the numbers are, and those at the ends of the colours; beyond, colours are those of the
+    /// ends.
+    pub(crate) scale: NumberLine,
+    /// How many cells a row has.
+    pub(crate) columns: usize,
+    /// Row by row from below, each from the left; a cell stays empty where this is not a number.
+    pub(crate) values: Vec<f64>,
+}
+
+/// Colours of the image; one more is that of empty cells.
+const COLOURS: usize = 255;
+/// Room for the legend and its numbers.
+const LEGEND: f64 = 92.0;
+
+impl Grid {
+    /// The drawing; refused if the numbers are no rows of that length.
+    pub(crate) fn drawing(&self) -> Result<Drawing, Refusal> {
+        let (width, height) = self.size;
+        let frame = Frame { left: 66.0, right: width - LEGEND, top: 16.0, bottom: height - 50.0 };
+        let rows = self.values.len().checked_div(self.columns).unwrap_or(0);
+        if rows == 0 || rows * self.columns != self.values.len() {
+            return Err(Refusal::new(format!(
+                "{} numbers are no rows of {} cells",
+                self.values.len(),
+                self.columns
+            )));
+        }
+        // Images begin at the upper left.
+        let cells: Vec<u8> =
+            self.values.chunks(self.columns).rev().flatten().map(|v| self.index(*v)).collect();
+        let body = html! {
+            (frame.axes(&self.x, &self.y))
+            (image([frame.left, frame.top, frame.right, frame.bottom], (self.columns, rows), &cells)?)
+            (self.legend(&frame)?)
+        };
+        Ok(Drawing { description: self.description.clone(), size: self.size, body })
+    }
+
+    /// The place of a number among the colours.
+    fn index(&self, value: f64) -> u8 {
+        if value.is_nan() {
+            return COLOURS as u8;
+        }
+        let part = self.scale.place(value, 0.0, 1.0).clamp(0.0, 1.0);
+        (part * (COLOURS - 1) as f64).round() as u8
+    }
+
+    /// A column of all colours, the numbers that they mean, and the name of these.
+    fn legend(&self, frame: &Frame) -> Result<Markup, Refusal> {
+        let (left, right) = (frame.right + 14.0, frame.right + 28.0);
+        let colours: Vec<u8> = (0..COLOURS as u8).rev().collect();
+        let ticks = self.scale.ticks().into_iter();
+        let ticks: Vec<(f64, String)> =
+            ticks.map(|tick| (self.scale.place(tick.value, frame.bottom, frame.top), tick.text)).collect();
+        let middle = tenths((frame.top + frame.bottom) / 2.0);
+        Ok(html! {
+            (image([left, frame.top, right, frame.bottom], (1, COLOURS), &colours)?)
+            g.axes { @for (y, _) in &ticks { (line((right, *y), (right + 4.0, *y))) } }
+            g.ticks { @for (y, value) in &ticks { (text((right + 7.0, y + 4.5), "start", value)) } }
+            g.names {
+                text transform=(format!("translate({} {middle}) rotate(90)", tenths(frame.right + 76.0))) text-anchor="middle" {
+                    (self.scale.name())
+                }
+            }
+        })
+    }
+}
+
+/// Cells from the upper left as an image between left, top, right and bottom.
+fn image(
+    [left, top, right, bottom]: [f64; 4],
+    (columns, rows): (usize, usize),
+    cells: &[u8],
+) -> Result<Markup, Refusal> {
+    let png =
+        png(columns, rows, cells).map_err(|error| Refusal::new(format!("no image of the grid: {error}")))?;
+    Ok(html! {
+        image x=(tenths(left)) y=(tenths(top)) width=(tenths(right - left)) height=(tenths(bottom - top))
+            preserveAspectRatio="none" style="image-rendering:pixelated"
+            href=(format!("data:image/png;base64,{}", STANDARD.encode(png))) {}
+    })
+}
+
+/// A byte a cell, and what colour it means: far smaller than a rectangle a cell.
+fn png(columns: usize, rows: usize, cells: &[u8]) -> Result<Vec<u8>, png::EncodingError> {
+    let palette = (0..COLOURS).flat_map(|i| colour(i as f64 / (COLOURS - 1) as f64));
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, columns as u32, rows as u32);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_palette(palette.chain(Rgb::default()).collect::<Vec<u8>>());
+    // The last colour lets the paper through.
+    encoder.set_trns([vec![255; COLOURS], vec![0]].concat());
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(cells)?;
+    writer.finish()?;
+    Ok(file)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{COLOURS, Grid, NumberLine, STANDARD};
+    use base64::Engine as _;
+    use kahan_algebra::prime_field::SplitMix64;
+
+    fn grid(columns: usize, values: Vec<f64>) -> Grid {
+        let line = |label: &str| NumberLine { label: label.to_owned(), low: 0.0, high: 1.0 };
+        Grid {
+            description: "a < b".to_owned(),
+            size: (480.0, 400.0),
+            x: line("x"),
+            y: line("y"),
+            scale: line("largest exponent"),
+            columns,
+            values,
+        }
+    }
+
+    #[test]
+    fn cells_become_pixels_from_below_and_what_is_no_number_stays_empty() {
+        let values = vec![0.0, 0.5, 1.0, f64::NAN, 7.0, -7.0];
+        let drawing = grid(3, values).drawing().expect("two rows");
+        let svg = drawing.inline().into_string();
+        let (_, image) = svg.split_once("base64,").expect("an image");
+        let bytes = STANDARD.decode(image.split('"').next().expect("a quote")).expect("base64");
+        let decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+        let mut reader = decoder.read_info().expect("a PNG");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+        let info = reader.next_frame(&mut pixels).expect("pixels");
+        assert_eq!((info.width, info.height), (3, 2));
+        assert_eq!(pixels, [COLOURS as u8, 254, 0, 0, 127, 254]);
+        assert!(svg.contains("largest exponent") && svg.contains("a &lt; b"));
+    }
+
+    #[test]
+    fn half_a_thousand_cells_a_side_stay_below_a_megabyte_even_as_noise() {
+        let mut random = SplitMix64::new(7);
+        let noise = (0..512 * 512).map(|_| random.below(1000) as f64 / 1000.0).collect();
+        let svg = grid(512, noise).drawing().expect("rows").inline().into_string();
+        assert!(svg.len() < 1_000_000, "{} bytes", svg.len());
+    }
+
+    #[test]
+    fn numbers_that_are_no_rows_are_refused() {
+        for (columns, count) in [(0, 4), (3, 4), (2, 0)] {
+            assert!(grid(columns, vec![0.0; count]).drawing().is_err());
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! The elements of drawings: lines, paths, dots and words, in tenths of a unit.
+
+use std::collections::HashSet;
+use std::fmt::Write as _;
+
+use maud::{Markup, html};
+
+/// A place in the view box.
+pub(super) type Place = (f64, f64);
+
+/// A straight line.
+pub(super) fn line(from: Place, to: Place) -> Markup {
+    html! { line x1=(tenths(from.0)) y1=(tenths(from.1)) x2=(tenths(to.0)) y2=(tenths(to.1)) {} }
+}
+
+/// Words at a place; `anchor` is `start`, `middle` or `end`.
+pub(super) fn text(at: Place, anchor: &str, words: &str) -> Markup {
+    html! { text x=(tenths(at.0)) y=(tenths(at.1)) text-anchor=(anchor) { (words) } }
+}
+
+/// A line through places; places that fall together are one.
+pub(super) fn polyline(places: &[Place]) -> String {
+    let mut path = String::new();
+    let mut before = None;
+    for &(x, y) in places {
+        let here = (tenths(x), tenths(y));
+        if before.as_ref() != Some(&here) {
+            let command = if before.is_none() { 'M' } else { 'L' };
+            // Writing to a string cannot fail.
+            let _ = write!(path, "{command}{} {}", here.0, here.1);
+            before = Some(here);
+        }
+    }
+    path
+}
+
+/// The most dots of one path, which then has about a megabyte.
+const MOST_DOTS: usize = 100_000;
+
+/// A dot at each place: lines of no length with round ends, which is a third of the size of
+/// circles.
+///
+/// Dots that fall together are one. Where there are very many, those within half a unit or a unit
+/// of each other are: a dot is hardly smaller.
+pub(super) fn dots(places: &[Place]) -> String {
+    let distinct = |units: f64| {
+        let mut seen = HashSet::new();
+        let cell = |&(x, y): &Place| ((x / units).round() as i64, (y / units).round() as i64);
+        places.iter().map(cell).filter(|cell| seen.insert(*cell)).collect::<Vec<_>>()
+    };
+    let mut units = 0.1;
+    let mut cells = distinct(units);
+    for coarser in [0.5, 1.0] {
+        if cells.len() > MOST_DOTS {
+            (units, cells) = (coarser, distinct(coarser));
+        }
+    }
+    cells.into_iter().fold(String::new(), |mut path, (x, y)| {
+        let _ = write!(path, "M{} {}h0", tenths(x as f64 * units), tenths(y as f64 * units));
+        path
+    })
+}
+
+pub(super) fn tenths(value: f64) -> String {
+    let text = format!("{value:.1}");
+    text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MOST_DOTS, dots, polyline};
+
+    #[test]
+    fn places_that_fall_together_are_one() {
+        assert_eq!(polyline(&[(1.0, 2.0), (1.01, 2.04), (3.25, 4.0)]), "M1 2L3.2 4");
+        assert_eq!(dots(&[(1.0, 2.0), (3.0, 4.0), (1.04, 1.96)]), "M1 2h0M3 4h0");
+    }
+
+    #[test]
+    fn very_many_dots_stay_a_small_file() {
+        let cloud: Vec<(f64, f64)> =
+            (0..4 * MOST_DOTS).map(|i| (400.0 * (i as f64 * 0.618_034).fract(), i as f64 * 6e-4)).collect();
+        let path = dots(&cloud);
+        assert!((500_000..1_500_000).contains(&path.len()), "{} bytes", path.len());
+    }
+}

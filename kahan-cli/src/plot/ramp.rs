@@ -1,0 +1,53 @@
+//! Colours for numbers: the scale viridis, dark for small and light for large.
+//!
+//! Equal steps of the number look about equally far apart, and lightness alone tells their order,
+//! so it reads in grey and without any one kind of cones. (Van der Walt and Smith, matplotlib 2015.)
+
+/// Red, green, blue.
+pub(super) type Rgb = [u8; 3];
+
+/// Eighths of the scale.
+const EIGHTHS: [Rgb; 9] = [
+    [0x44, 0x01, 0x54],
+    [0x47, 0x2d, 0x7b],
+    [0x3b, 0x52, 0x8b],
+    [0x2c, 0x72, 0x8e],
+    [0x21, 0x91, 0x8c],
+    [0x28, 0xae, 0x80],
+    [0x5e, 0xc9, 0x62],
+    [0xad, 0xdc, 0x30],
+    [0xfd, 0xe7, 0x25],
+];
+
+/// The colour of a part from 0 to 1.
+pub(super) fn colour(part: f64) -> Rgb {
+    let at = part.clamp(0.0, 1.0) * (EIGHTHS.len() - 1) as f64;
+    let below = (at as usize).min(EIGHTHS.len() - 2);
+    let share = at - below as f64;
+    let between = |i: usize| {
+        let (from, to) = (f64::from(EIGHTHS[below][i]), f64::from(EIGHTHS[below + 1][i]));
+        (from + share * (to - from)).round() as u8
+    };
+    [between(0), between(1), between(2)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sight::{KINDS, Kind, lab, linear, seen};
+    use super::colour;
+
+    #[test]
+    fn lightness_grows_for_every_kind_of_sight_and_evenly_with_two_kinds_of_cones() {
+        for kind in KINDS {
+            let light: Vec<f64> =
+                (0..=64).map(|i| lab(seen(colour(f64::from(i) / 64.0).map(linear), kind))[0]).collect();
+            let mean = (light[64] - light[0]) / 64.0;
+            assert!(mean > 1.0, "{kind:?}: {mean}");
+            for step in light.windows(2).map(|pair| pair[1] - pair[0]) {
+                // Without short cones, violet and dark blue are nearly one.
+                let least = if matches!(kind, Kind::NoShort) { 0.0 } else { mean / 3.0 };
+                assert!(step > least && step < 2.5 * mean, "{kind:?}: {step} of {mean}");
+            }
+        }
+    }
+}
