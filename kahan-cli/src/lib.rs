@@ -32,7 +32,8 @@ use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
     atlas::Atlas, completions::Completions, discover::Discover, eval::Eval, extremes::Extremes,
-    heights::Heights, list::List, orbit::Orbit, scan::Scan, show::Show, trade::Trade, verify::Verify,
+    heights::Heights, list::List, orbit::Orbit, picture::Picture, scan::Scan, show::Show, trade::Trade,
+    verify::Verify,
 };
 use printing::{Answer, Refusal, finish};
 
@@ -69,6 +70,7 @@ enum Command {
     Trade(Trade),
     Discover(Discover),
     Scan(Scan),
+    Picture(Picture),
     Atlas(Atlas),
     Completions(Completions),
 }
@@ -111,6 +113,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Trade(command)) => command.run(),
         Some(Command::Discover(command)) => command.run(),
         Some(Command::Scan(command)) => command.run(),
+        Some(Command::Picture(command)) => command.run(),
         Some(Command::Atlas(command)) => command.run(),
         Some(Command::Completions(command)) => command.run(self::command()),
     }

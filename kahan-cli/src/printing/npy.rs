@@ -13,14 +13,14 @@ pub(crate) struct Npy {
 impl Npy {
     /// An array without rows, each of which will have these sizes.
     pub(crate) fn new(mut sink: Sink, row: Vec<usize>) -> Result<Self, Broken> {
-        sink.write_bytes(&header(0, &row))?;
+        sink.write(header(0, &row))?;
         Ok(Npy { sink, row, rows: 0 })
     }
 
     /// Writes a row.
     pub(crate) fn row(&mut self, numbers: &[f64]) -> Result<(), Broken> {
         self.rows += 1;
-        numbers.iter().try_for_each(|number| self.sink.write_bytes(&number.to_le_bytes()))
+        numbers.iter().try_for_each(|number| self.sink.write(number.to_le_bytes()))
     }
 
     /// Says in the header how many rows there are, and closes the file.

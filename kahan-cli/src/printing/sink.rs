@@ -91,16 +91,11 @@ impl Sink {
         matches!(self.0, Place::Standard { .. })
     }
 
-    /// Takes some text.
-    pub(crate) fn write(&mut self, text: &str) -> Result<(), Broken> {
-        self.write_bytes(text.as_bytes())
-    }
-
-    /// Takes what is no text.
-    pub(super) fn write_bytes(&mut self, bytes: &[u8]) -> Result<(), Broken> {
+    /// Takes some text, or bytes of a file.
+    pub(crate) fn write(&mut self, content: impl AsRef<[u8]>) -> Result<(), Broken> {
         let written = match &mut self.0 {
-            Place::File { writer, .. } => writer.write_all(bytes),
-            Place::Standard { writer, flushed } => writer.write_all(bytes).and_then(|()| {
+            Place::File { writer, .. } => writer.write_all(content.as_ref()),
+            Place::Standard { writer, flushed } => writer.write_all(content.as_ref()).and_then(|()| {
                 if flushed.elapsed() >= PATIENCE {
                     writer.flush()?;
                     *flushed = Instant::now();
@@ -121,9 +116,9 @@ impl Sink {
         written.map_err(|error| self.broken(&error))
     }
 
-    /// Writes a whole text, and nothing after it.
-    pub(crate) fn put(mut self, text: &str) -> Result<(), Refusal> {
-        self.write(text)?;
+    /// Writes this, and nothing after it.
+    pub(crate) fn put(mut self, content: impl AsRef<[u8]>) -> Result<(), Refusal> {
+        self.write(content)?;
         Ok(self.finish()?)
     }
 

@@ -154,6 +154,12 @@ impl Source {
         (single, ranges.map(|given| given.split_once('=').unwrap_or((given, ""))).collect())
     }
 
+    /// This source with a value of one more parameter.
+    pub(crate) fn with_parameter(mut self, name: &str, value: &Rational) -> Self {
+        self.parameters.push(format!("{name}={value}"));
+        self
+    }
+
     /// The parameters that have a value, by name, in their order; the others are generic.
     pub(crate) fn fixed_parameters(
         &self,

@@ -14,6 +14,7 @@ mod latex;
 mod numbers;
 mod orbit;
 mod parameters;
+mod picture;
 mod plan;
 mod refusing;
 mod regressions;

@@ -1,0 +1,283 @@
+//! `kahan picture`: orbits, orbit diagrams and heights as pictures. Here is what is asked and what
+//! is answered; each kind of picture is a module.
+
+mod axes;
+mod heights;
+mod orbits;
+mod over;
+mod portrait;
+mod starts;
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+use serde_json::json;
+
+use crate::plot::{Drawing, Format, Mark, Sheet, Theme};
+use crate::printing::{Answer, Refusal, Sink};
+use crate::reading::{Source, number, seconds, whole};
+use orbits::Pace;
+
+/// Draws orbits of a system's map, in the plane, in space or against a parameter, or their heights.
+///
+/// Orbits are those of doubles, heights those of exact orbits. Three variables or more are drawn in
+/// space, the first three of them where --axes names no others; near points are larger. An orbit
+/// ends at a pole and where doubles overflow. The axes leave out points that lie far from nearly
+/// all others, unless --window says where they end; what is left out is counted.
+///
+/// An orbit diagram (--over) starts anew at each value, and shows the first of --axes as it is
+/// after the transient. Heights are drawn so that growth like a power of n is a straight line; where
+/// it is exponential, exponential growth is.
+///
+/// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone. PNG
+/// is for builds with the feature `png`.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Picture {
+    #[command(flatten)]
+    source: Source,
+
+    /// Half the time step: 1/2, -0.25, 1e-3.
+    #[arg(long, value_name = "E", allow_hyphen_values = true, required_unless_present = "over")]
+    eps: Option<String>,
+
+    /// A first point, or the ends of a line, A..B, with --starts; once for each.
+    #[arg(long, value_name = "X", allow_hyphen_values = true, required = true)]
+    at: Vec<String>,
+
+    /// So many first points for each --at: along its line, or random ones around it.
+    ///
+    /// Random ones are at most --radius away in each coordinate, and follow --seed.
+    #[arg(long, value_name = "K", value_parser = count)]
+    starts: Option<usize>,
+
+    /// How far a random start is from --at, in each coordinate.
+    #[arg(long, value_name = "R", default_value = "1/10", hide_short_help = true)]
+    radius: String,
+
+    /// The seed that random starts follow.
+    #[arg(long, value_name = "S", default_value = "1", hide_short_help = true)]
+    seed: u64,
+
+    /// The number of steps of each orbit.
+    #[arg(long, value_name = "N", value_parser = steps)]
+    steps: u64,
+
+    /// The file, F.svg or F.png, which appears when it is complete.
+    #[arg(long, value_name = "F")]
+    out: PathBuf,
+
+    /// portrait, heights, or orbits-over, which --over implies.
+    #[arg(long, value_enum, hide_possible_values = true)]
+    kind: Option<Kind>,
+
+    /// Two or three of the variables and t: x,y or x,y,z or t,x.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    axes: Vec<String>,
+
+    /// A parameter, or eps, that takes steps: NAME=FROM:TO:STEPS.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    over: Option<String>,
+
+    /// Steps of an orbit diagram before what it shows.
+    #[arg(long, value_name = "N", default_value = "1000", value_parser = steps)]
+    transient: u64,
+
+    /// Joins the points of an orbit by lines.
+    #[arg(long)]
+    lines: bool,
+
+    /// Where an axis begins and ends: NAME=LOW:HIGH; once for each.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    window: Vec<String>,
+
+    /// Width and height in pixels.
+    #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = pixels)]
+    size: (u32, u32),
+
+    /// Which colours.
+    #[arg(long, value_enum, default_value = "viewer", hide_short_help = true)]
+    theme: Theme,
+
+    /// The time that it may take; the picture shows what there is then.
+    #[arg(long, value_name = "S", default_value = "60", value_parser = seconds)]
+    seconds: f64,
+
+    /// Print one JSON object that says what the file shows.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
+  kahan picture e4 --eps 1/5 --at 7/3,11/13,23/47 --steps 3000 --out e4.svg
+  kahan picture lv --eps 1/7 --at 1/2,1 --axes t,x --steps 100 --lines --out t.svg
+  kahan picture lv --over eps=1/10:1:400 --at 1/2,1 --axes x --steps 100 --out over.svg
+  kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg";
+
+/// The kinds of pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    /// Orbits in the plane or in space.
+    Portrait,
+    /// How the heights of an exact orbit grow.
+    Heights,
+    /// What orbits tend to, over a parameter or eps.
+    OrbitsOver,
+}
+
+/// The most points of a picture.
+const MOST_POINTS: u64 = 10_000_000;
+/// The most points that lines join.
+const MOST_JOINED: u64 = 100_000;
+
+fn count(text: &str) -> Result<usize, String> {
+    whole(text, 1, 100_000)
+}
+
+fn steps(text: &str) -> Result<u64, String> {
+    whole(text, 0, u64::MAX)
+}
+
+/// Width and height, in the proportions that axes have room in.
+fn pixels(text: &str) -> Result<(u32, u32), String> {
+    let sides = text.split_once(['x', 'X', '×']);
+    let side = |text: &str| text.trim().parse().ok().filter(|side| (16..=8192).contains(side));
+    let size: Option<(u32, u32)> = sides.and_then(|(width, height)| Some((side(width)?, side(height)?)));
+    size.filter(|(width, height)| width.max(height) <= &(4 * width.min(height))).ok_or_else(|| {
+        "write WIDTHxHEIGHT in pixels, as 960x720: each from 16 to 8192, the one at most four times the other".to_owned()
+    })
+}
+
+/// What a picture is about, and how it is to look.
+struct Subject<'a> {
+    asked: &'a Picture,
+    name: String,
+    system: System,
+    source: Source,
+    sheet: Sheet,
+}
+
+/// A picture, and what there is to say of it.
+struct Drawn {
+    drawing: Drawing,
+    /// How many points there are.
+    points: usize,
+    /// How many of these its axes do not show.
+    outside: usize,
+    notes: Vec<String>,
+}
+
+impl Picture {
+    /// Writes the file; the answer says what is in it.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let kind = self.kind()?;
+        let format = Format::of(&self.out)?;
+        let sink = Sink::file(&self.out, "--out")?;
+        let block = self.source.required_block()?;
+        let system = block.system()?;
+        let name = block.name(&system);
+        let sheet = Sheet { pixels: self.size, theme: self.theme };
+        let subject = Subject { asked: self, name, system, source: self.source.clone(), sheet };
+        let drawn = match kind {
+            Kind::Portrait => subject.portrait()?,
+            Kind::OrbitsOver => subject.orbits_over()?,
+            Kind::Heights => subject.heights()?,
+        };
+        let file = drawn.drawing.file(format, &sheet)?;
+        let bytes = file.len();
+        sink.put(file)?;
+        Ok(self.answer(&subject.name, kind, &drawn, bytes))
+    }
+
+    fn kind(&self) -> Result<Kind, Refusal> {
+        match (self.kind, self.over.is_some()) {
+            (None, true) | (Some(Kind::OrbitsOver), true) => Ok(Kind::OrbitsOver),
+            (None, false) => Ok(Kind::Portrait),
+            (Some(Kind::OrbitsOver), false) => Err(Refusal::new(
+                "--kind orbits-over: over what? give a range to a parameter or to eps, as in --over eps=1/10:1:400",
+            )),
+            (Some(_), true) => {
+                Err(Refusal::new("--over makes an orbit diagram; leave it out, or leave --kind out"))
+            }
+            (Some(kind), false) => Ok(kind),
+        }
+    }
+
+    fn answer(&self, system: &str, kind: Kind, drawn: &Drawn, bytes: usize) -> Answer {
+        let Drawn { drawing, points, outside, notes } = drawn;
+        let file = self.out.display().to_string();
+        if self.json {
+            let kind = kind.to_possible_value().map(|value| value.get_name().to_owned());
+            return Answer::json(&json!({
+                "system": system, "kind": kind, "out": file, "bytes": bytes, "shows": drawing.description,
+                "points": points, "outside": outside, "notes": notes,
+            }));
+        }
+        let mut lines = vec![format!("{file} written: {points} points, {} kB", bytes.div_ceil(1000))];
+        lines.extend(notes.iter().map(|note| format!("note: {note}")));
+        if *outside > 0 {
+            lines.push(format!(
+                "note: {outside} of the points lie outside of the axes; --window moves their ends"
+            ));
+        }
+        Answer::text(lines.join("\n") + "\n")
+    }
+}
+
+impl Subject<'_> {
+    fn variables(&self) -> &[String] {
+        &self.system.field.symbols.states
+    }
+
+    /// The values of the parameters; `fixed` is given from elsewhere.
+    fn parameters(&self, fixed: Option<(&str, &Rational)>) -> Result<Vec<Rational>, Refusal> {
+        let source = match fixed {
+            Some((name, value)) => &self.source.clone().with_parameter(name, value),
+            None => &self.source,
+        };
+        source.parameter_values(&self.system, &self.name)
+    }
+
+    fn eps(&self) -> Result<Rational, Refusal> {
+        let eps = self.asked.eps.as_deref();
+        number(
+            eps.ok_or_else(|| Refusal::new("which eps? give half the time step, as in --eps 1/10"))?,
+            "--eps",
+        )
+    }
+
+    /// How many points there will be; refused where these are too many.
+    fn points(&self, orbits: usize) -> Result<u64, Refusal> {
+        let points = (orbits as u64).saturating_mul(self.asked.steps.saturating_add(1));
+        let (most, way_out) = if self.asked.lines {
+            (MOST_JOINED, "leave --lines out")
+        } else {
+            (MOST_POINTS, "draw fewer orbits")
+        };
+        if points > most {
+            return Err(Refusal::new(format!(
+                "--steps: {orbits} orbits of {} steps are more than the {most} points that a picture holds; take fewer steps, or {way_out}",
+                self.asked.steps
+            )));
+        }
+        Ok(points)
+    }
+
+    /// Marks that leave so many points apart.
+    fn mark(&self, points: u64) -> Mark {
+        match points {
+            _ if self.asked.lines => Mark::Line,
+            0..=400 => Mark::Dots,
+            401..=20_000 => Mark::Points,
+            _ => Mark::Fine,
+        }
+    }
+
+    fn pace(&self, steps: u64) -> Pace {
+        Pace::new(steps, self.asked.seconds)
+    }
+}

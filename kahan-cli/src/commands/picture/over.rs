@@ -1,0 +1,129 @@
+//! Orbit diagrams: what orbits tend to, over the values of a parameter or of ε.
+
+use kahan_algebra::rational::Rational;
+use kahan_runtime::Field;
+
+use super::axes::Coordinate;
+use super::orbits::notes;
+use super::starts::rounded;
+use super::{Drawn, Subject};
+use crate::plot::{Mark, NumberLine, Plot, Series};
+use crate::printing::Refusal;
+use crate::reading::{number, whole};
+
+/// The values that a parameter, or ε, goes through.
+struct Range<'a> {
+    name: &'a str,
+    from: Rational,
+    to: Rational,
+    steps: usize,
+}
+
+impl<'a> Range<'a> {
+    /// NAME=FROM:TO:STEPS.
+    fn read(text: &'a str) -> Result<Self, Refusal> {
+        let wrong = |why: &str| {
+            Refusal::new(format!("--over: `{text}` is not NAME=FROM:TO:STEPS, as in eps=1/10:1:400{why}"))
+        };
+        let (name, range) = text.split_once('=').ok_or_else(|| wrong(""))?;
+        let [from, to, steps] = range.split(':').collect::<Vec<_>>()[..] else { return Err(wrong("")) };
+        let steps = whole(steps, 1, 100_000).map_err(|why| wrong(&format!("; STEPS: {why}")))?;
+        let (from, to) = (number(from, "--over")?, number(to, "--over")?);
+        if from == to {
+            return Err(wrong("; FROM and TO differ"));
+        }
+        Ok(Range { name: name.trim(), from, to, steps })
+    }
+
+    fn value(&self, index: usize) -> Rational {
+        let steps = Rational::from(self.steps as i64);
+        let part = Rational::from(index as i64).checked_div(&steps).unwrap_or_default();
+        &self.from + &(&part * &(&self.to - &self.from))
+    }
+}
+
+impl Subject<'_> {
+    pub(super) fn orbits_over(&self) -> Result<Drawn, Refusal> {
+        let range = Range::read(self.asked.over.as_deref().unwrap_or_default())?;
+        self.check_range(&range)?;
+        let ordinate = match &self.asked.axes[..] {
+            [] => Coordinate::Variable(0),
+            [name] => self.coordinate(name.trim())?,
+            _ => {
+                return Err(Refusal::new(
+                    "--axes: an orbit diagram has one variable upwards, as in --axes x",
+                ));
+            }
+        };
+        if ordinate == Coordinate::Time {
+            return Err(Refusal::new("--axes: an orbit diagram shows a variable, and t is none"));
+        }
+        let name = self.axis_name(ordinate);
+        self.check_windows(&[range.name, name])?;
+        let starts: Vec<Vec<f64>> = self.starts()?.iter().map(|start| rounded(start)).collect();
+        let orbits = starts.len() * (range.steps + 1);
+        let points = self.points(orbits)?;
+        let field = Field::of(&self.system);
+        let pace = self.pace(points.saturating_add(self.asked.transient.saturating_mul(orbits as u64)));
+        let mut shown: Vec<Vec<(f64, f64)>> = vec![Vec::new(); starts.len()];
+        let (mut ended, mut last) = (0, 0);
+        for index in (0..=range.steps).take_while(|_| !pace.is_over()) {
+            last = index;
+            let value = range.value(index);
+            let (parameters, eps) = if range.name == "eps" {
+                (self.parameters(None)?, value.clone())
+            } else {
+                (self.parameters(Some((range.name, &value)))?, self.eps()?)
+            };
+            let Some(map) = self.map(&field, &parameters, &eps) else {
+                ended += starts.len();
+                continue;
+            };
+            let at = value.to_f64();
+            for (start, shown) in starts.iter().zip(&mut shown) {
+                let steps = (self.asked.transient, self.asked.steps);
+                let made = pace.follow(&map, start, steps, |_, x| shown.push((at, ordinate.of(0.0, x))));
+                ended += usize::from(made <= self.asked.steps);
+            }
+        }
+        pace.finish();
+        let is_cut = pace.is_over() && (last < range.steps || ended > 0);
+        let label = if range.name == "eps" { "ε, half the time step, in units of time" } else { range.name };
+        let ends = [range.from.to_f64(), range.to.to_f64()].into_iter();
+        let x = self.windowed(range.name, NumberLine::around(label, ends))?;
+        let y = self.axis(ordinate, shown.iter().flatten().map(|point| point.1))?;
+        let mark = if points > 2000 { Mark::Fine } else { Mark::Points };
+        let series = shown.into_iter().enumerate();
+        let series = series.map(|(index, points)| Series::new("", index % 5 + 1, mark, points));
+        let description = format!(
+            "{name} of {} over {} from {} to {}, after {} steps",
+            self.name, range.name, range.from, range.to, self.asked.transient
+        );
+        let size = self.sheet.view_box();
+        let plot = Plot { description, size, x, y, levels: Vec::new(), series: series.collect() };
+        let points = plot.series.iter().map(|series| series.points.len()).sum();
+        let notes = notes(orbits, ended, is_cut);
+        Ok(Drawn { drawing: plot.drawing(), points, outside: plot.outside(), notes })
+    }
+
+    /// Refuses a range of what is no parameter, or has a value already.
+    fn check_range(&self, range: &Range<'_>) -> Result<(), Refusal> {
+        let known = &self.system.field.symbols.parameters;
+        if range.name == "eps" {
+            return match self.asked.eps {
+                Some(_) => Err(Refusal::new("--over goes through values of eps; leave --eps out")),
+                None => Ok(()),
+            };
+        }
+        if known.iter().any(|name| name == range.name) {
+            return Ok(());
+        }
+        let known: Vec<&str> = known.iter().map(String::as_str).chain(["eps"]).collect();
+        Err(Refusal::new(format!(
+            "--over: `{}` is no parameter of {}; there is {}",
+            range.name,
+            self.name,
+            known.join(", ")
+        )))
+    }
+}

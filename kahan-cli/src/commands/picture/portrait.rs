@@ -1,0 +1,93 @@
+//! Orbits from many first points, in the plane or in space.
+
+use kahan_runtime::Field;
+
+use super::axes::Coordinate;
+use super::orbits::notes;
+use super::starts::rounded;
+use super::{Drawn, Subject};
+use crate::plot::{Cloud, NumberLine, Plot, Series, Space};
+use crate::printing::Refusal;
+
+/// Colours that orbits have in turn; the sixth is grey, for what they are compared with.
+const COLOURS: usize = 5;
+
+impl Subject<'_> {
+    pub(super) fn portrait(&self) -> Result<Drawn, Refusal> {
+        let coordinates = self.coordinates()?;
+        let names: Vec<&str> = coordinates.iter().map(|coordinate| self.axis_name(*coordinate)).collect();
+        self.check_windows(&names)?;
+        let description = self.shown(&names);
+        Ok(match coordinates[..] {
+            [x, y] => {
+                let (orbits, notes) = self.orbits([x, y])?;
+                let [x, y] = self.portrait_axes([x, y], &orbits)?;
+                let mark = self.mark(orbits.iter().map(|orbit| orbit.len() as u64).sum());
+                let series = orbits.into_iter().enumerate().map(|(index, orbit)| {
+                    let points = orbit.into_iter().map(|[x, y]| (x, y)).collect();
+                    Series::new("", index % COLOURS + 1, mark, points)
+                });
+                let (size, levels) = (self.sheet.view_box(), Vec::new());
+                let plot = Plot { description, size, x, y, levels, series: series.collect() };
+                let points = plot.series.iter().map(|series| series.points.len()).sum();
+                Drawn { drawing: plot.drawing(), points, outside: plot.outside(), notes }
+            }
+            [x, y, z] => {
+                let (orbits, notes) = self.orbits([x, y, z])?;
+                let axes = self.portrait_axes([x, y, z], &orbits)?;
+                let mark = self.mark(orbits.iter().map(|orbit| orbit.len() as u64).sum());
+                let clouds = orbits.into_iter().enumerate();
+                let clouds =
+                    clouds.map(|(index, points)| Cloud { colour: index % COLOURS + 1, mark, points });
+                let space =
+                    Space { description, size: self.sheet.view_box(), axes, clouds: clouds.collect() };
+                let points = space.clouds.iter().map(|cloud| cloud.points.len()).sum();
+                Drawn { drawing: space.drawing(), points, outside: space.outside(), notes }
+            }
+            _ => return Err(Refusal::new("--axes: a portrait has two axes or three")),
+        })
+    }
+
+    /// What is seen, in words.
+    fn shown(&self, names: &[&str]) -> String {
+        let eps = self.asked.eps.as_deref().unwrap_or_default();
+        format!("Orbits of {} at eps = {eps}, {} against each other", self.name, names.join(" and "))
+    }
+
+    /// The points of all orbits, as far as these go; and what to say of those that end early.
+    fn orbits<const N: usize>(
+        &self,
+        coordinates: [Coordinate; N],
+    ) -> Result<(Vec<Vec<[f64; N]>>, Vec<String>), Refusal> {
+        let (starts, eps) = (self.starts()?, self.eps()?);
+        let total = self.points(starts.len())?;
+        let field = Field::of(&self.system);
+        let map = self.map(&field, &self.parameters(None)?, &eps).ok_or_else(|| self.no_map())?;
+        let time_step = 2.0 * eps.to_f64();
+        let pace = self.pace(total);
+        let mut ended = 0;
+        let mut orbits = Vec::new();
+        for start in starts.iter().take_while(|_| !pace.is_over()) {
+            let mut orbit = Vec::new();
+            let made = pace.follow(&map, &rounded(start), (0, self.asked.steps), |n, x| {
+                orbit.push(coordinates.map(|coordinate| coordinate.of(n as f64 * time_step, x)));
+            });
+            ended += usize::from(made <= self.asked.steps);
+            orbits.push(orbit);
+        }
+        pace.finish();
+        let is_cut = pace.is_over() && (orbits.len() < starts.len() || ended > 0);
+        Ok((orbits, notes(starts.len(), ended, is_cut)))
+    }
+
+    fn portrait_axes<const N: usize>(
+        &self,
+        coordinates: [Coordinate; N],
+        orbits: &[Vec<[f64; N]>],
+    ) -> Result<[NumberLine; N], Refusal> {
+        let axes: Result<Vec<NumberLine>, Refusal> = (0..N)
+            .map(|i| self.axis(coordinates[i], orbits.iter().flatten().map(|point| point[i])))
+            .collect();
+        axes?.try_into().map_err(|_| Refusal::new("--axes: a portrait has two axes or three"))
+    }
+}
