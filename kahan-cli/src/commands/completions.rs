@@ -7,7 +7,7 @@ use kahan_systems::registry::all;
 
 use crate::printing::{Answer, Refusal};
 
-/// Prints a script for a shell that completes commands, options, and the systems of the catalog.
+/// Prints a script by which a shell completes commands, options and systems.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Completions {

@@ -20,7 +20,7 @@ use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{Source, number, seconds, whole};
 use orbits::Pace;
 
-/// Draws orbits of a system's map, in the plane, in space or against a parameter, or their heights.
+/// Draws orbits of a system's map, orbit diagrams over a parameter, or heights.
 ///
 /// Orbits are those of doubles, heights those of exact orbits. Three variables or more are drawn in
 /// space, the first three of them where --axes names no others; near points are larger. An orbit
@@ -101,7 +101,7 @@ pub(crate) struct Picture {
     #[arg(long, value_enum, default_value = "viewer", hide_short_help = true)]
     theme: Theme,
 
-    /// The time that it may take; the picture shows what there is then.
+    /// The time that it may take; then it shows what there is.
     #[arg(long, value_name = "S", default_value = "60", value_parser = seconds)]
     seconds: f64,
 

@@ -140,7 +140,7 @@ fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
     // A sink, whatever the parameter is.
     let field = "xdot = a - x;";
     let over = ["--field", field, "--over", "a=0:4:8", "--eps", "1/10", "--at", "7", "--steps", "5"];
-    let svg = drawn(&[&over[..], &["--window", "x=0:4", "--transient", "400"]].concat());
+    let svg = drawn(&[&over[..], &["--window", "x=-1:5", "--transient", "400"]].concat());
     // A value of a, one place.
     assert_eq!(svg.matches("h0").count(), 9, "{svg}");
     let early = drawn(&[&over[..], &["--transient", "0"]].concat());
