@@ -126,7 +126,7 @@ impl Trade {
         let trade = trade.map_err(|why| Refusal::new(format!("{name}: {why}")))?;
         let comparison = Comparison { name: &name, block: &block, subject, scene, trade };
         if let Some(sink) = sink {
-            sink.put(&picture(&comparison.trade, &comparison.title(), &scene))?;
+            sink.put(picture(&comparison.trade, &comparison.title(), &scene))?;
         }
         let answer =
             if self.json { Answer::json(&comparison.object()) } else { Answer::text(comparison.text()) };

@@ -101,7 +101,7 @@ impl Table {
         }
         self.has_rows = true;
         match self.width {
-            Some(width) if self.line.len() > width => self.sink.write(&after_commas(&self.line, width)),
+            Some(width) if self.line.len() > width => self.sink.write(after_commas(&self.line, width)),
             _ => self.sink.write(&self.line),
         }
     }
@@ -110,7 +110,7 @@ impl Table {
     /// early, or is null.
     pub(crate) fn end(mut self, stopped: &Value) -> Result<(), Broken> {
         if self.format == Format::Json {
-            self.sink.write(&format!("\n  ],\n  \"stopped\": {stopped}\n}}\n"))?;
+            self.sink.write(format!("\n  ],\n  \"stopped\": {stopped}\n}}\n"))?;
         }
         self.sink.finish()
     }

@@ -12,6 +12,9 @@ use crate::printing::Refusal;
 /// Colours that orbits have in turn; the sixth is grey, for what they are compared with.
 const COLOURS: usize = 5;
 
+/// The points of an orbit, as the axes show them.
+type Orbit<const N: usize> = Vec<[f64; N]>;
+
 impl Subject<'_> {
     pub(super) fn portrait(&self) -> Result<Drawn, Refusal> {
         let coordinates = self.coordinates()?;
@@ -58,7 +61,7 @@ impl Subject<'_> {
     fn orbits<const N: usize>(
         &self,
         coordinates: [Coordinate; N],
-    ) -> Result<(Vec<Vec<[f64; N]>>, Vec<String>), Refusal> {
+    ) -> Result<(Vec<Orbit<N>>, Vec<String>), Refusal> {
         let (starts, eps) = (self.starts()?, self.eps()?);
         let total = self.points(starts.len())?;
         let field = Field::of(&self.system);
@@ -83,7 +86,7 @@ impl Subject<'_> {
     fn portrait_axes<const N: usize>(
         &self,
         coordinates: [Coordinate; N],
-        orbits: &[Vec<[f64; N]>],
+        orbits: &[Orbit<N>],
     ) -> Result<[NumberLine; N], Refusal> {
         let axes: Result<Vec<NumberLine>, Refusal> = (0..N)
             .map(|i| self.axis(coordinates[i], orbits.iter().flatten().map(|point| point[i])))
