@@ -17,7 +17,8 @@
 //! (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`],
 //! [`independent`], `reduction`, `collector`, [`integrals`]; [`darboux`], `brackets`;
 //! [`structure`], [`determinant`], [`hamiltonian`]; [`composition`]; `writing`, [`claims`],
-//! [`report`]; [`mod@scan`] looks for special values on a grid.
+//! [`report`]; [`mod@scan`] looks for special values on a grid, [`mod@poles`] follows what the map
+//! sends to infinity or blows down.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};
@@ -58,6 +59,7 @@ pub mod modulus;
 pub mod monomials;
 pub mod parity;
 pub mod pencil;
+pub mod poles;
 mod products;
 mod reduction;
 pub mod relations;
@@ -79,6 +81,7 @@ mod writing;
 
 pub use basis::Basis;
 pub use deadline::Deadline;
+pub use poles::{Poles, poles};
 pub use report::{DiscoverError, Options, Report, Stage};
 pub use scan::{Scan, Scanned, scan};
 pub use stages::discover;

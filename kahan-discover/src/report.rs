@@ -178,6 +178,8 @@ pub enum DiscoverError {
     NoMap,
     /// det A(x,−ε) vanishes identically at the values given: the map collapses the space.
     Collapse,
+    /// The map in lowest terms is beyond the budget of terms, so its poles cannot be listed.
+    TooLong,
 }
 
 impl fmt::Display for DiscoverError {
@@ -198,6 +200,9 @@ impl fmt::Display for DiscoverError {
             ),
             DiscoverError::Collapse => f.write_str(
                 "det A(x, -eps) vanishes identically at these values, so the map cannot be inverted and its orbits say nothing of integrals: choose another eps or other parameters",
+            ),
+            DiscoverError::TooLong => f.write_str(
+                "the map in lowest terms is beyond the budget of terms, so its poles cannot be listed: fix parameters or eps",
             ),
         }
     }

@@ -1,0 +1,59 @@
+//! Which curves (in three variables surfaces) a map sends to infinity or may blow down: the factors
+//! of its common denominator and of its Jacobian determinant, in lowest terms.
+
+use kahan_algebra::field::Field;
+use kahan_algebra::kahan::{RationalMap, maximal_minors};
+use kahan_algebra::poly::{Budget, Polynomial, gcd_all};
+
+use crate::setting::Setting;
+use crate::writing::state_factors;
+
+/// What writing the Jacobian determinant out may cost.
+const MOST_TERMS: usize = 20_000;
+const MOST_WORK: u64 = 20_000_000;
+
+/// The map in lowest terms where ε may be fixed, and the curves to follow.
+pub(crate) struct Curves {
+    /// N₁ … Nₙ, D: the map is x̃ᵢ = Nᵢ/D.
+    pub(crate) components: Vec<Polynomial>,
+    /// The irreducible factors that contain states.
+    pub(crate) factors: Vec<Polynomial>,
+    /// Whether those of the Jacobian determinant are among them: it may be too long to write out.
+    pub(crate) has_jacobian: bool,
+}
+
+impl Curves {
+    /// `None` where the map is beyond its budget.
+    pub(crate) fn of(field: &Field, setting: &Setting) -> Option<Self> {
+        let symbols = &field.symbols;
+        let reduced = RationalMap::of(field)?.reduced;
+        let mut components = reduced.numerators(symbols);
+        components.push(reduced.denominator);
+        let mut components: Vec<Polynomial> =
+            components.into_iter().map(|component| setting.at_eps(component)).collect();
+        // A value of ε may bring a common factor.
+        let common = gcd_all(&components);
+        components.iter_mut().for_each(|one| *one = one.checked_div(&common).unwrap_or_default());
+        let mut factors = state_factors(symbols, &components[field.dimension()]);
+        let jacobian = jacobian(field, &components);
+        let has_jacobian = jacobian.is_some();
+        for factor in jacobian.iter().flat_map(|jacobian| state_factors(symbols, jacobian)) {
+            if !factors.contains(&factor) {
+                factors.push(factor);
+            }
+        }
+        Some(Curves { components, factors, has_jacobian })
+    }
+}
+
+/// Dⁿ⁺¹ det ∂x̃/∂x, the determinant of the rows (∂F/∂x₁ … ∂F/∂xₙ, F) for F = N₁ … Nₙ, D; `None`
+/// beyond the budget.
+fn jacobian(field: &Field, components: &[Polynomial]) -> Option<Polynomial> {
+    let row = |component: &Polynomial| {
+        let slopes = (0..field.dimension()).map(|i| component.derivative(field.symbols.state(i)));
+        slopes.chain([component.clone()]).collect()
+    };
+    let rows: Vec<Vec<Polynomial>> = components.iter().map(row).collect();
+    let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+    maximal_minors(&rows, &mut budget).ok()?.into_values().next()
+}

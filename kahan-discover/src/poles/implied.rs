@@ -1,0 +1,43 @@
+//! The degrees of iterates that the patterns imply.
+//!
+//! The n-th iterate runs along a generic line. Zₙ(C) counts the points of the line that come to the
+//! curve C at step n for the first time of any curve that is followed. What comes to C later is
+//! known from the patterns, with multiplicity, so that (degree of C)·dₙ = Zₙ(C) + Σ Zₙ₋ₖ(B)·(order
+//! to which B meets C after k steps). The step after n multiplies degrees by the degree of the map,
+//! less the common factors: dₙ₊₁ = d·dₙ − Σ Zₙ₋ₖ(B)·(power of δ that B's step after k divides out).
+//! No confinement is asked for. (Halburd, Proc. R. Soc. A 473, 2017, for mappings of second order.)
+
+use super::germ::Image;
+
+/// d₀, d₁, … for a map of degree `degree` and curves of these degrees with their images, as far as
+/// the images go.
+pub(crate) fn degrees(degree: usize, curves: &[(usize, &[Image])]) -> Option<Vec<usize>> {
+    let steps = curves.iter().map(|(_, images)| images.len()).min()?;
+    let mut degrees = vec![1usize];
+    // By step, then by curve.
+    let mut first_times: Vec<Vec<usize>> = Vec::new();
+    for n in 0..steps {
+        let last = degrees[n];
+        let met = curves.iter().enumerate().map(|(c, (of_curve, _))| {
+            (of_curve * last).checked_sub(later(&first_times, curves, n, |image| image.contacts[c]))
+        });
+        let met: Vec<usize> = met.collect::<Option<_>>()?;
+        first_times.push(met);
+        degrees.push((degree * last).checked_sub(later(&first_times, curves, n + 1, |image| image.shared))?);
+    }
+    Some(degrees)
+}
+
+/// Σ Zₘ(B) · weight(image of B after n − m steps) over all earlier steps m and curves B.
+fn later(
+    first_times: &[Vec<usize>],
+    curves: &[(usize, &[Image])],
+    n: usize,
+    weight: impl Fn(&Image) -> usize,
+) -> usize {
+    let of_step = |m: usize| {
+        let counts = first_times[m].iter().zip(curves);
+        counts.map(|(count, (_, images))| count * weight(&images[n - m - 1])).sum::<usize>()
+    };
+    (0..n).map(of_step).sum()
+}
