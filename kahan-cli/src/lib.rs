@@ -32,8 +32,8 @@ use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
     atlas::Atlas, completions::Completions, discover::Discover, eval::Eval, extremes::Extremes,
-    heights::Heights, list::List, orbit::Orbit, picture::Picture, scan::Scan, show::Show, trade::Trade,
-    verify::Verify,
+    heights::Heights, list::List, orbit::Orbit, picture::Picture, poles::Poles, scan::Scan, show::Show,
+    trade::Trade, verify::Verify,
 };
 use printing::{Answer, Refusal, finish};
 
@@ -71,6 +71,7 @@ enum Command {
     Discover(Discover),
     Scan(Scan),
     Picture(Picture),
+    Poles(Poles),
     Atlas(Atlas),
     Completions(Completions),
 }
@@ -114,6 +115,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Discover(command)) => command.run(),
         Some(Command::Scan(command)) => command.run(),
         Some(Command::Picture(command)) => command.run(),
+        Some(Command::Poles(command)) => command.run(),
         Some(Command::Atlas(command)) => command.run(),
         Some(Command::Completions(command)) => command.run(self::command()),
     }

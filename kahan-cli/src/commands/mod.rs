@@ -10,6 +10,7 @@ pub(crate) mod heights;
 pub(crate) mod list;
 pub(crate) mod orbit;
 pub(crate) mod picture;
+pub(crate) mod poles;
 pub(crate) mod scan;
 mod search;
 pub(crate) mod show;

@@ -15,8 +15,7 @@ use crate::printing::layout::table;
 use crate::printing::{Answer, Progress, Refusal};
 use crate::reading::number;
 
-/// Looks at a grid of rational values of parameters, and of eps, for those at which a field's map
-/// is special.
+/// Finds values of parameters and of eps, on a grid, at which a map is special.
 ///
 /// At every point of the grid it takes the degrees of some iterates and the Hilbert function of an
 /// orbit, and counts the algebraic integrals that the orbit shows. Special are the points where

@@ -16,6 +16,7 @@ mod orbit;
 mod parameters;
 mod picture;
 mod plan;
+mod poles;
 mod refusing;
 mod regressions;
 mod running;

@@ -1,0 +1,165 @@
+//! `kahan poles`: what happens after a map sends a curve to infinity or blows it down. What is seen
+//! is `kahan-discover`'s; this only prints it.
+
+use std::time::Instant;
+
+use clap::Args;
+use kahan_algebra::symbols::Symbols;
+use kahan_discover::growth::GrowthVerdict;
+use kahan_discover::poles::Pattern;
+use kahan_discover::{Options, Poles as Found, poles};
+use serde_json::{Value, json};
+
+use super::search::refused;
+use crate::printing::layout::table;
+use crate::printing::{Answer, Progress, Refusal, shorten};
+use crate::reading::{Source, number, seconds, whole};
+
+/// Follows what a map sends to infinity or blows down, and says whether it comes back.
+///
+/// The curves (in three variables surfaces) are the factors of the map's common denominator and of
+/// its Jacobian determinant, and the points at infinity where they are blown down. A curve is blown
+/// down where its image has a lower dimension. The singularity is confined after k steps if the
+/// image after k steps is a curve (surface) again. Each curve is moved by delta and followed
+/// modulo two primes; what is not given (--eps, --param) is generic.
+///
+/// Confinement alone proves nothing: the map of Henon and Heiles confines, and its degrees grow
+/// exponentially. So the degrees of iterates stand below, as measured and as the patterns imply
+/// them. Nor does its absence: maps that can be made linear need not confine.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Poles {
+    #[command(flatten)]
+    source: Source,
+
+    /// Half the time step, where it is fixed; generic otherwise.
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    eps: Option<String>,
+
+    /// How many steps each curve is followed.
+    #[arg(long, value_name = "K", default_value = "12", allow_hyphen_values = true, value_parser = steps)]
+    steps: usize,
+
+    /// The time that the search may take; what is not finished then is undecided.
+    #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
+    seconds: f64,
+
+    /// Print one JSON object: system, patterns, bound, complete, degrees, growth, entropy and more.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan poles weierstrass
+  kahan poles lv --eps 1
+  kahan poles e9 --param xi=-1 --steps 6 --json
+  kahan poles --field 'xdot = y; ydot = 6*x^2 - a;'";
+
+/// A whole number of steps that series modulo a prime can follow.
+fn steps(text: &str) -> Result<usize, String> {
+    whole(text, 1, 100)
+}
+
+impl Poles {
+    /// The patterns.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let block = self.source.required_block()?;
+        let system = block.unproved_system()?;
+        let name = block.name(&system);
+        let options = Options {
+            eps: self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?,
+            parameters: self.source.fixed_parameters(&system, &name)?,
+            seconds: self.seconds,
+            ..Options::default()
+        };
+        let clock = Instant::now();
+        let progress = Progress::stages();
+        progress.say("degrees of iterates");
+        let found = poles(&system, &options, self.steps, &mut |done, count| {
+            progress.say(&format!("curve {} of {count}", done + 1));
+        });
+        progress.finish();
+        let found = found.map_err(|error| refused(&name, &error))?;
+        let seconds = clock.elapsed().as_secs_f64();
+        Ok(if self.json {
+            Answer::json(&object(&name, &found, seconds))
+        } else {
+            Answer::text(text(&name, &found, seconds))
+        })
+    }
+}
+
+fn object(name: &str, found: &Found, seconds: f64) -> Value {
+    let verdict = GrowthVerdict::of(&found.degrees);
+    let pattern = |pattern: &Pattern| {
+        let images = pattern.images.iter().take(pattern.steps);
+        let images: Vec<Value> = images
+            .map(|image| json!({ "dimension": image.dimension, "infinite": image.is_infinite }))
+            .collect();
+        json!({
+            "curve": pattern.name(&found.symbols),
+            "steps": pattern.steps,
+            "confined": pattern.confined,
+            "blown_down": pattern.is_blown_down(),
+            "images": images,
+        })
+    };
+    json!({
+        "system": name,
+        "patterns": found.patterns.iter().map(pattern).collect::<Vec<_>>(),
+        "bound": found.bound,
+        "complete": found.is_complete,
+        "degrees": found.degrees,
+        "implied_degrees": found.implied_degrees,
+        "growth": verdict.growth.word(),
+        "entropy": verdict.growth.entropy(),
+        "seconds": seconds,
+    })
+}
+
+/// A longer formula of a curve is cut in the table; JSON has it whole.
+const WIDEST: usize = 48;
+
+fn row(symbols: &Symbols, pattern: &Pattern, bound: usize) -> Vec<String> {
+    let images = pattern.images.iter().take(pattern.steps);
+    let images = images.map(|image| {
+        let dimension = image.dimension.to_string();
+        if image.is_infinite { dimension + "'" } else { dimension }
+    });
+    let verdict = match pattern.confined {
+        Some(true) if !pattern.is_blown_down() => "not blown down".to_owned(),
+        Some(true) => format!("confined after {} steps", pattern.steps),
+        Some(false) => format!("none within {bound} steps"),
+        None => "undecided".to_owned(),
+    };
+    vec![shorten(&pattern.name(symbols), WIDEST), verdict, images.collect::<Vec<_>>().join(" ")]
+}
+
+fn text(name: &str, found: &Found, seconds: f64) -> String {
+    let numbers = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+    let headings = ["curve = 0", "what is lost comes back", "dimensions"].map(str::to_owned);
+    let patterns = found.patterns.iter().map(|pattern| row(&found.symbols, pattern, found.bound));
+    let rows: Vec<Vec<String>> = [headings.to_vec()].into_iter().chain(patterns).collect();
+    let mut lines = table(&rows, 1);
+    lines.push(String::new());
+    lines.push("dimensions of the images, step by step; ' is at infinity".to_owned());
+    let verdict = GrowthVerdict::of(&found.degrees);
+    lines.push(String::new());
+    lines.push(format!("degrees of the iterates of {name}"));
+    lines.push(format!("growth    {}: {}", verdict.growth, verdict.evidence));
+    lines.push(format!("measured  {}", numbers(&found.degrees)));
+    if let Some(implied) = &found.implied_degrees {
+        lines.push(format!("implied   {}", numbers(implied)));
+    }
+    if !found.is_complete {
+        lines.push(
+            "note: the Jacobian determinant is too long to factor, so curves may be missing".to_owned(),
+        );
+    }
+    if found.patterns.iter().any(|pattern| pattern.confined.is_none()) {
+        lines.push("note: what is undecided may be decided in more --seconds or fewer --steps".to_owned());
+    }
+    lines.push(format!("seconds   {seconds:.2}"));
+    lines.join("\n") + "\n"
+}
