@@ -113,7 +113,7 @@ pub use flow::{Flow, FlowScalar, NoFlow};
 pub use lattice::{LatticeAt, LatticeError, LatticeMap, LatticeScalar};
 pub use map::{
     Accumulation, Compensated, Elimination, ErrorEstimates, Estimated, KahanAt, KahanMap, Lift, Method,
-    Orbit, Pivot, Rounded, Scaled, Single, ThroughF64, eps_from_dt,
+    Orbit, Pivot, Rounded, Scaled, Single, TangentAt, ThroughF64, eps_from_dt,
 };
 pub use scalar::{Constant, Dd, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]

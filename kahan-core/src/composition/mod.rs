@@ -14,7 +14,7 @@ mod stages;
 
 use core::fmt;
 
-use crate::{Constant, FloatScalar, KahanMap, StepCost};
+use crate::{Constant, FloatScalar, StepCost};
 
 pub use stages::Composed;
 use stages::Palindrome;
@@ -148,13 +148,9 @@ impl Composition {
         }
     }
 
-    /// The stages of `map` at ε.
-    pub(crate) fn stages_of<M, T, const N: usize>(&self, map: &M, eps: T) -> Palindrome<M::Prepared>
-    where
-        M: KahanMap<T, N>,
-        T: FloatScalar,
-    {
-        Palindrome::new(self.first_half.len(), |k| map.prepare(&(T::constant(&self.first_half[k]) * eps)))
+    /// The stages of a step at ε, each made of its own ε.
+    pub(crate) fn stages_of<T: FloatScalar, P>(&self, eps: T, prepare: impl Fn(T) -> P) -> Palindrome<P> {
+        Palindrome::new(self.first_half.len(), |k| prepare(T::constant(&self.first_half[k]) * eps))
     }
 }
 

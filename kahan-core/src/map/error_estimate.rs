@@ -9,8 +9,9 @@ use core::array::from_fn;
 use nalgebra::SVector;
 
 use crate::field::linear::vector;
-use crate::scalar::Dual;
-use crate::{Accumulation, Constant, KahanAt, KahanMap, Lift, Orbit, PreparedStep, Scalar, Single};
+use crate::{Accumulation, Constant, KahanAt, KahanMap, Lift, Orbit, Scalar, Single};
+
+use super::TangentAt;
 
 impl<M, T, const N: usize> KahanAt<M, T, N>
 where
@@ -78,10 +79,6 @@ pub struct Estimated<T, const N: usize> {
     pub error: SVector<T, N>,
 }
 
-/// The type of the tangent step: the prepared step over dual numbers of one direction.
-type Tangent<M, T, const N: usize> =
-    <<M as Lift<T, N>>::Lifted<Dual<T, 1>> as KahanMap<Dual<T, 1>, N>>::Prepared;
-
 /// An orbit with an estimate of its error beside each point; made by
 /// [`Orbit::with_error_estimate`].
 #[derive(Clone)]
@@ -93,9 +90,7 @@ where
     A: Accumulation,
 {
     orbit: Orbit<M, T, N, Single, A>,
-    map: M,
-    eps: T,
-    tangent: Tangent<M, T, N>,
+    tangent: TangentAt<M, T, N>,
     /// The point given last with its error, and the local error there.
     last: Option<(Estimated<T, N>, SVector<T, N>)>,
 }
@@ -135,10 +130,8 @@ where
     /// ```
     pub fn with_error_estimate(self) -> ErrorEstimates<M, T, N, A> {
         let (map, eps) = self.parts();
-        let (map, eps) = (map.clone(), eps.clone());
-        let lifted = map.lift::<Dual<T, 1>>(|parameter| Dual::lift(parameter.clone()));
-        let tangent = lifted.prepare(&Dual::lift(eps.clone()));
-        ErrorEstimates { orbit: self, map, eps, tangent, last: None }
+        let tangent = TangentAt::new(map, eps);
+        ErrorEstimates { orbit: self, tangent, last: None }
     }
 }
 
@@ -152,13 +145,6 @@ where
     pub fn orbit(&self) -> &Orbit<M, T, N, Single, A> {
         &self.orbit
     }
-
-    /// φ′(x)·v, from the increment over dual numbers; `None` at a pole of an exact scalar.
-    fn carry(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
-        let state = vector(from_fn(|i| Dual { value: x[i].clone(), gradient: [v[i].clone()] }));
-        let increment = self.tangent.increment(&state)?;
-        Some(vector(from_fn(|i| v[i].clone() + increment[i].gradient[0].clone())))
-    }
 }
 
 impl<M, T, A, const N: usize> Iterator for ErrorEstimates<M, T, N, A>
@@ -171,13 +157,13 @@ where
 
     fn next(&mut self) -> Option<Self::Item> {
         let point = self.orbit.next()?;
-        let local = local_error(&self.map, &self.eps, &point);
+        let local = local_error(&self.tangent.map, &self.tangent.eps, &point);
         let half = T::constant(&Constant::ratio(1, 2));
         let error = match &self.last {
             None => vector(from_fn(|_| T::zero())),
             Some((Estimated { point: before, error }, local_before)) => {
                 let left = |i: usize| half.clone().multiply_add(local_before[i].clone(), error[i].clone());
-                let carried = self.carry(before, &vector(from_fn(left)))?;
+                let carried = self.tangent.carry(before, &vector(from_fn(left)))?;
                 vector(from_fn(|i| half.clone().multiply_add(local[i].clone(), carried[i].clone())))
             }
         };

@@ -16,6 +16,7 @@ mod lift;
 mod orbit;
 mod pivot;
 mod stable;
+mod tangent;
 mod through_f64;
 
 use nalgebra::{SMatrix, SVector};
@@ -34,6 +35,8 @@ pub use lift::Lift;
 pub(crate) use orbit::sealed::Sealed;
 pub use orbit::{Accumulation, Compensated, Method, Orbit, Rounded, Scaled, Single};
 pub use pivot::Pivot;
+pub use tangent::TangentAt;
+pub(crate) use tangent::{carried, dual_step};
 pub use through_f64::ThroughF64;
 
 /// ε from the time step: ε = dt/2.

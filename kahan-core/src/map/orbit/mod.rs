@@ -109,19 +109,30 @@ where
         self.stopped.as_ref()
     }
 
-    /// `steps` steps on, or as many as there are; whether there were that many.
+    /// `steps` steps on, or as many as there are, each point seen; whether there were that many.
     #[inline]
-    fn advance(&mut self, steps: usize) -> bool {
+    fn advance(&mut self, steps: u64, mut see: impl FnMut(u64, &SVector<T, N>)) -> bool {
         // A state of its own, which the compiler can keep in registers.
         let mut state = self.state.clone();
-        for _ in 0..steps {
+        for step in 0..steps {
             if K::run(&self.stages, |step| state.advance(step)).is_none() {
                 self.stopped = Some(SingularStep::pole(self.eps.approximate()));
                 break;
             }
+            see(step, state.point());
         }
         self.state = state;
         self.stopped.is_none()
+    }
+
+    /// Shows the next point that the orbit would yield as that of step 0, and those of the `steps`
+    /// steps after it, or as many as there are.
+    #[inline]
+    pub(crate) fn show(&mut self, steps: u64, mut see: impl FnMut(u64, &SVector<T, N>)) {
+        if let Some(first) = self.next() {
+            see(0, &first);
+            self.advance(steps, |step, point| see(step + 1, point));
+        }
     }
 }
 
@@ -153,7 +164,7 @@ where
             return None;
         }
         // Two loops rather than a sum, which could overflow.
-        let arrived = self.advance(usize::from(self.begun)) && self.advance(n);
+        let arrived = self.advance(u64::from(self.begun), |_, _| ()) && self.advance(n as u64, |_, _| ());
         self.begun = true;
         arrived.then(|| self.state.point().clone())
     }

@@ -1,0 +1,129 @@
+//! The derivative of a prepared map, along one direction at a time.
+//!
+//! In: a map at its ε, once; then points x and tangent vectors v. Out: J(x)·v, J = ∂x̃/∂x, by the
+//! closed form of the step over dual numbers. Products of dual numbers are never fused, so a vector
+//! has the same bits on every level of instructions and in every build.
+
+use core::array::from_fn;
+
+use nalgebra::SVector;
+
+use crate::field::linear::vector;
+use crate::scalar::Dual;
+use crate::{KahanAt, KahanMap, Lift, PreparedStep, Scalar, Single};
+
+use super::Method;
+
+/// The type of the step that a tangent vector takes: the prepared step over dual numbers of one
+/// direction.
+pub type DualStep<M, T, const N: usize> =
+    <<M as Lift<T, N>>::Lifted<Dual<T, 1>> as KahanMap<Dual<T, 1>, N>>::Prepared;
+
+/// What carries tangent vectors along a [`KahanAt`]; made by [`KahanAt::tangent`].
+pub struct TangentAt<M, T, const N: usize, K = Single>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+    K: Method,
+{
+    pub(crate) map: M,
+    pub(crate) eps: T,
+    pub(crate) stages: K::Stages<DualStep<M, T, N>>,
+}
+
+/// The step over dual numbers at ε.
+pub(crate) fn dual_step<M, T, const N: usize>(map: &M, eps: T) -> DualStep<M, T, N>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+{
+    map.lift::<Dual<T, 1>>(|parameter| Dual::lift(parameter.clone())).prepare(&Dual::lift(eps))
+}
+
+impl<M, T, const N: usize> KahanAt<M, T, N>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+{
+    /// What carries tangent vectors along this map: v ↦ J(x)·v with J = ∂x̃/∂x.
+    ///
+    /// All that depends on ε and the parameters alone is computed here, once.
+    ///
+    /// ```
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! {
+    ///     /// Predator and prey.
+    ///     pub struct LotkaVolterra;
+    ///     xdot = x*(1 - y);
+    ///     ydot = y*(x - 1);
+    /// }
+    ///
+    /// let map = LotkaVolterra.at(0.05);
+    /// let (x, v) = (vector![1.5, 1.0], vector![1.0, -2.0]);
+    /// let carried = map.tangent().carry(&x, &v).unwrap();
+    /// assert!((carried - map.jacobian(&x) * v).norm() < 1e-15);
+    /// ```
+    pub fn tangent(&self) -> TangentAt<M, T, N> {
+        TangentAt::new(&self.map, &self.eps)
+    }
+}
+
+impl<M, T, const N: usize> TangentAt<M, T, N>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+{
+    pub(super) fn new(map: &M, eps: &T) -> Self {
+        Self { map: map.clone(), eps: eps.clone(), stages: dual_step(map, eps.clone()) }
+    }
+}
+
+impl<M, T, K, const N: usize> TangentAt<M, T, N, K>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+    K: Method,
+{
+    /// ε, half the time step.
+    pub fn eps(&self) -> &T {
+        &self.eps
+    }
+
+    /// J(x)·v; `None` at a pole of an exact scalar.
+    #[inline(always)]
+    pub fn carry(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
+        let along = vector(from_fn(|i| Dual { value: x[i].clone(), gradient: [v[i].clone()] }));
+        let carried = carried::<K, _, _, N>(&self.stages, along)?;
+        Some(vector(from_fn(|i| carried[i].gradient[0].clone())))
+    }
+}
+
+/// A point with its tangent vector, one step of all stages later.
+#[inline(always)]
+pub(crate) fn carried<K, T, S, const N: usize>(
+    stages: &K::Stages<S>,
+    mut along: SVector<Dual<T, 1>, N>,
+) -> Option<SVector<Dual<T, 1>, N>>
+where
+    K: Method,
+    T: Scalar,
+    S: PreparedStep<Dual<T, 1>, N>,
+{
+    K::run(stages, |step| {
+        along = step.next(&along)?;
+        Some(())
+    })?;
+    Some(along)
+}
+
+impl<M, T, K, const N: usize> Clone for TangentAt<M, T, N, K>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+    K: Method,
+{
+    fn clone(&self) -> Self {
+        Self { map: self.map.clone(), eps: self.eps.clone(), stages: self.stages.clone() }
+    }
+}
