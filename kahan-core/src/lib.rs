@@ -34,6 +34,7 @@
 //! | one step, forward or back; one with a promised error | [`KahanMap::step`], [`step_back`](KahanMap::step_back), [`try_step`](KahanMap::try_step) |
 //! | many steps | [`KahanMap::orbit`], an iterator; [`compensated`](Orbit::compensated) against rounding, [`composed`](Orbit::composed) for order 4, 6 or 8 ([`Composition`]) |
 //! | many trajectories | [`Ensemble`], [`Axis`] for grids of initial points |
+//! | what an orbit does: exponents, sections, rotation numbers, drift, extrema | [`observe`]: [`Orbit::observe`], [`Ensemble::observe`] |
 //! | derivatives, determinants | [`KahanMap::jacobian`], [`det_jacobian`](KahanMap::det_jacobian) |
 //! | integrals, a density, brackets | methods of the type that the macro makes: `integrals`, `density`, `bracket_NAME` |
 //! | a chain of any number of sites | a family `for i in … { … }` in [`kahan!`] makes a [`LatticeMap`], its [`at`](LatticeMap::at) a [`LatticeAt`] |
@@ -51,6 +52,7 @@
 //! | a loop of your own | [`KahanAt`], which [`KahanMap::at`] prepares |
 //! | rounding that must not drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
 //! | errors as one goes | [`Orbit::with_error_estimate`] |
+//! | tangent vectors, an observer of one's own | [`TangentAt`], [`observe::Observer`], [`observe::Tangent`] |
 //! | the solution of the equation itself | [`Flow`] |
 //! | what is inside: modes as types, costs, instruction sets | [`Method`], [`Accumulation`], [`StepCost`], [`Level`] |
 //!
@@ -79,6 +81,8 @@ mod composition;
 
 #[cfg(feature = "std")]
 mod ensemble;
+
+pub mod observe;
 
 #[cfg(feature = "std")]
 mod lattice;

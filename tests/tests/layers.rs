@@ -21,7 +21,18 @@ struct Layered {
 const CORE: Layered = Layered {
     folder: "kahan-core",
     name: "kahan_core",
-    layers: &["scalar", "field", "flow", "step", "map", "composition", "ensemble", "lattice", "scene"],
+    layers: &[
+        "scalar",
+        "field",
+        "flow",
+        "step",
+        "map",
+        "composition",
+        "ensemble",
+        "observe",
+        "lattice",
+        "scene",
+    ],
 };
 
 const COMMAND: Layered = Layered {

@@ -46,7 +46,9 @@ where
     K: Method<Stages<M::Prepared>: Sync>,
 {
     fn advance(&self, columns: [&mut [Group<T>]; N], steps: usize, on: Instructions) -> Option<()> {
-        divide::<K, _, _, N>(&self.stages, columns, steps, on)
+        let stages = &self.stages;
+        let sweep = |_, columns: Stretch<'_, T, N>| T::sweep::<K, _, N>(stages, columns, steps, on);
+        divide(0, columns, steps, &sweep, &Option::and)
     }
 
     fn half_step(&self) -> &T {
@@ -97,35 +99,38 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// Advances the columns, over threads where that is worth their cost.
-fn divide<K, T, S, const N: usize>(
-    stages: &K::Stages<S>,
-    columns: [&mut [Group<T>]; N],
+/// Work on all columns: over threads where that is worth its cost, else at once. `work` is given the
+/// number of the first group, and what comes of neighbouring stretches is joined in their order.
+pub(crate) fn divide<T, R, const N: usize>(
+    first: usize,
+    columns: Stretch<'_, T, N>,
     steps: usize,
-    instructions: Instructions,
-) -> Option<()>
+    work: &(impl Fn(usize, Stretch<'_, T, N>) -> R + Sync),
+    join: &(impl Fn(R, R) -> R + Sync),
+) -> R
 where
-    K: Method<Stages<S>: Sync>,
     T: EnsembleScalar,
-    S: WideStep<T, N>,
+    R: Send,
 {
     #[cfg(feature = "parallel")]
     let columns = match halves(columns, steps) {
         Ok([left, right]) => {
+            let middle = first + left.first().map_or(0, |column| column.len());
             let (left, right) = rayon::join(
-                || divide::<K, T, S, N>(stages, left, steps, instructions),
-                || divide::<K, T, S, N>(stages, right, steps, instructions),
+                || divide(first, left, steps, work, join),
+                || divide(middle, right, steps, work, join),
             );
-            return left.and(right);
+            return join(left, right);
         }
         Err(columns) => columns,
     };
-    T::sweep::<K, S, N>(stages, columns, steps, instructions)
+    #[cfg(not(feature = "parallel"))]
+    let _ = (steps, join);
+    work(first, columns)
 }
 
 /// A stretch of every column.
-#[cfg(feature = "parallel")]
-type Stretch<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
+pub(crate) type Stretch<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 
 /// Two halves of whole tiles, or all of it again where two tasks are not worth their cost.
 #[cfg(feature = "parallel")]

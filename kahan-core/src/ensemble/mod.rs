@@ -6,8 +6,8 @@
 //! of a map, the same code over other scalars. A pole is not looked for; it shows as numbers that
 //! are not finite.
 
-mod advance;
-mod columns;
+pub(crate) mod advance;
+pub(crate) mod columns;
 mod grid;
 pub(crate) mod lanes;
 mod level;
@@ -49,8 +49,8 @@ pub use scalar::EnsembleScalar;
 /// waits for the results of another step: the time is that of the unit with most to do, mostly the
 /// one that divides.
 pub struct Ensemble<T, const N: usize> {
-    columns: Columns<T, N>,
-    instructions: Instructions,
+    pub(crate) columns: Columns<T, N>,
+    pub(crate) instructions: Instructions,
 }
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {

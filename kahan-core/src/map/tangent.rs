@@ -5,6 +5,7 @@
 //! has the same bits on every level of instructions and in every build.
 
 use core::array::from_fn;
+use core::fmt;
 
 use nalgebra::SVector;
 
@@ -16,7 +17,7 @@ use super::Method;
 
 /// The type of the step that a tangent vector takes: the prepared step over dual numbers of one
 /// direction.
-pub type DualStep<M, T, const N: usize> =
+pub(crate) type DualStep<M, T, const N: usize> =
     <<M as Lift<T, N>>::Lifted<Dual<T, 1>> as KahanMap<Dual<T, 1>, N>>::Prepared;
 
 /// What carries tangent vectors along a [`KahanAt`]; made by [`KahanAt::tangent`].
@@ -93,28 +94,14 @@ where
     /// J(x)·v; `None` at a pole of an exact scalar.
     #[inline(always)]
     pub fn carry(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
-        let along = vector(from_fn(|i| Dual { value: x[i].clone(), gradient: [v[i].clone()] }));
-        let carried = carried::<K, _, _, N>(&self.stages, along)?;
-        Some(vector(from_fn(|i| carried[i].gradient[0].clone())))
+        let mut along: SVector<Dual<T, 1>, N> =
+            vector(from_fn(|i| Dual { value: x[i].clone(), gradient: [v[i].clone()] }));
+        K::run(&self.stages, |step| {
+            along = step.next(&along)?;
+            Some(())
+        })?;
+        Some(vector(from_fn(|i| along[i].gradient[0].clone())))
     }
-}
-
-/// A point with its tangent vector, one step of all stages later.
-#[inline(always)]
-pub(crate) fn carried<K, T, S, const N: usize>(
-    stages: &K::Stages<S>,
-    mut along: SVector<Dual<T, 1>, N>,
-) -> Option<SVector<Dual<T, 1>, N>>
-where
-    K: Method,
-    T: Scalar,
-    S: PreparedStep<Dual<T, 1>, N>,
-{
-    K::run(stages, |step| {
-        along = step.next(&along)?;
-        Some(())
-    })?;
-    Some(along)
 }
 
 impl<M, T, K, const N: usize> Clone for TangentAt<M, T, N, K>
@@ -125,5 +112,16 @@ where
 {
     fn clone(&self) -> Self {
         Self { map: self.map.clone(), eps: self.eps.clone(), stages: self.stages.clone() }
+    }
+}
+
+impl<M, T, K, const N: usize> fmt::Debug for TangentAt<M, T, N, K>
+where
+    M: Lift<T, N> + fmt::Debug,
+    T: Scalar,
+    K: Method,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("TangentAt").field("map", &self.map).field("eps", &self.eps).finish_non_exhaustive()
     }
 }

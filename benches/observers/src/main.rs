@@ -1,0 +1,128 @@
+//! What observers cost: orbits of E6 that are observed beside the orbit alone, in turns, and
+//! stability maps of Hénon and Heiles' system.
+//!
+//! `cargo run --release -p kahan-bench-observers` in this folder prints two tables. Ratios are
+//! medians of rounds in which all take turns; times are the least of the rounds.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use kahan_core::observe::{
+    Drift, Extrema, Fli, Lyapunov, MeanLogDet, Megno, Observer, Rotation, Sali, Spectrum,
+};
+use kahan_core::prelude::*;
+
+kahan! {
+    /// An integrable field in three variables.
+    struct E6;
+    xdot = y*(2*z - x);
+    ydot = x^2 - z^2;
+    zdot = y*(z - 2*x);
+    integral H = (x*z + y^2)/(1 - 3*eps^2*x*z);
+    integral K = 1/2*(x^2 + y^2 + z^2)/(1 - 3*eps^2*x*z);
+}
+
+kahan! {
+    /// Two coupled oscillators.
+    struct HenonHeiles;
+    xdot = p;
+    ydot = q;
+    pdot = -x - 2*x*y;
+    qdot = -y - x^2 + y^2;
+}
+
+const ROUNDS: usize = 31;
+const STEPS: u64 = 100_000;
+const EPS: f64 = 1.0 / 64.0;
+
+fn main() {
+    orbits();
+    stability_maps();
+}
+
+/// An orbit of E6 with observers, in seconds.
+fn observed<O: Observer<f64>>(observers: impl Fn() -> O + 'static) -> Box<dyn Fn() -> f64> {
+    Box::new(move || {
+        let mut orbit = E6.orbit(black_box(vector![0.3, 0.8, 0.5]), EPS);
+        let begun = Instant::now();
+        black_box(orbit.observe(STEPS, observers()));
+        begun.elapsed().as_secs_f64()
+    })
+}
+
+fn orbits() {
+    let tangent = || E6.at(EPS).tangent();
+    let integrals = |x: &[f64]| E6.integrals(&vector![x[0], x[1], x[2]], EPS).data.0[0];
+    let alone = || {
+        let begun = Instant::now();
+        black_box(E6.orbit(black_box(vector![0.3, 0.8, 0.5]), EPS).nth(STEPS as usize));
+        begun.elapsed().as_secs_f64()
+    };
+    let contenders: [(&str, Box<dyn Fn() -> f64>); 11] = [
+        ("the orbit alone", Box::new(alone)),
+        ("no observer", observed(|| ())),
+        ("extrema of three variables", observed(|| [0, 1, 2].map(|i| Extrema::of(move |x: &[f64]| x[i])))),
+        ("drift of two integrals", observed(move || Drift::of(integrals))),
+        ("largest exponent", observed(move || Lyapunov::new(tangent()))),
+        ("three exponents", observed(move || Spectrum::new(tangent(), 3, 1))),
+        ("mean log det", observed(move || MeanLogDet::new(tangent()))),
+        ("FLI", observed(move || Fli::new(tangent()))),
+        ("MEGNO", observed(move || Megno::new(tangent()))),
+        ("SALI", observed(move || Sali::new(tangent()))),
+        ("rotation number", observed(|| Rotation::of(STEPS, |x: &[f64]| [x[0], x[2]]))),
+    ];
+    let mut times = vec![Vec::new(); contenders.len()];
+    for _ in 0..ROUNDS {
+        for (times, (_, contender)) in times.iter_mut().zip(&contenders) {
+            times.push(contender());
+        }
+    }
+    println!("| E6 observed | ns a step | orbits |\n|---|---:|---:|");
+    for ((name, _), own) in contenders.iter().zip(&times) {
+        let mut ratios: Vec<f64> = own.iter().zip(&times[0]).map(|(own, alone)| own / alone).collect();
+        ratios.sort_by(f64::total_cmp);
+        let least = own.iter().copied().fold(f64::INFINITY, f64::min);
+        println!("| {name} | {:.2} | {:.2} |", 1e9 * least / STEPS as f64, ratios[ROUNDS / 2]);
+    }
+}
+
+fn stability_maps() {
+    const SIDE: usize = 512;
+    const STEPS: usize = 1000;
+
+    let map = HenonHeiles.at(0.05);
+    let tangent = map.tangent();
+    let axis = Axis { start: -0.4, end: 0.4, count: SIDE };
+    let at_rest = Axis { start: 0.1, end: 0.1, count: 1 };
+    let grid = || Ensemble::grid([at_rest, axis, at_rest, axis]);
+    println!("\n| {SIDE} × {SIDE} points of Hénon and Heiles, {STEPS} steps | seconds | ns a step |\n|---|---:|---:|");
+    let row = |name: &str, run: &dyn Fn(Ensemble<f64, 4>)| {
+        let times = (0..3).map(|_| {
+            let grid = grid();
+            let begun = Instant::now();
+            run(grid);
+            begun.elapsed().as_secs_f64()
+        });
+        let least = times.fold(f64::INFINITY, f64::min);
+        println!("| {name} | {least:.2} | {:.2} |", 1e9 * least / (SIDE * SIDE * STEPS) as f64);
+    };
+    row("advanced", &|mut grid| {
+        grid.advance(&map, STEPS);
+        black_box(grid);
+    });
+    row("observed by nobody", &|mut grid| {
+        black_box(grid.observe(&map, STEPS, |_| ()));
+    });
+    row("SALI", &|mut grid| {
+        black_box(grid.observe(&map, STEPS, |_| Sali::new(&tangent)));
+    });
+    row("FLI", &|mut grid| {
+        black_box(grid.observe(&map, STEPS, |_| Fli::new(&tangent)));
+    });
+    row("MEGNO", &|mut grid| {
+        black_box(grid.observe(&map, STEPS, |_| Megno::new(&tangent)));
+    });
+    row("largest exponent", &|mut grid| {
+        black_box(grid.observe(&map, STEPS, |_| Lyapunov::new(&tangent)));
+    });
+}

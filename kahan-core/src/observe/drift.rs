@@ -1,0 +1,83 @@
+//! How well integrals are kept.
+
+use core::array::from_fn;
+
+use crate::Scalar;
+
+use super::Observer;
+
+/// How far integrals of motion are from their first values.
+///
+/// ```
+/// use kahan_core::observe::Drift;
+/// use kahan_core::prelude::*;
+///
+/// kahan! {
+///     /// A circle around the origin.
+///     pub struct Turn;
+///     xdot = y;
+///     ydot = -x;
+/// }
+///
+/// let radius = Drift::of(|x: &[f64]| [x[0] * x[0] + x[1] * x[1]]);
+/// let [drifted] = Turn.orbit(vector![1.0, 0.0], 0.01).observe(1000, radius);
+/// assert!(drifted.last <= drifted.max && drifted.max < 1e-13);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Drift<F, T, const M: usize> {
+    integrals: F,
+    first: [T; M],
+    last: [T; M],
+    /// The greatest |I − I(x₀)|, not a number once one was not.
+    max: [f64; M],
+}
+
+/// How far an integral was from its first value I(x₀): |I − I(x₀)|/|I(x₀)|, or |I − I(x₀)| where
+/// I(x₀) = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drifted {
+    /// At most; not a number where the integral was not a number once.
+    pub max: f64,
+    /// After the last step.
+    pub last: f64,
+}
+
+impl<F: Fn(&[T]) -> [T; M], T: Scalar, const M: usize> Drift<F, T, M> {
+    /// The drift of `integrals`, all of them computed at once.
+    pub fn of(integrals: F) -> Self {
+        let zeros = || from_fn(|_| T::zero());
+        Self { integrals, first: zeros(), last: zeros(), max: [0.0; M] }
+    }
+
+    /// |I − I(x₀)| of integral i.
+    #[inline(always)]
+    fn distance(&self, i: usize) -> f64 {
+        (self.last[i].clone() - self.first[i].clone()).approximate().abs()
+    }
+}
+
+impl<F: Fn(&[T]) -> [T; M], T: Scalar, const M: usize> Observer<T> for Drift<F, T, M> {
+    type Report = [Drifted; M];
+
+    #[inline(always)]
+    fn observe(&mut self, step: u64, x: &[T]) {
+        self.last = (self.integrals)(x);
+        if step == 0 {
+            self.first = self.last.clone();
+        }
+        for i in 0..M {
+            let distance = self.distance(i);
+            if distance > self.max[i] || distance.is_nan() {
+                self.max[i] = distance;
+            }
+        }
+    }
+
+    fn report(self) -> [Drifted; M] {
+        from_fn(|i| {
+            let first = self.first[i].approximate().abs();
+            let scale = if first == 0.0 { 1.0 } else { first };
+            Drifted { max: self.max[i] / scale, last: self.distance(i) / scale }
+        })
+    }
+}

@@ -1,0 +1,113 @@
+//! Observing every trajectory of an ensemble.
+//!
+//! In: an ensemble, a map, and observers for each trajectory. Out: reports in the order of the
+//! points. A group of trajectories is advanced some steps, by the same instructions as ever, and
+//! then seen by its observers: so each stays in the nearest cache for that long.
+
+use core::array::from_fn;
+use std::vec::Vec;
+
+use crate::ensemble::advance::{Stretch, divide};
+use crate::ensemble::columns::{GROUP, Group};
+use crate::step::error::pole;
+use crate::{Advances, Ensemble, EnsembleScalar};
+
+use super::Observer;
+
+/// Steps between two looks of an observer.
+const BURST: usize = 16;
+
+impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
+    /// Advances every point by `steps` steps of the map, as [`advance`](Self::advance) and with the
+    /// same bits, and shows each trajectory to the observers that `observers` makes for it: those
+    /// of number i, the number of [`point`](Self::point), see that point as step 0.
+    ///
+    /// A report's bits depend neither on the trajectory's place nor on the threads. With the
+    /// feature `parallel`, large ensembles run on rayon's current pool of threads.
+    ///
+    /// No step allocates; each group of 16 trajectories does once.
+    ///
+    /// # Panics
+    /// At a pole, for scalars that have no reciprocal of zero.
+    ///
+    /// ```
+    /// use kahan_core::Ensemble;
+    /// use kahan_core::observe::{Escape, Sali};
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! {
+    ///     /// Predator and prey.
+    ///     pub struct LotkaVolterra;
+    ///     xdot = x*(1 - y);
+    ///     ydot = y*(x - 1);
+    /// }
+    ///
+    /// let map = LotkaVolterra.at(0.05);
+    /// let tangent = map.tangent();
+    /// let mut ponds = Ensemble::new((1..=100).map(|k| vector![0.01 * f64::from(k), 1.0]).collect());
+    /// let many_prey = |x: &[f64]| x[0] > 2.0;
+    /// let reports = ponds.observe(&map, 500, |_| (Escape::when(many_prey), Sali::new(&tangent)));
+    /// assert!(reports[0].0.is_some() && reports[99].0.is_none());
+    /// ```
+    pub fn observe<M, O>(
+        &mut self,
+        map: &M,
+        steps: usize,
+        observers: impl Fn(usize) -> O + Sync,
+    ) -> Vec<O::Report>
+    where
+        M: Advances<T, N> + Sync,
+        O: Observer<T, Report: Send>,
+    {
+        let (len, on) = (self.len(), self.instructions);
+        let advance = |group: &mut [Group<T>; N], steps: usize| {
+            if map.advance(group.each_mut().map(core::slice::from_mut), steps, on).is_none() {
+                pole(map.half_step())
+            }
+        };
+        let observe = |first: usize, mut columns: Stretch<'_, T, N>| {
+            let mut reports = Vec::new();
+            let groups = columns.first().map_or(0, |column| column.len());
+            for group in 0..groups {
+                let start = (first + group) * GROUP;
+                let mut observed: Vec<O> = (start..len.min(start + GROUP)).map(&observers).collect();
+                let mut points: [Group<T>; N] = from_fn(|c| columns[c][group]);
+                observe_group(&mut points, &mut observed, steps, advance);
+                for (column, points) in columns.iter_mut().zip(points) {
+                    column[group] = points;
+                }
+                reports.extend(observed.into_iter().map(O::report));
+            }
+            reports
+        };
+        let join = |mut left: Vec<_>, right: Vec<_>| {
+            left.extend(right);
+            left
+        };
+        divide(0, self.columns.groups_mut(), steps, &observe, &join)
+    }
+}
+
+/// One group's points, shown at every step and advanced.
+fn observe_group<T: EnsembleScalar, O: Observer<T>, const N: usize>(
+    points: &mut [Group<T>; N],
+    observers: &mut [O],
+    steps: usize,
+    advance: impl Fn(&mut [Group<T>; N], usize),
+) {
+    let mut burst = [*points; BURST];
+    for first in (0..=steps).step_by(BURST) {
+        let len = BURST.min(steps + 1 - first);
+        for (step, seen) in (first..).zip(&mut burst[..len]) {
+            if step > 0 {
+                advance(points, 1);
+            }
+            *seen = *points;
+        }
+        for (lane, observer) in observers.iter_mut().enumerate() {
+            for (step, seen) in (first as u64..).zip(&burst[..len]) {
+                observer.observe(step, &seen.each_ref().map(|column| column[lane]));
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! The least and the greatest value of a quantity.
+
+/// The least and the greatest value of a quantity on an orbit: a variable, or any function of the
+/// point.
+///
+/// What compares with nothing, as what is not a number, is passed over.
+///
+/// ```
+/// use kahan_core::observe::Extrema;
+/// use kahan_core::prelude::*;
+///
+/// kahan! {
+///     /// A circle around the origin.
+///     pub struct Turn;
+///     xdot = y;
+///     ydot = -x;
+/// }
+///
+/// let both = [0, 1].map(|i| Extrema::of(move |x: &[f64]| x[i]));
+/// let [x, y] = Turn.orbit(vector![1.0, 0.0], 0.01).observe(1000, both);
+/// assert!((x.unwrap().least + 1.0).abs() < 1e-4 && (y.unwrap().greatest - 1.0).abs() < 1e-4);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Extrema<F, T> {
+    quantity: F,
+    seen: Option<Extremes<T>>,
+}
+
+/// What [`Extrema`] reports.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremes<T> {
+    /// The least value.
+    pub least: T,
+    /// The greatest value.
+    pub greatest: T,
+}
+
+impl<F: Fn(&[T]) -> T, T> Extrema<F, T> {
+    /// The extremes of `quantity`.
+    pub fn of(quantity: F) -> Self {
+        Self { quantity, seen: None }
+    }
+}
+
+impl<F: Fn(&[T]) -> T, T: Clone + PartialOrd> super::Observer<T> for Extrema<F, T> {
+    /// `None` where no value was seen.
+    type Report = Option<Extremes<T>>;
+
+    #[inline]
+    fn observe(&mut self, _step: u64, x: &[T]) {
+        let value = (self.quantity)(x);
+        match &mut self.seen {
+            Some(seen) if value < seen.least => seen.least = value,
+            Some(seen) if value > seen.greatest => seen.greatest = value,
+            None if value == value => {
+                self.seen = Some(Extremes { least: value.clone(), greatest: value });
+            }
+            _ => {}
+        }
+    }
+
+    fn report(self) -> Option<Extremes<T>> {
+        self.seen
+    }
+}

@@ -1,0 +1,48 @@
+//! The fast Lyapunov indicator.
+
+use crate::FloatScalar;
+
+use super::carried::Carried;
+use super::growth::Size;
+use super::{Observer, Tangent};
+
+/// The fast Lyapunov indicator: the logarithm of the greatest length that a tangent vector has had,
+/// its first length being 1.
+///
+/// Over n steps it grows like log n on a torus and like n where motion is chaotic. C. Froeschlé, E.
+/// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41.
+///
+/// Cost: a step over dual numbers, and the vector's square.
+#[derive(Clone, Debug)]
+pub struct Fli<M: Tangent<T>, T> {
+    carried: Carried<M, T, 1>,
+    first: Size,
+    greatest: Size,
+}
+
+impl<M: Tangent<T>, T: FloatScalar> Fli<M, T> {
+    /// The indicator of the map that `tangent` belongs to.
+    pub fn new(tangent: M) -> Self {
+        Self { carried: Carried::new(tangent), first: Size::ONE, greatest: Size::ONE }
+    }
+}
+
+impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Fli<M, T> {
+    /// Not a number from a pole on.
+    type Report = f64;
+
+    #[inline(always)]
+    fn observe(&mut self, step: u64, x: &[T]) {
+        let [size] = self.carried.follow(step, x);
+        if step == 0 {
+            (self.first, self.greatest) = (size, size);
+        // What is not a number compares with nothing, and stays.
+        } else if !(size <= self.greatest) && self.greatest == self.greatest {
+            self.greatest = size;
+        }
+    }
+
+    fn report(self) -> f64 {
+        0.5 * (self.greatest.ln() - self.first.ln())
+    }
+}

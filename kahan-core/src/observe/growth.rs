@@ -1,0 +1,101 @@
+//! Lengths beyond the range of floats.
+//!
+//! In: factors, one after another, or a vector that grows. Out: its size as a number and a power of
+//! two, which no growth takes out of range, and the logarithm of that. Scaling by powers of two is
+//! exact, so when it is done changes no bit.
+
+use core::cmp::Ordering;
+use core::f64::consts::LN_2;
+
+use crate::{Constant, FloatScalar};
+
+/// A positive number: mantissa·2^exponent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Size {
+    mantissa: f64,
+    exponent: i64,
+}
+
+impl Size {
+    pub(super) const ONE: Self = Self::of(1.0);
+
+    pub(super) const fn of(mantissa: f64) -> Self {
+        Self { mantissa, exponent: 0 }
+    }
+
+    /// The number times a factor, its mantissa between ½ and 1 in size.
+    pub(super) fn multiply(&mut self, factor: Self) {
+        let (mantissa, exponent) = libm::frexp(self.mantissa * factor.mantissa);
+        *self = Self { mantissa, exponent: self.exponent + factor.exponent + i64::from(exponent) };
+    }
+
+    /// The natural logarithm of its magnitude.
+    pub(super) fn ln(&self) -> f64 {
+        libm::log(self.mantissa.abs()) + self.exponent as f64 * LN_2
+    }
+}
+
+/// A greater one grows more.
+impl PartialOrd for Size {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        if self.exponent == other.exponent {
+            self.mantissa.partial_cmp(&other.mantissa)
+        } else {
+            self.ln().partial_cmp(&other.ln())
+        }
+    }
+}
+
+/// A vector is scaled by this power of two whenever its square leaves 2⁻⁶⁴ to 2⁶⁴, the square of
+/// that: then `f32` holds what it becomes in a step, too.
+const BITS: i64 = 32;
+
+/// Scales a vector by powers of two until its square is of moderate size, as long as it is finite
+/// and not 0. Adds what it was scaled by to `exponent`, and returns the square of its length, as
+/// that of the vector before it was ever scaled.
+#[inline(always)]
+pub(super) fn scale<T: FloatScalar>(vector: &mut [T], exponent: &mut i64) -> Size {
+    let mut squared = square(vector);
+    if !is_moderate(squared) {
+        squared = scaled(vector, exponent);
+    }
+    Size { mantissa: squared, exponent: 2 * *exponent }
+}
+
+#[inline(always)]
+fn is_moderate(squared: f64) -> bool {
+    const MOST: f64 = (1_u128 << (2 * BITS)) as f64;
+    squared > 1.0 / MOST && squared < MOST
+}
+
+/// The square of a vector's length after it was scaled.
+#[cold]
+fn scaled<T: FloatScalar>(vector: &mut [T], exponent: &mut i64) -> f64 {
+    let up = T::constant(&Constant::integer(1 << BITS));
+    let down = T::one() / up;
+    // From one end of the range of `f64` to the other.
+    for _ in 0..2 * 1100 / BITS {
+        let squared = square(vector);
+        if is_moderate(squared) || squared == 0.0 || squared.is_nan() {
+            break;
+        }
+        let (factor, bits) = if squared < 1.0 { (up, -BITS) } else { (down, BITS) };
+        for entry in &mut *vector {
+            *entry *= factor;
+        }
+        *exponent += bits;
+    }
+    square(vector)
+}
+
+/// The square of a vector's length, by multiplications and additions that nothing fuses.
+#[inline(always)]
+pub(super) fn square<T: FloatScalar>(vector: &[T]) -> f64 {
+    dot(vector, vector).approximate()
+}
+
+/// The inner product.
+#[inline(always)]
+pub(super) fn dot<T: FloatScalar>(v: &[T], w: &[T]) -> T {
+    v.iter().zip(w).fold(T::zero(), |sum, (v, w)| sum + *v * *w)
+}

@@ -1,0 +1,97 @@
+//! What a map does, answered in the loop, without storing the orbit.
+//!
+//! In: the points of an orbit, or of every trajectory of an ensemble, one after another. Out: one
+//! report an observer. An observer keeps what its report needs and nothing else: no step allocates,
+//! and a question that is not asked costs nothing.
+//!
+//! ```
+//! use kahan_core::observe::{Drift, Extrema, Lyapunov};
+//! use kahan_core::prelude::*;
+//!
+//! kahan! {
+//!     /// Predator and prey.
+//!     pub struct LotkaVolterra;
+//!     xdot = x*(1 - y);
+//!     ydot = y*(x - 1);
+//! }
+//!
+//! let map = LotkaVolterra.at(0.05);
+//! let observers = (Extrema::of(|x: &[f64]| x[0]), Lyapunov::new(map.tangent()));
+//! let (prey, exponent) = map.orbit(vector![1.5, 1.0]).observe(10_000, observers);
+//! assert!(prey.unwrap().least < 0.7 && prey.unwrap().greatest > 1.4);
+//! assert!(exponent.value.abs() < exponent.error);
+//! ```
+//!
+//! | what is asked | observer |
+//! |---|---|
+//! | between which values a quantity stays | [`Extrema`] |
+//! | how well integrals are kept | [`Drift`] |
+//! | the largest exponent, all of them, their sum | [`Lyapunov`], `Spectrum`, [`MeanLogDet`] |
+//! | regular or chaotic, soon | [`Fli`], [`Megno`], [`Sali`] |
+//! | how fast it turns | [`Rotation`] |
+//! | where it crosses a section | [`Section`] |
+//! | when it escapes, when it comes back | [`Escape`], [`Period`] |
+//! | how long it stays where | [`Residence`] |
+//!
+//! Times are in steps; exponents are per unit of time, of which a step takes 2ε. Logarithms,
+//! exponentials and arctangents are those of the `libm` crate, and growth is kept as a number and a
+//! power of two, so that a report has the same bits on every machine that computes the same points.
+//!
+//! The observers of derivatives take what carries tangent vectors, a [`Tangent`]: of a prepared map
+//! that is [`KahanAt::tangent`](crate::KahanAt::tangent), by value or by reference.
+
+mod carried;
+mod drift;
+#[cfg(feature = "std")]
+mod ensemble;
+mod escape;
+mod extrema;
+mod fli;
+mod growth;
+mod log_det;
+mod lyapunov;
+mod megno;
+mod orbit;
+mod period;
+mod points;
+mod residence;
+mod rotation;
+mod sali;
+mod section;
+#[cfg(feature = "std")]
+mod spectrum;
+mod tuples;
+
+pub use drift::{Drift, Drifted};
+pub use escape::Escape;
+pub use extrema::{Extrema, Extremes};
+pub use fli::Fli;
+pub use log_det::MeanLogDet;
+pub use lyapunov::{Exponent, Lyapunov};
+pub use megno::{Megno, Megnos};
+pub use period::{Period, Return};
+pub use points::{Between, Points, Tangent};
+pub use residence::{Residence, Stays};
+pub use rotation::{Rotation, Turns};
+pub use sali::Sali;
+#[cfg(feature = "std")]
+pub use section::{AtMost, Kept};
+pub use section::{Crossing, Direction, Section, Sink};
+#[cfg(feature = "std")]
+pub use spectrum::Spectrum;
+
+/// A question about an orbit whose numbers are of the type T.
+///
+/// Tuples of up to eight observers, arrays and, with `std`, vectors of them are observers, whose
+/// reports come together; `()` asks nothing.
+pub trait Observer<T> {
+    /// The answer.
+    type Report;
+
+    /// Looks at the point after `step` steps: x₀ is that of step 0, and the others follow one by
+    /// one.
+    fn observe(&mut self, step: u64, x: &[T]);
+
+    /// The answer for the points seen.
+    fn report(self) -> Self::Report;
+}

@@ -1,0 +1,55 @@
+//! Observing one orbit.
+
+use crate::map::Accumulation;
+use crate::{FloatScalar, KahanMap, Method, Orbit, Scalar, Scaled};
+
+use super::Observer;
+
+impl<M, T, K, A, const N: usize> Orbit<M, T, N, K, A>
+where
+    M: KahanMap<T, N>,
+    T: Scalar,
+    K: Method,
+    A: Accumulation,
+{
+    /// Shows the observers the next point of this orbit, x₀, as that of step 0, and the points of
+    /// `steps` steps more; then reports.
+    ///
+    /// The orbit stands at the last of these points afterwards. An exact one that meets a pole ends
+    /// there, and [`stopped`](Self::stopped) says so: the reports are of the points before it.
+    ///
+    /// It allocates nothing. `BENCHMARKS.md` has the times.
+    ///
+    /// ```
+    /// use kahan_core::observe::Escape;
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! {
+    ///     /// Growth without limits.
+    ///     pub struct Growth;
+    ///     xdot = x;
+    /// }
+    ///
+    /// let beyond_two = Escape::when(|x: &[f64]| x[0] > 2.0);
+    /// assert_eq!(Growth.orbit(vector![1.0], 0.05).observe(100, beyond_two), Some(7));
+    /// ```
+    pub fn observe<O: Observer<T>>(&mut self, steps: u64, mut observers: O) -> O::Report {
+        self.show(steps, |step, point| observers.observe(step, point.as_slice()));
+        observers.report()
+    }
+}
+
+impl<M, T, A, const N: usize> Scaled<M, T, N, A>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+    A: Accumulation,
+{
+    /// As [`Orbit::observe`], of the points that this orbit yields.
+    pub fn observe<O: Observer<T>>(&mut self, steps: u64, mut observers: O) -> O::Report {
+        for (step, point) in (0..=steps).zip(self) {
+            observers.observe(step, point.as_slice());
+        }
+        observers.report()
+    }
+}

@@ -1,0 +1,80 @@
+//! When an orbit comes back.
+
+use crate::Scalar;
+
+use super::Observer;
+
+/// The first return: the first step after which an orbit that has left a ball around its first
+/// point is in it again.
+///
+/// Steps that are small beside the ball leave it after some steps, not at once; those are no
+/// returns. Over exact scalars a ball of radius 0 finds exact periods.
+///
+/// ```
+/// use kahan_core::observe::Period;
+/// use kahan_core::prelude::*;
+///
+/// kahan! {
+///     /// A circle around the origin.
+///     pub struct Turn;
+///     xdot = y;
+///     ydot = -x;
+/// }
+///
+/// // With ε = 1 the map turns by a right angle.
+/// let start = vector![1.0, 0.0];
+/// let back = Turn.orbit(start, 1.0).observe(10, Period::within(1e-9, [0.0; 2]));
+/// assert_eq!(back.unwrap().step, 4);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Period<T, V> {
+    /// The square of the ball's radius.
+    squared: T,
+    start: V,
+    was_away: bool,
+    back: Option<Return<T>>,
+}
+
+/// What [`Period`] reports.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Return<T> {
+    /// The step after which the point is in the ball again.
+    pub step: u64,
+    /// The square of its distance from the first point.
+    pub squared_distance: T,
+}
+
+impl<T: Scalar, V: AsMut<[T]>> Period<T, V> {
+    /// The first return to a ball of this radius around x₀, for which `place` has room: an array or
+    /// a vector of as many numbers as there are variables.
+    pub fn within(radius: T, place: V) -> Self {
+        Self { squared: radius.clone() * radius, start: place, was_away: false, back: None }
+    }
+}
+
+impl<T: Scalar + PartialOrd, V: AsRef<[T]> + AsMut<[T]>> Observer<T> for Period<T, V> {
+    /// `None` where it did not come back.
+    type Report = Option<Return<T>>;
+
+    #[inline]
+    fn observe(&mut self, step: u64, x: &[T]) {
+        if step == 0 {
+            self.start.as_mut().clone_from_slice(x);
+        } else if self.back.is_none() {
+            let entries = self.start.as_ref().iter().zip(x);
+            let squared_distance = entries.fold(T::zero(), |sum, (start, x)| {
+                let apart = x.clone() - start.clone();
+                sum + apart.clone() * apart
+            });
+            if squared_distance > self.squared {
+                self.was_away = true;
+            } else if self.was_away && squared_distance <= self.squared {
+                self.back = Some(Return { step, squared_distance });
+            }
+        }
+    }
+
+    fn report(self) -> Option<Return<T>> {
+        self.back
+    }
+}

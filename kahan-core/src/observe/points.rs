@@ -1,0 +1,168 @@
+//! What observers need of a map: tangent vectors carried along, and points between two steps.
+//!
+//! In: a map at its ε. Out: traits that prepared maps have, and that other owners of a map can
+//! have; the number of variables need not be known while compiling.
+
+use core::array::from_fn;
+use core::fmt::Debug;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::composition::Composed;
+use crate::field::linear::determinant;
+use crate::map::dual_step;
+use crate::{Composition, FloatScalar, KahanAt, KahanMap, Lift, Method, Scalar, TangentAt};
+
+/// A space of points and vectors, which a map acts on.
+pub trait Points<T> {
+    /// A point, or a tangent vector: an array where the number of variables is known while
+    /// compiling.
+    type Point: Clone + Debug + AsRef<[T]> + AsMut<[T]>;
+
+    /// The point whose entry i is `entry(i)`.
+    fn point(&self, entry: impl FnMut(usize) -> T) -> Self::Point;
+}
+
+/// A map that carries tangent vectors along: v ↦ J(x)·v, J = ∂x̃/∂x.
+pub trait Tangent<T>: Points<T> {
+    /// ε, half the time step, as a number for reports.
+    fn half_step(&self) -> f64;
+
+    /// Replaces the tangent vector `v` at the point `x` by J(x)·v.
+    ///
+    /// Each observer calls this once a step and vector. What depends on `x` alone is computed once
+    /// for several vectors where this is inlined into their loop.
+    fn carry(&self, x: &[T], v: &mut Self::Point);
+
+    /// det J(x)
+    fn det_jacobian(&self, x: &[T]) -> T;
+}
+
+/// A map that can be stepped by a part of its time step: x(θ) = φ_{θε}(x), 0 ≤ θ ≤ 1, from x(0) = x
+/// to x(1) = x̃.
+pub trait Between<T>: Points<T> {
+    /// x(θ)
+    fn between(&self, x: &[T], theta: T) -> Self::Point;
+}
+
+impl<T, M: Points<T>> Points<T> for &M {
+    type Point = M::Point;
+
+    fn point(&self, entry: impl FnMut(usize) -> T) -> Self::Point {
+        M::point(self, entry)
+    }
+}
+
+impl<T, M: Tangent<T>> Tangent<T> for &M {
+    fn half_step(&self) -> f64 {
+        M::half_step(self)
+    }
+
+    #[inline(always)]
+    fn carry(&self, x: &[T], v: &mut Self::Point) {
+        M::carry(self, x, v);
+    }
+
+    #[inline(always)]
+    fn det_jacobian(&self, x: &[T]) -> T {
+        M::det_jacobian(self, x)
+    }
+}
+
+impl<T, M: Between<T>> Between<T> for &M {
+    fn between(&self, x: &[T], theta: T) -> Self::Point {
+        M::between(self, x, theta)
+    }
+}
+
+impl<M, T, K, const N: usize> Points<T> for TangentAt<M, T, N, K>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+    K: Method,
+{
+    type Point = [T; N];
+
+    fn point(&self, entry: impl FnMut(usize) -> T) -> [T; N] {
+        from_fn(entry)
+    }
+}
+
+impl<M, T, K, const N: usize> Points<T> for KahanAt<M, T, N, K>
+where
+    M: KahanMap<T, N>,
+    T: Scalar,
+    K: Method,
+{
+    type Point = [T; N];
+
+    fn point(&self, entry: impl FnMut(usize) -> T) -> [T; N] {
+        from_fn(entry)
+    }
+}
+
+/// Of the map itself and of compositions. A slice of another length than the number of variables
+/// panics.
+impl<M, T, K, const N: usize> Tangent<T> for TangentAt<M, T, N, K>
+where
+    M: Lift<T, N>,
+    T: FloatScalar,
+    K: Method,
+{
+    fn half_step(&self) -> f64 {
+        self.eps().approximate()
+    }
+
+    #[inline(always)]
+    fn carry(&self, x: &[T], v: &mut [T; N]) {
+        // Floats have a value at every point.
+        if let Some(carried) = TangentAt::carry(self, &entries(x), &SVector::from(*v)) {
+            [*v] = carried.data.0;
+        }
+    }
+
+    /// By the tangent vectors of all variables.
+    #[inline]
+    fn det_jacobian(&self, x: &[T]) -> T {
+        let mut columns = [[T::zero(); N]; N];
+        for (i, column) in columns.iter_mut().enumerate() {
+            column[i] = T::one();
+            Tangent::carry(self, x, column);
+        }
+        determinant::<T, N>(SMatrix::from_fn(|i, j| columns[j][i]))
+    }
+}
+
+/// The point at this slice.
+#[inline(always)]
+fn entries<T: FloatScalar, const N: usize>(x: &[T]) -> SVector<T, N> {
+    match <[T; N]>::try_from(x) {
+        Ok(entries) => entries.into(),
+        Err(_) => panic!("a point of {} numbers for a map of {N} variables", x.len()),
+    }
+}
+
+impl<M, T, const N: usize> Between<T> for KahanAt<M, T, N>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+{
+    /// The step of the map with θε.
+    fn between(&self, x: &[T], theta: T) -> [T; N] {
+        let [between] = self.map().step(&entries(x), theta * *self.eps()).data.0;
+        between
+    }
+}
+
+impl<M, T, const N: usize> TangentAt<M, T, N>
+where
+    M: Lift<T, N>,
+    T: FloatScalar,
+{
+    /// What carries tangent vectors along a composition of the map, through all of its stages.
+    pub fn composed(&self, composition: Composition) -> TangentAt<M, T, N, Composed> {
+        let (map, eps) = (self.map.clone(), self.eps);
+        let stages = composition.stages_of(eps, |eps| dual_step(&map, eps));
+        TangentAt { map, eps, stages }
+    }
+}

@@ -1,0 +1,79 @@
+//! How long an orbit stays where.
+
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use crate::Scalar;
+
+use super::Observer;
+
+/// A histogram of a quantity: after how many steps it lies in each of equal parts of a range.
+///
+/// ```
+/// use kahan_core::observe::Residence;
+/// use kahan_core::prelude::*;
+///
+/// kahan! {
+///     /// A circle around the origin.
+///     pub struct Turn;
+///     xdot = y;
+///     ydot = -x;
+/// }
+///
+/// let halves = Residence::of(|x: &[f64]| x[0], 0.0..2.0, [0; 2]);
+/// let stays = Turn.orbit(vector![1.0, 0.0], 1.0).observe(7, halves);
+/// assert_eq!((stays.within, stays.outside), ([2 + 2, 2], 2));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Residence<F, T, V> {
+    quantity: F,
+    start: f64,
+    /// How many parts of the range there are to the unit.
+    parts_to_unit: f64,
+    stays: Stays<V>,
+    scalar: PhantomData<T>,
+}
+
+/// What [`Residence`] reports.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stays<V> {
+    /// How many points lay in each part of the range, without its end.
+    pub within: V,
+    /// How many lay outside, what is not a number among them.
+    pub outside: u64,
+}
+
+impl<F, T, V> Residence<F, T, V>
+where
+    F: Fn(&[T]) -> T,
+    V: AsMut<[u64]>,
+{
+    /// The stays of `quantity` in equal parts of `range`, one for each of `counts`, which are
+    /// counted up: an array or a vector of zeros.
+    pub fn of(quantity: F, range: Range<f64>, mut counts: V) -> Self {
+        let parts_to_unit = counts.as_mut().len() as f64 / (range.end - range.start);
+        let stays = Stays { within: counts, outside: 0 };
+        Self { quantity, start: range.start, parts_to_unit, stays, scalar: PhantomData }
+    }
+}
+
+impl<F, T, V> Observer<T> for Residence<F, T, V>
+where
+    F: Fn(&[T]) -> T,
+    T: Scalar,
+    V: AsMut<[u64]>,
+{
+    type Report = Stays<V>;
+
+    #[inline]
+    fn observe(&mut self, _step: u64, x: &[T]) {
+        let part = ((self.quantity)(x).approximate() - self.start) * self.parts_to_unit;
+        // Below 0 the conversion would round towards it.
+        let count = if part >= 0.0 { self.stays.within.as_mut().get_mut(part as usize) } else { None };
+        *count.unwrap_or(&mut self.stays.outside) += 1;
+    }
+
+    fn report(self) -> Stays<V> {
+        self.stays
+    }
+}

@@ -1,0 +1,65 @@
+//! Several observers as one: tuples, arrays, vectors.
+
+#[cfg(feature = "std")]
+use std::vec::Vec;
+
+use super::Observer;
+
+macro_rules! tuple {
+    ($($name:ident $place:tt),*) => {
+        impl<T, $($name: Observer<T>),*> Observer<T> for ($($name,)*) {
+            type Report = ($($name::Report,)*);
+
+            #[inline(always)]
+            fn observe(&mut self, _step: u64, _x: &[T]) {
+                $(self.$place.observe(_step, _x);)*
+            }
+
+            #[allow(clippy::unused_unit, reason = "the tuple of none")]
+            fn report(self) -> Self::Report {
+                ($(self.$place.report(),)*)
+            }
+        }
+    };
+}
+
+tuple!();
+tuple!(A 0);
+tuple!(A 0, B 1);
+tuple!(A 0, B 1, C 2);
+tuple!(A 0, B 1, C 2, D 3);
+tuple!(A 0, B 1, C 2, D 3, E 4);
+tuple!(A 0, B 1, C 2, D 3, E 4, F 5);
+tuple!(A 0, B 1, C 2, D 3, E 4, F 5, G 6);
+tuple!(A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7);
+
+impl<T, O: Observer<T>, const K: usize> Observer<T> for [O; K] {
+    type Report = [O::Report; K];
+
+    #[inline]
+    fn observe(&mut self, step: u64, x: &[T]) {
+        for observer in self {
+            observer.observe(step, x);
+        }
+    }
+
+    fn report(self) -> Self::Report {
+        self.map(O::report)
+    }
+}
+
+#[cfg(feature = "std")]
+impl<T, O: Observer<T>> Observer<T> for Vec<O> {
+    type Report = Vec<O::Report>;
+
+    #[inline]
+    fn observe(&mut self, step: u64, x: &[T]) {
+        for observer in self {
+            observer.observe(step, x);
+        }
+    }
+
+    fn report(self) -> Self::Report {
+        self.into_iter().map(O::report).collect()
+    }
+}
