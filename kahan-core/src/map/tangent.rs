@@ -96,10 +96,9 @@ where
     pub fn carry(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
         let mut along: SVector<Dual<T, 1>, N> =
             vector(from_fn(|i| Dual { value: x[i].clone(), gradient: [v[i].clone()] }));
-        K::run(&self.stages, |step| {
+        for step in K::in_order(&self.stages) {
             along = step.next(&along)?;
-            Some(())
-        })?;
+        }
         Some(vector(from_fn(|i| along[i].gradient[0].clone())))
     }
 }

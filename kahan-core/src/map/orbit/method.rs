@@ -19,14 +19,21 @@ pub trait Method: Sealed {
     #[doc(hidden)]
     fn map<P: Clone, Q: Clone>(stages: &Self::Stages<P>, replace: impl Fn(&P) -> Q) -> Self::Stages<Q>;
 
+    /// Every stage in order.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn in_order<'a, P: Clone + 'a>(stages: &'a Self::Stages<P>) -> impl Iterator<Item = &'a P> {
+        let distinct = Self::distinct(stages);
+        let last = 2 * distinct.len() - 2;
+        (0..=last).map(move |k| &distinct[k.min(last - k)])
+    }
+
     /// Runs every stage in order, until one has no value.
     #[doc(hidden)]
     #[inline(always)]
     fn run<P: Clone>(stages: &Self::Stages<P>, mut run: impl FnMut(&P) -> Option<()>) -> Option<()> {
-        let distinct = Self::distinct(stages);
-        let last = 2 * distinct.len() - 2;
-        for k in 0..=last {
-            run(&distinct[k.min(last - k)])?;
+        for step in Self::in_order(stages) {
+            run(step)?;
         }
         Some(())
     }
