@@ -7,7 +7,7 @@ use super::level::Level;
 use super::sweep::Register;
 
 /// A register whose lanes are compared and chosen from, each for itself.
-pub(crate) trait Lanes<T>: Register<T> {
+pub trait Lanes<T>: Register<T> {
     /// Which lanes a comparison holds in.
     type Mask: Copy;
 
@@ -28,7 +28,7 @@ pub(crate) trait Lanes<T>: Register<T> {
 pub(crate) type Square<T> = [[T; 4]; 4];
 
 /// Work over lanes of T.
-pub(crate) trait OverLanes<T> {
+pub trait OverLanes<T> {
     /// What comes of it.
     type Output;
     /// Whether so little is alive at once that registers hold it twice, and the work is done by

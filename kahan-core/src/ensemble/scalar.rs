@@ -6,7 +6,8 @@
 use crate::{Method, Scalar, WideStep};
 
 use super::columns::Group;
-use super::level::Instructions;
+use super::lanes::{InLanes, OverLanes};
+use super::level::{Instructions, Level};
 use super::sweep::sweep;
 
 /// A scalar of an [`Ensemble`](crate::Ensemble).
@@ -34,11 +35,22 @@ pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
     {
         sweep::<K, Self, _, _, N>(stages, columns, steps)
     }
+
+    /// Runs work over the lanes of a level; `None` where the scalar has no lanes.
+    #[doc(hidden)]
+    fn over_lanes<W: OverLanes<Self>>(_work: W, _level: Level) -> Option<W::Output> {
+        None
+    }
 }
 
 macro_rules! implement_for_float {
     ($float:ty, $sweep_lanes:ident) => {
         impl EnsembleScalar for $float {
+            #[doc(hidden)]
+            fn over_lanes<W: OverLanes<Self>>(work: W, level: Level) -> Option<W::Output> {
+                Some(<Self as InLanes>::run(work, level))
+            }
+
             #[cfg(target_arch = "x86_64")]
             #[doc(hidden)]
             fn sweep<K, S, const N: usize>(

@@ -13,7 +13,7 @@ use crate::{Method, PreparedStep, Scalar};
 use super::columns::{GROUP, Group};
 
 /// Consecutive numbers side by side in one register, as a scalar.
-pub(crate) trait Register<T>: Scalar + Copy {
+pub trait Register<T>: Scalar + Copy {
     /// How many; a divisor of [`GROUP`].
     const WIDTH: usize;
 

@@ -82,8 +82,6 @@ where
     M: KahanMap<T, N>,
     T: Scalar,
 {
-    const HAS_LANES: bool = false;
-
     type Wide<L: Scalar> = NoLanes;
 
     /// # Panics

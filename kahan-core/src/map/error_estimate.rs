@@ -130,7 +130,7 @@ where
     /// ```
     pub fn with_error_estimate(self) -> ErrorEstimates<M, T, N, A> {
         let (map, eps) = self.parts();
-        let tangent = TangentAt::new(map, eps);
+        let tangent = TangentAt::new(map, eps, eps.clone());
         ErrorEstimates { orbit: self, tangent, last: None }
     }
 }

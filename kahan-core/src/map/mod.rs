@@ -36,7 +36,7 @@ pub(crate) use orbit::sealed::Sealed;
 pub use orbit::{Accumulation, Compensated, Method, Orbit, Rounded, Scaled, Single};
 pub use pivot::Pivot;
 pub use tangent::TangentAt;
-pub(crate) use tangent::dual_step;
+pub(crate) use tangent::{DualStep, carry, dual_stages};
 pub use through_f64::ThroughF64;
 
 /// ε from the time step: ε = dt/2.

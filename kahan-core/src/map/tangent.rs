@@ -29,16 +29,9 @@ where
 {
     pub(crate) map: M,
     pub(crate) eps: T,
-    pub(crate) stages: K::Stages<DualStep<M, T, N>>,
-}
-
-/// The step over dual numbers at ε.
-pub(crate) fn dual_step<M, T, const N: usize>(map: &M, eps: T) -> DualStep<M, T, N>
-where
-    M: Lift<T, N>,
-    T: Scalar,
-{
-    map.lift::<Dual<T, 1>>(|parameter| Dual::lift(parameter.clone())).prepare(&Dual::lift(eps))
+    /// ε of each stage.
+    pub(crate) parts: K::Stages<T>,
+    stages: K::Stages<DualStep<M, T, N>>,
 }
 
 impl<M, T, const N: usize> KahanAt<M, T, N>
@@ -66,17 +59,7 @@ where
     /// assert!((carried - map.jacobian(&x) * v).norm() < 1e-15);
     /// ```
     pub fn tangent(&self) -> TangentAt<M, T, N> {
-        TangentAt::new(&self.map, &self.eps)
-    }
-}
-
-impl<M, T, const N: usize> TangentAt<M, T, N>
-where
-    M: Lift<T, N>,
-    T: Scalar,
-{
-    pub(super) fn new(map: &M, eps: &T) -> Self {
-        Self { map: map.clone(), eps: eps.clone(), stages: dual_step(map, eps.clone()) }
+        TangentAt::new(&self.map, &self.eps, self.eps.clone())
     }
 }
 
@@ -86,6 +69,12 @@ where
     T: Scalar,
     K: Method,
 {
+    /// From the stages' ε.
+    pub(crate) fn new(map: &M, eps: &T, parts: K::Stages<T>) -> Self {
+        let stages = dual_stages::<M, T, K, T, N>(map, &parts, T::clone);
+        Self { map: map.clone(), eps: eps.clone(), parts, stages }
+    }
+
     /// ε, half the time step.
     pub fn eps(&self) -> &T {
         &self.eps
@@ -94,13 +83,45 @@ where
     /// J(x)·v; `None` at a pole of an exact scalar.
     #[inline(always)]
     pub fn carry(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
-        let mut along: SVector<Dual<T, 1>, N> =
-            vector(from_fn(|i| Dual { value: x[i].clone(), gradient: [v[i].clone()] }));
-        for step in K::in_order(&self.stages) {
-            along = step.next(&along)?;
-        }
-        Some(vector(from_fn(|i| along[i].gradient[0].clone())))
+        carry::<K, _, T, N>(&self.stages, x, v)
     }
+}
+
+/// The steps of a map at these ε over dual numbers of U, into which `lift` puts each number.
+#[inline(always)]
+pub(crate) fn dual_stages<M, T, K, U, const N: usize>(
+    map: &M,
+    eps: &K::Stages<T>,
+    lift: impl Fn(&T) -> U,
+) -> K::Stages<<<M as Lift<T, N>>::Lifted<Dual<U, 1>> as KahanMap<Dual<U, 1>, N>>::Prepared>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+    K: Method,
+    U: Scalar,
+{
+    let lifted = map.lift::<Dual<U, 1>>(|parameter| Dual::lift(lift(parameter)));
+    K::map(eps, |eps| lifted.prepare(&Dual::lift(lift(eps))))
+}
+
+/// A tangent vector at a point, all stages later; `None` at a pole of an exact scalar.
+#[inline(always)]
+pub(crate) fn carry<K, S, T, const N: usize>(
+    stages: &K::Stages<S>,
+    x: &SVector<T, N>,
+    v: &SVector<T, N>,
+) -> Option<SVector<T, N>>
+where
+    K: Method,
+    S: PreparedStep<Dual<T, 1>, N>,
+    T: Scalar,
+{
+    let mut along: SVector<Dual<T, 1>, N> =
+        vector(from_fn(|i| Dual { value: x[i].clone(), gradient: [v[i].clone()] }));
+    for step in K::in_order(stages) {
+        along = step.next(&along)?;
+    }
+    Some(vector(from_fn(|i| along[i].gradient[0].clone())))
 }
 
 impl<M, T, K, const N: usize> Clone for TangentAt<M, T, N, K>
@@ -110,7 +131,12 @@ where
     K: Method,
 {
     fn clone(&self) -> Self {
-        Self { map: self.map.clone(), eps: self.eps.clone(), stages: self.stages.clone() }
+        Self {
+            map: self.map.clone(),
+            eps: self.eps.clone(),
+            parts: self.parts.clone(),
+            stages: self.stages.clone(),
+        }
     }
 }
 

@@ -101,8 +101,6 @@ impl<P, const N: usize> WideStep<f32, N> for ThroughF64Step<P>
 where
     P: PreparedStep<f64, N>,
 {
-    const HAS_LANES: bool = false;
-
     type Wide<L: Scalar> = NoLanes;
 
     /// # Panics

@@ -3,9 +3,17 @@
 //! In: the points of the orbit, one after another. Out: K vectors, each at the point given last and
 //! scaled by a power of two.
 
+use core::array::from_fn;
+
+#[cfg(feature = "std")]
+use crate::EnsembleScalar;
+#[cfg(feature = "std")]
+use crate::ensemble::columns::GROUP;
 use crate::{Constant, FloatScalar};
 
 use super::Tangent;
+#[cfg(feature = "std")]
+use super::burst::{BURST, Burst, Observers, at};
 use super::growth::{Size, scale};
 
 /// K tangent vectors that a map carries along.
@@ -22,7 +30,7 @@ pub(super) struct Carried<M: Tangent<T>, T, const K: usize> {
 impl<M: Tangent<T>, T: FloatScalar, const K: usize> Carried<M, T, K> {
     /// Vectors in directions that nothing prefers.
     pub(super) fn new(map: M) -> Self {
-        let vectors = core::array::from_fn(|k| map.point(|i| any_direction(k, i)));
+        let vectors = from_fn(|k| map.point(|i| any_direction(k, i)));
         Self { place: map.point(|_| T::zero()), vectors, exponents: [0; K], map }
     }
 
@@ -35,7 +43,13 @@ impl<M: Tangent<T>, T: FloatScalar, const K: usize> Carried<M, T, K> {
             }
         }
         self.place.as_mut().copy_from_slice(x);
-        core::array::from_fn(|k| scale(self.vectors[k].as_mut(), &mut self.exponents[k]))
+        self.scale()
+    }
+
+    /// Scales the vectors; the squares of their lengths.
+    #[inline(always)]
+    fn scale(&mut self) -> [Size; K] {
+        from_fn(|k| scale(self.vectors[k].as_mut(), &mut self.exponents[k]))
     }
 
     /// The vectors, each up to a power of two.
@@ -47,6 +61,91 @@ impl<M: Tangent<T>, T: FloatScalar, const K: usize> Carried<M, T, K> {
     pub(super) fn time_step(&self) -> f64 {
         2.0 * self.map.half_step()
     }
+}
+
+/// An observer of tangent vectors.
+pub(super) trait Follower<T, const K: usize> {
+    type Map: Tangent<T>;
+
+    /// The vectors.
+    fn carried(&mut self) -> &mut Carried<Self::Map, T, K>;
+
+    /// Looks at the squares of their lengths.
+    fn look(&mut self, step: u64, sizes: [Size; K]);
+}
+
+/// Takes the vectors of a group of trajectories along a burst, and looks at them after each step.
+///
+/// All are carried side by side where they are known to belong to one map that can.
+#[cfg(feature = "std")]
+pub(super) fn follow_burst<F, T, const K: usize, const N: usize>(
+    group: &mut Observers<'_, F>,
+    burst: &Burst<'_, T, N>,
+) where
+    F: Follower<T, K>,
+    T: EnsembleScalar + FloatScalar,
+{
+    let mut done = 0;
+    while let Some(taken) = follow_side_by_side(group, burst, done) {
+        done += taken;
+    }
+    for (lane, follower) in group.iter_mut().flatten().enumerate() {
+        for (step, x) in burst.of(lane).skip(done) {
+            let sizes = follower.carried().follow(step, &x);
+            follower.look(step, sizes);
+        }
+    }
+}
+
+/// The same side by side from the step after `done` on, until a vector has to be scaled: the steps
+/// taken, `None` where there is none left or it cannot be done.
+#[cfg(feature = "std")]
+fn follow_side_by_side<F, T, const K: usize, const N: usize>(
+    group: &mut Observers<'_, F>,
+    burst: &Burst<'_, T, N>,
+    done: usize,
+) -> Option<usize>
+where
+    F: Follower<T, K>,
+    T: EnsembleScalar + FloatScalar,
+{
+    let places = &burst.seen[done..burst.seen.len() - 1];
+    let map = group[0].as_mut()?.carried().map.clone();
+    if places.is_empty() || !group.iter_mut().flatten().all(|other| other.carried().map.is(&map)) {
+        return None;
+    }
+    // Places without a trajectory carry vectors of moderate size, too.
+    let mut columns = [[[T::one(); GROUP]; N]; K];
+    for (lane, follower) in group.iter_mut().flatten().enumerate() {
+        for (columns, vector) in columns.iter_mut().zip(follower.carried().vectors()) {
+            for (column, entry) in columns.iter_mut().zip(vector) {
+                column[lane] = *entry;
+            }
+        }
+    }
+    let mut squares = [[[T::one(); GROUP]; K]; BURST];
+    let taken = map.carry_side_by_side(
+        places.as_flattened(),
+        columns.as_flattened_mut(),
+        squares.as_flattened_mut(),
+        burst.level,
+    )?;
+    let first = burst.before + 1 + done as u64;
+    for (lane, follower) in group.iter_mut().flatten().enumerate() {
+        let carried = follower.carried();
+        for (columns, vector) in columns.iter().zip(&mut carried.vectors) {
+            vector.as_mut().copy_from_slice(&at(columns, lane));
+        }
+        carried.place.as_mut().copy_from_slice(&at(&burst.seen[done + taken], lane));
+        let exponents = carried.exponents;
+        let last = carried.scale();
+        for (step, squares) in (first..).zip(&squares[..taken - 1]) {
+            let size = |k: usize| Size::of_square(squares[k][lane].approximate(), exponents[k]);
+            follower.look(step, from_fn(size));
+        }
+        follower.look(first + taken as u64 - 1, last);
+    }
+    Some(taken)
 }
 
 /// Entry i of vector k: 64ths from 1/64 to 1, in no order that a field would have.

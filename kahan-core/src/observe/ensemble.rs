@@ -10,12 +10,10 @@ use std::vec::Vec;
 use crate::ensemble::advance::{Stretch, divide};
 use crate::ensemble::columns::{GROUP, Group};
 use crate::step::error::pole;
-use crate::{Advances, Ensemble, EnsembleScalar};
+use crate::{Advances, Ensemble, EnsembleScalar, Level};
 
 use super::Observer;
-
-/// Steps between two looks of an observer.
-const BURST: usize = 16;
+use super::burst::{BURST, Burst, at};
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Advances every point by `steps` steps of the map, as [`advance`](Self::advance) and with the
@@ -72,7 +70,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
                 let start = (first + group) * GROUP;
                 let mut observed: Vec<O> = (start..len.min(start + GROUP)).map(&observers).collect();
                 let mut points: [Group<T>; N] = from_fn(|c| columns[c][group]);
-                observe_group(&mut points, &mut observed, steps, advance);
+                observe_group(&mut points, &mut observed, steps, on.level, advance);
                 for (column, points) in columns.iter_mut().zip(points) {
                     column[group] = points;
                 }
@@ -93,21 +91,23 @@ fn observe_group<T: EnsembleScalar, O: Observer<T>, const N: usize>(
     points: &mut [Group<T>; N],
     observers: &mut [O],
     steps: usize,
+    level: Level,
     advance: impl Fn(&mut [Group<T>; N], usize),
 ) {
-    let mut burst = [*points; BURST];
-    for first in (0..=steps).step_by(BURST) {
-        let len = BURST.min(steps + 1 - first);
-        for (step, seen) in (first..).zip(&mut burst[..len]) {
-            if step > 0 {
-                advance(points, 1);
-            }
+    // The point before the burst, then those of the burst.
+    let mut seen = [*points; BURST + 1];
+    for (lane, observer) in observers.iter_mut().enumerate() {
+        observer.observe(0, &at(&seen[0], lane));
+    }
+    for before in (0..steps).step_by(BURST) {
+        let len = BURST.min(steps - before);
+        seen[0] = *points;
+        for seen in &mut seen[1..=len] {
+            advance(points, 1);
             *seen = *points;
         }
-        for (lane, observer) in observers.iter_mut().enumerate() {
-            for (step, seen) in (first as u64..).zip(&burst[..len]) {
-                observer.observe(step, &seen.each_ref().map(|column| column[lane]));
-            }
-        }
+        let mut each = observers.iter_mut();
+        let burst = Burst { before: before as u64, seen: &seen[..=len], level };
+        O::observe_burst(&mut from_fn(|_| each.next()), &burst);
     }
 }

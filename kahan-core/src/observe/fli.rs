@@ -1,9 +1,13 @@
 //! The fast Lyapunov indicator.
 
+#[cfg(feature = "std")]
+use crate::EnsembleScalar;
 use crate::FloatScalar;
 
-use super::carried::Carried;
+use super::carried::{Carried, Follower};
 use super::growth::Size;
+#[cfg(feature = "std")]
+use super::{Burst, Observers, carried::follow_burst};
 use super::{Observer, Tangent};
 
 /// The fast Lyapunov indicator: the logarithm of the greatest length that a tangent vector has had,
@@ -27,19 +31,41 @@ impl<M: Tangent<T>, T: FloatScalar> Fli<M, T> {
     }
 }
 
-impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Fli<M, T> {
-    /// Not a number from a pole on.
-    type Report = f64;
+impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Fli<M, T> {
+    type Map = M;
 
     #[inline(always)]
-    fn observe(&mut self, step: u64, x: &[T]) {
-        let [size] = self.carried.follow(step, x);
+    fn carried(&mut self) -> &mut Carried<M, T, 1> {
+        &mut self.carried
+    }
+
+    #[inline(always)]
+    fn look(&mut self, step: u64, [size]: [Size; 1]) {
         if step == 0 {
             (self.first, self.greatest) = (size, size);
         // What is not a number compares with nothing, and stays.
         } else if !(size <= self.greatest) && self.greatest == self.greatest {
             self.greatest = size;
         }
+    }
+}
+
+impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Fli<M, T> {
+    /// Not a number from a pole on.
+    type Report = f64;
+
+    #[inline(always)]
+    fn observe(&mut self, step: u64, x: &[T]) {
+        let sizes = self.carried.follow(step, x);
+        self.look(step, sizes);
+    }
+
+    #[cfg(feature = "std")]
+    fn observe_burst<const N: usize>(group: &mut Observers<'_, Self>, burst: &Burst<'_, T, N>)
+    where
+        T: EnsembleScalar,
+    {
+        follow_burst(group, burst);
     }
 
     fn report(self) -> f64 {

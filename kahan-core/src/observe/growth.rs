@@ -5,8 +5,10 @@
 //! exact, so when it is done changes no bit.
 
 use core::cmp::Ordering;
-use core::f64::consts::LN_2;
+use core::f64::consts::{FRAC_1_SQRT_2, LN_2};
 
+#[cfg(feature = "std")]
+use crate::Scalar;
 use crate::{Constant, FloatScalar};
 
 /// A positive number: mantissa·2^exponent.
@@ -17,6 +19,12 @@ pub(super) struct Size {
 }
 
 impl Size {
+    /// The size of a vector from the square of its length, after it was scaled by 2^−`exponent`.
+    #[inline(always)]
+    pub(super) fn of_square(squared: f64, exponent: i64) -> Self {
+        Self { mantissa: squared, exponent: 2 * exponent }
+    }
+
     pub(super) const ONE: Self = Self::of(1.0);
 
     pub(super) const fn of(mantissa: f64) -> Self {
@@ -29,9 +37,13 @@ impl Size {
         *self = Self { mantissa, exponent: self.exponent + factor.exponent + i64::from(exponent) };
     }
 
-    /// The natural logarithm of its magnitude.
+    /// The natural logarithm of its magnitude, however mantissa and exponent share it.
     pub(super) fn ln(&self) -> f64 {
-        libm::log(self.mantissa.abs()) + self.exponent as f64 * LN_2
+        let (mantissa, exponent) = libm::frexp(self.mantissa.abs());
+        // Numbers near 1 have a logarithm near 0, not one that is left of two larger ones.
+        let (mantissa, exponent) =
+            if mantissa < FRAC_1_SQRT_2 { (2.0 * mantissa, exponent - 1) } else { (mantissa, exponent) };
+        libm::log(mantissa) + (self.exponent + i64::from(exponent)) as f64 * LN_2
     }
 }
 
@@ -59,7 +71,15 @@ pub(super) fn scale<T: FloatScalar>(vector: &mut [T], exponent: &mut i64) -> Siz
     if !is_moderate(squared) {
         squared = scaled(vector, exponent);
     }
-    Size { mantissa: squared, exponent: 2 * *exponent }
+    Size::of_square(squared, *exponent)
+}
+
+/// The square of a vector above which it is scaled; below the reciprocal it is scaled, too.
+#[cfg(feature = "std")]
+#[inline(always)]
+pub(super) fn most<T: Scalar>() -> T {
+    let root = T::constant(&Constant::integer(1 << BITS));
+    root.clone() * root
 }
 
 #[inline(always)]

@@ -1,9 +1,13 @@
 //! The largest Lyapunov exponent.
 
+#[cfg(feature = "std")]
+use crate::EnsembleScalar;
 use crate::FloatScalar;
 
-use super::carried::Carried;
+use super::carried::{Carried, Follower};
 use super::growth::Size;
+#[cfg(feature = "std")]
+use super::{Burst, Observers, carried::follow_burst};
 use super::{Observer, Tangent};
 
 /// The rate at which a tangent vector grows: the largest Lyapunov exponent, per unit of time.
@@ -45,18 +49,40 @@ impl<M: Tangent<T>, T: FloatScalar> Lyapunov<M, T> {
     }
 }
 
+impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Lyapunov<M, T> {
+    type Map = M;
+
+    #[inline(always)]
+    fn carried(&mut self) -> &mut Carried<M, T, 1> {
+        &mut self.carried
+    }
+
+    #[inline(always)]
+    fn look(&mut self, step: u64, [size]: [Size; 1]) {
+        (self.steps, self.last) = (step, size);
+        if step == 0 {
+            self.first = size;
+        } else if step.is_power_of_two() {
+            self.doublings.pass(step, self.ln());
+        }
+    }
+}
+
 impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Lyapunov<M, T> {
     type Report = Exponent;
 
     #[inline(always)]
     fn observe(&mut self, step: u64, x: &[T]) {
-        [self.last] = self.carried.follow(step, x);
-        self.steps = step;
-        if step == 0 {
-            self.first = self.last;
-        } else if step.is_power_of_two() {
-            self.doublings.pass(step, self.ln());
-        }
+        let sizes = self.carried.follow(step, x);
+        self.look(step, sizes);
+    }
+
+    #[cfg(feature = "std")]
+    fn observe_burst<const N: usize>(group: &mut Observers<'_, Self>, burst: &Burst<'_, T, N>)
+    where
+        T: EnsembleScalar,
+    {
+        follow_burst(group, burst);
     }
 
     fn report(self) -> Exponent {

@@ -1,8 +1,13 @@
 //! The mean exponential growth factor of nearby orbits.
 
+#[cfg(feature = "std")]
+use crate::EnsembleScalar;
 use crate::FloatScalar;
 
-use super::carried::Carried;
+use super::carried::{Carried, Follower};
+use super::growth::Size;
+#[cfg(feature = "std")]
+use super::{Burst, Observers, carried::follow_burst};
 use super::{Observer, Tangent};
 
 /// MEGNO, the mean exponential growth factor of nearby orbits, of a map:
@@ -49,12 +54,15 @@ impl<M: Tangent<T>, T: FloatScalar> Megno<M, T> {
     }
 }
 
-impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Megno<M, T> {
-    type Report = Megnos;
+impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Megno<M, T> {
+    type Map = M;
 
-    #[inline]
-    fn observe(&mut self, step: u64, x: &[T]) {
-        let [size] = self.carried.follow(step, x);
+    #[inline(always)]
+    fn carried(&mut self) -> &mut Carried<M, T, 1> {
+        &mut self.carried
+    }
+
+    fn look(&mut self, step: u64, [size]: [Size; 1]) {
         let ln = 0.5 * size.ln();
         if step == 0 {
             self.first = ln;
@@ -64,6 +72,24 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Megno<M, T> {
         self.before += self.last;
         self.last = ln - self.first;
         self.sum += self.value();
+    }
+}
+
+impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Megno<M, T> {
+    type Report = Megnos;
+
+    #[inline]
+    fn observe(&mut self, step: u64, x: &[T]) {
+        let sizes = self.carried.follow(step, x);
+        self.look(step, sizes);
+    }
+
+    #[cfg(feature = "std")]
+    fn observe_burst<const N: usize>(group: &mut Observers<'_, Self>, burst: &Burst<'_, T, N>)
+    where
+        T: EnsembleScalar,
+    {
+        follow_burst(group, burst);
     }
 
     fn report(self) -> Megnos {

@@ -40,6 +40,8 @@
 //! The observers of derivatives take what carries tangent vectors, a [`Tangent`]: of a prepared map
 //! that is [`KahanAt::tangent`](crate::KahanAt::tangent), by value or by reference.
 
+#[cfg(feature = "std")]
+mod burst;
 mod carried;
 mod drift;
 #[cfg(feature = "std")]
@@ -48,6 +50,8 @@ mod escape;
 mod extrema;
 mod fli;
 mod growth;
+#[cfg(feature = "std")]
+mod lanes;
 mod log_det;
 mod lyapunov;
 mod megno;
@@ -61,6 +65,11 @@ mod section;
 #[cfg(feature = "std")]
 mod spectrum;
 mod tuples;
+
+#[cfg(feature = "std")]
+use crate::EnsembleScalar;
+#[cfg(feature = "std")]
+pub use burst::{Burst, Observers};
 
 pub use drift::{Drift, Drifted};
 pub use escape::Escape;
@@ -94,4 +103,21 @@ pub trait Observer<T> {
 
     /// The answer for the points seen.
     fn report(self) -> Self::Report;
+
+    /// Looks at some points of a group of trajectories, each with an observer of its own: here, at
+    /// one trajectory after the other.
+    #[cfg(feature = "std")]
+    #[doc(hidden)]
+    #[inline]
+    fn observe_burst<const N: usize>(group: &mut Observers<'_, Self>, burst: &Burst<'_, T, N>)
+    where
+        Self: Sized,
+        T: EnsembleScalar,
+    {
+        for (lane, observer) in group.iter_mut().flatten().enumerate() {
+            for (step, x) in burst.of(lane) {
+                observer.observe(step, &x);
+            }
+        }
+    }
 }

@@ -9,9 +9,12 @@ use core::fmt::Debug;
 use nalgebra::{SMatrix, SVector};
 
 use crate::composition::Composed;
+#[cfg(feature = "std")]
+use crate::ensemble::columns::Group;
 use crate::field::linear::determinant;
-use crate::map::dual_step;
 use crate::{Composition, FloatScalar, KahanAt, KahanMap, Lift, Method, Scalar, TangentAt};
+#[cfg(feature = "std")]
+use crate::{EnsembleScalar, Level};
 
 /// A space of points and vectors, which a map acts on.
 pub trait Points<T> {
@@ -24,7 +27,7 @@ pub trait Points<T> {
 }
 
 /// A map that carries tangent vectors along: v ↦ J(x)·v, J = ∂x̃/∂x.
-pub trait Tangent<T>: Points<T> {
+pub trait Tangent<T>: Points<T> + Clone {
     /// ε, half the time step, as a number for reports.
     fn half_step(&self) -> f64;
 
@@ -36,6 +39,32 @@ pub trait Tangent<T>: Points<T> {
 
     /// det J(x)
     fn det_jacobian(&self, x: &[T]) -> T;
+
+    /// Whether this is known to be the same map, so that vectors of both may be carried side by
+    /// side.
+    #[doc(hidden)]
+    fn is(&self, _other: &Self) -> bool {
+        false
+    }
+
+    /// Carries the vectors of a group of trajectories, as many columns each as there are variables,
+    /// along the points at `places`, and writes the squares of their lengths after each step. It
+    /// ends early after a step that takes one of these out of the range that vectors are kept in,
+    /// and returns the steps taken; `None` where it cannot.
+    #[cfg(feature = "std")]
+    #[doc(hidden)]
+    fn carry_side_by_side(
+        &self,
+        _places: &[Group<T>],
+        _vectors: &mut [Group<T>],
+        _squares: &mut [Group<T>],
+        _level: Level,
+    ) -> Option<usize>
+    where
+        T: EnsembleScalar,
+    {
+        None
+    }
 }
 
 /// A map that can be stepped by a part of its time step: x(θ) = φ_{θε}(x), 0 ≤ θ ≤ 1, from x(0) = x
@@ -66,6 +95,24 @@ impl<T, M: Tangent<T>> Tangent<T> for &M {
     #[inline(always)]
     fn det_jacobian(&self, x: &[T]) -> T {
         M::det_jacobian(self, x)
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        core::ptr::eq(*self, *other)
+    }
+
+    #[cfg(feature = "std")]
+    fn carry_side_by_side(
+        &self,
+        places: &[Group<T>],
+        vectors: &mut [Group<T>],
+        squares: &mut [Group<T>],
+        level: Level,
+    ) -> Option<usize>
+    where
+        T: EnsembleScalar,
+    {
+        M::carry_side_by_side(self, places, vectors, squares, level)
     }
 }
 
@@ -131,6 +178,20 @@ where
         }
         determinant::<T, N>(SMatrix::from_fn(|i, j| columns[j][i]))
     }
+
+    #[cfg(feature = "std")]
+    fn carry_side_by_side(
+        &self,
+        places: &[Group<T>],
+        vectors: &mut [Group<T>],
+        squares: &mut [Group<T>],
+        level: Level,
+    ) -> Option<usize>
+    where
+        T: EnsembleScalar,
+    {
+        super::lanes::carry_side_by_side(self, places, vectors, squares, level)
+    }
 }
 
 /// The point at this slice.
@@ -161,8 +222,6 @@ where
 {
     /// What carries tangent vectors along a composition of the map, through all of its stages.
     pub fn composed(&self, composition: Composition) -> TangentAt<M, T, N, Composed> {
-        let (map, eps) = (self.map.clone(), self.eps);
-        let stages = composition.stages_of(eps, |eps| dual_step(&map, eps));
-        TangentAt { map, eps, stages }
+        TangentAt::new(&self.map, &self.eps, composition.stages_of(self.eps, |eps| eps))
     }
 }

@@ -1,9 +1,13 @@
 //! The smaller alignment index.
 
+#[cfg(feature = "std")]
+use crate::EnsembleScalar;
 use crate::FloatScalar;
 
-use super::carried::Carried;
-use super::growth::square;
+use super::carried::{Carried, Follower};
+use super::growth::{Size, square};
+#[cfg(feature = "std")]
+use super::{Burst, Observers, carried::follow_burst};
 use super::{Observer, Tangent};
 
 /// The smaller alignment index of two tangent vectors of length 1: the smaller of |v + w| and
@@ -27,13 +31,35 @@ impl<M: Tangent<T>, T: FloatScalar> Sali<M, T> {
     }
 }
 
+impl<M: Tangent<T>, T: FloatScalar> Follower<T, 2> for Sali<M, T> {
+    type Map = M;
+
+    #[inline(always)]
+    fn carried(&mut self) -> &mut Carried<M, T, 2> {
+        &mut self.carried
+    }
+
+    /// Alignment is looked at in the end.
+    #[inline(always)]
+    fn look(&mut self, _step: u64, _sizes: [Size; 2]) {}
+}
+
 impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Sali<M, T> {
     /// From 0 to √2; not a number from a pole on.
     type Report = f64;
 
     #[inline(always)]
     fn observe(&mut self, step: u64, x: &[T]) {
-        self.carried.follow(step, x);
+        let sizes = self.carried.follow(step, x);
+        self.look(step, sizes);
+    }
+
+    #[cfg(feature = "std")]
+    fn observe_burst<const N: usize>(group: &mut Observers<'_, Self>, burst: &Burst<'_, T, N>)
+    where
+        T: EnsembleScalar,
+    {
+        follow_burst(group, burst);
     }
 
     fn report(self) -> f64 {

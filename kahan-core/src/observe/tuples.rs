@@ -3,7 +3,12 @@
 #[cfg(feature = "std")]
 use std::vec::Vec;
 
+#[cfg(feature = "std")]
+use crate::EnsembleScalar;
+
 use super::Observer;
+#[cfg(feature = "std")]
+use super::{Burst, Observers};
 
 macro_rules! tuple {
     ($($name:ident $place:tt),*) => {
@@ -13,6 +18,18 @@ macro_rules! tuple {
             #[inline(always)]
             fn observe(&mut self, _step: u64, _x: &[T]) {
                 $(self.$place.observe(_step, _x);)*
+            }
+
+            #[cfg(feature = "std")]
+            #[inline]
+            fn observe_burst<const N: usize>(_group: &mut Observers<'_, Self>, _burst: &Burst<'_, T, N>)
+            where
+                T: EnsembleScalar,
+            {
+                $(
+                    let mut own = _group.each_mut().map(|all| all.as_mut().map(|all| &mut all.$place));
+                    $name::observe_burst(&mut own, _burst);
+                )*
             }
 
             #[allow(clippy::unused_unit, reason = "the tuple of none")]

@@ -35,7 +35,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
 impl<T: Scalar, const N: usize> Add for Dual<T, N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn add(mut self, other: Self) -> Self {
         self += other;
         self
@@ -45,7 +45,7 @@ impl<T: Scalar, const N: usize> Add for Dual<T, N> {
 impl<T: Scalar, const N: usize> Sub for Dual<T, N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn sub(mut self, other: Self) -> Self {
         self -= other;
         self
@@ -55,7 +55,7 @@ impl<T: Scalar, const N: usize> Sub for Dual<T, N> {
 impl<T: Scalar, const N: usize> Neg for Dual<T, N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { value: -self.value, gradient: self.gradient.map(|g| -g) }
     }
@@ -66,7 +66,7 @@ impl<T: Scalar, const N: usize> Mul for Dual<T, N> {
     type Output = Self;
 
     // (uv)′ = u′v + uv′
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let (u, v) = (self.value, other.value);
         let gradient =
@@ -80,7 +80,7 @@ impl<T: Scalar, const N: usize> Div for Dual<T, N> {
     type Output = Self;
 
     // (u/v)′ = (u′ − (u/v)v′)/v
-    #[inline]
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value.clone();
         let gradient = from_fn(|i| {
@@ -91,7 +91,7 @@ impl<T: Scalar, const N: usize> Div for Dual<T, N> {
 }
 
 impl<T: Scalar, const N: usize> AddAssign for Dual<T, N> {
-    #[inline]
+    #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         self.value += other.value;
         for (mine, theirs) in self.gradient.iter_mut().zip(other.gradient) {
@@ -101,7 +101,7 @@ impl<T: Scalar, const N: usize> AddAssign for Dual<T, N> {
 }
 
 impl<T: Scalar, const N: usize> SubAssign for Dual<T, N> {
-    #[inline]
+    #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         self.value -= other.value;
         for (mine, theirs) in self.gradient.iter_mut().zip(other.gradient) {
@@ -111,14 +111,14 @@ impl<T: Scalar, const N: usize> SubAssign for Dual<T, N> {
 }
 
 impl<T: Scalar, const N: usize> MulAssign for Dual<T, N> {
-    #[inline]
+    #[inline(always)]
     fn mul_assign(&mut self, other: Self) {
         *self = self.clone() * other;
     }
 }
 
 impl<T: Scalar, const N: usize> DivAssign for Dual<T, N> {
-    #[inline]
+    #[inline(always)]
     fn div_assign(&mut self, other: Self) {
         *self = self.clone() / other;
     }
@@ -141,13 +141,13 @@ impl<T: Scalar, const N: usize> One for Dual<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
-    #[inline]
+    #[inline(always)]
     fn constant(c: &Constant<'_>) -> Self {
         Self::lift(T::constant(c))
     }
 
     // (1/v)′ = −v′/v². A dual number with value 0 has no reciprocal even when it is not 0 itself.
-    #[inline]
+    #[inline(always)]
     fn reciprocal(&self) -> Option<Self> {
         let value = self.value.reciprocal()?;
         let slope = -(value.clone() * value.clone());
@@ -155,7 +155,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     }
 
     // (u/v)′ = (u′ − (u/v)v′)/v, with one reciprocal for the whole gradient.
-    #[inline]
+    #[inline(always)]
     fn quotient(self, divisor: Self) -> Option<Self> {
         let reciprocal = divisor.value.reciprocal()?;
         let value = self.value.quotient(divisor.value)?;
@@ -165,7 +165,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         Some(Self { value, gradient })
     }
 
-    #[inline]
+    #[inline(always)]
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.value.is_better_pivot(&than.value)
     }

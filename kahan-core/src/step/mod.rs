@@ -28,6 +28,10 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// What one step costs; here, elimination in N variables.
     const COST: StepCost = StepCost::of_elimination(N);
 
+    /// Whether the step is straight-line code, which lanes run side by side; elimination chooses its
+    /// pivots by comparing, so it is none.
+    const HAS_LANES: bool = false;
+
     /// The increment at `x` before its last multiplication, or `None` at a pole of a scalar that
     /// has no reciprocal of zero.
     ///
@@ -63,10 +67,6 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
 
 /// A prepared step whose constants can be spread over the lanes of a vector register.
 pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
-    /// Whether the step is straight-line code; elimination, which chooses its pivots by comparing,
-    /// has no lanes.
-    const HAS_LANES: bool;
-
     /// The same step over another scalar.
     type Wide<L: Scalar>: PreparedStep<L, N>;
 

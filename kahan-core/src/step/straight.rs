@@ -71,6 +71,7 @@ where
     T: Scalar,
 {
     const COST: StepCost = K::COST;
+    const HAS_LANES: bool = true;
 
     #[inline(always)]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
@@ -83,8 +84,6 @@ where
     K: Kernel<N, C>,
     T: Scalar,
 {
-    const HAS_LANES: bool = true;
-
     type Wide<L: Scalar> = StraightStep<K, L, C>;
 
     #[inline(always)]

@@ -44,6 +44,7 @@ where
     T: Scalar,
 {
     const COST: StepCost = S::COST;
+    const HAS_LANES: bool = S::HAS_LANES;
 
     #[inline(always)]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
@@ -94,8 +95,6 @@ where
     G: WideStep<T, N>,
     T: Scalar,
 {
-    const HAS_LANES: bool = G::HAS_LANES;
-
     type Wide<L: Scalar> = G::Wide<L>;
 
     #[inline(always)]
@@ -131,6 +130,7 @@ where
     T: Scalar,
 {
     const COST: StepCost = S::COST;
+    const HAS_LANES: bool = S::HAS_LANES;
 
     #[inline(always)]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
@@ -144,8 +144,6 @@ where
     G: WideStep<T, N>,
     T: Scalar,
 {
-    const HAS_LANES: bool = G::HAS_LANES;
-
     type Wide<L: Scalar> = G::Wide<L>;
 
     #[inline(always)]

@@ -72,8 +72,6 @@ impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
 
 impl<T: Scalar, const N: usize> WideStep<T, N> for InterpretedStep<T, N> {
     /// Ensembles step an interpreted system one trajectory at a time.
-    const HAS_LANES: bool = false;
-
     type Wide<L: Scalar> = InterpretedStep<L, N>;
 
     fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> InterpretedStep<L, N> {

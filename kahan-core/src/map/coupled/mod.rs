@@ -221,8 +221,6 @@ where
     K: CoupledField<N, P, M, S>,
     T: Scalar,
 {
-    const HAS_LANES: bool = false;
-
     type Wide<L: Scalar> = NoLanes;
 
     /// # Panics
