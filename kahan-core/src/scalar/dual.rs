@@ -32,6 +32,32 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
     }
 }
 
+/// Replaces each entry of a gradient, by itself or with that of another.
+///
+/// One direction is no loop: such a step is one long straight line over lanes of registers, in
+/// which compilers would unroll hundreds of loops too late, and call functions in place of
+/// closures.
+macro_rules! along {
+    ($dual:expr, |$own:ident| $value:expr) => {
+        if let [$own] = &mut $dual.gradient[..] {
+            *$own = $value;
+        } else {
+            for $own in &mut $dual.gradient {
+                *$own = $value;
+            }
+        }
+    };
+    ($dual:expr, $with:expr, |$own:ident, $other:ident| $value:expr) => {
+        if let ([$own], [$other]) = (&mut $dual.gradient[..], &$with.gradient[..]) {
+            *$own = $value;
+        } else {
+            for ($own, $other) in $dual.gradient.iter_mut().zip(&$with.gradient) {
+                *$own = $value;
+            }
+        }
+    };
+}
+
 impl<T: Scalar, const N: usize> Add for Dual<T, N> {
     type Output = Self;
 
@@ -56,8 +82,9 @@ impl<T: Scalar, const N: usize> Neg for Dual<T, N> {
     type Output = Self;
 
     #[inline(always)]
-    fn neg(self) -> Self {
-        Self { value: -self.value, gradient: self.gradient.map(|g| -g) }
+    fn neg(mut self) -> Self {
+        along!(self, |own| -own.clone());
+        Self { value: -self.value, gradient: self.gradient }
     }
 }
 
@@ -67,11 +94,10 @@ impl<T: Scalar, const N: usize> Mul for Dual<T, N> {
 
     // (uv)′ = u′v + uv′
     #[inline(always)]
-    fn mul(self, other: Self) -> Self {
+    fn mul(mut self, other: Self) -> Self {
         let (u, v) = (self.value, other.value);
-        let gradient =
-            from_fn(|i| self.gradient[i].clone() * v.clone() + u.clone() * other.gradient[i].clone());
-        Self { value: u * v, gradient }
+        along!(self, other, |own, other| own.clone() * v.clone() + u.clone() * other.clone());
+        Self { value: u * v, gradient: self.gradient }
     }
 }
 
@@ -81,12 +107,12 @@ impl<T: Scalar, const N: usize> Div for Dual<T, N> {
 
     // (u/v)′ = (u′ − (u/v)v′)/v
     #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        let quotient = self.value / other.value.clone();
-        let gradient = from_fn(|i| {
-            (self.gradient[i].clone() - quotient.clone() * other.gradient[i].clone()) / other.value.clone()
+    fn div(mut self, other: Self) -> Self {
+        let value = self.value / other.value.clone();
+        along!(self, other, |own, slope| {
+            (own.clone() - value.clone() * slope.clone()) / other.value.clone()
         });
-        Self { value: quotient, gradient }
+        Self { value, gradient: self.gradient }
     }
 }
 
@@ -94,9 +120,7 @@ impl<T: Scalar, const N: usize> AddAssign for Dual<T, N> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         self.value += other.value;
-        for (mine, theirs) in self.gradient.iter_mut().zip(other.gradient) {
-            *mine += theirs;
-        }
+        along!(self, other, |own, other| own.clone() + other.clone());
     }
 }
 
@@ -104,9 +128,7 @@ impl<T: Scalar, const N: usize> SubAssign for Dual<T, N> {
     #[inline(always)]
     fn sub_assign(&mut self, other: Self) {
         self.value -= other.value;
-        for (mine, theirs) in self.gradient.iter_mut().zip(other.gradient) {
-            *mine -= theirs;
-        }
+        along!(self, other, |own, other| own.clone() - other.clone());
     }
 }
 
@@ -151,18 +173,20 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     fn reciprocal(&self) -> Option<Self> {
         let value = self.value.reciprocal()?;
         let slope = -(value.clone() * value.clone());
-        Some(Self { value, gradient: from_fn(|i| slope.clone() * self.gradient[i].clone()) })
+        let mut result = Self { value, gradient: self.gradient.clone() };
+        along!(result, |own| slope.clone() * own.clone());
+        Some(result)
     }
 
     // (u/v)′ = (u′ − (u/v)v′)/v, with one reciprocal for the whole gradient.
     #[inline(always)]
-    fn quotient(self, divisor: Self) -> Option<Self> {
+    fn quotient(mut self, divisor: Self) -> Option<Self> {
         let reciprocal = divisor.value.reciprocal()?;
         let value = self.value.quotient(divisor.value)?;
-        let gradient = from_fn(|i| {
-            (self.gradient[i].clone() - value.clone() * divisor.gradient[i].clone()) * reciprocal.clone()
+        along!(self, divisor, |own, slope| {
+            (own.clone() - value.clone() * slope.clone()) * reciprocal.clone()
         });
-        Some(Self { value, gradient })
+        Some(Self { value, gradient: self.gradient })
     }
 
     #[inline(always)]

@@ -62,14 +62,17 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     /// x̃ from x: one multiply-add or addition a component.
     #[inline(always)]
     pub fn added_to(self, x: &SVector<T, N>) -> SVector<T, N> {
-        vector(from_fn(|i| {
-            let (numerator, x) = (self.numerators[i].clone(), x[i].clone());
-            let next = match &self.reciprocals[i] {
-                Some(reciprocal) => numerator.multiply_add(reciprocal.clone(), x),
-                None => x + numerator,
-            };
-            component(next, self.several)
-        }))
+        vector(from_fn(|i| component(self.sum(i, x[i].clone()), self.several)))
+    }
+
+    /// x̃ᵢ from xᵢ.
+    #[inline(always)]
+    pub(crate) fn sum(&self, i: usize, x: T) -> T {
+        let numerator = self.numerators[i].clone();
+        match &self.reciprocals[i] {
+            Some(reciprocal) => numerator.multiply_add(reciprocal.clone(), x),
+            None => x + numerator,
+        }
     }
 
     /// x̃ and what it lacks, from x and what x lacks: the step of a compensated orbit.
