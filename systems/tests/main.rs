@@ -24,6 +24,7 @@ mod solutions {
     mod orbits_rational;
     mod precise;
     mod root_three;
+    mod rotation_numbers;
     mod special_identities;
     mod special_ulps;
     mod special_values;

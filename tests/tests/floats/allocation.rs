@@ -4,6 +4,10 @@
 
 use allocation_counter::measure;
 use kahan_core::__private::{Boundary, Family, Stencil};
+use kahan_core::observe::{
+    Crossing, Direction, Drift, Escape, Extrema, Fli, Lyapunov, MeanLogDet, Megno, Period, Residence,
+    Rotation, Sali, Section, Spectrum,
+};
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Ensemble, LatticeScalar};
 use kahan_systems::{E1, E3, E6, E9, EulerTop, LotkaVolterra};
@@ -75,6 +79,53 @@ fn advancing_an_ensemble_allocates_nothing() {
     });
     assert_eq!(counted.count_total, 0);
     assert!(ensemble.points().all(|point| point.iter().all(|entry| entry.is_finite())));
+}
+
+#[test]
+fn observing_an_orbit_allocates_nothing() {
+    let map = E6.at(0.05);
+    let start = vector![0.5, 1.0, 0.25];
+    let mut crossings = 0;
+    let counted = measure(|| {
+        let integrals = |x: &[f64]| E6.integrals(&vector![x[0], x[1], x[2]], 0.05).data.0[0];
+        let height = |x: &[f64]| x[0];
+        let tangents =
+            (Lyapunov::new(map.tangent()), MeanLogDet::new(map.tangent()), Megno::new(map.tangent()));
+        let section = Section::new(&map, height, Direction::Both, |_: Crossing<_, _>| crossings += 1);
+        let observers = (
+            Extrema::of(height),
+            Drift::of(integrals),
+            tangents,
+            (Fli::new(map.tangent()), Sali::new(map.tangent())),
+            Rotation::of(STEPS as u64, |x: &[f64]| [x[0], x[2]]),
+            section,
+            (Escape::when(|x: &[f64]| x[0] > 9.0), Period::within(0.1, [0.0; 3])),
+            Residence::of(height, -1.0..1.0, [0; 10]),
+        );
+        let reports = map.orbit(start).observe(STEPS as u64, observers);
+        assert!(reports.1.iter().all(|drifted| drifted.max < 1e-12));
+    });
+    assert!(crossings > 0);
+    assert_eq!(counted.count_total, 0);
+}
+
+/// What is allocated when it begins and ends is the same for any number of steps.
+#[test]
+fn steps_of_observed_ensembles_and_of_spectra_allocate_nothing() {
+    let map = E6.at(0.05);
+    let tangent = map.tangent();
+    let points: Vec<SVector<f64, 3>> = (0..100).map(|i| vector![0.5, 1.0, f64::from(i) * 1e-2]).collect();
+    let allocations = |steps: usize| {
+        let mut ensemble = Ensemble::new(points.clone());
+        let observers = |_| (Fli::new(&tangent), Sali::new(&tangent), Extrema::of(|x: &[f64]| x[0]));
+        let many = measure(|| drop(ensemble.observe(&map, steps, observers)));
+        let spectrum = Spectrum::new(&tangent, 3, 2);
+        let one = measure(|| drop(map.orbit(points[0]).observe(steps as u64, spectrum)));
+        [many.count_total, one.count_total]
+    };
+    // Which instructions the processor has is asked once a program.
+    allocations(1);
+    assert_eq!(allocations(10), allocations(1000));
 }
 
 /// Volterra's ring ẋᵢ = xᵢ(xᵢ₊₁ − xᵢ₋₁).

@@ -1,0 +1,101 @@
+//! Lyapunov exponents.
+
+use kahan_core::Composition;
+use kahan_core::observe::{Lyapunov, MeanLogDet, Spectrum};
+use kahan_core::prelude::*;
+
+use super::{E6, LORENZ};
+
+/// Within twice what the exponents say of their own convergence, and O(ε²): at ε = 0.01 the sum of
+/// all is off by 0.13, so here by less than 0.02.
+#[test]
+fn lorenz_has_the_exponents_of_the_literature() {
+    let map = LORENZ.at(0.0025);
+    let observers = (Spectrum::new(map.tangent(), 3, 5), Lyapunov::new(map.tangent()));
+    // From near the attractor.
+    let start = map.orbit(vector![1.0, 1.0, 20.0]).nth(8_000).unwrap();
+    let (spectrum, largest) = map.orbit(start).observe(200_000, observers);
+    for (found, known) in spectrum.iter().zip([0.9056, 0.0, -14.5723]) {
+        assert!(found.error < 0.05, "{found:?}");
+        assert!((found.value - known).abs() < 2.0 * found.error + 0.02, "{found:?} is not {known}");
+    }
+    assert!((largest.value - spectrum[0].value).abs() < 0.01, "{largest:?} {spectrum:?}");
+}
+
+kahan! {
+    /// Decay and growth along the axes.
+    struct Along { a, b }
+    xdot = a*x;
+    ydot = b*y;
+}
+
+/// Each step multiplies by (1 + ελ)/(1 − ελ), rounded some times; the logarithm of the product of n
+/// factors is off by at most n times as much, a mean by one step's: some 10 u, over 2ε.
+#[test]
+fn linear_fields_have_the_exponents_of_their_cayley_transform() {
+    let (a, b, eps) = (0.75, -1.5, 1.0 / 32.0);
+    let map = Along { a, b }.at(eps);
+    let spectrum = map.orbit(vector![1.0, 1.0]).observe(1000, Spectrum::new(map.tangent(), 2, 7));
+    let largest = Along { a: b, b }.at(eps);
+    let largest = largest.orbit(vector![1.0, 1.0]).observe(1000, Lyapunov::new(largest.tangent()));
+    let exact = |lambda: f64| ((1.0 + eps * lambda) / (1.0 - eps * lambda)).ln() / (2.0 * eps);
+    let bound = 10.0 * f64::EPSILON / (2.0 * eps);
+    for (found, lambda) in [(spectrum[0].value, a), (spectrum[1].value, b), (largest.value, b)] {
+        assert!((found - exact(lambda)).abs() < bound, "{found} is not {}", exact(lambda));
+    }
+}
+
+#[test]
+fn an_integrable_map_has_no_exponent_beyond_its_error() {
+    for eps in [0.02, 0.1] {
+        let map = E6.at(eps);
+        let start = vector![0.3, 0.8, 0.5];
+        let observers = (Lyapunov::new(map.tangent()), Spectrum::new(map.tangent(), 3, 1));
+        let (largest, spectrum) = map.orbit(start).observe(100_000, observers);
+        for found in spectrum.iter().chain([&largest]) {
+            assert!(found.value.abs() < found.error && found.error < 0.02, "{found:?}");
+        }
+    }
+}
+
+/// A step's determinant is off by some roundings, and so is the product of the lengths of vectors
+/// that are made orthogonal: n² of them in n variables each, times the Jacobian's condition, below
+/// 2 in steps this short. Each counts once in the mean, over 2ε.
+#[test]
+fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
+    let (start, steps) = (vector![1.0, 1.0, 20.0], 20_000);
+    let bound = |eps: f64| 9.0 * 2.0 * 4.0 * f64::EPSILON / (2.0 * eps);
+    for (every, eps) in [(1, 0.01), (4, 0.002)] {
+        let map = LORENZ.at(eps);
+        let observers = (Spectrum::new(map.tangent(), 3, every), MeanLogDet::new(map.tangent()));
+        let (spectrum, mean) = map.orbit(start).observe(steps, observers);
+        let sum: f64 = spectrum.iter().map(|exponent| exponent.value).sum();
+        assert!((sum - mean).abs() < bound(eps), "{sum} {mean}");
+        // And that of the determinants in closed form.
+        let points = map.orbit(start).take(steps as usize);
+        let logarithms = points.map(|x| LORENZ.det_jacobian(&x, eps).abs().ln());
+        let plain = logarithms.sum::<f64>() / (2.0 * eps * steps as f64);
+        assert!((mean - plain).abs() < bound(eps), "{mean} {plain}");
+        let composed = map.composed(Composition::SUZUKI_4);
+        let tangent = map.tangent().composed(Composition::SUZUKI_4);
+        let observers = (Spectrum::new(&tangent, 3, every), MeanLogDet::new(&tangent));
+        let (spectrum, mean) = composed.orbit(start).observe(steps, observers);
+        let sum: f64 = spectrum.iter().map(|exponent| exponent.value).sum();
+        // Five stages a step.
+        assert!((sum - mean).abs() < 5.0 * bound(eps), "{sum} {mean}");
+        // The flow's divergence is constant, and a method of order 4 near it.
+        assert!((mean + 41.0 / 3.0).abs() < 1e-3, "{mean}");
+    }
+}
+
+#[test]
+fn growth_beyond_the_range_of_floats_is_kept() {
+    let map = Along { a: 30.0_f32, b: 30.0 }.at(1.0 / 32.0);
+    // Each step multiplies by 31, 1000 of them by 10¹⁴⁹¹.
+    let still = || map.orbit(vector![0.0, 0.0]);
+    let exact = 31_f64.ln() * 16.0;
+    let found = still().observe(1000, Lyapunov::new(map.tangent()));
+    assert!((found.value - exact).abs() < 1e-5 * exact, "{found:?}");
+    let mean = still().observe(1000, MeanLogDet::new(map.tangent()));
+    assert!((mean - 2.0 * exact).abs() < 1e-5 * exact, "{mean}");
+}

@@ -1,0 +1,78 @@
+//! Sections of Hénon and Heiles' system against a plain loop.
+
+use kahan_core::observe::{AtMost, Crossing, Direction, Section};
+use kahan_core::prelude::*;
+
+use super::HenonHeiles;
+
+const START: [f64; 4] = [0.0, 0.1, 0.45, 0.1];
+
+fn crossings(eps: f64, steps: u64, direction: Direction) -> Vec<Crossing<[f64; 4], f64>> {
+    let map = HenonHeiles.at(eps);
+    let section = Section::new(&map, |x: &[f64]| x[0], direction, AtMost::new(10_000));
+    let found = map.orbit(START.into()).observe(steps, section);
+    assert_eq!(found.all as usize, found.kept.len());
+    found.kept
+}
+
+#[test]
+fn crossings_are_those_of_a_plain_loop() {
+    let (eps, steps) = (0.05, 20_000);
+    let points: Vec<_> = HenonHeiles.orbit(START.into(), eps).take(steps + 1).collect();
+    let plain = |rises: bool| {
+        let crosses = move |pair: &[SVector<f64, 4>]| {
+            let (before, after) = (pair[0][0], pair[1][0]);
+            if rises { before < 0.0 && after >= 0.0 } else { before > 0.0 && after <= 0.0 }
+        };
+        points.windows(2).enumerate().filter(move |(_, pair)| crosses(pair)).map(|(step, _)| step)
+    };
+    let [rising, falling, both] =
+        [Direction::Rising, Direction::Falling, Direction::Both].map(|way| crossings(eps, steps as u64, way));
+    assert!(plain(true).eq(rising.iter().map(|crossing| crossing.step as usize)));
+    assert!(plain(false).eq(falling.iter().map(|crossing| crossing.step as usize)));
+    assert_eq!(both.len(), rising.len() + falling.len());
+    assert!(rising.len() > 100);
+    for Crossing { step, part, point } in both {
+        // By halving the part of the step.
+        let before = &points[step as usize];
+        let sign = before[0].signum();
+        let (mut left, mut right) = (0.0, 1.0);
+        for _ in 0..60 {
+            let middle = (left + right) / 2.0;
+            let beyond = HenonHeiles.step(before, middle * eps)[0].signum() != sign;
+            if beyond { right = middle } else { left = middle }
+        }
+        // x grows by at least 10⁻³ from part 0 to 1 where it crosses, and is rounded to some 10⁻¹⁷.
+        assert!((part - right).abs() < 1e-12, "{part} {right}");
+        assert_eq!(point, HenonHeiles.step(before, part * eps).data.0[0]);
+        assert!(point[0].abs() < 1e-16, "{point:?}");
+    }
+}
+
+/// The flow's energy is off by O(ε²) on the orbit, and by no more between its points: the slope of
+/// its spread over the crossings, between ε and ε/4, is that order.
+#[test]
+fn energy_on_the_section_has_the_order_of_the_map() {
+    let energy = |x: [f64; 4]| {
+        let [x, y, p, q] = x;
+        (p * p + q * q + x * x + y * y) / 2.0 + x * x * y - y * y * y / 3.0
+    };
+    let spread = |eps: f64| {
+        let found = crossings(eps, (400.0 / eps) as u64, Direction::Rising);
+        found.iter().map(|crossing| (energy(crossing.point) - energy(START)).abs()).fold(0.0, f64::max)
+    };
+    let order = (spread(0.08) / spread(0.02)).log(4.0);
+    assert!((order - 2.0).abs() < 0.2, "{order}");
+}
+
+#[test]
+fn a_callback_gets_every_crossing_and_a_full_store_counts_on() {
+    let map = HenonHeiles.at(0.05);
+    let (mut seen, all) = (Vec::new(), crossings(0.05, 5000, Direction::Both));
+    let take = |crossing| seen.push(crossing);
+    map.orbit(START.into()).observe(5000, Section::new(&map, |x: &[f64]| x[0], Direction::Both, take));
+    assert_eq!(seen, all);
+    let few = Section::new(&map, |x: &[f64]| x[0], Direction::Both, AtMost::new(3));
+    let few = map.orbit(START.into()).observe(5000, few);
+    assert_eq!((few.all as usize, few.kept), (all.len(), all[..3].to_vec()));
+}
