@@ -16,9 +16,9 @@ use crate::{KahanAt, KahanMap, Lift, PreparedStep, Scalar, Single};
 use super::Method;
 
 /// The type of the step that a tangent vector takes: the prepared step over dual numbers of one
-/// direction.
-pub(crate) type DualStep<M, T, const N: usize> =
-    <<M as Lift<T, N>>::Lifted<Dual<T, 1>> as KahanMap<Dual<T, 1>, N>>::Prepared;
+/// direction, here or over another scalar U.
+pub(crate) type DualStep<M, T, const N: usize, U = T> =
+    <<M as Lift<T, N>>::Lifted<Dual<U, 1>> as KahanMap<Dual<U, 1>, N>>::Prepared;
 
 /// What carries tangent vectors along a [`KahanAt`]; made by [`KahanAt::tangent`].
 pub struct TangentAt<M, T, const N: usize, K = Single>
@@ -93,7 +93,7 @@ pub(crate) fn dual_stages<M, T, K, U, const N: usize>(
     map: &M,
     eps: &K::Stages<T>,
     lift: impl Fn(&T) -> U,
-) -> K::Stages<<<M as Lift<T, N>>::Lifted<Dual<U, 1>> as KahanMap<Dual<U, 1>, N>>::Prepared>
+) -> K::Stages<DualStep<M, T, N, U>>
 where
     M: Lift<T, N>,
     T: Scalar,

@@ -52,7 +52,7 @@ impl<F: Fn(&[T]) -> T, T: Clone + PartialOrd> super::Observer<T> for Extrema<F, 
         match &mut self.seen {
             Some(seen) if value < seen.least => seen.least = value,
             Some(seen) if value > seen.greatest => seen.greatest = value,
-            None if value == value => {
+            None if value.partial_cmp(&value).is_some() => {
                 self.seen = Some(Extremes { least: value.clone(), greatest: value });
             }
             _ => {}

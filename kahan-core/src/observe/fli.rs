@@ -1,5 +1,7 @@
 //! The fast Lyapunov indicator.
 
+use core::cmp::Ordering;
+
 #[cfg(feature = "std")]
 use crate::EnsembleScalar;
 use crate::FloatScalar;
@@ -43,9 +45,12 @@ impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Fli<M, T> {
     fn look(&mut self, step: u64, [size]: [Size; 1]) {
         if step == 0 {
             (self.first, self.greatest) = (size, size);
-        // What is not a number compares with nothing, and stays.
-        } else if !(size <= self.greatest) && self.greatest == self.greatest {
-            self.greatest = size;
+        }
+        match size.partial_cmp(&self.greatest) {
+            Some(Ordering::Greater) => self.greatest = size,
+            // One of them is not a number, and so it stays.
+            None => self.greatest = Size::of(f64::NAN),
+            _ => {}
         }
     }
 }

@@ -88,7 +88,6 @@ impl<T: Scalar, const N: usize> Neg for Dual<T, N> {
     }
 }
 
-#[expect(clippy::suspicious_arithmetic_impl, reason = "the product rule adds")]
 impl<T: Scalar, const N: usize> Mul for Dual<T, N> {
     type Output = Self;
 
@@ -101,7 +100,6 @@ impl<T: Scalar, const N: usize> Mul for Dual<T, N> {
     }
 }
 
-#[expect(clippy::suspicious_arithmetic_impl, reason = "the quotient rule subtracts and multiplies")]
 impl<T: Scalar, const N: usize> Div for Dual<T, N> {
     type Output = Self;
 
