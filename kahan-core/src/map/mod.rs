@@ -36,6 +36,7 @@ pub(crate) use orbit::sealed::Sealed;
 pub use orbit::{Accumulation, Compensated, Method, Orbit, Rounded, Scaled, Single};
 pub use pivot::Pivot;
 pub use tangent::TangentAt;
+#[cfg(feature = "std")]
 pub(crate) use tangent::{DualStep, carry, dual_stages};
 pub use through_f64::ThroughF64;
 

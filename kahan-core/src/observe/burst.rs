@@ -12,7 +12,7 @@ pub(super) const BURST: usize = 16;
 /// The observers of a group of trajectories: as many as there are, then none.
 pub type Observers<'a, O> = [Option<&'a mut O>; GROUP];
 
-/// At most [`BURST`] points of each trajectory of a group.
+/// Some points of each trajectory of a group.
 #[derive(Debug)]
 pub struct Burst<'a, T, const N: usize> {
     /// The step of the first of `seen`.

@@ -68,6 +68,7 @@ pub(super) trait Follower<T, const K: usize> {
     type Map: Tangent<T>;
 
     /// The vectors.
+    #[cfg(feature = "std")]
     fn carried(&mut self) -> &mut Carried<Self::Map, T, K>;
 
     /// Looks at the squares of their lengths.

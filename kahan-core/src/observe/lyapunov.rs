@@ -52,6 +52,7 @@ impl<M: Tangent<T>, T: FloatScalar> Lyapunov<M, T> {
 impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Lyapunov<M, T> {
     type Map = M;
 
+    #[cfg(feature = "std")]
     #[inline(always)]
     fn carried(&mut self) -> &mut Carried<M, T, 1> {
         &mut self.carried

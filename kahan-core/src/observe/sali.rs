@@ -34,6 +34,7 @@ impl<M: Tangent<T>, T: FloatScalar> Sali<M, T> {
 impl<M: Tangent<T>, T: FloatScalar> Follower<T, 2> for Sali<M, T> {
     type Map = M;
 
+    #[cfg(feature = "std")]
     #[inline(always)]
     fn carried(&mut self) -> &mut Carried<M, T, 2> {
         &mut self.carried
