@@ -35,6 +35,7 @@ pub mod syntax;
 pub mod system;
 pub mod table;
 pub mod token;
+mod variational;
 
 pub use derived::{Derived, derive};
 

@@ -1,6 +1,9 @@
 //! A map at one ε, over slices.
 
 mod objects;
+mod tangent;
+
+pub use tangent::{RuntimePoint, TangentAt};
 
 use std::sync::Arc;
 

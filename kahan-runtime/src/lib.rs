@@ -26,7 +26,7 @@ mod parameters;
 mod text;
 pub mod threads;
 
-pub use at::{MachineFloat, MapAt};
+pub use at::{MachineFloat, MapAt, RuntimePoint, TangentAt};
 pub use claim::ClaimError;
 pub use diagnostics::Diagnostics;
 pub use dimension::DimensionError;

@@ -1,0 +1,92 @@
+//! Observers of maps that are read at run time, against those of the macro's.
+
+use kahan_core::observe::{AtMost, Direction, Fli, Lyapunov, MeanLogDet, Observer, Sali, Section, Spectrum};
+use kahan_core::prelude::*;
+use kahan_core::{Composition, KahanMap};
+use kahan_runtime::{Field, MapAt};
+
+kahan! {
+    /// The Lorenz system.
+    pub struct Lorenz { s, r, b }
+    xdot = s*(y - x);
+    ydot = x*(r - z) - y;
+    zdot = x*y - b*z;
+}
+
+const TEXT: &str = "xdot = s*(y - x); ydot = x*(r - z) - y; zdot = x*y - b*z/c;";
+
+fn lorenz() -> (Lorenz<f64>, MapAt<f64>) {
+    let field = Field::parse(TEXT).unwrap();
+    let map = field.with([("s", 10.0), ("r", 28.0), ("b", 2.5), ("c", 1.0)]).unwrap();
+    (Lorenz { s: 10.0, r: 28.0, b: 2.5 }, map.at(0.005))
+}
+
+fn observed<O: Observer<f64>>(map: &MapAt<f64>, start: &[f64], steps: u64, mut observer: O) -> O::Report {
+    let mut x = start.to_vec();
+    observer.observe(0, &x);
+    for step in 1..=steps {
+        map.advance(&mut x, 1).unwrap();
+        observer.observe(step, &x);
+    }
+    observer.report()
+}
+
+/// The two maps differ in roundings, which a chaotic orbit enlarges: few steps.
+#[test]
+fn reports_are_those_of_the_macro() {
+    let (lorenz, map) = lorenz();
+    for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
+        let map = map.composed(composition);
+        let own = lorenz.at(0.005).tangent().composed(composition);
+        let start = [1.0, 2.0, 20.0];
+        let at_run_time = map.tangent();
+        let observers =
+            (Lyapunov::new(&at_run_time), Spectrum::new(&at_run_time, 3, 5), MeanLogDet::new(&at_run_time));
+        let indicators = (Fli::new(&at_run_time), Sali::new(&at_run_time));
+        let ((largest, spectrum, mean), (fli, sali)) = observed(&map, &start, 200, (observers, indicators));
+        let observers = (Lyapunov::new(&own), Spectrum::new(&own, 3, 5), MeanLogDet::new(&own));
+        let mut orbit = lorenz.orbit(vector![1.0, 2.0, 20.0], 0.005).composed(composition);
+        let ((own_largest, own_spectrum, own_mean), (own_fli, own_sali)) =
+            orbit.observe(200, (observers, (Fli::new(&own), Sali::new(&own))));
+        let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-9 * b.abs(), "{a} and {b}");
+        close(largest.value, own_largest.value);
+        spectrum.iter().zip(&own_spectrum).for_each(|(a, b)| close(a.value, b.value));
+        close(mean, own_mean);
+        close(spectrum.iter().map(|exponent| exponent.value).sum(), mean);
+        close(fli, own_fli);
+        close(sali, own_sali);
+    }
+}
+
+#[test]
+fn sections_are_refined_by_parts_of_a_step() {
+    let (lorenz, map) = lorenz();
+    let plane = |x: &[f64]| x[2] - 27.0;
+    let found =
+        observed(&map, &[1.0, 2.0, 20.0], 1000, Section::new(&map, plane, Direction::Rising, AtMost::new(9)));
+    let own = lorenz.at(0.005);
+    let own = lorenz
+        .orbit(vector![1.0, 2.0, 20.0], 0.005)
+        .observe(1000, Section::new(&own, plane, Direction::Rising, AtMost::new(9)));
+    assert!(found.all == own.all && found.all > 3);
+    let (first, own) = (&found.kept[0], &own.kept[0]);
+    assert_eq!(first.step, own.step);
+    for (a, b) in first.point.iter().zip(own.point) {
+        assert!((a - b).abs() < 1e-9, "{a} and {b}");
+    }
+}
+
+#[test]
+fn a_step_allocates_nothing() {
+    let (_, map) = lorenz();
+    let mut exponent = Lyapunov::new(map.tangent());
+    let mut x = [1.0, 2.0, 20.0];
+    let mut go = |steps: std::ops::Range<u64>| {
+        for step in steps {
+            exponent.observe(step, &x);
+            map.advance(&mut x, 1).unwrap();
+        }
+    };
+    go(0..10);
+    assert_eq!(allocation_counter::measure(|| go(10..50)).count_total, 0);
+}
