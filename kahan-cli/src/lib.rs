@@ -31,9 +31,9 @@ use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
-    atlas::Atlas, completions::Completions, discover::Discover, eval::Eval, extremes::Extremes,
-    heights::Heights, list::List, orbit::Orbit, picture::Picture, poles::Poles, scan::Scan, show::Show,
-    trade::Trade, verify::Verify,
+    atlas::Atlas, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
+    extremes::Extremes, heights::Heights, list::List, orbit::Orbit, picture::Picture, poles::Poles,
+    scan::Scan, section::Section, show::Show, trade::Trade, verify::Verify,
 };
 use printing::{Answer, Refusal, finish};
 
@@ -65,7 +65,9 @@ enum Command {
     Show(Show),
     Eval(Eval),
     Orbit(Orbit),
+    Dynamics(Dynamics),
     Heights(Heights),
+    Section(Section),
     Extremes(Extremes),
     Trade(Trade),
     Discover(Discover),
@@ -109,7 +111,9 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Show(command)) => command.run(),
         Some(Command::Eval(command)) => command.run(),
         Some(Command::Orbit(command)) => command.run(),
+        Some(Command::Dynamics(command)) => command.run(),
         Some(Command::Heights(command)) => command.run(),
+        Some(Command::Section(command)) => command.run(),
         Some(Command::Extremes(command)) => command.run(),
         Some(Command::Trade(command)) => command.run(),
         Some(Command::Discover(command)) => command.run(),

@@ -10,7 +10,9 @@ use kahan_paper::Paper;
 
 use crate::printing::{Answer, Progress, Refusal, Sink};
 
-/// Writes the paper's tables, solutions, figures and claims into one page, DIR/index.html.
+/// Writes the paper's tables, solutions, figures and claims into one page.
+///
+/// The page is DIR/index.html.
 ///
 /// Everything on the page is computed when it is written, in about half a minute: every claim is
 /// established and every orbit followed. The page needs no network and no script. It appears whole

@@ -12,7 +12,7 @@ use crate::printing::{Answer, Refusal};
 use crate::reading::{Request, Start};
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 
-/// Evaluates every object of a system at a point: field, matrices, next point, Jacobian, claims.
+/// Evaluates every object of a system at a point: field, matrices, Jacobian, claims.
 ///
 /// A value that is undefined at the point is null. At a pole of the map (det A = 0, unless the
 /// factor that vanishes was divided out) the rest is printed all the same, and the exit status is

@@ -12,8 +12,9 @@ use crate::printing::{Answer, Progress, Refusal};
 use crate::reading::{Block, Source, whole};
 use report::Report;
 
-/// Tries steps at the extremes and judges each by exact arithmetic from the very floats that it was
-/// given.
+/// Tries steps at the extremes and judges each by exact arithmetic.
+///
+/// The judge starts from the very floats that a step was given.
 ///
 /// The points are seeded and stratified: a quarter each near poles, near removable poles, of mixed
 /// magnitudes, and ordinary; besides a few with subnormal, infinite and NaN inputs, and a few large

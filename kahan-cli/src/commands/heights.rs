@@ -12,8 +12,9 @@ use crate::printing::layout::table;
 use crate::printing::{Answer, Progress, Refusal, Sink};
 use crate::reading::{Request, Start, seconds, whole};
 
-/// Follows an exact orbit and measures how its heights grow: slowly where the map is integrable,
-/// exponentially where not.
+/// Follows an exact orbit and measures how its heights grow.
+///
+/// They grow slowly where the map is integrable, exponentially where not.
 ///
 /// The logarithmic height of p/q in lowest terms is log max(|p|, |q|), the natural logarithm; it is
 /// printed for every variable at every step. From the finite differences of the heights follows the

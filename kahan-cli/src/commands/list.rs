@@ -9,7 +9,7 @@ use crate::printing::layout::table;
 use crate::printing::{Answer, Refusal};
 use crate::reading::Block;
 
-/// Lists the systems of the catalog: name, variables, parameters, number of claims, title.
+/// Lists the systems of the catalog.
 ///
 /// Names with variables `x[i]` are families, which take --sites N.
 #[derive(Args, Debug)]

@@ -4,6 +4,7 @@
 pub(crate) mod atlas;
 pub(crate) mod completions;
 pub(crate) mod discover;
+pub(crate) mod dynamics;
 pub(crate) mod eval;
 pub(crate) mod extremes;
 pub(crate) mod heights;
@@ -13,6 +14,7 @@ pub(crate) mod picture;
 pub(crate) mod poles;
 pub(crate) mod scan;
 mod search;
+pub(crate) mod section;
 pub(crate) mod show;
 pub(crate) mod trade;
 pub(crate) mod verify;

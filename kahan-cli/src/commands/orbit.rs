@@ -25,8 +25,7 @@ use chain::is_array;
 use exact::ExactOrbit;
 use float::FloatOrbit;
 
-/// Prints an orbit x0, x1, … of a system's map as CSV: n, t = 2 eps n, the variables, the
-/// integrals.
+/// Prints an orbit of a system's map as CSV: n, t = 2 eps n, variables, integrals.
 ///
 /// The integrals are those of the block without `when`. A cell is empty where an integral is
 /// undefined, or beyond the range of the scalar. Floats are written so that they read back exactly,

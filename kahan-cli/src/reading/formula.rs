@@ -1,7 +1,8 @@
-//! Formulas of the index of a site, in floats: `1 + 1/2*cos(2*pi*i/n)`.
+//! Formulas in floats: of the index of a site, `1 + 1/2*cos(2*pi*i/n)`, or of the variables of a
+//! state.
 //!
-//! In: text in the language of `kahan!`, with functions. Out: a value at each site. Powers and signs
-//! bind as in the language: `-x^2` is −(x²), and `a^b^c` needs parentheses.
+//! In: text in the language of `kahan!`, with functions. Out: a value at each site or state. Powers
+//! and signs bind as in the language: `-x^2` is −(x²), and `a^b^c` needs parentheses.
 
 use std::f64::consts::PI;
 
@@ -37,25 +38,30 @@ const FUNCTIONS: [(&str, Function); 15] = [
 
 /// A formula, read.
 #[derive(Clone, Debug)]
-pub(super) enum Formula {
+pub(crate) enum Formula {
     Number(f64),
-    /// `i`, the site, from 0 on.
-    Index,
+    /// The variable with this index.
+    Variable(usize),
     Negate(Box<Formula>),
     Binary(char, Box<(Formula, Formula)>),
     Call(Function, Box<Formula>),
 }
 
 impl Formula {
-    /// The value at a site.
+    /// The value at a site, whose index is the only variable.
     pub(super) fn at(&self, site: usize) -> f64 {
+        self.of(&[site as f64])
+    }
+
+    /// The value at these variables.
+    pub(crate) fn of(&self, variables: &[f64]) -> f64 {
         match self {
             Self::Number(value) => *value,
-            Self::Index => site as f64,
-            Self::Negate(of) => -of.at(site),
-            Self::Call(function, of) => function(of.at(site)),
+            Self::Variable(k) => variables[*k],
+            Self::Negate(of) => -of.of(variables),
+            Self::Call(function, of) => function(of.of(variables)),
             Self::Binary(sign, sides) => {
-                let (a, b) = (sides.0.at(site), sides.1.at(site));
+                let (a, b) = (sides.0.of(variables), sides.1.of(variables));
                 match sign {
                     '+' => a + b,
                     '-' => a - b,
@@ -68,33 +74,46 @@ impl Formula {
         }
     }
 
-    /// Whether the value may differ from site to site.
-    pub(super) fn is_of_sites(&self) -> bool {
+    /// Whether the value may differ from site to site, or from state to state.
+    pub(crate) fn varies(&self) -> bool {
         match self {
             Self::Number(_) => false,
-            Self::Index => true,
-            Self::Negate(of) | Self::Call(_, of) => of.is_of_sites(),
-            Self::Binary(_, sides) => sides.0.is_of_sites() || sides.1.is_of_sites(),
+            Self::Variable(_) => true,
+            Self::Negate(of) | Self::Call(_, of) => of.varies(),
+            Self::Binary(_, sides) => sides.0.varies() || sides.1.varies(),
         }
     }
 }
 
-/// Names that stand for numbers, beside `i` and `pi`.
+/// Names that stand for numbers, beside `pi`.
 pub(super) type Known = [(String, f64)];
 
-/// One formula; `option` is what the text is called in reports.
+/// The names of a formula of sites.
+const OF_SITES: [&str; 1] = ["i"];
+
+/// One formula of the index of a site; `option` is what the text is called in reports.
 pub(super) fn formula(text: &str, known: &Known, option: &str) -> Result<Formula, Refusal> {
+    formula_of(&OF_SITES, text, known, option)
+}
+
+/// One formula of these variables.
+pub(super) fn formula_of(
+    variables: &[&str],
+    text: &str,
+    known: &Known,
+    option: &str,
+) -> Result<Formula, Refusal> {
     read(text, option, |lexed| {
-        let mut reader = Reader { tokens: &lexed.tokens, at: 0, known };
+        let mut reader = Reader { tokens: &lexed.tokens, at: 0, variables, known };
         let formula = reader.sum(0)?;
         reader.end().map(|()| formula)
     })
 }
 
-/// Formulas by name: `a = 1; b = i/n`.
+/// Formulas of the index of a site by name: `a = 1; b = i/n`.
 pub(super) fn formulas(text: &str, known: &Known, option: &str) -> Result<Vec<(String, Formula)>, Refusal> {
     read(text, option, |lexed| {
-        let mut reader = Reader { tokens: &lexed.tokens, at: 0, known };
+        let mut reader = Reader { tokens: &lexed.tokens, at: 0, variables: &OF_SITES, known };
         let mut formulas = Vec::new();
         while reader.at < reader.tokens.len() {
             let name = reader.name()?;
@@ -130,6 +149,7 @@ fn read<R>(
 struct Reader<'a> {
     tokens: &'a [Token],
     at: usize,
+    variables: &'a [&'a str],
     known: &'a Known,
 }
 
@@ -176,7 +196,7 @@ impl Reader<'_> {
         }
         Err(self.mistake(
             "the formula should end here",
-            "put an operator in between: `2*i`; several formulas are separated by `;`",
+            "put an operator in between: `2*i`; formulas of several arrays are separated by `;`",
         ))
     }
 
@@ -246,19 +266,21 @@ impl Reader<'_> {
                     self.at += 1;
                     return Ok(Formula::Call(*function, Box::new(self.in_parentheses(depth)?)));
                 }
+                let variable = self.variables.iter().position(|name| *name == token.text);
                 let known = self.known.iter().find(|(name, _)| *name == token.text);
-                let formula = match (token.text.as_str(), known) {
-                    ("i", _) => Formula::Index,
-                    ("pi", _) => Formula::Number(PI),
-                    (_, Some((_, value))) => Formula::Number(*value),
-                    (name, None) => {
-                        let names = self.known.iter().map(|(name, _)| format!(", {name}"));
+                let formula = match (token.text.as_str(), variable, known) {
+                    (_, Some(variable), _) => Formula::Variable(variable),
+                    (_, None, Some((_, value))) => Formula::Number(*value),
+                    ("pi", None, None) => Formula::Number(PI),
+                    (name, None, None) => {
+                        let known = self.known.iter().map(|(name, _)| name.as_str());
+                        let names = self.variables.iter().copied().chain(known);
                         let functions = FUNCTIONS.map(|(name, _)| name).join(", ");
                         return Err(self.mistake(
                             &format!("`{name}` is not known here"),
                             &format!(
-                                "there are i, pi{}, and the functions {functions}",
-                                names.collect::<String>()
+                                "there are {}, pi, and the functions {functions}",
+                                names.collect::<Vec<_>>().join(", ")
                             ),
                         ));
                     }
@@ -304,8 +326,8 @@ mod tests {
             let value = formula(text, &known, "--start").expect(text).at(3);
             assert!((value - at_three).abs() < 1e-15, "{text}: {value}");
         }
-        assert!(formula("i*0", &[], "").expect("a formula").is_of_sites());
-        assert!(!formula("sin(1)^2", &[], "").expect("a formula").is_of_sites());
+        assert!(formula("i*0", &[], "").expect("a formula").varies());
+        assert!(!formula("sin(1)^2", &[], "").expect("a formula").varies());
         let named = formulas("x = i; y = 2;", &known, "--start").expect("two");
         assert_eq!(
             named.iter().map(|(name, formula)| (name.as_str(), formula.at(5))).collect::<Vec<_>>(),

@@ -3,8 +3,10 @@
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::Point;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 
+use super::formula::{Formula, formula_of};
 use super::source::Start;
 use super::values::{coordinates, number};
 use crate::numbers::Printable;
@@ -35,6 +37,19 @@ impl Start {
 }
 
 impl Request {
+    /// A formula of the variables, and behind them the integrals, at these parameters and ε, in
+    /// floats; `option` is what the text is called in reports.
+    pub(crate) fn formula(&self, text: &str, option: &str) -> Result<Formula, Refusal> {
+        let symbols = &self.system.field.symbols;
+        let parameters = symbols.parameters.iter().cloned().zip(&self.point.parameters);
+        let eps = [("eps".to_owned(), &self.point.eps)];
+        let known: Vec<(String, f64)> =
+            parameters.chain(eps).map(|(name, value)| (name, value.to_f64())).collect();
+        let integrals = self.system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.as_str());
+        let variables: Vec<&str> = symbols.states.iter().map(String::as_str).chain(integrals).collect();
+        formula_of(&variables, text, &known, option)
+    }
+
     /// The field divides by zero at the parameters.
     pub(crate) fn undefined_field(&self) -> Refusal {
         let values = assignments::<Exact>(&self.system.field.symbols.parameters, &self.point.parameters);

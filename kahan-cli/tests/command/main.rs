@@ -6,6 +6,7 @@ mod completions;
 mod conditions;
 mod discovering;
 mod double_double;
+mod dynamics;
 mod evaluating;
 mod heights;
 mod interrupting;

@@ -1,0 +1,88 @@
+//! `kahan dynamics`: what one asks of an orbit, answered in the loop.
+
+mod observed;
+mod report;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use kahan_core::Composition;
+
+use crate::printing::{Answer, Refusal};
+use crate::reading::{Start, whole};
+
+use observed::Asked;
+
+/// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
+///
+/// Nothing is stored; tangent vectors are carried by the exact Jacobian of the map. Exponents are
+/// per unit of time, of which a step takes 2 eps, with a distance that tells how far they have
+/// converged; all of them together are the mean of log |det J|. FLI grows like log n where motion is
+/// regular and like n where it is chaotic, the mean MEGNO tends to 2 where motion is quasi-periodic
+/// and grows where it is chaotic, SALI tends to 0 where it is chaotic (in two variables always, like
+/// a power of time where motion is regular). A rotation number counts turns a step of a variable
+/// about the middle of its extremes, in the plane of the variable and its rate, modulo 1, with an
+/// estimate of its error. Drift is relative to the first value. Steps are those of `kahan orbit` in
+/// f64. Where numbers leave the range of f64, the answer is of the steps before, and the exit status
+/// is 1.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Dynamics {
+    #[command(flatten)]
+    start: Start,
+
+    /// The number of steps; rotation numbers need a hundred turns or so.
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps)]
+    steps: u64,
+
+    /// The order of the method: 2 is Kahan's map, the others compose steps of it.
+    #[arg(long, value_name = "P", default_value = "2", value_parser = PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse::<u32>().unwrap_or(2)))]
+    order: u32,
+
+    /// Tangent vectors are made orthogonal every M steps.
+    #[arg(long, value_name = "M", default_value = "10", allow_hyphen_values = true, value_parser = positive)]
+    every: u64,
+
+    /// The orbit has escaped where a variable is larger than R in size.
+    #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true, value_parser = radius)]
+    escape: f64,
+
+    /// Print one JSON object; what has no value is null.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan dynamics lorenz --param s=10 --param r=28 --param b=8/3 --eps 1e-3 --at 1,1,1 --steps 1e5
+  kahan dynamics henon-heiles --eps 0.05 --at 0,0.1,0.35,0 --steps 1e5 --json
+  kahan dynamics e6 --eps 0.05 --at 1,2,3 --steps 1e5 --order 4
+  kahan dynamics --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,0.1 --steps 9999";
+
+fn steps(text: &str) -> Result<u64, String> {
+    whole(text, 1, 1 << 53)
+}
+
+fn positive(text: &str) -> Result<u64, String> {
+    whole(text, 1, u64::MAX)
+}
+
+fn radius(text: &str) -> Result<f64, String> {
+    let radius = crate::reading::number(text, "--escape").map_err(|_| "not a number".to_owned())?.to_f64();
+    if radius > 0.0 { Ok(radius) } else { Err("it is a size, as in 1e6".to_owned()) }
+}
+
+impl Dynamics {
+    /// The answers; a complaint where the orbit ends early.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let request = self.start.request()?;
+        let composition = Composition::of_order(self.order).unwrap_or(Composition::KAHAN);
+        let asked = Asked { steps: self.steps, every: self.every, escape: self.escape };
+        let observed = asked.of(&request, composition)?;
+        let answer = if self.json {
+            Answer::json(&report::object(&request, &observed))
+        } else {
+            Answer::text(report::text(&request, &observed))
+        };
+        Ok(Answer { complaint: report::complaint(&request, &asked, &observed), ..answer })
+    }
+}

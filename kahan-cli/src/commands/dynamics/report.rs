@@ -1,0 +1,116 @@
+//! What was observed, as an object and as tables.
+
+use serde_json::{Map, Value, json};
+
+use crate::printing::layout::table;
+use crate::reading::Request;
+
+use super::observed::{Asked, Observed};
+
+/// The JSON object.
+pub(super) fn object(request: &Request, observed: &Observed) -> Value {
+    let variables = &request.system.field.symbols.states;
+    let by_name = |names: &[String], values: Vec<Value>| {
+        Value::Object(names.iter().cloned().zip(values).collect::<Map<_, _>>())
+    };
+    let rotation =
+        observed.rotation.iter().map(|turns| json!({ "value": turns.value, "error": turns.error }));
+    let drift = observed.drift.iter().map(|drifted| json!({ "max": drifted.max, "final": drifted.last }));
+    let extrema = observed.extrema.iter().map(|extremes| json!(extremes.map(|of| [of.least, of.greatest])));
+    json!({
+        "system": request.name,
+        "steps": observed.steps,
+        "lyapunov": observed.lyapunov.iter().map(|exponent| exponent.value).collect::<Vec<_>>(),
+        "lyapunov_errors": observed.lyapunov.iter().map(|exponent| exponent.error).collect::<Vec<_>>(),
+        "mean_log_det": observed.mean_log_det,
+        "fli": observed.fli,
+        "megno": observed.megno,
+        "sali": observed.sali,
+        "rotation": by_name(variables, rotation.collect()),
+        "drift": by_name(&integrals(request), drift.collect()),
+        "extrema": by_name(variables, extrema.collect()),
+        "escaped": observed.escaped,
+    })
+}
+
+/// The integrals whose drift is observed: those that are claimed without `when`.
+fn integrals(request: &Request) -> Vec<String> {
+    let claims = request.system.accessors(kahan_algebra::syntax::ClaimKind::Integral);
+    claims.map(|claim| claim.name.text.clone()).collect()
+}
+
+/// The same as tables.
+pub(super) fn text(request: &Request, observed: &Observed) -> String {
+    let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
+    let mut lines = Vec::new();
+    let mut put = |rows: &[Vec<String>]| {
+        if !lines.is_empty() {
+            lines.push(String::new());
+        }
+        lines.extend(table(rows, 1));
+    };
+    let mut rows = vec![row(&["Lyapunov exponent", "value", "converged to"])];
+    for (k, exponent) in observed.lyapunov.iter().enumerate() {
+        rows.push(vec![(k + 1).to_string(), number(exponent.value), short(exponent.error)]);
+    }
+    let sum: f64 = observed.lyapunov.iter().map(|exponent| exponent.value).sum();
+    rows.push(vec!["sum".to_owned(), number(sum), String::new()]);
+    rows.push(vec!["mean log |det J|".to_owned(), number(observed.mean_log_det), String::new()]);
+    put(&rows);
+    put(&[
+        row(&["indicator", "value"]),
+        vec!["FLI".to_owned(), number(observed.fli)],
+        vec!["MEGNO".to_owned(), number(observed.megno)],
+        vec!["SALI".to_owned(), number(observed.sali)],
+    ]);
+    let mut rows = vec![row(&["variable", "least", "greatest", "turns a step", "error"])];
+    let variables = request.system.field.symbols.states.iter().zip(&observed.extrema).zip(&observed.rotation);
+    for ((name, extremes), turns) in variables {
+        let [least, greatest] =
+            extremes.map_or([String::new(), String::new()], |of| [number(of.least), number(of.greatest)]);
+        rows.push(vec![name.clone(), least, greatest, number(turns.value), short(turns.error)]);
+    }
+    put(&rows);
+    if !observed.drift.is_empty() {
+        let mut rows = vec![row(&["integral", "greatest drift", "final drift"])];
+        for (name, drifted) in integrals(request).iter().zip(&observed.drift) {
+            rows.push(vec![name.clone(), short(drifted.max), short(drifted.last)]);
+        }
+        put(&rows);
+    }
+    let escaped = observed.escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
+    put(&[vec!["steps".to_owned(), observed.steps.to_string()], vec!["escaped".to_owned(), escaped]]);
+    lines.join("\n") + "\n"
+}
+
+/// Why there are fewer steps than asked.
+pub(super) fn complaint(request: &Request, asked: &Asked, observed: &Observed) -> Option<String> {
+    (observed.steps < asked.steps).then(|| {
+        format!(
+            "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; what is said is of the steps \
+             before",
+            request.name,
+            observed.steps + 1
+        )
+    })
+}
+
+/// Eight digits; nothing for what is not a number.
+fn number(value: f64) -> String {
+    if value.is_nan() {
+        return "-".to_owned();
+    }
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size if (1e-3..1e6).contains(&size) => {
+            let before = size.log10().floor().max(0.0) as usize;
+            format!("{value:.0$}", 8 - before.min(7))
+        }
+        _ => format!("{value:.7e}"),
+    }
+}
+
+/// Two digits.
+fn short(value: f64) -> String {
+    if value.is_nan() { "-".to_owned() } else { format!("{value:.1e}") }
+}

@@ -1,0 +1,183 @@
+//! `kahan section`: where an orbit crosses a plane, or the level of any function.
+
+use std::cell::RefCell;
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use kahan_core::observe::{Crossing, Direction, Observer, Section as Crossings};
+use kahan_runtime::{Field, RuntimePoint};
+use serde_json::{Value, json};
+
+use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::reading::{Start, whole};
+
+/// Prints where an orbit crosses a section, as CSV: step n, time t, variables.
+///
+/// The section is where a formula of the variables, of the claimed integrals, parameters and eps
+/// vanishes. A crossing lies between two points of the orbit; it is refined on the curve that the map
+/// draws from the first to the second as eps grows from 0, which is as far from the flow as a step
+/// is: t is that of the crossing, and n the step that it comes after. Steps are those of
+/// `kahan orbit` in f64. Where numbers leave the range of f64, the crossings up to there are kept and
+/// the exit status is 1.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Section {
+    #[command(flatten)]
+    start: Start,
+
+    /// The most steps of the orbit.
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps)]
+    steps: u64,
+
+    /// What vanishes on the section: z - 27, or x^2 + y^2 - 1.
+    #[arg(long, value_name = "EXPR", allow_hyphen_values = true)]
+    plane: String,
+
+    /// Which crossings count: those where the formula grows, falls, or both.
+    #[arg(long, value_enum, default_value = "rising")]
+    direction: Side,
+
+    /// Stop after K crossings.
+    #[arg(long, value_name = "K", default_value = "100000", allow_hyphen_values = true, value_parser = points)]
+    points: usize,
+
+    /// Write the table to this file, which appears when it is complete.
+    #[arg(long, value_name = "F.csv")]
+    out: Option<PathBuf>,
+
+    /// Print one JSON object: system, variables, steps, times, points.
+    #[arg(long)]
+    json: bool,
+}
+
+/// The sign with which the formula goes through 0.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Side {
+    Rising,
+    Falling,
+    Both,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan section henon-heiles --eps 0.02 --at 0,0.1,0.35,0 --plane x --steps 1e5
+  kahan section lorenz --param s=10 --param r=28 --param b=8/3 --eps 1e-3 --at 1,1,1 --plane 'z - 27' --steps 1e5
+  kahan section e6 --eps 0.05 --at 1,2,3 --plane 'x - y' --direction both --steps 1e4 --out e6.csv
+  kahan section --field 'xdot = y; ydot = -x;' --eps 0.1 --at 1,0 --plane 'y - x/2' --steps 99 --json";
+
+fn steps(text: &str) -> Result<u64, String> {
+    whole(text, 1, 1 << 53)
+}
+
+fn points(text: &str) -> Result<usize, String> {
+    whole(text, 1, 1 << 26)
+}
+
+type Point = Crossing<RuntimePoint<f64>, f64>;
+
+impl Section {
+    /// Writes the crossings; what is left to say is the answer.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let request = self.start.request()?;
+        let plane = request.formula(&self.plane, "--plane")?;
+        if !plane.varies() {
+            return Err(Refusal::new(format!(
+                "--plane {}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as \
+                 in --plane 'x - 1/2'",
+                self.plane
+            )));
+        }
+        let field = Field::of(&request.system);
+        let values = field.parameters().iter().zip(&request.point.parameters);
+        let map = field.with(values).map_err(|_| request.undefined_field())?;
+        let (eps, mut x) = (request.point.eps.to_f64(), Vec::new());
+        x.extend(request.point.state.iter().map(|entry| entry.to_f64()));
+        if !x.iter().chain([&eps]).all(|number| number.is_finite()) {
+            return Err(Refusal::new("--at and --eps must be in the range of f64"));
+        }
+        let at = map.at(eps);
+        let (variables, integrals) = (x.len(), field.integrals().len());
+        let height = |x: &[f64]| {
+            let mut known: RuntimePoint<f64> = x.iter().copied().collect();
+            known.resize(variables + integrals, 0.0);
+            // The state is as long as the field has variables.
+            let _ = at.integrals(x, &mut known[variables..]);
+            plane.of(&known)
+        };
+        let direction = match self.direction {
+            Side::Rising => Direction::Rising,
+            Side::Falling => Direction::Falling,
+            Side::Both => Direction::Both,
+        };
+        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
+        let points: RefCell<Vec<Point>> = RefCell::new(Vec::new());
+        let mut crossings =
+            Crossings::new(&at, height, direction, |crossing: Point| points.borrow_mut().push(crossing));
+        let progress = Progress::new(self.steps, "steps");
+        let (mut made, mut is_finite) = (0, true);
+        crossings.observe(0, &x);
+        while is_finite && made < self.steps && points.borrow().len() < self.points {
+            // The state is as long as the field has variables.
+            let _ = at.advance(&mut x, 1);
+            is_finite = x.iter().all(|x| x.is_finite());
+            if is_finite {
+                made += 1;
+                crossings.observe(made, &x);
+                progress.advance(1);
+            }
+        }
+        progress.finish();
+        let found = Found { name: &request.name, variables: field.variables(), points: points.take(), eps };
+        let complaint = (!is_finite).then(|| {
+            format!(
+                "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; the crossings up to \
+                 there are kept",
+                request.name,
+                made + 1
+            )
+        });
+        let answer = match sink {
+            Some(sink) => {
+                sink.put(&found.table())?;
+                if self.json { Answer::json(&found.object(made)) } else { Answer::text(String::new()) }
+            }
+            None if self.json => Answer::json(&found.object(made)),
+            None => Answer::verbatim(found.table()),
+        };
+        Ok(Answer { complaint, ..answer })
+    }
+}
+
+/// The crossings of an orbit.
+struct Found<'a> {
+    name: &'a str,
+    variables: &'a [String],
+    points: Vec<Point>,
+    eps: f64,
+}
+
+impl Found<'_> {
+    fn object(&self, steps: u64) -> Value {
+        json!({
+            "system": self.name,
+            "variables": self.variables,
+            "steps": steps,
+            "times": self.points.iter().map(|crossing| self.time(crossing)).collect::<Vec<_>>(),
+            "points": self.points.iter().map(|crossing| crossing.point.to_vec()).collect::<Vec<_>>(),
+        })
+    }
+
+    fn table(&self) -> String {
+        let mut lines = vec![format!("n,t,{}", self.variables.join(","))];
+        for crossing in &self.points {
+            let numbers = [self.time(crossing)].into_iter().chain(crossing.point.iter().copied());
+            let cells: Vec<String> = numbers.map(|number| format!("{number:?}")).collect();
+            lines.push(format!("{},{}", crossing.step, cells.join(",")));
+        }
+        lines.join("\n") + "\n"
+    }
+
+    fn time(&self, crossing: &Point) -> f64 {
+        (crossing.step as f64 + crossing.part) * (self.eps + self.eps)
+    }
+}

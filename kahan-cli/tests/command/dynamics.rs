@@ -1,0 +1,124 @@
+//! `kahan dynamics` and `kahan section` from outside.
+
+use std::f64::consts::PI;
+
+use serde_json::Value;
+
+use crate::running::{answer, kahan, object, refusal, text};
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+const TURN: [&str; 7] =
+    ["--field", "xdot = y; ydot = -x; integral R = x^2 + y^2;", "--eps", "0.05", "--at", "2,0", "--json"];
+
+#[test]
+fn a_circle_is_known_in_closed_form() {
+    let found = object(&[&["dynamics"], &TURN[..], &["--steps", "5000"]].concat());
+    let keys: Vec<&str> = found.as_object().expect("an object").keys().map(String::as_str).collect();
+    let wanted =
+        "system steps lyapunov lyapunov_errors mean_log_det fli megno sali rotation drift extrema escaped";
+    assert_eq!(keys, wanted.split(' ').collect::<Vec<_>>());
+    // The map turns by 2 atan(eps): clockwise from x to its rate.
+    let turns = &found["rotation"]["x"];
+    assert!((number(&turns["value"]) + 0.05_f64.atan() / PI).abs() < 1e-13, "{turns}");
+    assert!(number(&turns["error"]) < 1e-9);
+    // Lengths are kept, but for some roundings in 500 units of time.
+    for exponent in found["lyapunov"].as_array().expect("a list") {
+        assert!(number(exponent).abs() < 1e-13);
+    }
+    assert!(number(&found["drift"]["R"]["max"]) < 1e-12);
+    assert!((number(&found["extrema"]["x"][1]) - 2.0).abs() < 1e-3);
+    assert_eq!((&found["escaped"], &found["steps"]), (&Value::Null, &5000.into()));
+}
+
+#[test]
+fn linear_fields_have_the_exponents_of_their_multipliers() {
+    let (slow, fast, eps) = (-0.5, 0.25, 0.1);
+    let field = "xdot = -x/2; ydot = y/4 + x;";
+    let found =
+        object(&["dynamics", "--field", field, "--eps", "0.1", "--at", "1,1", "--steps", "4000", "--json"]);
+    let exact = |rate: f64| ((1.0 + eps * rate) / (1.0 - eps * rate)).ln() / (2.0 * eps);
+    let [first, second] = [0, 1].map(|k| number(&found["lyapunov"][k]));
+    // What the first vectors are in eigenvectors goes with 1/t.
+    assert!((first - exact(fast)).abs() < 2e-3 && (second - exact(slow)).abs() < 2e-3, "{first} {second}");
+    let sum = exact(fast) + exact(slow);
+    assert!((number(&found["mean_log_det"]) - sum).abs() < 1e-12 && (first + second - sum).abs() < 1e-12);
+}
+
+#[test]
+fn an_orbit_that_overflows_is_told_and_kept() {
+    let output = kahan(&[
+        "dynamics",
+        "--field",
+        "xdot = x;",
+        "--eps",
+        "0.5",
+        "--at",
+        "1",
+        "--steps",
+        "1000",
+        "--json",
+    ]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("leaves the range of f64"), "{}", text(&output.stderr));
+    let found: Value = serde_json::from_slice(&output.stdout).expect("an object");
+    // 3ⁿ > 10⁶ from n = 13 on.
+    assert_eq!(found["escaped"], 13);
+    assert_eq!(found["steps"], 646);
+    assert!((number(&found["lyapunov"][0]) - 3.0_f64.ln()).abs() < 1e-13);
+}
+
+#[test]
+fn tables_name_what_they_show() {
+    let table = answer(&["dynamics", "e6", "--eps", "0.05", "--at", "1,2,3", "--steps", "500"]);
+    for part in
+        ["Lyapunov exponent", "mean log |det J|", "MEGNO", "turns a step", "greatest drift", "escaped  no"]
+    {
+        assert!(table.contains(part), "{part}: {table}");
+    }
+    assert!(table.lines().all(|line| line.chars().count() <= 80));
+}
+
+#[test]
+fn sections_are_where_the_formula_vanishes() {
+    let found = object(
+        &[&["section"], &TURN[..], &["--steps", "500", "--plane", "y - x/2", "--direction", "both"]].concat(),
+    );
+    let points = found["points"].as_array().expect("a list");
+    assert!(points.len() > 10);
+    for (k, point) in points.iter().enumerate() {
+        let (x, y) = (number(&point[0]), number(&point[1]));
+        assert!((y - x / 2.0).abs() < 1e-14, "{point}");
+        // Half a turn of the map's circle lies between two of them, and the radius is kept.
+        assert!((x.hypot(y) - 2.0).abs() < 1e-12, "{point}");
+        assert_eq!(x > 0.0, k % 2 == 1, "{point}");
+    }
+    let times = found["times"].as_array().expect("a list");
+    let period = number(&times[2]) - number(&times[0]);
+    // A turn takes π/atan(ε) steps; a part θ of a step turns by 2 atan(θε).
+    assert!((period - 0.1 * PI / 0.05_f64.atan()).abs() < 1e-4, "{period}");
+    let few =
+        answer(&["section", "e6", "--eps", "0.05", "--at", "1,2,3", "--plane", "H - 3", "--steps", "9"]);
+    assert_eq!(few, "n,t,x,y,z\n");
+    let first = [&["section"], &TURN[..6], &["--steps", "500", "--plane", "x - 1", "--points", "2"]].concat();
+    assert_eq!(answer(&first).lines().count(), 3);
+}
+
+#[test]
+fn mistakes_are_told() {
+    for (plane, part) in [
+        ("1 + eps", "one number everywhere"),
+        ("w", "there are x, y, R, eps, pi"),
+        ("x +", "missing"),
+        ("x = 1", "should end here"),
+    ] {
+        let paragraph = refusal(&[&["section"], &TURN[..], &["--steps", "5", "--plane", plane]].concat());
+        assert!(paragraph.replace('\n', " ").contains(part), "{plane}: {paragraph}");
+    }
+    assert!(refusal(&[&["dynamics"], &TURN[..], &["--steps", "0"]].concat()).contains("1 or more"));
+    assert!(
+        refusal(&[&["dynamics"], &TURN[..], &["--steps", "9", "--escape", "-1"]].concat()).contains("size")
+    );
+}
