@@ -53,10 +53,10 @@ pub(crate) struct Dynamics {
 
 const EXAMPLES: &str = "\
 Examples:
-  kahan dynamics lorenz --param s=10 --param r=28 --param b=8/3 --eps 1e-3 --at 1,1,1 --steps 1e5
-  kahan dynamics henon-heiles --eps 0.05 --at 0,0.1,0.35,0 --steps 1e5 --json
-  kahan dynamics e6 --eps 0.05 --at 1,2,3 --steps 1e5 --order 4
-  kahan dynamics --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,0.1 --steps 9999";
+  kahan dynamics lorenz --param s=10 --param r=28 --param b=8/3 --eps 1e-3 --at 1,1,1 --steps 1e4
+  kahan dynamics e3 --eps 0.05 --at 1,2,3 --steps 1e4 --json
+  kahan dynamics e6 --eps 0.05 --at 1,2,3 --steps 1e4 --order 4
+  kahan dynamics --field 'xdot = y; ydot = 6*x^2 - 2;' --eps 0.01 --at 0,0.1 --steps 9999";
 
 fn steps(text: &str) -> Result<u64, String> {
     whole(text, 1, 1 << 53)

@@ -60,8 +60,8 @@ enum Side {
 
 const EXAMPLES: &str = "\
 Examples:
-  kahan section henon-heiles --eps 0.02 --at 0,0.1,0.35,0 --plane x --steps 1e5
-  kahan section lorenz --param s=10 --param r=28 --param b=8/3 --eps 1e-3 --at 1,1,1 --plane 'z - 27' --steps 1e5
+  kahan section volterra --eps 0.02 --at 1,2,3 --plane 'x - y' --steps 1e4
+  kahan section lv --eps 0.01 --at 1/2,5/3 --plane y-1 --direction falling --steps 1e4 --points 5
   kahan section e6 --eps 0.05 --at 1,2,3 --plane 'x - y' --direction both --steps 1e4 --out e6.csv
   kahan section --field 'xdot = y; ydot = -x;' --eps 0.1 --at 1,0 --plane 'y - x/2' --steps 99 --json";
 

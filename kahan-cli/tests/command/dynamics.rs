@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde_json::Value;
 
-use crate::running::{answer, kahan, object, refusal, text};
+use crate::running::{answer, examples_run, kahan, object, refusal, text};
 
 fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
@@ -121,4 +121,12 @@ fn mistakes_are_told() {
     assert!(
         refusal(&[&["dynamics"], &TURN[..], &["--steps", "9", "--escape", "-1"]].concat()).contains("size")
     );
+}
+
+#[cfg(unix)]
+#[test]
+fn the_examples_of_the_help_run() {
+    let folder = tempfile::tempdir().expect("a folder");
+    assert_eq!(examples_run("dynamics", folder.path()), 4);
+    assert_eq!(examples_run("section", folder.path()), 4);
 }

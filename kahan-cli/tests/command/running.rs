@@ -1,5 +1,6 @@
 //! Running the command as a user does.
 
+use std::path::Path;
 use std::process::{Command, Output};
 
 use serde_json::Value;
@@ -40,4 +41,24 @@ pub(crate) fn refusal(arguments: &[&str]) -> String {
     assert!(paragraph.starts_with("error: ") && paragraph.ends_with('\n'), "{paragraph}");
     assert!(!paragraph.contains("\n\n"), "more than one paragraph: {paragraph}");
     paragraph
+}
+
+/// Runs the examples of a command's help in a folder; how many there are.
+#[cfg(unix)]
+pub(crate) fn examples_run(command: &str, folder: &Path) -> usize {
+    let help = answer(&[command, "--help"]);
+    let (_, examples) = help.split_once("Examples:\n").expect("the help has examples");
+    let mut run = 0;
+    for example in examples.lines().map(str::trim).take_while(|line| !line.is_empty()) {
+        let arguments = example.strip_prefix("kahan ").expect("a command");
+        let output = Command::new("sh")
+            .args(["-c", &format!("\"$KAHAN\" {arguments}")])
+            .env("KAHAN", env!("CARGO_BIN_EXE_kahan"))
+            .current_dir(folder)
+            .output()
+            .expect("a shell");
+        assert_eq!(output.status.code(), Some(0), "{example}: {}", text(&output.stderr));
+        run += 1;
+    }
+    run
 }

@@ -76,21 +76,7 @@ fn bad_input_says_what_to_write_instead() {
 #[cfg(unix)]
 #[test]
 fn the_examples_of_the_help_run() {
-    let help = answer(&["--help"]);
-    let (_, examples) = help.split_once("Examples:\n").expect("the help has examples");
     let folder = folder();
-    let mut run = 0;
-    for example in examples.lines().map(str::trim).take_while(|line| !line.is_empty()) {
-        let arguments = example.strip_prefix("kahan ").expect("a command");
-        let output = Command::new("sh")
-            .args(["-c", &format!("\"$KAHAN\" {arguments}")])
-            .env("KAHAN", env!("CARGO_BIN_EXE_kahan"))
-            .current_dir(folder.path())
-            .output()
-            .expect("a shell");
-        assert_eq!(output.status.code(), Some(0), "{example}: {}", text(&output.stderr));
-        run += 1;
-    }
-    assert!(run >= 5, "{run} examples");
+    assert!(examples_run("orbit", folder.path()) >= 5);
     assert_eq!(contents(&folder), ["e7.csv"]);
 }

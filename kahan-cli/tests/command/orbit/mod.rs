@@ -20,7 +20,7 @@ use kahan_systems::{E6, E7, E9, EulerTop, LotkaVolterra};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use crate::running::text;
+use crate::running::{examples_run, text};
 
 fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
