@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use kahan_core::observe::{Crossing, Direction, Observer, Section as Crossings};
-use kahan_runtime::{Field, RuntimePoint};
+use kahan_runtime::RuntimePoint;
 use serde_json::{Value, json};
 
 use crate::printing::{Answer, Progress, Refusal, Sink};
@@ -87,16 +87,8 @@ impl Section {
                 self.plane
             )));
         }
-        let field = Field::of(&request.system);
-        let values = field.parameters().iter().zip(&request.point.parameters);
-        let map = field.with(values).map_err(|_| request.undefined_field())?;
-        let (eps, mut x) = (request.point.eps.to_f64(), Vec::new());
-        x.extend(request.point.state.iter().map(|entry| entry.to_f64()));
-        if !x.iter().chain([&eps]).all(|number| number.is_finite()) {
-            return Err(Refusal::new("--at and --eps must be in the range of f64"));
-        }
-        let at = map.at(eps);
-        let (variables, integrals) = (x.len(), field.integrals().len());
+        let (at, mut x) = request.in_floats()?;
+        let (variables, integrals) = (x.len(), at.map().field().integrals().len());
         let height = |x: &[f64]| {
             let mut known: RuntimePoint<f64> = x.iter().copied().collect();
             known.resize(variables + integrals, 0.0);
@@ -127,7 +119,12 @@ impl Section {
             }
         }
         progress.finish();
-        let found = Found { name: &request.name, variables: field.variables(), points: points.take(), eps };
+        let found = Found {
+            name: &request.name,
+            variables: at.map().field().variables(),
+            points: points.take(),
+            eps: at.eps(),
+        };
         let complaint = (!is_finite).then(|| {
             format!(
                 "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; the crossings up to \
@@ -138,7 +135,7 @@ impl Section {
         });
         let answer = match sink {
             Some(sink) => {
-                sink.put(&found.table())?;
+                sink.put(found.table())?;
                 if self.json { Answer::json(&found.object(made)) } else { Answer::text(String::new()) }
             }
             None if self.json => Answer::json(&found.object(made)),

@@ -5,6 +5,7 @@ use kahan_algebra::interpret::Point;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
+use kahan_runtime::{Field, MapAt};
 
 use super::formula::{Formula, formula_of};
 use super::source::Start;
@@ -37,6 +38,20 @@ impl Start {
 }
 
 impl Request {
+    /// The map at ε, and the first point, in floats.
+    pub(crate) fn in_floats(&self) -> Result<(MapAt<f64>, Vec<f64>), Refusal> {
+        let field = Field::of(&self.system);
+        let values = field.parameters().iter().zip(&self.point.parameters);
+        let map = field.with(values).map_err(|_| self.undefined_field())?;
+        let numbers = self.point.state.iter().chain([&self.point.eps]).map(Rational::to_f64);
+        let mut start: Vec<f64> = numbers.collect();
+        if !start.iter().all(|number| number.is_finite()) {
+            return Err(Refusal::new("--at and --eps must be in the range of f64"));
+        }
+        let eps = start.pop().unwrap_or_default();
+        Ok((map.at(eps), start))
+    }
+
     /// A formula of the variables, and behind them the integrals, at these parameters and ε, in
     /// floats; `option` is what the text is called in reports.
     pub(crate) fn formula(&self, text: &str, option: &str) -> Result<Formula, Refusal> {

@@ -119,14 +119,14 @@ fn determinant<T: FloatScalar>(mut rows: SmallVec<[RuntimePoint<T>; 8]>) -> T {
             determinant = -determinant;
         }
         let pivot = rows[k].clone();
-        determinant = determinant * pivot[k];
+        determinant *= pivot[k];
         if pivot[k].is_zero() {
             break;
         }
         for row in &mut rows[k + 1..] {
             let factor = row[k] / pivot[k];
             for (entry, above) in row[k + 1..].iter_mut().zip(&pivot[k + 1..]) {
-                *entry = *entry - factor * *above;
+                *entry -= factor * *above;
             }
         }
     }

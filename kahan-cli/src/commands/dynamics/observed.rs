@@ -5,7 +5,7 @@ use kahan_core::observe::{
     Drift, Drifted, Escape, Exponent, Extrema, Extremes, Fli, MeanLogDet, Megno, Observer, Rotation, Sali,
     Spectrum, Turns,
 };
-use kahan_runtime::{Field, MapAt};
+use kahan_runtime::MapAt;
 
 use crate::printing::{Progress, Refusal};
 use crate::reading::Request;
@@ -40,16 +40,9 @@ pub(super) struct Observed {
 impl Asked {
     /// Follows the orbit that the request begins.
     pub(super) fn of(&self, request: &Request, composition: Composition) -> Result<Observed, Refusal> {
-        let field = Field::of(&request.system);
-        let values = field.parameters().iter().zip(&request.point.parameters);
-        let map = field.with(values).map_err(|_| request.undefined_field())?;
-        let eps = request.point.eps.to_f64();
-        let start: Vec<f64> = request.point.state.iter().map(|x| x.to_f64()).collect();
-        if !start.iter().chain([&eps]).all(|number| number.is_finite()) {
-            return Err(Refusal::new("--at and --eps must be in the range of f64"));
-        }
-        let at = map.at(eps).composed(composition);
-        let (variables, integrals) = (start.len(), field.integrals().len());
+        let (at, start) = request.in_floats()?;
+        let at = at.composed(composition);
+        let (variables, integrals) = (start.len(), at.map().field().integrals().len());
         let progress = Progress::new(2 * self.steps, "steps");
         let loops = Loop { at: &at, start: &start, progress: &progress };
 
