@@ -153,3 +153,69 @@ fn a_divisor_of_zero_is_an_error() {
         assert!(Kdv { h: one }.at(zero, 9).is_ok());
     }
 }
+
+/// The largest difference of two states.
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).fold(0.0, |largest, (a, b)| largest.max((a - b).abs()))
+}
+
+/// The error after a time of 1, at half the step: a quarter, up to the next term, which is a quarter
+/// of its own.
+#[test]
+fn chains_are_of_order_two_and_go_back() {
+    fn check<M: LatticeMap<f64>>(map: &M, sites: usize, steps: u64) {
+        let start: Vec<f64> = (0..sites * M::BLOCK).map(|k| 1.0 + 0.25 * (0.6 * k as f64).sin()).collect();
+        let at = |steps: u64| {
+            let mut state = start.clone();
+            map.at(0.5 / steps as f64, sites).unwrap().advance(&mut state, steps);
+            state
+        };
+        let exact = at(64 * steps);
+        let errors = [1, 2, 4].map(|finer| apart(&at(finer * steps), &exact));
+        for pair in errors.windows(2) {
+            assert!((pair[0] / pair[1] - 4.0).abs() < 0.2, "{errors:?}");
+        }
+        let mut chain = map.at(0.5 / steps as f64, sites).unwrap();
+        let mut state = start.clone();
+        chain.advance(&mut state, 100);
+        (0..100).for_each(|_| chain.step_back(&mut state));
+        // Two hundred steps, each of which rounds numbers of size one some times.
+        assert!(apart(&state, &start) < 200.0 * 64.0 * f64::EPSILON, "{:e}", apart(&state, &start));
+    }
+    for sites in [7, 300] {
+        check(&Ring, sites, 20);
+        check(&Chain, sites, 20);
+        check(&Toda, sites, 40);
+        check(&Kdv { h: 1.0 }, sites, 20);
+        check(&Shore { mu: 0.3, r: vec![1.0; sites] }, sites, 20);
+    }
+}
+
+/// What is kept does not drift: along the straight line of least squares through a thousand values
+/// it moves by less than the roundings of the steps would make it, were they all of one sign.
+#[test]
+fn kept_sums_have_no_slope() {
+    let (sites, h, rounds) = (300, 0.25, 1000);
+    let mut wave = Kdv { h }.at(2e-3, sites).unwrap();
+    let hump = |x: f64| 1.0 / x.cosh().powi(2);
+    let mut state: Vec<f64> =
+        (0..sites).map(|i| h * i as f64).map(|x| 2.0 * hump(x - 20.0) + 0.5 * hump(x / 2.0 - 22.0)).collect();
+    // The terms of mass and energy, without their signs.
+    let slopes = (0..sites).map(|i| ((state[(i + 1) % sites] - state[i]) / h).powi(2) / 2.0);
+    let terms =
+        [state.iter().sum::<f64>(), slopes.sum::<f64>() + state.iter().map(|u| u.powi(3)).sum::<f64>()];
+    let (mut masses, mut energies) = (Vec::new(), Vec::new());
+    for _ in 0..rounds {
+        wave.advance(&mut state, 5);
+        masses.push(wave.integrals(&state)[0]);
+        energies.push(wave.modified_energy(&state));
+    }
+    for (values, terms) in [masses, energies].iter().zip(terms) {
+        let middle = (values.len() - 1) as f64 / 2.0;
+        let place = |k: usize| k as f64 - middle;
+        let above: f64 = values.iter().enumerate().map(|(k, value)| place(k) * value).sum();
+        let below: f64 = (0..values.len()).map(|k| place(k).powi(2)).sum();
+        let moved = (above / below * 2.0 * middle).abs();
+        assert!(moved < f64::from(5 * rounds) * f64::EPSILON / 2.0 * terms, "{moved:e} of {}", values[0]);
+    }
+}
