@@ -80,7 +80,7 @@ mod tests {
         });
         assert_eq!(
             lines.collect::<Vec<_>>(),
-            ["(a*b*x*dx + x^2)/(b)", "(x - 3)/(b)", "(a*b*x*dddx + a*b*dx*ddx + 2*x*ddx)/(b)", "(ddx)/(b)"]
+            ["(x^2 + a*b*x*dx)/(b)", "(-3 + x)/(b)", "(2*x*ddx + a*b*x*dddx + a*b*dx*ddx)/(b)", "(ddx)/(b)"]
         );
     }
 }

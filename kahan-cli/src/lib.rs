@@ -32,8 +32,8 @@ use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
     atlas::Atlas, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
-    extremes::Extremes, heights::Heights, list::List, orbit::Orbit, picture::Picture, poles::Poles,
-    scan::Scan, section::Section, show::Show, trade::Trade, verify::Verify,
+    extremes::Extremes, heights::Heights, list::List, map::StabilityMap, orbit::Orbit, picture::Picture,
+    poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade, verify::Verify,
 };
 use printing::{Answer, Refusal, finish};
 
@@ -68,6 +68,7 @@ enum Command {
     Dynamics(Dynamics),
     Heights(Heights),
     Section(Section),
+    Map(StabilityMap),
     Extremes(Extremes),
     Trade(Trade),
     Discover(Discover),
@@ -114,6 +115,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Dynamics(command)) => command.run(),
         Some(Command::Heights(command)) => command.run(),
         Some(Command::Section(command)) => command.run(),
+        Some(Command::Map(command)) => command.run(),
         Some(Command::Extremes(command)) => command.run(),
         Some(Command::Trade(command)) => command.run(),
         Some(Command::Discover(command)) => command.run(),

@@ -6,7 +6,6 @@
 //! Lengths are units of the view box; text stays legible on a telephone because the box is small.
 
 mod drawing;
-#[cfg_attr(not(test), expect(dead_code, reason = "maps of stability are its first caller"))]
 mod grid;
 mod number_line;
 mod palette;
@@ -23,6 +22,7 @@ mod tests;
 use maud::{Markup, html};
 
 pub(crate) use drawing::{Drawing, Format, Sheet};
+pub(crate) use grid::Grid;
 pub(crate) use number_line::NumberLine;
 pub(crate) use palette::{Theme, style};
 use path::{Place, dots, line, polyline, tenths, text};

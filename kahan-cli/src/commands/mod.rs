@@ -9,6 +9,7 @@ pub(crate) mod eval;
 pub(crate) mod extremes;
 pub(crate) mod heights;
 pub(crate) mod list;
+pub(crate) mod map;
 pub(crate) mod orbit;
 pub(crate) mod picture;
 pub(crate) mod poles;

@@ -143,7 +143,7 @@ fn steps(text: &str) -> Result<u64, String> {
 }
 
 /// Width and height, in the proportions that axes have room in.
-fn pixels(text: &str) -> Result<(u32, u32), String> {
+pub(super) fn pixels(text: &str) -> Result<(u32, u32), String> {
     let sides = text.split_once(['x', 'X', '×']);
     let side = |text: &str| text.trim().parse().ok().filter(|side| (16..=8192).contains(side));
     let size: Option<(u32, u32)> = sides.and_then(|(width, height)| Some((side(width)?, side(height)?)));

@@ -63,7 +63,7 @@ Examples:
   kahan section volterra --eps 0.02 --at 1,2,3 --plane 'x - y' --steps 1e4
   kahan section lv --eps 0.01 --at 1/2,5/3 --plane y-1 --direction falling --steps 1e4 --points 5
   kahan section e6 --eps 0.05 --at 1,2,3 --plane 'x - y' --direction both --steps 1e4 --out e6.csv
-  kahan section --field 'xdot = y; ydot = -x;' --eps 0.1 --at 1,0 --plane 'y - x/2' --steps 99 --json";
+  kahan section --field 'xdot = y; ydot = -x;' --eps 0.1 --at 1,0 --plane y-x/2 --steps 99 --json";
 
 fn steps(text: &str) -> Result<u64, String> {
     whole(text, 1, 1 << 53)

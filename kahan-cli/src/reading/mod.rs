@@ -8,6 +8,7 @@ mod chain;
 mod file;
 mod formula;
 mod number_file;
+mod range;
 mod request;
 mod rust_file;
 mod source;
@@ -15,6 +16,7 @@ mod values;
 
 pub(crate) use block::{Block, MOST_VARIABLES};
 pub(crate) use chain::Chain;
+pub(crate) use range::Range;
 pub(crate) use request::Request;
 pub(crate) use source::{Source, Start};
 pub(crate) use values::{coordinates, number, seconds, whole};

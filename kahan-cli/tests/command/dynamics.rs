@@ -1,4 +1,4 @@
-//! `kahan dynamics` and `kahan section` from outside.
+//! `kahan dynamics`, `kahan section` and `kahan map` from outside.
 
 use std::f64::consts::PI;
 
@@ -129,4 +129,87 @@ fn the_examples_of_the_help_run() {
     let folder = tempfile::tempdir().expect("a folder");
     assert_eq!(examples_run("dynamics", folder.path()), 4);
     assert_eq!(examples_run("section", folder.path()), 4);
+    assert_eq!(examples_run("map", folder.path()), 3);
+}
+
+/// Cells of a table: the two coordinates, and what is shown, empty where nothing is.
+fn cells(table: &str) -> Vec<[Option<f64>; 3]> {
+    let cell = |text: &str| if text.is_empty() { None } else { Some(text.parse().expect("a number")) };
+    let row = |line: &str| line.split(',').map(cell).collect::<Vec<_>>().try_into().expect("three cells");
+    table.lines().skip(1).map(row).collect()
+}
+
+#[test]
+fn maps_show_what_each_orbit_does() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let map = |over: [&str; 2], further: &[&str], out: &str| {
+        let field = "xdot = y; ydot = r*x; integral E = y^2 - r*x^2;";
+        let given = ["--field", field, "--eps", "0.1", "--at", "1,0", "--param", "r=1", "--steps", "100"];
+        answer(
+            &[&["map"], &given[..], &["--over", over[0], "--over", over[1], "--out", out], further].concat(),
+        );
+        std::fs::read_to_string(out).expect("the file")
+    };
+    let table = map(["r=-4:4:4", "x=0:2:3"], &["--color", "lyapunov"], &file("r.csv"));
+    assert_eq!(table.lines().next(), Some("r,x,lyapunov"));
+    let rows = cells(&table);
+    assert_eq!(rows.len(), 12);
+    for [r, x, exponent] in rows {
+        let (r, exponent) = (r.expect("r"), exponent.expect("an exponent"));
+        assert!(
+            x.is_some_and(|x| [1.0 / 3.0, 1.0, 5.0 / 3.0].iter().any(|middle| (x - middle).abs() < 1e-15))
+        );
+        // The map's rates are those of its multipliers, (1 + εw)/(1 − εw) with w² = r.
+        let rate = if r < 0.0 { 0.0 } else { (0.1 * r.sqrt()).atanh() / 0.1 };
+        assert!((exponent - rate).abs() < 0.1, "{r}: {exponent} and {rate}");
+    }
+    // The same orbits are the same numbers, wherever they stand and on whichever thread.
+    let mirrored = map(["x=0:2:3", "r=-4:4:4"], &["--color", "lyapunov"], &file("x.csv"));
+    let mut turned: Vec<_> = cells(&mirrored).into_iter().map(|[x, r, value]| [r, x, value]).collect();
+    let mut rows = cells(&table);
+    let order = |a: &[Option<f64>; 3], b: &[Option<f64>; 3]| a.partial_cmp(b).expect("numbers");
+    turned.sort_by(order);
+    rows.sort_by(order);
+    assert_eq!(rows, turned);
+    // Orbits escape where r is positive, and nowhere else.
+    let escapes =
+        cells(&map(["r=-4:4:4", "x=1:2:1"], &["--color", "escape", "--escape", "1e3"], &file("e.csv")));
+    assert!(escapes.iter().all(|[r, _, step]| step.is_some() == r.is_some_and(|r| r > 0.0)), "{escapes:?}");
+    let drifts = cells(&map(["r=-4:0:2", "x=1:2:2"], &["--color", "drift"], &file("d.csv")));
+    assert!(drifts.iter().all(|[_, _, drift]| drift.is_some_and(|drift| drift < -12.0)), "{drifts:?}");
+    let picture = map(["x=-1:1:8", "y=-1:1:8"], &["--color", "fli"], &file("p.svg"));
+    assert!(
+        picture.contains("FLI of field over x from -1 to 1") && picture.contains("data:image/png;base64,")
+    );
+}
+
+#[test]
+fn maps_refuse_what_is_no_range() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("m.svg").to_str().expect("text").to_owned();
+    for (over, part) in [
+        (vec!["--over", "x=0:1:3"], "two ranges"),
+        (vec!["--over", "x=0:1:3", "--over", "x=0:1:3"], "gone through twice"),
+        (vec!["--over", "x=0:1:3", "--over", "w=0:1:3"], "neither a variable nor a parameter"),
+        (vec!["--over", "x=0:1", "--over", "y=0:1:3"], "NAME=FROM:TO:STEPS"),
+        (vec!["--over", "x=0:1:3", "--over", "y=0:1:3", "--color", "drift"], "claims no integral"),
+    ] {
+        let given = [
+            "map",
+            "--field",
+            "xdot = y; ydot = -x;",
+            "--eps",
+            "0.1",
+            "--at",
+            "1,0",
+            "--steps",
+            "9",
+            "--out",
+            &out,
+        ];
+        let paragraph = refusal(&[&given[..], &over].concat());
+        assert!(paragraph.replace('\n', " ").contains(part), "{over:?}: {paragraph}");
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).expect("the folder").count(), 0);
 }

@@ -4,6 +4,8 @@
 //! In: a map at its ε. Out: v ↦ (∂x̃/∂x)·v, as Kahan's map of the variational field of twice the
 //! variables, which runs as the map itself does, as machine code where that can be had.
 
+use std::sync::Arc;
+
 use kahan_core::FloatScalar;
 use kahan_core::observe::{Between, Points, Tangent};
 use smallvec::SmallVec;
@@ -24,8 +26,8 @@ impl<T: MachineFloat> MapAt<T> {
     /// What carries tangent vectors along this map, and along compositions of it, for the observers
     /// of [`kahan_core::observe`].
     ///
-    /// Cost: the variational field, of twice the variables, is derived and planned: some tens of
-    /// milliseconds.
+    /// Cost: the first call for a field derives and plans the variational field, of twice the
+    /// variables, in some tens of milliseconds.
     ///
     /// ```
     /// use kahan_core::observe::{Lyapunov, Observer};
@@ -43,7 +45,7 @@ impl<T: MachineFloat> MapAt<T> {
     /// ```
     #[must_use]
     pub fn tangent(&self) -> TangentAt<T> {
-        let field = Field::of(&self.map.field().system().variational());
+        let field = Field { engine: Arc::clone(self.engine().variational()) };
         let map = crate::Map::new(field, self.map.parameters().to_vec());
         let variational = MapAt::new(map, self.constants.clone()).composed(self.composition);
         TangentAt { at: self.clone(), variational }

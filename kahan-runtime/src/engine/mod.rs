@@ -13,7 +13,7 @@ mod lanes;
 mod scratch;
 mod step;
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use kahan_algebra::derived::{Derived, derive};
 use kahan_algebra::plan::Plan;
@@ -81,6 +81,7 @@ pub(crate) struct Engine {
     density: OnceLock<Line>,
     brackets: Vec<OnceLock<Line>>,
     code: OnceLock<Code>,
+    variational: OnceLock<Arc<Engine>>,
     pub(crate) codes: Codes,
 }
 
@@ -118,12 +119,18 @@ impl Engine {
             integrals: OnceLock::new(),
             density: OnceLock::new(),
             code: OnceLock::new(),
+            variational: OnceLock::new(),
         }
     }
 
     /// What only maps over any scalar run.
     pub(crate) fn code(&self) -> &Code {
         self.code.get_or_init(|| Code::of(&self.derived))
+    }
+
+    /// The variational field, of twice the variables.
+    pub(crate) fn variational(&self) -> &Arc<Engine> {
+        self.variational.get_or_init(|| Arc::new(Engine::new(&self.derived.system.variational())))
     }
 
     /// The forms of the step.

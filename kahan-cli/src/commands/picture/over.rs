@@ -1,6 +1,5 @@
 //! Orbit diagrams: what orbits tend to, over the values of a parameter or of ε.
 
-use kahan_algebra::rational::Rational;
 use kahan_runtime::Field;
 
 use super::axes::Coordinate;
@@ -9,38 +8,7 @@ use super::starts::rounded;
 use super::{Drawn, Subject};
 use crate::plot::{Mark, NumberLine, Plot, Series};
 use crate::printing::Refusal;
-use crate::reading::{number, whole};
-
-/// The values that a parameter, or ε, goes through.
-struct Range<'a> {
-    name: &'a str,
-    from: Rational,
-    to: Rational,
-    steps: usize,
-}
-
-impl<'a> Range<'a> {
-    /// NAME=FROM:TO:STEPS.
-    fn read(text: &'a str) -> Result<Self, Refusal> {
-        let wrong = |why: &str| {
-            Refusal::new(format!("--over: `{text}` is not NAME=FROM:TO:STEPS, as in eps=1/10:1:400{why}"))
-        };
-        let (name, range) = text.split_once('=').ok_or_else(|| wrong(""))?;
-        let [from, to, steps] = range.split(':').collect::<Vec<_>>()[..] else { return Err(wrong("")) };
-        let steps = whole(steps, 1, 100_000).map_err(|why| wrong(&format!("; STEPS: {why}")))?;
-        let (from, to) = (number(from, "--over")?, number(to, "--over")?);
-        if from == to {
-            return Err(wrong("; FROM and TO differ"));
-        }
-        Ok(Range { name: name.trim(), from, to, steps })
-    }
-
-    fn value(&self, index: usize) -> Rational {
-        let steps = Rational::from(self.steps as i64);
-        let part = Rational::from(index as i64).checked_div(&steps).unwrap_or_default();
-        &self.from + &(&part * &(&self.to - &self.from))
-    }
-}
+use crate::reading::Range;
 
 impl Subject<'_> {
     pub(super) fn orbits_over(&self) -> Result<Drawn, Refusal> {
