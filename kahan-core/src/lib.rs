@@ -114,7 +114,7 @@ pub use field::{Integrals, Named, QuadraticField};
 #[cfg(feature = "std")]
 pub use flow::{Flow, FlowScalar, NoFlow};
 #[cfg(feature = "std")]
-pub use lattice::{LatticeAt, LatticeError, LatticeMap, LatticeScalar};
+pub use lattice::{Energy, LatticeAt, LatticeError, LatticeMap, LatticeScalar, Sums};
 pub use map::{
     Accumulation, Compensated, Elimination, ErrorEstimates, Estimated, KahanAt, KahanMap, Lift, Method,
     Orbit, Pivot, Rounded, Scaled, Single, TangentAt, ThroughF64, eps_from_dt,

@@ -54,7 +54,7 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
             "write `hamiltonian` for the energy; at a given number of sites `kahan discover --sites 4` looks for others",
         ));
     }
-    if degree == 0 {
+    if degree == 0 || is_constant(family, integral) {
         return Err(Diagnostic::new(
             Kind::FalseClaim,
             name.span,
@@ -79,6 +79,24 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
         }
     }
     Ok(())
+}
+
+/// Whether the sum over a long chain depends on no state: its terms cancel, as those of
+/// `sum(x[i+1] - x[i])` do in a ring.
+fn is_constant(family: &Family, sum: &SiteSum) -> bool {
+    let sites = longest(family);
+    let symbols = family.symbols_at(sites);
+    let mut slopes = vec![RationalFunction::zero(); symbols.dimension()];
+    for site in 0..sites {
+        let density = family.moved(&sum.density, site, sites, &symbols);
+        for (k, slope) in slopes.iter_mut().enumerate() {
+            let own = density.numerator.derivative(symbols.state(k));
+            if let Some(own) = RationalFunction::new(own, density.denominator.clone()) {
+                *slope = &*slope + &own;
+            }
+        }
+    }
+    slopes.iter().all(RationalFunction::is_zero)
 }
 
 pub(super) fn plural(sites: usize) -> &'static str {

@@ -3,9 +3,11 @@
 use crate::field::{Component, Field};
 use crate::plan::PlanBuilder;
 use crate::poly::{Monomial, Polynomial};
+use crate::rational::Rational;
 use crate::symbols::Symbols;
-use crate::syntax::{Boundary, ClaimBody, ClaimKind};
+use crate::syntax::{Boundary, ClaimBody, ClaimKind, Expr, ExprKind, Factor, Term};
 use crate::system::{Claim, System};
+use crate::token::Span;
 
 use super::{Family, Role, SiteSum};
 
@@ -58,17 +60,19 @@ impl Family {
     fn claim_at(&self, sum: &SiteSum, sites: usize, symbols: &Symbols) -> Claim {
         let mut builder = PlanBuilder::default();
         let mut total = builder.polynomial(&Polynomial::zero());
+        let mut terms = Vec::with_capacity(sites);
         for site in 0..sites {
             let density = self.moved(&sum.density, site, sites, symbols);
             let above = builder.polynomial(&density.numerator);
             let below = builder.polynomial(&density.denominator);
             let term = builder.divide(above, below);
             total = builder.add(total, term);
+            terms.push(density);
         }
         Claim {
             kind: ClaimKind::Integral,
             name: sum.name.clone(),
-            body: Some(ClaimBody::Function(sum.written.clone())),
+            body: Some(ClaimBody::Function(written(&terms, symbols, sum.written.span))),
             plan: builder.finish(&[total]),
             conditions: Vec::new(),
         }
@@ -131,4 +135,36 @@ impl Family {
         }
         Some(moved)
     }
+}
+
+/// A sum of quotients as one writes it; its place is that of the claim.
+fn written(terms: &[Component], symbols: &Symbols, span: Span) -> Expr {
+    let expr = |kind| Expr { kind, span };
+    let factor = |divides, expr| Factor { divides, expr };
+    let polynomial = |polynomial: &Polynomial| {
+        let terms = polynomial.terms().map(|(monomial, coefficient)| {
+            let number = factor(false, expr(ExprKind::Number(coefficient.abs())));
+            let powers = monomial.powers().iter().map(|&(variable, exponent)| {
+                let name = expr(ExprKind::Name(symbols.name(variable)));
+                let power = ExprKind::Power(Box::new(name.clone()), exponent.into());
+                factor(false, if exponent == 1 { name } else { expr(power) })
+            });
+            let is_one = coefficient.abs() == Rational::ONE && !monomial.is_one();
+            let factors: Vec<Factor> = (!is_one).then_some(number).into_iter().chain(powers).collect();
+            Term { negative: coefficient.is_negative(), expr: expr(ExprKind::Product(factors)) }
+        });
+        terms.collect::<Vec<Term>>()
+    };
+    let mut sum = Vec::new();
+    for term in terms.iter().filter(|term| !term.numerator.is_zero()) {
+        if term.denominator.is_one() {
+            sum.extend(polynomial(&term.numerator));
+        } else {
+            let parts = [&term.numerator, &term.denominator].map(|of| expr(ExprKind::Sum(polynomial(of))));
+            let [above, below] = parts;
+            let quotient = ExprKind::Product(vec![factor(false, above), factor(true, below)]);
+            sum.push(Term { negative: false, expr: expr(quotient) });
+        }
+    }
+    expr(ExprKind::Sum(sum))
 }

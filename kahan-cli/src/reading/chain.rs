@@ -106,7 +106,7 @@ fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<
 }
 
 fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refusal> {
-    let Numbers { names, values } = read(path, "--start")?;
+    let Numbers { names, sizes, values } = read(path, "--start")?;
     if let Some(names) = names.filter(|names| names != arrays) {
         return Err(Refusal::new(format!(
             "--start: the columns of {path} are {}, and those of a state {}",
@@ -114,13 +114,25 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refu
             arrays.join(", ")
         )));
     }
-    if values.len() == sites * arrays.len() {
-        return Ok(values);
+    // Of one array, a row a site may be a list as well; of several states, the last is the start.
+    let mut state = vec![sites, arrays.len()];
+    let mut found = &sizes[..];
+    if arrays.len() == 1 {
+        state.pop();
+        if found.len() > 1 && found.ends_with(&[1]) && found[..found.len() - 1].ends_with(&[sites]) {
+            found = &found[..found.len() - 1];
+        }
     }
+    if found == state || (found.len() == state.len() + 1 && found[0] > 0 && found[1..] == state) {
+        let first = values.len() - sites * arrays.len();
+        return Ok(values[first..].to_vec());
+    }
+    let shape = |sizes: &[usize]| sizes.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
     Err(Refusal::new(format!(
-        "--start: the file {path} has {} numbers, and {sites} sites take {}: a site after the other, each with its {}",
-        values.len(),
-        sites * arrays.len(),
+        "--start: the file {path} has {} numbers, and {sites} sites take {}: a row a site, each with its {}; of several states \
+         the last is taken",
+        shape(&sizes),
+        shape(&[sites, arrays.len()]),
         arrays.join(", ")
     )))
 }

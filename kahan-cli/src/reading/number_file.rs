@@ -9,6 +9,8 @@ use crate::printing::Refusal;
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Numbers {
     pub(super) names: Option<Vec<String>>,
+    /// How many there are in each direction, rows first.
+    pub(super) sizes: Vec<usize>,
     /// Row by row.
     pub(super) values: Vec<f64>,
 }
@@ -24,7 +26,7 @@ pub(super) fn read(path: &str, option: &str) -> Result<Numbers, Refusal> {
     let refused = |why: String| Refusal::new(format!("{option}: cannot read the file {path}: {why}"));
     let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
     let numbers = if path.ends_with(".npy") {
-        array(&bytes).map(|values| Numbers { names: None, values })
+        array(&bytes)
     } else {
         String::from_utf8(bytes).map_err(|_| "it is no text".to_owned()).and_then(|text| table(&text))
     };
@@ -40,7 +42,22 @@ fn table(text: &str) -> Result<Numbers, String> {
         let values: Result<Vec<f64>, &str> =
             cells.iter().map(|cell| cell.parse().map_err(|_| *cell)).collect();
         match values {
-            Ok(values) => numbers.values.extend(values),
+            Ok(values) => {
+                let [rows, columns] = numbers.sizes[..] else {
+                    numbers.sizes = vec![1, values.len()];
+                    numbers.values = values;
+                    continue;
+                };
+                if values.len() != columns {
+                    let found = values.len();
+                    return Err(format!(
+                        "line {} has {found} numbers, and those before it {columns}",
+                        line + 1
+                    ));
+                }
+                numbers.sizes[0] = rows + 1;
+                numbers.values.extend(values);
+            }
             Err(_) if index == 0 => numbers.names = Some(cells.into_iter().map(str::to_owned).collect()),
             Err(cell) => return Err(format!("`{cell}` in line {} is no number", line + 1)),
         }
@@ -49,7 +66,7 @@ fn table(text: &str) -> Result<Numbers, String> {
 }
 
 /// An array of NumPy's, in the order in which rows lie one behind the other.
-fn array(bytes: &[u8]) -> Result<Vec<f64>, String> {
+fn array(bytes: &[u8]) -> Result<Numbers, String> {
     let broken = || "it is no array of NumPy's, or not a whole one".to_owned();
     let (header, data) = header(bytes).ok_or_else(broken)?;
     let value = |key: &str| {
@@ -68,7 +85,7 @@ fn array(bytes: &[u8]) -> Result<Vec<f64>, String> {
         _ => return Err("its numbers are no floats; save it with .astype(float)".to_owned()),
     };
     let count = sizes.iter().try_fold(1, |product: usize, size| product.checked_mul(*size));
-    if count == Some(values.len()) { Ok(values) } else { Err(broken()) }
+    if count == Some(values.len()) { Ok(Numbers { names: None, sizes, values }) } else { Err(broken()) }
 }
 
 /// The header of an array, as text, and what follows.
@@ -92,12 +109,18 @@ mod tests {
     fn tables_have_names_or_not() {
         let numbers = |names: Option<&[&str]>, values: &[f64]| {
             let names = names.map(|names| names.iter().map(|name| (*name).to_owned()).collect());
-            Ok(Numbers { names, values: values.to_vec() })
+            let columns = names.as_ref().map_or(1, Vec::len);
+            let sizes = if values.is_empty() { Vec::new() } else { vec![values.len() / columns, columns] };
+            Ok(Numbers { names, sizes, values: values.to_vec() })
         };
         assert_eq!(table("a, b\n1, 2\n\n-3,4e-1\n"), numbers(Some(&["a", "b"]), &[1.0, 2.0, -3.0, 0.4]));
         assert_eq!(table("1\n2"), numbers(None, &[1.0, 2.0]));
         assert_eq!(table(""), numbers(None, &[]));
         assert_eq!(table("1,2\n3,x"), Err("`x` in line 2 is no number".to_owned()));
+        assert_eq!(
+            table("a,b\n1,2\n3,4,5\n6\n"),
+            Err("line 3 has 3 numbers, and those before it 2".to_owned())
+        );
     }
 
     /// What NumPy writes, by the documentation of numpy.lib.format.
@@ -112,11 +135,14 @@ mod tests {
         };
         let doubles: Vec<u8> = [1.0_f64, -2.5, 3.0, 4.0].iter().flat_map(|x| x.to_le_bytes()).collect();
         let singles: Vec<u8> = [0.5_f32, 8.0].iter().flat_map(|x| x.to_le_bytes()).collect();
-        let four = Ok(vec![1.0, -2.5, 3.0, 4.0]);
-        assert_eq!(array(&file(1, "<f8", "False", "(4,)", &doubles)), four);
-        assert_eq!(array(&file(2, "<f8", "False", "(2, 2)", &doubles)), four);
-        assert_eq!(array(&file(3, "<f8", "True", "(1, 4)", &doubles)), four);
-        assert_eq!(array(&file(1, "<f4", "False", "(2,)", &singles)), Ok(vec![0.5, 8.0]));
+        let numbers = |sizes: &[usize], values: &[f64]| {
+            Ok(Numbers { names: None, sizes: sizes.to_vec(), values: values.to_vec() })
+        };
+        let four = [1.0, -2.5, 3.0, 4.0];
+        assert_eq!(array(&file(1, "<f8", "False", "(4,)", &doubles)), numbers(&[4], &four));
+        assert_eq!(array(&file(2, "<f8", "False", "(2, 2)", &doubles)), numbers(&[2, 2], &four));
+        assert_eq!(array(&file(3, "<f8", "True", "(1, 4)", &doubles)), numbers(&[1, 4], &four));
+        assert_eq!(array(&file(1, "<f4", "False", "(2,)", &singles)), numbers(&[2], &[0.5, 8.0]));
         for wrong in [
             file(1, "<f8", "True", "(2, 2)", &doubles),
             file(1, "<i8", "False", "(4,)", &doubles),

@@ -74,7 +74,9 @@ impl Source {
     /// The block that was named, unless it is the catalog's as it stands: then the paper's claims
     /// are meant.
     pub(crate) fn block_outside_the_paper(&self) -> Result<Option<Block>, Refusal> {
-        if self.field.is_none() && self.file.is_none() && self.parameters.is_empty() {
+        let is_family = self.system.as_deref().is_some_and(|name| lattices::find(name).is_some());
+        let is_plain = self.parameters.is_empty() && self.sites.is_none() && !is_family;
+        if self.field.is_none() && self.file.is_none() && is_plain {
             return Ok(None);
         }
         self.required_block().map(Some)

@@ -114,6 +114,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     ///
     /// # Panics
     /// If the state is not of this chain's length; at a pole of an exact scalar.
+    #[track_caller]
     pub fn step(&mut self, state: &mut [T]) {
         if self.in_direction(Direction::Forward, state).is_none() {
             pole(&self.eps)
@@ -124,6 +125,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     ///
     /// # Panics
     /// As [`step`](Self::step).
+    #[track_caller]
     pub fn step_back(&mut self, state: &mut [T]) {
         if self.in_direction(Direction::Backward, state).is_none() {
             pole(&self.eps)
@@ -142,6 +144,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     ///
     /// # Panics
     /// If the state is not of this chain's length.
+    #[track_caller]
     pub fn try_step(&mut self, state: &mut [T]) -> Result<(), SingularStep> {
         self.check(state);
         self.promise.before.clone_from_slice(state);
@@ -195,6 +198,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     ///
     /// # Panics
     /// As [`step`](Self::step).
+    #[track_caller]
     pub fn advance(&mut self, state: &mut [T], steps: u64) {
         for _ in 0..steps {
             self.step(state);
@@ -205,6 +209,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     ///
     /// # Panics
     /// As [`step`](Self::step).
+    #[track_caller]
     pub fn for_each(&mut self, state: &mut [T], steps: u64, mut visit: impl FnMut(u64, &[T])) {
         for k in 1..=steps {
             self.step(state);
@@ -216,6 +221,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     ///
     /// # Panics
     /// If the state is not of this chain's length.
+    #[track_caller]
     pub fn field(&self, x: &[T]) -> Vec<T> {
         self.check(x);
         let mut site = Site::of::<M::Shape>();
@@ -232,6 +238,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     ///
     /// # Panics
     /// If a state is not of this chain's length.
+    #[track_caller]
     pub fn residual(&self, x: &[T], next: &[T]) -> T {
         self.check(x);
         self.check(next);
@@ -261,11 +268,19 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         worst
     }
 
+    #[track_caller]
     fn check(&self, state: &[T]) {
         let len = self.sites * M::Shape::BLOCK;
-        assert!(state.len() == len, "a state of {} numbers for a chain of {len}", state.len());
+        assert!(
+            state.len() == len,
+            "a state of {} numbers: {} sites of {} arrays take {len}",
+            state.len(),
+            self.sites,
+            M::Shape::BLOCK
+        );
     }
 
+    #[track_caller]
     fn in_direction(&mut self, direction: Direction, state: &mut [T]) -> Option<()> {
         self.check(state);
         let (constants, eps) = match direction {

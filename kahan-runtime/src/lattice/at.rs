@@ -39,6 +39,9 @@ impl LatticeAt {
         if sites == 0 {
             return Err(LatticeError::NoSites);
         }
+        if !eps.is_finite() {
+            return Err(LatticeError::Eps);
+        }
         let family = &code.family;
         let names = [&family.parameters[..], &family.site_parameters].concat();
         let plain = family.parameters.len();

@@ -15,6 +15,8 @@ pub enum LatticeError {
         /// What is wrong with them.
         ParameterError,
     ),
+    /// ε is not a finite number.
+    Eps,
     /// A parameter has too few or too many numbers.
     Values {
         /// Its name.
@@ -31,6 +33,7 @@ impl fmt::Display for LatticeError {
         match self {
             Self::NoSites => write!(f, "a chain has at least one site"),
             Self::Parameter(error) => error.fmt(f),
+            Self::Eps => write!(f, "eps is not a finite number"),
             Self::Values { name, found, sites: Some(sites) } => {
                 write!(f, "the parameter `{name}` has {found} numbers; give one, or {sites}, one a site")
             }

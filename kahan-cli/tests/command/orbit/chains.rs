@@ -153,7 +153,7 @@ fn mistakes_are_told() {
         (
             simple,
             [&three(&bad)[2..], &["--sites", "4"]].concat(),
-            "has 3 numbers, and 4 sites take 4: a site",
+            "has 3 x 1 numbers, and 4 sites take 4 x 1: a row a site",
         ),
         (simple, vec!["--start", "x = 1", "--param", "c=1"], "--sites"),
         (simple, vec!["--sites", "0", "--start", "x = 1", "--param", "c=1"], "1 or more"),

@@ -25,7 +25,7 @@ pub(in crate::lattice) struct Plan {
 impl Plan {
     /// The parts of a chain, unless it is too short to be cut.
     pub(in crate::lattice) fn new(sites: usize, reach: usize, lanes: usize) -> Option<Self> {
-        Self::with_length(sites, reach, lanes, LENGTH, 8 * reach)
+        Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
     }
 
     /// The same, with parts of about this length, and never fewer sites than `least`.

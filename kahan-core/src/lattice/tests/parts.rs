@@ -135,7 +135,7 @@ fn what_is_no_number_stays_so() {
 }
 
 #[test]
-#[should_panic(expected = "a state of 7 numbers for a chain of 8")]
+#[should_panic(expected = "a state of 7 numbers: 8 sites of 1 arrays take 8")]
 fn a_state_of_another_length_panics() {
     Volterra::<false>.at(0.05, 8).expect("sites").step(&mut [1.0; 7]);
 }

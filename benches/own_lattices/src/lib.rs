@@ -1,0 +1,75 @@
+//! Lattices that someone wrote from the README and the page of the language alone.
+//!
+//! `cargo run --release -p kahan-bench-own-lattices --bin check` in this folder compares their steps
+//! with Kahan's map by dense elimination; without `--bin check`, times and what is kept are printed.
+#![allow(missing_docs, reason = "parameters are named in the equations")]
+use kahan_core::prelude::*;
+
+kahan! {
+    /// Predator and prey along a valley with open ends, each diffusing; the prey's growth rate differs from site to site.
+    pub struct PredatorPrey { /// diffusion of the prey
+        du, dv, grow, eat, die }
+    for i in open {
+        u[i]dot = u[i]*(grow[i] - u[i] - eat*v[i]) + du*(u[i-1] - 2*u[i] + u[i+1]);
+        v[i]dot = v[i]*(eat*u[i] - die) + dv*(v[i-1] - 2*v[i] + v[i+1]);
+    }
+}
+
+kahan! {
+    /// A quadratic lattice of Bogoyavlensky's kind, reach 3.
+    pub struct Bogoyavlensky;
+    for i in periodic {
+        x[i]dot = x[i]*(x[i+3] + x[i+2] + x[i+1] - x[i-1] - x[i-2] - x[i-3]);
+    }
+    integral S = sum(x[i]);
+}
+
+kahan! {
+    /// Sites that exchange by a flux over offsets up to 3, open ends and a parameter.
+    pub struct Flux { c }
+    for i in periodic {
+        q[i]dot = c*(q[i+2]*q[i+3] - q[i-1]*q[i]) + (q[i+1] - 2*q[i] + q[i-1]);
+    }
+    integral total = sum(q[i]);
+}
+
+kahan! {
+    /// u_tt = u_xx + u u_x, first order in time: not Hamiltonian as written.
+    pub struct Wave { h }
+    for i in periodic {
+        u[i]dot = v[i];
+        v[i]dot = (u[i+1] - 2*u[i] + u[i-1])/h^2 + (u[i+1]^2 - u[i-1]^2)/(4*h);
+    }
+    integral momentum = sum(v[i]);
+}
+
+kahan! {
+    /// The α-chain of Fermi, Pasta, Ulam and Tsingou: u_tt = u_xx + α(u_x²)_x.
+    pub struct Fput { alpha }
+    for i in periodic {
+        u[i]dot = p[i];
+        p[i]dot = (u[i+1] - 2*u[i] + u[i-1]) + alpha*((u[i+1] - u[i])^2 - (u[i] - u[i-1])^2);
+    }
+    integral momentum = sum(p[i]);
+    hamiltonian H = sum(p[i]^2/2 + (u[i+1] - u[i])^2/2 + alpha*(u[i+1] - u[i])^3/3);
+}
+
+kahan! {
+    /// The same with fixed ends.
+    pub struct FputOpen { alpha }
+    for i in open {
+        u[i]dot = p[i];
+        p[i]dot = (u[i+1] - 2*u[i] + u[i-1]) + alpha*((u[i+1] - u[i])^2 - (u[i] - u[i-1])^2);
+    }
+    // The bond to the left wall, (u[0] - 0), is in no summand (u[i+1] - u[i]); multiplied out, it is.
+    hamiltonian H = sum(p[i]^2/2 + u[i]^2 - u[i]*u[i+1] + alpha*(u[i]^2*u[i+1] - u[i]*u[i+1]^2));
+}
+
+kahan! {
+    /// Predator and prey that cannot leave: what crosses a border is a parameter of the site, 0 at the ends.
+    pub struct NoFlux { left, right, grow }
+    for i in open {
+        u[i]dot = u[i]*(grow[i] - u[i] - v[i]) + right[i]*(u[i+1] - u[i]) + left[i]*(u[i-1] - u[i]);
+        v[i]dot = v[i]*(u[i] - 1) + right[i]*(v[i+1] - v[i]) + left[i]*(v[i-1] - v[i]);
+    }
+}
