@@ -173,3 +173,53 @@ fn mistakes_are_told() {
         assert!(paragraph.replace('\n', " ").contains(part), "{further:?}: {paragraph}");
     }
 }
+
+/// A file of NumPy's with this shape.
+fn numpy(file: &Path, shape: &str, values: &[f64]) {
+    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}");
+    let mut bytes = [b"\x93NUMPY\x01\x00\x76\x00".as_slice(), format!("{header:<117}\n").as_bytes()].concat();
+    bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
+    fs::write(file, bytes).expect("a file");
+}
+
+#[test]
+fn files_are_read_by_their_shape() {
+    let folder = folder();
+    let file = folder.path().join("x.npy");
+    let run = |path: &Path| {
+        let given = ["--sites", "3", "--start", path_text(path), "--steps", "0"];
+        kahan(&chain(SPRINGS, &given))
+    };
+    let values: Vec<f64> = (0..12).map(f64::from).collect();
+    numpy(&file, "(3, 2)", &values[..6]);
+    assert_eq!(numbers(&text(&run(&file).stdout))[0][2..8], values[..6]);
+    // Of several states, as --out writes them, the last.
+    numpy(&file, "(2, 3, 2)", &values);
+    assert_eq!(numbers(&text(&run(&file).stdout))[0][2..8], values[6..]);
+    for shape in ["(2, 3)", "(6,)", "(1, 6)"] {
+        numpy(&file, shape, &values[..6]);
+        let output = run(&file);
+        assert_eq!(output.status.code(), Some(2), "{shape}");
+        let told = text(&output.stderr).replace('\n', " ");
+        assert!(told.contains("3 sites take 3 x 2: a row a site, each with its a, b"), "{told}");
+    }
+    let ragged = folder.path().join("x.csv");
+    fs::write(&ragged, "a,b\n1,2\n3,4,5\n6\n").expect("a file");
+    assert!(text(&run(&ragged).stderr).contains("line 3 has 3 numbers, and those before it 2"));
+}
+
+#[test]
+fn families_of_the_catalog_are_verified_and_shown_as_blocks() {
+    let proofs = answer(&["verify", "volterra-ring", "--sites", "4"]);
+    assert!(proofs.contains("proved"), "{proofs}");
+    let told = refusal(&["verify", "kdv"]);
+    assert!(told.contains("the number of its sites is not known"), "{told}");
+    let block = answer(&["show", "volterra-ring", "--sites", "3", "--macro"]);
+    assert!(block.contains("integral S = x0 + x1 + x2;"), "{block}");
+    let folder = folder();
+    let file = folder.path().join("block.txt");
+    fs::write(&file, &block).expect("a file");
+    assert!(answer(&["verify", "--file", path_text(&file)]).contains("proved"));
+    let zero = "for i in periodic { x[i]dot = x[i+1] - x[i-1]; } integral Z = sum(x[i+1] - x[i]);";
+    assert!(refusal(&["show", "--field", zero, "--sites", "3"]).contains("`Z` says nothing"));
+}
