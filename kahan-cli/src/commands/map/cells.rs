@@ -85,11 +85,11 @@ impl<'a> Cells<'a> {
         let at = map.at(point.eps.to_f64());
         let tangent = || at.tangent();
         match self.colour {
-            Colour::Sali => self.follow(&at, start, Sali::new(tangent())).log10(),
+            Colour::Sali => logarithm(self.follow(&at, start, Sali::new(tangent()))),
             Colour::Fli => self.follow(&at, start, Fli::new(tangent())),
             Colour::Megno => self.follow(&at, start, Mean(Megno::new(tangent()))),
             Colour::Lyapunov => self.follow(&at, start, Value(Lyapunov::new(tangent()))),
-            Colour::Drift => self.follow(&at, start, Worst::new(&at)).log10(),
+            Colour::Drift => logarithm(self.follow(&at, start, Worst::new(&at))),
             Colour::Escape => self.escape_of(&at, start),
         }
     }
@@ -124,6 +124,11 @@ impl<'a> Cells<'a> {
         }
         f64::NAN
     }
+}
+
+/// To base 10; what is smaller than a rounding of 1 counts as that.
+fn logarithm(value: f64) -> f64 {
+    if value < f64::EPSILON { f64::EPSILON.log10() } else { value.log10() }
 }
 
 fn target(request: &Request, range: &Range<'_>) -> Result<Target, Refusal> {
