@@ -3,6 +3,9 @@
 //! In: the closed form of a step. Out: the same formula's value and exact derivatives, without a
 //! second formula. They are for rational formulas only (no ordering, no roots), and live on the
 //! stack whenever T does.
+//!
+//! Operators are inlined by force, so that steps over lanes stay in registers; without optimization
+//! they are calls, because each inlined one would keep its operands in the caller's frame.
 
 use core::array::from_fn;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -61,7 +64,7 @@ macro_rules! along {
 impl<T: Scalar, const N: usize> Add for Dual<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(mut self, other: Self) -> Self {
         self += other;
         self
@@ -71,7 +74,7 @@ impl<T: Scalar, const N: usize> Add for Dual<T, N> {
 impl<T: Scalar, const N: usize> Sub for Dual<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(mut self, other: Self) -> Self {
         self -= other;
         self
@@ -81,7 +84,7 @@ impl<T: Scalar, const N: usize> Sub for Dual<T, N> {
 impl<T: Scalar, const N: usize> Neg for Dual<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(mut self) -> Self {
         along!(self, |own| -own.clone());
         Self { value: -self.value, gradient: self.gradient }
@@ -92,7 +95,7 @@ impl<T: Scalar, const N: usize> Mul for Dual<T, N> {
     type Output = Self;
 
     // (uv)′ = u′v + uv′
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(mut self, other: Self) -> Self {
         let (u, v) = (self.value, other.value);
         along!(self, other, |own, other| own.clone() * v.clone() + u.clone() * other.clone());
@@ -104,7 +107,7 @@ impl<T: Scalar, const N: usize> Div for Dual<T, N> {
     type Output = Self;
 
     // (u/v)′ = (u′ − (u/v)v′)/v
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(mut self, other: Self) -> Self {
         let value = self.value / other.value.clone();
         along!(self, other, |own, slope| {
@@ -115,7 +118,7 @@ impl<T: Scalar, const N: usize> Div for Dual<T, N> {
 }
 
 impl<T: Scalar, const N: usize> AddAssign for Dual<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_assign(&mut self, other: Self) {
         self.value += other.value;
         along!(self, other, |own, other| own.clone() + other.clone());
@@ -123,7 +126,7 @@ impl<T: Scalar, const N: usize> AddAssign for Dual<T, N> {
 }
 
 impl<T: Scalar, const N: usize> SubAssign for Dual<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub_assign(&mut self, other: Self) {
         self.value -= other.value;
         along!(self, other, |own, other| own.clone() - other.clone());
@@ -131,14 +134,14 @@ impl<T: Scalar, const N: usize> SubAssign for Dual<T, N> {
 }
 
 impl<T: Scalar, const N: usize> MulAssign for Dual<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul_assign(&mut self, other: Self) {
         *self = self.clone() * other;
     }
 }
 
 impl<T: Scalar, const N: usize> DivAssign for Dual<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div_assign(&mut self, other: Self) {
         *self = self.clone() / other;
     }
@@ -161,13 +164,13 @@ impl<T: Scalar, const N: usize> One for Dual<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(c: &Constant<'_>) -> Self {
         Self::lift(T::constant(c))
     }
 
     // (1/v)′ = −v′/v². A dual number with value 0 has no reciprocal even when it is not 0 itself.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn reciprocal(&self) -> Option<Self> {
         let value = self.value.reciprocal()?;
         let slope = -(value.clone() * value.clone());
@@ -177,7 +180,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     }
 
     // (u/v)′ = (u′ − (u/v)v′)/v, with one reciprocal for the whole gradient.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn quotient(mut self, divisor: Self) -> Option<Self> {
         let reciprocal = divisor.value.reciprocal()?;
         let value = self.value.quotient(divisor.value)?;
@@ -187,7 +190,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         Some(Self { value, gradient: self.gradient })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.value.is_better_pivot(&than.value)
     }
