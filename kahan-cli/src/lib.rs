@@ -20,6 +20,8 @@ mod reading;
 
 mod plot;
 
+mod document;
+
 pub mod atlas;
 
 mod commands;
@@ -32,8 +34,8 @@ use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
     atlas::Atlas, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
-    extremes::Extremes, heights::Heights, list::List, map::StabilityMap, orbit::Orbit, picture::Picture,
-    poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade, verify::Verify,
+    extremes::Extremes, heights::Heights, list::List, map::StabilityMap, orbit::Orbit, page::Page,
+    picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade, verify::Verify,
 };
 use printing::{Answer, Refusal, finish};
 
@@ -75,6 +77,7 @@ enum Command {
     Scan(Scan),
     Picture(Picture),
     Poles(Poles),
+    Page(Page),
     Atlas(Atlas),
     Completions(Completions),
 }
@@ -122,6 +125,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Scan(command)) => command.run(),
         Some(Command::Picture(command)) => command.run(),
         Some(Command::Poles(command)) => command.run(),
+        Some(Command::Page(command)) => command.run(),
         Some(Command::Atlas(command)) => command.run(),
         Some(Command::Completions(command)) => command.run(self::command()),
     }

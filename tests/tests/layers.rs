@@ -38,7 +38,7 @@ const CORE: Layered = Layered {
 const COMMAND: Layered = Layered {
     folder: "kahan-cli",
     name: "kahan_cli",
-    layers: &["numbers", "printing", "reading", "plot", "atlas", "commands"],
+    layers: &["numbers", "printing", "reading", "plot", "document", "atlas", "commands"],
 };
 
 impl Layered {

@@ -1,61 +1,38 @@
 //! The page as a whole: head, table of contents, sections in order, colophon.
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 use super::found::Found;
 use super::{errata, figures, solutions, structures, systems, verification};
-use crate::plot::{Theme, style};
-
-/// When the page is made, for its foot.
-#[derive(Clone, Debug)]
-pub struct Making {
-    /// The day: `2026-01-31`.
-    pub date: String,
-    /// How long it took so far, in seconds.
-    pub seconds: f64,
-}
+use crate::document::{Making, colophon, document};
 
 const TITLE: &str = "An atlas of Kahan’s maps";
-/// No style sheet, font or script is fetched, and the browser is told to refuse any.
-const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'";
 
 /// The page: one HTML document with everything in it. Costs a second; nothing is computed but what
 /// it draws in double precision.
 #[must_use]
 pub fn page(found: &Found<'_>, making: &Making) -> String {
-    let document = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                meta http-equiv="Content-Security-Policy" content=(POLICY);
-                title { (TITLE) }
-                style { (PreEscaped(style(":root", Theme::Viewer))) (PreEscaped(include_str!("style.css"))) }
-            }
-            body {
-                a.skip href="#systems" { "Skip to the systems" }
-                header {
-                    h1 { (TITLE) }
-                    (introduction(found))
-                }
-                (table_of_contents(found))
-                main {
-                    (systems::section(found))
-                    (systems::further(found))
-                    (structures::section(found))
-                    (solutions::section(found))
-                    (figures::section(found))
-                    (verification::section(found))
-                    (errata::section(found))
-                    (errata::open())
-                }
-                (colophon(making))
-            }
+    let body = html! {
+        header {
+            h1 { (TITLE) }
+            (introduction(found))
         }
+        (table_of_contents(found))
+        main {
+            (systems::section(found))
+            (systems::further(found))
+            (structures::section(found))
+            (solutions::section(found))
+            (figures::section(found))
+            (verification::section(found))
+            (errata::section(found))
+            (errata::open())
+        }
+        (colophon(making, &html! {
+            code { "kahan atlas --out DIR" } ", or in the source tree " code { "cargo run --release -- atlas --out DIR" }
+        }))
     };
-    document.into_string()
+    document(TITLE, ("systems", "the systems"), &body)
 }
 
 fn introduction(found: &Found<'_>) -> Markup {
@@ -98,18 +75,6 @@ fn table_of_contents(found: &Found<'_>) -> Markup {
                     ul { li { a href="#errata-formulas" { "Formulas" } } li { a href="#errata-statements" { "Statements" } } }
                 }
                 li { a href="#open" { "What is left open" } }
-            }
-        }
-    }
-}
-
-fn colophon(making: &Making) -> Markup {
-    html! {
-        footer {
-            p {
-                "Written by kahan " (env!("CARGO_PKG_VERSION")) " on " time datetime=(making.date) { (making.date) } " in "
-                (format!("{:.1}", making.seconds)) " seconds. To write it again: " code { "kahan atlas --out DIR" }
-                ", or in the source tree " code { "cargo run --release -- atlas --out DIR" } "."
             }
         }
     }

@@ -4,9 +4,9 @@
 use maud::{Markup, html};
 
 use super::found::{Checked, Found};
-use super::math::{COLUMN, displays};
-use super::readable::readable;
 use super::words::{badge, link};
+use crate::document::readable;
+use crate::document::{COLUMN, displays};
 use crate::numbers::decimal;
 use kahan_paper::figures::{DE1, DE2, DE7, DE7_1_5, DE7_2_9, Figure, slope};
 use kahan_paper::formula::latex_of;

@@ -5,20 +5,19 @@
 //! orbits, tables from the text that the claims check, outcomes from the claims. The page needs no
 //! network and no script; formulas are MathML, drawings are SVG.
 //!
-//! `math` (LaTeX to MathML) knows nothing of the paper; `figures` and the other modules are one
-//! section of the page each.
+//! `figures` and the other modules are one section of the page each.
 
 mod contents;
 mod errata;
 mod figures;
 mod found;
-mod math;
-mod readable;
 mod solutions;
 mod structures;
 mod systems;
 mod verification;
 mod words;
 
-pub use contents::{Making, page};
+pub use contents::page;
 pub use found::{Checked, Found, Orbits};
+
+pub use crate::document::Making;

@@ -4,8 +4,8 @@
 use maud::{Markup, html};
 
 use super::found::Found;
-use super::math::{cell, inline};
 use super::words::{anchor, badge};
+use crate::document::{cell, inline};
 use kahan_paper::formula::{LatexItem, latex_of};
 use kahan_paper::{Id, Outcome};
 use kahan_systems::entry::Entry;

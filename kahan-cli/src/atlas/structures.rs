@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use super::found::{Checked, Found};
-use super::math::cell;
-use super::readable::readable;
 use super::words::{anchor, badge};
+use crate::document::cell;
+use crate::document::readable;
 use kahan_paper::formula::latex_of;
 use kahan_paper::{Outcome, Structure, structure};
 use kahan_systems::registry::SYSTEMS;

@@ -1,17 +1,15 @@
 //! The systems: field, A(x,ε) and map of each, as the library derives them from the blocks of the
 //! catalog, and what it preserves.
 
-use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::lexer::lex;
-use kahan_algebra::render::{Formulas, Notation, claim_statement, condition_text, latex_matrix};
+use kahan_algebra::render::condition_text;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
 use maud::{Markup, html};
 
 use super::found::Found;
-use super::math::{LINE, display, displays, inline};
-use super::readable::readable;
 use super::words::{badge, link};
+use crate::document::{derived, inline, readable, statements};
 use kahan_paper::Id;
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::{FURTHER, SYSTEMS};
@@ -54,34 +52,10 @@ pub(super) fn further(found: &Found<'_>) -> Markup {
 
 fn sheet(entry: &Entry, found: &Found<'_>) -> Markup {
     let system = read(entry);
-    let map = RationalMap::of(&system.field);
-    let formulas = Formulas { field: &system.field, map: map.as_ref(), notation: Notation::Latex };
-    let states: Vec<String> =
-        system.field.symbols.states.iter().map(|state| Notation::Latex.name(state)).collect();
-    let equations = |accent: &str, values: &[String]| -> Vec<String> {
-        states.iter().zip(values).map(|(state, value)| format!("\\{accent}{{{state}}} = {value}")).collect()
-    };
-    let field = formulas.field();
     html! {
         details.system id=(format!("system-{}", entry.command)) {
             summary { h3 { (entry.name) } " " span { (readable(entry.title)) } }
-            h4 { "Field" }
-            (displays(&equations("dot", &field), LINE))
-            h4 { "Matrix" }
-            (display(&format!("A(x,\\varepsilon) = {}", matrix(&formulas.matrix())), LINE))
-            @if system.field.components.iter().any(|component| component.numerator.terms().any(|(monomial, _)| monomial.degree() < 2)) {
-                (display(&format!("b(x,\\varepsilon) = {}", matrix(&column(formulas.rhs()))), LINE))
-            }
-            @if let Some(determinant) = formulas.determinant() {
-                (display(&format!("\\det A(x,\\varepsilon) = {determinant}"), LINE))
-            }
-            @if let Some(factor) = formulas.removed_factor() {
-                p { "The map has no pole where " (inline(&format!("{factor} = 0"))) ", a factor that cancels." }
-            }
-            @if let Some(map) = formulas.map() {
-                h4 { "Map" }
-                (displays(&equations("widetilde", &map), LINE))
-            }
+            (derived(&system))
             @for (kind, title) in KINDS {
                 @let claims: Vec<&Claim> = system.claims.iter().filter(|claim| claim.kind == kind).collect();
                 @if !claims.is_empty() {
@@ -103,17 +77,11 @@ const KINDS: [(ClaimKind, [&str; 2]); 3] = [
 
 /// One claim as formulas, with its condition, its source and its outcome.
 fn preserved(entry: &Entry, system: &System, claim: &Claim, found: &Found<'_>) -> Markup {
-    let index = match claim.kind {
-        ClaimKind::Bracket => format!("_{{{}}}", Notation::Latex.name(&claim.name.text)),
-        _ => String::new(),
-    };
-    let statements = claim_statement(claim, Notation::Latex).into_iter();
-    let formulas: Vec<String> = statements.map(|(left, right)| format!("{left}{index} = {right}")).collect();
     let condition = condition_text(system, claim);
     let id = Id::of([entry.command, &claim.name.text]);
     html! {
         div.preserved {
-            (displays(&formulas, LINE))
+            (statements(claim))
             p.source {
                 @if !condition.is_empty() { "when " (readable(&condition)) "; " }
                 @if let Some(source) = entry.source(&claim.name.text) { (readable(source)) "; " }
@@ -124,14 +92,4 @@ fn preserved(entry: &Entry, system: &System, claim: &Claim, found: &Found<'_>) -
             }
         }
     }
-}
-
-fn column(entries: Vec<String>) -> Vec<Vec<String>> {
-    entries.into_iter().map(|entry| vec![entry]).collect()
-}
-
-fn matrix(rows: &[Vec<String>]) -> String {
-    /// The characters of what stands before a matrix.
-    const BEFORE: usize = 10;
-    latex_matrix("pmatrix", rows, LINE - BEFORE)
 }

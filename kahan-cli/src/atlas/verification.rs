@@ -3,9 +3,9 @@
 use maud::{Markup, html};
 
 use super::found::{Checked, Found};
-use super::math::{COLUMN, displays};
-use super::readable::readable;
 use super::words::{anchor, badge};
+use crate::document::readable;
+use crate::document::{COLUMN, displays};
 use kahan_paper::{Outcome, Section};
 
 /// The section.

@@ -35,7 +35,7 @@ impl Atlas {
     /// Where the page is; a complaint if a claim failed.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let clock = Instant::now();
-        let path = self.page_path()?;
+        let path = index_in(&self.out)?;
         // Whether the file can be written shows before half a minute is spent; no trace is left if
         // the work is interrupted.
         drop(Sink::file(&path, "--out")?);
@@ -43,11 +43,8 @@ impl Atlas {
         let progress = Progress::new(Found::steps(&paper) as u64, "claims and orbits");
         let found = Found::compute(&paper, || progress.advance(1));
         progress.finish();
-        // The date alone: the time of day says nothing to a reader.
-        let date = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
-        let date = date.split('T').next().unwrap_or_default().to_owned();
         let sink = Sink::file(&path, "--out")?;
-        let text = page(&found, &Making { date, seconds: clock.elapsed().as_secs_f64() });
+        let text = page(&found, &Making { date: today(), seconds: clock.elapsed().as_secs_f64() });
         sink.put(&text)?;
         let written = Answer::text(format!(
             "{} written: {} claims, {:.1} MB, {:.1} s\n",
@@ -63,22 +60,25 @@ impl Atlas {
         };
         Ok(Answer { complaint, ..written })
     }
+}
 
-    /// DIR/index.html, in a folder that is there now.
-    fn page_path(&self) -> Result<PathBuf, Refusal> {
-        let refused = |path: &Path, reason: &str| {
-            Refusal::new(format!(
-                "--out: cannot use the folder {}: {reason}; name another one",
-                path.display()
-            ))
-        };
-        if self.out.as_os_str().is_empty() {
-            return Err(Refusal::new("--out: the name of the folder is empty; write `.` for this one"));
-        }
-        if self.out.exists() && !self.out.is_dir() {
-            return Err(refused(&self.out, "it is a file"));
-        }
-        fs::create_dir_all(&self.out).map_err(|error| refused(&self.out, &error.to_string()))?;
-        Ok(self.out.join("index.html"))
+/// The date alone: the time of day says nothing to a reader.
+pub(super) fn today() -> String {
+    let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
+    now.split('T').next().unwrap_or_default().to_owned()
+}
+
+/// DIR/index.html, in a folder that is there now.
+pub(super) fn index_in(folder: &Path) -> Result<PathBuf, Refusal> {
+    let refused = |reason: &str| {
+        Refusal::new(format!("--out: cannot use the folder {}: {reason}; name another one", folder.display()))
+    };
+    if folder.as_os_str().is_empty() {
+        return Err(Refusal::new("--out: the name of the folder is empty; write `.` for this one"));
     }
+    if folder.exists() && !folder.is_dir() {
+        return Err(refused("it is a file"));
+    }
+    fs::create_dir_all(folder).map_err(|error| refused(&error.to_string()))?;
+    Ok(folder.join("index.html"))
 }

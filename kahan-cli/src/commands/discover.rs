@@ -13,7 +13,7 @@ use kahan_discover::{Options, discover};
 use super::search::{Search, refused};
 use crate::printing::{Answer, Progress, Refusal, Sink};
 use crate::reading::number;
-use discovery::Discovery;
+pub(super) use discovery::Discovery;
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
 /// densities and Poisson brackets, structure, growth.
@@ -60,6 +60,24 @@ Examples:
 impl Discover {
     /// The report.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
+        let discovery = self.discovery()?;
+        let answer = if self.search.json {
+            Answer::json(&discovery.object())
+        } else if self.latex {
+            Answer::verbatim(discovery.latex()?)
+        } else if self.as_macro {
+            Answer::verbatim(folded(&macro_block(&discovery.claimed()?), SOURCE_WIDTH))
+        } else {
+            Answer::text(discovery.text())
+        };
+        let Some(sink) = sink else { return Ok(answer) };
+        sink.put(&answer.text)?;
+        Ok(Answer { text: String::new(), ..answer })
+    }
+
+    /// What is found.
+    pub(super) fn discovery(&self) -> Result<Discovery, Refusal> {
         let search = &self.search;
         let block = search.source.required_block()?;
         let system = block.unproved_system()?;
@@ -73,26 +91,12 @@ impl Discover {
             seconds: search.seconds,
             ..Options::default()
         };
-        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let clock = Instant::now();
         let progress = Progress::stages();
         let report = discover(&system, &options, &mut |stage| progress.say(&stage.to_string()));
         progress.finish();
         let report = report.map_err(|error| refused(&name, &error))?;
-        let discovery =
-            Discovery { name, system, fixed, eps, report, seconds: clock.elapsed().as_secs_f64() };
-        let answer = if search.json {
-            Answer::json(&discovery.object())
-        } else if self.latex {
-            Answer::verbatim(discovery.latex()?)
-        } else if self.as_macro {
-            Answer::verbatim(folded(&macro_block(&discovery.claimed()?), SOURCE_WIDTH))
-        } else {
-            Answer::text(discovery.text())
-        };
-        let Some(sink) = sink else { return Ok(answer) };
-        sink.put(&answer.text)?;
-        Ok(Answer { text: String::new(), ..answer })
+        Ok(Discovery { name, system, fixed, eps, report, seconds: clock.elapsed().as_secs_f64() })
     }
 }
 

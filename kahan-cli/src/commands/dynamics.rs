@@ -7,10 +7,11 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_core::Composition;
 
+use crate::printing::layout::Rows;
 use crate::printing::{Answer, Refusal};
-use crate::reading::{Start, whole};
+use crate::reading::{Request, Start, whole};
 
-use observed::Asked;
+use observed::{Asked, Observed};
 
 /// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
 ///
@@ -74,15 +75,26 @@ fn radius(text: &str) -> Result<f64, String> {
 impl Dynamics {
     /// The answers; a complaint where the orbit ends early.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let request = self.start.request()?;
-        let composition = Composition::of_order(self.order).unwrap_or(Composition::KAHAN);
-        let asked = Asked { steps: self.steps, every: self.every, escape: self.escape };
-        let observed = asked.of(&request, composition)?;
+        let (request, observed) = self.observed()?;
         let answer = if self.json {
             Answer::json(&report::object(&request, &observed))
         } else {
             Answer::text(report::text(&request, &observed))
         };
-        Ok(Answer { complaint: report::complaint(&request, &asked, &observed), ..answer })
+        Ok(Answer { complaint: report::complaint(&request, self.steps, &observed), ..answer })
+    }
+
+    /// The answers as tables; a complaint where the orbit ends early.
+    pub(super) fn tables(&self) -> Result<(Vec<Rows>, Option<String>), Refusal> {
+        let (request, observed) = self.observed()?;
+        Ok((report::tables(&request, &observed), report::complaint(&request, self.steps, &observed)))
+    }
+
+    fn observed(&self) -> Result<(Request, Observed), Refusal> {
+        let request = self.start.request()?;
+        let composition = Composition::of_order(self.order).unwrap_or(Composition::KAHAN);
+        let asked = Asked { steps: self.steps, every: self.every, escape: self.escape };
+        let observed = asked.of(&request, composition)?;
+        Ok((request, observed))
     }
 }

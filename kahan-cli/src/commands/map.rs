@@ -7,9 +7,9 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
-use crate::plot::{Format, Grid, NumberLine, Sheet, Theme};
+use crate::plot::{Drawing, Format, Grid, NumberLine, Sheet, Theme};
 use crate::printing::{Answer, Refusal, Sink};
-use crate::reading::{Range, Start, whole};
+use crate::reading::{Range, Request, Start, whole};
 
 use cells::Cells;
 
@@ -103,51 +103,14 @@ impl Colour {
 impl StabilityMap {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let [x, y] = &self.over[..] else {
-            return Err(Refusal::new(
-                "--over: a map goes through two ranges, as in --over x=-1:1:60 --over y=0:2:60",
-            ));
-        };
-        let ranges = [Range::read(x)?, Range::read(y)?];
+        let ranges = self.ranges()?;
         let is_table = self.out.extension().is_some_and(|ending| ending == "csv");
         let format = if is_table { None } else { Some(Format::of(&self.out)?) };
         let sink = Sink::file(&self.out, "--out")?;
         let request = self.start.request()?;
-        let cells = Cells::new(&request, &ranges, self.color, self.steps, &self.escape)?;
-        let values = cells.values()?;
-        let [across, upwards] = &ranges;
-        let description = format!(
-            "{} of {} over {} from {} to {} and {} from {} to {}, {} steps each",
-            self.color.label(),
-            request.name,
-            across.name,
-            across.from,
-            across.to,
-            upwards.name,
-            upwards.from,
-            upwards.to,
-            self.steps
-        );
+        let values = Cells::new(&request, &ranges, self.color, self.steps, &self.escape)?.values()?;
         let file = match format {
-            Some(format) => {
-                let sheet = Sheet { pixels: self.size, theme: self.theme };
-                let line = |range: &Range<'_>| NumberLine {
-                    label: range.name.to_owned(),
-                    low: range.from.to_f64(),
-                    high: range.to.to_f64(),
-                };
-                let scale = NumberLine::around_most(self.color.label(), values.iter().copied());
-                let grid = Grid {
-                    description: description.clone(),
-                    size: sheet.view_box(),
-                    x: line(across),
-                    y: line(upwards),
-                    scale,
-                    columns: across.steps,
-                    values: values.clone(),
-                };
-                grid.drawing()?.file(format, &sheet)?
-            }
+            Some(format) => self.grid(&request, &ranges, &values).drawing()?.file(format, &self.sheet())?,
             None => table(&ranges, self.color, &values).into_bytes(),
         };
         sink.put(file)?;
@@ -160,8 +123,8 @@ impl StabilityMap {
         if self.json {
             let color = self.color.to_possible_value().map(|value| value.get_name().to_owned());
             return Ok(Answer::json(&json!({
-                "system": request.name, "color": color, "out": out, "shows": description, "cells": values.len(),
-                "empty": empty, "least": extremes.map(|ends| ends.0), "greatest": extremes.map(|ends| ends.1),
+                "system": request.name, "color": color, "out": out, "shows": self.description(&request, &ranges),
+                "cells": values.len(), "empty": empty, "least": extremes.map(|ends| ends.0), "greatest": extremes.map(|ends| ends.1),
             })));
         }
         let ends =
@@ -171,6 +134,59 @@ impl StabilityMap {
             self.color.label(),
             values.len()
         )))
+    }
+
+    /// The picture.
+    pub(super) fn drawn(&self) -> Result<Drawing, Refusal> {
+        let (ranges, request) = (self.ranges()?, self.start.request()?);
+        let values = Cells::new(&request, &ranges, self.color, self.steps, &self.escape)?.values()?;
+        self.grid(&request, &ranges, &values).drawing()
+    }
+
+    fn ranges(&self) -> Result<[Range<'_>; 2], Refusal> {
+        let [x, y] = &self.over[..] else {
+            return Err(Refusal::new(
+                "--over: a map goes through two ranges, as in --over x=-1:1:60 --over y=0:2:60",
+            ));
+        };
+        Ok([Range::read(x)?, Range::read(y)?])
+    }
+
+    fn sheet(&self) -> Sheet {
+        Sheet { pixels: self.size, theme: self.theme }
+    }
+
+    /// What is shown, in words.
+    fn description(&self, request: &Request, [across, upwards]: &[Range<'_>; 2]) -> String {
+        format!(
+            "{} of {} over {} from {} to {} and {} from {} to {}, {} steps each",
+            self.color.label(),
+            request.name,
+            across.name,
+            across.from,
+            across.to,
+            upwards.name,
+            upwards.from,
+            upwards.to,
+            self.steps
+        )
+    }
+
+    fn grid(&self, request: &Request, ranges: &[Range<'_>; 2], values: &[f64]) -> Grid {
+        let line = |range: &Range<'_>| NumberLine {
+            label: range.name.to_owned(),
+            low: range.from.to_f64(),
+            high: range.to.to_f64(),
+        };
+        Grid {
+            description: self.description(request, ranges),
+            size: self.sheet().view_box(),
+            x: line(&ranges[0]),
+            y: line(&ranges[1]),
+            scale: NumberLine::around_most(self.color.label(), values.iter().copied()),
+            columns: ranges[0].steps,
+            values: values.to_vec(),
+        }
     }
 }
 

@@ -27,8 +27,9 @@ use orbits::Pace;
 /// ends at a pole and where doubles overflow. The axes leave out points that lie far from nearly
 /// all others, unless --window says where they end; what is left out is counted.
 ///
-/// An orbit diagram (--over) starts anew at each value, and shows the first of --axes as it is
-/// after the transient. Heights are drawn so that growth like a power of n is a straight line; where
+/// A section (--plane) shows where orbits cross it with growing formula, refined as `kahan section`
+/// does it. An orbit diagram (--over) starts anew at each value, and shows the first of --axes as
+/// it is after the transient. Heights are drawn so that growth like a power of n is a straight line; where
 /// it is exponential, exponential growth is.
 ///
 /// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone. PNG
@@ -69,7 +70,7 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "F")]
     out: PathBuf,
 
-    /// portrait, heights, or orbits-over, which --over implies.
+    /// portrait, heights, section (by --plane), or orbits-over (by --over).
     #[arg(long, value_enum, hide_possible_values = true)]
     kind: Option<Kind>,
 
@@ -77,12 +78,16 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     axes: Vec<String>,
 
+    /// What vanishes on a section: z - 27.
+    #[arg(long, value_name = "EXPR", allow_hyphen_values = true)]
+    plane: Option<String>,
+
     /// A parameter, or eps, that takes steps: NAME=FROM:TO:STEPS.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     over: Option<String>,
 
     /// Steps of an orbit diagram before what it shows.
-    #[arg(long, value_name = "N", default_value = "1000", value_parser = steps)]
+    #[arg(long, value_name = "N", default_value = "1000", hide_short_help = true, value_parser = steps)]
     transient: u64,
 
     /// Joins the points of an orbit by lines.
@@ -94,7 +99,7 @@ pub(crate) struct Picture {
     window: Vec<String>,
 
     /// Width and height in pixels.
-    #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = pixels)]
+    #[arg(long, value_name = "WxH", default_value = "960x720", hide_short_help = true, value_parser = pixels)]
     size: (u32, u32),
 
     /// Which colours.
@@ -115,6 +120,7 @@ Examples:
   kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
   kahan picture e4 --eps 1/5 --at 7/3,11/13,23/47 --steps 3000 --out e4.svg
   kahan picture lv --eps 1/7 --at 1/2,1 --axes t,x --steps 100 --lines --out t.svg
+  kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
   kahan picture lv --over eps=1/10:1:400 --at 1/2,1 --axes x --steps 100 --out over.svg
   kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg";
 
@@ -125,6 +131,8 @@ enum Kind {
     Portrait,
     /// How the heights of an exact orbit grow.
     Heights,
+    /// Where orbits cross a plane, or the level of any function.
+    Section,
     /// What orbits tend to, over a parameter or eps.
     OrbitsOver,
 }
@@ -162,13 +170,13 @@ struct Subject<'a> {
 }
 
 /// A picture, and what there is to say of it.
-struct Drawn {
-    drawing: Drawing,
+pub(super) struct Drawn {
+    pub(super) drawing: Drawing,
     /// How many points there are.
     points: usize,
     /// How many of these its axes do not show.
     outside: usize,
-    notes: Vec<String>,
+    pub(super) notes: Vec<String>,
 }
 
 impl Picture {
@@ -177,33 +185,58 @@ impl Picture {
         let kind = self.kind()?;
         let format = Format::of(&self.out)?;
         let sink = Sink::file(&self.out, "--out")?;
+        let (name, drawn) = self.drawn()?;
+        let file = drawn.drawing.file(format, &self.sheet())?;
+        let bytes = file.len();
+        sink.put(file)?;
+        Ok(self.answer(&name, kind, &drawn, bytes))
+    }
+
+    /// The picture of the system that is named.
+    pub(super) fn drawn(&self) -> Result<(String, Drawn), Refusal> {
+        let kind = self.kind()?;
         let block = self.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
-        let sheet = Sheet { pixels: self.size, theme: self.theme };
-        let subject = Subject { asked: self, name, system, source: self.source.clone(), sheet };
+        let subject = Subject { asked: self, name, system, source: self.source.clone(), sheet: self.sheet() };
         let drawn = match kind {
-            Kind::Portrait => subject.portrait()?,
+            Kind::Portrait | Kind::Section => subject.portrait()?,
             Kind::OrbitsOver => subject.orbits_over()?,
             Kind::Heights => subject.heights()?,
         };
-        let file = drawn.drawing.file(format, &sheet)?;
-        let bytes = file.len();
-        sink.put(file)?;
-        Ok(self.answer(&subject.name, kind, &drawn, bytes))
+        Ok((subject.name, drawn))
+    }
+
+    fn sheet(&self) -> Sheet {
+        Sheet { pixels: self.size, theme: self.theme }
     }
 
     fn kind(&self) -> Result<Kind, Refusal> {
-        match (self.kind, self.over.is_some()) {
-            (None, true) | (Some(Kind::OrbitsOver), true) => Ok(Kind::OrbitsOver),
-            (None, false) => Ok(Kind::Portrait),
-            (Some(Kind::OrbitsOver), false) => Err(Refusal::new(
+        let implied = match (&self.plane, &self.over) {
+            (Some(_), Some(_)) => {
+                return Err(Refusal::new(
+                    "--plane is for a section and --over for an orbit diagram; leave one out",
+                ));
+            }
+            (Some(_), None) => Some(Kind::Section),
+            (None, Some(_)) => Some(Kind::OrbitsOver),
+            (None, None) => None,
+        };
+        match (self.kind, implied) {
+            (Some(Kind::OrbitsOver), None) => Err(Refusal::new(
                 "--kind orbits-over: over what? give a range to a parameter or to eps, as in --over eps=1/10:1:400",
             )),
-            (Some(_), true) => {
-                Err(Refusal::new("--over makes an orbit diagram; leave it out, or leave --kind out"))
+            (Some(Kind::Section), None) => {
+                Err(Refusal::new("--kind section: where? give what vanishes there, as in --plane 'z - 27'"))
             }
-            (Some(kind), false) => Ok(kind),
+            (Some(kind), Some(implied)) if kind != implied => {
+                let (option, made) = match implied {
+                    Kind::Section => ("--plane", "a section"),
+                    _ => ("--over", "an orbit diagram"),
+                };
+                Err(Refusal::new(format!("{option} makes {made}; leave it out, or leave --kind out")))
+            }
+            (kind, implied) => Ok(implied.or(kind).unwrap_or(Kind::Portrait)),
         }
     }
 

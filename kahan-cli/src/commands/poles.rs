@@ -11,7 +11,7 @@ use kahan_discover::{Options, Poles as Found, poles};
 use serde_json::{Value, json};
 
 use super::search::refused;
-use crate::printing::layout::table;
+use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Progress, Refusal, shorten};
 use crate::reading::{Source, number, seconds, whole};
 
@@ -64,6 +64,23 @@ fn steps(text: &str) -> Result<usize, String> {
 impl Poles {
     /// The patterns.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let clock = Instant::now();
+        let (name, found) = self.found()?;
+        let seconds = clock.elapsed().as_secs_f64();
+        Ok(if self.json {
+            Answer::json(&object(&name, &found, seconds))
+        } else {
+            Answer::text(text(&name, &found, seconds))
+        })
+    }
+
+    /// The patterns as a table.
+    pub(super) fn table(&self) -> Result<Rows, Refusal> {
+        self.found().map(|(_, found)| rows(&found))
+    }
+
+    /// The patterns, and of what.
+    fn found(&self) -> Result<(String, Found), Refusal> {
         let block = self.source.required_block()?;
         let system = block.unproved_system()?;
         let name = block.name(&system);
@@ -73,7 +90,6 @@ impl Poles {
             seconds: self.seconds,
             ..Options::default()
         };
-        let clock = Instant::now();
         let progress = Progress::stages();
         progress.say("degrees of iterates");
         let found = poles(&system, &options, self.steps, &mut |done, count| {
@@ -81,12 +97,7 @@ impl Poles {
         });
         progress.finish();
         let found = found.map_err(|error| refused(&name, &error))?;
-        let seconds = clock.elapsed().as_secs_f64();
-        Ok(if self.json {
-            Answer::json(&object(&name, &found, seconds))
-        } else {
-            Answer::text(text(&name, &found, seconds))
-        })
+        Ok((name, found))
     }
 }
 
@@ -136,12 +147,16 @@ fn row(symbols: &Symbols, pattern: &Pattern, bound: usize) -> Vec<String> {
     vec![shorten(&pattern.name(symbols), WIDEST), verdict, images.collect::<Vec<_>>().join(" ")]
 }
 
-fn text(name: &str, found: &Found, seconds: f64) -> String {
-    let numbers = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+/// A row a pattern, below headings.
+fn rows(found: &Found) -> Rows {
     let headings = ["curve = 0", "what is lost comes back", "dimensions"].map(str::to_owned);
     let patterns = found.patterns.iter().map(|pattern| row(&found.symbols, pattern, found.bound));
-    let rows: Vec<Vec<String>> = [headings.to_vec()].into_iter().chain(patterns).collect();
-    let mut lines = table(&rows, 1);
+    [headings.to_vec()].into_iter().chain(patterns).collect()
+}
+
+fn text(name: &str, found: &Found, seconds: f64) -> String {
+    let numbers = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+    let mut lines = table(&rows(found), 1);
     lines.push(String::new());
     lines.push("dimensions of the images, step by step; ' is at infinity".to_owned());
     let verdict = GrowthVerdict::of(&found.degrees);

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use kahan_core::observe::{Crossing, Direction, Observer, Section as Crossings};
-use kahan_runtime::RuntimePoint;
+use kahan_runtime::{MapAt, RuntimePoint};
 use serde_json::{Value, json};
 
 use crate::printing::{Answer, Progress, Refusal, Sink};
-use crate::reading::{Start, whole};
+use crate::reading::{Formula, Request, Start, whole};
 
 /// Prints where an orbit crosses a section, as CSV: step n, time t, variables.
 ///
@@ -79,23 +79,8 @@ impl Section {
     /// Writes the crossings; what is left to say is the answer.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let request = self.start.request()?;
-        let plane = request.formula(&self.plane, "--plane")?;
-        if !plane.varies() {
-            return Err(Refusal::new(format!(
-                "--plane {}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as \
-                 in --plane 'x - 1/2'",
-                self.plane
-            )));
-        }
+        let plane = plane(&request, &self.plane)?;
         let (at, mut x) = request.in_floats()?;
-        let (variables, integrals) = (x.len(), at.map().field().integrals().len());
-        let height = |x: &[f64]| {
-            let mut known: RuntimePoint<f64> = x.iter().copied().collect();
-            known.resize(variables + integrals, 0.0);
-            // The state is as long as the field has variables.
-            let _ = at.integrals(x, &mut known[variables..]);
-            plane.of(&known)
-        };
         let direction = match self.direction {
             Side::Rising => Direction::Rising,
             Side::Falling => Direction::Falling,
@@ -103,8 +88,9 @@ impl Section {
         };
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let points: RefCell<Vec<Point>> = RefCell::new(Vec::new());
-        let mut crossings =
-            Crossings::new(&at, height, direction, |crossing: Point| points.borrow_mut().push(crossing));
+        let mut crossings = Crossings::new(&at, height(&at, &plane), direction, |crossing: Point| {
+            points.borrow_mut().push(crossing);
+        });
         let progress = Progress::new(self.steps, "steps");
         let (mut made, mut is_finite) = (0, true);
         crossings.observe(0, &x);
@@ -142,6 +128,30 @@ impl Section {
             None => Answer::verbatim(found.table()),
         };
         Ok(Answer { complaint, ..answer })
+    }
+}
+
+/// The formula that vanishes on a section.
+pub(super) fn plane(request: &Request, text: &str) -> Result<Formula, Refusal> {
+    let plane = request.formula(text, "--plane")?;
+    if plane.last_variable().is_none() {
+        return Err(Refusal::new(format!(
+            "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \
+             --plane 'x - 1/2'"
+        )));
+    }
+    Ok(plane)
+}
+
+/// How far a point is from a section, as its formula measures it.
+pub(super) fn height<'a>(at: &'a MapAt<f64>, plane: &'a Formula) -> impl Fn(&[f64]) -> f64 + 'a {
+    let integrals = at.map().field().integrals().len();
+    move |x| {
+        let mut known: RuntimePoint<f64> = x.iter().copied().collect();
+        known.resize(x.len() + integrals, 0.0);
+        // The state is as long as the field has variables.
+        let _ = at.integrals(x, &mut known[x.len()..]);
+        plane.of(&known)
     }
 }
 

@@ -11,10 +11,10 @@ use clap::{Args, ValueEnum};
 use kahan_core::{Need, Scene};
 use kahan_measure::trade::{Subject, Trade as Measured};
 
+use crate::plot::{Sheet, Theme};
 use crate::printing::{Answer, Progress, Refusal, Sink};
 use crate::reading::{Source, coordinates, number, seconds};
-use comparison::Comparison;
-use picture::picture;
+pub(super) use comparison::Comparison;
 
 /// Measures what accuracy costs on one scene, on this machine, and names the cheapest setting that
 /// serves.
@@ -104,6 +104,21 @@ enum NeedName {
 impl Trade {
     /// The front and the choice; a complaint where nothing meets the tolerance.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
+        self.compared(|comparison| {
+            if let Some(sink) = sink {
+                let (width, height) = picture::SIZE;
+                let sheet = Sheet { pixels: (width as u32, height as u32), theme: Theme::Viewer };
+                sink.put(comparison.picture().svg(&sheet))?;
+            }
+            let answer =
+                if self.json { Answer::json(&comparison.object()) } else { Answer::text(comparison.text()) };
+            Ok(Answer { complaint: comparison.complaint(), ..answer })
+        })?
+    }
+
+    /// Measures, and hands on what was measured.
+    pub(super) fn compared<R>(&self, tell: impl FnOnce(&Comparison<'_>) -> R) -> Result<R, Refusal> {
         let block = self.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
@@ -111,7 +126,6 @@ impl Trade {
         let parameters = self.source.parameter_values(&system, &name)?;
         let horizon = positive(&self.horizon, "--horizon")?;
         let tolerance = positive(&self.tolerance, "--tolerance")?;
-        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let need = match self.need {
             NeedName::Trajectory => Need::Trajectory,
             NeedName::Integrals => Need::Integrals,
@@ -124,13 +138,7 @@ impl Trade {
         let trade = Measured::of(&subject, &scene, self.seconds, &mut |_| progress.advance(1));
         progress.finish();
         let trade = trade.map_err(|why| Refusal::new(format!("{name}: {why}")))?;
-        let comparison = Comparison { name: &name, block: &block, subject, scene, trade };
-        if let Some(sink) = sink {
-            sink.put(picture(&comparison.trade, &comparison.title(), &scene))?;
-        }
-        let answer =
-            if self.json { Answer::json(&comparison.object()) } else { Answer::text(comparison.text()) };
-        Ok(Answer { complaint: comparison.complaint(), ..answer })
+        Ok(tell(&Comparison { name: &name, block: &block, subject, scene, trade }))
     }
 }
 

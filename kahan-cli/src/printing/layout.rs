@@ -53,6 +53,9 @@ fn total(widths: &[usize]) -> usize {
     widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)
 }
 
+/// The cells of a table, row by row.
+pub(crate) type Rows = Vec<Vec<String>>;
+
 /// A table whose first row is its heading, as lines of the screen.
 ///
 /// Where it is too wide, headings and columns of sentences take several lines; if that is not

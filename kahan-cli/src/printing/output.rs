@@ -47,6 +47,11 @@ impl Refusal {
         Refusal(paragraph(message.as_ref()))
     }
 
+    /// What it says, without `error:`.
+    pub(crate) fn message(&self) -> &str {
+        self.0.trim_start_matches("error: ").trim_end()
+    }
+
     /// Reports that begin with `error:` and end with a line break already.
     pub(crate) fn reports(reports: String) -> Self {
         Refusal(reports)

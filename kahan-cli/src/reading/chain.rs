@@ -82,7 +82,7 @@ fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str
         return Ok((name, vec![number.to_f64()]));
     }
     let formula = formula(value, known, &option)?;
-    let places = if formula.varies() { sites } else { 1 };
+    let places = if formula.last_variable().is_some() { sites } else { 1 };
     Ok((name, (0..places).map(|site| formula.at(site)).collect()))
 }
 

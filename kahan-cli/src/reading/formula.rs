@@ -74,13 +74,13 @@ impl Formula {
         }
     }
 
-    /// Whether the value may differ from site to site, or from state to state.
-    pub(crate) fn varies(&self) -> bool {
+    /// The last of the variables that it names; `None` where it is one number everywhere.
+    pub(crate) fn last_variable(&self) -> Option<usize> {
         match self {
-            Self::Number(_) => false,
-            Self::Variable(_) => true,
-            Self::Negate(of) | Self::Call(_, of) => of.varies(),
-            Self::Binary(_, sides) => sides.0.varies() || sides.1.varies(),
+            Self::Number(_) => None,
+            Self::Variable(k) => Some(*k),
+            Self::Negate(of) | Self::Call(_, of) => of.last_variable(),
+            Self::Binary(_, sides) => sides.0.last_variable().max(sides.1.last_variable()),
         }
     }
 }
@@ -326,8 +326,8 @@ mod tests {
             let value = formula(text, &known, "--start").expect(text).at(3);
             assert!((value - at_three).abs() < 1e-15, "{text}: {value}");
         }
-        assert!(formula("i*0", &[], "").expect("a formula").varies());
-        assert!(!formula("sin(1)^2", &[], "").expect("a formula").varies());
+        assert_eq!(formula("i*0", &[], "").expect("a formula").last_variable(), Some(0));
+        assert_eq!(formula("sin(1)^2", &[], "").expect("a formula").last_variable(), None);
         let named = formulas("x = i; y = 2;", &known, "--start").expect("two");
         assert_eq!(
             named.iter().map(|(name, formula)| (name.as_str(), formula.at(5))).collect::<Vec<_>>(),

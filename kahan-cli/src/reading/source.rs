@@ -1,7 +1,7 @@
 //! The system that a command is about, as arguments name it: of the catalog, from the command line,
 //! or from a file; and the values of its parameters.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use kahan_algebra::rational::Rational;
@@ -89,6 +89,27 @@ impl Source {
             Some("general") => Ok(Some("general")),
             Some(name) => find(name).map(|entry| Some(entry.command)).ok_or_else(|| unknown_system(name)),
         }
+    }
+
+    /// The words by which a command line names this; standard input, which can be read once only,
+    /// is named by its text.
+    pub(crate) fn words(&self, block: &Block) -> Vec<String> {
+        let option = |name: &str, value: &str| vec![name.to_owned(), value.to_owned()];
+        let is_input = self.file.as_deref().is_some_and(|path| path == Path::new("-"));
+        let field = self.field.clone().or_else(|| is_input.then(|| block.text().trim().to_owned()));
+        let file = self.file.as_ref().filter(|_| !is_input);
+        let words = [
+            self.system.iter().cloned().collect(),
+            field.map_or_else(Vec::new, |field| option("--field", &field)),
+            file.map_or_else(Vec::new, |path| option("--file", &path.to_string_lossy())),
+            file.and(self.block.as_ref()).map_or_else(Vec::new, |name| option("--block", name)),
+            self.sites.map_or_else(Vec::new, |sites| option("--sites", &sites.to_string())),
+        ];
+        words
+            .into_iter()
+            .chain(self.parameters.iter().map(|given| option("--param", given)))
+            .flatten()
+            .collect()
     }
 
     /// Whether a parameter was given.

@@ -14,6 +14,7 @@ mod judging;
 mod latex;
 mod numbers;
 mod orbit;
+mod page;
 mod parameters;
 mod picture;
 mod plan;

@@ -44,6 +44,30 @@ fn words(svg: &str) -> Vec<&str> {
     svg.split("</text>").filter_map(|part| part.rsplit_once('>')).map(|(_, words)| words).collect()
 }
 
+#[test]
+fn a_section_has_the_crossings_of_its_orbits() {
+    let orbit = ["volterra", "--eps", "1/50", "--steps", "3000", "--plane", "x - y"];
+    let crossings = |at: &str| {
+        let found = object(&[&["section"], &orbit[..], &["--at", at, "--json"]].concat());
+        found["points"].as_array().expect("points").len()
+    };
+    let section = described(&[&orbit[..], &["--at", "1,2,3", "--at", "1,1,2"]].concat());
+    assert_eq!(section["kind"], "section");
+    assert_eq!(section["points"], crossings("1,2,3") + crossings("1,1,2"));
+    // The last variable of the formula is left out of the axes.
+    assert!(section["shows"].as_str().expect("words").contains("x and z"), "{section}");
+    for (arguments, word) in [
+        (&["--kind", "section"][..], "what vanishes there"),
+        (&["--plane", "x - y", "--kind", "portrait"], "--plane makes a section"),
+        (&["--plane", "x - y", "--over", "eps=0:1:5"], "leave one out"),
+        (&["--plane", "1"], "one number everywhere"),
+    ] {
+        let lv = ["picture", "lv", "--eps", "1/50", "--at", "1,2", "--steps", "9", "--out", "no.svg"];
+        let said = refusal(&[&lv[..], arguments].concat());
+        assert!(said.contains(word), "{said}");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn the_examples_of_the_help_run() {

@@ -10,8 +10,8 @@ mod summary;
 use maud::{Markup, html};
 
 use super::found::Found;
-use super::readable::readable;
 use super::words::{badge, link};
+use crate::document::readable;
 
 /// One figure.
 pub(super) struct Plate {

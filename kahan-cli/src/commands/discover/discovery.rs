@@ -15,12 +15,12 @@ use crate::printing::page::{Page, aligned};
 use crate::reading::Block;
 
 /// What was found, and of what.
-pub(super) struct Discovery {
+pub(in super::super) struct Discovery {
     pub(super) name: String,
     pub(super) system: System,
     pub(super) fixed: Vec<(String, Rational)>,
     pub(super) eps: Option<Rational>,
-    pub(super) report: Report,
+    pub(in super::super) report: Report,
     pub(super) seconds: f64,
 }
 
@@ -106,7 +106,7 @@ impl Discovery {
     }
 
     /// The field with what was found as its claims.
-    pub(super) fn claimed(&self) -> Result<System, Refusal> {
+    pub(in super::super) fn claimed(&self) -> Result<System, Refusal> {
         let symbols = &self.system.field.symbols;
         let values = Formulas { field: &self.system.field, map: None, notation: Notation::Text }.field();
         let equations =
@@ -134,7 +134,7 @@ impl Discovery {
     }
 
     /// The numbers, one kind a line.
-    fn head(&self) -> Vec<[String; 2]> {
+    pub(in super::super) fn head(&self) -> Vec<[String; 2]> {
         let report = &self.report;
         let numbers =
             |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");

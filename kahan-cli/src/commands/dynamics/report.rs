@@ -2,10 +2,10 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::printing::layout::table;
+use crate::printing::layout::{Rows, table};
 use crate::reading::Request;
 
-use super::observed::{Asked, Observed};
+use super::observed::Observed;
 
 /// The JSON object.
 pub(super) fn object(request: &Request, observed: &Observed) -> Value {
@@ -39,16 +39,20 @@ fn integrals(request: &Request) -> Vec<String> {
     claims.map(|claim| claim.name.text.clone()).collect()
 }
 
-/// The same as tables.
+/// The same as text.
 pub(super) fn text(request: &Request, observed: &Observed) -> String {
+    let escaped = observed.escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
+    let last =
+        vec![vec!["steps".to_owned(), observed.steps.to_string()], vec!["escaped".to_owned(), escaped]];
+    let tables = tables(request, observed).into_iter().chain([last]);
+    let tables: Vec<String> = tables.map(|rows| table(&rows, 1).join("\n") + "\n").collect();
+    tables.join("\n")
+}
+
+/// The same as tables, each with its headings first.
+pub(super) fn tables(request: &Request, observed: &Observed) -> Vec<Rows> {
     let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
-    let mut lines = Vec::new();
-    let mut put = |rows: &[Vec<String>]| {
-        if !lines.is_empty() {
-            lines.push(String::new());
-        }
-        lines.extend(table(rows, 1));
-    };
+    let mut tables = Vec::new();
     let mut rows = vec![row(&["Lyapunov exponent", "value", "converged to"])];
     for (k, exponent) in observed.lyapunov.iter().enumerate() {
         rows.push(vec![(k + 1).to_string(), number(exponent.value), short(exponent.error)]);
@@ -56,8 +60,8 @@ pub(super) fn text(request: &Request, observed: &Observed) -> String {
     let sum: f64 = observed.lyapunov.iter().map(|exponent| exponent.value).sum();
     rows.push(vec!["sum".to_owned(), number(sum), String::new()]);
     rows.push(vec!["mean log |det J|".to_owned(), number(observed.mean_log_det), String::new()]);
-    put(&rows);
-    put(&[
+    tables.push(rows);
+    tables.push(vec![
         row(&["indicator", "value"]),
         vec!["FLI".to_owned(), number(observed.fli)],
         vec!["MEGNO".to_owned(), number(observed.megno)],
@@ -70,22 +74,20 @@ pub(super) fn text(request: &Request, observed: &Observed) -> String {
             extremes.map_or([String::new(), String::new()], |of| [number(of.least), number(of.greatest)]);
         rows.push(vec![name.clone(), least, greatest, number(turns.value), short(turns.error)]);
     }
-    put(&rows);
+    tables.push(rows);
     if !observed.drift.is_empty() {
         let mut rows = vec![row(&["integral", "greatest drift", "final drift"])];
         for (name, drifted) in integrals(request).iter().zip(&observed.drift) {
             rows.push(vec![name.clone(), short(drifted.max), short(drifted.last)]);
         }
-        put(&rows);
+        tables.push(rows);
     }
-    let escaped = observed.escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
-    put(&[vec!["steps".to_owned(), observed.steps.to_string()], vec!["escaped".to_owned(), escaped]]);
-    lines.join("\n") + "\n"
+    tables
 }
 
 /// Why there are fewer steps than asked.
-pub(super) fn complaint(request: &Request, asked: &Asked, observed: &Observed) -> Option<String> {
-    (observed.steps < asked.steps).then(|| {
+pub(super) fn complaint(request: &Request, steps: u64, observed: &Observed) -> Option<String> {
+    (observed.steps < steps).then(|| {
         format!(
             "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; what is said is of the steps \
              before",

@@ -3,7 +3,7 @@
 use super::Subject;
 use crate::plot::NumberLine;
 use crate::printing::Refusal;
-use crate::reading::number;
+use crate::reading::{Formula, number};
 
 /// What an axis shows of the point n.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,12 +25,20 @@ impl Coordinate {
 }
 
 impl Subject<'_> {
-    /// The axes that were named; else all variables of up to three, or the first three.
-    pub(super) fn coordinates(&self) -> Result<Vec<Coordinate>, Refusal> {
+    /// The axes that were named; else all variables of up to three, or the first three; of a section
+    /// the first two without the last that its formula names.
+    pub(super) fn coordinates(&self, plane: Option<&Formula>) -> Result<Vec<Coordinate>, Refusal> {
         let named: Result<Vec<Coordinate>, Refusal> =
             self.asked.axes.iter().map(|name| self.coordinate(name.trim())).collect();
         let named = named?;
         Ok(match (named.len(), self.variables().len()) {
+            (0, variables)
+                if let Some(plane) = plane
+                    && variables > 2 =>
+            {
+                let others = (0..variables).filter(|k| Some(*k) != plane.last_variable());
+                others.take(2).map(Coordinate::Variable).collect()
+            }
             (0, 1) => vec![Coordinate::Time, Coordinate::Variable(0)],
             (0, variables) => (0..variables.min(3)).map(Coordinate::Variable).collect(),
             (2 | 3, _) => named,

@@ -1,13 +1,17 @@
-//! Orbits from many first points, in the plane or in space.
+//! Orbits from many first points, in the plane or in space: all their points, or those of a section.
 
-use kahan_runtime::Field;
+use kahan_algebra::interpret::Point;
+use kahan_core::observe::{Crossing, Direction, Observer, Section as Crossings};
+use kahan_runtime::{Field, RuntimePoint};
 
+use super::super::section::{height, plane};
 use super::axes::Coordinate;
 use super::orbits::notes;
 use super::starts::rounded;
 use super::{Drawn, Subject};
 use crate::plot::{Cloud, NumberLine, Plot, Series, Space};
 use crate::printing::Refusal;
+use crate::reading::{Formula, Request};
 
 /// Colours that orbits have in turn; the sixth is grey, for what they are compared with.
 const COLOURS: usize = 5;
@@ -17,13 +21,14 @@ type Orbit<const N: usize> = Vec<[f64; N]>;
 
 impl Subject<'_> {
     pub(super) fn portrait(&self) -> Result<Drawn, Refusal> {
-        let coordinates = self.coordinates()?;
+        let plane = self.plane()?;
+        let coordinates = self.coordinates(plane.as_ref())?;
         let names: Vec<&str> = coordinates.iter().map(|coordinate| self.axis_name(*coordinate)).collect();
         self.check_windows(&names)?;
         let description = self.shown(&names);
         Ok(match coordinates[..] {
             [x, y] => {
-                let (orbits, notes) = self.orbits([x, y])?;
+                let (orbits, notes) = self.orbits([x, y], plane.as_ref())?;
                 let [x, y] = self.portrait_axes([x, y], &orbits)?;
                 let mark = self.mark(orbits.iter().map(|orbit| orbit.len() as u64).sum());
                 let series = orbits.into_iter().enumerate().map(|(index, orbit)| {
@@ -36,7 +41,7 @@ impl Subject<'_> {
                 Drawn { drawing: plot.drawing(), points, outside: plot.outside(), notes }
             }
             [x, y, z] => {
-                let (orbits, notes) = self.orbits([x, y, z])?;
+                let (orbits, notes) = self.orbits([x, y, z], plane.as_ref())?;
                 let axes = self.portrait_axes([x, y, z], &orbits)?;
                 let mark = self.mark(orbits.iter().map(|orbit| orbit.len() as u64).sum());
                 let clouds = orbits.into_iter().enumerate();
@@ -54,13 +59,27 @@ impl Subject<'_> {
     /// What is seen, in words.
     fn shown(&self, names: &[&str]) -> String {
         let eps = self.asked.eps.as_deref().unwrap_or_default();
-        format!("Orbits of {} at eps = {eps}, {} against each other", self.name, names.join(" and "))
+        let seen = self
+            .asked
+            .plane
+            .as_ref()
+            .map_or("Orbits".to_owned(), |plane| format!("The section {plane} = 0 of orbits"));
+        format!("{seen} of {} at eps = {eps}, {} against each other", self.name, names.join(" and "))
+    }
+
+    /// What vanishes on a section, where there is one.
+    fn plane(&self) -> Result<Option<Formula>, Refusal> {
+        let Some(text) = &self.asked.plane else { return Ok(None) };
+        let point = Point { state: Vec::new(), parameters: self.parameters(None)?, eps: self.eps()? };
+        let request = Request { name: self.name.clone(), system: self.system.clone(), point };
+        plane(&request, text).map(Some)
     }
 
     /// The points of all orbits, as far as these go; and what to say of those that end early.
     fn orbits<const N: usize>(
         &self,
         coordinates: [Coordinate; N],
+        plane: Option<&Formula>,
     ) -> Result<(Vec<Orbit<N>>, Vec<String>), Refusal> {
         let (starts, eps) = (self.starts()?, self.eps()?);
         let total = self.points(starts.len())?;
@@ -72,9 +91,19 @@ impl Subject<'_> {
         let mut orbits = Vec::new();
         for start in starts.iter().take_while(|_| !pace.is_over()) {
             let mut orbit = Vec::new();
-            let made = pace.follow(&map, &rounded(start), (0, self.asked.steps), |n, x| {
-                orbit.push(coordinates.map(|coordinate| coordinate.of(n as f64 * time_step, x)));
-            });
+            let mut show = |n: f64, x: &[f64]| {
+                orbit.push(coordinates.map(|coordinate| coordinate.of(n * time_step, x)));
+            };
+            let (start, steps) = (rounded(start), (0, self.asked.steps));
+            let made = match plane {
+                None => pace.follow(&map, &start, steps, |n, x| show(n as f64, x)),
+                Some(plane) => {
+                    let show =
+                        |at: Crossing<RuntimePoint<f64>, f64>| show(at.step as f64 + at.part, &at.point);
+                    let mut crossings = Crossings::new(&map, height(&map, plane), Direction::Rising, show);
+                    pace.follow(&map, &start, steps, |n, x| crossings.observe(n, x))
+                }
+            };
             ended += usize::from(made <= self.asked.steps);
             orbits.push(orbit);
         }

@@ -10,7 +10,7 @@ use super::paste::rust_of;
 use crate::reading::Block;
 
 /// What was measured, and on what.
-pub(super) struct Comparison<'a> {
+pub(in super::super) struct Comparison<'a> {
     pub(super) name: &'a str,
     pub(super) block: &'a Block,
     pub(super) subject: Subject<'a>,
@@ -26,7 +26,7 @@ impl Comparison<'_> {
         }
     }
 
-    pub(super) fn title(&self) -> String {
+    pub(in super::super) fn title(&self) -> String {
         let point: Vec<String> = self.subject.start.iter().map(ToString::to_string).collect();
         format!("{} from ({}) over {} units of time", self.name, point.join(", "), self.scene.horizon())
     }
@@ -40,7 +40,7 @@ impl Comparison<'_> {
         self.trade.settings.iter().min_by(|a, b| a.error().total_cmp(&b.error()))
     }
 
-    pub(super) fn complaint(&self) -> Option<String> {
+    pub(in super::super) fn complaint(&self) -> Option<String> {
         if self.choice().is_some() {
             return None;
         }

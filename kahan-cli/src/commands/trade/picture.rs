@@ -1,62 +1,63 @@
 //! The work–precision picture: price against error, a line for each order in doubles, small dots
 //! for other scalars and for compensation, the front above all.
 
-use crate::plot::{Mark, NumberLine, Plot, Series, Sheet, Side, Theme};
+use super::comparison::Comparison;
+use crate::plot::{Drawing, Mark, NumberLine, Plot, Series, Side};
 
-use kahan_core::{Need, Precision, Scene};
-use kahan_measure::trade::{Measured, Trade};
+use kahan_core::Precision;
+use kahan_measure::trade::Measured;
 
 /// Width and height of the view box.
-const SIZE: (f64, f64) = (720.0, 480.0);
+pub(super) const SIZE: (f64, f64) = (720.0, 480.0);
 
-/// The picture as a file of its own, in SVG; `title` says what was measured.
-pub(super) fn picture(trade: &Trade, title: &str, scene: &Scene) -> String {
-    let what = match scene.need() {
-        Need::Trajectory => "trajectory error",
-        Need::Integrals => "drift of integrals",
-    };
-    let shown: Vec<&Measured> = trade.settings.iter().filter(is_shown).collect();
-    let points = |chosen: &dyn Fn(&Measured) -> bool| -> Vec<(f64, f64)> {
-        shown.iter().filter(|setting| chosen(setting)).map(|measured| place(measured)).collect()
-    };
-    let mut series = Vec::new();
-    let mut schemes: Vec<_> = shown.iter().map(|measured| measured.setting.scheme()).collect();
-    schemes.sort_by_key(|scheme| (scheme.order(), scheme.precision.name(), scheme.compensated));
-    schemes.dedup();
-    for scheme in schemes {
-        // One label an order, at the line of plain doubles; other scalars of the order share its
-        // colour.
-        let (label, mark) = match (scheme.precision, scheme.compensated) {
-            (Precision::Double, false) => (format!("order {}", scheme.order()), Mark::Both),
-            (Precision::DoubleDouble, false) => (format!("order {}, dd", scheme.order()), Mark::Both),
-            _ => (String::new(), Mark::Points),
+impl Comparison<'_> {
+    /// Every setting that was measured.
+    pub(in super::super) fn picture(&self) -> Drawing {
+        let what = self.error_name();
+        let shown: Vec<&Measured> = self.trade.settings.iter().filter(is_shown).collect();
+        let points = |chosen: &dyn Fn(&Measured) -> bool| -> Vec<(f64, f64)> {
+            shown.iter().filter(|setting| chosen(setting)).map(|measured| place(measured)).collect()
         };
-        let colour = ORDER_COLOURS[scheme.order() as usize / 2 % ORDER_COLOURS.len()];
-        let mut points = points(&|measured| measured.setting.scheme() == scheme);
-        points.sort_by(|one, other| one.0.total_cmp(&other.0));
-        series.push(Series::new(&label, colour, mark, points));
+        let mut series = Vec::new();
+        let mut schemes: Vec<_> = shown.iter().map(|measured| measured.setting.scheme()).collect();
+        schemes.sort_by_key(|scheme| (scheme.order(), scheme.precision.name(), scheme.compensated));
+        schemes.dedup();
+        for scheme in schemes {
+            // One label an order, at the line of plain doubles; other scalars of the order share its
+            // colour.
+            let (label, mark) = match (scheme.precision, scheme.compensated) {
+                (Precision::Double, false) => (format!("order {}", scheme.order()), Mark::Both),
+                (Precision::DoubleDouble, false) => (format!("order {}, dd", scheme.order()), Mark::Both),
+                _ => (String::new(), Mark::Points),
+            };
+            let colour = ORDER_COLOURS[scheme.order() as usize / 2 % ORDER_COLOURS.len()];
+            let mut points = points(&|measured| measured.setting.scheme() == scheme);
+            points.sort_by(|one, other| one.0.total_cmp(&other.0));
+            series.push(Series::new(&label, colour, mark, points));
+        }
+        series.push(Series::new("", 6, Mark::Line, points(&|measured| measured.on_front)));
+        if let Some(choice) = self.choice() {
+            let points = points(&|measured| measured == choice);
+            series.push(Series { side: Side::Left, ..Series::new("choice", 4, Mark::Dots, points) });
+        }
+        let level = (self.scene.tolerance().log10(), "tolerance".to_owned());
+        let places = || shown.iter().map(|measured| place(measured));
+        let plot = Plot {
+            description: format!(
+                "{}: {what} against nanoseconds per unit of simulated time, both as decimal logarithms",
+                self.title()
+            ),
+            size: SIZE,
+            x: NumberLine::around(
+                "log10 of nanoseconds per unit of time; small dots: other scalars than f64",
+                places().map(|(x, _)| x),
+            ),
+            y: NumberLine::around(&format!("log10 of {what}"), places().map(|(_, y)| y).chain([level.0])),
+            levels: vec![level],
+            series,
+        };
+        plot.drawing()
     }
-    series.push(Series::new("", 6, Mark::Line, points(&|measured| measured.on_front)));
-    if let Some(choice) = trade.choice.map(|choice| &trade.settings[choice]) {
-        let points = points(&|measured| measured == choice);
-        series.push(Series { side: Side::Left, ..Series::new("choice", 4, Mark::Dots, points) });
-    }
-    let level = (scene.tolerance().log10(), "tolerance".to_owned());
-    let places = || shown.iter().map(|measured| place(measured));
-    let plot = Plot {
-        description: format!(
-            "{title}: {what} against nanoseconds per unit of simulated time, both as decimal logarithms"
-        ),
-        size: SIZE,
-        x: NumberLine::around(
-            "log10 of nanoseconds per unit of time; small dots: other scalars than f64",
-            places().map(|(x, _)| x),
-        ),
-        y: NumberLine::around(&format!("log10 of {what}"), places().map(|(_, y)| y).chain([level.0])),
-        levels: vec![level],
-        series,
-    };
-    plot.drawing().svg(&Sheet { pixels: (SIZE.0 as u32, SIZE.1 as u32), theme: Theme::Viewer })
 }
 
 /// The colour of each order: 2, 4, 6, 8.

@@ -6,7 +6,7 @@ use kahan_measure::trade::Measured;
 
 use super::comparison::Comparison;
 use super::paste::rust_of;
-use crate::printing::layout::table;
+use crate::printing::layout::{Rows, table};
 
 /// Steps beyond which a badly rounded ε shows as a linear drift.
 const LONG_RUN: u64 = 100_000;
@@ -22,18 +22,10 @@ impl Comparison<'_> {
             format!("{}: need {}, tolerance {:e}", self.title(), self.need_name(), self.scene.tolerance()),
             String::new(),
         ];
-        lines.extend(self.front());
+        lines.extend(table(&self.front(), 3));
         lines.push(String::new());
-        if let Some(choice) = self.choice() {
-            lines.push(format!(
-                "choice     {}, eps = {:?}: {} ns per unit of time, {} {:.1e}",
-                choice.setting.scheme(),
-                choice.setting.eps(),
-                price(choice),
-                self.error_name(),
-                choice.error()
-            ));
-            let rust = rust_of(self, &choice.setting);
+        if let Some([chosen, rust]) = self.chosen() {
+            lines.push(format!("choice     {chosen}"));
             lines.extend(rust.lines().map(|line| format!("           {line}")));
         }
         lines.extend(self.out_of_reach());
@@ -41,7 +33,21 @@ impl Comparison<'_> {
         lines.join("\n") + "\n"
     }
 
-    fn error_name(&self) -> &'static str {
+    /// The choice in words, and as Rust to paste.
+    pub(in super::super) fn chosen(&self) -> Option<[String; 2]> {
+        let choice = self.choice()?;
+        let words = format!(
+            "{}, eps = {:?}: {} ns per unit of time, {} {:.1e}",
+            choice.setting.scheme(),
+            choice.setting.eps(),
+            price(choice),
+            self.error_name(),
+            choice.error()
+        );
+        Some([words, rust_of(self, &choice.setting)])
+    }
+
+    pub(super) fn error_name(&self) -> &'static str {
         match self.scene.need() {
             Need::Trajectory => "trajectory error",
             Need::Integrals => "drift of integrals",
@@ -49,7 +55,7 @@ impl Comparison<'_> {
     }
 
     /// A row for each setting on the front, the cheapest first.
-    fn front(&self) -> Vec<String> {
+    pub(in super::super) fn front(&self) -> Rows {
         let header = [
             "scalar",
             "order",
@@ -74,7 +80,7 @@ impl Comparison<'_> {
                 error(measured.return_error),
             ]
         }));
-        table(&rows, 3)
+        rows
     }
 
     /// The schemes that cannot reach the tolerance, with the best they reached.

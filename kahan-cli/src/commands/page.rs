@@ -1,0 +1,223 @@
+//! `kahan page`: one page on one field. Each figure is what another command draws, and is shown with
+//! the call that makes it again.
+
+mod figures;
+mod findings;
+mod line;
+mod scene;
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+use kahan_runtime::Field;
+use maud::{Markup, html};
+
+use super::atlas::{index_in, today};
+use crate::document::{Making, colophon, document, readable};
+use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::reading::{Block, Source, coordinates, number, seconds};
+
+use figures::{Subject, command};
+use line::Line;
+use scene::Scene;
+
+/// Writes one page on one field: formulas, findings with proofs, figures, exponents, settings.
+///
+/// The page is DIR/index.html. It shows the field, A, b, the map and its Jacobian; what
+/// `kahan discover` finds; what becomes of singularities, and heights of an exact orbit; orbits, a
+/// section, exponents, a stability map; and the cheapest settings of `kahan trade`. Under each figure
+/// stands the command that makes it again. What is not given is chosen: eps as the rates of the
+/// field allow, and a first point whose orbit stays. A parameter without a value is generic in the
+/// search, and has the catalog's value in the figures.
+///
+/// The page needs no network and no script. It appears whole or not at all, in place of an older
+/// one. What cannot be made is left out, and the page says why.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Page {
+    #[command(flatten)]
+    source: Source,
+
+    /// Half the time step of the figures.
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    eps: Option<String>,
+
+    /// The first point of the figures, its coordinates separated by commas.
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    at: Option<String>,
+
+    /// About the time that it may take.
+    #[arg(long, value_name = "S", default_value = "40", allow_hyphen_values = true, value_parser = seconds)]
+    seconds: f64,
+
+    /// The folder for index.html; it is made if it is not there.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan page e6 --out e6 --seconds 5
+  kahan page --field 'xdot = y; ydot = 6*x^2 - a;' --param a=1 --seconds 5 --out weierstrass
+  kahan page lorenz --eps 1/500 --at 1,1,1 --seconds 5 --out lorenz";
+
+impl Page {
+    /// Where the page is.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let clock = Instant::now();
+        let path = index_in(&self.out)?;
+        // Whether the file can be written shows before the work begins.
+        drop(Sink::file(&path, "--out")?);
+        let block = self.source.required_block()?;
+        let system = block.system()?;
+        let name = block.name(&system);
+        let source = self.with_values(&block, &system);
+        let parameters = source.parameter_values(&system, &name)?;
+        let scene = self.scene(&system, &parameters)?;
+        let (words, generic) = (source.words(&block), self.source.words(&block));
+        let subject = Subject {
+            words: &words,
+            generic: &generic,
+            variables: &system.field.symbols.states,
+            scene: &scene,
+            seconds: self.seconds,
+        };
+        let chapters = chapters(&subject, &block, &system);
+        let page =
+            Written { name: &name, block: &block, system: &system, parameters: &parameters, scene: &scene };
+        let again = self.line(&block);
+        let making = Making { date: today(), seconds: clock.elapsed().as_secs_f64() };
+        let text = page.document(&chapters, &again, &making);
+        Sink::file(&path, "--out")?.put(&text)?;
+        Ok(Answer::text(format!(
+            "{} written: {:.2} MB, {:.1} s\n",
+            path.display(),
+            text.len() as f64 / 1e6,
+            clock.elapsed().as_secs_f64()
+        )))
+    }
+
+    /// The source with the catalog's values of the parameters that none was given for.
+    fn with_values(&self, block: &Block, system: &System) -> Source {
+        let values = block.entry.map_or(&[][..], |entry| entry.parameters);
+        let names = system.field.symbols.parameters.iter();
+        let known = self.source.known_parameters(system, "").unwrap_or_default();
+        let missing = names.zip(values).zip(known).filter(|(_, given)| given.is_none());
+        missing.fold(self.source.clone(), |source, ((name, (above, below)), _)| {
+            source.with_parameter(name, &Rational::new(*above, *below))
+        })
+    }
+
+    fn scene(&self, system: &System, parameters: &[Rational]) -> Result<Scene, Refusal> {
+        let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
+        let at = self.at.as_deref().map(|at| coordinates(at, &system.field.symbols.states)).transpose()?;
+        Scene::of(&Field::of(system), parameters, eps.as_ref(), at.as_deref())
+    }
+
+    /// The call that writes the page.
+    fn line(&self, block: &Block) -> Line {
+        let given = [("--eps", &self.eps), ("--at", &self.at)];
+        let line =
+            given.into_iter().fold(Line::new("page", &self.source.words(block)), |line, (option, value)| {
+                match value {
+                    Some(value) => line.with(option, value),
+                    None => line,
+                }
+            });
+        line.with("--seconds", self.seconds).with("--out", self.out.display())
+    }
+}
+
+/// A part of the page.
+struct Chapter {
+    id: &'static str,
+    title: &'static str,
+    body: Markup,
+}
+
+/// All parts, one after the other.
+fn chapters(subject: &Subject<'_>, block: &Block, system: &System) -> Vec<Chapter> {
+    type Make<'a> = Box<dyn Fn() -> Markup + 'a>;
+    let parts: [(&str, &str, Make<'_>); 7] = [
+        ("formulas", "Formulas", Box::new(|| findings::formulas(subject, block, system))),
+        ("found", "What the map preserves", Box::new(|| findings::found(subject))),
+        ("growth", "Singularities and heights", Box::new(|| subject.growth())),
+        ("orbits", "Orbits", Box::new(|| subject.orbits())),
+        ("dynamics", "Exponents and rotation", Box::new(|| subject.dynamics())),
+        ("stability", "Stability", Box::new(|| subject.map())),
+        ("settings", "The cheapest settings", Box::new(|| subject.settings())),
+    ];
+    let progress = Progress::stages();
+    let chapters = parts.map(|(id, title, make)| {
+        progress.say(title);
+        Chapter { id, title, body: make() }
+    });
+    progress.finish();
+    chapters.into()
+}
+
+/// What the page is about.
+struct Written<'a> {
+    name: &'a str,
+    block: &'a Block,
+    system: &'a System,
+    parameters: &'a [Rational],
+    scene: &'a Scene,
+}
+
+impl Written<'_> {
+    fn document(&self, chapters: &[Chapter], again: &Line, making: &Making) -> String {
+        let title = self
+            .block
+            .entry
+            .map_or_else(|| self.own_title(), |entry| format!("{} and its Kahan map", entry.name));
+        let body = html! {
+            header {
+                h1 { (title) }
+                (self.introduction())
+                (command(again))
+            }
+            nav aria-label="Contents" {
+                h2 { "Contents" }
+                ol { @for chapter in chapters { li { a href=(format!("#{}", chapter.id)) { (chapter.title) } } } }
+            }
+            main {
+                @for chapter in chapters { section id=(chapter.id) { h2 { (chapter.title) } (chapter.body) } }
+            }
+            (colophon(making, &html! { code { (again) } }))
+        };
+        document(&title, ("formulas", "the formulas"), &body)
+    }
+
+    fn own_title(&self) -> String {
+        if self.system.header.is_some() {
+            format!("{} and its Kahan map", self.name)
+        } else {
+            "A field and its Kahan map".to_owned()
+        }
+    }
+
+    fn introduction(&self) -> Markup {
+        let names = self.system.field.symbols.parameters.iter();
+        let values: Vec<String> =
+            names.zip(self.parameters).map(|(name, value)| format!("{name} = {value}")).collect();
+        let start: Vec<String> = self.scene.start.iter().map(ToString::to_string).collect();
+        html! {
+            @if let Some(entry) = self.block.entry { p.lead { (readable(entry.title)) } }
+            p.lead {
+                "Kahan’s method turns this quadratic differential equation into a rational map that can be run forwards and "
+                "backwards. All that stands here was computed from the equations when the page was written, and under each figure "
+                "stands the command that makes it again."
+            }
+            p {
+                "The figures are at ε = " (self.scene.eps) ", half the time step, and begin at (" (start.join(", ")) ")"
+                @if !values.is_empty() { ", with " (values.join(", ")) }
+                "."
+                @if !self.scene.stays { " This orbit does not stay: it reaches a pole or grows beyond a thousand times its first size." }
+            }
+        }
+    }
+}

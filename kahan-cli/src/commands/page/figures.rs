@@ -1,0 +1,272 @@
+//! The figures of a page. Each is what one call of the command draws or tabulates, and is shown
+//! with that call.
+
+use clap::{Args, FromArgMatches};
+use kahan_algebra::rational::Rational;
+use maud::{Markup, html};
+
+use super::super::dynamics::Dynamics;
+use super::super::map::StabilityMap;
+use super::super::picture::Picture;
+use super::super::poles::Poles;
+use super::super::trade::Trade;
+use super::line::Line;
+use super::scene::Scene;
+use crate::document::rows;
+use crate::plot::Drawing;
+use crate::printing::Refusal;
+
+/// What the figures are of.
+pub(super) struct Subject<'a> {
+    /// The words that name the system with the values of its parameters.
+    pub(super) words: &'a [String],
+    /// Those that name it with what was given only.
+    pub(super) generic: &'a [String],
+    pub(super) variables: &'a [String],
+    pub(super) scene: &'a Scene,
+    /// The time that the page may take.
+    pub(super) seconds: f64,
+}
+
+/// Shares of the time.
+const POLES: f64 = 0.1;
+const HEIGHTS: f64 = 0.06;
+const PICTURE: f64 = 0.06;
+const TRADE: f64 = 0.25;
+
+impl Subject<'_> {
+    fn line(&self, command: &'static str) -> Line {
+        Line::new(command, self.words)
+    }
+
+    /// The system at ε, from the first point.
+    fn one_orbit(&self, command: &'static str) -> Line {
+        self.line(command).with("--eps", &self.scene.eps).with("--at", point(&self.scene.start))
+    }
+
+    /// So many seconds, of which the page has this share.
+    pub(super) fn share(&self, share: f64) -> String {
+        format!("{:.1}", (share * self.seconds).max(0.1))
+    }
+
+    /// What becomes of singularities, and of the heights of an exact orbit.
+    pub(super) fn growth(&self) -> Markup {
+        let poles = Line::new("poles", self.generic).with("--seconds", self.share(POLES));
+        let heights = self.one_orbit("picture").with("--steps", 400).with("--kind", "heights");
+        let heights = heights.with("--seconds", self.share(HEIGHTS)).with("--out", "heights.svg");
+        html! {
+            (made(&poles, |poles: Poles| {
+                let table = poles.table()?;
+                Ok(if table.len() > 1 {
+                    rows("Curves that the map sends to infinity or blows down, and whether what is lost comes back", &table)
+                } else {
+                    html! { p { "The map sends no curve to infinity and blows none down." } }
+                })
+            }))
+            (self.picture("heights", "Heights of an exact orbit", &heights, &html! {
+                "The logarithmic height of a fraction is about 2.3 times the number of its digits. A straight line is growth like "
+                "a power of the number of steps; where the axis below is n, growth is exponential."
+            }))
+        }
+    }
+
+    /// Orbits in space or in the plane, in time, and where they cross a plane.
+    pub(super) fn orbits(&self) -> Markup {
+        let portrait =
+            self.many_orbits("picture").with("--steps", if self.variables.len() == 1 { 200 } else { 4000 });
+        let portrait = portrait.with("--seconds", self.share(PICTURE)).with("--out", "portrait.svg");
+        let first = &self.variables[0];
+        let time = self
+            .one_orbit("picture")
+            .with("--axes", format!("t,{first}"))
+            .with("--steps", 400)
+            .with_flag("--lines");
+        let time = time.with("--out", "time.svg");
+        html! {
+            (self.picture("portrait", "Orbits", &portrait, &html! { "Five first points, where there is room for them." }))
+            (self.picture("time", &format!("{first} over time"), &time, &html! { "The first orbit; a step takes the time 2ε." }))
+            @if self.variables.len() > 2 {
+                @let plane = self.plane();
+                @let section = self.many_orbits("picture").with("--plane", &plane).with("--steps", 200_000);
+                @let section = section.with("--seconds", self.share(PICTURE)).with("--out", "section.svg");
+                (self.picture("section", "A section", &section, &html! {
+                    "Where the orbits cross " code { (plane) " = 0" } " upwards. Curves are orbits on surfaces; areas are chaos."
+                }))
+            }
+        }
+    }
+
+    /// Exponents, indicators, rotation numbers, drift.
+    pub(super) fn dynamics(&self) -> Markup {
+        let line = self.one_orbit("dynamics").with("--steps", self.steps());
+        let captions = [
+            "Lyapunov exponents, per unit of time",
+            "Indicators",
+            "Extremes and rotation",
+            "Drift of the integrals",
+        ];
+        made(&line, |dynamics: Dynamics| {
+            let (tables, complaint) = dynamics.tables()?;
+            Ok(html! {
+                @for (table, caption) in tables.iter().zip(captions) { (rows(caption, table)) }
+                @if let Some(complaint) = complaint { p.missing { (complaint) } }
+            })
+        })
+    }
+
+    /// Which orbits are chaotic.
+    pub(super) fn map(&self) -> Markup {
+        let cells = self.cells();
+        let mut line = self.one_orbit("map").with("--over", self.range(0, cells));
+        line = match self.variables.len() {
+            1 => line.with("--over", format!("eps=0:{}:{cells}", decimal(2.0 * self.scene.eps.to_f64()))),
+            _ => line.with("--over", self.range(1, cells)),
+        };
+        let line = line.with("--steps", 1000).with("--color", "fli").with("--out", "map.svg");
+        figure(
+            "map",
+            "A stability map",
+            &line,
+            drawn(&line, |map: StabilityMap| Ok((map.drawn()?, Vec::new()))),
+            &html! {
+                "Each cell is an orbit of its own. The fast Lyapunov indicator grows like log n where motion is regular, and like n "
+                "where it is chaotic; a cell is empty where its orbit leaves the range of doubles."
+            },
+        )
+    }
+
+    /// The cheapest settings on a scene like that of the figures.
+    pub(super) fn settings(&self) -> Markup {
+        /// Steps of the figures that the horizon takes.
+        const STEPS: f64 = 400.0;
+        let horizon = decimal(2.0 * self.scene.eps.to_f64() * STEPS);
+        let line = self.line("trade").with("--at", point(&self.scene.start)).with("--horizon", horizon);
+        let line =
+            line.with("--tolerance", "1e-8").with("--seconds", self.share(TRADE)).with("--out", "trade.svg");
+        made(&line, |trade: Trade| {
+            trade.compared(|comparison| html! {
+            figure #trade {
+                div.drawings { (comparison.picture().inline()) }
+                figcaption { p { "Each dot is a setting: its price on this machine, and its error against a trajectory in 32 digits." } }
+            }
+            @match comparison.chosen() {
+                Some([words, rust]) => { p { "The cheapest that does: " (words) "." } pre { code { (rust) } } },
+                None => p.missing { (comparison.complaint().unwrap_or_default()) },
+            }
+            (rows("Settings that no other one beats in price and error together", &comparison.front()))
+        })
+        })
+    }
+
+    /// A picture of `kahan picture`.
+    fn picture(&self, id: &str, title: &str, line: &Line, words: &Markup) -> Markup {
+        let picture = drawn(line, |picture: Picture| {
+            let (_, drawn) = picture.drawn()?;
+            Ok((drawn.drawing, drawn.notes))
+        });
+        figure(id, title, line, picture, words)
+    }
+
+    /// The steps of exponents, fewer where there are many variables, each with its tangent vector.
+    fn steps(&self) -> usize {
+        let variables = self.variables.len();
+        if variables <= 4 { 20_000 } else { (320_000 / (variables * variables)).max(1000) }
+    }
+
+    /// Cells of a stability map in a row: their number grows with the time that there is, and falls
+    /// with the number of variables.
+    fn cells(&self) -> usize {
+        let many = (4.0 / self.variables.len() as f64).min(1.0);
+        (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize
+    }
+
+    /// The system at ε, from points between the first and the middle of its orbit.
+    fn many_orbits(&self, command: &'static str) -> Line {
+        let Scene { start, extremes, .. } = self.scene;
+        let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
+            let (start, middle) = (start.to_f64(), 0.5 * (low + high));
+            decimal(start + 0.6 * (middle - start))
+        });
+        let nearer: Vec<String> = nearer.collect();
+        let line = self.line(command).with("--eps", &self.scene.eps);
+        line.with("--at", format!("{}..{}", point(start), nearer.join(","))).with("--starts", 5)
+    }
+
+    /// The third variable at the middle of its orbit.
+    fn plane(&self) -> String {
+        let [low, high] = self.scene.extremes[2];
+        let middle = decimal(0.5 * (low + high));
+        match middle.strip_prefix('-') {
+            Some(size) => format!("{} + {size}", self.variables[2]),
+            None if middle == "0" => self.variables[2].clone(),
+            None => format!("{} - {middle}", self.variables[2]),
+        }
+    }
+
+    /// A variable over what its orbit takes, and a tenth more on either side.
+    fn range(&self, k: usize, cells: usize) -> String {
+        let [low, high] = self.scene.extremes[k];
+        let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-3);
+        format!("{}={}:{}:{cells}", self.variables[k], decimal(low - room), decimal(high + room))
+    }
+}
+
+/// What a line makes, with the line below it; where there is none, why.
+fn made<A: Args + FromArgMatches>(line: &Line, make: impl FnOnce(A) -> Result<Markup, Refusal>) -> Markup {
+    let made = line.read().and_then(make);
+    html! {
+        @match made {
+            Ok(made) => (made),
+            Err(refusal) => p.missing { "Left out: " (refusal.message()) },
+        }
+        (command(line))
+    }
+}
+
+/// The drawing that a line makes, and what there is to say of it.
+fn drawn<A: Args + FromArgMatches>(
+    line: &Line,
+    draw: impl FnOnce(A) -> Result<(Drawing, Vec<String>), Refusal>,
+) -> Result<(Drawing, Vec<String>), Refusal> {
+    line.read().and_then(draw)
+}
+
+fn figure(
+    id: &str,
+    title: &str,
+    line: &Line,
+    drawn: Result<(Drawing, Vec<String>), Refusal>,
+    words: &Markup,
+) -> Markup {
+    html! {
+        figure.single id=(id) {
+            h3 { (title) }
+            @match drawn {
+                Ok((drawing, notes)) => {
+                    div.drawings { (drawing.inline()) }
+                    figcaption {
+                        p { (words) }
+                        @for note in notes { p.data { (note) "." } }
+                    }
+                },
+                Err(refusal) => p.missing { "Left out: " (refusal.message()) },
+            }
+            (command(line))
+        }
+    }
+}
+
+/// How to make it again.
+pub(super) fn command(line: &Line) -> Markup {
+    html! { pre.command tabindex="0" { code { (line) } } }
+}
+
+fn point(start: &[Rational]) -> String {
+    start.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
+}
+
+/// Three digits, as one writes them: 12.3, -0.05, 400.
+fn decimal(value: f64) -> String {
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    if rounded == 0.0 { "0".to_owned() } else { rounded.to_string() }
+}

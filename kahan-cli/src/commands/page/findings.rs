@@ -1,0 +1,98 @@
+//! The formulas of a page: what is derived from the field, what is claimed of it, and what
+//! `kahan discover` found.
+
+use kahan_algebra::render::{condition_text, latex_matrix};
+use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::{Claim, System};
+use maud::{Markup, html};
+
+use super::super::discover::{Discover, Discovery};
+use super::figures::{Subject, command};
+use super::line::Line;
+use crate::document::{LINE, derived, display, readable, rows, statements};
+use crate::reading::Block;
+
+/// The share of the time that the search has.
+const SHARE: f64 = 0.35;
+/// Larger matrices are no reading.
+const MOST_VARIABLES: usize = 8;
+
+/// Field, A, b, map and Jacobian, and the claims that come with the field.
+pub(super) fn formulas(subject: &Subject<'_>, block: &Block, system: &System) -> Markup {
+    let line = Line::new("show", subject.generic).with_flag("--latex");
+    html! {
+        @if system.field.dimension() <= MOST_VARIABLES {
+            (derived(system))
+            h4 { "Jacobian" }
+            (display(
+                "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
+                 \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
+                 \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}",
+                LINE,
+            ))
+        } @else {
+            p { (system.field.dimension()) " variables have formulas too long for a page; the command below writes them." }
+        }
+        @if !system.claims.is_empty() {
+            h4 { "What is claimed, and proved" }
+            @for claim in &system.claims {
+                (stated(system, claim, block.entry.and_then(|entry| entry.source(&claim.name.text))))
+            }
+        }
+        (command(&line))
+    }
+}
+
+/// What the map preserves, found from the equations alone.
+pub(super) fn found(subject: &Subject<'_>) -> Markup {
+    let line = Line::new("discover", subject.generic).with("--seconds", subject.share(SHARE));
+    let discovery = line.read().and_then(|discover: Discover| discover.discovery());
+    html! {
+        @match discovery.and_then(|discovery| Ok((discovery.claimed()?, discovery))) {
+            Ok((claimed, discovery)) => (findings(&claimed, &discovery)),
+            Err(refusal) => p.missing { "Left out: " (refusal.message()) },
+        }
+        (command(&line))
+    }
+}
+
+fn findings(claimed: &System, discovery: &Discovery) -> Markup {
+    let report = &discovery.report;
+    let numbers = discovery.head().into_iter().map(|row| row.to_vec());
+    let numbers: Vec<Vec<String>> =
+        [["what", "found"].map(str::to_owned).to_vec()].into_iter().chain(numbers).collect();
+    html! {
+        @if claimed.claims.is_empty() {
+            p { "No integral, density or bracket was found." }
+        } @else {
+            p { "Each formula was proved when this page was written." }
+            @for claim in &claimed.claims { (stated(claimed, claim, None)) }
+        }
+        @if let Some(hamiltonian) = &report.structure.hamiltonian {
+            p { "The flow is Hamiltonian: f = K ∇H with a constant antisymmetric K." }
+            (display(&format!("K = {}", latex_matrix("pmatrix", &hamiltonian.tensor, LINE)), LINE))
+        }
+        ul { @for sentence in &report.sentences { li { (readable(sentence)) } } }
+        (rows("Numbers of the search", &numbers))
+    }
+}
+
+/// One claim, with its kind, its condition and its source.
+fn stated(system: &System, claim: &Claim, source: Option<&str>) -> Markup {
+    let kind = match claim.kind {
+        ClaimKind::Integral => "Integral",
+        ClaimKind::Density => "Invariant density",
+        ClaimKind::Bracket => "Invariant Poisson bracket",
+    };
+    let condition = condition_text(system, claim);
+    html! {
+        div.preserved {
+            p.source {
+                (kind)
+                @if !condition.is_empty() { ", when " (readable(&condition)) }
+                @if let Some(source) = source { "; " (readable(source)) }
+            }
+            (statements(claim))
+        }
+    }
+}
