@@ -62,6 +62,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let forward = constants(eps.clone()).ok_or(LatticeError::Undefined)?;
         let backward = constants(-eps.clone()).ok_or(LatticeError::Undefined)?;
         let is_ring = M::BOUNDARY == Boundary::Periodic;
+        // A chain in parts is eliminated as a whole where a part meets too small a pivot.
+        let folded = if plan.is_some() { Folded::rarely } else { Folded::new };
         Ok(Self {
             forward,
             backward,
@@ -70,9 +72,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
             eps,
             sites,
             site: Site::of::<M::Shape>(),
+            folded: folded(sites * M::Shape::BLOCK, is_ring, M::Shape::LOWER, M::Shape::UPPER),
             parts: plan.map(|plan| InParts::new::<M::Shape>(plan, M::BOUNDARY)),
             whole_eliminations: 0,
-            folded: Folded::new(sites * M::Shape::BLOCK, is_ring, M::Shape::LOWER, M::Shape::UPPER),
         })
     }
 

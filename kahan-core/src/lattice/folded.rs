@@ -5,6 +5,9 @@
 //! ring pressed flat. Only what back-substitution reads is stored, U and the right-hand side; the
 //! rows that may still become pivots stand in a window that moves along. Entries are added, so that
 //! a ring shorter than its band, where two couplings meet in one entry, is right as well.
+//!
+//! Where the elimination is rarely needed its memory is small: U is kept for one stretch of the
+//! chain, and the window at the beginning of each; going back, a stretch is eliminated once more.
 
 use std::vec;
 use std::vec::Vec;
@@ -48,11 +51,15 @@ pub struct Folded<T> {
     lower: usize,
     /// The entries of a row from its pivot on: `lower` + 1 + `upper`.
     width: usize,
+    /// How many places are done before U begins anew.
+    stretch: usize,
     /// The rows from the current one on, `lower` + 1 of them, each from the current place on, and
     /// its right-hand side last.
     window: Vec<T>,
-    /// The rows that are done, place by place, as in the window.
+    /// The rows of a stretch that are done, place by place, as in the window.
     done: Vec<T>,
+    /// The window at the beginning of each stretch.
+    begun: Vec<T>,
     /// What is solved for, unknown by unknown.
     solution: Vec<T>,
 }
@@ -83,29 +90,70 @@ impl<T: Scalar> Row<'_, T> {
 impl<T: Scalar> Folded<T> {
     /// For a band that reaches so far to the left and right, closed to a ring or not.
     pub fn new(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
+        Self::in_stretches(len, is_ring, lower, upper, len)
+    }
+
+    /// The same with little memory, and about twice the work of a long chain: for eliminations that
+    /// are the exception.
+    pub(super) fn rarely(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
+        /// Windows that a stretch has the length of.
+        const WINDOWS: usize = 64;
+        let window = 2 * lower.max(upper) + 1;
+        Self::in_stretches(len, is_ring, lower, upper, WINDOWS * window)
+    }
+
+    fn in_stretches(len: usize, is_ring: bool, lower: usize, upper: usize, stretch: usize) -> Self {
         let farthest = 2 * lower.max(upper);
         let (order, lower, upper) =
             if is_ring { (Order::Folded, farthest, farthest) } else { (Order::Natural, lower, upper) };
         // No row reaches beyond the system.
         let (lower, upper) = (lower.min(len - 1), upper.min(len - 1));
-        let width = (lower + 1 + upper).min(len);
+        let (width, stretch) = ((lower + 1 + upper).min(len), stretch.min(len));
+        let window = (lower + 1) * (width + 1);
         Self {
             order,
             len,
             lower,
             width,
-            window: vec![T::zero(); (lower + 1) * (width + 1)],
-            done: vec![T::zero(); len * (width + 1)],
+            stretch,
+            window: vec![T::zero(); window],
+            done: vec![T::zero(); stretch * (width + 1)],
+            begun: vec![T::zero(); len.div_ceil(stretch).saturating_sub(1) * window],
             solution: vec![T::zero(); len],
         }
     }
 
     /// The solution of the system whose row of an unknown `write` adds to one of zeros; `None`
     /// where an exact scalar has no pivot.
+    ///
+    /// A row may be asked for twice.
     pub fn solve(&mut self, mut write: impl FnMut(usize, &mut Row<'_, T>)) -> Option<&[T]> {
+        let (stretch, window) = (self.stretch, self.window.len());
+        let last = (self.len - 1) / stretch;
+        for index in 0..last {
+            self.begun[index * window..][..window].clone_from_slice(&self.window);
+            self.eliminate_stretch(index * stretch, &mut write)?;
+        }
+        self.eliminate_stretch(last * stretch, &mut write)?;
+        self.substitute(last * stretch);
+        for index in (0..last).rev() {
+            self.window.clone_from_slice(&self.begun[index * window..][..window]);
+            self.eliminate_stretch(index * stretch, &mut write)?;
+            self.substitute(index * stretch);
+        }
+        Some(&self.solution)
+    }
+
+    /// The places from this one on, as many as a stretch has.
+    fn eliminate_stretch(
+        &mut self,
+        begin: usize,
+        write: &mut impl FnMut(usize, &mut Row<'_, T>),
+    ) -> Option<()> {
         let stride = self.width + 1;
-        let mut rows = 0;
-        for place in 0..self.len {
+        // What the places before have written already.
+        let mut rows = if begin == 0 { 0 } else { self.len.min(begin + self.lower) };
+        for place in begin..self.len.min(begin + self.stretch) {
             // All rows that have an entry at this place; the window is full but near the end.
             while rows < self.len && rows <= place + self.lower {
                 let entries = &mut self.window[(rows - place) * stride..][..stride];
@@ -114,10 +162,9 @@ impl<T: Scalar> Folded<T> {
                 write(order.unknown(rows, len), &mut Row { order, len, first: place, entries });
                 rows += 1;
             }
-            self.eliminate(place, rows - place)?;
+            self.eliminate(place - begin, rows - place)?;
         }
-        self.substitute();
-        Some(&self.solution)
+        Some(())
     }
 
     /// What the last call solved for.
@@ -125,8 +172,8 @@ impl<T: Scalar> Folded<T> {
         &self.solution
     }
 
-    /// Eliminates a place from the rows of the window, of which the best becomes the pivot's and is
-    /// done; the others move up.
+    /// Eliminates a place of a stretch from the rows of the window, of which the best becomes the
+    /// pivot's and is done; the others move up.
     fn eliminate(&mut self, place: usize, rows: usize) -> Option<()> {
         let (width, stride) = (self.width, self.width + 1);
         let mut best = 0;
@@ -164,11 +211,11 @@ impl<T: Scalar> Folded<T> {
         Some(())
     }
 
-    /// From the last place to the first, with what is known of those after it.
-    fn substitute(&mut self) {
+    /// From the last place of a stretch to its first, with what is known of those after it.
+    fn substitute(&mut self, begin: usize) {
         let (width, stride) = (self.width, self.width + 1);
-        for place in (0..self.len).rev() {
-            let row = &self.done[place * stride..][..stride];
+        for place in (begin..self.len.min(begin + self.stretch)).rev() {
+            let row = &self.done[(place - begin) * stride..][..stride];
             let mut right = row[width].clone();
             for (k, entry) in row[1..width.min(self.len - place)].iter().enumerate().rev() {
                 let known = self.solution[self.order.unknown(place + 1 + k, self.len)].clone();
@@ -176,5 +223,54 @@ impl<T: Scalar> Folded<T> {
             }
             self.solution[self.order.unknown(place, self.len)] = right * row[0].clone();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use super::Folded;
+
+    /// A row of a band that asks for exchanges: no diagonal in every third row.
+    fn entry(row: usize, offset: isize) -> f64 {
+        if offset == 0 && row % 3 == 1 { 0.0 } else { ((row * 7 + 3) as f64 * 0.1 + offset as f64).sin() }
+    }
+
+    fn solved(folded: &mut Folded<f64>, len: usize, is_ring: bool, reach: isize) -> Vec<f64> {
+        let solution = folded.solve(|unknown, row| {
+            for offset in -reach..=reach {
+                let place = unknown as isize + offset;
+                if is_ring || (0..len as isize).contains(&place) {
+                    row.add(place.rem_euclid(len as isize) as usize, entry(unknown, offset));
+                }
+            }
+            row.add_right(1.0 + unknown as f64);
+        });
+        solution.unwrap().to_vec()
+    }
+
+    #[test]
+    fn stretches_change_no_bit() {
+        for (len, is_ring, reach) in [(1000, true, 1), (1000, false, 3), (777, true, 2), (40, true, 2)] {
+            let whole = solved(&mut Folded::new(len, is_ring, reach, reach), len, is_ring, reach as isize);
+            for stretch in [1, 7, 13, 64, 999] {
+                let mut folded = Folded::in_stretches(len, is_ring, reach, reach, stretch);
+                // The second call finds what the first left behind.
+                for _ in 0..2 {
+                    let parts = solved(&mut folded, len, is_ring, reach as isize);
+                    assert!(parts == whole, "{len} {is_ring} {reach} {stretch}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_rarely_needed_takes_a_number_or_two_an_unknown() {
+        let (len, reach) = (1_000_000, 17);
+        let folded = Folded::<f64>::rarely(len, true, reach, reach);
+        let numbers = [&folded.window, &folded.done, &folded.begun, &folded.solution].map(Vec::len);
+        // The solution, and a window of 2·17 + 1 rows of 4·17 + 2 numbers every 64·35 unknowns.
+        assert!(numbers.iter().sum::<usize>() < 3 * len, "{numbers:?}");
     }
 }

@@ -9,7 +9,7 @@ use kahan_core::observe::{
     Rotation, Sali, Section, Spectrum,
 };
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Ensemble, LatticeScalar};
+use kahan_core::{Composition, Ensemble, LatticeMap, LatticeScalar};
 use kahan_systems::{E1, E3, E6, E9, EulerTop, LotkaVolterra};
 use kahan_tests::random_systems::Dense6;
 
@@ -176,4 +176,48 @@ fn chains_allocate_nothing_once_they_are_made() {
         });
         assert_eq!(counted.count_total, 0, "{sites} sites");
     }
+}
+
+kahan! {
+    /// A ring whose band is as wide as chains of the tests get: 3·5 + 2 to either side.
+    struct Wide;
+    for i in periodic {
+        x[i]dot = x[i]*(x[i+1] - z[i-5]);
+        y[i]dot = y[i]*(x[i+2] - y[i-3]);
+        z[i]dot = z[i]*(x[i+5] - z[i-1]);
+    }
+}
+
+kahan! {
+    /// The narrowest ring.
+    struct Narrow;
+    for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
+}
+
+kahan! {
+    /// The narrowest open chain.
+    struct Open;
+    for i in open { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
+}
+
+/// Sees that a chain at ε holds at most 3h + 12 numbers for each of its unknowns.
+fn holds_few_numbers<M: LatticeMap<f64>>(map: &M, half_bandwidth: usize) {
+    const SITES: usize = 12_000;
+    let mut state: Vec<f64> = (0..SITES * M::BLOCK).map(|k| 1.0 + 0.1 * (k as f64).sin()).collect();
+    let mut begun = None;
+    let counted = measure(|| {
+        let chain = begun.insert(map.at(0.01, SITES).expect("a chain"));
+        chain.step(&mut state);
+        chain.try_step(&mut state).expect("a step");
+    });
+    assert!(state.iter().all(|x| x.is_finite()));
+    let numbers = counted.bytes_max as f64 / (8.0 * state.len() as f64);
+    assert!(numbers <= (3 * half_bandwidth + 12) as f64, "{numbers} for h = {half_bandwidth}");
+}
+
+#[test]
+fn a_chain_holds_few_numbers_an_unknown() {
+    holds_few_numbers(&Open, 1);
+    holds_few_numbers(&Narrow, 1);
+    holds_few_numbers(&Wide, 17);
 }
