@@ -11,6 +11,7 @@ mod rounding;
 #[cfg(test)]
 mod tests;
 mod text;
+mod typed;
 
 use std::cmp::Ordering;
 

@@ -10,8 +10,8 @@ use crate::printing::Refusal;
 /// An exact number; `what` names it in the refusal.
 pub(crate) fn number(text: &str, what: &str) -> Result<Rational, Refusal> {
     let text = text.trim();
-    exact(text).ok_or_else(|| {
-        let below = text.split_once('/').and_then(|(_, below)| decimal(below));
+    Rational::typed(text).ok_or_else(|| {
+        let below = text.split_once('/').and_then(|(_, below)| Rational::typed(below));
         Refusal::new(if below.is_some_and(|below| below.is_zero()) {
             format!("{what}: `{text}` divides by zero")
         } else if has_large_exponent(text) {
@@ -22,43 +22,14 @@ pub(crate) fn number(text: &str, what: &str) -> Result<Rational, Refusal> {
     })
 }
 
-/// A decimal or a quotient of two, with a sign in front.
-fn exact(text: &str) -> Option<Rational> {
-    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
-    let size = match unsigned.split_once('/') {
-        Some((above, below)) => decimal(above)?.checked_div(&decimal(below)?)?,
-        None => decimal(unsigned)?,
-    };
-    Some(if text.starts_with('-') { -size } else { size })
-}
-
-/// A decimal without a sign. Beyond what the language reads, as people type it: `.5`, `5.`,
-/// `1_000`.
-fn decimal(text: &str) -> Option<Rational> {
-    let text = without_separators(text);
-    let (mantissa, exponent) = text.split_at(text.find(['e', 'E']).unwrap_or(text.len()));
-    if !mantissa.bytes().any(|byte| byte.is_ascii_digit()) || mantissa.contains(['+', '-', '/']) {
-        return None;
-    }
-    let whole = if mantissa.starts_with('.') { "0" } else { "" };
-    Rational::parse(&format!("{whole}{}{exponent}", mantissa.strip_suffix('.').unwrap_or(mantissa)))
-}
-
-/// The text without each `_` that stands between two digits.
-fn without_separators(text: &str) -> String {
-    let is_digit =
-        |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_digit);
-    let kept = text.char_indices();
-    let kept = kept.filter(|&(at, c)| c != '_' || !is_digit(at.checked_sub(1)) || !is_digit(Some(at + 1)));
-    kept.map(|(_, c)| c).collect()
-}
-
 /// Whether it is a number but for the size of its exponent.
 fn has_large_exponent(text: &str) -> bool {
     let parts = text.split(['e', 'E']).collect::<Vec<_>>();
     let [mantissa, exponent] = parts[..] else { return false };
     let digits = exponent.strip_prefix(['-', '+']).unwrap_or(exponent);
-    exact(mantissa).is_some() && !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+    Rational::typed(mantissa).is_some()
+        && !digits.is_empty()
+        && digits.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// A count from `least` to `most`: 1000, 1_000, 1e3. What is wrong becomes a sentence for clap.
@@ -66,7 +37,7 @@ pub(crate) fn whole<T: Copy + Display + TryFrom<i128>>(text: &str, least: T, mos
     let text = text.trim();
     let usual = || format!("write a whole number, {least} or more, such as 1000 or 1e3");
     let too_large = || format!("that is too large: the most is {most}");
-    let Some(value) = exact(text) else {
+    let Some(value) = Rational::typed(text) else {
         return Err(if has_large_exponent(text) && !text.contains("e-") { too_large() } else { usual() });
     };
     if !value.is_integer() || value.is_negative() {
@@ -135,28 +106,7 @@ pub(super) fn given_values(
 
 #[cfg(test)]
 mod tests {
-    use super::{exact, whole};
-
-    #[test]
-    fn numbers_are_read_as_people_type_them() {
-        for (typed, meant) in [
-            (".1", "1/10"),
-            ("-.25", "-1/4"),
-            ("5.", "5"),
-            ("+3/7", "3/7"),
-            (".1/.3", "1/3"),
-            ("1_000.5", "2001/2"),
-            ("1.5E3", "1500"),
-            (".5e-1", "1/20"),
-        ] {
-            assert_eq!(exact(typed).map(|value| value.to_string()).as_deref(), Some(meant), "{typed}");
-        }
-        for wrong in [
-            "", ".", "-", "--1", "1/-2", "1e", "1e1.5", "e3", "1__0", "_1", "1_", "0x10", "1/0", "1 2", "inf",
-        ] {
-            assert!(exact(wrong).is_none(), "{wrong}");
-        }
-    }
+    use super::whole;
 
     #[test]
     fn counts_are_whole() {
