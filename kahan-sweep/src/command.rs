@@ -1,0 +1,286 @@
+//! The command `kahan-sweep`: arguments in, words and an exit status out.
+
+use std::ffi::OsString;
+use std::fs;
+use std::io::{IsTerminal, stderr};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use clap::{Parser, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+
+use crate::estimate::Estimate;
+use crate::files::{RESULTS, folder_is_writable, merge, ranges, status};
+use crate::launcher::detect;
+use crate::plan::Plan;
+use crate::run::{End, Failure, Run, Shard};
+use crate::scripts;
+
+/// Runs a sweep of Kahan's maps: one plan, any number of machines, the same bytes.
+///
+/// A plan in TOML says which field, which starts, parameters and eps, what to observe, and what to
+/// write. Without further options all of it is computed on all cores and joined into
+/// DIR/results.parquet. It can be interrupted: the same command goes on where it stopped.
+///
+/// With --shard i/n this process computes the i-th of n shards; where a launcher's environment says
+/// which task this is (Slurm, MPI, Kubernetes, Grid Engine, LSF, PBS), it is taken from there. All
+/// shards write into one folder, and --merge joins what they wrote. The bytes of the result depend on
+/// the plan alone: not on shards, threads or interruptions.
+///
+/// The exit status is 0, or 1 where something is missing or does not belong together, or 2 for bad
+/// usage or a plan with mistakes, or 130 where it was interrupted.
+#[derive(Debug, Parser)]
+#[command(name = "kahan-sweep", version, after_help = EXAMPLES)]
+struct Cli {
+    /// The plan.
+    #[arg(value_name = "PLAN.toml")]
+    plan: PathBuf,
+
+    /// The folder of the results; it is made if it is not there.
+    #[arg(long, value_name = "DIR", required_unless_present_any = ["dry_run", "scheduler"])]
+    out: Option<PathBuf>,
+
+    /// Which shard: i/n, the i-th of n, or `auto` for what the launcher says.
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["status", "merge", "dry_run", "scheduler"])]
+    shard: Option<String>,
+
+    /// Say what is there and what is missing.
+    #[arg(long, conflicts_with_all = ["merge", "dry_run", "scheduler"])]
+    status: bool,
+
+    /// Join all parts into DIR/results.parquet.
+    #[arg(long, conflicts_with_all = ["dry_run", "scheduler"])]
+    merge: bool,
+
+    /// Say how many points, how long, how large, and run nothing else.
+    #[arg(long, conflicts_with = "scheduler")]
+    dry_run: bool,
+
+    /// Print a job description.
+    #[arg(long = "for", value_name = "SCHEDULER", value_enum, requires = "shards")]
+    scheduler: Option<Scheduler>,
+
+    /// How many shards the job description has.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    shards: Option<u64>,
+
+    /// Threads; as many as the machine has cores unless told otherwise.
+    #[arg(long, value_name = "T", value_parser = clap::value_parser!(u64).range(1..=65_536))]
+    threads: Option<u64>,
+
+    /// Print one JSON object.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Scheduler {
+    Slurm,
+    Kubernetes,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  kahan-sweep plan.toml --dry-run
+  kahan-sweep plan.toml --out results
+  kahan-sweep plan.toml --out results --shard 3/10
+  kahan-sweep plan.toml --out results --status
+  kahan-sweep plan.toml --out results --merge
+  kahan-sweep plan.toml --out results --for slurm --shards 100 > job.sh";
+
+/// What a command ends with.
+struct Ended {
+    text: String,
+    complaint: String,
+    status: u8,
+}
+
+impl Ended {
+    fn well(text: impl Into<String>) -> Self {
+        Ended { text: text.into(), complaint: String::new(), status: 0 }
+    }
+
+    fn badly(complaint: impl Into<String>, status: u8) -> Self {
+        Ended { text: String::new(), complaint: complaint.into(), status }
+    }
+}
+
+/// Runs the command with these arguments, the program's name first.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(error) => {
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    let ended = cli.ended();
+    print!("{}", ended.text);
+    if !ended.complaint.is_empty() {
+        eprintln!("error: {}", ended.complaint);
+    }
+    ExitCode::from(ended.status)
+}
+
+impl Cli {
+    fn ended(&self) -> Ended {
+        let name = self.plan.display().to_string();
+        let text = match fs::read_to_string(&self.plan) {
+            Ok(text) => text,
+            Err(error) => return Ended::badly(format!("{name} cannot be read: {error}"), 2),
+        };
+        let plan = match Plan::read(&text, &name) {
+            Ok(plan) => plan,
+            Err(mistakes) => return Ended::badly(mistakes.to_string(), 2),
+        };
+        let out = self.out.as_deref().unwrap_or(Path::new("results"));
+        if let Some(scheduler) = self.scheduler {
+            let shards = self.shards.unwrap_or(1);
+            return Ended::well(match scheduler {
+                Scheduler::Slurm => scripts::slurm(&self.plan, out, shards),
+                Scheduler::Kubernetes => scripts::kubernetes(&self.plan, shards),
+            });
+        }
+        if self.dry_run {
+            let estimate = Estimate::of(&plan);
+            return Ended::well(if self.json { format!("{:#}\n", estimate.json()) } else { estimate.text() });
+        }
+        if self.status {
+            return self.status(&plan, out);
+        }
+        if let Err(error) = folder_is_writable(out) {
+            return Ended::badly(format!("--out: nothing can be written into {}: {error}", out.display()), 2);
+        }
+        if self.merge { merged(&plan, out) } else { self.compute(&plan, out) }
+    }
+
+    fn status(&self, plan: &Plan, out: &Path) -> Ended {
+        let bar = bar(plan.parts(), "parts");
+        let status = status(plan, out, || bar.inc(1));
+        bar.finish_and_clear();
+        let is_whole = status.missing.is_empty() && status.refused.is_empty();
+        let refused: Vec<&String> = status.refused.iter().map(|(_, why)| why).collect();
+        let text = if self.json {
+            let object = json!({
+                "points": plan.points(), "parts": plan.parts(), "done": status.done, "missing": status.missing,
+                "refused": refused, "plan": plan.hash(),
+            });
+            format!("{object:#}\n")
+        } else {
+            let mut lines = vec![format!("{} of {} parts are done", status.done, plan.parts())];
+            if !status.missing.is_empty() {
+                lines.push(format!("missing: {}", ranges(&status.missing)));
+            }
+            lines.extend(refused.into_iter().cloned());
+            lines.join("\n") + "\n"
+        };
+        Ended { text, complaint: String::new(), status: u8::from(!is_whole) }
+    }
+
+    fn compute(&self, plan: &Plan, out: &Path) -> Ended {
+        let launched = match self.shard.as_deref() {
+            Some(text) if text != "auto" => None::<Result<_, String>>,
+            _ => detect(&|name| std::env::var(name)),
+        };
+        let (shard, beside) = match (self.shard.as_deref(), launched) {
+            (_, Some(Ok(launched))) => {
+                eprintln!("{}", launched.sentence);
+                (launched.shard, launched.beside)
+            }
+            (_, Some(Err(why))) => return Ended::badly(why, 2),
+            (Some("auto"), None) => {
+                return Ended::badly("--shard auto: no launcher is recognised here; give --shard i/n", 2);
+            }
+            (Some(text), None) => match shard(text) {
+                Some(shard) => (shard, 1),
+                None => {
+                    return Ended::badly(
+                        format!("--shard {text}: write i/n, the i-th of n shards, as in 3/10"),
+                        2,
+                    );
+                }
+            },
+            (None, None) => (Shard::WHOLE, 1),
+        };
+        let threads = self.threads.map(|threads| threads as usize).or_else(|| {
+            let cores = std::thread::available_parallelism().ok()?.get();
+            Some((cores / beside).max(1))
+        });
+        let rows: u64 = shard.parts(plan).map(|part| plan.rows(part)).map(|rows| rows.end - rows.start).sum();
+        let stop = Arc::new(AtomicBool::new(false));
+        for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
+            // The second signal ends the process at once.
+            let _ = signal_hook::flag::register_conditional_shutdown(signal, 130, Arc::clone(&stop));
+            let _ = signal_hook::flag::register(signal, Arc::clone(&stop));
+        }
+        let bar = bar(rows, "points");
+        let run = Run {
+            plan,
+            folder: out,
+            threads,
+            stop: &stop,
+            progress: &|rows| bar.inc(rows),
+            say: &|words| bar.suspend(|| eprintln!("note: {words}")),
+        };
+        let end = run.shard(shard);
+        bar.finish_and_clear();
+        match end {
+            Ok(End::Done) if shard == Shard::WHOLE => merged(plan, out),
+            Ok(End::Done) => {
+                let parts = shard.parts(plan).count();
+                Ended::well(format!(
+                    "shard {} of {}: {parts} parts are in {}; when all shards are done, --merge joins them\n",
+                    shard.index + 1,
+                    shard.of,
+                    out.display()
+                ))
+            }
+            Ok(End::Interrupted) => {
+                Ended::badly("interrupted; the same command goes on where this stopped", 130)
+            }
+            Err(Failure::Foreign(why)) => Ended::badly(why, 1),
+            Err(Failure::Disk(error)) => Ended::badly(
+                format!(
+                    "{} cannot be written: {error}; what is done is kept, and the same command goes on",
+                    out.display()
+                ),
+                1,
+            ),
+        }
+    }
+}
+
+fn merged(plan: &Plan, out: &Path) -> Ended {
+    let bar = bar(plan.parts(), "parts");
+    let merged = merge(plan, out, || bar.inc(1));
+    bar.finish_and_clear();
+    match merged {
+        Ok(bytes) => Ended::well(format!(
+            "{} written: {} points, {:.1} MB\n",
+            out.join(RESULTS).display(),
+            plan.points(),
+            bytes as f64 / 1e6
+        )),
+        Err(reasons) => Ended::badly(reasons.join("\nerror: "), 1),
+    }
+}
+
+/// `3/10`.
+fn shard(text: &str) -> Option<Shard> {
+    let (index, of) = text.split_once('/')?;
+    let (index, of): (u64, u64) = (index.trim().parse().ok()?, of.trim().parse().ok()?);
+    (1 <= index && index <= of).then(|| Shard { index: index - 1, of })
+}
+
+/// A bar on a terminal, nothing elsewhere.
+fn bar(length: u64, what: &str) -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} ({elapsed}, {eta} left)");
+    let bar = ProgressBar::new(length).with_message(what.to_owned());
+    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

@@ -1,0 +1,104 @@
+//! How many points, how long, how large: measured on a few points of the plan.
+
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+
+use crate::columns::{Entries, written};
+use crate::plan::Plan;
+use crate::task::rows;
+
+/// What a sweep will take.
+#[derive(Clone, Debug)]
+pub(crate) struct Estimate {
+    pub(crate) points: u64,
+    pub(crate) parts: u64,
+    pub(crate) columns: Vec<String>,
+    /// Of the merged file; the parts take as much again.
+    pub(crate) bytes: f64,
+    /// Of one core.
+    pub(crate) core_seconds: f64,
+    pub(crate) cores: usize,
+    /// How many points were measured.
+    pub(crate) measured: u64,
+}
+
+/// How long points are measured.
+const MEASURED: Duration = Duration::from_millis(500);
+
+impl Estimate {
+    pub(crate) fn of(plan: &Plan) -> Self {
+        let points = plan.points();
+        let begun = Instant::now();
+        let (mut measured, mut bytes) = (0u64, 0u64);
+        // Points all over the plan, as they may differ: the multiples of an odd number.
+        let stride = (points / 997) | 1;
+        while measured < points.min(100_000) && (measured == 0 || begun.elapsed() < MEASURED) {
+            let index = measured.wrapping_mul(stride) % points;
+            let row = rows(plan, index..index + 1, &|| false);
+            bytes += row.columns.iter().map(size).sum::<u64>();
+            measured += 1;
+        }
+        let each = begun.elapsed().as_secs_f64() / measured as f64;
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        Estimate {
+            points,
+            parts: plan.parts(),
+            columns: written(plan).into_iter().map(|column| column.name).collect(),
+            bytes: bytes as f64 / measured as f64 * points as f64,
+            core_seconds: each * points as f64,
+            cores,
+            measured,
+        }
+    }
+
+    pub(crate) fn json(&self) -> Value {
+        json!({
+            "points": self.points,
+            "parts": self.parts,
+            "columns": self.columns,
+            "bytes": self.bytes,
+            "core_seconds": self.core_seconds,
+            "cores": self.cores,
+            "seconds": self.core_seconds / self.cores as f64,
+            "points_measured": self.measured,
+        })
+    }
+
+    pub(crate) fn text(&self) -> String {
+        format!(
+            "points     {}\nparts      {}\ncolumns    {}\nsize       {}, and as much again in parts\ntime       {} on the {} cores of this machine, {} on one; measured on {} points\n",
+            self.points,
+            self.parts,
+            self.columns.join(", "),
+            size_in_words(self.bytes),
+            time_in_words(self.core_seconds / self.cores as f64),
+            self.cores,
+            time_in_words(self.core_seconds),
+            self.measured
+        )
+    }
+}
+
+fn size(column: &Entries) -> u64 {
+    match column {
+        Entries::Integers(entries) => 8 * entries.len() as u64,
+        Entries::Doubles(entries) => 8 * entries.len() as u64,
+        Entries::Texts(entries) => entries.iter().map(|text| 4 + text.len() as u64).sum(),
+    }
+}
+
+fn size_in_words(bytes: f64) -> String {
+    let units = [(1e12, "TB"), (1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
+    let unit = units.into_iter().find(|(size, _)| bytes >= *size);
+    unit.map_or_else(|| format!("{bytes:.0} bytes"), |(size, unit)| format!("{:.1} {unit}", bytes / size))
+}
+
+pub(crate) fn time_in_words(seconds: f64) -> String {
+    let units = [(86_400.0 * 365.25, "years"), (86_400.0, "days"), (3_600.0, "hours"), (60.0, "minutes")];
+    let unit = units.into_iter().find(|(size, _)| seconds >= 2.0 * size);
+    unit.map_or_else(
+        || format!("{seconds:.1} seconds"),
+        |(size, unit)| format!("{:.1} {unit}", seconds / size),
+    )
+}

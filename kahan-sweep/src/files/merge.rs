@@ -1,0 +1,71 @@
+//! All parts as one file: row groups are copied as they are.
+
+use std::fs::File;
+use std::io;
+use std::path::Path;
+
+use parquet::column::writer::ColumnCloseResult;
+use parquet::file::reader::FileReader;
+use tempfile::NamedTempFile;
+
+use super::part::{Part, other, writer};
+use crate::plan::Plan;
+
+/// The name of the merged file.
+pub(crate) const RESULTS: &str = "results.parquet";
+
+/// Joins all parts in a folder into one file there; refused, with a sentence for each reason, where
+/// one is missing, damaged, or belongs elsewhere. `each` hears of every part that is copied.
+pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Result<u64, Vec<String>> {
+    let hash = plan.hash();
+    let parts = || (0..plan.parts()).map(|index| Part::of(plan, &hash, index, folder));
+    let missing: Vec<u64> = parts().filter(|part| !part.exists()).map(|part| part.index).collect();
+    if let Some(first) = missing.first() {
+        return Err(vec![format!(
+            "{} of {} parts are missing, the first is part {first}; run their shards first (--status lists them)",
+            missing.len(),
+            plan.parts()
+        )]);
+    }
+    let failed = |error: io::Error| vec![format!("{RESULTS} cannot be written: {error}")];
+    let mut file = NamedTempFile::with_prefix_in(".results-", folder).map_err(failed)?;
+    let mut to = writer(plan, &hash, &mut file).map_err(|error| failed(other(error)))?;
+    let mut reasons = Vec::new();
+    for part in parts() {
+        // All that is wrong is said, up to what one reads.
+        match part.checked() {
+            Ok(_) if !reasons.is_empty() => {}
+            Ok(reader) => {
+                let metadata = reader.metadata();
+                let source = File::open(&part.path).map_err(failed)?;
+                for group in metadata.row_groups() {
+                    let mut target = to.next_row_group().map_err(|error| failed(other(error)))?;
+                    for column in group.columns() {
+                        let result = ColumnCloseResult {
+                            bytes_written: column.compressed_size() as u64,
+                            rows_written: group.num_rows() as u64,
+                            metadata: column.clone(),
+                            bloom_filter: None,
+                            column_index: None,
+                            offset_index: None,
+                        };
+                        target.append_column(&source, result).map_err(|error| failed(other(error)))?;
+                    }
+                    target.close().map_err(|error| failed(other(error)))?;
+                }
+            }
+            Err(why) => reasons.push(why.reason()),
+        }
+        each();
+    }
+    if !reasons.is_empty() {
+        return Err(reasons);
+    }
+    let bytes = {
+        to.close().map_err(|error| failed(other(error)))?;
+        file.as_file().metadata().map_err(failed)?.len()
+    };
+    file.as_file().sync_all().map_err(failed)?;
+    file.persist(folder.join(RESULTS)).map_err(|error| failed(error.error))?;
+    Ok(bytes)
+}

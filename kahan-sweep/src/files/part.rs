@@ -1,0 +1,252 @@
+//! One part: written whole or not at all, and checked before it is used.
+
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use parquet::basic::{LogicalType, Repetition, Type as Physical};
+use parquet::column::writer::ColumnWriter;
+use parquet::data_type::ByteArray;
+use parquet::errors::ParquetError;
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
+use parquet::schema::types::Type;
+use tempfile::NamedTempFile;
+
+use crate::columns::{Column, Entries, Kind, Rows, written};
+use crate::plan::Plan;
+
+/// What stands in the metadata of every file of a sweep.
+pub(super) mod keys {
+    pub(in crate::files) const PLAN: &str = "kahan.plan";
+    pub(in crate::files) const HASH: &str = "kahan.plan.sha256";
+    pub(in crate::files) const VERSION: &str = "kahan.version";
+    pub(in crate::files) const FLOATS: &str = "kahan.floats";
+    pub(in crate::files) const COLUMNS: &str = "kahan.columns";
+    pub(in crate::files) const SEED: &str = "kahan.seed";
+    pub(in crate::files) const PART: &str = "kahan.part";
+    pub(in crate::files) const CHECKSUM: &str = "kahan.crc32";
+}
+
+/// How this program computes with floats, where that may differ from machine to machine: results
+/// with other words differ in last digits.
+pub(super) fn floats() -> &'static str {
+    match (cfg!(target_arch = "x86_64"), cfg!(target_feature = "fma")) {
+        (true, false) => "x86-64, products rounded",
+        (true, true) => "x86-64, products fused",
+        (false, _) => concat!("interpreted, on another processor"),
+    }
+}
+
+/// Why a part that is there cannot be used.
+#[derive(Clone, Debug)]
+pub(crate) enum Unusable {
+    /// It is not whole: its shard can write it anew.
+    Damaged(String),
+    /// It is of another plan, version or kind of machine, and in its place here by mistake.
+    Foreign(String),
+}
+
+impl Unusable {
+    /// The reason in words.
+    pub(crate) fn reason(self) -> String {
+        match self {
+            Unusable::Damaged(reason) | Unusable::Foreign(reason) => reason,
+        }
+    }
+}
+
+/// A part of a sweep.
+#[derive(Clone, Debug)]
+pub(crate) struct Part<'a> {
+    pub(super) plan: &'a Plan,
+    hash: String,
+    pub(crate) index: u64,
+    pub(crate) path: PathBuf,
+}
+
+impl<'a> Part<'a> {
+    /// The part with this index, in a folder.
+    pub(crate) fn of(plan: &'a Plan, hash: &str, index: u64, folder: &Path) -> Self {
+        Part { plan, hash: hash.to_owned(), index, path: folder.join(format!("part-{index:012}.parquet")) }
+    }
+
+    /// Writes all its rows; the file appears when it is complete.
+    pub(crate) fn write(&self, rows: &Rows) -> io::Result<()> {
+        let folder = self.path.parent().unwrap_or(Path::new("."));
+        let mut file = NamedTempFile::with_prefix_in(".part-", folder)?;
+        let mut writer = writer(self.plan, &self.hash, &mut file).map_err(other)?;
+        let mut group = writer.next_row_group().map_err(other)?;
+        for column in &rows.columns {
+            put(&mut group, column).map_err(other)?;
+        }
+        group.close().map_err(other)?;
+        let data_end = writer.bytes_written() as u64;
+        writer.flush()?;
+        let checksum = checksum(writer.inner().reopen()?, data_end)?;
+        for (key, value) in
+            [(keys::PART, self.index.to_string()), (keys::CHECKSUM, format!("{checksum:08x} of {data_end}"))]
+        {
+            writer.append_key_value_metadata(KeyValue::new(key.to_owned(), value));
+        }
+        writer.close().map_err(other)?;
+        file.as_file().sync_all()?;
+        let file = file.persist(&self.path)?;
+        file.sync_all()?;
+        // The name is on the disk when the folder is; where a folder cannot be opened, nothing more
+        // can be done.
+        File::open(folder).and_then(|folder| folder.sync_all()).or(Ok(()))
+    }
+
+    /// Whether the file is there.
+    pub(crate) fn exists(&self) -> bool {
+        self.path.exists()
+    }
+
+    /// Opens the file if all of it is what this plan has there; else why not.
+    pub(crate) fn checked(&self) -> Result<SerializedFileReader<File>, Unusable> {
+        let name = self.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let damaged = |why: &str| {
+            Unusable::Damaged(format!("{name} is damaged ({why}); delete it, and run its shard again"))
+        };
+        let foreign = |why: String| Err(Unusable::Foreign(format!("{name} {why}")));
+        let file = File::open(&self.path).map_err(|error| damaged(&error.to_string()))?;
+        let reader = SerializedFileReader::new(file).map_err(|error| damaged(&error.to_string()))?;
+        let metadata = reader.metadata();
+        let said = |key: &str| said(metadata.file_metadata().key_value_metadata(), key).unwrap_or("unknown");
+        if said(keys::HASH) != self.hash {
+            return foreign("belongs to another plan; use a folder for each plan".to_owned());
+        }
+        let version = env!("CARGO_PKG_VERSION");
+        if said(keys::VERSION) != version {
+            let other = said(keys::VERSION);
+            return foreign(format!(
+                "was written by kahan-sweep {other}, and this is {version}; use a folder for each version"
+            ));
+        }
+        if said(keys::FLOATS) != floats() {
+            return foreign(format!(
+                "was computed with other floats ({}; here: {}), whose last digits differ; compute all parts on machines of one kind",
+                said(keys::FLOATS),
+                floats()
+            ));
+        }
+        let rows = self.plan.rows(self.index);
+        let is_this = said(keys::PART) == self.index.to_string();
+        if !is_this || metadata.file_metadata().num_rows() != (rows.end - rows.start) as i64 {
+            return Err(damaged("it is another part under this name"));
+        }
+        let stated = said(keys::CHECKSUM).split_once(" of ");
+        let stated = stated.and_then(|(sum, end)| Some((sum.to_owned(), end.parse::<u64>().ok()?)));
+        let Some((sum, end)) = stated else { return Err(damaged("it has no checksum")) };
+        match File::open(&self.path).and_then(|file| checksum(file, end)) {
+            Ok(found) if format!("{found:08x}") == sum => Ok(reader),
+            Ok(_) => Err(damaged("its checksum is another")),
+            Err(error) => Err(damaged(&error.to_string())),
+        }
+    }
+}
+
+/// The value of a key.
+pub(super) fn said<'a>(metadata: Option<&'a Vec<KeyValue>>, key: &str) -> Option<&'a str> {
+    metadata?.iter().find(|one| one.key == key)?.value.as_deref()
+}
+
+/// A writer of a file of the plan, whose metadata says what every file says.
+pub(super) fn writer<W: Write + Send>(
+    plan: &Plan,
+    hash: &str,
+    to: W,
+) -> Result<SerializedFileWriter<W>, ParquetError> {
+    let columns = written(plan);
+    let meanings: serde_json::Map<String, serde_json::Value> =
+        columns.iter().map(|column| (column.name.clone(), column.meaning.clone().into())).collect();
+    let seed = plan.seed().to_string();
+    let said = [
+        (keys::PLAN, plan.canonical()),
+        (keys::HASH, hash.to_owned()),
+        (keys::VERSION, env!("CARGO_PKG_VERSION").to_owned()),
+        (keys::FLOATS, floats().to_owned()),
+        (keys::SEED, seed),
+        (keys::COLUMNS, serde_json::Value::from(meanings).to_string()),
+    ];
+    let properties = WriterProperties::builder()
+        .set_dictionary_enabled(false)
+        .set_statistics_enabled(EnabledStatistics::Chunk)
+        .set_offset_index_disabled(true)
+        .set_max_row_group_row_count(None)
+        .set_created_by(format!("kahan-sweep {}", env!("CARGO_PKG_VERSION")))
+        .set_key_value_metadata(Some(
+            said.into_iter().map(|(key, value)| KeyValue::new(key.to_owned(), value)).collect(),
+        ))
+        .build();
+    SerializedFileWriter::new(to, schema(&columns)?.into(), Arc::new(properties))
+}
+
+fn schema(columns: &[Column]) -> Result<Type, ParquetError> {
+    let fields = columns.iter().map(|column| {
+        let (physical, logical) = match column.kind {
+            Kind::Integer => (Physical::INT64, None),
+            Kind::Double => (Physical::DOUBLE, None),
+            Kind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+        };
+        let field =
+            Type::primitive_type_builder(&column.name, physical).with_repetition(Repetition::REQUIRED);
+        Ok(Arc::new(field.with_logical_type(logical).build()?))
+    });
+    Type::group_type_builder("sweep").with_fields(fields.collect::<Result<_, ParquetError>>()?).build()
+}
+
+/// Writes a column of a row group.
+fn put<W: Write + Send>(
+    group: &mut SerializedRowGroupWriter<'_, W>,
+    column: &Entries,
+) -> Result<(), ParquetError> {
+    let Some(mut writer) = group.next_column()? else {
+        return Err(ParquetError::General("more columns than the schema has".to_owned()));
+    };
+    match (writer.untyped(), column) {
+        (ColumnWriter::Int64ColumnWriter(writer), Entries::Integers(entries)) => {
+            writer.write_batch(entries, None, None)?
+        }
+        (ColumnWriter::DoubleColumnWriter(writer), Entries::Doubles(entries)) => {
+            writer.write_batch(entries, None, None)?
+        }
+        (ColumnWriter::ByteArrayColumnWriter(writer), Entries::Texts(entries)) => {
+            let entries: Vec<ByteArray> = entries.iter().map(|text| ByteArray::from(text.as_str())).collect();
+            writer.write_batch(&entries, None, None)?
+        }
+        _ => return Err(ParquetError::General("a column of another kind than the schema says".to_owned())),
+    };
+    writer.close()
+}
+
+/// CRC-32 of the first bytes of a file.
+fn checksum(mut file: File, length: u64) -> io::Result<u32> {
+    file.seek(SeekFrom::Start(0))?;
+    let mut left = length;
+    let (mut hasher, mut buffer) = (crc32fast::Hasher::new(), vec![0; 1 << 16]);
+    while left > 0 {
+        let now = left.min(buffer.len() as u64) as usize;
+        file.read_exact(&mut buffer[..now])?;
+        hasher.update(&buffer[..now]);
+        left -= now as u64;
+    }
+    Ok(hasher.finalize())
+}
+
+/// Makes the folder where it is missing, and sees that files can be written into it.
+pub(crate) fn folder_is_writable(folder: &Path) -> io::Result<()> {
+    std::fs::create_dir_all(folder)?;
+    NamedTempFile::with_prefix_in(".probe-", folder).map(drop)
+}
+
+pub(super) fn other(error: ParquetError) -> io::Error {
+    match error {
+        ParquetError::External(inner) => io::Error::other(inner),
+        error => io::Error::other(error),
+    }
+}

@@ -1,0 +1,241 @@
+//! The work of a shard: its parts, one after another, each on all threads.
+
+use std::io;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use kahan_runtime::threads::for_each;
+
+use crate::columns::{Rows, written};
+use crate::files::{Journal, Part, Unusable};
+use crate::plan::Plan;
+use crate::task::rows;
+
+/// Which parts a process works on: every `of`-th, from `index` on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Shard {
+    /// From 0 on.
+    pub(crate) index: u64,
+    pub(crate) of: u64,
+}
+
+impl Shard {
+    /// All parts.
+    pub(crate) const WHOLE: Self = Shard { index: 0, of: 1 };
+
+    pub(crate) fn parts(self, plan: &Plan) -> impl Iterator<Item = u64> + use<> {
+        (self.index..plan.parts()).step_by(usize::try_from(self.of).unwrap_or(usize::MAX))
+    }
+}
+
+/// How a shard ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    Done,
+    /// It was told to stop; what is done is noted.
+    Interrupted,
+}
+
+/// Why a shard could not be run.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    Foreign(String),
+    Disk(io::Error),
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Failure::Disk(error)
+    }
+}
+
+/// Rows that a thread takes at once.
+const CHUNK: u64 = 256;
+/// How often what is done is noted, and how long a thread keeps rows to itself.
+const NOTED: Duration = Duration::from_secs(8);
+
+/// A shard at work.
+pub(crate) struct Run<'a> {
+    pub(crate) plan: &'a Plan,
+    pub(crate) folder: &'a Path,
+    pub(crate) threads: Option<usize>,
+    /// Set where the process is told to stop.
+    pub(crate) stop: &'a AtomicBool,
+    /// Hears how many rows more are done.
+    pub(crate) progress: &'a (dyn Fn(u64) + Sync),
+    /// Hears what a user should know.
+    pub(crate) say: &'a (dyn Fn(&str) + Sync),
+}
+
+impl Run<'_> {
+    /// Computes the parts of a shard that are not there.
+    pub(crate) fn shard(&self, shard: Shard) -> Result<End, Failure> {
+        let hash = self.plan.hash();
+        for index in shard.parts(self.plan) {
+            let part = Part::of(self.plan, &hash, index, self.folder);
+            if part.exists() {
+                match part.checked() {
+                    Ok(_) => {
+                        let rows = self.plan.rows(index);
+                        (self.progress)(rows.end - rows.start);
+                        // Another process may have written it while this one's notes were there.
+                        Journal::remove(&part);
+                        continue;
+                    }
+                    Err(Unusable::Foreign(reason)) => return Err(Failure::Foreign(reason)),
+                    Err(Unusable::Damaged(reason)) => {
+                        (self.say)(
+                            &reason.replace("delete it, and run its shard again", "it is computed again"),
+                        );
+                    }
+                }
+            }
+            if self.part(&part, &hash)? == End::Interrupted {
+                return Ok(End::Interrupted);
+            }
+        }
+        Ok(End::Done)
+    }
+
+    fn part(&self, part: &Part<'_>, hash: &str) -> Result<End, Failure> {
+        let indices = self.plan.rows(part.index);
+        let empty = Rows::of(&written(self.plan));
+        let done = known(Journal::noted(part, hash, &empty), &indices);
+        (self.progress)(done.iter().map(|(_, rows)| rows.len() as u64).sum());
+        let chunks = chunks(&done, &indices);
+        let work = Mutex::new(Work {
+            done,
+            unnoted: 0,
+            journal: Journal::of(part, hash),
+            noted: Instant::now(),
+            failure: None,
+        });
+        for_each(chunks.len(), self.threads, &|chunk| self.chunk(chunks[chunk].clone(), &work));
+        let mut work = work.into_inner().unwrap_or_else(PoisonError::into_inner);
+        if let Some(error) = work.failure.take() {
+            return Err(error.into());
+        }
+        if self.stop.load(Ordering::Relaxed) {
+            work.note()?;
+            return Ok(End::Interrupted);
+        }
+        work.done.sort_by_key(|(first, _)| *first);
+        let all = work.done.into_iter().fold(empty, |mut all, (_, rows)| {
+            all.append(rows);
+            all
+        });
+        part.write(&all)?;
+        Journal::remove(part);
+        Ok(End::Done)
+    }
+
+    /// Computes some rows, and hands them on now and then.
+    fn chunk(&self, indices: Range<u64>, work: &Mutex<Work>) {
+        let mut next = indices.start;
+        while next < indices.end && !self.stop.load(Ordering::Relaxed) {
+            let begun = Instant::now();
+            let is_over = || self.stop.load(Ordering::Relaxed) || begun.elapsed() > NOTED;
+            let made = rows(self.plan, next..indices.end, &is_over);
+            let count = made.len() as u64;
+            if count == 0 {
+                continue;
+            }
+            (self.progress)(count);
+            locked(work).take(next, made);
+            next += count;
+        }
+    }
+}
+
+/// What the threads of a part share.
+struct Work {
+    /// First rows and rows, in no order.
+    done: Vec<(u64, Rows)>,
+    /// How many of them, at the end, are not on the disk.
+    unnoted: usize,
+    journal: Journal,
+    noted: Instant,
+    failure: Option<io::Error>,
+}
+
+impl Work {
+    fn take(&mut self, first: u64, rows: Rows) {
+        self.done.push((first, rows));
+        self.unnoted += 1;
+        if self.noted.elapsed() > NOTED
+            && let Err(error) = self.note()
+        {
+            self.failure.get_or_insert(error);
+        }
+    }
+
+    /// Puts what is done on the disk.
+    fn note(&mut self) -> io::Result<()> {
+        let from = self.done.len() - self.unnoted;
+        self.journal.note(&self.done[from..])?;
+        self.unnoted = 0;
+        self.noted = Instant::now();
+        Ok(())
+    }
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    // A thread that panics ends the process, and leaves nothing half done here.
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What was noted, each row once.
+fn known(mut noted: Vec<(u64, Rows)>, indices: &Range<u64>) -> Vec<(u64, Rows)> {
+    noted.sort_by_key(|(first, _)| *first);
+    let mut next = indices.start;
+    noted.retain(|(first, rows)| {
+        let end = first.saturating_add(rows.len() as u64);
+        let fits = *first >= next && end <= indices.end;
+        if fits {
+            next = end;
+        }
+        fits
+    });
+    noted
+}
+
+/// What is left, in pieces for threads.
+fn chunks(done: &[(u64, Rows)], indices: &Range<u64>) -> Vec<Range<u64>> {
+    let mut chunks = Vec::new();
+    let mut next = indices.start;
+    let ends = done.iter().map(|(first, rows)| (*first, first + rows.len() as u64));
+    for (gap_end, after) in ends.chain([(indices.end, indices.end)]) {
+        while next < gap_end {
+            let end = gap_end.min(next + CHUNK);
+            chunks.push(next..end);
+            next = end;
+        }
+        next = after;
+    }
+    chunks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::columns::Entries;
+
+    fn some(first: u64, count: u64) -> (u64, Rows) {
+        let entries = (first..first + count).map(|index| index as i64).collect();
+        (first, Rows { columns: vec![Entries::Integers(entries)] })
+    }
+
+    #[test]
+    fn what_is_left_is_what_was_not_noted() {
+        let noted = vec![some(300, 10), some(0, 100), some(305, 10), some(0, 50), some(990, 50)];
+        let done = known(noted, &(0..1000));
+        assert_eq!(
+            done.iter().map(|(first, rows)| (*first, rows.len())).collect::<Vec<_>>(),
+            [(0, 100), (300, 10)]
+        );
+        assert_eq!(chunks(&done, &(0..1000)), [100..300, 310..566, 566..822, 822..1000]);
+    }
+}
