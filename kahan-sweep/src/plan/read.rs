@@ -337,8 +337,8 @@ impl Reader<'_, '_> {
             return (None, Vec::new());
         };
         let mut scheme = Vec::new();
-        let kind = table.take("kind").and_then(|kind| text(kind, "kind", self.mistakes));
-        let task = match kind {
+        let kind = table.take("kind");
+        let task = match kind.and_then(|kind| text(kind, "kind", self.mistakes)) {
             Some("orbit") => self.orbit(&mut table, &mut scheme).map(Task::Orbit),
             Some("heights") => {
                 self.heights(&mut table).map(|heights| Task::Exactly(Exactly::Heights(heights)))
@@ -346,8 +346,14 @@ impl Reader<'_, '_> {
             Some("discover") => {
                 self.discover(&mut table).map(|search| Task::Exactly(Exactly::Search(search)))
             }
-            _ => {
-                self.mistakes.note(&table.span, format!("[task] needs {KINDS}"));
+            other => {
+                let (span, message) = match (other, kind) {
+                    (Some(kind), Some(value)) => {
+                        (value.span(), format!("[task] has no kind `{kind}`; write {KINDS}"))
+                    }
+                    _ => (table.span.clone(), format!("[task] needs {KINDS}")),
+                };
+                self.mistakes.note(&span, message);
                 table.rest();
                 None
             }

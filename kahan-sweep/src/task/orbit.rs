@@ -101,8 +101,9 @@ impl Orbit {
     /// The steps made, and what the observers report.
     fn observed<T: Machine>(&self, at: &MapAt<T>, start: &[f64], entries: &mut Vec<Entry>) {
         let start: Vec<T> = start.iter().map(|&x| T::nearest(x)).collect();
-        let mut running: Vec<Running<'_, T>> =
-            self.observe.iter().map(|watch| Running::new(*watch, at, self)).collect();
+        let own = |value: &[T]| [value[0]];
+        let mut running: Vec<Running<'_, T, _>> =
+            self.observe.iter().map(|watch| Running::new(*watch, at, self, own)).collect();
         let mut last = start.clone();
         let steps = if running.iter().all(|one| matches!(one, Running::Nothing)) {
             self.advance(at, &mut last)
@@ -147,16 +148,17 @@ impl Orbit {
         steps: u64,
         mut show: impl FnMut(u64, &[T]),
     ) -> Vec<T> {
-        let (mut x, mut next) = (start.to_vec(), start.to_vec());
+        let mut x = start.to_vec();
         show(0, &x);
         for step in 1..=steps {
-            next.copy_from_slice(&x);
             // As above.
-            let _ = at.advance(&mut next, 1);
-            if !next.iter().all(|&x| x.into().is_finite()) {
+            let _ = at.advance(&mut x, 1);
+            if !x.iter().all(|&x| x.into().is_finite()) {
+                // The point before is found again, so that no other orbit pays for keeping it.
+                x.copy_from_slice(start);
+                let _ = at.advance(&mut x, step - 1);
                 break;
             }
-            std::mem::swap(&mut x, &mut next);
             show(step, &x);
         }
         x

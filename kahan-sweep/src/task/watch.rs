@@ -97,11 +97,11 @@ impl Watch {
 }
 
 /// An observer at work.
-pub(super) enum Running<'a, T: Machine> {
+pub(super) enum Running<'a, T: Machine, F> {
     Drift {
         at: &'a MapAt<T>,
         values: Vec<T>,
-        drifts: Vec<Drift<fn(&[T]) -> [T; 1], T, 1>>,
+        drifts: Vec<Drift<F, T, 1>>,
     },
     Extrema(Vec<Extrema<Box<dyn Fn(&[T]) -> T>, T>>),
     Lyapunov(Lyapunov<TangentAt<T>, T>),
@@ -115,12 +115,12 @@ pub(super) enum Running<'a, T: Machine> {
     Nothing,
 }
 
-impl<'a, T: Machine> Running<'a, T> {
-    pub(super) fn new(watch: Watch, at: &'a MapAt<T>, orbit: &Orbit) -> Self {
+impl<'a, T: Machine, F: Fn(&[T]) -> [T; 1] + Copy> Running<'a, T, F> {
+    /// An observer of an orbit at the beginning; `own` is the number that a slice of one number holds.
+    pub(super) fn new(watch: Watch, at: &'a MapAt<T>, orbit: &Orbit, own: F) -> Self {
         let (variables, integrals) = (at.map().field().variables().len(), at.map().field().integrals().len());
         match watch {
             Watch::Drift => {
-                let own: fn(&[T]) -> [T; 1] = |value| [value[0]];
                 let drifts = (0..integrals).map(|_| Drift::of(own)).collect();
                 Running::Drift { at, values: vec![T::zero(); integrals], drifts }
             }

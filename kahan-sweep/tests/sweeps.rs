@@ -1,0 +1,358 @@
+//! Sweeps as a user runs them: the same bytes however they are cut, and nothing wrong ever merged.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::time::Duration;
+
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::Field;
+
+const PLAN: &str = r#"
+seed = 3
+draws = 40
+
+[system]
+name = "euler"
+[system.params]
+a1 = 1
+a2 = -3
+
+[axes]
+x = { draw = "sobol", low = 0.1, high = 1 }
+y = { draw = "uniform", low = 0.1, high = 1 }
+z = "1/2"
+a3 = [1, 2]
+eps = { from = 0.01, to = 0.05, points = 5 }
+
+[task]
+kind = "orbit"
+steps = 50
+order = [2, 4]
+scalar = ["f64", "f32"]
+observe = ["final", "drift", "extrema", "lyapunov", "spectrum", "log_det", "fli", "megno", "sali", "rotation", "escape"]
+
+[output]
+rows_per_part = 97
+"#;
+
+fn sweep(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_kahan-sweep"));
+    command.arg("plan.toml").args(arguments).current_dir(folder).output().expect("the command runs")
+}
+
+/// Runs a sweep that must succeed; what it says.
+fn done(folder: &Path, arguments: &[&str]) -> String {
+    let output = sweep(folder, arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+/// A folder with a plan.
+fn folder(plan: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("plan.toml"), plan).expect("the plan");
+    folder
+}
+
+/// The merged file of an undisturbed run.
+fn undisturbed(plan: &str) -> Vec<u8> {
+    let folder = folder(plan);
+    done(folder.path(), &["--out", "results"]);
+    fs::read(folder.path().join("results/results.parquet")).expect("the results")
+}
+
+fn parts(results: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(results).expect("the folder").map(|entry| entry.expect("an entry").path());
+    let mut parts: Vec<PathBuf> = entries.filter(|path| path.to_string_lossy().contains("part-")).collect();
+    parts.sort();
+    parts
+}
+
+#[test]
+fn bytes_do_not_depend_on_shards_threads_and_order() {
+    let expected = undisturbed(PLAN);
+    for (shards, threads) in [(1, "1"), (3, "2"), (7, "3")] {
+        let folder = folder(PLAN);
+        for shard in (1..=shards).rev() {
+            done(
+                folder.path(),
+                &["--out", "r", "--shard", &format!("{shard}/{shards}"), "--threads", threads],
+            );
+        }
+        assert!(done(folder.path(), &["--out", "r", "--status"]).contains("17 of 17 parts are done"));
+        done(folder.path(), &["--out", "r", "--merge"]);
+        assert!(
+            fs::read(folder.path().join("r/results.parquet")).expect("results") == expected,
+            "{shards} {threads}"
+        );
+    }
+}
+
+#[test]
+fn a_row_is_what_the_library_says_of_its_point() {
+    let folder = folder(PLAN);
+    done(folder.path(), &["--out", "r"]);
+    let file = fs::File::open(folder.path().join("r/results.parquet")).expect("results");
+    let reader = SerializedFileReader::new(file).expect("Parquet");
+    let rows: Vec<Vec<(String, Field)>> = reader
+        .get_row_iter(None)
+        .expect("rows")
+        .map(|row| {
+            row.expect("a row").get_column_iter().map(|(name, field)| (name.clone(), field.clone())).collect()
+        })
+        .collect();
+    assert_eq!(rows.len(), 40 * 2 * 5 * 2 * 2);
+    let double = |row: &[(String, Field)], name: &str| match row.iter().find(|(known, _)| known == name) {
+        Some((_, Field::Double(value))) => *value,
+        other => panic!("{name}: {other:?}"),
+    };
+    let whole = |row: &[(String, Field)], name: &str| match row.iter().find(|(known, _)| known == name) {
+        Some((_, Field::Long(value))) => *value,
+        other => panic!("{name}: {other:?}"),
+    };
+    let field = kahan_runtime::Field::parse(kahan_systems::registry::find("euler").expect("euler").text())
+        .expect("a field");
+    for (index, row) in rows.iter().enumerate() {
+        assert_eq!(whole(row, "index"), index as i64);
+        if whole(row, "order") != 2 || whole(row, "bits") != 64 {
+            continue;
+        }
+        let exact = |name: &str| kahan_runtime::Rational::from_f64(double(row, name)).expect("a number");
+        let map = field.with([("a1", 1.into()), ("a2", (-3).into()), ("a3", exact("a3"))]).expect("a map");
+        let mut x = [double(row, "x"), double(row, "y"), 0.5];
+        map.at(double(row, "eps")).advance(&mut x, 50).expect("three variables");
+        assert_eq!(whole(row, "steps"), 50);
+        assert_eq!(x, ["final_x", "final_y", "final_z"].map(|name| double(row, name)));
+        assert!(double(row, "drift_H") < 1e-12 && double(row, "least_x") <= x[0]);
+        let sum: f64 = (1..=3).map(|k| double(row, &format!("lyapunov_{k}"))).sum();
+        assert!((sum - double(row, "mean_log_det")).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
+    // Long enough to be killed within, and noted on the way.
+    let plan = PLAN.replace("steps = 50", "steps = 2000");
+    let expected = undisturbed(&plan);
+    let folder = folder(&plan);
+    let mut kills = 0;
+    for wait in (1..40).map(|k| Duration::from_millis(7 * k)) {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_kahan-sweep"))
+            .args(["plan.toml", "--out", "r"])
+            .current_dir(folder.path())
+            .stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .expect("the command runs");
+        std::thread::sleep(wait);
+        if child.try_wait().expect("a state").is_some() {
+            break;
+        }
+        child.kill().expect("it runs");
+        child.wait().expect("it ended");
+        kills += 1;
+        let merged = sweep(folder.path(), &["--out", "r", "--merge"]);
+        assert!(
+            merged.status.code() == Some(1)
+                || fs::read(folder.path().join("r/results.parquet")).expect("results") == expected
+        );
+    }
+    assert!(kills > 0);
+    done(folder.path(), &["--out", "r"]);
+    assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_sweep_says_so_and_keeps_what_is_done() {
+    let plan =
+        PLAN.replace("steps = 50", "steps = 20000").replace("rows_per_part = 97", "rows_per_part = 800");
+    let folder = folder(&plan);
+    let child = Command::new(env!("CARGO_BIN_EXE_kahan-sweep"))
+        .args(["plan.toml", "--out", "r", "--threads", "2"])
+        .current_dir(folder.path())
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .expect("the command runs");
+    std::thread::sleep(Duration::from_millis(1500));
+    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill");
+    assert!(kill.success());
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("the same command goes on"));
+    // What was done of the part is noted.
+    assert!(parts(&folder.path().join("r")).iter().any(|path| path.to_string_lossy().ends_with(".partial")));
+}
+
+#[test]
+fn what_does_not_belong_together_is_refused() {
+    let folder = folder(PLAN);
+    let said = |arguments: &[&str], status: i32| {
+        let output = sweep(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {}", text(&output.stderr));
+        text(&output.stderr) + &text(&output.stdout)
+    };
+    assert!(said(&["--out", "r", "--merge"], 1).contains("17 of 17 parts are missing"));
+    assert!(said(&["--out", "r", "--status"], 1).contains("missing: 0-16"));
+    done(folder.path(), &["--out", "r"]);
+    let expected = fs::read(folder.path().join("r/results.parquet")).expect("results");
+    let [first, second] = &parts(&folder.path().join("r"))[..2] else { panic!("two parts") };
+    let whole = fs::read(first).expect("a part");
+
+    // A byte that flips anywhere, and a file that ends early.
+    for place in [10, whole.len() / 2, whole.len() - 20] {
+        let mut damaged = whole.clone();
+        damaged[place] ^= 4;
+        fs::write(first, &damaged).expect("a part");
+        let merged = sweep(folder.path(), &["--out", "r", "--merge"]);
+        let is_refused =
+            merged.status.code() == Some(1) && text(&merged.stderr).contains("part-000000000000");
+        assert!(is_refused, "{place}: {}", text(&merged.stderr));
+    }
+    fs::write(first, &whole[..whole.len() - 100]).expect("a part");
+    assert!(said(&["--out", "r", "--status"], 1).contains("damaged"));
+    // A part under the name of another.
+    fs::copy(second, first).expect("a part");
+    assert!(said(&["--out", "r", "--merge"], 1).contains("another part under this name"));
+    // The same command mends it.
+    done(folder.path(), &["--out", "r"]);
+    assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
+
+    // Another plan in the same folder.
+    fs::write(folder.path().join("plan.toml"), PLAN.replace("steps = 50", "steps = 51")).expect("a plan");
+    assert!(said(&["--out", "r", "--merge"], 1).contains("belongs to another plan"));
+    assert!(said(&["--out", "r"], 1).contains("belongs to another plan"));
+    // The same plan, written otherwise.
+    let other = PLAN.replace("\"1/2\"", "0.5").replace("seed = 3", "# The seed.\nseed=3");
+    fs::write(folder.path().join("plan.toml"), other).expect("a plan");
+    done(folder.path(), &["--out", "r", "--merge"]);
+}
+
+#[test]
+fn two_processes_on_one_shard_do_no_harm() {
+    let expected = undisturbed(PLAN);
+    let folder = folder(PLAN);
+    let children: Vec<_> = (0..2)
+        .map(|_| {
+            Command::new(env!("CARGO_BIN_EXE_kahan-sweep"))
+                .args(["plan.toml", "--out", "r", "--shard", "1/1"])
+                .current_dir(folder.path())
+                .stdout(std::process::Stdio::null())
+                .spawn()
+                .expect("the command runs")
+        })
+        .collect();
+    for mut child in children {
+        assert!(child.wait().expect("it ends").success());
+    }
+    done(folder.path(), &["--out", "r", "--merge"]);
+    assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
+}
+
+#[test]
+fn exact_tasks_are_swept() {
+    let heights = folder(
+        "[system]\nname = \"lv\"\n[axes]\nx = [\"1/2\", \"1/3\"]\ny = \"5/3\"\neps = \"9/14\"\n[task]\nkind = \"heights\"\nsteps = 12\n",
+    );
+    done(heights.path(), &["--out", "r"]);
+    let discover = folder(
+        "[system]\nfield = \"xdot = y; ydot = a*x^2 - 2;\"\n[axes]\na = { from = 1, to = 3, step = 1 }\neps = \"1/10\"\n[task]\nkind = \"discover\"\n",
+    );
+    done(discover.path(), &["--out", "r"]);
+    let column = |folder: &Path, name: &str| -> Vec<Field> {
+        let file = fs::File::open(folder.join("r/results.parquet")).expect("results");
+        let reader = SerializedFileReader::new(file).expect("Parquet");
+        let rows = reader.get_row_iter(None).expect("rows");
+        rows.map(|row| {
+            let row = row.expect("a row");
+            row.get_column_iter().find(|(known, _)| *known == name).expect("the column").1.clone()
+        })
+        .collect()
+    };
+    assert_eq!(column(heights.path(), "growth"), vec![Field::Str("exponential".to_owned()); 2]);
+    assert_eq!(column(discover.path(), "independent_integrals"), vec![Field::Long(1); 3]);
+}
+
+#[test]
+fn every_mistake_of_a_plan_is_told_with_its_line() {
+    let folder =
+        folder("seed = -1\ndrows = 3\n[system]\nname = \"e66\"\n[axes]\nx = 1\n[task]\nkind = \"orbits\"\n");
+    let output = sweep(folder.path(), &["--out", "r"]);
+    assert_eq!(output.status.code(), Some(2));
+    let said = text(&output.stderr);
+    for part in [
+        "plan.toml:1: seed",
+        "plan.toml:2: the plan has no `drows`",
+        "plan.toml:4: there is no system `e66`",
+        "plan.toml:8: [task] has no kind `orbits`",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    for (change, part) in [
+        (
+            (
+                "x = { draw = \"sobol\", low = 0.1, high = 1 }",
+                "x = { draw = \"halton\", low = 0.1, high = 1 }",
+            ),
+            "no draw `halton`",
+        ),
+        (
+            ("x = { draw = \"sobol\", low = 0.1, high = 1 }", "x = { draw = \"sobol\", low = 2, high = 1 }"),
+            "low is below high",
+        ),
+        (("z = \"1/2\"", "z = []"), "no values"),
+        (("z = \"1/2\"", "w = 1"), "`w` is no axis"),
+        (("z = \"1/2\"", "z = \"1/0\""), "no exact number"),
+        (("z = \"1/2\"\n", ""), "`z` has no value"),
+        (("a2 = -3", "a2 = -3\na3 = 1"), "leave it out of one"),
+        (("draws = 40\n", ""), "draws = 1000"),
+        (("order = [2, 4]", "order = [2, 3]"), "order is 2, 4, 6 or 8"),
+        (("\"drift\"", "\"drifts\""), "no observer `drifts`"),
+        (("rows_per_part = 97", "rows_per_part = 97000000"), "rows_per_part is a whole number"),
+        (("points = 5", "points = 5000000000"), "too many for one file"),
+        (("seed = 3", "seed = 3\nseed = 4"), "duplicate key"),
+    ] {
+        let plan = PLAN.replace(change.0, change.1);
+        assert_ne!(plan, PLAN);
+        fs::write(folder.path().join("plan.toml"), plan).expect("a plan");
+        let output = sweep(folder.path(), &["--out", "r"]);
+        assert_eq!(output.status.code(), Some(2), "{change:?}");
+        assert!(text(&output.stderr).contains(part), "{part}: {}", text(&output.stderr));
+    }
+    assert!(!folder.path().join("r").exists());
+}
+
+#[test]
+fn a_dry_run_and_job_descriptions_run_nothing() {
+    let folder = folder(PLAN);
+    let said = done(folder.path(), &["--dry-run"]);
+    assert!(said.contains("points     1600") && said.contains("parts      17"), "{said}");
+    let script = done(folder.path(), &["--for", "slurm", "--shards", "5", "--out", "my results"]);
+    assert!(script.contains("--array=1-5") && script.contains("--out 'my results'"), "{script}");
+    let job = done(folder.path(), &["--for", "kubernetes", "--shards", "5"]);
+    assert!(job.contains("completions: 5") && job.contains("completionMode: Indexed"), "{job}");
+    assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), 1);
+}
+
+#[test]
+fn a_launcher_says_which_shard_this_is() {
+    let folder = folder(PLAN);
+    let launched = |variables: &[(&str, &str)]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_kahan-sweep"));
+        command.args(["plan.toml", "--out", "r"]).current_dir(folder.path());
+        command.envs(variables.iter().copied()).output().expect("the command runs")
+    };
+    let output = launched(&[("OMPI_COMM_WORLD_RANK", "1"), ("OMPI_COMM_WORLD_SIZE", "4")]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(text(&output.stderr).contains("task 2 of 4"), "{}", text(&output.stderr));
+    let names: Vec<String> =
+        parts(&folder.path().join("r")).iter().map(|path| path.to_string_lossy().into_owned()).collect();
+    assert!(names.len() == 4 && names[0].ends_with("part-000000000001.parquet"));
+    assert_eq!(launched(&[("JOB_COMPLETION_INDEX", "1")]).status.code(), Some(2));
+}
