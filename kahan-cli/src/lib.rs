@@ -35,7 +35,8 @@ use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
     atlas::Atlas, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
     extremes::Extremes, heights::Heights, list::List, map::StabilityMap, orbit::Orbit, page::Page,
-    picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade, verify::Verify,
+    picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show, sweep::Sweep, trade::Trade,
+    verify::Verify,
 };
 use printing::{Answer, Refusal, finish};
 
@@ -78,6 +79,7 @@ enum Command {
     Picture(Picture),
     Poles(Poles),
     Page(Page),
+    Sweep(Sweep),
     Atlas(Atlas),
     Completions(Completions),
 }
@@ -126,6 +128,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Picture(command)) => command.run(),
         Some(Command::Poles(command)) => command.run(),
         Some(Command::Page(command)) => command.run(),
+        Some(Command::Sweep(command)) => command.run(),
         Some(Command::Atlas(command)) => command.run(),
         Some(Command::Completions(command)) => command.run(self::command()),
     }

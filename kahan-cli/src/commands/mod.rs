@@ -18,5 +18,6 @@ pub(crate) mod scan;
 mod search;
 pub(crate) mod section;
 pub(crate) mod show;
+pub(crate) mod sweep;
 pub(crate) mod trade;
 pub(crate) mod verify;

@@ -24,6 +24,8 @@ mod regressions;
 mod running;
 mod rust_files;
 mod showing;
+#[cfg(unix)]
+mod sweeping;
 mod terminals;
 mod trade;
 mod verifying;

@@ -122,10 +122,8 @@ fn encode(rows: &Rows) -> Vec<u8> {
     let mut bytes = Vec::new();
     for column in &rows.columns {
         match column {
-            Entries::Integers(entries) => entries.iter().for_each(|entry| bytes.extend(entry.to_le_bytes())),
-            Entries::Doubles(entries) => {
-                entries.iter().for_each(|entry| bytes.extend(entry.to_bits().to_le_bytes()))
-            }
+            Entries::Integers(entries) => bytes.extend(entries.iter().flat_map(|entry| entry.to_le_bytes())),
+            Entries::Doubles(entries) => bytes.extend(entries.iter().flat_map(|entry| entry.to_le_bytes())),
             Entries::Texts(entries) => {
                 for entry in entries {
                     bytes.extend((entry.len() as u64).to_le_bytes());

@@ -37,7 +37,7 @@ pub(super) fn floats() -> &'static str {
     match (cfg!(target_arch = "x86_64"), cfg!(target_feature = "fma")) {
         (true, false) => "x86-64, products rounded",
         (true, true) => "x86-64, products fused",
-        (false, _) => concat!("interpreted, on another processor"),
+        (false, _) => "interpreted, on another processor",
     }
 }
 

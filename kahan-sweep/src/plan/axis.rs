@@ -29,7 +29,7 @@ pub(crate) enum Values {
     /// `from`, and so many values a `step` apart.
     Grid { from: Rational, step: Rational, count: u64 },
     /// Between two numbers, at the plan's draws.
-    Drawn { source: Draw, kind: &'static str, low: Rational, high: Rational },
+    Drawn { source: Box<Draw>, kind: &'static str, low: Rational, high: Rational },
 }
 
 /// One axis of a sweep.

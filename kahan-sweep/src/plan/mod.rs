@@ -47,6 +47,16 @@ pub(crate) struct Point<V> {
     pub(crate) bits: u32,
 }
 
+impl Point<f64> {
+    /// Whether the map is the same: parameters, ε, order and scalar.
+    pub(crate) fn has_the_map_of(&self, other: &Self) -> bool {
+        let same = |a: &[f64], b: &[f64]| a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()));
+        same(&self.parameters, &other.parameters)
+            && self.eps.to_bits() == other.eps.to_bits()
+            && (self.order, self.bits) == (other.order, other.bits)
+    }
+}
+
 impl Plan {
     /// Reads a plan; `origin` is what it is called in reports.
     ///
@@ -64,6 +74,15 @@ impl Plan {
     #[must_use]
     pub fn points(&self) -> u64 {
         self.draws * self.axes.iter().filter_map(Axis::count).product::<u64>()
+    }
+
+    /// Whether points that follow each other mostly differ in their starts alone.
+    pub(crate) fn neighbours_share_a_map(&self) -> bool {
+        let is_start = |axis: &&Axis| matches!(axis.target, Target::Variable(_));
+        if self.draws > 1 {
+            return self.axes.iter().filter(|axis| axis.count().is_none()).all(|axis| is_start(&axis));
+        }
+        self.axes.iter().rev().find(|axis| axis.varies()).is_some_and(|axis| is_start(&axis))
     }
 
     /// How many parts it is written in.

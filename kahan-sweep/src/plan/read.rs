@@ -5,6 +5,7 @@ use std::ops::Range;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_runtime::{Field, FieldText};
+use kahan_systems::entry::Entry;
 use kahan_systems::registry;
 use toml::de::{DeTable, DeValue};
 
@@ -113,7 +114,7 @@ impl Reader<'_, '_> {
         let (source, span) = match (name, field) {
             (Some(value), None) => {
                 let name = text(value, "name", self.mistakes)?;
-                let entry = registry::find(name).map(|entry| entry.text());
+                let entry = registry::find(name).map(Entry::text);
                 let family = kahan_systems::lattices::find(name).map(|family| family.text);
                 match entry.or(family) {
                     Some(source) => (source.to_owned(), value.span()),
@@ -281,7 +282,7 @@ impl Reader<'_, '_> {
                 .note(&table.span, format!("{name}: low is below high, both within the range of doubles"));
             return None;
         }
-        Some(Values::Drawn { source, kind, low, high })
+        Some(Values::Drawn { source: Box::new(source), kind, low, high })
     }
 
     /// `{ from, to, points }` or `{ from, to, step }`.

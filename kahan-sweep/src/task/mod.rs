@@ -5,6 +5,7 @@
 
 mod exactly;
 mod orbit;
+mod walk;
 mod watch;
 
 use std::fmt;
@@ -60,27 +61,41 @@ pub(crate) fn rows(plan: &Plan, indices: Range<u64>, is_over: &dyn Fn() -> bool)
     let chosen = chosen(plan);
     let columns = all(plan);
     let mut rows = Rows::of(&chosen.iter().map(|&place| columns[place].clone()).collect::<Vec<_>>());
-    let mut follower = orbit::Follower::new(plan);
-    for index in indices {
-        if is_over() {
-            break;
-        }
-        let entries = match &plan.task {
-            Task::Orbit(orbit) => {
-                let values = plan.values(index, Axis::double);
-                let mut entries = place(plan, index, &values);
-                follower.follow(orbit, plan, index, &values, &mut entries);
-                entries
-            }
-            Task::Exactly(exactly) => {
-                let values = plan.values(index, Axis::double);
-                let mut entries = place(plan, index, &values);
-                entries.extend(exactly.entries(plan, &plan.exact_point(index)));
-                entries
-            }
-        };
+    let mut put = |index: u64, values: &[f64], found: Vec<Entry>| {
+        let mut entries = place(plan, index, values);
+        entries.extend(found);
         for (column, &place) in chosen.iter().enumerate() {
             rows.push(column, entries[place].clone());
+        }
+    };
+    match &plan.task {
+        Task::Exactly(exactly) => {
+            for index in indices.take_while(|_| !is_over()) {
+                put(
+                    index,
+                    &plan.values(index, Axis::double),
+                    exactly.entries(plan, &plan.exact_point(index)),
+                );
+            }
+        }
+        Task::Orbit(orbit) => {
+            let mut follower = orbit::Follower::new(plan);
+            let at_once = follower.at_once(orbit);
+            let mut next = indices.start;
+            while next < indices.end && !is_over() {
+                let values = (next..indices.end).take(at_once).map(|index| plan.values(index, Axis::double));
+                let mut values: Vec<Vec<f64>> = values.collect();
+                let mut points: Vec<_> =
+                    values.iter().map(|values| plan.point(values, |value| *value as u32)).collect();
+                let same = points.iter().take_while(|point| point.has_the_map_of(&points[0])).count();
+                values.truncate(same);
+                points.truncate(same);
+                let found = follower.follow(orbit, plan, next, &points);
+                for (index, (values, found)) in (next..).zip(values.iter().zip(found)) {
+                    put(index, values, found);
+                }
+                next += same as u64;
+            }
         }
     }
     rows

@@ -4,7 +4,8 @@ use kahan_core::Composition;
 use kahan_core::observe::{Extrema, Observer};
 use kahan_runtime::{MachineFloat, Map, MapAt};
 
-use super::watch::{Rotations, Running, Watch};
+use super::walk::{Gait, Walked};
+use super::watch::{Quantity, Rotations, Running, Watch};
 use crate::columns::{Column, Entry, Kind};
 use crate::plan::{Axis, Plan, Point};
 
@@ -44,32 +45,47 @@ pub(super) struct Follower {
     prepared: Option<((f64, u32, u32), Prepared)>,
     /// Columns of what is found.
     columns: usize,
+    gait: Gait,
 }
 
 impl Follower {
     pub(super) fn new(plan: &Plan) -> Self {
-        Self { map: None, prepared: None, columns: plan.task.columns(plan).len() }
+        // Where neighbours have maps of their own, nothing is gained side by side.
+        let gait = if plan.neighbours_share_a_map() { Gait::Abreast } else { Gait::OneByOne };
+        Self { map: None, prepared: None, columns: plan.task.columns(plan).len(), gait }
     }
 
-    /// What is found on the orbit of a point.
+    /// What is found on the orbits of points, of which the first has this index, and which have
+    /// one map.
     pub(super) fn follow(
         &mut self,
         orbit: &Orbit,
         plan: &Plan,
         index: u64,
-        values: &[f64],
-        entries: &mut Vec<Entry>,
-    ) {
-        let point = plan.point(values, |value| *value as u32);
-        let before = entries.len();
-        match self.prepare(plan, index, &point) {
-            Some(Prepared::Double(at)) => orbit.observed(at, &point.start, entries),
-            Some(Prepared::Single(at)) => orbit.observed(at, &point.start, entries),
+        points: &[Point<f64>],
+    ) -> Vec<Vec<Entry>> {
+        let starts: Vec<&[f64]> = points.iter().map(|point| &point.start[..]).collect();
+        let (gait, columns) = (self.gait, self.columns);
+        match self.prepare(plan, index, &points[0]) {
+            Some(Prepared::Double(at)) => orbit.observed(gait, at, &starts),
+            Some(Prepared::Single(at)) => orbit.observed(gait, at, &starts),
             None => {
                 // Where the field divides by zero there is no orbit.
-                entries.push(Entry::Integer(0));
-                entries.resize(before + self.columns, Entry::Double(f64::NAN));
+                let mut nothing = vec![Entry::Double(f64::NAN); columns];
+                nothing[0] = Entry::Integer(0);
+                vec![nothing; points.len()]
             }
+        }
+    }
+
+    /// How many points with one map are followed at once: enough to fill registers, few enough that
+    /// they are done in a moment.
+    pub(super) fn at_once(&self, orbit: &Orbit) -> usize {
+        /// Steps of all of them together.
+        const STEPS: u64 = 1 << 22;
+        match self.gait {
+            Gait::OneByOne => 1,
+            Gait::Abreast => (STEPS / orbit.steps).clamp(1, 64) as usize,
         }
     }
 
@@ -98,86 +114,69 @@ impl Follower {
 }
 
 impl Orbit {
-    /// The steps made, and what the observers report.
-    fn observed<T: Machine>(&self, at: &MapAt<T>, start: &[f64], entries: &mut Vec<Entry>) {
-        let start: Vec<T> = start.iter().map(|&x| T::nearest(x)).collect();
+    /// The steps made, and what the observers report, of each orbit.
+    fn observed<T: Machine>(&self, gait: Gait, at: &MapAt<T>, starts: &[&[f64]]) -> Vec<Vec<Entry>> {
+        let starts: Vec<Vec<T>> =
+            starts.iter().map(|start| start.iter().map(|&x| T::nearest(x)).collect()).collect();
         let own = |value: &[T]| [value[0]];
-        let mut running: Vec<Running<'_, T, _>> =
-            self.observe.iter().map(|watch| Running::new(*watch, at, self, own)).collect();
-        let mut last = start.clone();
-        let steps = if running.iter().all(|one| matches!(one, Running::Nothing)) {
-            self.advance(at, &mut last)
+        let running = self.observe.iter().map(|watch| Running::new(*watch, at, self, starts.len(), own));
+        let mut running: Vec<Running<'_, T, _>> = running.collect();
+        let looks = self.observe.iter().any(|watch| !matches!(watch, Watch::Last | Watch::Rotation));
+        let walked = if looks {
+            gait.walk(at, &starts, &vec![self.steps; starts.len()], |seen| {
+                running.iter_mut().for_each(|one| one.observe(seen));
+            })
         } else {
-            let mut steps = 0;
-            let made = self.walk(at, &start, self.steps, |step, x| {
-                running.iter_mut().for_each(|one| one.observe(step, x));
-                steps = step;
-            });
-            last = made;
-            steps
+            gait.advance(at, &starts, self.steps)
         };
-        entries.push(Entry::Integer(steps as i64));
+        let rotations = match self.observe.contains(&Watch::Rotation) {
+            true => Self::rotations(gait, at, &starts, &walked),
+            false => Vec::new(),
+        };
+        let mut rows: Vec<Vec<Entry>> =
+            walked.iter().map(|walked| vec![Entry::Integer(walked.steps as i64)]).collect();
+        let mut rotations = rotations.into_iter();
         for (watch, one) in self.observe.iter().zip(running) {
             match watch {
-                Watch::Last => entries.extend(last.iter().map(|&x| Entry::Double(x.into()))),
-                Watch::Rotation => self.rotations(at, &start, steps).report(entries),
-                _ => one.report(entries),
+                Watch::Last => {
+                    for (row, walked) in rows.iter_mut().zip(&walked) {
+                        row.extend(walked.last.iter().map(|&x| Entry::Double(x.into())));
+                    }
+                }
+                Watch::Rotation => rows.iter_mut().zip(&mut rotations).for_each(|(row, one)| one.report(row)),
+                _ => one.report(&mut rows),
             }
         }
+        rows
     }
 
-    /// All steps without a look at the points, the steps made among them.
-    fn advance<T: Machine>(&self, at: &MapAt<T>, x: &mut Vec<T>) -> u64 {
-        let start = x.clone();
-        // The state is as long as the field has variables.
-        let _ = at.advance(x, self.steps);
-        if x.iter().all(|&x| x.into().is_finite()) {
-            return self.steps;
-        }
-        // Somewhere on the way numbers left their range: that step is looked for.
-        let mut steps = 0;
-        *x = self.walk(at, &start, self.steps, |step, _| steps = step);
-        steps
-    }
-
-    /// Shows the points with their steps as long as they are numbers; the last of them.
-    fn walk<T: Machine>(
-        &self,
+    /// The rotation of each variable of each orbit, in two more runs.
+    fn rotations<T: Machine>(
+        gait: Gait,
         at: &MapAt<T>,
-        start: &[T],
-        steps: u64,
-        mut show: impl FnMut(u64, &[T]),
-    ) -> Vec<T> {
-        let mut x = start.to_vec();
-        show(0, &x);
-        for step in 1..=steps {
-            // As above.
-            let _ = at.advance(&mut x, 1);
-            if !x.iter().all(|&x| x.into().is_finite()) {
-                // The point before is found again, so that no other orbit pays for keeping it.
-                x.copy_from_slice(start);
-                let _ = at.advance(&mut x, step - 1);
-                break;
-            }
-            show(step, &x);
-        }
-        x
-    }
-
-    /// The rotation of each variable, in two more runs.
-    fn rotations<T: Machine>(&self, at: &MapAt<T>, start: &[T], steps: u64) -> Rotations<T> {
-        let variables = start.len();
-        let mut both = [start, start].concat();
-        let mut with_rates = |x: &[T], see: &mut dyn FnMut(&[T])| {
+        starts: &[Vec<T>],
+        walked: &[Walked<T>],
+    ) -> Vec<Rotations<T>> {
+        let steps: Vec<u64> = walked.iter().map(|walked| walked.steps).collect();
+        let variables = at.map().field().variables().len();
+        let mut both = vec![T::zero(); 2 * variables];
+        let mut with_rates = |x: &[T]| {
             both[..variables].copy_from_slice(x);
+            // Both are as long as the field has variables.
             let _ = at.field(x, &mut both[variables..]);
-            see(&both);
+            both.clone()
         };
-        let of = |k: usize| Extrema::of(Box::new(move |both: &[T]| both[k]) as Box<dyn Fn(&[T]) -> T>);
-        let mut extrema: Vec<_> = (0..2 * variables).map(of).collect();
-        self.walk(at, start, steps, |step, x| with_rates(x, &mut |both| extrema.observe(step, both)));
-        let mut rotations = Rotations::new(steps, extrema.report());
-        self.walk(at, start, steps, |step, x| with_rates(x, &mut |both| rotations.observe(step, both)));
+        let of = |k: usize| Extrema::of(Box::new(move |both: &[T]| both[k]) as Quantity<T>);
+        let mut extrema: Vec<Vec<_>> = starts.iter().map(|_| (0..2 * variables).map(of).collect()).collect();
+        gait.walk(at, starts, &steps, |seen| {
+            seen.each().for_each(|(orbit, x)| extrema[orbit].observe(seen.step, &with_rates(x)));
+        });
+        let with_steps = extrema.into_iter().zip(&steps);
+        let mut rotations: Vec<_> =
+            with_steps.map(|(extrema, &steps)| Rotations::new(steps, extrema.report())).collect();
+        gait.walk(at, starts, &steps, |seen| {
+            seen.each().for_each(|(orbit, x)| rotations[orbit].observe(seen.step, &with_rates(x)));
+        });
         rotations
     }
 }

@@ -6,6 +6,7 @@ use kahan_core::observe::{
 use kahan_runtime::{MapAt, TangentAt};
 
 use super::orbit::{Machine, Orbit};
+use super::walk::Seen;
 use crate::columns::{Column, Entry, Kind};
 use crate::plan::Plan;
 
@@ -96,114 +97,144 @@ impl Watch {
     }
 }
 
-/// An observer at work.
+/// A number of a point.
+pub(super) type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
+/// A condition on a point.
+type Condition<T> = Box<dyn Fn(&[T]) -> bool>;
+/// Two numbers of a point.
+type Plane<T> = Box<dyn Fn(&[T]) -> [T; 2]>;
+
+/// What is observed of some orbits, an observer an orbit.
 pub(super) enum Running<'a, T: Machine, F> {
+    /// Those of one orbit behind those of another.
     Drift {
         at: &'a MapAt<T>,
         values: Vec<T>,
         drifts: Vec<Drift<F, T, 1>>,
     },
-    Extrema(Vec<Extrema<Box<dyn Fn(&[T]) -> T>, T>>),
-    Lyapunov(Lyapunov<TangentAt<T>, T>),
-    Spectrum(Spectrum<TangentAt<T>, T>),
-    LogDet(MeanLogDet<TangentAt<T>, T>),
-    Fli(Fli<TangentAt<T>, T>),
-    Megno(Megno<TangentAt<T>, T>),
-    Sali(Sali<TangentAt<T>, T>),
-    Escape(Escape<Box<dyn Fn(&[T]) -> bool>>),
+    Extrema(Vec<Vec<Extrema<Quantity<T>, T>>>),
+    Lyapunov(Vec<Lyapunov<TangentAt<T>, T>>),
+    Spectrum(Vec<Spectrum<TangentAt<T>, T>>),
+    LogDet(Vec<MeanLogDet<TangentAt<T>, T>>),
+    Fli(Vec<Fli<TangentAt<T>, T>>),
+    Megno(Vec<Megno<TangentAt<T>, T>>),
+    Sali(Vec<Sali<TangentAt<T>, T>>),
+    Escape(Vec<Escape<Condition<T>>>),
     /// What needs no look at the points on the way.
     Nothing,
 }
 
 impl<'a, T: Machine, F: Fn(&[T]) -> [T; 1] + Copy> Running<'a, T, F> {
-    /// An observer of an orbit at the beginning; `own` is the number that a slice of one number holds.
-    pub(super) fn new(watch: Watch, at: &'a MapAt<T>, orbit: &Orbit, own: F) -> Self {
+    /// Observers of so many orbits; `own` is the number that a slice of one number holds.
+    pub(super) fn new(watch: Watch, at: &'a MapAt<T>, orbit: &Orbit, orbits: usize, own: F) -> Self {
         let (variables, integrals) = (at.map().field().variables().len(), at.map().field().integrals().len());
+        let tangents = || (0..orbits).map(|_| at.tangent());
         match watch {
             Watch::Drift => {
-                let drifts = (0..integrals).map(|_| Drift::of(own)).collect();
+                let drifts = (0..orbits * integrals).map(|_| Drift::of(own)).collect();
                 Running::Drift { at, values: vec![T::zero(); integrals], drifts }
             }
             Watch::Extrema => {
-                let of = |k: usize| Extrema::of(Box::new(move |x: &[T]| x[k]) as Box<dyn Fn(&[T]) -> T>);
-                Running::Extrema((0..variables).map(of).collect())
+                let of = |k: usize| Extrema::of(Box::new(move |x: &[T]| x[k]) as Quantity<T>);
+                Running::Extrema((0..orbits).map(|_| (0..variables).map(of).collect()).collect())
             }
-            Watch::Lyapunov => Running::Lyapunov(Lyapunov::new(at.tangent())),
-            Watch::Spectrum => Running::Spectrum(Spectrum::new(at.tangent(), variables, orbit.every)),
-            Watch::LogDet => Running::LogDet(MeanLogDet::new(at.tangent())),
-            Watch::Fli => Running::Fli(Fli::new(at.tangent())),
-            Watch::Megno => Running::Megno(Megno::new(at.tangent())),
-            Watch::Sali => Running::Sali(Sali::new(at.tangent())),
+            Watch::Lyapunov => Running::Lyapunov(tangents().map(Lyapunov::new).collect()),
+            Watch::Spectrum => Running::Spectrum(
+                tangents().map(|tangent| Spectrum::new(tangent, variables, orbit.every)).collect(),
+            ),
+            Watch::LogDet => Running::LogDet(tangents().map(MeanLogDet::new).collect()),
+            Watch::Fli => Running::Fli(tangents().map(Fli::new).collect()),
+            Watch::Megno => Running::Megno(tangents().map(Megno::new).collect()),
+            Watch::Sali => Running::Sali(tangents().map(Sali::new).collect()),
             Watch::Escape => {
                 let radius = orbit.escape;
-                Running::Escape(Escape::when(Box::new(move |x: &[T]| {
-                    !x.iter().all(|&x| x.into().abs() <= radius)
-                }) as Box<dyn Fn(&[T]) -> bool>))
+                let beyond = move |x: &[T]| !x.iter().all(|&x| x.into().abs() <= radius);
+                Running::Escape((0..orbits).map(|_| Escape::when(Box::new(beyond) as Condition<T>)).collect())
             }
             Watch::Last | Watch::Rotation => Running::Nothing,
         }
     }
 
-    #[inline]
-    pub(super) fn observe(&mut self, step: u64, x: &[T]) {
+    pub(super) fn observe(&mut self, seen: &Seen<'_, T>) {
         match self {
             Running::Drift { at, values, drifts } => {
-                // The state is as long as the field has variables.
-                let _ = at.integrals(x, values);
-                for (drift, value) in drifts.iter_mut().zip(values.iter()) {
-                    drift.observe(step, std::slice::from_ref(value));
+                let integrals = values.len();
+                for (orbit, x) in seen.each() {
+                    // The state is as long as the field has variables.
+                    let _ = at.integrals(x, values);
+                    for (drift, value) in drifts[orbit * integrals..].iter_mut().zip(values.iter()) {
+                        drift.observe(seen.step, std::slice::from_ref(value));
+                    }
                 }
             }
-            Running::Extrema(extrema) => extrema.iter_mut().for_each(|one| one.observe(step, x)),
-            Running::Lyapunov(one) => one.observe(step, x),
-            Running::Spectrum(one) => one.observe(step, x),
-            Running::LogDet(one) => one.observe(step, x),
-            Running::Fli(one) => one.observe(step, x),
-            Running::Megno(one) => one.observe(step, x),
-            Running::Sali(one) => one.observe(step, x),
-            Running::Escape(one) => one.observe(step, x),
+            Running::Extrema(each) => show(each, seen),
+            Running::Lyapunov(each) => show(each, seen),
+            Running::Spectrum(each) => show(each, seen),
+            Running::LogDet(each) => show(each, seen),
+            Running::Fli(each) => show(each, seen),
+            Running::Megno(each) => show(each, seen),
+            Running::Sali(each) => show(each, seen),
+            Running::Escape(each) => show(each, seen),
             Running::Nothing => {}
         }
     }
 
-    /// The entries of its columns.
-    pub(super) fn report(self, entries: &mut Vec<Entry>) {
-        let mut put = |value: f64| entries.push(Entry::Double(value));
+    /// Adds the entries of its columns to the row of each orbit.
+    pub(super) fn report(self, rows: &mut [Vec<Entry>]) {
         match self {
-            Running::Drift { drifts, .. } => {
-                for drift in drifts {
+            Running::Drift { values, drifts, .. } => {
+                // Without integrals there is nothing to share out.
+                let integrals = values.len().max(1);
+                for (place, drift) in drifts.into_iter().enumerate() {
                     let [drifted] = drift.report();
-                    put(drifted.max);
-                    put(drifted.last);
+                    put(&mut rows[place / integrals], &[drifted.max, drifted.last]);
                 }
             }
-            Running::Extrema(extrema) => {
-                for one in extrema {
-                    let ends = one.report();
-                    put(ends.map_or(f64::NAN, |ends| ends.least.into()));
-                    put(ends.map_or(f64::NAN, |ends| ends.greatest.into()));
-                }
+            Running::Extrema(each) => tell(each, rows, |ends| {
+                let ends = ends.into_iter().flat_map(|ends| match ends {
+                    Some(ends) => [ends.least.into(), ends.greatest.into()],
+                    None => [f64::NAN; 2],
+                });
+                ends.collect()
+            }),
+            Running::Lyapunov(each) => tell(each, rows, |exponent| vec![exponent.value, exponent.error]),
+            Running::Spectrum(each) => {
+                tell(each, rows, |exponents| exponents.into_iter().map(|exponent| exponent.value).collect());
             }
-            Running::Lyapunov(one) => {
-                let exponent = one.report();
-                put(exponent.value);
-                put(exponent.error);
+            Running::LogDet(each) => tell(each, rows, |value| vec![value]),
+            Running::Fli(each) => tell(each, rows, |value| vec![value]),
+            Running::Megno(each) => tell(each, rows, |megno| vec![megno.mean]),
+            Running::Sali(each) => tell(each, rows, |value| vec![value]),
+            Running::Escape(each) => {
+                tell(each, rows, |step| vec![step.map_or(f64::NAN, |step| step as f64)]);
             }
-            Running::Spectrum(one) => one.report().into_iter().for_each(|exponent| put(exponent.value)),
-            Running::LogDet(one) => put(one.report()),
-            Running::Fli(one) => put(one.report()),
-            Running::Megno(one) => put(one.report().mean),
-            Running::Sali(one) => put(one.report()),
-            Running::Escape(one) => put(one.report().map_or(f64::NAN, |step| step as f64)),
             Running::Nothing => {}
         }
     }
 }
 
+fn show<T, O: Observer<T>>(observers: &mut [O], seen: &Seen<'_, T>) {
+    seen.each().for_each(|(orbit, x)| observers[orbit].observe(seen.step, x));
+}
+
+fn tell<T, O: Observer<T>>(
+    observers: Vec<O>,
+    rows: &mut [Vec<Entry>],
+    numbers: impl Fn(O::Report) -> Vec<f64>,
+) {
+    for (observer, row) in observers.into_iter().zip(rows) {
+        put(row, &numbers(observer.report()));
+    }
+}
+
+fn put(row: &mut Vec<Entry>, numbers: &[f64]) {
+    row.extend(numbers.iter().map(|&number| Entry::Double(number)));
+}
+
 /// The rotation of each variable about the middle of its extremes, in the plane of the variable and
 /// its rate, seen in a second run.
 pub(super) struct Rotations<T: Machine> {
-    of: Vec<Option<Rotation<Box<dyn Fn(&[T]) -> [T; 2]>, T>>>,
+    of: Vec<Option<Rotation<Plane<T>, T>>>,
 }
 
 impl<T: Machine> Rotations<T> {
@@ -211,8 +242,7 @@ impl<T: Machine> Rotations<T> {
     pub(super) fn new(steps: u64, extremes: Vec<Option<kahan_core::observe::Extremes<T>>>) -> Self {
         let variables = extremes.len() / 2;
         let of = (0..variables).map(|k| {
-            let plane =
-                Box::new(move |both: &[T]| [both[k], both[variables + k]]) as Box<dyn Fn(&[T]) -> [T; 2]>;
+            let plane = Box::new(move |both: &[T]| [both[k], both[variables + k]]) as Plane<T>;
             Some(Rotation::between(steps, plane, [extremes[k]?, extremes[variables + k]?]))
         });
         Self { of: of.collect() }

@@ -1,0 +1,33 @@
+//! `kahan sweep` hands everything on to a program of its own.
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use crate::running::text;
+
+/// A run that finds programs in this folder only.
+fn sweep(programs: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
+    command.arg("sweep").args(arguments).env("PATH", programs).output().expect("the command runs")
+}
+
+#[test]
+fn arguments_and_the_exit_status_are_handed_on() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let program = folder.path().join("kahan-sweep");
+    fs::write(&program, "#!/bin/sh\necho \"$@\"\nexit 7\n").expect("a program");
+    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("permissions");
+    let output = sweep(folder.path(), &["plan.toml", "--out", "my results", "--shard", "1/2", "--json"]);
+    assert_eq!(text(&output.stdout), "plan.toml --out my results --shard 1/2 --json\n");
+    assert_eq!(output.status.code(), Some(7));
+}
+
+#[test]
+fn where_it_is_not_installed_it_is_said_how() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = sweep(folder.path(), &["plan.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("cargo install --path kahan-sweep"));
+}
