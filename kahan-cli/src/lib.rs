@@ -35,8 +35,8 @@ use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
     atlas::Atlas, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
     extremes::Extremes, heights::Heights, list::List, map::StabilityMap, orbit::Orbit, page::Page,
-    picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show, sweep::Sweep, trade::Trade,
-    verify::Verify,
+    periodic::Periodic, picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show,
+    sweep::Sweep, trade::Trade, verify::Verify,
 };
 use printing::{Answer, Refusal, finish};
 
@@ -71,6 +71,7 @@ enum Command {
     Dynamics(Dynamics),
     Heights(Heights),
     Section(Section),
+    Periodic(Periodic),
     Map(StabilityMap),
     Extremes(Extremes),
     Trade(Trade),
@@ -120,6 +121,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Dynamics(command)) => command.run(),
         Some(Command::Heights(command)) => command.run(),
         Some(Command::Section(command)) => command.run(),
+        Some(Command::Periodic(command)) => command.run(),
         Some(Command::Map(command)) => command.run(),
         Some(Command::Extremes(command)) => command.run(),
         Some(Command::Trade(command)) => command.run(),

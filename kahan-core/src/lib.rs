@@ -85,6 +85,9 @@ mod ensemble;
 pub mod observe;
 
 #[cfg(feature = "std")]
+pub mod periodic;
+
+#[cfg(feature = "std")]
 mod lattice;
 
 #[cfg(feature = "std")]

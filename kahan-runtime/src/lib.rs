@@ -23,6 +23,7 @@ mod machine;
 mod map;
 pub mod orbit;
 mod parameters;
+mod periodic;
 mod text;
 pub mod threads;
 

@@ -30,6 +30,7 @@ const CORE: Layered = Layered {
         "composition",
         "ensemble",
         "observe",
+        "periodic",
         "lattice",
         "scene",
     ],

@@ -12,6 +12,7 @@ pub(crate) mod list;
 pub(crate) mod map;
 pub(crate) mod orbit;
 pub(crate) mod page;
+pub(crate) mod periodic;
 pub(crate) mod picture;
 pub(crate) mod poles;
 pub(crate) mod scan;

@@ -1,0 +1,234 @@
+//! Cycles as a parameter, or ε, changes: along the arc of the branch, so that it may turn back.
+
+use std::vec::Vec;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::Differentiable;
+use super::cycle::{PeriodicPoint, size};
+use super::newton::{defect, least_norm, slope};
+
+/// A cycle on a branch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BranchPoint {
+    /// The value of what changes.
+    pub parameter: f64,
+    /// The cycle there.
+    pub cycle: PeriodicPoint,
+}
+
+/// What happens between two cycles of a branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// The branch turns back: two cycles meet.
+    Fold,
+    /// A real multiplier goes through 1.
+    ThroughOne,
+    /// A real multiplier goes through −1: cycles of twice the period may begin.
+    ThroughMinusOne,
+    /// A pair of complex multipliers goes through the unit circle.
+    ThroughCircle,
+}
+
+/// A change, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    /// What happens.
+    pub change: Change,
+    /// The parameter there.
+    pub parameter: f64,
+}
+
+/// A branch of cycles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branch {
+    /// In the order of the branch.
+    pub points: Vec<BranchPoint>,
+    /// In the same order.
+    pub turns: Vec<Turn>,
+    /// Whether it ended before the ends of the range: at a pole, or where no cycle was found beyond.
+    pub is_cut: bool,
+}
+
+/// A place on the branch: the points of the cycle, and the parameter in units of the range behind
+/// them.
+type Place = DVector<f64>;
+
+/// Follows a cycle at `from` towards `to`, in about so many steps, until the parameter leaves the
+/// range between them.
+///
+/// `map` makes the map at a value of the parameter. Derivatives with respect to points are exact;
+/// that with respect to the parameter, which only says where to look next, is a difference.
+///
+/// Cost: each step some decompositions as those of
+/// [`periodic_point`](super::periodic_point()).
+pub fn branch<M: Differentiable>(
+    map: impl Fn(f64) -> M,
+    cycle: &PeriodicPoint,
+    [from, to]: [f64; 2],
+    steps: usize,
+) -> Branch {
+    let arc = Arc { map, from, length: to - from };
+    let mut place = cycle.vector().push(0.0);
+    let mut ahead = DVector::zeros(place.len());
+    ahead[place.len() - 1] = 1.0;
+    let mut branch = Branch { points: Vec::new(), turns: Vec::new(), is_cut: false };
+    let Some(mut tangent) = arc.tangent(&place, &ahead) else {
+        branch.is_cut = true;
+        return branch;
+    };
+    branch.points.push(arc.judged(&place));
+    let longest = 1.0 / steps.max(1) as f64;
+    let mut stride = longest;
+    // A branch that winds ends somewhere.
+    while branch.points.len() <= 20 * steps.max(1) {
+        let step =
+            arc.step(&place, &tangent, stride).and_then(|next| Some((arc.tangent(&next, &tangent)?, next)));
+        let Some((next_tangent, next)) = step.filter(|(turned, _)| turned.dot(&tangent) > 0.5) else {
+            stride /= 2.0;
+            if stride < longest / 4096.0 {
+                branch.is_cut = true;
+                break;
+            }
+            continue;
+        };
+        let there = arc.judged(&next);
+        let before = &branch.points[branch.points.len() - 1].cycle;
+        let turns = arc.turns(&place, [&tangent, &next_tangent], [before, &there.cycle], stride);
+        branch.turns.extend(turns);
+        let part = next[next.len() - 1];
+        branch.points.push(there);
+        (place, tangent) = (next, next_tangent);
+        stride = (1.5 * stride).min(longest);
+        if !(0.0..=1.0).contains(&part) {
+            break;
+        }
+    }
+    branch
+}
+
+/// The curve of cycles over the range.
+struct Arc<F> {
+    map: F,
+    from: f64,
+    length: f64,
+}
+
+impl<M: Differentiable, F: Fn(f64) -> M> Arc<F> {
+    fn parameter(&self, place: &Place) -> f64 {
+        self.from + self.length * place[place.len() - 1]
+    }
+
+    fn map(&self, place: &Place) -> M {
+        (self.map)(self.parameter(place))
+    }
+
+    fn cycle(place: &Place) -> DVector<f64> {
+        place.rows(0, place.len() - 1).into_owned()
+    }
+
+    fn judged(&self, place: &Place) -> BranchPoint {
+        let (map, cycle) = (self.map(place), Self::cycle(place));
+        let residual = defect(&map, &cycle).map_or(f64::NAN, |gaps| gaps.amax());
+        BranchPoint { parameter: self.parameter(place), cycle: PeriodicPoint::judged(&map, &cycle, residual) }
+    }
+
+    /// The derivative of the defect: with respect to the points, then the parameter.
+    fn slope(&self, place: &Place) -> Option<DMatrix<f64>> {
+        /// Of the range; the best for a difference whose error is of the third order.
+        const APART: f64 = 1e-5;
+
+        let cycle = Self::cycle(place);
+        let at = |shift: f64| defect(&(self.map)(self.parameter(place) + shift * self.length), &cycle);
+        let by_parameter = (at(APART)? - at(-APART)?) / (2.0 * APART);
+        let slope = slope(&self.map(place), &cycle);
+        let columns = slope.ncols();
+        let mut wide = slope.insert_column(columns, 0.0);
+        wide.set_column(columns, &by_parameter);
+        wide.iter().all(|entry| entry.is_finite()).then_some(wide)
+    }
+
+    /// The direction of the branch that is nearest to another one, of length 1.
+    fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
+        let wide = self.slope(place)?;
+        // What the derivative does to the other direction is taken out of it.
+        let out = least_norm(wide.clone(), &(&wide * near))?;
+        (near - out).try_normalize(1e-8)
+    }
+
+    /// The place on the branch a stride further on.
+    fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
+        const ROUNDS: usize = 12;
+        const CLOSED: f64 = 1e-12;
+
+        let mut next = place + tangent * stride;
+        for _ in 0..ROUNDS {
+            let gaps = defect(&self.map(&next), &Self::cycle(&next))?;
+            if gaps.amax() <= CLOSED * next.amax().max(1.0) {
+                return Some(next);
+            }
+            // Across the direction, so that it does not slide back.
+            let wide = self.slope(&next)?;
+            let rows = wide.nrows();
+            let mut square = wide.insert_row(rows, 0.0);
+            square.set_row(rows, &tangent.transpose());
+            next -= least_norm(square, &gaps.push(0.0))?;
+        }
+        None
+    }
+
+    /// What happens within a stride from a place, found by halving the stride.
+    fn turns(
+        &self,
+        place: &Place,
+        tangents: [&Place; 2],
+        cycles: [&PeriodicPoint; 2],
+        stride: f64,
+    ) -> Vec<Turn> {
+        let last = place.len() - 1;
+        let mut turns = Vec::new();
+        let goes_ahead = |tangent: &Place| tangent[last] > 0.0;
+        if goes_ahead(tangents[0]) != goes_ahead(tangents[1]) {
+            let is_before = |there: &Place| {
+                let tangent = self.tangent(there, tangents[0]);
+                tangent.is_none_or(|tangent| goes_ahead(&tangent) == goes_ahead(tangents[0]))
+            };
+            let there = self.halved(place, tangents[0], stride, is_before);
+            turns.push(Turn { change: Change::Fold, parameter: self.parameter(&there) });
+        } else if cycles[0].outside() != cycles[1].outside() {
+            let is_before = |there: &Place| self.judged(there).cycle.outside() == cycles[0].outside();
+            let there = self.halved(place, tangents[0], stride, is_before);
+            let at_it = self.judged(&there).cycle.multipliers;
+            let nearest = at_it.iter().min_by(|a, b| (size(a) - 1.0).abs().total_cmp(&(size(b) - 1.0).abs()));
+            let change = match nearest {
+                Some(one) if one.im.abs() > 1e-3 => Change::ThroughCircle,
+                Some(one) if one.re < 0.0 => Change::ThroughMinusOne,
+                _ => Change::ThroughOne,
+            };
+            turns.push(Turn { change, parameter: self.parameter(&there) });
+        }
+        turns
+    }
+
+    /// The place within a stride up to which a condition holds.
+    fn halved(
+        &self,
+        place: &Place,
+        tangent: &Place,
+        stride: f64,
+        is_before: impl Fn(&Place) -> bool,
+    ) -> Place {
+        let (mut low, mut high, mut found) = (0.0, stride, place.clone());
+        for _ in 0..48 {
+            let middle = 0.5 * (low + high);
+            let Some(there) = self.step(place, tangent, middle) else { break };
+            if is_before(&there) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+            found = there;
+        }
+        found
+    }
+}

@@ -1,0 +1,168 @@
+//! One cycle: found from a point near it, and judged.
+
+use core::fmt;
+use std::vec::Vec;
+
+use nalgebra::{Complex, DMatrix, DVector};
+
+use super::Differentiable;
+use super::newton::closed;
+
+/// The points of a cycle, x, φ(x), …, and what the map does near it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodicPoint {
+    /// As many points as the smallest period.
+    pub points: Vec<Vec<f64>>,
+    /// The largest |φ(xᵢ) − xᵢ₊₁| in any variable.
+    pub residual: f64,
+    /// The multipliers: eigenvalues of ∂φᵖ/∂x, p the smallest period, the largest first.
+    pub multipliers: Vec<Complex<f64>>,
+    /// The dimension of the family of cycles of this period that it belongs to, 0 where it stands
+    /// alone: how many directions ∂φᵖ/∂x leaves as they are.
+    pub family: usize,
+}
+
+/// How orbits near a cycle behave, as its multipliers say it to first order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stability {
+    /// All multipliers are smaller than 1 in size.
+    Attracting,
+    /// Some are larger than 1, and none is smaller.
+    Repelling,
+    /// Some are larger than 1, and some smaller.
+    Saddle,
+    /// None is larger than 1, and not all are smaller.
+    Neutral,
+}
+
+/// Why there is no periodic point.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoPeriodicPoint {
+    /// The period is 0, or the point has not a number a variable.
+    Unfit,
+    /// The orbit of the point meets a pole, or numbers beyond the range of doubles.
+    NotFinite,
+    /// Newton's method came no nearer than this.
+    NotFound {
+        /// The largest |φ(xᵢ) − xᵢ₊₁| that was left.
+        residual: f64,
+    },
+}
+
+impl fmt::Display for NoPeriodicPoint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unfit => f.write_str("a period is 1 or more, and a point has a number for each variable"),
+            Self::NotFinite => {
+                f.write_str("the orbit from there meets a pole or numbers beyond the range of doubles")
+            }
+            Self::NotFound { residual } => {
+                write!(
+                    f,
+                    "Newton's method comes no nearer to a cycle than {residual:.1e}; begin nearer to one"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for NoPeriodicPoint {}
+
+/// What is left where a cycle is closed, relative to the size of its points.
+const CLOSED: f64 = 1e-11;
+/// How far a multiplier of size 1 may be from it, as a double eigenvalue loses half the digits.
+const CIRCLE: f64 = 1e-6;
+
+impl PeriodicPoint {
+    /// What the multipliers say.
+    #[must_use]
+    pub fn stability(&self) -> Stability {
+        let is_larger = self.multipliers.iter().any(|one| size(one) > 1.0 + CIRCLE);
+        let is_smaller = self.multipliers.iter().any(|one| size(one) < 1.0 - CIRCLE);
+        match (is_larger, is_smaller) {
+            (true, true) => Stability::Saddle,
+            (true, false) => Stability::Repelling,
+            (false, _) if self.multipliers.iter().all(|one| size(one) < 1.0 - CIRCLE) => {
+                Stability::Attracting
+            }
+            (false, _) => Stability::Neutral,
+        }
+    }
+
+    /// How many multipliers are larger than 1 in size.
+    pub(super) fn outside(&self) -> usize {
+        self.multipliers.iter().filter(|one| size(one) > 1.0 + CIRCLE).count()
+    }
+
+    /// The cycle as one vector.
+    pub(super) fn vector(&self) -> DVector<f64> {
+        DVector::from_vec(self.points.concat())
+    }
+
+    /// The cycle of these points, judged.
+    pub(super) fn judged<M: Differentiable>(map: &M, cycle: &DVector<f64>, residual: f64) -> Self {
+        let n = map.dimension();
+        let all: Vec<Vec<f64>> = cycle.as_slice().chunks(n).map(<[f64]>::to_vec).collect();
+        let period = smallest_period(&all);
+        let points = all[..period].to_vec();
+        let derivative =
+            points.iter().fold(DMatrix::identity(n, n), |product, x| map.derivative(x) * product);
+        let mut multipliers: Vec<Complex<f64>> = derivative.complex_eigenvalues().iter().copied().collect();
+        multipliers.sort_by(|a, b| {
+            size(b).total_cmp(&size(a)).then(b.re.total_cmp(&a.re)).then(b.im.total_cmp(&a.im))
+        });
+        let left = (derivative - DMatrix::identity(n, n)).singular_values();
+        let scale = left.max().max(1.0);
+        let family = left.iter().filter(|value| **value < CIRCLE * scale).count();
+        PeriodicPoint { points, residual, multipliers, family }
+    }
+}
+
+/// |μ|
+pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
+    multiplier.re.hypot(multiplier.im)
+}
+
+/// The periodic point of a map near `start`, whose period divides `period`.
+///
+/// Cost: some rounds of Newton's method, each a decomposition of a matrix of `period` times the
+/// number of variables.
+///
+/// # Errors
+/// [`NoPeriodicPoint`] where the start does not fit, the orbit is not finite, or none is found.
+pub fn periodic_point<M: Differentiable>(
+    map: &M,
+    start: &[f64],
+    period: usize,
+) -> Result<PeriodicPoint, NoPeriodicPoint> {
+    if period == 0 || start.len() != map.dimension() {
+        return Err(NoPeriodicPoint::Unfit);
+    }
+    let mut cycle = start.to_vec();
+    for step in 1..period {
+        let image = map.image(&cycle[(step - 1) * start.len()..]);
+        cycle.extend(image);
+    }
+    if !cycle.iter().all(|x| x.is_finite()) {
+        return Err(NoPeriodicPoint::NotFinite);
+    }
+    let (cycle, residual) = closed(map, DVector::from_vec(cycle)).ok_or(NoPeriodicPoint::NotFinite)?;
+    if residual > CLOSED * cycle.amax().max(1.0) {
+        return Err(NoPeriodicPoint::NotFound { residual });
+    }
+    Ok(PeriodicPoint::judged(map, &cycle, residual))
+}
+
+/// The smallest divisor of the number of points after which they come again.
+fn smallest_period(points: &[Vec<f64>]) -> usize {
+    /// Points that are nearer than this, relative to their size, are one.
+    const SAME: f64 = 1e-7;
+
+    let size = points.iter().flatten().fold(1.0, |size: f64, x| size.max(x.abs()));
+    let comes_again = |period: usize| {
+        let pairs = points.iter().zip(&points[period..]);
+        pairs.flat_map(|(a, b)| a.iter().zip(b)).all(|(a, b)| (a - b).abs() <= SAME * size)
+    };
+    let divides = |period: &usize| points.len() % period == 0;
+    (1..points.len()).filter(divides).find(|&period| comes_again(period)).unwrap_or(points.len())
+}

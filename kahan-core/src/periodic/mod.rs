@@ -1,0 +1,66 @@
+//! Periodic points: found, judged by their multipliers, and followed as ε or a parameter changes.
+//!
+//! In: a map with its derivative, and a point near a periodic one. Out: the points of the cycle, how
+//! nearly the map closes it, and the eigenvalues of its derivative. Newton's method takes all points
+//! of the cycle as unknowns, so that long cycles of unstable maps are found as well as short ones.
+//!
+//! ```
+//! use kahan_core::periodic::{Stability, periodic_point};
+//! use kahan_core::prelude::*;
+//!
+//! kahan! {
+//!     /// A pendulum of sorts, with a saddle at (1, 0).
+//!     pub struct Pendulum;
+//!     xdot = y;
+//!     ydot = x^2 - x;
+//! }
+//!
+//! let found = periodic_point(&Pendulum.at(0.1), &[0.9, 0.1], 1).unwrap();
+//! assert!((found.points[0][0] - 1.0).abs() < 1e-12 && found.points[0][1].abs() < 1e-12);
+//! assert_eq!(found.stability(), Stability::Saddle);
+//! ```
+
+mod branch;
+mod cycle;
+mod newton;
+#[cfg(test)]
+mod tests;
+
+use std::vec::Vec;
+
+use nalgebra::{DMatrix, SVector};
+
+use crate::{KahanAt, KahanMap, Lift};
+
+pub use branch::{Branch, BranchPoint, Change, Turn, branch};
+pub use cycle::{NoPeriodicPoint, PeriodicPoint, Stability, periodic_point};
+
+/// A map of points with its derivative.
+pub trait Differentiable {
+    /// The number of variables.
+    fn dimension(&self) -> usize;
+
+    /// x̃; not finite at a pole.
+    fn image(&self, x: &[f64]) -> Vec<f64>;
+
+    /// ∂x̃/∂x; not finite at a pole.
+    fn derivative(&self, x: &[f64]) -> DMatrix<f64>;
+}
+
+impl<M, const N: usize> Differentiable for KahanAt<M, f64, N>
+where
+    M: KahanMap<f64, N> + Lift<f64, N>,
+{
+    fn dimension(&self) -> usize {
+        N
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        self.step(&SVector::from_column_slice(x)).as_slice().to_vec()
+    }
+
+    fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
+        let jacobian = self.jacobian(&SVector::from_column_slice(x));
+        DMatrix::from_fn(N, N, |i, j| jacobian[(i, j)])
+    }
+}

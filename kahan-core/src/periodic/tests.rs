@@ -1,0 +1,139 @@
+//! Cycles that are known in closed form.
+
+use nalgebra::DMatrix;
+use std::vec;
+use std::vec::Vec;
+
+use super::{Change, Differentiable, NoPeriodicPoint, Stability, branch, periodic_point};
+
+/// x ↦ r x (1 − x).
+struct Logistic(f64);
+
+impl Differentiable for Logistic {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        vec![self.0 * x[0] * (1.0 - x[0])]
+    }
+
+    fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_element(1, 1, self.0 * (1.0 - 2.0 * x[0]))
+    }
+}
+
+/// Hénon's map (x, y) ↦ (1 − a x² + y, b x).
+struct Henon(f64, f64);
+
+impl Differentiable for Henon {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        vec![1.0 - self.0 * x[0] * x[0] + x[1], self.1 * x[0]]
+    }
+
+    fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_row_slice(2, 2, &[-2.0 * self.0 * x[0], 1.0, self.1, 0.0])
+    }
+}
+
+/// x ↦ x + p − x²
+struct SaddleNode(f64);
+
+impl Differentiable for SaddleNode {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        vec![x[0] + self.0 - x[0] * x[0]]
+    }
+
+    fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_element(1, 1, 1.0 - 2.0 * x[0])
+    }
+}
+
+/// A turn by a fifth of a circle.
+struct Fifth;
+
+impl Differentiable for Fifth {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        let image = self.derivative(x) * DMatrix::from_column_slice(2, 1, x);
+        image.as_slice().to_vec()
+    }
+
+    fn derivative(&self, _: &[f64]) -> DMatrix<f64> {
+        let (sin, cos) = (core::f64::consts::TAU / 5.0).sin_cos();
+        DMatrix::from_row_slice(2, 2, &[cos, -sin, sin, cos])
+    }
+}
+
+#[test]
+fn cycles_of_the_logistic_map_are_those_of_the_formula() {
+    let r = 3.3f64;
+    let root = ((r + 1.0) * (r - 3.0)).sqrt();
+    let cycle = periodic_point(&Logistic(r), &[0.8], 2).unwrap();
+    let mut points: Vec<f64> = cycle.points.concat();
+    points.sort_by(f64::total_cmp);
+    // The bound is that of a residual of 1e-15 over the distance of the multiplier from 1.
+    assert!((points[0] - (r + 1.0 - root) / (2.0 * r)).abs() < 1e-13);
+    assert!((points[1] - (r + 1.0 + root) / (2.0 * r)).abs() < 1e-13);
+    let multiplier = 1.0 - (r + 1.0) * (r - 3.0);
+    assert!((cycle.multipliers[0].re - multiplier).abs() < 1e-12 && cycle.family == 0);
+    assert_eq!(cycle.stability(), Stability::Attracting);
+    // A point of period 1 is one of period 4, too, and the smallest period is told.
+    let fixed = periodic_point(&Logistic(r), &[1.0 - 1.0 / r + 1e-6], 4).unwrap();
+    assert_eq!((fixed.points.len(), fixed.stability()), (1, Stability::Repelling));
+}
+
+#[test]
+fn a_turn_of_a_fifth_has_a_family_of_cycles() {
+    let cycle = periodic_point(&Fifth, &[1.0, 0.3], 5).unwrap();
+    assert_eq!((cycle.points.len(), cycle.family, cycle.stability()), (5, 2, Stability::Neutral));
+    // Of the cycles of the family it is the one that begins where it was looked for.
+    assert!((cycle.points[0][0] - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn what_is_no_cycle_is_told() {
+    assert_eq!(periodic_point(&Logistic(3.0), &[0.5], 0), Err(NoPeriodicPoint::Unfit));
+    assert_eq!(periodic_point(&Logistic(3.0), &[0.5, 0.5], 1), Err(NoPeriodicPoint::Unfit));
+    assert_eq!(periodic_point(&Logistic(3.0), &[f64::NAN], 1), Err(NoPeriodicPoint::NotFinite));
+    // Hénon's map has no fixed point where a is below −(1 − b)²/4.
+    let none = periodic_point(&Henon(-0.2, 0.3), &[0.0, 0.0], 1);
+    assert!(matches!(none, Err(NoPeriodicPoint::NotFound { residual }) if residual > 1e-3), "{none:?}");
+}
+
+#[test]
+fn a_branch_turns_back_where_two_fixed_points_meet() {
+    let start = periodic_point(&SaddleNode(0.5), &[0.7], 1).unwrap();
+    let branch = branch(SaddleNode, &start, [0.5, -0.5], 40);
+    let fold = branch.turns.iter().find(|turn| turn.change == Change::Fold).unwrap();
+    // Halving stops where the direction is known to the rounding of a cycle, whose root is the error.
+    assert!(fold.parameter.abs() < 1e-9, "{:?}", branch.turns);
+    // It comes back to the value that it began with, at the other fixed point.
+    let last = branch.points.last().unwrap();
+    assert!(last.parameter >= 0.5 && last.cycle.points[0][0] < -0.7 && !branch.is_cut);
+    for point in &branch.points {
+        let x = point.cycle.points[0][0];
+        assert!((x * x - point.parameter).abs() < 1e-10);
+    }
+}
+
+#[test]
+fn a_period_doubles_where_a_multiplier_goes_through_minus_one() {
+    let start = periodic_point(&Logistic(2.5), &[0.6], 1).unwrap();
+    let branch = branch(Logistic, &start, [2.5, 3.4], 20);
+    assert_eq!(branch.turns.len(), 1);
+    assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
+    // The multiplier 2 − r is beyond the circle by more than its width from here on.
+    assert!((branch.turns[0].parameter - 3.0).abs() < 2e-6, "{:?}", branch.turns);
+}
