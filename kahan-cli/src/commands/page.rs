@@ -24,7 +24,7 @@ use figures::{Subject, command};
 use line::Line;
 use scene::Scene;
 
-/// Writes one page on one field: formulas, findings with proofs, figures, exponents, settings.
+/// Writes one page on one field: formulas, findings with proofs, figures, settings.
 ///
 /// The page is DIR/index.html. It shows the field, A, b, the map and its Jacobian; what
 /// `kahan discover` finds; what becomes of singularities, and heights of an exact orbit; orbits, a
