@@ -33,6 +33,7 @@
 //! | write a field, and claim what its map keeps | [`kahan!`], explained in [`language`] |
 //! | one step, forward or back; one with a promised error | [`KahanMap::step`], [`step_back`](KahanMap::step_back), [`try_step`](KahanMap::try_step) |
 //! | many steps | [`KahanMap::orbit`], an iterator; [`compensated`](Orbit::compensated) against rounding, [`composed`](Orbit::composed) for order 4, 6 or 8 ([`Composition`]) |
+//! | an orbit through its poles | [`Orbit::projective`], points of projective space |
 //! | many trajectories | [`Ensemble`], [`Axis`] for grids of initial points |
 //! | what an orbit does: exponents, sections, rotation numbers, drift, extrema | [`observe`]: [`Orbit::observe`], [`Ensemble::observe`] |
 //! | derivatives, determinants | [`KahanMap::jacobian`], [`det_jacobian`](KahanMap::det_jacobian) |
@@ -122,6 +123,8 @@ pub use map::{
     Accumulation, Compensated, Elimination, ErrorEstimates, Estimated, KahanAt, KahanMap, Lift, Method,
     Orbit, Pivot, Rounded, Scaled, Single, TangentAt, ThroughF64, eps_from_dt,
 };
+#[cfg(feature = "std")]
+pub use map::{Projective, ProjectivePoint, ThroughPoles};
 pub use scalar::{Constant, Dd, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
 pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};

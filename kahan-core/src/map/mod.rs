@@ -34,6 +34,8 @@ pub use error_estimate::{ErrorEstimates, Estimated};
 pub use lift::Lift;
 pub(crate) use orbit::sealed::Sealed;
 pub use orbit::{Accumulation, Compensated, Method, Orbit, Rounded, Scaled, Single};
+#[cfg(feature = "std")]
+pub use orbit::{Projective, ProjectivePoint, ThroughPoles};
 pub use pivot::Pivot;
 pub use tangent::TangentAt;
 #[cfg(feature = "std")]

@@ -14,6 +14,8 @@ mod epsilon;
 mod exact;
 mod float;
 mod float_scalar;
+#[cfg(feature = "std")]
+mod laurent;
 mod operators;
 pub(crate) mod tuning;
 mod wide;
@@ -30,6 +32,8 @@ pub use epsilon::nearest_short_eps;
 pub use float_scalar::FloatScalar;
 pub(crate) use operators::assignments;
 use operators::operators;
+#[cfg(feature = "std")]
+pub(crate) use laurent::Laurent;
 pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.

@@ -20,13 +20,13 @@ macro_rules! operators {
     };
 }
 
-/// The assignments of a type that is `Copy`, from its operators.
+/// The assignments of a type, from its operators.
 macro_rules! assignments {
     (one [$($generics:tt)*] $type:ty, $Assign:ident $method:ident $operator:tt) => {
         impl<$($generics)*> ::core::ops::$Assign for $type {
             #[inline(always)]
             fn $method(&mut self, other: Self) {
-                *self = *self $operator other;
+                *self = ::core::clone::Clone::clone(self) $operator other;
             }
         }
     };

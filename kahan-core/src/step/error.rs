@@ -36,6 +36,12 @@ pub(crate) enum Reason {
     Refined,
     /// Numbers overflowed before anything else was known.
     Overflow,
+    /// Along lines through the point the map has different limits.
+    #[cfg(feature = "std")]
+    Indeterminate,
+    /// Lines through the point show no limit.
+    #[cfg(feature = "std")]
+    Unfollowed,
 }
 
 impl SingularStep {
@@ -62,7 +68,7 @@ impl SingularStep {
         Self::new(0.0, eps)
     }
 
-    /// det A(x,ε) at the point, rounded to `f64`: 0 at an exact pole, not a number where it
+    /// det A(x,ε) at the point, rounded to `f64`: 0 at an exact pole, not a number where it was not looked at or
     /// overflows.
     pub fn determinant(&self) -> f64 {
         self.determinant
@@ -110,6 +116,15 @@ impl fmt::Display for SingularStep {
             }
             Reason::Overflow => {
                 write!(f, "det A is not finite: the point, eps or a parameter is too large or not a number")?;
+            }
+            #[cfg(feature = "std")]
+            Reason::Indeterminate => write!(
+                f,
+                "the iterates of the map have no value at this point, not even at infinity: lines through it lead to different points"
+            )?,
+            #[cfg(feature = "std")]
+            Reason::Unfollowed => {
+                write!(f, "a pole has brought many points to this one, and series or digits end before they come apart")?;
             }
         }
         // A scalar that nothing approximates has no ε to print.

@@ -10,6 +10,8 @@
 mod accumulation;
 mod compensated;
 mod method;
+#[cfg(feature = "std")]
+mod projective;
 mod scaled;
 
 use core::fmt;
@@ -24,6 +26,8 @@ use super::KahanMap;
 use accumulation::State;
 pub use accumulation::{Accumulation, Compensated, Rounded};
 pub use method::{Method, Single};
+#[cfg(feature = "std")]
+pub use projective::{Projective, ProjectivePoint, ThroughPoles};
 pub use scaled::Scaled;
 
 /// Methods and accumulations are those of this crate.
@@ -43,6 +47,8 @@ pub(crate) mod sealed {
 /// | compensated | [`compensated`](Self::compensated) | `Orbit<M, T, N, Single, Compensated>` |
 /// | of higher order | [`composed`](Self::composed) | `Orbit<M, T, N, Composed>` |
 /// | both | the two, in either order | `Orbit<M, T, N, Composed, Compensated>` |
+///
+/// [`projective`](Self::projective) turns a plain one into an iterator that goes on at poles.
 ///
 /// # There and back
 /// The map with −ε is the inverse map, so n steps and n steps back come home: exactly over exact

@@ -49,7 +49,7 @@ const FARTHEST: u64 = 1 << 40;
 /// radii grow to, the radius of a sum, difference, product or quotient is at most
 /// 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT) of it, and 0 where nothing was cut off.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Wide {
+pub struct Wide {
     digits: [i64; DIGITS],
     /// The place of the leading digit.
     place: i64,

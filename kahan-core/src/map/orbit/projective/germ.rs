@@ -1,0 +1,183 @@
+//! The numbers that an orbit goes through a pole in: those of points that are moved by δ along a
+//! straight line.
+//!
+//! In: numbers of a scalar, and how hard to try. Out: numbers that depend on δ, and of those that
+//! came of them the limit δ → 0. Exact scalars take δ as an unknown, and series in it. Floats take
+//! a δ far below their last digits, and numbers of seventeen digits of 64 bits.
+
+use core::array::from_fn;
+
+use nalgebra::{SMatrix, SVector};
+use num_traits::{One, Zero};
+
+use crate::field::linear::vector;
+use crate::map::stable::Promised;
+use crate::scalar::{Laurent, Size, Wide};
+use crate::{Pivot, Scalar};
+
+use super::point::{ProjectivePoint, first_of_the_largest};
+
+/// A number over the scalar T that may depend on δ.
+#[doc(hidden)]
+pub trait Germ<T: Scalar>: Scalar {
+    /// How many efforts there are; each sees further than the one before.
+    const EFFORTS: usize;
+
+    /// A number that does not depend on δ.
+    fn of(number: &T) -> Self;
+
+    /// δ; 0 in an effort in which nothing is moved.
+    fn delta(effort: usize) -> Self;
+
+    /// How large coordinates near a point are: δ is measured by that.
+    fn unit(point: &[T]) -> Self;
+
+    /// Where a point tends to, in coordinates of this unit; `None` where too little is known.
+    fn limit<const N: usize>(
+        point: &SVector<Self, N>,
+        unit: &Self,
+        effort: usize,
+    ) -> Option<ProjectivePoint<T, N>>;
+
+    /// Whether the points around `point` still tell those around the first one apart, given the
+    /// derivative of the first one by it; `None` where too little is known.
+    fn is_one_to_one<const N: usize>(
+        derivative: &SMatrix<Self, N, N>,
+        point: &SVector<Self, N>,
+        unit: &Self,
+    ) -> Option<bool>;
+}
+
+/// A direction, scaled as points at infinity are.
+fn direction<S: Scalar, T: Pivot, const N: usize>(
+    entries: &[S; N],
+    largest: usize,
+    round: impl Fn(S) -> T,
+) -> ProjectivePoint<T, N> {
+    let over = |divisor: usize| from_fn(|i| round(entries[i].clone() / entries[divisor].clone()));
+    let first = first_of_the_largest::<T>(&over(largest));
+    ProjectivePoint::at_infinity(vector(over(first)))
+}
+
+/// The terms of the series of each effort.
+const TERMS: [usize; 3] = [6, 12, 24];
+
+impl<T: Pivot> Germ<T> for Laurent<T> {
+    const EFFORTS: usize = TERMS.len();
+
+    fn of(number: &T) -> Self {
+        Laurent::Number(number.clone())
+    }
+
+    fn delta(effort: usize) -> Self {
+        Laurent::delta(TERMS[effort])
+    }
+
+    fn unit(_point: &[T]) -> Self {
+        Self::one()
+    }
+
+    fn limit<const N: usize>(
+        point: &SVector<Self, N>,
+        _unit: &Self,
+        _effort: usize,
+    ) -> Option<ProjectivePoint<T, N>> {
+        let lowest = point.iter().map(Laurent::start).fold(0, i64::min);
+        if point.iter().any(|entry| entry.coefficient(lowest).is_none()) {
+            return None;
+        }
+        let leading: [T; N] = from_fn(|i| point[i].coefficient(lowest).unwrap_or_else(T::zero));
+        if lowest == 0 {
+            return Some(vector(leading).into());
+        }
+        let largest = first_of_the_largest(&leading);
+        Some(direction(&leading, largest, |entry| entry))
+    }
+
+    fn is_one_to_one<const N: usize>(
+        derivative: &SMatrix<Self, N, N>,
+        _point: &SVector<Self, N>,
+        _unit: &Self,
+    ) -> Option<bool> {
+        if derivative.iter().any(|entry| entry.order().is_some_and(|order| order < 0)) {
+            return Some(false);
+        }
+        derivative.iter().all(|entry| entry.start() >= 0).then_some(true)
+    }
+}
+
+/// δ = 2⁻¹⁹² of the unit: a factor δ⁴ still leaves the digits of a [`Dd`](crate::Dd).
+const DELTA: i32 = -192;
+
+/// Beyond this power of 2 of the unit, a coordinate of a moved point tends to infinity; below its
+/// inverse, to 0.
+const INFINITE: i64 = 96;
+
+/// The digits that a limit is known to, in bits, more than any float of this crate has.
+const KNOWN: i64 = 110;
+
+/// How many bits a rounding may count for on the way back to the first point.
+const LOST: i64 = 10;
+
+impl<T: Promised> Germ<T> for Wide {
+    /// Nothing is moved in the first: that is for points near a pole and not at one.
+    const EFFORTS: usize = 2;
+
+    fn of(number: &T) -> Self {
+        number.widen()
+    }
+
+    fn delta(effort: usize) -> Self {
+        if effort == 0 { Self::zero() } else { Self::from(f64::from(DELTA).exp2()) }
+    }
+
+    fn unit(point: &[T]) -> Self {
+        let largest = point[first_of_the_largest(point)].widen();
+        if largest.is_zero() { Self::one() } else { largest }
+    }
+
+    fn limit<const N: usize>(
+        point: &SVector<Self, N>,
+        unit: &Self,
+        effort: usize,
+    ) -> Option<ProjectivePoint<T, N>> {
+        let larger = |best: usize, i: usize| if point[i].size() > point[best].size() { i } else { best };
+        let largest = (1..N).fold(0, larger);
+        let size = point[largest].size() + unit.size();
+        // What is undefined compares with nothing.
+        if !point.iter().all(|entry| entry.radius() <= size.scaled(-KNOWN)) {
+            return None;
+        }
+        let is_moved = effort > 0;
+        let settled: [Self; N] = from_fn(|i| {
+            let is_zero = is_moved && point[i].size() < size.scaled(-INFINITE);
+            if is_zero { Self::zero() } else { point[i] }
+        });
+        let affine = settled.map(T::narrow);
+        let is_infinite = if is_moved {
+            point[largest].size() > unit.size().scaled(INFINITE)
+        } else {
+            !affine.iter().all(T::is_finite_number)
+        };
+        Some(if is_infinite { direction(&settled, largest, T::narrow) } else { vector(affine).into() })
+    }
+
+    fn is_one_to_one<const N: usize>(
+        derivative: &SMatrix<Self, N, N>,
+        point: &SVector<Self, N>,
+        unit: &Self,
+    ) -> Option<bool> {
+        let most = unit.size().scaled(LOST);
+        let is_small = |size: fn(&Self) -> Size| {
+            let entries = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
+            entries.into_iter().all(|(i, j)| size(&derivative[(i, j)]) * point[j].size() <= most)
+        };
+        if !derivative.iter().all(Self::is_defined) {
+            None
+        } else if !is_small(Self::size) {
+            Some(false)
+        } else {
+            is_small(|entry| entry.size() + entry.radius()).then_some(true)
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! Whether an ordinary step loses nothing: where it does not, an orbit goes on along a line.
+//!
+//! J = A(x,ε)⁻¹A(x̃,−ε) is the derivative of a step. Where A(x,ε) is nearly singular, x̃ is large or
+//! inaccurate; where A(x̃,−ε) is, the step brings many points to nearly one, and what told them
+//! apart lies below the last digit of x̃.
+
+use nalgebra::SMatrix;
+
+use crate::Scalar;
+
+/// The least part of its row, or column, that a pivot is to have: a step then loses ten bits at
+/// most.
+const LEAST_PIVOT: f64 = 1.0 / 1024.0;
+
+/// Whether A = I − εf′ is far from singular: its pivots are no small parts of 1 + Σ|εf′ᵢⱼ| over
+/// their columns, or over their rows.
+pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
+    let entry = |i: usize, j: usize| matrix[(i, j)].approximate();
+    let slope = |i: usize, j: usize| {
+        if i == j { (matrix[(i, i)].clone() - T::one()).approximate().abs() } else { entry(i, j).abs() }
+    };
+    // Below 1, no pivot could be 0; the common case of a small ε.
+    if (0..N).all(|i| (0..N).map(|j| slope(i, j)).sum::<f64>() <= 0.5) {
+        return true;
+    }
+    let has_pivots = |entry: &dyn Fn(usize, usize) -> f64, slope: &dyn Fn(usize, usize) -> f64| {
+        let scales: [f64; N] = core::array::from_fn(|j| 1.0 + (0..N).map(|i| slope(i, j)).sum::<f64>());
+        let mut rows: [[f64; N]; N] = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
+        (0..N).all(|k| {
+            let larger = |best: usize, i: usize| {
+                if rows[i][k].abs() > rows[best][k].abs() { i } else { best }
+            };
+            let pivot = (k..N).fold(k, larger);
+            rows.swap(k, pivot);
+            let pivot = rows[k];
+            for row in &mut rows[k + 1..] {
+                let factor = row[k] / pivot[k];
+                row.iter_mut().zip(&pivot).for_each(|(entry, above)| *entry -= factor * above);
+            }
+            // False for what is not a number.
+            pivot[k].abs() >= LEAST_PIVOT * scales[k]
+        })
+    };
+    has_pivots(&entry, &slope) || has_pivots(&|i, j| entry(j, i), &|i, j| slope(j, i))
+}

@@ -1,0 +1,315 @@
+//! Orbits that go on where a coordinate is infinite.
+//!
+//! In: an orbit. Out: its points and those after a pole, as points of projective space. While an
+//! ordinary step loses nothing ([`memory`]) it is taken; else the orbit goes along lines
+//! ([`passage`]), over numbers that depend on a small δ ([`germ`]), until what a pole has brought
+//! together is apart again.
+
+mod germ;
+mod memory;
+mod passage;
+mod point;
+
+use core::fmt;
+use core::iter::FusedIterator;
+use core::mem;
+use std::boxed::Box;
+
+use nalgebra::SVector;
+
+use crate::scalar::Wide;
+use crate::step::error::Reason;
+use crate::{Dd, KahanMap, Lift, Orbit, Pivot, PreparedStep, Scalar, SingularStep};
+
+use germ::Germ;
+use memory::is_far_from_singular;
+use passage::{Lost, Passage, Place};
+pub use point::ProjectivePoint;
+
+/// A scalar over which orbits go through poles: `f32`, `f64`, [`Dd`], and with the feature `exact`
+/// `BigRational`.
+pub trait ThroughPoles: Pivot {
+    /// The numbers of the way through.
+    #[doc(hidden)]
+    type Germ: Germ<Self>;
+
+    /// Whether x̃ has as many digits of x as the step is to keep.
+    #[doc(hidden)]
+    fn keeps<M: KahanMap<Self, N>, const N: usize>(
+        map: &M,
+        x: &SVector<Self, N>,
+        next: &SVector<Self, N>,
+        eps: &Self,
+    ) -> bool;
+
+    /// Whether two limits are the same but for what δ leaves in them.
+    #[doc(hidden)]
+    fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool;
+}
+
+/// How far limits that are the same may be from each other, relative to the larger.
+const NEAR: f64 = 1.0 / (1_u32 << 18) as f64;
+
+macro_rules! implement_for_float {
+    ($float:ty) => {
+        impl ThroughPoles for $float {
+            type Germ = Wide;
+
+            fn keeps<M: KahanMap<Self, N>, const N: usize>(
+                map: &M,
+                x: &SVector<Self, N>,
+                next: &SVector<Self, N>,
+                eps: &Self,
+            ) -> bool {
+                next.iter().all(Pivot::is_finite_number)
+                    && is_far_from_singular(&map.matrix(x, *eps))
+                    && is_far_from_singular(&map.matrix(next, -*eps))
+            }
+
+            fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool {
+                let largest = |x: &SVector<Self, N>| x.map(|entry| entry.approximate().abs()).max();
+                let distance = largest(&(a - b));
+                distance <= NEAR * largest(a).max(largest(b))
+            }
+        }
+    };
+}
+
+implement_for_float!(f32);
+implement_for_float!(f64);
+implement_for_float!(Dd);
+
+#[cfg(feature = "exact")]
+impl ThroughPoles for num_rational::BigRational {
+    type Germ = crate::scalar::Laurent<Self>;
+
+    fn keeps<M: KahanMap<Self, N>, const N: usize>(
+        map: &M,
+        _x: &SVector<Self, N>,
+        next: &SVector<Self, N>,
+        eps: &Self,
+    ) -> bool {
+        !num_traits::Zero::is_zero(&map.det_matrix(next, -eps.clone()))
+    }
+
+    fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool {
+        a == b
+    }
+}
+
+/// After so many steps without it, what a pole has brought together is taken to stay so.
+const MOST_STEPS: usize = 12;
+
+/// The variables up to which there are lines through a point: their matrices lie on the stack.
+const MOST_VARIABLES: usize = 32;
+
+/// The orbit x₀, x₁, … of a Kahan map through its poles, x₀ first; made by
+/// [`Orbit::projective`].
+#[derive(Clone)]
+#[must_use = "an orbit computes nothing until it is iterated"]
+pub struct Projective<M, T, const N: usize>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+    map: M,
+    eps: T,
+    prepared: M::Prepared,
+    at: At<M, T, N>,
+    stopped: Option<SingularStep>,
+}
+
+/// Where an orbit is.
+#[derive(Clone)]
+enum At<M, T, const N: usize>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+    /// Before the first point.
+    First(SVector<T, N>),
+    /// At a point that has lost nothing.
+    Point(SVector<T, N>),
+    /// On its way through a pole.
+    Passage(Box<Passage<M, T, N>>),
+    /// At its end.
+    Nowhere,
+}
+
+impl<M, T, const N: usize> Orbit<M, T, N>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+    /// The same orbit through its poles, from where it is: points of projective space, which are at
+    /// infinity where the map has a pole.
+    ///
+    /// The n-th point is the limit of φⁿ(x₀ + δv) as δ → 0, φ the map, for any direction v: the
+    /// value of the n-th iterate as a rational map of projective space. That goes further than to
+    /// step from point to point. A map may bring all points of a curve or surface to one point, at
+    /// infinity or not, and some steps later take them apart again, each to its place; `kahan
+    /// poles` tells for which curves that is so. The orbit goes along lines through the point
+    /// before, which know where they came from, until then. Where what was lost is not back after
+    /// twelve steps, it goes on from the one point that there is.
+    ///
+    /// Exact orbits are exact: lines are series in δ.
+    ///
+    /// Over floats points have the bits of [`KahanMap::orbit`] as long as A(x,ε) and A(x̃,−ε) are far
+    /// from singular: no pivot is below a 1024th of its row or column. Near a pole an
+    /// ordinary orbit loses as many digits as it comes near, first in large coordinates, then in
+    /// those to which it comes back. Here such points and those after them are computed in
+    /// seventeen digits of 64 bits and each is rounded once, until a rounding counts for no more
+    /// than ten bits at the point from where it came; so ten bits are what an orbit may lose on its way through a pole. A float that is
+    /// near a pole and not at it has a next point that is large and not infinite, unless that is
+    /// beyond the range of the scalar. In more than 32 variables the orbit takes ordinary steps
+    /// only.
+    ///
+    /// Cost: over floats, a step and twice the matrix A, with an elimination where |εf′| is not
+    /// small; over exact scalars, a step and a determinant. Steps near poles cost some thousand
+    /// times an ordinary one, or as much as an exact one for each term of the series; they allocate,
+    /// ordinary ones do not.
+    ///
+    /// ```
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! {
+    ///     /// Escapes to infinity in finite time, and comes back from the other side.
+    ///     pub struct Riccati;
+    ///     xdot = x^2;
+    /// }
+    ///
+    /// // 1/x̃ = 1/x − 2ε
+    /// let mut orbit = Riccati.orbit(vector![1.0], 0.25).projective();
+    /// let points: Vec<Option<f64>> =
+    ///     orbit.by_ref().take(5).map(|point| point.affine().map(|x| x[0])).collect();
+    /// assert_eq!(points, [Some(1.0), Some(2.0), None, Some(-2.0), Some(-1.0)]);
+    /// assert!(orbit.stopped().is_none());
+    /// ```
+    pub fn projective(self) -> Projective<M, T, N> {
+        let Self { map, eps, stages, state, begun, .. } = self;
+        let at = if begun { At::Point(state) } else { At::First(state) };
+        Projective { map, eps, prepared: stages, at, stopped: None }
+    }
+}
+
+impl<M, T, const N: usize> Projective<M, T, N>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+    /// Why the orbit has ended: `Some` from the moment on when it met a point of indeterminacy,
+    /// where the map has one limit along one line and another along another, or when not even the
+    /// longest series, or the smallest δ, showed a limit.
+    pub fn stopped(&self) -> Option<&SingularStep> {
+        self.stopped.as_ref()
+    }
+
+    fn stop(&mut self, reason: Reason) -> Option<ProjectivePoint<T, N>> {
+        let eps = self.eps.approximate();
+        self.stopped = Some(SingularStep::because(reason, f64::NAN, f64::INFINITY, eps));
+        None
+    }
+
+    /// The point after an ordinary one.
+    fn after(&mut self, x: SVector<T, N>) -> Option<ProjectivePoint<T, N>> {
+        let next = self.prepared.next(&x);
+        if let Some(next) = &next
+            && T::keeps(&self.map, &x, next, &self.eps)
+        {
+            return Some(self.at_point(next.clone()));
+        }
+        if !x.iter().all(T::is_finite_number) {
+            return self.stop(Reason::NotFinite);
+        }
+        match self.begin(x) {
+            Ok(point) => Some(point),
+            Err(Lost::Ambiguous) => self.stop(Reason::Indeterminate),
+            // What an orbit does that looks at nothing.
+            Err(Lost::Unknown) => match next.filter(|next| next.iter().all(T::is_finite_number)) {
+                Some(next) => Some(self.at_point(next)),
+                None => self.stop(Reason::Unfollowed),
+            },
+        }
+    }
+
+    fn at_point(&mut self, x: SVector<T, N>) -> ProjectivePoint<T, N> {
+        self.at = At::Point(x.clone());
+        x.into()
+    }
+
+    /// The point after x, along lines.
+    fn begin(&mut self, x: SVector<T, N>) -> Result<ProjectivePoint<T, N>, Lost> {
+        if N > MOST_VARIABLES {
+            return Err(Lost::Unknown);
+        }
+        let mut passage = Box::new(Passage::from(&self.map, &self.eps, x));
+        let place = passage.advance()?;
+        Ok(self.arrive(passage, place))
+    }
+
+    /// The next point along the lines of `passage`.
+    fn along(&mut self, mut passage: Box<Passage<M, T, N>>) -> Option<ProjectivePoint<T, N>> {
+        match passage.advance() {
+            Ok(place) => Some(self.arrive(passage, place)),
+            Err(Lost::Ambiguous) => self.stop(Reason::Indeterminate),
+            Err(Lost::Unknown) => self.forget(*passage),
+        }
+    }
+
+    /// Keeps the lines as long as they are needed.
+    fn arrive(&mut self, passage: Box<Passage<M, T, N>>, place: Place<T, N>) -> ProjectivePoint<T, N> {
+        let Place { point, is_through } = place;
+        let is_over = is_through || (passage.taken() >= MOST_STEPS && !point.is_infinite());
+        self.at = match point.clone().affine() {
+            Some(x) if is_over => At::Point(x),
+            _ => At::Passage(passage),
+        };
+        point
+    }
+
+    /// The next point from the last one alone, where the lines end.
+    fn forget(&mut self, passage: Passage<M, T, N>) -> Option<ProjectivePoint<T, N>> {
+        match passage.into_last().and_then(ProjectivePoint::affine) {
+            Some(x) => self.after(x),
+            None => self.stop(Reason::Unfollowed),
+        }
+    }
+}
+
+impl<M, T, const N: usize> Iterator for Projective<M, T, N>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+    type Item = ProjectivePoint<T, N>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.stopped.is_some() {
+            return None;
+        }
+        match mem::replace(&mut self.at, At::Nowhere) {
+            At::First(x) => Some(self.at_point(x)),
+            At::Point(x) => self.after(x),
+            At::Passage(passage) => self.along(passage),
+            At::Nowhere => None,
+        }
+    }
+}
+
+impl<M, T, const N: usize> FusedIterator for Projective<M, T, N>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+}
+
+impl<M, T, const N: usize> fmt::Debug for Projective<M, T, N>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { eps, stopped, .. } = self;
+        f.debug_struct("Projective").field("eps", eps).field("stopped", stopped).finish_non_exhaustive()
+    }
+}

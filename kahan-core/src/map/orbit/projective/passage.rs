@@ -1,0 +1,188 @@
+//! The way through a pole, step by step: lines through the point before it, and what the map makes
+//! of them.
+//!
+//! x + δv is followed for two directions v by the defining linear system A(x,ε)·x̃ = b(x,ε), over
+//! numbers that depend on δ. Where δ → 0 has the same limit along both, that is the next point of
+//! the orbit. The product of the steps' derivatives says when the points that the map had brought
+//! together are apart again, and the line is needed no more.
+
+use std::vec::Vec;
+
+use nalgebra::{SMatrix, SVector};
+use num_traits::{One, Zero};
+
+use crate::field::linear::solve;
+use crate::{KahanMap, Lift, Scalar};
+
+use super::ThroughPoles;
+use super::germ::Germ;
+use super::point::ProjectivePoint;
+
+/// What δ multiplies: two of these that begin at different places are directions with nothing in
+/// common.
+const SLOPES: [i64; 13] = [1, -2, 3, 5, -7, 4, -9, 8, -5, 6, -1, 9, -4];
+
+/// The i-th coordinate of a direction.
+fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
+    let place = i + 5 * line + 3 * effort;
+    S::constant(&crate::Constant::integer(SLOPES[place % SLOPES.len()]))
+}
+
+/// A line through a point, and what the map has made of it.
+#[derive(Clone)]
+struct Line<S, const N: usize> {
+    point: SVector<S, N>,
+    /// The derivative of the first point by this one; `None` where it is not followed, or not
+    /// known.
+    derivative: Option<SMatrix<S, N, N>>,
+}
+
+impl<S: Scalar, const N: usize> Line<S, N> {
+    /// One step on; `None` where A has no inverse, as far as is known.
+    fn advance<M: KahanMap<S, N>>(&mut self, map: &M, eps: &S) -> Option<()> {
+        let matrix = map.matrix(&self.point, eps.clone());
+        let next = solve(matrix.clone(), map.rhs(&self.point, eps.clone()))?;
+        self.derivative = self.derivative.take().and_then(|derivative| {
+            let step_back = solve(map.matrix(&next, -eps.clone()), matrix)?;
+            Some(product(&derivative, &step_back))
+        });
+        self.point = next;
+        Some(())
+    }
+}
+
+fn product<S: Scalar, const N: usize>(a: &SMatrix<S, N, N>, b: &SMatrix<S, N, N>) -> SMatrix<S, N, N> {
+    SMatrix::from_fn(|i, j| {
+        (0..N).fold(S::zero(), |sum, k| sum + a[(i, k)].clone() * b[(k, j)].clone())
+    })
+}
+
+/// A point after another of an orbit that is on its way through a pole.
+pub(super) struct Place<T, const N: usize> {
+    pub(super) point: ProjectivePoint<T, N>,
+    /// Whether the points near the first one are told apart again.
+    pub(super) is_through: bool,
+}
+
+/// Why there is no next point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lost {
+    /// The limits along two lines differ.
+    Ambiguous,
+    /// Not even the greatest effort shows a limit.
+    Unknown,
+}
+
+/// The lines of an orbit on its way through a pole.
+#[derive(Clone)]
+pub(super) struct Passage<M, T, const N: usize>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+    start: SVector<T, N>,
+    unit: T::Germ,
+    map: M::Lifted<T::Germ>,
+    eps: T::Germ,
+    effort: usize,
+    taken: usize,
+    last: Option<ProjectivePoint<T, N>>,
+    lines: Vec<Line<T::Germ, N>>,
+}
+
+impl<M, T, const N: usize> Passage<M, T, N>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+    /// From a point on.
+    pub(super) fn from(map: &M, eps: &T, start: SVector<T, N>) -> Self {
+        let (map, eps, unit) =
+            (map.lift(T::Germ::of), T::Germ::of(eps), T::Germ::unit(start.as_slice()));
+        let mut passage = Self { start, unit, map, eps, effort: 0, taken: 0, last: None, lines: Vec::new() };
+        passage.begin();
+        passage
+    }
+
+    /// How many steps it has taken.
+    pub(super) fn taken(&self) -> usize {
+        self.taken
+    }
+
+    /// The last point; `None` before the first step.
+    pub(super) fn into_last(self) -> Option<ProjectivePoint<T, N>> {
+        self.last
+    }
+
+    /// The next point.
+    pub(super) fn advance(&mut self) -> Result<Place<T, N>, Lost> {
+        let mut steps = 1;
+        loop {
+            let place = self.attempt(steps);
+            let is_last = self.effort + 1 == T::Germ::EFFORTS;
+            match place {
+                Some(Err(lost)) => return Err(lost),
+                Some(Ok((point, is_through))) if is_through.is_some() || is_last => {
+                    self.taken += 1;
+                    self.last = Some(point.clone());
+                    return Ok(Place { point, is_through: is_through == Some(true) });
+                }
+                None if is_last => return Err(Lost::Unknown),
+                _ => {
+                    self.effort += 1;
+                    self.begin();
+                    steps = self.taken + 1;
+                }
+            }
+        }
+    }
+
+    /// The lines of an effort, at the first point.
+    fn begin(&mut self) {
+        let delta = T::Germ::delta(self.effort);
+        let lines = if delta.is_zero() { 1 } else { 2 };
+        self.lines = (0..lines).map(|line| self.line(line, &delta)).collect();
+    }
+
+    /// x + δv
+    fn line(&self, line: usize, delta: &T::Germ) -> Line<T::Germ, N> {
+        let along = self.unit.clone() * delta.clone();
+        let moved = |i: usize| T::Germ::of(&self.start[i]) + along.clone() * slope(i, line, self.effort);
+        let unit = |i, j| if i == j { T::Germ::one() } else { T::Germ::zero() };
+        let derivative = (line == 0).then(|| SMatrix::from_fn(unit));
+        Line { point: SVector::from_fn(|i, _| moved(i)), derivative }
+    }
+
+    /// So many steps further: the point there, and whether the points near the first one are told
+    /// apart again; `None` where this effort does not show them.
+    fn attempt(&mut self, steps: usize) -> Option<Result<(ProjectivePoint<T, N>, Option<bool>), Lost>> {
+        let Self { unit, map, eps, effort, lines, .. } = self;
+        let mut common: Option<ProjectivePoint<T, N>> = None;
+        for line in lines.iter_mut() {
+            for _ in 0..steps {
+                line.advance(map, eps)?;
+            }
+            let limit = T::Germ::limit(&line.point, unit, *effort)?;
+            match &common {
+                Some(other) if !are_near(other, &limit) => return Some(Err(Lost::Ambiguous)),
+                Some(_) => {}
+                None => common = Some(limit),
+            }
+        }
+        let point = common?;
+        let is_through = if point.is_infinite() {
+            Some(false)
+        } else {
+            let line = &lines[0];
+            line.derivative.as_ref().and_then(|derivative| {
+                T::Germ::is_one_to_one(derivative, &line.point, unit)
+            })
+        };
+        Some(Ok((point, is_through)))
+    }
+}
+
+/// Whether two limits are one point: where they are not, they differ in their first digits.
+fn are_near<T: ThroughPoles, const N: usize>(a: &ProjectivePoint<T, N>, b: &ProjectivePoint<T, N>) -> bool {
+    a == b || (a.is_infinite() == b.is_infinite() && T::are_near(a.coordinates(), b.coordinates()))
+}

@@ -1,0 +1,68 @@
+//! Points of projective space: those of Tᴺ, and a point at infinity for each direction.
+
+use nalgebra::SVector;
+
+use crate::{Pivot, Scalar};
+
+/// A point \[X : W\] of projective space, which is x = X/W where W is not 0, and else at infinity in
+/// the direction X, or −X, which is the same point.
+///
+/// It is kept with W = 1 or W = 0. At infinity the first of the largest coordinates is 1: the first
+/// that is within a part in 2²⁰ of the largest. So equal points have equal coordinates, up to
+/// rounding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProjectivePoint<T, const N: usize> {
+    coordinates: SVector<T, N>,
+    is_infinite: bool,
+}
+
+impl<T: Scalar, const N: usize> ProjectivePoint<T, N> {
+    /// x, unless the point is at infinity.
+    pub fn affine(self) -> Option<SVector<T, N>> {
+        if self.is_infinite { None } else { Some(self.coordinates) }
+    }
+
+    /// Whether the point is at infinity.
+    pub fn is_infinite(&self) -> bool {
+        self.is_infinite
+    }
+
+    /// X: x itself, or the direction.
+    pub fn coordinates(&self) -> &SVector<T, N> {
+        &self.coordinates
+    }
+
+    /// W: 1, or 0 at infinity.
+    pub fn weight(&self) -> T {
+        if self.is_infinite { T::zero() } else { T::one() }
+    }
+
+    pub(super) fn at_infinity(direction: SVector<T, N>) -> Self {
+        Self { coordinates: direction, is_infinite: true }
+    }
+}
+
+impl<T: Scalar, const N: usize> From<SVector<T, N>> for ProjectivePoint<T, N> {
+    fn from(coordinates: SVector<T, N>) -> Self {
+        Self { coordinates, is_infinite: false }
+    }
+}
+
+/// How much smaller than the largest a coordinate may be that counts as one of the largest.
+const TIE: f64 = 1.0 / (1_u32 << 20) as f64;
+
+/// The place of the first of the largest coordinates.
+pub(super) fn first_of_the_largest<T: Pivot>(coordinates: &[T]) -> usize {
+    let larger = |best: usize, i: usize| {
+        if coordinates[i].magnitude_exceeds(&coordinates[best]) { i } else { best }
+    };
+    let largest = (1..coordinates.len()).fold(0, larger);
+    let near = |one: &T| {
+        let part = one.clone() / coordinates[largest].clone();
+        part.approximate().abs() >= 1.0 - TIE
+    };
+    if coordinates[largest].is_zero() {
+        return largest;
+    }
+    coordinates.iter().position(near).unwrap_or(largest)
+}

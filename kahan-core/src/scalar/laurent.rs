@@ -1,0 +1,217 @@
+//! Laurent series in δ that are known up to some power of it: Σ cₖδᵏ from some k on, which may be
+//! negative, up to O(δᵉ).
+//!
+//! In: a formula, and a point that is moved by δ. Out: what the formula tends to as δ → 0, where it
+//! has no value at δ = 0 itself, or is infinite there. Series over an exact scalar are exact as far
+//! as they are known. Terms that cancel make them shorter; one that is known no more is O(δᵉ).
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use std::vec::Vec;
+
+use num_traits::{One, Zero};
+
+use super::{Constant, Scalar, assignments};
+
+/// A number, or a series with its first terms known.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Laurent<T> {
+    /// A number, which no power of δ is added to.
+    Number(T),
+    /// Σ terms\[k\]·δ^(start + k) + O(δ^(start + number of terms)); the first term is not 0.
+    Series {
+        /// The lowest power; where there are no terms, that which bounds the series.
+        start: i64,
+        /// The coefficients from there on.
+        terms: Vec<T>,
+    },
+}
+
+use Laurent::{Number, Series};
+
+impl<T: Scalar> Laurent<T> {
+    /// δ, with so many terms known.
+    pub(crate) fn delta(terms: usize) -> Self {
+        let terms = (0..terms.max(1)).map(|k| if k == 0 { T::one() } else { T::zero() });
+        Series { start: 1, terms: terms.collect() }
+    }
+
+    /// The lowest power with a coefficient other than 0; `None` where none is known, and for 0.
+    pub(crate) fn order(&self) -> Option<i64> {
+        match self {
+            Number(number) => (!number.is_zero()).then_some(0),
+            Series { start, terms } => (!terms.is_empty()).then_some(*start),
+        }
+    }
+
+    /// The power of δ below which every coefficient is 0.
+    pub(crate) fn start(&self) -> i64 {
+        match self {
+            Number(_) => 0,
+            Series { start, .. } => *start,
+        }
+    }
+
+    /// The power of δ from which on nothing is known; `None` for a number.
+    fn end(&self) -> Option<i64> {
+        match self {
+            Number(_) => None,
+            Series { start, terms } => Some(start + terms.len() as i64),
+        }
+    }
+
+    /// The coefficient of a power of δ; `None` where it is not known.
+    pub(crate) fn coefficient(&self, power: i64) -> Option<T> {
+        match self {
+            Number(number) => Some(if power == 0 { number.clone() } else { T::zero() }),
+            Series { start, terms } if power >= *start => terms.get((power - start) as usize).cloned(),
+            Series { .. } => Some(T::zero()),
+        }
+    }
+
+    /// The terms from `start` up to δ^end, without those that are 0 before the first other.
+    fn of(start: i64, mut terms: Vec<T>) -> Self {
+        let zeros = terms.iter().take_while(|term| term.is_zero()).count();
+        terms.drain(..zeros);
+        Series { start: start + zeros as i64, terms }
+    }
+
+    /// The same number as so many terms of a series.
+    fn written_out(number: T, terms: usize) -> Vec<T> {
+        let mut number = Some(number);
+        (0..terms).map(|_| number.take().unwrap_or_else(T::zero)).collect()
+    }
+
+    fn map(self, change: impl Fn(T) -> T) -> Self {
+        match self {
+            Number(number) => Number(change(number)),
+            Series { start, terms } => Series { start, terms: terms.into_iter().map(change).collect() },
+        }
+    }
+}
+
+impl<T: Scalar> Add for Laurent<T> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        match (self, other) {
+            (Number(a), Number(b)) => Number(a + b),
+            (a, b) => {
+                let end = a.end().into_iter().chain(b.end()).min().unwrap_or(0);
+                let start = a.start().min(b.start()).min(end);
+                // Every power below the end is known of both.
+                let coefficient = |one: &Self, power| one.coefficient(power).unwrap_or_else(T::zero);
+                Self::of(start, (start..end).map(|k| coefficient(&a, k) + coefficient(&b, k)).collect())
+            }
+        }
+    }
+}
+
+impl<T: Scalar> Neg for Laurent<T> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        self.map(|term| -term)
+    }
+}
+
+impl<T: Scalar> Sub for Laurent<T> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<T: Scalar> Mul for Laurent<T> {
+    type Output = Self;
+
+    /// As many terms as both factors have.
+    fn mul(self, other: Self) -> Self {
+        match (self, other) {
+            (Number(number), series) | (series, Number(number)) if number.is_zero() => {
+                drop(series);
+                Number(number)
+            }
+            (Number(number), series) | (series, Number(number)) => {
+                series.map(|term| term * number.clone())
+            }
+            (Series { start, terms: a }, Series { start: other_start, terms: b }) => {
+                let term = |k: usize| {
+                    (0..=k).fold(T::zero(), |sum, j| sum + a[j].clone() * b[k - j].clone())
+                };
+                let terms = (0..a.len().min(b.len())).map(term).collect();
+                Series { start: start + other_start, terms }
+            }
+        }
+    }
+}
+
+impl<T: Scalar> Div for Laurent<T> {
+    type Output = Self;
+
+    /// As many terms as both have; the divisor has one at least, as
+    /// [`quotient`](Scalar::quotient) sees to.
+    fn div(self, other: Self) -> Self {
+        match (self, other) {
+            (series, Number(divisor)) => series.map(|term| term / divisor.clone()),
+            (Number(number), _) if number.is_zero() => Number(number),
+            (dividend, Series { start: below, terms: divisor }) => {
+                let (start, dividend) = match dividend {
+                    Number(number) => (0, Self::written_out(number, divisor.len())),
+                    Series { start, terms } => (start, terms),
+                };
+                let mut terms: Vec<T> = Vec::new();
+                for k in 0..dividend.len().min(divisor.len()) {
+                    let known = terms.iter().enumerate();
+                    let rest = known.fold(dividend[k].clone(), |rest, (j, term)| {
+                        rest - term.clone() * divisor[k - j].clone()
+                    });
+                    terms.push(rest / divisor[0].clone());
+                }
+                Series { start: start - below, terms }
+            }
+        }
+    }
+}
+
+assignments!([T: Scalar] Laurent<T>);
+
+impl<T: Scalar> Zero for Laurent<T> {
+    fn zero() -> Self {
+        Number(T::zero())
+    }
+
+    fn is_zero(&self) -> bool {
+        matches!(self, Number(number) if number.is_zero())
+    }
+}
+
+impl<T: Scalar> One for Laurent<T> {
+    fn one() -> Self {
+        Number(T::one())
+    }
+}
+
+impl<T: Scalar> Scalar for Laurent<T> {
+    fn constant(c: &Constant<'_>) -> Self {
+        Number(T::constant(c))
+    }
+
+    fn reciprocal(&self) -> Option<Self> {
+        Self::one().quotient(self.clone())
+    }
+
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        divisor.order()?;
+        Some(self / divisor)
+    }
+
+    /// The lower order: a division by it leaves more terms.
+    fn is_better_pivot(&self, than: &Self) -> bool {
+        match (self.order(), than.order()) {
+            (Some(own), Some(other)) => own < other,
+            (own, None) => own.is_some(),
+            (None, Some(_)) => false,
+        }
+    }
+}
