@@ -8,6 +8,7 @@
 mod chain;
 mod exact;
 mod float;
+mod projective;
 mod stops;
 
 use std::path::PathBuf;
@@ -31,8 +32,8 @@ use float::FloatOrbit;
 /// undefined, or beyond the range of the scalar. Floats are written so that they read back exactly,
 /// dd with 32 digits, and the steps are those of the compiled library, bit for bit; parameters are
 /// put in after the map is reduced. At a pole (det A = 0), or where floats overflow, the orbit
-/// ends: the rows up to there are kept, the place is reported, and the exit status is 1. A negative
-/// eps steps back.
+/// ends: the rows up to there are kept, the place is reported, and the exit status is 1; with
+/// --projective it goes on. A negative eps steps back.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 #[command(mut_arg("at", |at| at.required(false).required_unless_present("begin")))]
@@ -65,6 +66,16 @@ pub(crate) struct Orbit {
     #[arg(long, value_name = "P", default_value = "2", value_parser = PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse::<u32>().unwrap_or(2)))]
     order: u32,
 
+    /// Go on at poles, through points at infinity, and through what is brought to one point there.
+    ///
+    /// The orbit is then that of the iterates as rational maps of projective space. An infinite
+    /// coordinate is written as inf, and in JSON as null. A coordinate beside it that is not
+    /// infinite has no value of its own there, and is empty or null, as integrals are. Near poles
+    /// floats are computed in hundreds of digits, so that the way back loses none. The orbit ends
+    /// where the map has no value whatever the direction. Up to 8 variables.
+    #[arg(long, conflicts_with = "begin")]
+    projective: bool,
+
     /// Print every K-th point only: n = 0, K, 2K, ….
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = positive_count)]
     every: i64,
@@ -92,6 +103,7 @@ Examples:
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
+  kahan orbit e1 --eps 1/2 --at -1,2/3,5/7 --steps 5 --scalar exact --projective
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9";
 
@@ -115,6 +127,14 @@ impl Orbit {
             ));
         }
         let request = self.start.request()?;
+        if self.projective {
+            return match self.scalar {
+                ScalarKind::Exact => self.through_poles(&Exact, &request),
+                ScalarKind::F64 => self.through_poles(&Float64, &request),
+                ScalarKind::F32 => self.through_poles(&Float32, &request),
+                ScalarKind::Dd => self.through_poles(&DoubleDouble, &request),
+            };
+        }
         match self.scalar {
             ScalarKind::Exact if self.order != 2 => Err(Refusal::new(format!(
                 "--order {} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \

@@ -16,6 +16,16 @@ pub(crate) enum Format {
     Json,
 }
 
+/// A cell of a row that may be at infinity.
+pub(crate) enum Cell<V> {
+    /// A number.
+    Value(V),
+    /// Infinite without a sign: `inf`, or null.
+    Infinite,
+    /// Nothing, or null.
+    Undefined,
+}
+
 /// A table on its way into a sink.
 pub(crate) struct Table {
     sink: Sink,
@@ -60,12 +70,25 @@ impl Table {
     where
         A::Value: 'a,
     {
-        let append = |value: Option<&A::Value>, line: &mut String| {
-            if let Some(value) = value.filter(|value| A::is_finite(value)) {
-                A::append(value, line);
-            }
+        self.cells(index, values, append::<A>, |value| value.map_or(Value::Null, A::json))
+    }
+
+    /// Writes a row of a point that may be at infinity.
+    pub(crate) fn projective<A: Printable>(
+        &mut self,
+        index: i64,
+        cells: impl Iterator<Item = Cell<A::Value>>,
+    ) -> Result<(), Broken> {
+        let append = |cell: Cell<A::Value>, line: &mut String| match cell {
+            Cell::Value(value) => append::<A>(Some(&value), line),
+            Cell::Infinite => line.push_str("inf"),
+            Cell::Undefined => {}
         };
-        self.cells(index, values, append, |value| value.map_or(Value::Null, A::json))
+        let json = |cell: Cell<A::Value>| match cell {
+            Cell::Value(value) => A::json(&value),
+            Cell::Infinite | Cell::Undefined => Value::Null,
+        };
+        self.cells(index, cells, append, json)
     }
 
     /// Writes a row of exact numbers that are text already.
@@ -113,5 +136,12 @@ impl Table {
             self.sink.write(format!("\n  ],\n  \"stopped\": {stopped}\n}}\n"))?;
         }
         self.sink.finish()
+    }
+}
+
+/// Appends a number that is finite.
+fn append<A: Printable>(value: Option<&A::Value>, line: &mut String) {
+    if let Some(value) = value.filter(|value| A::is_finite(value)) {
+        A::append(value, line);
     }
 }

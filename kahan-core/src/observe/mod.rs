@@ -58,6 +58,8 @@ mod megno;
 mod orbit;
 mod period;
 mod points;
+#[cfg(feature = "std")]
+mod projective;
 mod residence;
 mod rotation;
 mod sali;

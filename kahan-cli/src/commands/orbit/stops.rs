@@ -2,6 +2,7 @@
 
 use kahan_algebra::interpret::Point;
 use kahan_algebra::kahan::TERM_BUDGET;
+use kahan_core::SingularStep;
 
 use crate::numbers::Printable;
 use crate::printing::Refusal;
@@ -50,6 +51,12 @@ impl Request {
             "the orbit of {name} ends at a pole: det A = 0 at a stage of step {next}, so the step has no value. The point before it \
              is {place}; the rows up to it are kept; try --order 2, which takes no step back"
         )
+    }
+
+    /// Of an orbit that goes through poles.
+    pub(super) fn end(&self, n: i64, why: Option<SingularStep>) -> String {
+        let why = why.map_or_else(String::new, |why| format!(": {why}"));
+        format!("the orbit of {} ends at n = {n}{why}; the rows up to it are kept", self.name)
     }
 
     pub(super) fn overflow<A: Printable>(&self, n: i64, state: &[A::Value]) -> String {

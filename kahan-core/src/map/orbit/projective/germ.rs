@@ -120,8 +120,9 @@ const KNOWN: i64 = 110;
 const LOST: i64 = 10;
 
 impl<T: Promised> Germ<T> for Wide {
-    /// Nothing is moved in the first: that is for points near a pole and not at one.
-    const EFFORTS: usize = 2;
+    /// Nothing is moved in the first, which is for points near a pole and not at one; the others
+    /// differ in their directions.
+    const EFFORTS: usize = 3;
 
     fn of(number: &T) -> Self {
         number.widen()

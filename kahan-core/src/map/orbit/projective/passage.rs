@@ -18,9 +18,9 @@ use super::ThroughPoles;
 use super::germ::Germ;
 use super::point::ProjectivePoint;
 
-/// What δ multiplies: two of these that begin at different places are directions with nothing in
-/// common.
-const SLOPES: [i64; 13] = [1, -2, 3, 5, -7, 4, -9, 8, -5, 6, -1, 9, -4];
+/// What δ multiplies, drawn at random: small numbers would often have a sum of 0, and lie in a plane
+/// that the map treats as no other.
+const SLOPES: [i64; 13] = [271, -314, 577, 618, -161, 803, -398, 874, -989, 484, -820, 459, -236];
 
 /// The i-th coordinate of a direction.
 fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
@@ -67,7 +67,7 @@ pub(super) struct Place<T, const N: usize> {
 /// Why there is no next point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lost {
-    /// The limits along two lines differ.
+    /// The limits along two lines differ, and again along two others.
     Ambiguous,
     /// Not even the greatest effort shows a limit.
     Unknown,
@@ -121,7 +121,7 @@ where
             let place = self.attempt(steps);
             let is_last = self.effort + 1 == T::Germ::EFFORTS;
             match place {
-                Some(Err(lost)) => return Err(lost),
+                Some(Err(lost)) if is_last => return Err(lost),
                 Some(Ok((point, is_through))) if is_through.is_some() || is_last => {
                     self.taken += 1;
                     self.last = Some(point.clone());

@@ -1,0 +1,175 @@
+//! Orbits through poles: points at infinity are rows, too.
+
+use kahan_algebra::arithmetic::{Arithmetic, Exact, Float32, Float64};
+use kahan_algebra::rational::Rational;
+use kahan_core::nalgebra::SVector;
+use kahan_core::num_rational::BigRational;
+use kahan_core::num_traits::Zero;
+use kahan_core::{Dd, KahanMap, Projective, ProjectivePoint, SingularStep, ThroughPoles};
+use kahan_runtime::interpreted::{Interpreted, VisitDimension, round, visit_dimension};
+use kahan_runtime::{Field, Map};
+
+use super::{Orbit, Rows};
+use crate::numbers::{DoubleDouble, Printable};
+use crate::printing::{Answer, Broken, Cell, Refusal, Table};
+use crate::reading::Request;
+
+/// An arithmetic whose numbers are those of a scalar of the library.
+pub(super) trait OfScalar: Printable {
+    /// That scalar.
+    type Scalar: ThroughPoles;
+
+    /// Its number as one of the arithmetic.
+    fn value(number: &Self::Scalar) -> Self::Value;
+}
+
+impl OfScalar for Exact {
+    type Scalar = BigRational;
+
+    fn value(number: &BigRational) -> Rational {
+        number.clone().into()
+    }
+}
+
+/// Arithmetics whose values are the scalar's.
+macro_rules! of_float {
+    ($arithmetic:ty, $float:ty) => {
+        impl OfScalar for $arithmetic {
+            type Scalar = $float;
+
+            fn value(number: &$float) -> $float {
+                *number
+            }
+        }
+    };
+}
+
+of_float!(Float32, f32);
+of_float!(Float64, f64);
+of_float!(DoubleDouble, Dd);
+
+/// An orbit in whatever dimension its type has.
+trait Points<T> {
+    /// One point on, or why there is none.
+    fn advance(&mut self) -> Result<(), Option<SingularStep>>;
+    /// The coordinates; at infinity 0 for those that are not infinite.
+    fn coordinates(&self) -> &[T];
+    /// Whether the point is at infinity.
+    fn is_infinite(&self) -> bool;
+    /// The integrals at a point that is not.
+    fn integrals(&self) -> Vec<Option<T>>;
+}
+
+/// An orbit and the point that it is at.
+struct At<T: ThroughPoles, const N: usize> {
+    map: Interpreted<T, N>,
+    eps: T,
+    orbit: Projective<Interpreted<T, N>, T, N>,
+    point: ProjectivePoint<T, N>,
+}
+
+impl<T: ThroughPoles, const N: usize> Points<T> for At<T, N> {
+    fn advance(&mut self) -> Result<(), Option<SingularStep>> {
+        self.point = self.orbit.next().ok_or_else(|| self.orbit.stopped().copied())?;
+        Ok(())
+    }
+
+    fn coordinates(&self) -> &[T] {
+        &self.point.coordinates().as_slice()[..self.map.variables().len()]
+    }
+
+    fn is_infinite(&self) -> bool {
+        self.point.is_infinite()
+    }
+
+    fn integrals(&self) -> Vec<Option<T>> {
+        self.map.integrals(self.point.coordinates(), &self.eps)
+    }
+}
+
+/// Begins an orbit.
+struct Beginner<'a, A> {
+    arithmetic: &'a A,
+    map: &'a Map,
+    eps: &'a Rational,
+    start: &'a [Rational],
+}
+
+impl<A: OfScalar> VisitDimension for Beginner<'_, A> {
+    type Output = Box<dyn Points<A::Scalar>>;
+
+    fn visit<const N: usize>(self) -> Self::Output {
+        let map = self.map.as_kahan_map::<A::Scalar, N>();
+        let map = map.unwrap_or_else(|why| unreachable!("the type was chosen for the field: {why}"));
+        let zero = Rational::zero();
+        let start: SVector<A::Scalar, N> =
+            SVector::from_fn(|i, _| round(self.start.get(i).unwrap_or(&zero)));
+        let eps: A::Scalar = round(self.eps);
+        let mut orbit = map.orbit(start.clone(), eps.clone()).projective();
+        // The first item is the first point itself.
+        orbit.next();
+        Box::new(At { map, eps, orbit, point: start.into() })
+    }
+}
+
+impl Orbit {
+    /// The rows of an orbit through its poles.
+    pub(super) fn through_poles<A: OfScalar>(
+        &self,
+        arithmetic: &A,
+        request: &Request,
+    ) -> Result<Answer, Refusal> {
+        if self.order != 2 {
+            return Err(Refusal::new("--projective follows Kahan's map itself, not compositions; leave --order out"));
+        }
+        let (parameters, eps) = request.rounded::<A>()?;
+        let field = Field::of(&request.system);
+        // What differs exactly may be one number in the scalar.
+        if !field.derived().is_defined_at(arithmetic, &parameters) {
+            return Err(request.undefined_field());
+        }
+        let point = &request.point;
+        let values = field.parameters().iter().zip(&point.parameters);
+        let map = field.with(values).map_err(|_| request.undefined_field())?;
+        let beginner = Beginner { arithmetic, map: &map, eps: &point.eps, start: &point.state };
+        let mut orbit = visit_dimension(point.state.len(), beginner)
+            .map_err(|why| Refusal::new(format!("--projective: {why}")))?;
+        let mut head = self.head::<A>(request, &parameters, &eps, field.integrals());
+        head.insert("projective".to_owned(), true.into());
+        let time_step = arithmetic.add(&eps, &eps);
+        self.write(head, |table, progress| {
+            let rows = Rows { steps: self.steps, every: self.every, at_once: 1, progress };
+            rows.follow(
+                &mut orbit,
+                |orbit, n| row(arithmetic, table, n, &time_step, orbit.as_ref()),
+                |orbit, n, _| orbit.advance().map_err(|why| request.end(n, why)),
+            )
+        })
+    }
+}
+
+/// Writes the point n as a row.
+fn row<A: OfScalar>(
+    arithmetic: &A,
+    table: &mut Table,
+    n: i64,
+    time_step: &A::Value,
+    orbit: &dyn Points<A::Scalar>,
+) -> Result<(), Broken> {
+    let number = arithmetic.constant(&Rational::from(n));
+    let time = number.map(|n| Cell::Value(arithmetic.multiply(&n, time_step)));
+    let is_infinite = orbit.is_infinite();
+    let coordinate = |x: &A::Scalar| match is_infinite {
+        false => Cell::Value(A::value(x)),
+        true if x.is_zero() => Cell::Undefined,
+        true => Cell::Infinite,
+    };
+    let integral = |value: Option<A::Scalar>| {
+        let value = value.filter(|_| !is_infinite);
+        value.map_or(Cell::Undefined, |value| Cell::Value(A::value(&value)))
+    };
+    let cells = std::iter::once(time.unwrap_or(Cell::Undefined))
+        .chain(orbit.coordinates().iter().map(coordinate))
+        .chain(orbit.integrals().into_iter().map(integral));
+    table.projective::<A>(n, cells)
+}

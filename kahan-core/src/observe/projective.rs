@@ -1,0 +1,42 @@
+//! Observing an orbit that goes through poles.
+
+use crate::{Lift, Projective, ThroughPoles};
+
+use super::Observer;
+
+impl<M, T, const N: usize> Projective<M, T, N>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+    /// As [`Orbit::observe`](crate::Orbit::observe), of those points that are not at infinity, each
+    /// under its own step.
+    ///
+    /// Observers that look at one point at a time see what they would of any orbit: extrema, drift,
+    /// escape, residence, return. Those that compare a point with the one before (sections,
+    /// rotation, exponents) take the two on both sides of infinity for neighbours: give them an
+    /// orbit that ends there.
+    ///
+    /// ```
+    /// use kahan_core::observe::Extrema;
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! {
+    ///     /// Escapes to infinity in finite time, and comes back from the other side.
+    ///     pub struct Riccati;
+    ///     xdot = x^2;
+    /// }
+    ///
+    /// let mut orbit = Riccati.orbit(vector![1.0], 0.25).projective();
+    /// let extremes = orbit.observe(4, Extrema::of(|x: &[f64]| x[0])).unwrap();
+    /// assert_eq!((extremes.least, extremes.greatest), (-2.0, 2.0));
+    /// ```
+    pub fn observe<O: Observer<T>>(&mut self, steps: u64, mut observers: O) -> O::Report {
+        for (step, point) in (0..=steps).zip(self) {
+            if let Some(x) = point.affine() {
+                observers.observe(step, x.as_slice());
+            }
+        }
+        observers.report()
+    }
+}
