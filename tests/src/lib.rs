@@ -13,4 +13,5 @@ pub mod random_systems;
 mod readmes;
 pub mod rounding;
 pub mod subject;
+pub mod surface;
 pub mod taylor;

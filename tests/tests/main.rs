@@ -18,6 +18,7 @@ mod exact {
     mod oracle_cases;
     mod printed_formulas;
     mod there_and_back;
+    mod through_poles;
 }
 
 mod floats {

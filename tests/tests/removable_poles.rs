@@ -7,7 +7,7 @@
 
 use kahan_algebra::arithmetic::{Exact, Float64};
 use kahan_algebra::interpret::{Interpreter, Point};
-use kahan_algebra::poly::{Budget, Polynomial, Variable};
+use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
@@ -20,6 +20,7 @@ use kahan_runtime::interpreted::Interpreted;
 use kahan_systems::registry::find;
 use kahan_systems::{E1, E3, E9};
 use kahan_tests::expression::read_unproved;
+use kahan_tests::surface::moved_onto;
 
 /// The points drawn for each system.
 const POINTS: usize = 12;
@@ -37,27 +38,6 @@ fn number(draws: &mut SplitMix64) -> Rational {
     if draws.below(2) == 0 { size } else { -size }
 }
 
-/// The polynomial's value, the variable `free` excepted: constant part, and coefficient of `free`.
-fn line(polynomial: &Polynomial, values: &[Rational], free: Variable) -> Option<(Rational, Rational)> {
-    let mut line = (Rational::zero(), Rational::zero());
-    for (monomial, coefficient) in polynomial.terms() {
-        let (mut value, mut power) = (coefficient.clone(), 0);
-        for &(variable, exponent) in monomial.powers() {
-            if variable == free {
-                power = exponent;
-            } else {
-                value = &value * &values[usize::from(variable.0)].pow(exponent as i32)?;
-            }
-        }
-        match power {
-            0 => line.0 = &line.0 + &value,
-            1 => line.1 = &line.1 + &value,
-            _ => return None,
-        }
-    }
-    Some(line)
-}
-
 /// Places where the simplest factor of what was divided out vanishes.
 fn removable_poles(derived: &Derived, parameters: &[Rational], seed: u64) -> Vec<Place> {
     let symbols = &derived.system.field.symbols;
@@ -71,13 +51,7 @@ fn removable_poles(derived: &Derived, parameters: &[Rational], seed: u64) -> Vec
     while places.len() < POINTS {
         let mut values: Vec<Rational> = (0..n).map(|_| number(&mut draws)).collect();
         values.extend(parameters.iter().cloned().chain([number(&mut draws)]));
-        let free = (0..n).map(|i| symbols.state(i)).filter(|v| factor.variables().contains(v));
-        let solved = free.into_iter().find_map(|free| {
-            let (constant, slope) = line(factor, &values, free)?;
-            Some((free, -constant.checked_div(&slope)?))
-        });
-        let Some((free, value)) = solved else { continue };
-        values[usize::from(free.0)] = value;
+        let Some(mut values) = moved_onto(factor, symbols, values) else { continue };
         let eps = values.pop().expect("ε stands last");
         values.truncate(n);
         places.push(Place { x: values, parameters: parameters.to_vec(), eps });

@@ -132,13 +132,9 @@ impl<T: Scalar> Mul for Laurent<T> {
                 drop(series);
                 Number(number)
             }
-            (Number(number), series) | (series, Number(number)) => {
-                series.map(|term| term * number.clone())
-            }
+            (Number(number), series) | (series, Number(number)) => series.map(|term| term * number.clone()),
             (Series { start, terms: a }, Series { start: other_start, terms: b }) => {
-                let term = |k: usize| {
-                    (0..=k).fold(T::zero(), |sum, j| sum + a[j].clone() * b[k - j].clone())
-                };
+                let term = |k: usize| (0..=k).fold(T::zero(), |sum, j| sum + a[j].clone() * b[k - j].clone());
                 let terms = (0..a.len().min(b.len())).map(term).collect();
                 Series { start: start + other_start, terms }
             }
@@ -213,5 +209,49 @@ impl<T: Scalar> Scalar for Laurent<T> {
             (own, None) => own.is_some(),
             (None, Some(_)) => false,
         }
+    }
+}
+
+#[cfg(all(test, feature = "exact"))]
+mod tests {
+    use num_rational::BigRational;
+    use std::vec;
+
+    use super::*;
+
+    fn series(start: i64, terms: &[i64]) -> Laurent<BigRational> {
+        Laurent::of(start, terms.iter().map(|term| BigRational::from_integer((*term).into())).collect())
+    }
+
+    #[test]
+    fn products_and_quotients_know_as_many_terms_as_their_factors() {
+        let (a, b) = (series(-2, &[1, 2, 3]), series(1, &[5, 0, 1, 7]));
+        assert_eq!(a.clone() * b.clone(), series(-1, &[5, 10, 16]));
+        assert_eq!(a.clone() * b.clone() / b.clone(), a);
+        assert_eq!(
+            series(0, &[1, 0, 0, 0]).quotient(b.clone()).map(|inverse| inverse * b),
+            Some(series(0, &[1, 0, 0, 0]))
+        );
+    }
+
+    #[test]
+    fn sums_are_known_as_far_as_both_terms_and_lose_what_cancels() {
+        let (a, b) = (series(-2, &[1, 2, 3]), series(-2, &[1, 2, 4, 5]));
+        assert_eq!(b - a.clone(), series(0, &[1]));
+        let number = Laurent::Number(BigRational::from_integer(4.into()));
+        assert_eq!(a.clone() + number.clone(), series(-2, &[1, 2, 7]));
+        // What ends below δ⁰ says nothing of a number added.
+        assert_eq!(series(-3, &[1, 2]) + number.clone(), series(-3, &[1, 2]));
+        let nothing = a.clone() - a;
+        assert_eq!(nothing, Series { start: 1, terms: vec![] });
+        assert!(!nothing.is_zero() && nothing.reciprocal().is_none());
+        assert_eq!(nothing.clone() * number, nothing);
+    }
+
+    #[test]
+    fn the_lowest_order_is_the_best_pivot() {
+        let (low, high, nothing) = (series(-1, &[1]), series(2, &[7, 1]), series(5, &[]));
+        assert!(low.is_better_pivot(&high) && !high.is_better_pivot(&low));
+        assert!(high.is_better_pivot(&nothing) && !nothing.is_better_pivot(&low));
     }
 }

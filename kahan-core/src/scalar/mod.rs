@@ -30,10 +30,10 @@ pub use dd::Dd;
 pub use dual::Dual;
 pub use epsilon::nearest_short_eps;
 pub use float_scalar::FloatScalar;
-pub(crate) use operators::assignments;
-use operators::operators;
 #[cfg(feature = "std")]
 pub(crate) use laurent::Laurent;
+pub(crate) use operators::assignments;
+use operators::operators;
 pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.

@@ -124,7 +124,10 @@ impl fmt::Display for SingularStep {
             )?,
             #[cfg(feature = "std")]
             Reason::Unfollowed => {
-                write!(f, "a pole has brought many points to this one, and series or digits end before they come apart")?;
+                write!(
+                    f,
+                    "a pole has brought many points to this one, and series or digits end before they come apart"
+                )?;
             }
         }
         // A scalar that nothing approximates has no ε to print.

@@ -12,6 +12,8 @@ mod linear;
 mod modes;
 mod orbits;
 mod overflow;
+#[cfg(feature = "std")]
+mod projective;
 
 #[cfg(feature = "exact")]
 mod exact_laws;

@@ -1,6 +1,8 @@
 //! Orbits through poles: points at infinity are rows, too.
 
-use kahan_algebra::arithmetic::{Arithmetic, Exact, Float32, Float64};
+use std::marker::PhantomData;
+
+use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
@@ -89,7 +91,7 @@ impl<T: ThroughPoles, const N: usize> Points<T> for At<T, N> {
 
 /// Begins an orbit.
 struct Beginner<'a, A> {
-    arithmetic: &'a A,
+    arithmetic: PhantomData<A>,
     map: &'a Map,
     eps: &'a Rational,
     start: &'a [Rational],
@@ -102,8 +104,7 @@ impl<A: OfScalar> VisitDimension for Beginner<'_, A> {
         let map = self.map.as_kahan_map::<A::Scalar, N>();
         let map = map.unwrap_or_else(|why| unreachable!("the type was chosen for the field: {why}"));
         let zero = Rational::zero();
-        let start: SVector<A::Scalar, N> =
-            SVector::from_fn(|i, _| round(self.start.get(i).unwrap_or(&zero)));
+        let start: SVector<A::Scalar, N> = SVector::from_fn(|i, _| round(self.start.get(i).unwrap_or(&zero)));
         let eps: A::Scalar = round(self.eps);
         let mut orbit = map.orbit(start.clone(), eps.clone()).projective();
         // The first item is the first point itself.
@@ -120,7 +121,9 @@ impl Orbit {
         request: &Request,
     ) -> Result<Answer, Refusal> {
         if self.order != 2 {
-            return Err(Refusal::new("--projective follows Kahan's map itself, not compositions; leave --order out"));
+            return Err(Refusal::new(
+                "--projective follows Kahan's map itself, not compositions; leave --order out",
+            ));
         }
         let (parameters, eps) = request.rounded::<A>()?;
         let field = Field::of(&request.system);
@@ -131,7 +134,8 @@ impl Orbit {
         let point = &request.point;
         let values = field.parameters().iter().zip(&point.parameters);
         let map = field.with(values).map_err(|_| request.undefined_field())?;
-        let beginner = Beginner { arithmetic, map: &map, eps: &point.eps, start: &point.state };
+        let beginner =
+            Beginner { arithmetic: PhantomData::<A>, map: &map, eps: &point.eps, start: &point.state };
         let mut orbit = visit_dimension(point.state.len(), beginner)
             .map_err(|why| Refusal::new(format!("--projective: {why}")))?;
         let mut head = self.head::<A>(request, &parameters, &eps, field.integrals());

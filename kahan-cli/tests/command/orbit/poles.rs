@@ -33,6 +33,49 @@ fn a_pole_on_the_way_ends_an_orbit_where_the_map_says() {
 }
 
 #[test]
+fn a_projective_orbit_goes_on_through_infinity() {
+    // E1 at ε = 1/2: 1/x grows by 1 a step, −1, ∞, 1, 1/2.
+    let start = ["e1", "--eps", "1/2", "--at", "-1,2/3,5/7", "--steps", "3", "--projective"];
+    for (scalar, back) in [("exact", ["1", "1/2"]), ("f64", ["1.0", "0.5"]), ("dd", ["1.0", "0.5"])] {
+        let output = kahan(&[&start[..], &["--scalar", scalar]].concat());
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let (_, rows) = table(&text(&output.stdout));
+        assert_eq!(rows.len(), 4);
+        assert_eq!(rows[1][2..5], ["inf"; 3]);
+        assert!(rows[1][5..].iter().all(String::is_empty), "{:?}", rows[1]);
+        assert_eq!([&rows[2][2], &rows[3][2]], back, "{scalar}");
+        let output = kahan(&[&start[..], &["--scalar", scalar, "--json"]].concat());
+        let object: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!(
+            object["rows"][1].as_array().expect("a row")[2..5],
+            [Value::Null, Value::Null, Value::Null]
+        );
+        assert_eq!(object["stopped"], Value::Null);
+    }
+}
+
+#[test]
+fn away_from_poles_a_projective_orbit_has_the_rows_of_the_orbit() {
+    for scalar in ["exact", "f64", "f32", "dd"] {
+        let start = ["lv", "--eps", "1/10", "--at", "1/2,5/3", "--steps", "5", "--scalar", scalar];
+        let rows = |more: &[&str]| text(&kahan(&[&start[..], more].concat()).stdout);
+        assert_eq!(rows(&["--projective"]), rows(&[]), "{scalar}");
+    }
+}
+
+#[test]
+fn a_projective_orbit_says_why_it_ends() {
+    let field = "xdot = y*z; ydot = z*x; zdot = x*y;";
+    let output = kahan(&["--field", field, "--eps", "1/2", "--at", "2,2,2", "--steps", "5", "--projective"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(table(&text(&output.stdout)).1.len(), 2);
+    let complaint = text(&output.stderr);
+    assert!(complaint.contains("ends at n = 1: ") && complaint.contains("different points"), "{complaint}");
+    let refused = kahan(&["lv", "--eps", "1", "--at", "1,2", "--steps", "1", "--order", "4", "--projective"]);
+    assert_eq!(refused.status.code(), Some(2));
+}
+
+#[test]
 fn orbits_stop_exactly_where_eval_has_no_next_point() {
     let mut seen = 0;
     for system in ALL {

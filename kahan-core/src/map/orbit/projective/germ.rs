@@ -116,6 +116,15 @@ const INFINITE: i64 = 96;
 /// The digits that a limit is known to, in bits, more than any float of this crate has.
 const KNOWN: i64 = 110;
 
+/// A coordinate of a point of this size, as δ → 0: what δ has left below the digits is taken off.
+fn without_delta(entry: Wide, size: Size) -> Wide {
+    if entry.size() < size.scaled(-INFINITE) {
+        return Wide::zero();
+    }
+    let leading = Wide::from(entry.to_f64());
+    if (entry - leading).size() < entry.size().scaled(-KNOWN) { leading } else { entry }
+}
+
 /// How many bits a rounding may count for on the way back to the first point.
 const LOST: i64 = 10;
 
@@ -150,10 +159,7 @@ impl<T: Promised> Germ<T> for Wide {
             return None;
         }
         let is_moved = effort > 0;
-        let settled: [Self; N] = from_fn(|i| {
-            let is_zero = is_moved && point[i].size() < size.scaled(-INFINITE);
-            if is_zero { Self::zero() } else { point[i] }
-        });
+        let settled: [Self; N] = from_fn(|i| if is_moved { without_delta(point[i], size) } else { point[i] });
         let affine = settled.map(T::narrow);
         let is_infinite = if is_moved {
             point[largest].size() > unit.size().scaled(INFINITE)

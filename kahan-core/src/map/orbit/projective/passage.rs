@@ -52,9 +52,7 @@ impl<S: Scalar, const N: usize> Line<S, N> {
 }
 
 fn product<S: Scalar, const N: usize>(a: &SMatrix<S, N, N>, b: &SMatrix<S, N, N>) -> SMatrix<S, N, N> {
-    SMatrix::from_fn(|i, j| {
-        (0..N).fold(S::zero(), |sum, k| sum + a[(i, k)].clone() * b[(k, j)].clone())
-    })
+    SMatrix::from_fn(|i, j| (0..N).fold(S::zero(), |sum, k| sum + a[(i, k)].clone() * b[(k, j)].clone()))
 }
 
 /// A point after another of an orbit that is on its way through a pole.
@@ -97,8 +95,7 @@ where
 {
     /// From a point on.
     pub(super) fn from(map: &M, eps: &T, start: SVector<T, N>) -> Self {
-        let (map, eps, unit) =
-            (map.lift(T::Germ::of), T::Germ::of(eps), T::Germ::unit(start.as_slice()));
+        let (map, eps, unit) = (map.lift(T::Germ::of), T::Germ::of(eps), T::Germ::unit(start.as_slice()));
         let mut passage = Self { start, unit, map, eps, effort: 0, taken: 0, last: None, lines: Vec::new() };
         passage.begin();
         passage
@@ -174,9 +171,9 @@ where
             Some(false)
         } else {
             let line = &lines[0];
-            line.derivative.as_ref().and_then(|derivative| {
-                T::Germ::is_one_to_one(derivative, &line.point, unit)
-            })
+            line.derivative
+                .as_ref()
+                .and_then(|derivative| T::Germ::is_one_to_one(derivative, &line.point, unit))
         };
         Some(Ok((point, is_through)))
     }

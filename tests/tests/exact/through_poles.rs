@@ -1,0 +1,173 @@
+//! Projective orbits do what `kahan poles` says of curves, and what moved orbits tend to.
+//!
+//! 1. A rational point is taken on each curve that a map sends to infinity or blows down.
+//! 2. Its projective orbit is at infinity where the image of the curve is.
+//! 3. The point is moved by a tiny rational δ, and the ordinary exact orbit taken from there. Of its
+//!    coordinates, or quotients of them, the simplest rationals nearby are the projective orbit's.
+//! 4. Over `f64` the same orbit, begun at a rounded point, is that of the exact numbers.
+
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+use kahan_core::nalgebra::SVector;
+use kahan_core::{KahanMap, ProjectivePoint};
+use kahan_discover::poles::Pattern;
+use kahan_discover::{Options, poles};
+use kahan_runtime::Field;
+use kahan_runtime::interpreted::Interpreted;
+use kahan_tests::exact::{Q, q};
+use kahan_tests::subject::{Subject, further, paper, random};
+use kahan_tests::surface::moved_onto;
+use num_bigint::BigInt;
+use num_traits::{One, Signed, Zero};
+
+/// Up to four variables; those that a system lacks stand still.
+const N: usize = 4;
+
+type Map = Interpreted<Q, N>;
+
+/// How many steps of a curve that never comes back are looked at.
+const STEPS: usize = 4;
+
+/// The simplest rational that is no further than `distance` from a number: the first convergent of
+/// its continued fraction that is.
+fn simplest_near(number: &Q, distance: &Q) -> Q {
+    let (mut rest, mut before, mut last) =
+        (number.clone(), (BigInt::zero(), BigInt::one()), (BigInt::one(), BigInt::zero()));
+    loop {
+        let whole = rest.floor().to_integer();
+        let next = (&whole * &last.0 + &before.0, &whole * &last.1 + &before.1);
+        (before, last) = (last, next);
+        let convergent = Q::new(last.0.clone(), last.1.clone());
+        if (&convergent - number).abs() <= *distance {
+            return convergent;
+        }
+        rest = (rest - Q::from(whole)).recip();
+    }
+}
+
+/// The most bits of a numerator or denominator.
+fn bits(point: &ProjectivePoint<Q, N>) -> usize {
+    let of = |x: &Q| x.numer().bits().max(x.denom().bits());
+    point.coordinates().iter().map(of).max().unwrap_or(0) as usize
+}
+
+/// Where the n-th point of moved orbits tends to, if that is a point whose numbers have so many
+/// bits: the coordinates, or at infinity a direction whose largest coordinate is 1, and whether it
+/// is at infinity.
+fn tends_to(map: &Map, x: &SVector<Q, N>, eps: &Q, n: usize, bits: usize) -> (SVector<Q, N>, bool) {
+    let power = |k: usize| Q::new(BigInt::one(), BigInt::one() << k);
+    let (delta, near) = (power(6 * bits + 600), power(3 * bits + 100));
+    let directions = [q(3, 1), q(-7, 2), q(5, 3), q(1, 1)];
+    let moved = SVector::from_fn(|i, _| &x[i] + &delta * &directions[i]);
+    let there = map.orbit(moved, eps.clone()).nth(n).expect("no pole at a point that is moved");
+    // The coordinates that stand still are moved, too.
+    let still = |i: usize| i >= map.variables().len();
+    let largest = (0..N).filter(|i| !still(*i)).max_by_key(|&i| there[i].abs()).expect("a variable");
+    let is_infinite = there[largest].abs() * &near > Q::one();
+    let divisor = if is_infinite { there[largest].clone() } else { Q::one() };
+    let limit = |i: usize| {
+        if still(i) { Q::zero() } else { simplest_near(&(&there[i] / &divisor), &near) }
+    };
+    (SVector::from_fn(|i, _| limit(i)), is_infinite)
+}
+
+/// A rational point on a curve.
+fn point_on(
+    pattern: &Pattern,
+    symbols: &kahan_algebra::symbols::Symbols,
+    eps: &Rational,
+    draws: &mut SplitMix64,
+) -> Option<Vec<Rational>> {
+    const DRAWS: usize = 20;
+    let curve = pattern.curve.as_ref()?;
+    (0..DRAWS).find_map(|_| {
+        let number =
+            |draws: &mut SplitMix64| Rational::new(draws.below(97) as i64 - 48, draws.below(7) as i64 + 2);
+        let mut values: Vec<Rational> = (0..symbols.dimension()).map(|_| number(draws)).collect();
+        values.push(eps.clone());
+        let mut values = moved_onto(curve, symbols, values)?;
+        values.pop();
+        Some(values)
+    })
+}
+
+/// The orbit from a point of a curve, in exact numbers and in floats.
+fn follows(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
+    let x: SVector<Q, N> = SVector::from_fn(|i, _| x.get(i).map_or_else(Q::zero, Rational::to_big));
+    let is_confined = pattern.confined == Some(true);
+    let steps = if is_confined { pattern.steps } else { STEPS };
+    let mut orbit = map.orbit(x.clone(), eps.clone()).projective();
+    assert_eq!(orbit.next(), Some(x.clone().into()));
+    for n in 1..=steps {
+        let here = || format!("{name}, eps = {eps}, step {n} from {:?}", x.map(|x| x.to_string()));
+        let Some(point) = orbit.next() else {
+            assert!(!is_confined && n > 1 && orbit.stopped().is_some(), "{}", here());
+            return;
+        };
+        assert_eq!(point.is_infinite(), pattern.images[n - 1].is_infinite, "{}", here());
+        let (limit, is_infinite) = tends_to(map, &x, eps, n, bits(&point));
+        assert_eq!(point.is_infinite(), is_infinite, "{}", here());
+        // A direction is that up to a factor, which is 1 but for the sign of equal sizes.
+        let is_same = *point.coordinates() == limit || (is_infinite && *point.coordinates() == -&limit);
+        assert!(is_same, "{}: {:?}, not {limit:?}", here(), point);
+    }
+}
+
+/// Every curve of a system that has rational points; how many there were.
+fn follow_all(subject: &Subject, eps: &Rational) -> usize {
+    let names = subject.system.field.symbols.parameters.clone();
+    let parameters: Vec<(String, Rational)> =
+        names.into_iter().zip(subject.parameters.iter().map(|value| value.clone().into())).collect();
+    let map = Field::of(subject.system).with(parameters.iter().map(|(name, value)| (name, value)));
+    let map: Map = map.expect("a field").as_kahan_map().expect("few variables");
+    let options = Options { eps: Some(eps.clone()), parameters, iterates: 2, ..Options::default() };
+    let found = match poles(subject.system, &options, 8, &mut |_, _| {}) {
+        Ok(found) => found,
+        Err(_) => return 0,
+    };
+    let mut draws = SplitMix64::new(7);
+    let mut followed = 0;
+    for pattern in found.patterns.iter().filter(|pattern| pattern.confined.is_some()) {
+        if let Some(x) = point_on(pattern, &found.symbols, eps, &mut draws) {
+            eprintln!("{}: {}", subject.name, pattern.name(&found.symbols));
+            follows(subject.name, &map, pattern, &x, &eps.to_big());
+            floats_follow(subject.name, &map, pattern, &x, &eps.to_big());
+            followed += 1;
+        }
+    }
+    followed
+}
+
+/// What a projective orbit over `f64` may be off, relative to its largest coordinate: ten bits of the
+/// 64 u that an ordinary step promises.
+const BOUND: f64 = 65536.0 * f64::EPSILON / 2.0;
+
+/// The orbit in floats from the rounded point, which is near the curve and seldom on it, against the
+/// exact one from there.
+fn floats_follow(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
+    let exactly = |value: f64| Q::from_float(value).expect("finite");
+    let floats: Interpreted<f64, N> = map.rounded();
+    let start: SVector<f64, N> = SVector::from_fn(|i, _| x.get(i).map_or(0.0, Rational::to_f64));
+    let eps_float = Rational::from(eps.clone()).to_f64();
+    let exact = floats.over(|parameter| exactly(*parameter));
+    let exact = exact.orbit(start.map(exactly), eps.clone()).projective();
+    let found = floats.orbit(start, eps_float).projective();
+    let steps = if pattern.confined == Some(true) { pattern.steps } else { STEPS };
+    for (n, (found, exact)) in found.zip(exact).enumerate().take(steps + 1) {
+        let here = || format!("{name}, eps = {eps}, step {n} from {start:?}: {found:?}");
+        assert_eq!(found.is_infinite(), exact.is_infinite(), "{}", here());
+        let exact = exact.coordinates().map(|entry| Rational::from(entry).to_f64());
+        let error = (found.coordinates() - exact).amax() / exact.amax().max(f64::MIN_POSITIVE);
+        assert!(error <= BOUND, "{}, off by {error:e}", here());
+    }
+}
+
+#[test]
+fn an_orbit_through_poles_is_what_moved_orbits_tend_to() {
+    let catalog = [paper(), further()].into_iter().flatten().filter(|subject| subject.dimension() <= 3);
+    // The exact orbits of random fields in space grow too fast.
+    let random = random().into_iter().filter(|subject| subject.dimension() <= 2);
+    let eps = Rational::new(1, 2);
+    let followed: usize = catalog.chain(random).map(|subject| follow_all(&subject, &eps)).sum();
+    assert!(followed > 40, "{followed} curves have rational points");
+}
