@@ -5,12 +5,12 @@
 //! has no value at δ = 0 itself, or is infinite there. Series over an exact scalar are exact as far
 //! as they are known. Terms that cancel make them shorter; one that is known no more is O(δᵉ).
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::Neg;
 use std::vec::Vec;
 
 use num_traits::{One, Zero};
 
-use super::{Constant, Scalar, assignments};
+use super::{Constant, Scalar, assignments, operators};
 
 /// A number, or a series with its first terms known.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,23 +89,6 @@ impl<T: Scalar> Laurent<T> {
     }
 }
 
-impl<T: Scalar> Add for Laurent<T> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        match (self, other) {
-            (Number(a), Number(b)) => Number(a + b),
-            (a, b) => {
-                let end = a.end().into_iter().chain(b.end()).min().unwrap_or(0);
-                let start = a.start().min(b.start()).min(end);
-                // Every power below the end is known of both.
-                let coefficient = |one: &Self, power| one.coefficient(power).unwrap_or_else(T::zero);
-                Self::of(start, (start..end).map(|k| coefficient(&a, k) + coefficient(&b, k)).collect())
-            }
-        }
-    }
-}
-
 impl<T: Scalar> Neg for Laurent<T> {
     type Output = Self;
 
@@ -114,62 +97,55 @@ impl<T: Scalar> Neg for Laurent<T> {
     }
 }
 
-impl<T: Scalar> Sub for Laurent<T> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self + -other
+fn sum<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
+    if let (Number(a), Number(b)) = (&a, &b) {
+        return Number(a.clone() + b.clone());
     }
+    let end = a.end().into_iter().chain(b.end()).min().unwrap_or(0);
+    let start = a.start().min(b.start()).min(end);
+    // Every power below the end is known of both.
+    let coefficient = |one: &Laurent<T>, power| one.coefficient(power).unwrap_or_else(T::zero);
+    Laurent::of(start, (start..end).map(|k| coefficient(&a, k) + coefficient(&b, k)).collect())
 }
 
-impl<T: Scalar> Mul for Laurent<T> {
-    type Output = Self;
-
-    /// As many terms as both factors have.
-    fn mul(self, other: Self) -> Self {
-        match (self, other) {
-            (Number(number), series) | (series, Number(number)) if number.is_zero() => {
-                drop(series);
-                Number(number)
-            }
-            (Number(number), series) | (series, Number(number)) => series.map(|term| term * number.clone()),
-            (Series { start, terms: a }, Series { start: other_start, terms: b }) => {
-                let term = |k: usize| (0..=k).fold(T::zero(), |sum, j| sum + a[j].clone() * b[k - j].clone());
-                let terms = (0..a.len().min(b.len())).map(term).collect();
-                Series { start: start + other_start, terms }
-            }
+/// As many terms as both factors have.
+fn product<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
+    match (a, b) {
+        (Number(number), _) | (_, Number(number)) if number.is_zero() => Number(number),
+        (Number(number), series) | (series, Number(number)) => series.map(|term| term * number.clone()),
+        (Series { start, terms: a }, Series { start: other_start, terms: b }) => {
+            let term = |k: usize| (0..=k).fold(T::zero(), |sum, j| sum + a[j].clone() * b[k - j].clone());
+            let terms = (0..a.len().min(b.len())).map(term).collect();
+            Series { start: start + other_start, terms }
         }
     }
 }
 
-impl<T: Scalar> Div for Laurent<T> {
-    type Output = Self;
-
-    /// As many terms as both have; the divisor has one at least, as
-    /// [`quotient`](Scalar::quotient) sees to.
-    fn div(self, other: Self) -> Self {
-        match (self, other) {
-            (series, Number(divisor)) => series.map(|term| term / divisor.clone()),
-            (Number(number), _) if number.is_zero() => Number(number),
-            (dividend, Series { start: below, terms: divisor }) => {
-                let (start, dividend) = match dividend {
-                    Number(number) => (0, Self::written_out(number, divisor.len())),
-                    Series { start, terms } => (start, terms),
-                };
-                let mut terms: Vec<T> = Vec::new();
-                for k in 0..dividend.len().min(divisor.len()) {
-                    let known = terms.iter().enumerate();
-                    let rest = known.fold(dividend[k].clone(), |rest, (j, term)| {
-                        rest - term.clone() * divisor[k - j].clone()
-                    });
-                    terms.push(rest / divisor[0].clone());
-                }
-                Series { start: start - below, terms }
+/// As many terms as both have; the divisor has one at least, as [`quotient`](Scalar::quotient) sees
+/// to.
+fn quotient<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
+    match (a, b) {
+        (series, Number(divisor)) => series.map(|term| term / divisor.clone()),
+        (Number(number), _) if number.is_zero() => Number(number),
+        (dividend, Series { start: below, terms: divisor }) => {
+            let (start, dividend) = match dividend {
+                Number(number) => (0, Laurent::written_out(number, divisor.len())),
+                Series { start, terms } => (start, terms),
+            };
+            let mut terms: Vec<T> = Vec::new();
+            for k in 0..dividend.len().min(divisor.len()) {
+                let known = terms.iter().enumerate();
+                let rest = known.fold(dividend[k].clone(), |rest, (j, term)| {
+                    rest - term.clone() * divisor[k - j].clone()
+                });
+                terms.push(rest / divisor[0].clone());
             }
+            Series { start: start - below, terms }
         }
     }
 }
 
+operators!([T: Scalar] Laurent<T>: sum, |a: Self, b: Self| sum(a, -b), product, quotient);
 assignments!([T: Scalar] Laurent<T>);
 
 impl<T: Scalar> Zero for Laurent<T> {
@@ -212,7 +188,7 @@ impl<T: Scalar> Scalar for Laurent<T> {
     }
 }
 
-#[cfg(all(test, feature = "exact"))]
+#[cfg(test)]
 mod tests {
     use num_rational::BigRational;
     use std::vec;

@@ -14,7 +14,7 @@ mod epsilon;
 mod exact;
 mod float;
 mod float_scalar;
-#[cfg(feature = "std")]
+#[cfg(all(feature = "std", feature = "exact"))]
 mod laurent;
 mod operators;
 pub(crate) mod tuning;
@@ -30,7 +30,7 @@ pub use dd::Dd;
 pub use dual::Dual;
 pub use epsilon::nearest_short_eps;
 pub use float_scalar::FloatScalar;
-#[cfg(feature = "std")]
+#[cfg(all(feature = "std", feature = "exact"))]
 pub(crate) use laurent::Laurent;
 pub(crate) use operators::assignments;
 use operators::operators;

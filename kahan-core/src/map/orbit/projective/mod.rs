@@ -259,7 +259,7 @@ where
     /// Keeps the lines as long as they are needed.
     fn arrive(&mut self, passage: Box<Passage<M, T, N>>, place: Place<T, N>) -> ProjectivePoint<T, N> {
         let Place { point, is_through } = place;
-        let is_over = is_through || (passage.taken() >= MOST_STEPS && !point.is_infinite());
+        let is_over = is_through == Some(true) || (passage.taken() >= MOST_STEPS && !point.is_infinite());
         self.at = match point.clone().affine() {
             Some(x) if is_over => At::Point(x),
             _ => At::Passage(passage),

@@ -58,8 +58,8 @@ fn product<S: Scalar, const N: usize>(a: &SMatrix<S, N, N>, b: &SMatrix<S, N, N>
 /// A point after another of an orbit that is on its way through a pole.
 pub(super) struct Place<T, const N: usize> {
     pub(super) point: ProjectivePoint<T, N>,
-    /// Whether the points near the first one are told apart again.
-    pub(super) is_through: bool,
+    /// Whether the points near the first one are told apart again; `None` where that is not known.
+    pub(super) is_through: Option<bool>,
 }
 
 /// Why there is no next point.
@@ -119,10 +119,10 @@ where
             let is_last = self.effort + 1 == T::Germ::EFFORTS;
             match place {
                 Some(Err(lost)) if is_last => return Err(lost),
-                Some(Ok((point, is_through))) if is_through.is_some() || is_last => {
+                Some(Ok(place)) if place.is_through.is_some() || is_last => {
                     self.taken += 1;
-                    self.last = Some(point.clone());
-                    return Ok(Place { point, is_through: is_through == Some(true) });
+                    self.last = Some(place.point.clone());
+                    return Ok(place);
                 }
                 None if is_last => return Err(Lost::Unknown),
                 _ => {
@@ -150,9 +150,8 @@ where
         Line { point: SVector::from_fn(|i, _| moved(i)), derivative }
     }
 
-    /// So many steps further: the point there, and whether the points near the first one are told
-    /// apart again; `None` where this effort does not show them.
-    fn attempt(&mut self, steps: usize) -> Option<Result<(ProjectivePoint<T, N>, Option<bool>), Lost>> {
+    /// So many steps further; `None` where this effort does not show the point.
+    fn attempt(&mut self, steps: usize) -> Option<Result<Place<T, N>, Lost>> {
         let Self { unit, map, eps, effort, lines, .. } = self;
         let mut common: Option<ProjectivePoint<T, N>> = None;
         for line in lines.iter_mut() {
@@ -175,7 +174,7 @@ where
                 .as_ref()
                 .and_then(|derivative| T::Germ::is_one_to_one(derivative, &line.point, unit))
         };
-        Some(Ok((point, is_through)))
+        Some(Ok(Place { point, is_through }))
     }
 }
 

@@ -1,0 +1,96 @@
+//! A δ far below the last digit of a float, and numbers that keep both.
+
+use core::array::from_fn;
+
+use nalgebra::{SMatrix, SVector};
+use num_traits::{One, Zero};
+
+use crate::field::linear::vector;
+use crate::map::stable::Promised;
+use crate::scalar::{Size, Wide};
+
+use super::super::point::{ProjectivePoint, first_of_the_largest};
+use super::{Germ, direction};
+
+/// δ = 2⁻¹⁹² of the unit: a factor δ⁴ still leaves the digits of a [`Dd`](crate::Dd).
+const DELTA: i32 = -192;
+
+/// Beyond this power of 2 of the unit, a coordinate of a moved point tends to infinity; below its
+/// inverse, to 0.
+const INFINITE: i64 = 96;
+
+/// The digits that a limit is known to, in bits, more than any float of this crate has.
+const KNOWN: i64 = 110;
+
+/// A coordinate of a point of this size, as δ → 0: what δ has left below the digits is taken off.
+fn without_delta(entry: Wide, size: Size) -> Wide {
+    if entry.size() < size.scaled(-INFINITE) {
+        return Wide::zero();
+    }
+    let leading = Wide::from(entry.to_f64());
+    if (entry - leading).size() < entry.size().scaled(-KNOWN) { leading } else { entry }
+}
+
+/// How many bits a rounding may count for on the way back to the first point.
+const LOST: i64 = 10;
+
+impl<T: Promised> Germ<T> for Wide {
+    /// Nothing is moved in the first, which is for points near a pole and not at one; the others
+    /// differ in their directions.
+    const EFFORTS: usize = 3;
+
+    fn of(number: &T) -> Self {
+        number.widen()
+    }
+
+    fn delta(effort: usize) -> Self {
+        if effort == 0 { Self::zero() } else { Self::from(f64::from(DELTA).exp2()) }
+    }
+
+    fn unit(point: &[T]) -> Self {
+        let largest = point[first_of_the_largest(point)].widen();
+        if largest.is_zero() { Self::one() } else { largest }
+    }
+
+    fn limit<const N: usize>(
+        point: &SVector<Self, N>,
+        unit: &Self,
+        effort: usize,
+    ) -> Option<ProjectivePoint<T, N>> {
+        let larger = |best: usize, i: usize| if point[i].size() > point[best].size() { i } else { best };
+        let largest = (1..N).fold(0, larger);
+        let size = point[largest].size() + unit.size();
+        // What is undefined compares with nothing.
+        if !point.iter().all(|entry| entry.radius() <= size.scaled(-KNOWN)) {
+            return None;
+        }
+        let is_moved = effort > 0;
+        let settled: [Self; N] = from_fn(|i| if is_moved { without_delta(point[i], size) } else { point[i] });
+        let affine = settled.map(T::narrow);
+        let is_infinite = if is_moved {
+            point[largest].size() > unit.size().scaled(INFINITE)
+        } else {
+            !affine.iter().all(T::is_finite_number)
+        };
+        Some(if is_infinite { direction(&settled, largest, T::narrow) } else { vector(affine).into() })
+    }
+
+    fn is_one_to_one<const N: usize>(
+        derivative: &SMatrix<Self, N, N>,
+        point: &SVector<Self, N>,
+        unit: &Self,
+    ) -> Option<bool> {
+        let most = unit.size().scaled(LOST);
+        let is_small = |size: fn(&Self) -> Size| {
+            let entries = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
+            entries.into_iter().all(|(i, j)| size(&derivative[(i, j)]) * point[j].size() <= most)
+        };
+        if !derivative.iter().all(Self::is_defined) {
+            None
+        } else if !is_small(Self::size) {
+            Some(false)
+        } else {
+            is_small(|entry| entry.size() + entry.radius()).then_some(true)
+        }
+    }
+}
