@@ -9,7 +9,7 @@ use kahan_core::observe::{
     Rotation, Sali, Section, Spectrum,
 };
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Ensemble, LatticeMap, LatticeScalar};
+use kahan_core::{Composition, Ensemble, LatticeMap, LatticeScalar, Lift, ProjectivePoint};
 use kahan_systems::{E1, E3, E6, E9, EulerTop, LotkaVolterra};
 use kahan_tests::random_systems::Dense6;
 
@@ -18,7 +18,7 @@ const STEPS: usize = 100;
 /// Allocations while steps are taken in every way, at ordinary points.
 fn allocations<M, const N: usize>(map: &M, start: [f64; N], eps: f64) -> u64
 where
-    M: KahanMap<f64, N>,
+    M: Lift<f64, N>,
 {
     let start = SVector::from(start);
     let counted = measure(|| {
@@ -32,10 +32,12 @@ where
         }
         let last = map.orbit(start, eps).nth(STEPS);
         let also = prepared.orbit(start).nth(STEPS);
+        let projective = map.orbit(start, eps).projective().nth(STEPS);
         let both = map.orbit(start, eps).composed(Composition::KAHAN_LI_8).compensated().nth(STEPS);
         let composed = prepared.composed(Composition::SUZUKI_4).step(&start);
         assert!(both.is_some_and(|x| x.iter().chain(composed.iter()).all(|entry| entry.is_finite())));
         assert!(last == Some(x) && also == Some(x) && x == y && z == w);
+        assert!(projective.and_then(ProjectivePoint::affine) == Some(x));
         // The stable tier may take another way, whose rounding differs: compared at one step, as an
         // orbit can magnify it.
         let stable = map.try_step(&start, eps).unwrap_or(start);
