@@ -159,15 +159,15 @@ where
     /// ordinary orbit loses as many digits as it comes near, first in large coordinates, then in
     /// those to which it comes back. Here such points and those after them are computed in
     /// seventeen digits of 64 bits and each is rounded once, until a rounding counts for no more
-    /// than ten bits at the point from where it came; so ten bits are what an orbit may lose on its way through a pole. A float that is
-    /// near a pole and not at it has a next point that is large and not infinite, unless that is
-    /// beyond the range of the scalar. In more than 32 variables the orbit takes ordinary steps
-    /// only.
+    /// than ten bits at the point from where it came; so ten bits are what an orbit may lose on its
+    /// way through a pole. A float that is near a pole and not at it has a next point that is large
+    /// and not infinite, unless that is beyond the range of the scalar. In more than 32 variables
+    /// the orbit takes ordinary steps only.
     ///
     /// Cost: over floats, a step and twice the matrix A, with an elimination where |εf′| is not
-    /// small; over exact scalars, a step and a determinant. Steps near poles cost some thousand
-    /// times an ordinary one, or as much as an exact one for each term of the series; they allocate,
-    /// ordinary ones do not.
+    /// small; over exact scalars, a step and a determinant. Ordinary steps of floats allocate
+    /// nothing. A step near a pole costs several orders of magnitude more than an ordinary one, or
+    /// over exact scalars a number of exact steps for each term of the series, and it allocates.
     ///
     /// ```
     /// use kahan_core::prelude::*;
