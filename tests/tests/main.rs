@@ -14,6 +14,7 @@ mod exact {
 
     mod back_ends;
     mod defining_laws;
+    mod fixed_points;
     mod folding;
     mod oracle_cases;
     mod printed_formulas;

@@ -59,16 +59,18 @@ pub(crate) struct Orbit {
     #[arg(long, value_enum, default_value = "f64")]
     scalar: ScalarKind,
 
-    /// The order of the method: 2 is Kahan's map, the others compose steps of it, over floats only.
+    /// The order of the method.
     ///
-    /// Orders 4, 6 and 8 compose 5, 9 and 17 steps into one. A composition keeps no integral that
-    /// depends on eps: its column then oscillates about a value.
+    /// Order 2 is Kahan's map; orders 4, 6 and 8, over floats only, compose 5, 9 and 17 steps of it
+    /// into one. A composition keeps no integral that depends on eps: its column then oscillates
+    /// about a value.
     #[arg(long, value_name = "P", default_value = "2", value_parser = PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse::<u32>().unwrap_or(2)))]
     order: u32,
 
-    /// Go on at poles, through points at infinity, and through what is brought to one point there.
+    /// Go on at poles, through points at infinity.
     ///
-    /// The orbit is then that of the iterates as rational maps of projective space. An infinite
+    /// It goes on, too, where the map brings a whole curve to one point: the orbit is that of the
+    /// iterates as rational maps of projective space. An infinite
     /// coordinate is written as inf, and in JSON as null. A coordinate beside it that is not
     /// infinite has no value of its own there, and is empty or null, as integrals are. Near poles
     /// floats are computed in hundreds of digits, so that the way back loses none. The orbit ends
@@ -87,8 +89,9 @@ pub(crate) struct Orbit {
     #[arg(long, value_name = "F")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object; exact numbers are strings p/q, floats are numbers (dd: of 32 digits).
-    /// With --out the rows are in the file only.
+    /// Print one JSON object; exact numbers are strings p/q, floats are numbers.
+    ///
+    /// Numbers of dd have 32 digits. With --out the rows are in the file only.
     ///
     /// `runs_as` tells whether floats ran as machine code or
     /// were interpreted, as on other processors and in fields too large for a straight line.

@@ -16,6 +16,7 @@ mod numbers;
 mod orbit;
 mod page;
 mod parameters;
+mod periodic;
 mod picture;
 mod plan;
 mod poles;

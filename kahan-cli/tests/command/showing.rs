@@ -67,8 +67,8 @@ fn what_the_macro_makes_of_a_block_is_shown_as_it_is() {
 #[test]
 fn the_help_of_every_command_fits_a_screen() {
     let commands = [
-        "list", "show", "eval", "orbit", "dynamics", "section", "map", "heights", "extremes", "trade",
-        "discover", "scan", "picture", "poles", "page", "sweep", "atlas", "verify",
+        "list", "show", "eval", "orbit", "dynamics", "section", "periodic", "map", "heights", "extremes",
+        "trade", "discover", "scan", "picture", "poles", "page", "sweep", "atlas", "verify",
     ];
     for command in commands.map(Some).into_iter().chain([None]) {
         let help = answer(&[command.as_slice(), &["--help"]].concat());

@@ -193,32 +193,37 @@ impl<M: Differentiable, F: Fn(f64) -> M> Arc<F> {
                 let tangent = self.tangent(there, tangents[0]);
                 tangent.is_none_or(|tangent| goes_ahead(&tangent) == goes_ahead(tangents[0]))
             };
-            let there = self.halved(place, tangents[0], stride, is_before);
+            let there = self.halved(place, tangents[0], [0.0, stride], is_before);
             turns.push(Turn { change: Change::Fold, parameter: self.parameter(&there) });
         } else if cycles[0].outside() != cycles[1].outside() {
-            let is_before = |there: &Place| self.judged(there).cycle.outside() == cycles[0].outside();
-            let there = self.halved(place, tangents[0], stride, is_before);
-            let at_it = self.judged(&there).cycle.multipliers;
-            let nearest = at_it.iter().min_by(|a, b| (size(a) - 1.0).abs().total_cmp(&(size(b) - 1.0).abs()));
-            let change = match nearest {
-                Some(one) if one.im.abs() > 1e-3 => Change::ThroughCircle,
-                Some(one) if one.re < 0.0 => Change::ThroughMinusOne,
-                _ => Change::ThroughOne,
+            // The one that goes through is the smallest of those that are larger than 1 on one side.
+            let index = cycles[0].outside().max(cycles[1].outside()) - 1;
+            let crossing = |there: &Place| self.judged(there).cycle.multipliers[index];
+            let is_larger = cycles[0].outside() > cycles[1].outside();
+            let is_before = |there: &Place| (size(&crossing(there)) > 1.0) == is_larger;
+            let there = self.halved(place, tangents[0], [-stride, stride], is_before);
+            let one = crossing(&there);
+            let change = if one.im.abs() > 1e-3 {
+                Change::ThroughCircle
+            } else if one.re < 0.0 {
+                Change::ThroughMinusOne
+            } else {
+                Change::ThroughOne
             };
             turns.push(Turn { change, parameter: self.parameter(&there) });
         }
         turns
     }
 
-    /// The place within a stride up to which a condition holds.
+    /// The place between two strides up to which a condition holds.
     fn halved(
         &self,
         place: &Place,
         tangent: &Place,
-        stride: f64,
+        [mut low, mut high]: [f64; 2],
         is_before: impl Fn(&Place) -> bool,
     ) -> Place {
-        let (mut low, mut high, mut found) = (0.0, stride, place.clone());
+        let mut found = place.clone();
         for _ in 0..48 {
             let middle = 0.5 * (low + high);
             let Some(there) = self.step(place, tangent, middle) else { break };

@@ -163,6 +163,6 @@ fn smallest_period(points: &[Vec<f64>]) -> usize {
         let pairs = points.iter().zip(&points[period..]);
         pairs.flat_map(|(a, b)| a.iter().zip(b)).all(|(a, b)| (a - b).abs() <= SAME * size)
     };
-    let divides = |period: &usize| points.len() % period == 0;
+    let divides = |period: &usize| points.len().is_multiple_of(*period);
     (1..points.len()).filter(divides).find(|&period| comes_again(period)).unwrap_or(points.len())
 }

@@ -134,6 +134,6 @@ fn a_period_doubles_where_a_multiplier_goes_through_minus_one() {
     let branch = branch(Logistic, &start, [2.5, 3.4], 20);
     assert_eq!(branch.turns.len(), 1);
     assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
-    // The multiplier 2 − r is beyond the circle by more than its width from here on.
-    assert!((branch.turns[0].parameter - 3.0).abs() < 2e-6, "{:?}", branch.turns);
+    // The multiplier is 2 − r.
+    assert!((branch.turns[0].parameter - 3.0).abs() < 1e-12, "{:?}", branch.turns);
 }

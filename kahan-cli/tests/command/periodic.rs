@@ -1,0 +1,100 @@
+//! Periodic points: what is found, proved, followed and refused.
+
+use std::fs;
+
+#[cfg(unix)]
+use crate::running::examples_run;
+use crate::running::{answer, kahan, object, refusal, text};
+
+#[cfg(unix)]
+#[test]
+fn the_examples_of_the_help_run() {
+    let folder = tempfile::tempdir().expect("a folder");
+    assert!(examples_run("periodic", folder.path()) > 0);
+}
+
+#[test]
+fn multipliers_of_a_linear_field_are_those_of_the_formula() {
+    // Eigenvalues −1 and 2: (1 + ελ)/(1 − ελ).
+    let found = object(&[
+        "periodic",
+        "--field",
+        "xdot = -x; ydot = x + 2*y;",
+        "--eps",
+        "1/10",
+        "--at",
+        "1,1",
+        "--json",
+    ]);
+    let multipliers = found["multipliers"].as_array().expect("multipliers");
+    for (multiplier, expected) in multipliers.iter().zip([1.2 / 0.8, 0.9 / 1.1]) {
+        let (re, im) = (multiplier[0].as_f64().expect("a number"), multiplier[1].as_f64().expect("a number"));
+        assert!((re - expected).abs() < 1e-14 && im == 0.0, "{multiplier}");
+    }
+    assert_eq!((&found["stability"], &found["family"]), (&"saddle".into(), &0.into()));
+    assert_eq!(found["exact"], serde_json::json!([["0", "0"]]));
+}
+
+#[test]
+fn cycles_of_an_integrable_map_come_in_families() {
+    // The orbits of the Euler top are circles of the map's own curves, where some have period 7.
+    let euler = ["euler", "--param", "a1=1", "--param", "a2=-2", "--param", "a3=1", "--eps", "1/2"];
+    let found =
+        object(&[&["periodic"], &euler[..], &["--at", "0.2,1.6,0.4", "--period", "7", "--json"]].concat());
+    assert!(found["family"].as_u64().expect("a number") >= 1, "{found}");
+    assert!(found["residual"].as_f64().expect("a number") < 1e-11);
+}
+
+#[test]
+fn a_branch_goes_round_its_fold() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("branch.csv");
+    let field = ["--field", "xdot = a - x^2;", "--param", "a=1", "--eps", "1/10", "--at", "1"];
+    let over = ["--over", "a=1:-1:40", "--out", out.to_str().expect("UTF-8"), "--json"];
+    let found = object(&[&["periodic"], &field[..], &over[..]].concat());
+    let turns = found["branch"]["turns"].as_array().expect("turns");
+    assert_eq!((turns.len(), &turns[0]["change"]), (1, &"fold, two cycles meet".into()));
+    assert!(turns[0]["parameter"].as_f64().expect("a number").abs() < 1e-9);
+    let table = fs::read_to_string(out).expect("the table");
+    assert!(table.starts_with("a,n,x,stability\n1.0,0,1.0,attracting\n"), "{table}");
+    // Fixed points of the map are those of the flow: a = x².
+    for row in table.lines().skip(1) {
+        let numbers: Vec<f64> = row.split(',').filter_map(|cell| cell.parse().ok()).collect();
+        assert!((numbers[0] - numbers[2] * numbers[2]).abs() < 1e-10, "{row}");
+    }
+}
+
+#[test]
+fn what_changes_the_stability_of_the_lorenz_system_is_found() {
+    // Equilibria lose their stability at r = s(s + b + 3)/(s − b − 1) = 470/19, those of the flow and
+    // of the map: multipliers are (1 + ελ)/(1 − ελ).
+    let lorenz = [
+        "lorenz", "--param", "s=10", "--param", "r=28", "--param", "b=8/3", "--eps", "1/1000", "--at",
+        "8,8,27",
+    ];
+    let found = object(&[&["periodic"], &lorenz[..], &["--over", "r=28:20:20", "--json"]].concat());
+    let turns = found["branch"]["turns"].as_array().expect("turns");
+    assert_eq!(turns.len(), 1, "{turns:?}");
+    assert_eq!(turns[0]["change"], "a pair of multipliers goes through the unit circle");
+    assert!((turns[0]["parameter"].as_f64().expect("a number") - 470.0 / 19.0).abs() < 1e-8, "{turns:?}");
+}
+
+#[test]
+fn what_is_no_cycle_and_what_does_not_fit_is_said() {
+    let output = kahan(&["periodic", "--field", "xdot = x^2 + 1;", "--eps", "1/10", "--at", "0.3"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("no cycle was found"), "{}", text(&output.stderr));
+    let lv = ["periodic", "lv", "--eps", "1/10", "--at", "0.9,1"];
+    for (arguments, word) in [
+        (&["--period", "0"][..], "whole number"),
+        (&["--period", "500"], "200"),
+        (&["--over", "b=0:1:5"], "no parameter"),
+        (&["--over", "eps=1:1:5"], "differ"),
+        (&["--over", "eps=1/10:1:5", "--out", "x.txt"], ".svg"),
+        (&["--out", "x.csv"], "--over"),
+    ] {
+        let said = refusal(&[&lv[..], arguments].concat());
+        assert!(said.contains(word), "{word}: {said}");
+    }
+    assert!(answer(&[&lv[..], &["--over", "eps=1/10:1:5"]].concat()).contains("neutral"));
+}
