@@ -6,9 +6,8 @@ use std::path::Path;
 
 use parquet::column::writer::ColumnCloseResult;
 use parquet::file::reader::FileReader;
-use tempfile::NamedTempFile;
 
-use super::part::{Part, other, writer};
+use super::part::{Part, fresh, other, writer};
 use crate::plan::Plan;
 
 /// The name of the merged file.
@@ -28,7 +27,7 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
         )]);
     }
     let failed = |error: io::Error| vec![format!("{RESULTS} cannot be written: {error}")];
-    let mut file = NamedTempFile::with_prefix_in(".results-", folder).map_err(failed)?;
+    let mut file = fresh(folder, ".results-", "").map_err(failed)?;
     let mut to = writer(plan, &hash, &mut file).map_err(|error| failed(other(error)))?;
     let mut reasons = Vec::new();
     for part in parts() {

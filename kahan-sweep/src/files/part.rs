@@ -14,7 +14,7 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
-use tempfile::NamedTempFile;
+use tempfile::{Builder, NamedTempFile};
 
 use crate::columns::{Column, Entries, Kind, Rows, written};
 use crate::plan::Plan;
@@ -77,7 +77,7 @@ impl<'a> Part<'a> {
     /// Writes all its rows; the file appears when it is complete.
     pub(crate) fn write(&self, rows: &Rows) -> io::Result<()> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
-        let mut file = NamedTempFile::with_prefix_in(".part-", folder)?;
+        let mut file = fresh(folder, ".part-", "")?;
         let mut writer = writer(self.plan, &self.hash, &mut file).map_err(other)?;
         let mut group = writer.next_row_group().map_err(other)?;
         for column in &rows.columns {
@@ -241,7 +241,13 @@ fn checksum(mut file: File, length: u64) -> io::Result<u32> {
 /// Makes the folder where it is missing, and sees that files can be written into it.
 pub(crate) fn folder_is_writable(folder: &Path) -> io::Result<()> {
     std::fs::create_dir_all(folder)?;
-    NamedTempFile::with_prefix_in(".probe-", folder).map(drop)
+    fresh(folder, ".probe-", "").map(drop)
+}
+
+/// A new file with a name that no other has, and with the rights that this user's files have.
+pub(super) fn fresh(folder: &Path, prefix: &str, suffix: &str) -> io::Result<NamedTempFile> {
+    let open = |path: &Path| File::options().read(true).write(true).create_new(true).open(path);
+    Builder::new().prefix(prefix).suffix(suffix).make_in(folder, open)
 }
 
 pub(super) fn other(error: ParquetError) -> io::Error {
