@@ -84,15 +84,13 @@ impl<'a> Part<'a> {
             put(&mut group, column).map_err(other)?;
         }
         group.close().map_err(other)?;
-        let data_end = writer.bytes_written() as u64;
-        writer.flush()?;
-        let checksum = checksum(writer.inner().reopen()?, data_end)?;
-        for (key, value) in
-            [(keys::PART, self.index.to_string()), (keys::CHECKSUM, format!("{checksum:08x} of {data_end}"))]
-        {
+        for (key, value) in [(keys::PART, self.index.to_string()), (keys::CHECKSUM, NO_DIGITS.to_owned())] {
             writer.append_key_value_metadata(KeyValue::new(key.to_owned(), value));
         }
         writer.close().map_err(other)?;
+        let sum = Checksum::of(file.as_file_mut())?;
+        file.seek(SeekFrom::Start(sum.place))?;
+        file.write_all(sum.found.as_bytes())?;
         file.as_file().sync_all()?;
         let file = file.persist(&self.path)?;
         file.sync_all()?;
@@ -113,7 +111,13 @@ impl<'a> Part<'a> {
             Unusable::Damaged(format!("{name} is damaged ({why}); delete it, and run its shard again"))
         };
         let foreign = |why: String| Err(Unusable::Foreign(format!("{name} {why}")));
-        let file = File::open(&self.path).map_err(|error| damaged(&error.to_string()))?;
+        let mut file = File::open(&self.path).map_err(|error| damaged(&error.to_string()))?;
+        // Before anything is believed that stands in it.
+        match Checksum::of(&mut file) {
+            Ok(sum) if sum.found.as_bytes() == sum.stated => {}
+            Ok(_) => return Err(damaged("its checksum is another")),
+            Err(error) => return Err(damaged(&error.to_string())),
+        }
         let reader = SerializedFileReader::new(file).map_err(|error| damaged(&error.to_string()))?;
         let metadata = reader.metadata();
         let said = |key: &str| said(metadata.file_metadata().key_value_metadata(), key).unwrap_or("unknown");
@@ -139,14 +143,7 @@ impl<'a> Part<'a> {
         if !is_this || metadata.file_metadata().num_rows() != (rows.end - rows.start) as i64 {
             return Err(damaged("it is another part under this name"));
         }
-        let stated = said(keys::CHECKSUM).split_once(" of ");
-        let stated = stated.and_then(|(sum, end)| Some((sum.to_owned(), end.parse::<u64>().ok()?)));
-        let Some((sum, end)) = stated else { return Err(damaged("it has no checksum")) };
-        match File::open(&self.path).and_then(|file| checksum(file, end)) {
-            Ok(found) if format!("{found:08x}") == sum => Ok(reader),
-            Ok(_) => Err(damaged("its checksum is another")),
-            Err(error) => Err(damaged(&error.to_string())),
-        }
+        Ok(reader)
     }
 }
 
@@ -224,18 +221,51 @@ fn put<W: Write + Send>(
     writer.close()
 }
 
-/// CRC-32 of the first bytes of a file.
-fn checksum(mut file: File, length: u64) -> io::Result<u32> {
-    file.seek(SeekFrom::Start(0))?;
-    let mut left = length;
-    let (mut hasher, mut buffer) = (crc32fast::Hasher::new(), vec![0; 1 << 16]);
-    while left > 0 {
-        let now = left.min(buffer.len() as u64) as usize;
-        file.read_exact(&mut buffer[..now])?;
-        hasher.update(&buffer[..now]);
-        left -= now as u64;
+/// What stands for the checksum while it is computed.
+const NO_DIGITS: &str = "00000000";
+
+/// The CRC-32 of all of a file, footer and all; its own digits, which stand in the footer, count as
+/// zeros.
+struct Checksum {
+    found: String,
+    stated: Vec<u8>,
+    /// Where its digits stand.
+    place: u64,
+}
+
+impl Checksum {
+    fn of(file: &mut File) -> io::Result<Self> {
+        let broken = |what: &str| io::Error::new(io::ErrorKind::InvalidData, what);
+        let length = file.seek(SeekFrom::End(0))?;
+        // A file of Parquet ends with its footer, the footer's length and four letters.
+        let mut end = [0; 4];
+        file.seek(SeekFrom::Start(length.saturating_sub(8)))?;
+        file.read_exact(&mut end)?;
+        let begin = length.checked_sub(8 + u64::from(u32::from_le_bytes(end)));
+        let begin = begin.ok_or_else(|| broken("it is cut short"))?;
+
+        file.seek(SeekFrom::Start(0))?;
+        let mut hasher = crc32fast::Hasher::new();
+        let (mut left, mut buffer) = (begin, vec![0; 1 << 16]);
+        while left > 0 {
+            let now = left.min(buffer.len() as u64) as usize;
+            file.read_exact(&mut buffer[..now])?;
+            hasher.update(&buffer[..now]);
+            left -= now as u64;
+        }
+        let mut footer = Vec::new();
+        file.read_to_end(&mut footer)?;
+        let key = keys::CHECKSUM.as_bytes();
+        let key_at = footer.windows(key.len()).rposition(|window| window == key);
+        // Between a key and its value stand two bytes, of Thrift: which field this is, and its length.
+        let at = key_at.map(|at| at + key.len() + 2).filter(|at| at + NO_DIGITS.len() <= footer.len());
+        let at = at.ok_or_else(|| broken("it has no checksum"))?;
+        let digits = at..at + NO_DIGITS.len();
+        let stated = footer[digits.clone()].to_vec();
+        footer[digits].copy_from_slice(NO_DIGITS.as_bytes());
+        hasher.update(&footer);
+        Ok(Checksum { found: format!("{:08x}", hasher.finalize()), stated, place: begin + at as u64 })
     }
-    Ok(hasher.finalize())
 }
 
 /// Makes the folder where it is missing, and sees that files can be written into it.
