@@ -2,30 +2,33 @@
 //!
 //! Records are appended, each with its checksum; what a killed process wrote by halves is passed
 //! over. Each process has a file of its own beside the part, and all go when the part is there.
+//! Records of another plan, version or kind of floats are passed over, too.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
 
 use crate::columns::{Entries, Rows};
 
 use super::Part;
+use super::part::{floats, fresh};
 
 /// The record file of one process for one part.
 pub(crate) struct Journal {
-    path: PathBuf,
+    part: PathBuf,
     file: Option<File>,
-    hash: [u8; 8],
+    kind: [u8; 8],
 }
 
-/// The beginning of every record: plan, first row, rows, bytes, checksum.
+/// The beginning of every record: kind, first row, rows, bytes, checksum.
 const HEAD: usize = 8 + 8 + 8 + 8 + 4;
 
 impl Journal {
     /// For a part.
     pub(crate) fn of(part: &Part<'_>, hash: &str) -> Self {
-        let path = part.path.with_extension(format!("{}.partial", std::process::id()));
-        Self { path, file: None, hash: short(hash) }
+        Self { part: part.path.clone(), file: None, kind: kind(hash) }
     }
 
     /// What processes before have noted of a part: first rows and rows, in no order.
@@ -35,7 +38,7 @@ impl Journal {
             let mut bytes = Vec::new();
             // What cannot be read is computed again.
             if File::open(&path).and_then(|mut file| file.read_to_end(&mut bytes)).is_ok() {
-                read(&bytes, short(hash), empty, &mut noted);
+                read(&bytes, kind(hash), empty, &mut noted);
             }
         }
         noted
@@ -45,12 +48,16 @@ impl Journal {
     pub(crate) fn note(&mut self, done: &[(u64, Rows)]) -> io::Result<()> {
         let file = match &mut self.file {
             Some(file) => file,
-            none => none.insert(OpenOptions::new().create(true).append(true).open(&self.path)?),
+            // Its name is random: processes on other machines, or in containers, may share a number.
+            none => {
+                let folder = self.part.parent().unwrap_or(Path::new("."));
+                none.insert(fresh(folder, &stem(&self.part), ".partial")?.keep()?.0)
+            }
         };
         for (first, rows) in done {
             let body = encode(rows);
             let mut record = Vec::with_capacity(HEAD + body.len());
-            record.extend(self.hash);
+            record.extend(self.kind);
             record.extend(first.to_le_bytes());
             record.extend((rows.len() as u64).to_le_bytes());
             record.extend((body.len() as u64).to_le_bytes());
@@ -73,17 +80,22 @@ impl Journal {
     }
 }
 
-fn short(hash: &str) -> [u8; 8] {
-    let mut short = [0; 8];
-    let len = hash.len().min(8);
-    short[..len].copy_from_slice(&hash.as_bytes()[..len]);
-    short
+/// What tells records that belong together from others: the plan's hash, the version of this program
+/// and how it computes with floats.
+fn kind(hash: &str) -> [u8; 8] {
+    let digest = Sha256::digest([hash, env!("CARGO_PKG_VERSION"), floats()].join("\n"));
+    std::array::from_fn(|place| digest[place])
+}
+
+/// What the names of a part's record files begin with.
+fn stem(part: &Path) -> String {
+    part.file_stem().unwrap_or_default().to_string_lossy().into_owned() + "."
 }
 
 /// The record files of a part.
 fn files(part: &Part<'_>) -> Vec<PathBuf> {
     let folder = part.path.parent().unwrap_or(Path::new("."));
-    let stem = part.path.file_stem().unwrap_or_default().to_string_lossy().into_owned() + ".";
+    let stem = stem(&part.path);
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let named = entries.filter(|entry| {
         let name = entry.file_name().to_string_lossy().into_owned();
@@ -93,7 +105,7 @@ fn files(part: &Part<'_>) -> Vec<PathBuf> {
 }
 
 /// The records of a file, up to the first that is not whole.
-fn read(mut bytes: &[u8], hash: [u8; 8], empty: &Rows, noted: &mut Vec<(u64, Rows)>) {
+fn read(mut bytes: &[u8], kind: [u8; 8], empty: &Rows, noted: &mut Vec<(u64, Rows)>) {
     while let Some((head, rest)) = bytes.split_at_checked(HEAD) {
         let number = |at: usize| u64::from_le_bytes(head[at..at + 8].try_into().unwrap_or_default());
         let (first, count, length) = (number(8), number(16), number(24));
@@ -109,7 +121,7 @@ fn read(mut bytes: &[u8], hash: [u8; 8], empty: &Rows, noted: &mut Vec<(u64, Row
         if hasher.finalize() != stated {
             return;
         }
-        if head[..8] == hash
+        if head[..8] == kind
             && let Some(rows) = decode(body, count as usize, empty)
         {
             noted.push((first, rows));
