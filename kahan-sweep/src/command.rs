@@ -187,7 +187,8 @@ impl Cli {
         };
         let (shard, beside) = match (self.shard.as_deref(), launched) {
             (_, Some(Ok(launched))) => {
-                eprintln!("{}", launched.sentence);
+                // In one write: launchers mix what their tasks say at the same time.
+                eprint!("{}", launched.sentence + "\n");
                 (launched.shard, launched.beside)
             }
             (_, Some(Err(why))) => return Ended::badly(why, 2),

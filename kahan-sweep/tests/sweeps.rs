@@ -169,6 +169,19 @@ fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
 
 #[cfg(unix)]
 #[test]
+fn files_have_the_rights_of_the_users_other_files() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = folder(PLAN);
+    done(folder.path(), &["--out", "r"]);
+    let rights = |name: &str| fs::metadata(folder.path().join(name)).expect(name).permissions().mode();
+    for name in ["r/part-000000000000.parquet", "r/results.parquet"] {
+        assert_eq!(rights(name), rights("plan.toml"), "{name}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
 fn an_interrupted_sweep_says_so_and_keeps_what_is_done() {
     let plan =
         PLAN.replace("steps = 50", "steps = 20000").replace("rows_per_part = 97", "rows_per_part = 800");
@@ -205,8 +218,9 @@ fn what_does_not_belong_together_is_refused() {
     let [first, second] = &parts(&folder.path().join("r"))[..2] else { panic!("two parts") };
     let whole = fs::read(first).expect("a part");
 
-    // A byte that flips anywhere, and a file that ends early.
-    for place in [10, whole.len() / 2, whole.len() - 20] {
+    // A bit that flips anywhere, many of them in the footer, and a file that ends early.
+    let footer = (1..60).map(|place| whole.len() - 61 * place);
+    for place in [10, whole.len() / 2, whole.len() - 20].into_iter().chain(footer) {
         let mut damaged = whole.clone();
         damaged[place] ^= 4;
         fs::write(first, &damaged).expect("a part");
