@@ -4,7 +4,7 @@ a_plan small.toml 16 50 20
 kahan-sweep small.toml --out small >/dev/null
 mkdir results
 cp small/part-*.parquet results/
-part=part-000000000003.parquet
+part='part-000000000003.parquet'
 python3 "$crate/checks/damage.py" small.toml small "results/$part"
 
 # merging_is_refused WORDS: with a reason of these words, and no file; then it is whole again.
@@ -41,13 +41,12 @@ need faketime faketime
 a_plan one.toml 160 5000 1600
 kahan-sweep one.toml --out one >/dev/null
 faketime -f '+0 x4000' kahan-sweep one.toml --out begun >/dev/null 2>&1 &
-# The newest child is the sweep, in whichever way faketime starts it.
 until [[ $(find begun -name '*.partial' -size +15k 2>/dev/null) ]]; do
     kill -0 $! 2>/dev/null || fail "no records before the sweep ended"
     sleep 0.01
 done
-kill -KILL $(pgrep --parent $!) $! 2>/dev/null || true
-wait $! || true
+kill -KILL "$(sweeps)"
+wait $! 2>/dev/null || true
 records=$(find begun -name '*.partial')
 RANDOM=7
 for ((i = 0; i < 40; i++)); do

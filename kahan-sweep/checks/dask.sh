@@ -17,6 +17,7 @@ shards=$!
 until_parts results 4
 # What it was running goes on as an orphan, while the other worker does the same shard.
 kill -KILL "${workers[0]}"
+wait "${workers[0]}" 2>/dev/null || true
 wait "$shards" || fail "$(tail -n 3 shards.log)"
 merges_to_the_same results
 echo "six futures on two workers, one killed in the middle: the same bytes"

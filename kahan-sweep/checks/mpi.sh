@@ -8,7 +8,7 @@ merges_to_the_same results
 # A rank that dies takes the others with it; the same command goes on.
 mpirun --allow-run-as-root -n 4 --oversubscribe kahan-sweep plan.toml --out again >again.log 2>&1 &
 until_parts again 4
-kill -KILL "$(pgrep --parent $! | head -n 1)"
+kill -KILL "$(sweeps | head -n 1)"
 wait $! && fail "a rank was killed, and mpirun did not say so"
 same_parts again
 mpirun --allow-run-as-root -n 3 --oversubscribe kahan-sweep plan.toml --out again >again.log 2>&1 ||

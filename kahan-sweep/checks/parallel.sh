@@ -5,8 +5,7 @@ shards() {
 }
 shards >first.log 2>&1 &
 until_parts results 4
-pid=$(pgrep --parent "$(pgrep --parent $! --newest)" | head -n 1 || true)
-kill -KILL "${pid:-$(pgrep --newest --full "$PWD/../bin/kahan-sweep")}"
+kill -KILL "$(sweeps | head -n 1)"
 wait $! && fail "a shard was killed, and parallel did not say so"
 kahan-sweep plan.toml --out results --status && fail "nothing is missing, with a shard killed"
 shards >second.log 2>&1 || fail "$(cat second.log)"
