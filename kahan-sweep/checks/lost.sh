@@ -1,5 +1,6 @@
-# What a kill costs: a part of a minute's work is killed after 20 s and gone on with; processor time is compared.
-a_plan long.toml 16 8000000 1000000
+# What a kill costs: a long part is killed after 12 s and gone on with; processor time is compared.
+# Enough orbits for all threads, each far shorter than the time between two notes.
+a_plan long.toml 160 600000 1000000
 # seconds COMMAND…: processor time of a command and of what it waited for.
 seconds() {
     { TIMEFORMAT=%U; time "$@" >/dev/null 2>&1; } 2>&1
@@ -12,7 +13,7 @@ killed_after() {
     wait $! || true
 }
 whole=$(seconds kahan-sweep long.toml --out whole)
-begun=$(seconds killed_after 20)
+begun=$(seconds killed_after 12)
 (($(parts killed) == 0)) || fail "the part was done before it was killed"
 rest=$(seconds kahan-sweep long.toml --out killed)
 cmp whole/results.parquet killed/results.parquet
