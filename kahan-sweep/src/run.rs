@@ -12,7 +12,7 @@ use kahan_runtime::threads::for_each;
 use crate::columns::{Rows, written};
 use crate::files::{Journal, Part, Unusable};
 use crate::plan::Plan;
-use crate::task::rows;
+use crate::task::{least_rows, rows};
 
 /// Which parts a process works on: every `of`-th, from `index` on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +52,7 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// Rows that a thread takes at once.
+/// The most rows that a thread takes at once.
 const CHUNK: u64 = 256;
 /// How often what is done is noted, and how long a thread keeps rows to itself.
 const NOTED: Duration = Duration::from_secs(8);
@@ -105,7 +105,11 @@ impl Run<'_> {
         let empty = Rows::of(&written(self.plan));
         let done = known(Journal::noted(part, hash, &empty), &indices);
         (self.progress)(done.iter().map(|(_, rows)| rows.len() as u64).sum());
-        let chunks = chunks(&done, &indices);
+        // Several for each thread, so that none is left with much where others are done.
+        let threads = self.threads.unwrap_or(1) as u64;
+        let rows = indices.end - indices.start;
+        let chunk = (rows / (8 * threads)).clamp(least_rows(self.plan), CHUNK);
+        let chunks = chunks(&done, &indices, chunk);
         let work = Mutex::new(Work {
             done,
             unnoted: 0,
@@ -203,13 +207,13 @@ fn known(mut noted: Vec<(u64, Rows)>, indices: &Range<u64>) -> Vec<(u64, Rows)> 
 }
 
 /// What is left, in pieces for threads.
-fn chunks(done: &[(u64, Rows)], indices: &Range<u64>) -> Vec<Range<u64>> {
+fn chunks(done: &[(u64, Rows)], indices: &Range<u64>, chunk: u64) -> Vec<Range<u64>> {
     let mut chunks = Vec::new();
     let mut next = indices.start;
     let ends = done.iter().map(|(first, rows)| (*first, first + rows.len() as u64));
     for (gap_end, after) in ends.chain([(indices.end, indices.end)]) {
         while next < gap_end {
-            let end = gap_end.min(next + CHUNK);
+            let end = gap_end.min(next + chunk);
             chunks.push(next..end);
             next = end;
         }
@@ -236,6 +240,6 @@ mod tests {
             done.iter().map(|(first, rows)| (*first, rows.len())).collect::<Vec<_>>(),
             [(0, 100), (300, 10)]
         );
-        assert_eq!(chunks(&done, &(0..1000)), [100..300, 310..566, 566..822, 822..1000]);
+        assert_eq!(chunks(&done, &(0..1000), 256), [100..300, 310..566, 566..822, 822..1000]);
     }
 }

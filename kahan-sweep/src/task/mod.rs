@@ -56,6 +56,11 @@ impl fmt::Display for Task {
     }
 }
 
+/// The fewest rows that a thread should take at once.
+pub(crate) fn least_rows(plan: &Plan) -> u64 {
+    if orbit::gait(plan) == walk::Gait::Abreast { orbit::LANES as u64 } else { 1 }
+}
+
 /// The rows of these points, as far as they were made before it was over.
 pub(crate) fn rows(plan: &Plan, indices: Range<u64>, is_over: &dyn Fn() -> bool) -> Rows {
     let chosen = chosen(plan);

@@ -4,6 +4,7 @@ use kahan_core::Composition;
 use kahan_core::observe::{Extrema, Observer};
 use kahan_runtime::{MachineFloat, Map, MapAt};
 
+use super::Task;
 use super::walk::{Gait, Walked};
 use super::watch::{Quantity, Rotations, Running, Watch};
 use crate::columns::{Column, Entry, Kind};
@@ -48,11 +49,25 @@ pub(super) struct Follower {
     gait: Gait,
 }
 
+/// Orbits that fill registers.
+pub(super) const LANES: usize = 16;
+/// Steps of all orbits that are followed at once.
+const AT_ONCE: u64 = 1 << 24;
+
+/// How the orbits of a plan are followed. Where neighbours have maps of their own nothing is gained
+/// side by side, and where they are long too much would be lost with a process that ends.
+pub(super) fn gait(plan: &Plan) -> Gait {
+    match &plan.task {
+        Task::Orbit(orbit) if plan.neighbours_share_a_map() && orbit.steps <= AT_ONCE / LANES as u64 => {
+            Gait::Abreast
+        }
+        _ => Gait::OneByOne,
+    }
+}
+
 impl Follower {
     pub(super) fn new(plan: &Plan) -> Self {
-        // Where neighbours have maps of their own, nothing is gained side by side.
-        let gait = if plan.neighbours_share_a_map() { Gait::Abreast } else { Gait::OneByOne };
-        Self { map: None, prepared: None, columns: plan.task.columns(plan).len(), gait }
+        Self { map: None, prepared: None, columns: plan.task.columns(plan).len(), gait: gait(plan) }
     }
 
     /// What is found on the orbits of points, of which the first has this index, and which have
@@ -81,11 +96,9 @@ impl Follower {
     /// How many points with one map are followed at once: enough to fill registers, few enough that
     /// they are done in a moment.
     pub(super) fn at_once(&self, orbit: &Orbit) -> usize {
-        /// Steps of all of them together.
-        const STEPS: u64 = 1 << 22;
         match self.gait {
             Gait::OneByOne => 1,
-            Gait::Abreast => (STEPS / orbit.steps).clamp(1, 64) as usize,
+            Gait::Abreast => (AT_ONCE / orbit.steps).clamp(LANES as u64, 64) as usize,
         }
     }
 
