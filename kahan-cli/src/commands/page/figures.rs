@@ -28,10 +28,11 @@ pub(super) struct Subject<'a> {
     pub(super) seconds: f64,
 }
 
+/// The time beyond which no picture of orbits is waited for.
+const SECONDS: u32 = 10;
 /// Shares of the time.
 const POLES: f64 = 0.1;
 const HEIGHTS: f64 = 0.06;
-const PICTURE: f64 = 0.06;
 const TRADE: f64 = 0.25;
 
 impl Subject<'_> {
@@ -74,7 +75,7 @@ impl Subject<'_> {
     pub(super) fn orbits(&self) -> Markup {
         let portrait =
             self.many_orbits("picture").with("--steps", if self.variables.len() == 1 { 200 } else { 4000 });
-        let portrait = portrait.with("--seconds", self.share(PICTURE)).with("--out", "portrait.svg");
+        let portrait = portrait.with("--seconds", SECONDS).with("--out", "portrait.svg");
         let first = &self.variables[0];
         let time = self
             .one_orbit("picture")
@@ -87,8 +88,8 @@ impl Subject<'_> {
             (self.picture("time", &format!("{first} over time"), &time, &html! { "The first orbit; a step takes the time 2ε." }))
             @if self.variables.len() > 2 {
                 @let plane = self.plane();
-                @let section = self.many_orbits("picture").with("--plane", &plane).with("--steps", 200_000);
-                @let section = section.with("--seconds", self.share(PICTURE)).with("--out", "section.svg");
+                @let section = self.many_orbits("picture").with("--plane", &plane).with("--steps", self.crossing_steps());
+                @let section = section.with("--seconds", SECONDS).with("--out", "section.svg");
                 (self.picture("section", "A section", &section, &html! {
                     "Where the orbits cross " code { (plane) " = 0" } " upwards. Curves are orbits on surfaces; areas are chaos."
                 }))
@@ -171,6 +172,13 @@ impl Subject<'_> {
     fn steps(&self) -> usize {
         let variables = self.variables.len();
         if variables <= 4 { 20_000 } else { (320_000 / (variables * variables)).max(1000) }
+    }
+
+    /// The steps of each orbit of a section: their number grows with the time that there is, and
+    /// falls with the number of variables.
+    fn crossing_steps(&self) -> usize {
+        let many = (4.0 / self.variables.len() as f64).min(1.0);
+        (5000.0 * many * self.seconds.min(60.0)).max(1000.0) as usize
     }
 
     /// Cells of a stability map in a row: their number grows with the time that there is, and falls
