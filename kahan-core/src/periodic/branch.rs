@@ -5,7 +5,7 @@ use std::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 
 use super::Differentiable;
-use super::cycle::{PeriodicPoint, size};
+use super::cycle::{CIRCLE, PeriodicPoint, size};
 use super::newton::{defect, least_norm, slope};
 
 /// A cycle on a branch.
@@ -200,8 +200,16 @@ impl<M: Differentiable, F: Fn(f64) -> M> Arc<F> {
             let index = cycles[0].outside().max(cycles[1].outside()) - 1;
             let crossing = |there: &Place| self.judged(there).cycle.multipliers[index];
             let is_larger = cycles[0].outside() > cycles[1].outside();
-            let is_before = |there: &Place| (size(&crossing(there)) > 1.0) == is_larger;
-            let there = self.halved(place, tangents[0], [-stride, stride], is_before);
+            let inner = &cycles[usize::from(is_larger)].multipliers[index];
+            // One that leaves the circle it stayed on is there but for rounding, and leaves it with
+            // a root of the distance; one that goes through it has it between two strides.
+            let (bound, strides) = if size(inner) > 1.0 - CIRCLE {
+                (1.0 + CIRCLE, [0.0, stride])
+            } else {
+                (1.0, [-stride, stride])
+            };
+            let is_before = |there: &Place| (size(&crossing(there)) > bound) == is_larger;
+            let there = self.halved(place, tangents[0], strides, is_before);
             let one = crossing(&there);
             let change = if one.im.abs() > 1e-3 {
                 Change::ThroughCircle

@@ -71,7 +71,7 @@ impl core::error::Error for NoPeriodicPoint {}
 /// What is left where a cycle is closed, relative to the size of its points.
 const CLOSED: f64 = 1e-11;
 /// How far a multiplier of size 1 may be from it, as a double eigenvalue loses half the digits.
-const CIRCLE: f64 = 1e-6;
+pub(super) const CIRCLE: f64 = 1e-6;
 
 impl PeriodicPoint {
     /// What the multipliers say.

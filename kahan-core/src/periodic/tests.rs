@@ -137,3 +137,15 @@ fn a_period_doubles_where_a_multiplier_goes_through_minus_one() {
     // The multiplier is 2 − r.
     assert!((branch.turns[0].parameter - 3.0).abs() < 1e-12, "{:?}", branch.turns);
 }
+
+#[test]
+fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
+    // Area is kept; the fixed point x = 1/3 of a = 3 has the double multiplier −1.
+    let start = periodic_point(&Henon(1.0, -1.0), &[0.4, -0.4], 1).unwrap();
+    assert_eq!(start.stability(), Stability::Neutral);
+    let branch = branch(|a| Henon(a, -1.0), &start, [1.0, 4.0], 20);
+    assert_eq!(branch.turns.len(), 1);
+    assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
+    // |μ| is 1 + 10⁻⁶ at a distance of about its square.
+    assert!((branch.turns[0].parameter - 3.0).abs() < 1e-10, "{:?}", branch.turns);
+}
