@@ -9,10 +9,10 @@ use core::array::from_fn;
 use std::vec::Vec;
 
 /// As many trajectories as the widest register holds: sixteen `f32`.
-pub(crate) const GROUP: usize = 16;
+pub const GROUP: usize = 16;
 
 /// Consecutive entries of one column.
-pub(crate) type Group<T> = [T; GROUP];
+pub type Group<T> = [T; GROUP];
 
 /// Bytes of a cache line. A register that crosses from one to the next is loaded twice.
 const LINE: usize = 64;

@@ -3,8 +3,8 @@
 //! In: as many trajectories as the widest register holds, side by side. Out: what observers of each
 //! of them, or of all at once, look at.
 
+use crate::Level;
 use crate::ensemble::columns::{GROUP, Group};
-use crate::{EnsembleScalar, Level};
 
 /// Steps between two looks of an observer.
 pub(super) const BURST: usize = 16;
@@ -12,26 +12,42 @@ pub(super) const BURST: usize = 16;
 /// The observers of a group of trajectories: as many as there are, then none.
 pub type Observers<'a, O> = [Option<&'a mut O>; GROUP];
 
+/// Points of a group of trajectories: a column a variable, in an array where the number of variables
+/// is known while compiling.
+pub trait Grouped<T>: Clone + AsRef<[Group<T>]> + AsMut<[Group<T>]> {
+    /// A point of one of them.
+    type Point: AsRef<[T]>;
+
+    /// That of a trajectory.
+    fn of(&self, lane: usize) -> Self::Point;
+}
+
+impl<T: Copy, const N: usize> Grouped<T> for [Group<T>; N] {
+    type Point = [T; N];
+
+    #[inline(always)]
+    fn of(&self, lane: usize) -> [T; N] {
+        self.each_ref().map(|column| column[lane])
+    }
+}
+
 /// Some points of each trajectory of a group.
 #[derive(Debug)]
-pub struct Burst<'a, T, const N: usize> {
+pub struct Burst<'a, P> {
     /// The step of the first of `seen`.
     pub(super) before: u64,
     /// The points seen last, then those of the steps after them.
-    pub(super) seen: &'a [[Group<T>; N]],
+    pub(super) seen: &'a [P],
     /// What the ensemble runs on.
     pub(super) level: Level,
 }
 
-impl<T: EnsembleScalar, const N: usize> Burst<'_, T, N> {
+impl<P> Burst<'_, P> {
     /// The points of one trajectory with their steps.
-    pub(super) fn of(&self, lane: usize) -> impl Iterator<Item = (u64, [T; N])> {
-        (self.before + 1..).zip(self.seen[1..].iter().map(move |points| at(points, lane)))
+    pub(super) fn of<T>(&self, lane: usize) -> impl Iterator<Item = (u64, P::Point)>
+    where
+        P: Grouped<T>,
+    {
+        (self.before + 1..).zip(self.seen[1..].iter().map(move |points| points.of(lane)))
     }
-}
-
-/// One trajectory's point.
-#[inline(always)]
-pub(super) fn at<T: Copy, const N: usize>(points: &[Group<T>; N], lane: usize) -> [T; N] {
-    points.each_ref().map(|column| column[lane])
 }

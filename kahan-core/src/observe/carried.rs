@@ -13,7 +13,7 @@ use crate::{Constant, FloatScalar};
 
 use super::Tangent;
 #[cfg(feature = "std")]
-use super::burst::{BURST, Burst, Observers, at};
+use super::burst::{BURST, Burst, Grouped, Observers};
 use super::growth::{Size, scale};
 
 /// K tangent vectors that a map carries along.
@@ -79,12 +79,11 @@ pub(super) trait Follower<T, const K: usize> {
 ///
 /// All are carried side by side where they are known to belong to one map that can.
 #[cfg(feature = "std")]
-pub(super) fn follow_burst<F, T, const K: usize, const N: usize>(
-    group: &mut Observers<'_, F>,
-    burst: &Burst<'_, T, N>,
-) where
+pub(super) fn follow_burst<F, T, P, const K: usize>(group: &mut Observers<'_, F>, burst: &Burst<'_, P>)
+where
     F: Follower<T, K>,
     T: EnsembleScalar + FloatScalar,
+    P: Grouped<T>,
 {
     let mut done = 0;
     while let Some(taken) = follow_side_by_side(group, burst, done) {
@@ -92,7 +91,7 @@ pub(super) fn follow_burst<F, T, const K: usize, const N: usize>(
     }
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
         for (step, x) in burst.of(lane).skip(done) {
-            let sizes = follower.carried().follow(step, &x);
+            let sizes = follower.carried().follow(step, x.as_ref());
             follower.look(step, sizes);
         }
     }
@@ -101,43 +100,43 @@ pub(super) fn follow_burst<F, T, const K: usize, const N: usize>(
 /// The same side by side from the step after `done` on, until a vector has to be scaled: the steps
 /// taken, `None` where there is none left or it cannot be done.
 #[cfg(feature = "std")]
-fn follow_side_by_side<F, T, const K: usize, const N: usize>(
+fn follow_side_by_side<F, T, P, const K: usize>(
     group: &mut Observers<'_, F>,
-    burst: &Burst<'_, T, N>,
+    burst: &Burst<'_, P>,
     done: usize,
 ) -> Option<usize>
 where
     F: Follower<T, K>,
     T: EnsembleScalar + FloatScalar,
+    P: Grouped<T>,
 {
     let places = &burst.seen[done..burst.seen.len() - 1];
-    let map = group[0].as_mut()?.carried().map.clone();
-    if places.is_empty() || !group.iter_mut().flatten().all(|other| other.carried().map.is(&map)) {
-        return None;
-    }
     // Places without a trajectory carry vectors of moderate size, too.
-    let mut columns = [[[T::one(); GROUP]; N]; K];
+    let mut ones = places.first()?.clone();
+    ones.as_mut().fill([T::one(); GROUP]);
+    let mut vectors: [P; K] = from_fn(|_| ones.clone());
+    let mut maps = [None; GROUP];
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
-        for (columns, vector) in columns.iter_mut().zip(follower.carried().vectors()) {
-            for (column, entry) in columns.iter_mut().zip(vector) {
+        let carried = follower.carried();
+        for (columns, vector) in vectors.iter_mut().zip(carried.vectors()) {
+            for (column, entry) in columns.as_mut().iter_mut().zip(vector) {
                 column[lane] = *entry;
             }
         }
+        maps[lane] = Some(&carried.map);
     }
+    let first = maps[0]?;
+    let maps = maps.map(|map| map.unwrap_or(first));
     let mut squares = [[[T::one(); GROUP]; K]; BURST];
-    let taken = map.carry_side_by_side(
-        places.as_flattened(),
-        columns.as_flattened_mut(),
-        squares.as_flattened_mut(),
-        burst.level,
-    )?;
+    let taken =
+        F::Map::carry_side_by_side(maps, places, &mut vectors, squares.as_flattened_mut(), burst.level)?;
     let first = burst.before + 1 + done as u64;
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
         let carried = follower.carried();
-        for (columns, vector) in columns.iter().zip(&mut carried.vectors) {
-            vector.as_mut().copy_from_slice(&at(columns, lane));
+        for (columns, vector) in vectors.iter().zip(&mut carried.vectors) {
+            vector.as_mut().copy_from_slice(columns.of(lane).as_ref());
         }
-        carried.place.as_mut().copy_from_slice(&at(&burst.seen[done + taken], lane));
+        carried.place.as_mut().copy_from_slice(burst.seen[done + taken].of(lane).as_ref());
         let exponents = carried.exponents;
         let last = carried.scale();
         for (step, squares) in (first..).zip(&squares[..taken - 1]) {

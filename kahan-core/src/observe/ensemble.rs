@@ -13,7 +13,7 @@ use crate::step::error::pole;
 use crate::{Advances, Ensemble, EnsembleScalar, Level};
 
 use super::Observer;
-use super::burst::{BURST, Burst, at};
+use super::burst::{BURST, Burst, Grouped};
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Advances every point by `steps` steps of the map, as [`advance`](Self::advance) and with the
@@ -58,8 +58,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
         O: Observer<T, Report: Send>,
     {
         let (len, on) = (self.len(), self.instructions);
-        let advance = |group: &mut [Group<T>; N], steps: usize| {
-            if map.advance(group.each_mut().map(core::slice::from_mut), steps, on).is_none() {
+        let advance = |group: &mut [Group<T>; N]| {
+            if map.advance(group.each_mut().map(core::slice::from_mut), 1, on).is_none() {
                 pole(map.half_step())
             }
         };
@@ -70,7 +70,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
                 let start = (first + group) * GROUP;
                 let mut observed: Vec<O> = (start..len.min(start + GROUP)).map(&observers).collect();
                 let mut points: [Group<T>; N] = from_fn(|c| columns[c][group]);
-                observe_group(&mut points, &mut observed, steps, on.level, advance);
+                observe_group(&mut points, &mut observed, steps as u64, on.level, advance);
                 for (column, points) in columns.iter_mut().zip(points) {
                     column[group] = points;
                 }
@@ -87,27 +87,27 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
 }
 
 /// One group's points, shown at every step and advanced.
-fn observe_group<T: EnsembleScalar, O: Observer<T>, const N: usize>(
-    points: &mut [Group<T>; N],
+pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
+    points: &mut P,
     observers: &mut [O],
-    steps: usize,
+    steps: u64,
     level: Level,
-    advance: impl Fn(&mut [Group<T>; N], usize),
+    advance: impl Fn(&mut P),
 ) {
     // The point before the burst, then those of the burst.
-    let mut seen = [*points; BURST + 1];
+    let mut seen: [P; BURST + 1] = from_fn(|_| points.clone());
     for (lane, observer) in observers.iter_mut().enumerate() {
-        observer.observe(0, &at(&seen[0], lane));
+        observer.observe(0, points.of(lane).as_ref());
     }
     for before in (0..steps).step_by(BURST) {
-        let len = BURST.min(steps - before);
-        seen[0] = *points;
+        let len = (steps - before).min(BURST as u64) as usize;
+        seen[0].clone_from(points);
         for seen in &mut seen[1..=len] {
-            advance(points, 1);
-            *seen = *points;
+            advance(points);
+            seen.clone_from(points);
         }
         let mut each = observers.iter_mut();
-        let burst = Burst { before: before as u64, seen: &seen[..=len], level };
+        let burst = Burst { before, seen: &seen[..=len], level };
         O::observe_burst(&mut from_fn(|_| each.next()), &burst);
     }
 }

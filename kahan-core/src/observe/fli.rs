@@ -9,7 +9,7 @@ use crate::FloatScalar;
 use super::carried::{Carried, Follower};
 use super::growth::Size;
 #[cfg(feature = "std")]
-use super::{Burst, Observers, carried::follow_burst};
+use super::{Burst, Grouped, Observers, carried::follow_burst};
 use super::{Observer, Tangent};
 
 /// The fast Lyapunov indicator: the logarithm of the greatest length that a tangent vector has had,
@@ -67,7 +67,7 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Fli<M, T> {
     }
 
     #[cfg(feature = "std")]
-    fn observe_burst<const N: usize>(group: &mut Observers<'_, Self>, burst: &Burst<'_, T, N>)
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,
     {

@@ -9,6 +9,8 @@ use core::f64::consts::{FRAC_1_SQRT_2, LN_2};
 
 #[cfg(feature = "std")]
 use crate::Scalar;
+#[cfg(feature = "std")]
+use crate::ensemble::columns::Group;
 use crate::{Constant, FloatScalar};
 
 /// A positive number: mantissa·2^exponent.
@@ -80,6 +82,15 @@ pub(super) fn scale<T: FloatScalar>(vector: &mut [T], exponent: &mut i64) -> Siz
 pub(super) fn most<T: Scalar>() -> T {
     let root = T::constant(&Constant::integer(1 << BITS));
     root.clone() * root
+}
+
+/// Whether no vector has to be scaled, by the squares of a group's lengths; what is not a number
+/// never is.
+#[cfg(feature = "std")]
+pub fn are_moderate<T: FloatScalar>(squares: &[Group<T>]) -> bool {
+    let most: f64 = most::<T>().approximate();
+    let is_beyond = |square: &T| (square.approximate() > most) | (square.approximate() < 1.0 / most);
+    !squares.as_flattened().iter().fold(false, |any, square| any | is_beyond(square))
 }
 
 #[inline(always)]

@@ -12,13 +12,14 @@ use crate::field::linear::vector;
 use crate::map::{DualStep, carry, dual_stages};
 use crate::{EnsembleScalar, Level, Lift, Method, PreparedStep, Scalar, TangentAt};
 
+use super::Grouped;
 use super::growth::most;
 
 /// Vectors that are carried from points to the next ones.
-struct SideBySide<'a, M: Lift<T, N>, T: Scalar, K: Method, const N: usize> {
+struct SideBySide<'a, M: Lift<T, N>, T: Scalar, K: Method, P, const N: usize> {
     tangent: &'a TangentAt<M, T, N, K>,
-    places: &'a [[Group<T>; N]],
-    vectors: &'a mut [[Group<T>; N]],
+    places: &'a [P],
+    vectors: &'a mut [P],
     /// The squares of their lengths after each step.
     squares: &'a mut [Group<T>],
 }
@@ -26,10 +27,10 @@ struct SideBySide<'a, M: Lift<T, N>, T: Scalar, K: Method, const N: usize> {
 /// Carries vectors, each N columns, along the points at `places`, until the square of one leaves the
 /// range that vectors are kept in: the steps taken. `None` where the step, or the scalar, has no
 /// lanes.
-pub(super) fn carry_side_by_side<M, T, K, const N: usize>(
+pub(super) fn carry_side_by_side<M, T, K, P, const N: usize>(
     tangent: &TangentAt<M, T, N, K>,
-    places: &[Group<T>],
-    vectors: &mut [Group<T>],
+    places: &[P],
+    vectors: &mut [P],
     squares: &mut [Group<T>],
     level: Level,
 ) -> Option<usize>
@@ -37,17 +38,18 @@ where
     M: Lift<T, N>,
     T: EnsembleScalar,
     K: Method,
+    P: Grouped<T>,
 {
-    let (places, vectors) = (places.as_chunks().0, vectors.as_chunks_mut().0);
     let work = SideBySide { tangent, places, vectors, squares };
     if <DualStep<M, T, N> as PreparedStep<_, N>>::HAS_LANES { T::over_lanes(work, level) } else { None }
 }
 
-impl<M, T, K, const N: usize> OverLanes<T> for SideBySide<'_, M, T, K, N>
+impl<M, T, K, P, const N: usize> OverLanes<T> for SideBySide<'_, M, T, K, P, N>
 where
     M: Lift<T, N>,
     T: EnsembleScalar,
     K: Method,
+    P: Grouped<T>,
 {
     type Output = usize;
     const IS_SMALL: bool = false;
@@ -60,9 +62,11 @@ where
         let steps = places.iter().zip(squares.chunks_mut(vectors.len()));
         for (step, (place, squares)) in steps.enumerate() {
             let mut is_moderate = true;
+            let place = place.as_ref();
             for part in (0..GROUP).step_by(L::WIDTH) {
                 let x = vector(from_fn(|i| L::load(&place[i], part)));
                 for (columns, squares) in vectors.iter_mut().zip(&mut *squares) {
+                    let columns = columns.as_mut();
                     let v = vector(from_fn(|i| L::load(&columns[i], part)));
                     // Floats have a value at every point.
                     let Some(carried) = carry::<K, _, L, N>(&stages, &x, &v) else { continue };

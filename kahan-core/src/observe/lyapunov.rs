@@ -7,7 +7,7 @@ use crate::FloatScalar;
 use super::carried::{Carried, Follower};
 use super::growth::Size;
 #[cfg(feature = "std")]
-use super::{Burst, Observers, carried::follow_burst};
+use super::{Burst, Grouped, Observers, carried::follow_burst};
 use super::{Observer, Tangent};
 
 /// The rate at which a tangent vector grows: the largest Lyapunov exponent, per unit of time.
@@ -79,7 +79,7 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Lyapunov<M, T> {
     }
 
     #[cfg(feature = "std")]
-    fn observe_burst<const N: usize>(group: &mut Observers<'_, Self>, burst: &Burst<'_, T, N>)
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,
     {

@@ -7,7 +7,7 @@ use crate::FloatScalar;
 use super::carried::{Carried, Follower};
 use super::growth::Size;
 #[cfg(feature = "std")]
-use super::{Burst, Observers, carried::follow_burst};
+use super::{Burst, Grouped, Observers, carried::follow_burst};
 use super::{Observer, Tangent};
 
 /// MEGNO, the mean exponential growth factor of nearby orbits, of a map:
@@ -86,7 +86,7 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Megno<M, T> {
     }
 
     #[cfg(feature = "std")]
-    fn observe_burst<const N: usize>(group: &mut Observers<'_, Self>, burst: &Burst<'_, T, N>)
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,
     {

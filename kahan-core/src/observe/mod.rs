@@ -71,7 +71,15 @@ mod tuples;
 #[cfg(feature = "std")]
 use crate::EnsembleScalar;
 #[cfg(feature = "std")]
-pub use burst::{Burst, Observers};
+pub use burst::{Burst, Grouped, Observers};
+/// What observes groups of trajectories of maps that are read at run time.
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub use {
+    crate::ensemble::columns::{GROUP, Group},
+    ensemble::observe_group,
+    growth::are_moderate,
+};
 
 pub use drift::{Drift, Drifted};
 pub use escape::Escape;
@@ -111,14 +119,14 @@ pub trait Observer<T> {
     #[cfg(feature = "std")]
     #[doc(hidden)]
     #[inline]
-    fn observe_burst<const N: usize>(group: &mut Observers<'_, Self>, burst: &Burst<'_, T, N>)
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         Self: Sized,
         T: EnsembleScalar,
     {
         for (lane, observer) in group.iter_mut().flatten().enumerate() {
-            for (step, x) in burst.of(lane) {
-                observer.observe(step, &x);
+            for (step, x) in burst.of::<T>(lane) {
+                observer.observe(step, x.as_ref());
             }
         }
     }

@@ -10,11 +10,14 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::composition::Composed;
 #[cfg(feature = "std")]
-use crate::ensemble::columns::Group;
+use crate::ensemble::columns::{GROUP, Group};
 use crate::field::linear::determinant;
 use crate::{Composition, FloatScalar, KahanAt, KahanMap, Lift, Method, Scalar, TangentAt};
 #[cfg(feature = "std")]
 use crate::{EnsembleScalar, Level};
+
+#[cfg(feature = "std")]
+use super::Grouped;
 
 /// A space of points and vectors, which a map acts on.
 pub trait Points<T> {
@@ -40,23 +43,16 @@ pub trait Tangent<T>: Points<T> + Clone {
     /// det J(x)
     fn det_jacobian(&self, x: &[T]) -> T;
 
-    /// Whether this is known to be the same map, so that vectors of both may be carried side by
-    /// side.
-    #[doc(hidden)]
-    fn is(&self, _other: &Self) -> bool {
-        false
-    }
-
-    /// Carries the vectors of a group of trajectories, as many columns each as there are variables,
-    /// along the points at `places`, and writes the squares of their lengths after each step. It
-    /// ends early after a step that takes one of these out of the range that vectors are kept in,
-    /// and returns the steps taken; `None` where it cannot.
+    /// Carries the vectors of a group of trajectories, each by its own map, along the points at
+    /// `places`, and writes the squares of their lengths after each step. It ends early after a step
+    /// that takes one of these out of the range that vectors are kept in, and returns the steps
+    /// taken; `None` where it cannot. Bits are those of [`carry`](Self::carry).
     #[cfg(feature = "std")]
     #[doc(hidden)]
-    fn carry_side_by_side(
-        &self,
-        _places: &[Group<T>],
-        _vectors: &mut [Group<T>],
+    fn carry_side_by_side<P: Grouped<T>>(
+        _maps: [&Self; GROUP],
+        _places: &[P],
+        _vectors: &mut [P],
         _squares: &mut [Group<T>],
         _level: Level,
     ) -> Option<usize>
@@ -97,22 +93,18 @@ impl<T, M: Tangent<T>> Tangent<T> for &M {
         M::det_jacobian(self, x)
     }
 
-    fn is(&self, other: &Self) -> bool {
-        core::ptr::eq(*self, *other)
-    }
-
     #[cfg(feature = "std")]
-    fn carry_side_by_side(
-        &self,
-        places: &[Group<T>],
-        vectors: &mut [Group<T>],
+    fn carry_side_by_side<P: Grouped<T>>(
+        maps: [&Self; GROUP],
+        places: &[P],
+        vectors: &mut [P],
         squares: &mut [Group<T>],
         level: Level,
     ) -> Option<usize>
     where
         T: EnsembleScalar,
     {
-        M::carry_side_by_side(self, places, vectors, squares, level)
+        M::carry_side_by_side(maps.map(|map| *map), places, vectors, squares, level)
     }
 }
 
@@ -180,17 +172,23 @@ where
     }
 
     #[cfg(feature = "std")]
-    fn carry_side_by_side(
-        &self,
-        places: &[Group<T>],
-        vectors: &mut [Group<T>],
+    fn carry_side_by_side<P: Grouped<T>>(
+        maps: [&Self; GROUP],
+        places: &[P],
+        vectors: &mut [P],
         squares: &mut [Group<T>],
         level: Level,
     ) -> Option<usize>
     where
         T: EnsembleScalar,
     {
-        super::lanes::carry_side_by_side(self, places, vectors, squares, level)
+        // The vectors of different maps have different constants.
+        let are_one = maps.iter().all(|map| core::ptr::eq(*map, maps[0]));
+        if are_one {
+            super::lanes::carry_side_by_side(maps[0], places, vectors, squares, level)
+        } else {
+            None
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use crate::FloatScalar;
 use super::carried::{Carried, Follower};
 use super::growth::{Size, square};
 #[cfg(feature = "std")]
-use super::{Burst, Observers, carried::follow_burst};
+use super::{Burst, Grouped, Observers, carried::follow_burst};
 use super::{Observer, Tangent};
 
 /// The smaller alignment index of two tangent vectors of length 1: the smaller of |v + w| and
@@ -56,7 +56,7 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Sali<M, T> {
     }
 
     #[cfg(feature = "std")]
-    fn observe_burst<const N: usize>(group: &mut Observers<'_, Self>, burst: &Burst<'_, T, N>)
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,
     {

@@ -8,7 +8,7 @@ use crate::EnsembleScalar;
 
 use super::Observer;
 #[cfg(feature = "std")]
-use super::{Burst, Observers};
+use super::{Burst, Grouped, Observers};
 
 macro_rules! tuple {
     ($($name:ident $place:tt),*) => {
@@ -22,7 +22,7 @@ macro_rules! tuple {
 
             #[cfg(feature = "std")]
             #[inline]
-            fn observe_burst<const N: usize>(_group: &mut Observers<'_, Self>, _burst: &Burst<'_, T, N>)
+            fn observe_burst<P: Grouped<T>>(_group: &mut Observers<'_, Self>, _burst: &Burst<'_, P>)
             where
                 T: EnsembleScalar,
             {
