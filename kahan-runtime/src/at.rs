@@ -1,6 +1,8 @@
 //! A map at one ε, over slices.
 
+mod group;
 mod objects;
+mod observe;
 mod tangent;
 
 pub use tangent::{RuntimePoint, TangentAt};

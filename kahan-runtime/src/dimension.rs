@@ -18,6 +18,7 @@ pub(crate) enum Argument {
     Out,
     Carry,
     Columns,
+    Maps,
     /// The column of a variable.
     Column(String),
     Eps,
@@ -67,6 +68,9 @@ impl fmt::Display for DimensionError {
             }
             Argument::Carry => write!(f, "the carry has {found} {entries}; give {expected}, one a variable"),
             Argument::Columns => write!(f, "the columns are {found}; give {expected}, one a variable"),
+            Argument::Maps => {
+                write!(f, "the maps are {found}; give one, or {expected}, one an orbit")
+            }
             Argument::Column(variable) => {
                 write!(
                     f,

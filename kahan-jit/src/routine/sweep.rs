@@ -89,6 +89,12 @@ impl<T: Float> Sweep<T> {
         self.width
     }
 
+    /// How many numbers the constants of a register of trajectories are.
+    #[must_use]
+    pub fn constants(&self) -> usize {
+        self.constants
+    }
+
     /// Advances all trajectories by so many steps. A constant is as many numbers as a register
     /// holds; where each register of trajectories has its own, all constants of one stand before
     /// those of the next.

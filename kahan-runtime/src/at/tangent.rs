@@ -6,10 +6,11 @@
 
 use std::sync::Arc;
 
-use kahan_core::FloatScalar;
-use kahan_core::observe::{Between, Points, Tangent};
+use kahan_core::observe::{Between, GROUP, Group, Grouped, Points, Tangent, are_moderate};
+use kahan_core::{FloatScalar, Level};
 use smallvec::SmallVec;
 
+use crate::engine::{Scratch, with_scratch};
 use crate::{Field, MachineFloat, MapAt};
 
 /// A point or a tangent vector; in up to eight variables it is no allocation.
@@ -72,6 +73,34 @@ impl<T: MachineFloat + FloatScalar> Tangent<T> for TangentAt<T> {
         let carried = self.variational.advance(&mut both, 1);
         assert!(carried.is_ok(), "a point of {} numbers for a map of {} variables", x.len(), v.len());
         v.copy_from_slice(&both[x.len()..]);
+    }
+
+    /// With vectors as observers have them, one or two, where there is code.
+    fn carry_side_by_side<P: Grouped<T>>(
+        maps: [&Self; GROUP],
+        places: &[P],
+        vectors: &mut [P],
+        squares: &mut [Group<T>],
+        _: Level,
+    ) -> Option<usize> {
+        let variational = maps.map(|map| &map.variational);
+        let mut point = places.first()?.clone();
+        with_scratch(T::single(), |Scratch { given, .. }| {
+            let abreast = MapAt::abreast(variational, vectors.len(), core::mem::take(given))?;
+            let steps = places.iter().zip(squares.chunks_exact_mut(vectors.len()));
+            let mut taken = 0;
+            for (place, squares) in steps {
+                point.clone_from(place);
+                let carried = vectors.iter_mut().flat_map(P::as_mut);
+                abreast.step(point.as_mut().iter_mut().chain(carried).chain(&mut *squares));
+                taken += 1;
+                if !are_moderate(squares) {
+                    break;
+                }
+            }
+            *given = abreast.into_room();
+            Some(taken)
+        })
     }
 
     /// By the tangent vectors of all variables.

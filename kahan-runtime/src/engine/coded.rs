@@ -6,6 +6,7 @@ use kahan_core::{Composition, Scalar};
 
 use crate::machine::{Form, OrbitCode, StepKind};
 
+use super::abreast::AbreastOnce;
 use super::scratch::{Scratch, Scratches, with_scratch};
 use super::step::Steps;
 use super::{Engine, Object, stage_constants};
@@ -14,11 +15,12 @@ use super::{Engine, Object, stage_constants};
 #[derive(Clone, Debug)]
 pub(crate) struct CodedStages<T> {
     code: Arc<OrbitCode<T>>,
-    kind: StepKind,
-    form: Form,
-    constants: Arc<[Vec<T>]>,
+    pub(super) kind: StepKind,
+    pub(super) form: Form,
+    pub(super) constants: Arc<[Vec<T>]>,
     /// The code that carries what a state lacks, once it was asked for.
     carrying: Arc<OnceLock<Option<Arc<OrbitCode<T>>>>>,
+    pub(super) abreast: Arc<AbreastOnce<T>>,
 }
 
 impl<T: Scratches> CodedStages<T> {
@@ -63,7 +65,7 @@ impl Engine {
         let constants = with_scratch(T::single(), |scratch| {
             own.iter().map(|constants| self.prepared(form, constants, scratch)).collect()
         });
-        Some(CodedStages { code, kind, form, constants, carrying: Arc::default() })
+        Some(CodedStages { code, kind, form, constants, carrying: Arc::default(), abreast: Arc::default() })
     }
 
     /// Replaces a state by the one so many steps later.

@@ -28,7 +28,7 @@ const WORTH_MOVING: u64 = 8;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Instructions {
     /// `None` for the widest that there are.
-    set: Option<InstructionSet>,
+    pub(super) set: Option<InstructionSet>,
     pub(crate) fuses: bool,
 }
 

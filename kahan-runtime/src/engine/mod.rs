@@ -4,6 +4,7 @@
 //! bits of generated code. A plan is made ready when it is first asked for, and kept for all maps
 //! of the field. Here is the one place that knows how a plan is run.
 
+mod abreast;
 mod coded;
 mod coded_columns;
 mod columns;
@@ -28,12 +29,13 @@ use crate::machine::Codes;
 use elimination::solve;
 use step::{Step, Steps, into_matrix};
 
+pub(crate) use abreast::Abreast;
 pub(crate) use coded::CodedStages;
 pub(crate) use coded_columns::{ColumnsOnce, Instructions};
 pub(crate) use columns::Columns;
 pub(crate) use couplings::{Factors, Tables};
-use scratch::{Room, sized, with_scratch};
-pub(crate) use scratch::{Scratch, Scratches};
+use scratch::{Room, sized};
+pub(crate) use scratch::{Scratch, Scratches, with_scratch};
 
 /// A function of the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -7,7 +7,7 @@ use core::cell::Cell;
 use std::thread::LocalKey;
 
 use kahan_core::__private::Dual;
-use kahan_core::{FloatScalar, Scalar};
+use kahan_core::{EnsembleScalar, FloatScalar, Scalar};
 
 use crate::machine::Coded;
 
@@ -23,7 +23,7 @@ pub struct Scratch<V> {
     /// The parameters and ε.
     pub(super) constants: Vec<V>,
     /// What the line of a step is given.
-    pub(super) given: Vec<V>,
+    pub(crate) given: Vec<V>,
     /// The state, where it is not the caller's.
     pub(super) state: Vec<V>,
 }
@@ -59,7 +59,7 @@ impl<V> Default for Scratch<V> {
 pub(super) type Local<V> = &'static LocalKey<Cell<Scratch<V>>>;
 
 /// A float with scratch for it, for several side by side, and for its dual numbers.
-pub trait Scratches: FloatScalar + Coded + Default + Send + Sync {
+pub trait Scratches: FloatScalar + EnsembleScalar + Coded + Default + Send + Sync {
     /// For one state.
     fn single() -> Local<Self>;
     /// For several side by side.

@@ -45,12 +45,26 @@ pub(crate) struct FunctionCode<T>(Infallible, PhantomData<T>);
 #[derive(Debug)]
 pub(crate) struct ColumnsCode<T>(Infallible, PhantomData<T>);
 
+/// The code of orbits side by side: none.
+#[derive(Debug)]
+pub(crate) struct Sweep<T>(Infallible, PhantomData<T>);
+
 impl Codes {
     pub(crate) fn new(_: usize) -> Self {
         Codes {}
     }
 
     pub(crate) fn orbit<T>(&self, _: &Derived, _: StepKind, _: Form, _: bool) -> Option<Arc<OrbitCode<T>>> {
+        None
+    }
+
+    pub(crate) fn abreast<T>(
+        &self,
+        _: &Derived,
+        _: (StepKind, Form),
+        _: usize,
+        _: InstructionSet,
+    ) -> Option<Arc<Sweep<T>>> {
         None
     }
 
@@ -69,6 +83,20 @@ impl<T> OrbitCode<T> {
     }
 
     pub(crate) fn advance(&self, _: &mut [T], _: &[Vec<T>], _: u64) {
+        match self.0 {}
+    }
+}
+
+impl<T> Sweep<T> {
+    pub(crate) fn constants(&self) -> usize {
+        match self.0 {}
+    }
+
+    pub(crate) fn width(&self) -> usize {
+        match self.0 {}
+    }
+
+    pub(crate) fn run(&self, _: &mut [&mut [T]], _: &[T], _: u64) {
         match self.0 {}
     }
 }

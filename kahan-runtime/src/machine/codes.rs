@@ -40,6 +40,7 @@ pub struct CodesOf<T> {
     orbits: Table<(StepKind, Form, bool), OrbitCode<T>>,
     functions: Vec<OnceLock<Option<FunctionCode<T>>>>,
     columns: Table<Shape, ColumnsCode<T>>,
+    abreast: Table<(StepKind, Form, usize, InstructionSet), Sweep<T>>,
 }
 
 /// The code of a field.
@@ -100,7 +101,7 @@ pub(crate) struct ColumnsCode<T> {
 impl<T> CodesOf<T> {
     fn new(objects: usize) -> Self {
         let functions = std::iter::repeat_with(OnceLock::new).take(objects).collect();
-        CodesOf { orbits: Table::default(), functions, columns: Table::default() }
+        CodesOf { orbits: Table::default(), functions, columns: Table::default(), abreast: Table::default() }
     }
 }
 
@@ -128,6 +129,26 @@ impl Codes {
             } else {
                 Orbit::compile(&program, shape).map(OrbitCode::Single)
             })
+        })
+    }
+
+    /// The code of orbits side by side, each with constants of its own, and, where the field is a
+    /// variational one, so many tangent vectors; likewise.
+    pub(crate) fn abreast<T: Coded>(
+        &self,
+        derived: &Derived,
+        (kind, form): (StepKind, Form),
+        vectors: usize,
+        instructions: InstructionSet,
+    ) -> Option<Arc<Sweep<T>>> {
+        T::of(self).abreast.get((kind, form, vectors, instructions), || {
+            let (step, symbols) = (form.of(derived.step()?), &derived.system.field.symbols);
+            let program = match vectors {
+                0 => kind.program(step, symbols),
+                _ => kind.carrying(step, symbols, vectors),
+            };
+            let shape = Shape { instructions, lanes: Lanes::All, fuses: kind.fuses };
+            Some(Sweep::compile(&program, shape, Constants::Own))
         })
     }
 

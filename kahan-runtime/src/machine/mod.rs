@@ -25,5 +25,5 @@ pub(crate) use absent::*;
 #[cfg(feature = "jit")]
 pub(crate) use codes::{Coded, Codes, ColumnsCode, OrbitCode};
 #[cfg(feature = "jit")]
-pub(crate) use kahan_jit::InstructionSet;
+pub(crate) use kahan_jit::{InstructionSet, Sweep};
 pub(crate) use kind::{Form, StepKind};

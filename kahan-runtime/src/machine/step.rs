@@ -57,19 +57,24 @@ impl StepKind {
     /// double-double each is two numbers, the high one first, and the guard comes last.
     pub(super) fn program(self, step: &StepPlan, symbols: &Symbols) -> Program {
         match self.precision {
-            Precision::Single => self.rounded(step, symbols, |number| number.to_f32().into()),
+            Precision::Single | Precision::Double => self.rounded(step, symbols),
             Precision::SingleThroughDouble => self.through_double(step, symbols),
-            Precision::Double => self.rounded(step, symbols, Rational::to_f64),
             Precision::DoubleDouble => self.double_double(step, symbols),
         }
     }
 
-    fn rounded(self, step: &StepPlan, symbols: &Symbols, nearest: fn(&Rational) -> f64) -> Program {
-        let recorder = Recorder::new(nearest);
-        let (state, quotients) = self.quotients(&recorder, step, symbols);
+    /// The number of its precision that is nearest to another.
+    fn nearest(self) -> fn(&Rational) -> f64 {
+        if self.precision == Precision::Single { |number| number.to_f32().into() } else { Rational::to_f64 }
+    }
+
+    fn rounded(self, step: &StepPlan, symbols: &Symbols) -> Program {
+        let recorder = Recorder::new(self.nearest());
+        let state = states(&recorder, 0..symbols.dimension());
+        let quotients = self.quotients(&recorder, step, symbols, &state);
         let mut results: Vec<usize> = Vec::new();
         if !self.compensated {
-            results.extend(state.iter().zip(&quotients).map(|(x, quotient)| added(&recorder, *quotient, *x)));
+            results.extend(next(&recorder, &quotients, &state));
             return recorder.finish(results);
         }
         let mut lacking = Vec::new();
@@ -93,7 +98,8 @@ impl StepKind {
 
     fn through_double(self, step: &StepPlan, symbols: &Symbols) -> Program {
         let recorder = Recorder::new(Rational::to_f64);
-        let (state, quotients) = self.quotients(&recorder, step, symbols);
+        let state = states(&recorder, 0..symbols.dimension());
+        let quotients = self.quotients(&recorder, step, symbols, &state);
         let (mut results, mut lacking) = (Vec::new(), Vec::new());
         for (i, (&x, &quotient)) in state.iter().zip(&quotients).enumerate() {
             if self.compensated {
@@ -132,14 +138,34 @@ impl StepKind {
         recorder.finish(results)
     }
 
-    /// The states, and their increments.
+    /// The program of a point that carries so many tangent vectors, each as many numbers as the
+    /// point; `step` is that of the variational field. The squares of the vectors' lengths are
+    /// results behind them, of states that nothing reads.
+    pub(super) fn carrying(self, step: &StepPlan, symbols: &Symbols, vectors: usize) -> Program {
+        let recorder = Recorder::new(self.nearest());
+        let n = symbols.dimension() / 2;
+        let (mut results, mut squares) = (Vec::new(), Vec::new());
+        for k in 0..vectors {
+            let state = states(&recorder, (0..n).chain((k + 1) * n..(k + 2) * n));
+            let quotients = self.quotients(&recorder, step, symbols, &state);
+            let next: Vec<usize> = next(&recorder, &quotients, &state).collect();
+            // All vectors have the same point; equal operations are compiled once.
+            results.extend(&next[if k == 0 { 0 } else { n }..]);
+            let entries = next[n..].iter().map(|entry| recorder.push(Multiply(*entry, *entry)));
+            squares.extend(entries.reduce(|sum, square| recorder.push(Add(sum, square))));
+        }
+        results.extend(squares);
+        recorder.finish(results)
+    }
+
+    /// The increments of these states.
     fn quotients(
         self,
         recorder: &Recorder,
         step: &StepPlan,
         symbols: &Symbols,
-    ) -> (Vec<usize>, Vec<Quotient<usize>>) {
-        let state: Vec<usize> = (0..symbols.dimension()).map(|i| recorder.push(State(i))).collect();
+        state: &[usize],
+    ) -> Vec<Quotient<usize>> {
         let constant = |k| recorder.push(Constant(k));
         let mut quotients = quotients(step, symbols, recorder, |i| state[i], constant);
         if self.rounds_increments {
@@ -149,8 +175,17 @@ impl StepKind {
                 }
             }
         }
-        (state, quotients)
+        quotients
     }
+}
+
+fn states(recorder: &Recorder, places: impl Iterator<Item = usize>) -> Vec<usize> {
+    places.map(|place| recorder.push(State(place))).collect()
+}
+
+/// The next state.
+fn next(recorder: &Recorder, quotients: &[Quotient<usize>], state: &[usize]) -> impl Iterator<Item = usize> {
+    quotients.iter().zip(state).map(|(quotient, x)| added(recorder, *quotient, *x))
 }
 
 /// A component of the next state: one multiply-add or addition.

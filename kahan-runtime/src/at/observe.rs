@@ -1,0 +1,100 @@
+//! Many orbits observed in the loop, side by side where there is code for that.
+//!
+//! In: a map for all orbits or one each, first points, and observers of each. Out: reports. An orbit
+//! has the points and the report that it has alone, bit for bit, whatever stands beside it.
+
+use core::array::from_fn;
+
+use kahan_core::Level;
+use kahan_core::observe::{GROUP, Grouped, Observer, observe_group};
+
+use super::group::RuntimeGroup;
+use super::{MachineFloat, MapAt};
+use crate::DimensionError;
+use crate::dimension::Argument;
+use crate::engine::Abreast;
+
+impl<T: MachineFloat> MapAt<T> {
+    /// Advances many orbits by so many steps, and shows each to the observers that `observers`
+    /// makes for it, which see its first point as step 0: column c holds variable c of all orbits,
+    /// and `maps` is one map for all of them or one each.
+    ///
+    /// Points and reports have the bits of single orbits by [`advance`](Self::advance), in any
+    /// order of the orbits. What is not a number stays so.
+    ///
+    /// # Errors
+    /// [`DimensionError`] for columns that do not fit the maps, or each other.
+    ///
+    /// ```
+    /// use kahan_core::observe::Fli;
+    /// use kahan_runtime::{Field, MapAt};
+    ///
+    /// let field = Field::parse("xdot = p; ydot = q; pdot = -x - 2*x*y; qdot = y^2 - x^2 - y;").unwrap();
+    /// let map = field.map().unwrap().at(0.05);
+    /// let tangent = map.tangent();
+    /// let mut columns = [[0.0, 0.0], [0.1, 0.1], [0.3, 0.49], [0.0, 0.0]];
+    /// let mut columns = columns.each_mut().map(|column| &mut column[..]);
+    /// let indicators = MapAt::observe_columns(&[&map], &mut columns, 5000, |_| Fli::new(&tangent)).unwrap();
+    /// assert!(indicators[0] < 10.0 && indicators[1] > 20.0);
+    /// ```
+    pub fn observe_columns<O: Observer<T>>(
+        maps: &[&Self],
+        columns: &mut [&mut [T]],
+        steps: u64,
+        observers: impl Fn(usize) -> O,
+    ) -> Result<Vec<O::Report>, DimensionError> {
+        let orbits = columns.first().map_or(0, |column| column.len());
+        if maps.len() != 1 {
+            DimensionError::check(Argument::Maps, maps.len(), orbits)?;
+        }
+        maps.iter().try_for_each(|map| map.check_columns(columns, &[], &[], orbits))?;
+        let mut reports = Vec::with_capacity(orbits);
+        for first in (0..orbits).step_by(GROUP) {
+            let end = orbits.min(first + GROUP);
+            let own = from_fn(|lane| maps[(first + lane).min(end - 1).min(maps.len() - 1)]);
+            let mut observed: Vec<O> = (first..end).map(&observers).collect();
+            let mut points = RuntimeGroup::gather(columns, first);
+            Self::observe_group(own, &mut points, &mut observed, steps);
+            points.scatter(columns, first);
+            reports.extend(observed.into_iter().map(O::report));
+        }
+        Ok(reports)
+    }
+
+    fn observe_group<O: Observer<T>>(
+        maps: [&Self; GROUP],
+        points: &mut RuntimeGroup<T>,
+        observers: &mut [O],
+        steps: u64,
+    ) {
+        if let Some(abreast) = Self::abreast(maps, 0, Vec::new()) {
+            observe_group(points, observers, steps, Level::best(), |points| {
+                abreast.step(points.as_mut().iter_mut());
+            });
+            return;
+        }
+        for (lane, (map, observer)) in maps.into_iter().zip(observers).enumerate() {
+            let mut x = points.of(lane);
+            observer.observe(0, &x);
+            for step in 1..=steps {
+                map.advance_checked(&mut x, 1);
+                observer.observe(step, &x);
+            }
+            points.put(lane, &x);
+        }
+    }
+
+    /// What steps the orbits of these maps side by side, each with so many tangent vectors; `None`
+    /// where they have no code in common.
+    pub(super) fn abreast(maps: [&Self; GROUP], vectors: usize, room: Vec<T>) -> Option<Abreast<T>> {
+        let [first, ..] = maps;
+        let is_like_first = |map: &Self| {
+            core::ptr::eq(map.engine(), first.engine()) && map.instructions == first.instructions
+        };
+        let mut stages = [first.coded.as_ref()?; GROUP];
+        for (stages, map) in stages.iter_mut().zip(maps) {
+            *stages = map.coded.as_ref().filter(|_| is_like_first(map))?;
+        }
+        first.engine().abreast(stages, vectors, first.instructions, room)
+    }
+}

@@ -1,0 +1,194 @@
+//! Orbits that are observed side by side have the points and the reports that each has alone.
+
+use std::fmt::Debug;
+
+use kahan_core::observe::{Escape, Extrema, Fli, Lyapunov, Megno, Observer, Sali};
+use kahan_core::{Composition, Level};
+use kahan_runtime::{Field, MachineFloat, Map, MapAt, TangentAt};
+
+/// Numbers of orbits that fill groups, and that leave some over.
+const COUNTS: [usize; 5] = [0, 1, 15, 16, 37];
+const STEPS: u64 = 70;
+
+/// Fields of one, two, three, four, five and nine variables; the last two have no code for tangent
+/// vectors, the last none at all.
+const FIELDS: [(&str, &[(&str, f64)]); 6] = [
+    ("xdot = r - x^2;", &[("r", -0.3)]),
+    ("xdot = x*(1 - y); ydot = r*y*(x - 1);", &[("r", 1.1)]),
+    ("xdot = s*(y - x); ydot = x*(28 - z) - y; zdot = x*y - 8/3*z;", &[("s", 10.0)]),
+    ("xdot = p; ydot = q; pdot = -a*x - 2*x*y; qdot = y^2 - x^2 - y;", &[("a", 1.0)]),
+    (
+        "vdot = v*(w - x); wdot = w*(x - y); xdot = x*(y - z); ydot = y*(z - v); zdot = z*(v - k*w);",
+        &[("k", 1.0)],
+    ),
+    (
+        "adot = a*(b - i); bdot = b*(c - a); cdot = c*(d - b); ddot = d*(e - c); edot = e*(f - d);
+         fdot = f*(g - e); gdot = g*(h - f); hdot = h*(i - g); idot = i*(a - m*h);",
+        &[("m", 1.0)],
+    ),
+];
+
+fn observers<'a, T: MachineFloat + PartialOrd>(
+    tangent: &'a TangentAt<T>,
+) -> impl Observer<T, Report: Debug> + use<'a, T> {
+    (
+        (Fli::new(tangent), Sali::new(tangent)),
+        (Megno::new(tangent), Lyapunov::new(tangent)),
+        Extrema::of(|x: &[T]| x[0]),
+        Escape::when(|x: &[T]| x[0].approximate().abs() > 3.0),
+    )
+}
+
+/// The points after the last step and what is reported, each as a text that holds every bit.
+fn alone<T: MachineFloat + PartialOrd>(map: &MapAt<T>, start: &[T]) -> String {
+    let (tangent, mut x) = (map.tangent(), start.to_vec());
+    let mut observers = observers(&tangent);
+    observers.observe(0, &x);
+    for step in 1..=STEPS {
+        map.advance(&mut x, 1).expect("a number a variable");
+        observers.observe(step, &x);
+    }
+    format!("{x:?} {:?}", observers.report())
+}
+
+/// The same of many orbits.
+fn side_by_side<T: MachineFloat + PartialOrd>(maps: &[&MapAt<T>], columns: &mut [Vec<T>]) -> Vec<String> {
+    let tangents: Vec<_> = maps.iter().map(|map| map.tangent()).collect();
+    let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+    let of = |orbit: usize| observers(&tangents[orbit.min(maps.len() - 1)]);
+    let reports = MapAt::observe_columns(maps, &mut slices, STEPS, of).expect("columns that fit");
+    let point = |orbit: usize| columns.iter().map(|column| column[orbit]).collect::<Vec<_>>();
+    reports.iter().enumerate().map(|(orbit, report)| format!("{:?} {report:?}", point(orbit))).collect()
+}
+
+/// Columns of points in all directions, near the origin and further.
+fn columns<T: MachineFloat>(variables: usize, orbits: usize) -> Vec<Vec<T>> {
+    let entry = |c: usize, orbit: usize| ((37 * orbit + 23 * c * (orbit + 1) + 11) % 64) as i64 - 24;
+    let number = |c, orbit| T::constant(&kahan_core::Constant::ratio(entry(c, orbit), 24));
+    (0..variables).map(|c| (0..orbits).map(|orbit| number(c, orbit)).collect()).collect()
+}
+
+fn agree<T: MachineFloat + PartialOrd>(maps: &[&MapAt<T>], orbits: usize, what: &dyn Debug) {
+    let variables = maps[0].map().field().variables().len();
+    let start = columns::<T>(variables, orbits);
+    let mut ours = start.clone();
+    for (orbit, ours) in side_by_side(maps, &mut ours).into_iter().enumerate() {
+        let point: Vec<T> = start.iter().map(|column| column[orbit]).collect();
+        assert_eq!(ours, alone(maps[orbit.min(maps.len() - 1)], &point), "{what:?}: orbit {orbit}");
+    }
+}
+
+fn maps() -> impl Iterator<Item = (Field, Map)> {
+    FIELDS.into_iter().map(|(text, parameters)| {
+        let field = Field::parse(text).expect("a field");
+        let map = field.with(parameters.iter().copied()).expect("its parameters");
+        (field, map)
+    })
+}
+
+#[test]
+fn orbits_of_one_map_are_those_that_each_is_alone() {
+    for (field, map) in maps() {
+        for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
+            // Those of many variables are interpreted.
+            for orbits in if field.variables().len() > 4 { &[3][..] } else { &COUNTS } {
+                let orbits = *orbits;
+                let what = (field.variables(), composition, orbits);
+                agree(&[&map.at(0.05_f64).composed(composition)], orbits, &what);
+                agree(&[&map.at(0.05_f32).composed(composition)], orbits, &what);
+            }
+        }
+    }
+}
+
+/// A step takes vectors 2⁴¹ times as far here: their squares would leave the numbers in thirteen.
+#[test]
+fn vectors_are_scaled_before_they_leave_the_numbers() {
+    let field = Field::parse("xdot = x; ydot = y/2;").expect("a field");
+    let map = field.map().expect("no parameters").at(1.0 - 1.0 / (1_u64 << 40) as f64);
+    let tangent = map.tangent();
+    let mut columns = [[0.0; 3]; 2];
+    let mut slices = columns.each_mut().map(|column| &mut column[..]);
+    let reports = MapAt::observe_columns(&[&map], &mut slices, STEPS, |_| Fli::new(&tangent));
+    // All grows along x, where a vector without direction has a good part of its length.
+    let along_x = STEPS as f64 * 41.0 * std::f64::consts::LN_2;
+    for indicator in reports.expect("columns that fit") {
+        assert!(along_x - 2.0 < indicator && indicator < along_x, "{indicator} and {along_x}");
+    }
+}
+
+#[test]
+fn long_steps_scale_vectors_where_each_is_scaled_alone() {
+    for (field, map) in maps() {
+        for eps in [0.4, 2.5] {
+            agree(&[&map.at(eps)], 19, &(field.variables(), eps));
+        }
+    }
+}
+
+#[test]
+fn every_level_has_its_own_bits_side_by_side() {
+    let (_, map) = maps().nth(3).expect("four variables");
+    for level in [Level::Baseline, Level::Avx2, Level::Avx512] {
+        let Some(at) = map.at(0.05).at_level(level) else {
+            println!("not run: no code at {level:?}");
+            continue;
+        };
+        agree(&[&at], 20, &level);
+    }
+}
+
+/// An ε of 0 and one that nothing may be divided by take another form of some steps.
+#[test]
+fn orbits_of_their_own_maps_are_those_that_each_is_alone() {
+    for (text, parameters) in FIELDS {
+        let field = Field::parse(text).expect("a field");
+        let eps = |orbit: usize| match orbit {
+            20 => 0.0,
+            33 => 1e-310,
+            _ => 0.01 * (orbit % 7 + 1) as f64,
+        };
+        let map = |orbit: usize| {
+            let own = parameters.iter().map(|(name, value)| (*name, value + 0.125 * (orbit % 3) as f64));
+            field.with(own).expect("its parameters").at(eps(orbit))
+        };
+        let maps: Vec<MapAt<f64>> = (0..if field.variables().len() > 4 { 3 } else { 37 }).map(map).collect();
+        agree(&maps.iter().collect::<Vec<_>>(), maps.len(), &field.variables());
+    }
+}
+
+#[test]
+fn an_orbit_that_leaves_the_numbers_changes_no_other() {
+    let field = Field::parse("xdot = y; ydot = 4*x;").expect("a field");
+    let map = field.map().expect("no parameters").at(0.49);
+    let tangent = map.tangent();
+    let mut columns = columns::<f64>(2, 16);
+    columns[0][5] = 1e308;
+    let reports = |columns: &mut [Vec<f64>]| {
+        let mut slices: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        MapAt::observe_columns(&[&map], &mut slices, 50, |_| Fli::new(&tangent)).expect("columns that fit")
+    };
+    let with = reports(&mut columns.clone());
+    columns[0][5] = 1.0;
+    let without = reports(&mut columns);
+    assert!(with[5].is_nan() || with[5] == without[5]);
+    for orbit in (0..16).filter(|orbit| *orbit != 5) {
+        assert_eq!(with[orbit].to_bits(), without[orbit].to_bits());
+    }
+}
+
+#[test]
+fn maps_and_columns_have_to_fit() {
+    let (_, map) = maps().nth(1).expect("two variables");
+    let (at, tangent) = (map.at(0.1), map.at(0.1).tangent());
+    let refused = |maps: &[&MapAt<f64>], columns: &mut [Vec<f64>]| {
+        let mut slices: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        MapAt::observe_columns(maps, &mut slices, 1, |_| Fli::new(&tangent))
+            .expect_err("they do not fit")
+            .to_string()
+    };
+    assert_eq!(refused(&[&at, &at], &mut columns(2, 3)), "the maps are 2; give one, or 3, one an orbit");
+    assert_eq!(refused(&[&at], &mut columns(3, 3)), "the columns are 3; give 2, one a variable");
+    let uneven = &mut [vec![1.0; 3], vec![1.0; 2]];
+    assert_eq!(refused(&[&at], uneven), "the column of `y` has 2 entries; give 3, as in the first");
+}
