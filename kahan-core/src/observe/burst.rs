@@ -16,10 +16,21 @@ pub type Observers<'a, O> = [Option<&'a mut O>; GROUP];
 /// is known while compiling.
 pub trait Grouped<T>: Clone + AsRef<[Group<T>]> + AsMut<[Group<T>]> {
     /// A point of one of them.
-    type Point: AsRef<[T]>;
+    type Point: AsRef<[T]> + AsMut<[T]>;
 
     /// That of a trajectory.
     fn of(&self, lane: usize) -> Self::Point;
+
+    /// The same in a place that there is.
+    #[inline(always)]
+    fn read(&self, lane: usize, point: &mut [T])
+    where
+        T: Copy,
+    {
+        for (entry, column) in point.iter_mut().zip(self.as_ref()) {
+            *entry = column[lane];
+        }
+    }
 }
 
 impl<T: Copy, const N: usize> Grouped<T> for [Group<T>; N] {
@@ -43,11 +54,16 @@ pub struct Burst<'a, P> {
 }
 
 impl<P> Burst<'_, P> {
-    /// The points of one trajectory with their steps.
-    pub(super) fn of<T>(&self, lane: usize) -> impl Iterator<Item = (u64, P::Point)>
+    /// Shows the points of one trajectory with their steps, without the first `done` of them.
+    #[inline(always)]
+    pub(super) fn show<T: Copy>(&self, lane: usize, done: usize, mut look: impl FnMut(u64, &[T]))
     where
         P: Grouped<T>,
     {
-        (self.before + 1..).zip(self.seen[1..].iter().map(move |points| points.of(lane)))
+        let mut x = self.seen[0].of(lane);
+        for (step, points) in (self.before + 1 + done as u64..).zip(&self.seen[done + 1..]) {
+            points.read(lane, x.as_mut());
+            look(step, x.as_ref());
+        }
     }
 }

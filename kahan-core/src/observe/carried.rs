@@ -90,10 +90,10 @@ where
         done += taken;
     }
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
-        for (step, x) in burst.of(lane).skip(done) {
-            let sizes = follower.carried().follow(step, x.as_ref());
+        burst.show(lane, done, |step, x| {
+            let sizes = follower.carried().follow(step, x);
             follower.look(step, sizes);
-        }
+        });
     }
 }
 
@@ -134,9 +134,9 @@ where
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
         let carried = follower.carried();
         for (columns, vector) in vectors.iter().zip(&mut carried.vectors) {
-            vector.as_mut().copy_from_slice(columns.of(lane).as_ref());
+            columns.read(lane, vector.as_mut());
         }
-        carried.place.as_mut().copy_from_slice(burst.seen[done + taken].of(lane).as_ref());
+        burst.seen[done + taken].read(lane, carried.place.as_mut());
         let exponents = carried.exponents;
         let last = carried.scale();
         for (step, squares) in (first..).zip(&squares[..taken - 1]) {

@@ -125,9 +125,7 @@ pub trait Observer<T> {
         T: EnsembleScalar,
     {
         for (lane, observer) in group.iter_mut().flatten().enumerate() {
-            for (step, x) in burst.of::<T>(lane) {
-                observer.observe(step, x.as_ref());
-            }
+            burst.show(lane, 0, |step, x| observer.observe(step, x));
         }
     }
 }
