@@ -96,28 +96,46 @@ impl Code {
     /// `steps` times; the constants are `stride` numbers further on for each register.
     pub(crate) fn sweep<T>(
         &self,
-        columns: &mut [&mut [T]],
+        columns: &mut [impl AsMut<[T]>],
+        width: usize,
+        constants: (&[T], usize),
+        steps: u64,
+    ) {
+        /// Columns of nearly every field: a larger table takes longer to clear than their step.
+        const FEW: usize = 32;
+        /// More variables are stepped by other means.
+        const MOST: usize = 256;
+
+        if columns.len() <= FEW {
+            self.sweep_by([0; FEW], columns, width, constants, steps);
+        } else {
+            self.sweep_by([0; MOST], columns, width, constants, steps);
+        }
+    }
+
+    /// The same by a table that has room for the addresses of the columns.
+    fn sweep_by<T, const ROOM: usize>(
+        &self,
+        mut table: [usize; ROOM],
+        columns: &mut [impl AsMut<[T]>],
         width: usize,
         (constants, stride): (&[T], usize),
         steps: u64,
     ) {
-        /// More variables are stepped by other means.
-        const MOST: usize = 256;
-
         let Extent { states: s, constants: c, .. } = self.extent;
-        assert!(columns.len() >= s && columns.len() <= MOST, "{s} columns, not {}", columns.len());
-        let len = columns.first().map_or(0, |column| column.len());
-        assert!(columns.iter().all(|column| column.len() == len), "columns of one length");
+        assert!(columns.len() >= s && columns.len() <= ROOM, "{s} columns, not {}", columns.len());
+        let len = columns.first_mut().map_or(0, |column| column.as_mut().len());
         assert!(len.is_multiple_of(width), "columns of whole registers");
+        for (entry, column) in table.iter_mut().zip(columns) {
+            let column = column.as_mut();
+            assert!(column.len() == len, "columns of one length");
+            *entry = written(column);
+        }
         if len == 0 || steps == 0 {
             return;
         }
         let most = c + (len / width - 1) * stride;
         assert!(constants.len() >= most, "{most} constants, not {}", constants.len());
-        let mut table = [0; MOST];
-        for (entry, column) in table.iter_mut().zip(columns.iter_mut()) {
-            *entry = written(column);
-        }
         let bytes = |numbers: usize| numbers * size_of::<T>();
         // SAFETY: the columns are of one length, a multiple of what is read and written at once,
         // and are borrowed alone; the table has their addresses. The constants reach as far as the

@@ -102,7 +102,7 @@ impl<T: Float> Sweep<T> {
     /// # Panics
     /// If the columns are not of one length, or that is not a multiple of [`width`](Self::width),
     /// or there are too few constants, or more than 256 columns.
-    pub fn run(&self, columns: &mut [&mut [T]], constants: &[T], steps: u64) {
+    pub fn run(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], steps: u64) {
         let stride = if self.of == Constants::Own { self.constants } else { 0 };
         self.code.sweep(columns, self.width, (constants, stride), steps);
     }
