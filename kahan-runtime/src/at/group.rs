@@ -1,52 +1,83 @@
 //! The points of a group of orbits, whose number of variables is known at run time.
 
-use kahan_core::observe::{Group, Grouped};
-use smallvec::SmallVec;
+use core::array::from_fn;
+
+use kahan_core::observe::{GROUP, Group, Grouped};
 
 use super::{MachineFloat, RuntimePoint};
 
-/// A column a variable; up to four are no allocation.
+/// Groups of numbers that begin with cache lines, so that no register crosses from one to the next.
 #[derive(Clone, Debug)]
-pub(super) struct RuntimeGroup<T>(SmallVec<[Group<T>; 4]>);
+#[repr(align(64))]
+pub(super) struct Aligned<T, const N: usize>(pub(super) [Group<T>; N]);
+
+impl<T: MachineFloat, const N: usize> Aligned<T, N> {
+    pub(super) fn zeros() -> Self {
+        Aligned([[T::zero(); GROUP]; N])
+    }
+}
+
+/// The most variables of a step that is a straight line.
+const MOST: usize = 8;
+
+/// A column a variable.
+#[derive(Debug)]
+pub(super) struct RuntimeGroup<T> {
+    columns: Aligned<T, MOST>,
+    variables: usize,
+}
 
 impl<T: MachineFloat> RuntimeGroup<T> {
     /// As many trajectories from this one on as make a group; where they are fewer, copies of the
-    /// last one fill it.
-    pub(super) fn gather(columns: &[&mut [T]], first: usize) -> Self {
-        let gather =
-            |column: &&mut [T]| core::array::from_fn(|lane| column[(first + lane).min(column.len() - 1)]);
-        RuntimeGroup(columns.iter().map(gather).collect())
+    /// last one fill it. `None` where there are too many variables.
+    pub(super) fn gather(columns: &[&mut [T]], first: usize) -> Option<Self> {
+        let mut group = RuntimeGroup { columns: Aligned::zeros(), variables: columns.len() };
+        for (own, column) in group.columns.0.get_mut(..columns.len())?.iter_mut().zip(columns) {
+            *own = from_fn(|lane| column[(first + lane).min(column.len() - 1)]);
+        }
+        Some(group)
     }
 
     /// Puts them back.
     pub(super) fn scatter(&self, columns: &mut [&mut [T]], first: usize) {
-        for (column, group) in columns.iter_mut().zip(&self.0) {
+        for (column, group) in columns.iter_mut().zip(self.as_ref()) {
             column[first..].iter_mut().zip(group).for_each(|(entry, own)| *entry = *own);
         }
     }
+}
 
-    /// Replaces the point of a trajectory.
-    pub(super) fn put(&mut self, lane: usize, point: &[T]) {
-        self.0.iter_mut().zip(point).for_each(|(column, entry)| column[lane] = *entry);
+impl<T: Copy> Clone for RuntimeGroup<T> {
+    fn clone(&self) -> Self {
+        RuntimeGroup { columns: self.columns.clone(), variables: self.variables }
+    }
+
+    #[inline]
+    fn clone_from(&mut self, other: &Self) {
+        self.variables = other.variables;
+        // Column by column, as their length is known.
+        self.as_mut().iter_mut().zip(other.as_ref()).for_each(|(own, other)| *own = *other);
     }
 }
 
 impl<T> AsRef<[Group<T>]> for RuntimeGroup<T> {
+    #[inline]
     fn as_ref(&self) -> &[Group<T>] {
-        &self.0
+        &self.columns.0[..self.variables]
     }
 }
 
 impl<T> AsMut<[Group<T>]> for RuntimeGroup<T> {
+    #[inline]
     fn as_mut(&mut self) -> &mut [Group<T>] {
-        &mut self.0
+        &mut self.columns.0[..self.variables]
     }
 }
 
 impl<T: MachineFloat> Grouped<T> for RuntimeGroup<T> {
     type Point = RuntimePoint<T>;
 
+    #[inline]
     fn of(&self, lane: usize) -> RuntimePoint<T> {
-        self.0.iter().map(|column| column[lane]).collect()
+        self.as_ref().iter().map(|column| column[lane]).collect()
     }
 }

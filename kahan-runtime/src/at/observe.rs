@@ -6,10 +6,10 @@
 use core::array::from_fn;
 
 use kahan_core::Level;
-use kahan_core::observe::{GROUP, Grouped, Observer, observe_group};
+use kahan_core::observe::{GROUP, Observer, observe_group};
 
 use super::group::RuntimeGroup;
-use super::{MachineFloat, MapAt};
+use super::{MachineFloat, MapAt, RuntimePoint};
 use crate::DimensionError;
 use crate::dimension::Argument;
 use crate::engine::Abreast;
@@ -53,35 +53,45 @@ impl<T: MachineFloat> MapAt<T> {
             let end = orbits.min(first + GROUP);
             let own = from_fn(|lane| maps[(first + lane).min(end - 1).min(maps.len() - 1)]);
             let mut observed: Vec<O> = (first..end).map(&observers).collect();
-            let mut points = RuntimeGroup::gather(columns, first);
-            Self::observe_group(own, &mut points, &mut observed, steps);
-            points.scatter(columns, first);
+            if !Self::has_observed_group(own, columns, first, &mut observed, steps) {
+                for (orbit, (map, observer)) in (first..).zip(own.into_iter().zip(&mut observed)) {
+                    map.observe_alone(columns, orbit, observer, steps);
+                }
+            }
             reports.extend(observed.into_iter().map(O::report));
         }
         Ok(reports)
     }
 
-    fn observe_group<O: Observer<T>>(
+    /// Observes orbits side by side; `false` where there is no code for that.
+    fn has_observed_group<O: Observer<T>>(
         maps: [&Self; GROUP],
-        points: &mut RuntimeGroup<T>,
+        columns: &mut [&mut [T]],
+        first: usize,
         observers: &mut [O],
         steps: u64,
+    ) -> bool {
+        let Some(abreast) = Self::abreast(maps, 0, Vec::new()) else { return false };
+        let Some(mut points) = RuntimeGroup::gather(columns, first) else { return false };
+        observe_group(&mut points, observers, steps, Level::best(), |points| abreast.step(points.as_mut()));
+        points.scatter(columns, first);
+        true
+    }
+
+    fn observe_alone(
+        &self,
+        columns: &mut [&mut [T]],
+        orbit: usize,
+        observer: &mut impl Observer<T>,
+        steps: u64,
     ) {
-        if let Some(abreast) = Self::abreast(maps, 0, Vec::new()) {
-            observe_group(points, observers, steps, Level::best(), |points| {
-                abreast.step(points.as_mut().iter_mut());
-            });
-            return;
+        let mut x: RuntimePoint<T> = columns.iter().map(|column| column[orbit]).collect();
+        observer.observe(0, &x);
+        for step in 1..=steps {
+            self.advance_checked(&mut x, 1);
+            observer.observe(step, &x);
         }
-        for (lane, (map, observer)) in maps.into_iter().zip(observers).enumerate() {
-            let mut x = points.of(lane);
-            observer.observe(0, &x);
-            for step in 1..=steps {
-                map.advance_checked(&mut x, 1);
-                observer.observe(step, &x);
-            }
-            points.put(lane, &x);
-        }
+        columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
     }
 
     /// What steps the orbits of these maps side by side, each with so many tangent vectors; `None`

@@ -10,8 +10,12 @@ use kahan_core::observe::{Between, GROUP, Group, Grouped, Points, Tangent, are_m
 use kahan_core::{FloatScalar, Level};
 use smallvec::SmallVec;
 
+use super::group::Aligned;
 use crate::engine::{Scratch, with_scratch};
 use crate::{Field, MachineFloat, MapAt};
+
+/// Those of two vectors in four variables: with more there is no code.
+const MOST_COLUMNS: usize = 4 + 2 * 4 + 2;
 
 /// A point or a tangent vector; in up to eight variables it is no allocation.
 pub type RuntimePoint<T> = SmallVec<[T; 8]>;
@@ -84,19 +88,29 @@ impl<T: MachineFloat + FloatScalar> Tangent<T> for TangentAt<T> {
         _: Level,
     ) -> Option<usize> {
         let variational = maps.map(|map| &map.variational);
-        let mut point = places.first()?.clone();
+        let (variables, count) = (places.first()?.as_ref().len(), vectors.len());
         with_scratch(T::single(), |Scratch { given, .. }| {
-            let abreast = MapAt::abreast(variational, vectors.len(), core::mem::take(given))?;
-            let steps = places.iter().zip(squares.chunks_exact_mut(vectors.len()));
+            let abreast = MapAt::abreast(variational, count, core::mem::take(given))?;
+            // The point, the vectors, the squares of their lengths.
+            let mut columns = Aligned::<T, MOST_COLUMNS>::zeros();
+            let columns = columns.0.get_mut(..variables * (1 + count) + count)?;
+            let (_, carried) = columns.split_at_mut(variables);
+            for (own, column) in carried.iter_mut().zip(vectors.iter().flat_map(P::as_ref)) {
+                *own = *column;
+            }
             let mut taken = 0;
-            for (place, squares) in steps {
-                point.clone_from(place);
-                let carried = vectors.iter_mut().flat_map(P::as_mut);
-                abreast.step(point.as_mut().iter_mut().chain(carried).chain(&mut *squares));
+            for (place, squares) in places.iter().zip(squares.chunks_exact_mut(count)) {
+                columns.iter_mut().zip(place.as_ref()).for_each(|(column, place)| *column = *place);
+                abreast.step(columns);
+                let found = &columns[variables * (1 + count)..];
+                squares.iter_mut().zip(found).for_each(|(square, found)| *square = *found);
                 taken += 1;
                 if !are_moderate(squares) {
                     break;
                 }
+            }
+            for (column, carried) in vectors.iter_mut().flat_map(P::as_mut).zip(&columns[variables..]) {
+                *column = *carried;
             }
             *given = abreast.into_room();
             Some(taken)

@@ -4,8 +4,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use kahan_core::observe::GROUP;
-use smallvec::SmallVec;
+use kahan_core::observe::{GROUP, Group};
 
 use crate::machine::{InstructionSet, Sweep};
 
@@ -61,11 +60,10 @@ impl Engine {
 
 impl<T: Scratches> Abreast<T> {
     /// Replaces columns of a group by those one step later.
-    pub(crate) fn step<'a>(&self, columns: impl Iterator<Item = &'a mut [T; GROUP]>) {
-        let mut columns: SmallVec<[&mut [T]; 16]> = columns.map(|column| &mut column[..]).collect();
+    pub(crate) fn step(&self, columns: &mut [Group<T>]) {
         let length = self.constants.len() / self.stages;
         let of_stage = |k: usize| &self.constants[k * length..][..length];
-        in_turn(self.stages, |k| self.code.run(&mut columns, of_stage(k), 1));
+        in_turn(self.stages, |k| self.code.run(columns, of_stage(k), 1));
     }
 
     /// The room of its constants.

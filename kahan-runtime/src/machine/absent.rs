@@ -96,7 +96,7 @@ impl<T> Sweep<T> {
         match self.0 {}
     }
 
-    pub(crate) fn run(&self, _: &mut [&mut [T]], _: &[T], _: u64) {
+    pub(crate) fn run(&self, _: &mut [impl AsMut<[T]>], _: &[T], _: u64) {
         match self.0 {}
     }
 }
