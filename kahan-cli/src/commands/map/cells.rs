@@ -1,19 +1,25 @@
 //! The orbits of a map's cells, on all processors.
 
+use std::ops::Range;
+
+use kahan_algebra::interpret::Point;
 use kahan_algebra::rational::Rational;
-use kahan_core::observe::{Drift, Fli, Lyapunov, Megno, Observer, Sali};
-use kahan_runtime::{Field, MapAt, TangentAt, threads};
+use kahan_runtime::{Field, Indicator, MapAt, threads};
 
 use super::Colour;
 use crate::printing::{Progress, Refusal};
-use crate::reading::{Range, Request, number};
+use crate::reading::{self, Request, number};
+
+/// Cells whose orbits a thread follows together.
+const STRETCH: usize = 256;
 
 /// What the cells are made of.
 pub(super) struct Cells<'a> {
     request: &'a Request,
-    ranges: &'a [Range<'a>; 2],
     /// What each range goes through.
     targets: [Target; 2],
+    /// The values that it goes through.
+    along: [Vec<Rational>; 2],
     field: Field,
     colour: Colour,
     steps: u64,
@@ -28,11 +34,18 @@ enum Target {
     Epsilon,
 }
 
+impl Target {
+    /// Whether each of its values has a map of its own.
+    fn is_of_the_map(self) -> bool {
+        !matches!(self, Target::Variable(_))
+    }
+}
+
 impl<'a> Cells<'a> {
     /// The cells of these ranges; refused where a range has no name of the system.
     pub(super) fn new(
         request: &'a Request,
-        ranges: &'a [Range<'a>; 2],
+        ranges: &[reading::Range<'_>; 2],
         colour: Colour,
         steps: u64,
         escape: &str,
@@ -49,80 +62,106 @@ impl<'a> Cells<'a> {
                 ranges[0].name
             )));
         }
-        Ok(Cells { request, ranges, targets, field, colour, steps, escape })
+        let along = [0, 1].map(|k| (0..ranges[k].steps).map(|cell| ranges[k].middle(cell)).collect());
+        Ok(Cells { request, targets, along, field, colour, steps, escape })
     }
 
     /// What each cell shows, row by row from below; not a number where it is empty.
     pub(super) fn values(&self) -> Result<Vec<f64>, Refusal> {
-        let [across, upwards] = self.ranges;
         // Where the map is the same for all cells, a mistake is told once.
         self.request.in_floats()?;
-        let progress = Progress::new((across.steps * upwards.steps) as u64, "orbits");
-        let rows = threads::map(upwards.steps, |row| {
-            let values: Vec<f64> = (0..across.steps).map(|column| self.value(column, row)).collect();
-            progress.advance(across.steps as u64);
+        let cells = self.along[0].len() * self.along[1].len();
+        let progress = Progress::new(cells as u64, "orbits");
+        let stretches = threads::map(cells.div_ceil(STRETCH), |stretch| {
+            let cells = stretch * STRETCH..cells.min((stretch + 1) * STRETCH);
+            let values = Stretch::of(self, cells.clone()).values(self);
+            progress.advance(cells.len() as u64);
             values
         });
         progress.finish();
-        Ok(rows.into_iter().flatten().collect())
+        Ok(stretches.concat())
     }
 
-    fn value(&self, column: usize, row: usize) -> f64 {
-        let mut point = self.request.point.clone();
-        for (target, value) in
-            self.targets.iter().zip([self.ranges[0].middle(column), self.ranges[1].middle(row)])
-        {
-            match *target {
-                Target::Variable(k) => point.state[k] = value,
-                Target::Parameter(k) => point.parameters[k] = value,
-                Target::Epsilon => point.eps = value,
-            }
-        }
-        let values = self.field.parameters().iter().zip(&point.parameters);
-        // Where the field divides by zero there is no map.
-        let Ok(map) = self.field.with(values) else { return f64::NAN };
-        let start: Vec<f64> = point.state.iter().map(Rational::to_f64).collect();
-        let at = map.at(point.eps.to_f64());
-        let tangent = || at.tangent();
+    /// What is asked of each orbit, and how a cell shows it.
+    fn asked(&self) -> (Indicator, fn(f64) -> f64) {
+        let itself: fn(f64) -> f64 = |value| value;
         match self.colour {
-            Colour::Sali => logarithm(self.follow(&at, start, Sali::new(tangent()))),
-            Colour::Fli => self.follow(&at, start, Fli::new(tangent())),
-            Colour::Megno => self.follow(&at, start, Mean(Megno::new(tangent()))),
-            Colour::Lyapunov => self.follow(&at, start, Value(Lyapunov::new(tangent()))),
-            Colour::Drift => logarithm(self.follow(&at, start, Worst::new(&at))),
-            Colour::Escape => self.escape_of(&at, start),
+            Colour::Sali => (Indicator::Sali, logarithm),
+            Colour::Fli => (Indicator::Fli, itself),
+            Colour::Megno => (Indicator::Megno, itself),
+            Colour::Lyapunov => (Indicator::Lyapunov, itself),
+            Colour::Drift => (Indicator::Drift, logarithm),
+            Colour::Escape => (Indicator::Escape(self.escape), itself),
         }
     }
 
-    /// What an observer says of an orbit; not a number where the orbit does not stay one.
-    fn follow(
-        &self,
-        at: &MapAt<f64>,
-        mut x: Vec<f64>,
-        mut observer: impl Observer<f64, Report = f64>,
-    ) -> f64 {
-        observer.observe(0, &x);
-        for step in 1..=self.steps {
-            // The state is as long as the field has variables.
-            let _ = at.advance(&mut x, 1);
-            if !x.iter().all(|x| x.is_finite()) {
-                return f64::NAN;
-            }
-            observer.observe(step, &x);
+    /// The point of a cell: state, parameters and ε.
+    fn point(&self, places: [usize; 2]) -> Point<Rational> {
+        let mut point = self.request.point.clone();
+        for ((target, values), place) in self.targets.iter().zip(&self.along).zip(places) {
+            let own = match *target {
+                Target::Variable(k) => &mut point.state[k],
+                Target::Parameter(k) => &mut point.parameters[k],
+                Target::Epsilon => &mut point.eps,
+            };
+            own.clone_from(&values[place]);
         }
-        observer.report()
+        point
+    }
+}
+
+/// The orbits of consecutive cells.
+struct Stretch {
+    /// Where they are in the stretch; cells where the field divides by zero have none.
+    cells: Vec<usize>,
+    /// How many cells there are.
+    len: usize,
+    /// The maps, each once for neighbours that have it in common.
+    maps: Vec<MapAt<f64>>,
+    /// Which of them each orbit has.
+    map_of: Vec<usize>,
+    /// The first points, a column a variable.
+    columns: Vec<Vec<f64>>,
+}
+
+impl Stretch {
+    fn of(all: &Cells<'_>, cells: Range<usize>) -> Self {
+        let columns = vec![Vec::new(); all.request.point.state.len()];
+        let (maps, map_of) = (Vec::new(), Vec::new());
+        let mut stretch = Stretch { cells: Vec::new(), len: cells.len(), maps, map_of, columns };
+        let (mut last, mut is_defined) = (None, false);
+        for (cell, index) in cells.enumerate() {
+            let places = [index % all.along[0].len(), index / all.along[0].len()];
+            let point = all.point(places);
+            let of_map = [0, 1].map(|k| Some(places[k]).filter(|_| all.targets[k].is_of_the_map()));
+            if last != Some(of_map) {
+                last = Some(of_map);
+                let values = all.field.parameters().iter().zip(&point.parameters);
+                let map = all.field.with(values).map(|map| map.at(point.eps.to_f64()));
+                is_defined = map.is_ok();
+                stretch.maps.extend(map);
+            }
+            if is_defined {
+                stretch.cells.push(cell);
+                stretch.map_of.push(stretch.maps.len() - 1);
+                for (column, value) in stretch.columns.iter_mut().zip(&point.state) {
+                    column.push(value.to_f64());
+                }
+            }
+        }
+        stretch
     }
 
-    /// The step after which a variable is too large, or no number.
-    fn escape_of(&self, at: &MapAt<f64>, mut x: Vec<f64>) -> f64 {
-        for step in 0..=self.steps {
-            if !x.iter().all(|x| x.abs() <= self.escape) {
-                return step as f64;
-            }
-            // As above.
-            let _ = at.advance(&mut x, 1);
-        }
-        f64::NAN
+    /// What each cell shows.
+    fn values(mut self, all: &Cells<'_>) -> Vec<f64> {
+        let maps: Vec<&MapAt<f64>> = self.map_of.iter().map(|map| &self.maps[*map]).collect();
+        let mut columns: Vec<&mut [f64]> = self.columns.iter_mut().map(Vec::as_mut_slice).collect();
+        let (indicator, shown) = all.asked();
+        // There is a map an orbit, of as many variables as there are columns.
+        let found = indicator.of(&maps, &mut columns, all.steps).unwrap_or_default();
+        let mut values = vec![f64::NAN; self.len];
+        self.cells.iter().zip(found).for_each(|(cell, value)| values[*cell] = shown(value));
+        values
     }
 }
 
@@ -131,7 +170,7 @@ fn logarithm(value: f64) -> f64 {
     if value < f64::EPSILON { f64::EPSILON.log10() } else { value.log10() }
 }
 
-fn target(request: &Request, range: &Range<'_>) -> Result<Target, Refusal> {
+fn target(request: &Request, range: &reading::Range<'_>) -> Result<Target, Refusal> {
     let symbols = &request.system.field.symbols;
     let place = |names: &[String]| names.iter().position(|name| name == range.name);
     let found = place(&symbols.states).map(Target::Variable);
@@ -146,68 +185,4 @@ fn target(request: &Request, range: &Range<'_>) -> Result<Target, Refusal> {
             known.join(", ")
         ))
     })
-}
-
-/// The mean of MEGNO alone.
-struct Mean(Megno<TangentAt<f64>, f64>);
-
-impl Observer<f64> for Mean {
-    type Report = f64;
-
-    fn observe(&mut self, step: u64, x: &[f64]) {
-        self.0.observe(step, x);
-    }
-
-    fn report(self) -> f64 {
-        self.0.report().mean
-    }
-}
-
-/// The exponent without its error.
-struct Value(Lyapunov<TangentAt<f64>, f64>);
-
-impl Observer<f64> for Value {
-    type Report = f64;
-
-    fn observe(&mut self, step: u64, x: &[f64]) {
-        self.0.observe(step, x);
-    }
-
-    fn report(self) -> f64 {
-        self.0.report().value
-    }
-}
-
-/// The greatest drift of any integral.
-struct Worst<'a> {
-    at: &'a MapAt<f64>,
-    values: Vec<f64>,
-    drifts: Vec<Drift<Own, f64, 1>>,
-}
-
-/// A number as it is.
-type Own = fn(&[f64]) -> [f64; 1];
-
-impl<'a> Worst<'a> {
-    fn new(at: &'a MapAt<f64>) -> Self {
-        let count = at.map().field().integrals().len();
-        let own: Own = |value| [value[0]];
-        Worst { at, values: vec![0.0; count], drifts: (0..count).map(|_| Drift::of(own)).collect() }
-    }
-}
-
-impl Observer<f64> for Worst<'_> {
-    type Report = f64;
-
-    fn observe(&mut self, step: u64, x: &[f64]) {
-        // The state is as long as the field has variables.
-        let _ = self.at.integrals(x, &mut self.values);
-        for (drift, value) in self.drifts.iter_mut().zip(&self.values) {
-            drift.observe(step, std::slice::from_ref(value));
-        }
-    }
-
-    fn report(self) -> f64 {
-        self.drifts.into_iter().map(|drift| drift.report()[0].max).fold(0.0, f64::max)
-    }
 }
