@@ -1,10 +1,12 @@
 //! A map at one ε, over slices.
 
+mod drift;
 mod group;
 mod objects;
 mod observe;
 mod tangent;
 
+pub use drift::IntegralDrift;
 pub use tangent::{RuntimePoint, TangentAt};
 
 use std::sync::Arc;

@@ -3,9 +3,9 @@
 //! In: the maps and first points of orbits. Out: what an observer says of each, over `f64`, compiled
 //! here for those who draw.
 
-use kahan_core::observe::{Drift, Escape, Fli, Lyapunov, Megno, Observer, Sali};
+use kahan_core::observe::{Drifted, Escape, Fli, Lyapunov, Megno, Observer, Sali};
 
-use crate::{DimensionError, MapAt, TangentAt};
+use crate::{DimensionError, IntegralDrift, MapAt, TangentAt};
 
 /// What is asked of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,7 +61,9 @@ impl Indicator {
                 follow(maps, columns, steps, |orbit| Lyapunov::new(tangent(orbit)), |found| found.value)
             }
             Indicator::Drift => {
-                follow(maps, columns, steps, |orbit| Worst::new(own.map(orbit)), |worst| worst)
+                let worst =
+                    |drifts: Vec<Drifted>| drifts.iter().map(|drifted| drifted.max).fold(0.0, f64::max);
+                follow(maps, columns, steps, |orbit| IntegralDrift::of(own.map(orbit)), worst)
             }
             Indicator::Escape(size) => {
                 let is_beyond = move |x: &[f64]| !x.iter().all(|x| x.abs() <= size);
@@ -117,39 +119,5 @@ impl<'a> Maps<'a> {
 
     fn tangent(&self, orbit: usize) -> &TangentAt<f64> {
         &self.tangents[self.tangent_of[orbit.min(self.maps.len() - 1)]]
-    }
-}
-
-/// The greatest drift of any integral.
-struct Worst<'a> {
-    at: &'a MapAt<f64>,
-    values: Vec<f64>,
-    drifts: Vec<Drift<Own, f64, 1>>,
-}
-
-/// A number as it is.
-type Own = fn(&[f64]) -> [f64; 1];
-
-impl<'a> Worst<'a> {
-    fn new(at: &'a MapAt<f64>) -> Self {
-        let count = at.map().field().integrals().len();
-        let own: Own = |value| [value[0]];
-        Worst { at, values: vec![0.0; count], drifts: (0..count).map(|_| Drift::of(own)).collect() }
-    }
-}
-
-impl Observer<f64> for Worst<'_> {
-    type Report = f64;
-
-    fn observe(&mut self, step: u64, x: &[f64]) {
-        // The state is as long as the field has variables.
-        let _ = self.at.integrals(x, &mut self.values);
-        for (drift, value) in self.drifts.iter_mut().zip(&self.values) {
-            drift.observe(step, std::slice::from_ref(value));
-        }
-    }
-
-    fn report(self) -> f64 {
-        self.drifts.into_iter().map(|drift| drift.report()[0].max).fold(0.0, f64::max)
     }
 }

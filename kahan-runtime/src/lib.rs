@@ -28,7 +28,7 @@ mod periodic;
 mod text;
 pub mod threads;
 
-pub use at::{MachineFloat, MapAt, RuntimePoint, TangentAt};
+pub use at::{IntegralDrift, MachineFloat, MapAt, RuntimePoint, TangentAt};
 pub use claim::ClaimError;
 pub use diagnostics::Diagnostics;
 pub use dimension::DimensionError;

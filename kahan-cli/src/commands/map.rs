@@ -194,11 +194,14 @@ impl StabilityMap {
 fn table(ranges: &[Range<'_>; 2], colour: Colour, values: &[f64]) -> String {
     let [across, upwards] = ranges;
     let name = colour.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned());
+    let columns: Vec<f64> = across.middles().map(|value| value.to_f64()).collect();
+    let rows = upwards.middles().map(|value| value.to_f64()).zip(values.chunks_exact(across.steps));
     let mut text = format!("{},{},{name}\n", across.name, upwards.name);
-    for (place, value) in values.iter().enumerate() {
-        let (column, row) = (place % across.steps, place / across.steps);
-        let cell = if value.is_finite() { format!("{value:?}") } else { String::new() };
-        text += &format!("{:?},{:?},{cell}\n", across.middle(column).to_f64(), upwards.middle(row).to_f64());
+    for (row, values) in rows {
+        for (column, value) in columns.iter().zip(values) {
+            let cell = if value.is_finite() { format!("{value:?}") } else { String::new() };
+            text += &format!("{column:?},{row:?},{cell}\n");
+        }
     }
     text
 }

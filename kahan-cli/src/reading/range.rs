@@ -35,9 +35,9 @@ impl<'a> Range<'a> {
         self.part(2 * index as i64)
     }
 
-    /// The value in the middle of a step.
-    pub(crate) fn middle(&self, index: usize) -> Rational {
-        self.part(2 * index as i64 + 1)
+    /// The values in the middle of each step.
+    pub(crate) fn middles(&self) -> impl Iterator<Item = Rational> {
+        (0..self.steps).map(|index| self.part(2 * index as i64 + 1))
     }
 
     /// The value after so many half steps.

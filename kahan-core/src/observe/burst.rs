@@ -54,14 +54,19 @@ pub struct Burst<'a, P> {
 }
 
 impl<P> Burst<'_, P> {
+    /// The points of all of them with their steps.
+    pub fn steps(&self) -> impl Iterator<Item = (u64, &P)> {
+        (self.before + 1..).zip(&self.seen[1..])
+    }
+
     /// Shows the points of one trajectory with their steps, without the first `done` of them.
     #[inline(always)]
-    pub(super) fn show<T: Copy>(&self, lane: usize, done: usize, mut look: impl FnMut(u64, &[T]))
+    pub fn show<T: Copy>(&self, lane: usize, done: usize, mut look: impl FnMut(u64, &[T]))
     where
         P: Grouped<T>,
     {
         let mut x = self.seen[0].of(lane);
-        for (step, points) in (self.before + 1 + done as u64..).zip(&self.seen[done + 1..]) {
+        for (step, points) in self.steps().skip(done) {
             points.read(lane, x.as_mut());
             look(step, x.as_ref());
         }

@@ -18,7 +18,7 @@ impl<T: MachineFloat, const N: usize> Aligned<T, N> {
 }
 
 /// The most variables of a step that is a straight line.
-const MOST: usize = 8;
+pub(super) const MOST: usize = 8;
 
 /// A column a variable.
 #[derive(Debug)]

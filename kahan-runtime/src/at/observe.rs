@@ -98,13 +98,15 @@ impl<T: MachineFloat> MapAt<T> {
     /// where they have no code in common.
     pub(super) fn abreast(maps: [&Self; GROUP], vectors: usize, room: Vec<T>) -> Option<Abreast<T>> {
         let [first, ..] = maps;
-        let is_like_first = |map: &Self| {
-            core::ptr::eq(map.engine(), first.engine()) && map.instructions == first.instructions
-        };
         let mut stages = [first.coded.as_ref()?; GROUP];
         for (stages, map) in stages.iter_mut().zip(maps) {
-            *stages = map.coded.as_ref().filter(|_| is_like_first(map))?;
+            *stages = map.coded.as_ref().filter(|_| map.is_like(first))?;
         }
         first.engine().abreast(stages, vectors, first.instructions, room)
+    }
+
+    /// Whether it is of the same field, on the same instructions.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        core::ptr::eq(self.engine(), other.engine()) && self.instructions == other.instructions
     }
 }

@@ -18,7 +18,7 @@ const MOST_VECTORS: usize = 2;
 /// The code for no tangent vector, one, and so on, once it was asked for; `None` where there is none.
 pub(crate) type AbreastOnce<T> = [OnceLock<Option<Arc<Sweep<T>>>>; MOST_VECTORS + 1];
 
-/// The steps of a group's orbits.
+/// The steps of a group's orbits, or another line over their columns.
 #[derive(Debug)]
 pub(crate) struct Abreast<T> {
     code: Arc<Sweep<T>>,
@@ -45,20 +45,42 @@ impl Engine {
         }
         let find = || self.codes.abreast(&self.derived, kind, vectors, set.or_else(InstructionSet::best)?);
         let code = Arc::clone(first.abreast.get(vectors)?.get_or_init(find).as_ref()?);
-        let mut constants = room;
-        constants.clear();
-        for stage in 0..count {
-            for register in stages.chunks_exact(code.width()) {
-                for k in 0..code.constants() / code.width() {
-                    constants.extend(register.iter().map(|own| own.constants[stage][k]));
-                }
-            }
-        }
-        Some(Abreast { code, constants, stages: count })
+        Some(Abreast::of(code, count, room, |stage, lane, k| stages[lane].constants[stage][k]))
+    }
+
+    /// What writes the integrals of orbits behind their points; `constants` are the parameters and
+    /// ε of each.
+    pub(crate) fn integrals_abreast<T: Scratches>(
+        &self,
+        constants: [&[T]; GROUP],
+        Instructions { set, .. }: Instructions,
+        room: Vec<T>,
+    ) -> Option<Abreast<T>> {
+        let code = self.codes.integrals(&self.derived, set.or_else(InstructionSet::best)?)?;
+        Some(Abreast::of(code, 1, room, |_, lane, k| constants[lane][k]))
     }
 }
 
 impl<T: Scratches> Abreast<T> {
+    /// `constant` is that of a stage, a lane and a place.
+    fn of(
+        code: Arc<Sweep<T>>,
+        stages: usize,
+        room: Vec<T>,
+        constant: impl Fn(usize, usize, usize) -> T,
+    ) -> Self {
+        let (width, mut constants) = (code.width(), room);
+        constants.clear();
+        for stage in 0..stages {
+            for first in (0..GROUP).step_by(width) {
+                for k in 0..code.constants() / width {
+                    constants.extend((first..first + width).map(|lane| constant(stage, lane, k)));
+                }
+            }
+        }
+        Abreast { code, constants, stages }
+    }
+
     /// Replaces columns of a group by those one step later.
     pub(crate) fn step(&self, columns: &mut [Group<T>]) {
         let length = self.constants.len() / self.stages;

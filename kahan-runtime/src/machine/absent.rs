@@ -68,6 +68,10 @@ impl Codes {
         None
     }
 
+    pub(crate) fn integrals<T>(&self, _: &Derived, _: InstructionSet) -> Option<Arc<Sweep<T>>> {
+        None
+    }
+
     pub(crate) fn function<T>(&self, _: &Derived, _: Object) -> Option<&FunctionCode<T>> {
         None
     }

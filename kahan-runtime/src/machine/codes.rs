@@ -41,6 +41,7 @@ pub struct CodesOf<T> {
     functions: Vec<OnceLock<Option<FunctionCode<T>>>>,
     columns: Table<Shape, ColumnsCode<T>>,
     abreast: Table<(StepKind, Form, usize, InstructionSet), Sweep<T>>,
+    integrals: Table<InstructionSet, Sweep<T>>,
 }
 
 /// The code of a field.
@@ -101,7 +102,13 @@ pub(crate) struct ColumnsCode<T> {
 impl<T> CodesOf<T> {
     fn new(objects: usize) -> Self {
         let functions = std::iter::repeat_with(OnceLock::new).take(objects).collect();
-        CodesOf { orbits: Table::default(), functions, columns: Table::default(), abreast: Table::default() }
+        CodesOf {
+            orbits: Table::default(),
+            functions,
+            columns: Table::default(),
+            abreast: Table::default(),
+            integrals: Table::default(),
+        }
     }
 }
 
@@ -148,6 +155,20 @@ impl Codes {
                 _ => kind.carrying(step, symbols, vectors),
             };
             let shape = Shape { instructions, lanes: Lanes::All, fuses: kind.fuses };
+            Some(Sweep::compile(&program, shape, Constants::Own))
+        })
+    }
+
+    /// The code of the integrals of points side by side, behind these; likewise. The constants of each
+    /// are its parameters and ε.
+    pub(crate) fn integrals<T: Coded>(
+        &self,
+        derived: &Derived,
+        instructions: InstructionSet,
+    ) -> Option<Arc<Sweep<T>>> {
+        T::of(self).integrals.get(instructions, || {
+            let program = objects::behind_the_state(&derived.integrals, derived, T::NEAREST);
+            let shape = Shape { instructions, lanes: Lanes::All, fuses: false };
             Some(Sweep::compile(&program, shape, Constants::Own))
         })
     }

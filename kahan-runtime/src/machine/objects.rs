@@ -36,6 +36,15 @@ pub(super) fn constants(plan: &Plan, derived: &Derived, nearest: fn(&Rational) -
     recorder.finish(results)
 }
 
+/// The program of a state that stays as it is, and the results of a plan behind it.
+pub(super) fn behind_the_state(plan: &Plan, derived: &Derived, nearest: fn(&Rational) -> f64) -> Program {
+    let recorder = Recorder::new(nearest);
+    let state = 0..derived.system.field.dimension();
+    let mut results: Vec<usize> = state.map(|i| recorder.push(State(i))).collect();
+    results.extend(of_plan(plan, derived, &recorder));
+    recorder.finish(results)
+}
+
 /// Where an input is found; ε stands behind the parameters.
 fn input(symbol: Symbol, derived: &Derived, recorder: &Recorder) -> usize {
     let symbols = &derived.system.field.symbols;

@@ -62,7 +62,7 @@ impl<'a> Cells<'a> {
                 ranges[0].name
             )));
         }
-        let along = [0, 1].map(|k| (0..ranges[k].steps).map(|cell| ranges[k].middle(cell)).collect());
+        let along = ranges.each_ref().map(|range| range.middles().collect());
         Ok(Cells { request, targets, along, field, colour, steps, escape })
     }
 

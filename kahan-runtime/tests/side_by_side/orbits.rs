@@ -1,33 +1,15 @@
-//! Orbits that are observed side by side have the points and the reports that each has alone.
+//! Points and reports, bit for bit.
 
 use std::fmt::Debug;
 
 use kahan_core::observe::{Escape, Extrema, Fli, Lyapunov, Megno, Observer, Sali};
 use kahan_core::{Composition, Level};
-use kahan_runtime::{Field, MachineFloat, Map, MapAt, TangentAt};
+use kahan_runtime::{Field, MachineFloat, MapAt, TangentAt};
+
+use super::support::{FIELDS, STEPS, columns, maps};
 
 /// Numbers of orbits that fill groups, and that leave some over.
 const COUNTS: [usize; 5] = [0, 1, 15, 16, 37];
-const STEPS: u64 = 70;
-
-/// Fields of one, two, three, four, five and nine variables; the last two have no code for tangent
-/// vectors, the last none at all.
-const FIELDS: [(&str, &[(&str, f64)]); 6] = [
-    ("xdot = r - x^2;", &[("r", -0.3)]),
-    ("xdot = x*(1 - y); ydot = r*y*(x - 1);", &[("r", 1.1)]),
-    ("xdot = s*(y - x); ydot = x*(28 - z) - y; zdot = x*y - 8/3*z;", &[("s", 10.0)]),
-    ("xdot = p; ydot = q; pdot = -a*x - 2*x*y; qdot = y^2 - x^2 - y;", &[("a", 1.0)]),
-    (
-        "vdot = v*(w - x); wdot = w*(x - y); xdot = x*(y - z); ydot = y*(z - v); zdot = z*(v - k*w);",
-        &[("k", 1.0)],
-    ),
-    (
-        "adot = a*(b - i); bdot = b*(c - a); cdot = c*(d - b); ddot = d*(e - c); edot = e*(f - d);
-         fdot = f*(g - e); gdot = g*(h - f); hdot = h*(i - g); idot = i*(a - m*h);",
-        &[("m", 1.0)],
-    ),
-];
-
 fn observers<'a, T: MachineFloat + PartialOrd>(
     tangent: &'a TangentAt<T>,
 ) -> impl Observer<T, Report: Debug> + use<'a, T> {
@@ -61,13 +43,6 @@ fn side_by_side<T: MachineFloat + PartialOrd>(maps: &[&MapAt<T>], columns: &mut 
     reports.iter().enumerate().map(|(orbit, report)| format!("{:?} {report:?}", point(orbit))).collect()
 }
 
-/// Columns of points in all directions, near the origin and further.
-fn columns<T: MachineFloat>(variables: usize, orbits: usize) -> Vec<Vec<T>> {
-    let entry = |c: usize, orbit: usize| ((37 * orbit + 23 * c * (orbit + 1) + 11) % 64) as i64 - 24;
-    let number = |c, orbit| T::constant(&kahan_core::Constant::ratio(entry(c, orbit), 24));
-    (0..variables).map(|c| (0..orbits).map(|orbit| number(c, orbit)).collect()).collect()
-}
-
 fn agree<T: MachineFloat + PartialOrd>(maps: &[&MapAt<T>], orbits: usize, what: &dyn Debug) {
     let variables = maps[0].map().field().variables().len();
     let start = columns::<T>(variables, orbits);
@@ -76,14 +51,6 @@ fn agree<T: MachineFloat + PartialOrd>(maps: &[&MapAt<T>], orbits: usize, what: 
         let point: Vec<T> = start.iter().map(|column| column[orbit]).collect();
         assert_eq!(ours, alone(maps[orbit.min(maps.len() - 1)], &point), "{what:?}: orbit {orbit}");
     }
-}
-
-fn maps() -> impl Iterator<Item = (Field, Map)> {
-    FIELDS.into_iter().map(|(text, parameters)| {
-        let field = Field::parse(text).expect("a field");
-        let map = field.with(parameters.iter().copied()).expect("its parameters");
-        (field, map)
-    })
 }
 
 #[test]

@@ -1,0 +1,103 @@
+//! How well a map that is read at run time keeps the integrals that its field claims.
+
+use kahan_core::observe::{Burst, Drift, Drifted, GROUP, Grouped, Observer, Observers};
+
+use super::group::{Aligned, MOST};
+use super::{MachineFloat, MapAt};
+use crate::engine::{Abreast, Scratch, with_scratch};
+
+/// The most integrals that are computed side by side.
+const MOST_INTEGRALS: usize = 8;
+
+/// How far the integrals of a field are from their first values, one report each.
+#[derive(Clone, Debug)]
+pub struct IntegralDrift<'a, T> {
+    at: &'a MapAt<T>,
+    values: Vec<T>,
+    drifts: Vec<Drift<Itself<T>, T, 1>>,
+}
+
+/// A number as it is.
+type Itself<T> = fn(&[T]) -> [T; 1];
+
+impl<'a, T: MachineFloat> IntegralDrift<'a, T> {
+    /// The drift of the integrals of this map.
+    #[must_use]
+    pub fn of(at: &'a MapAt<T>) -> Self {
+        let count = at.map().field().integrals().len();
+        let itself: Itself<T> = |value| [value[0]];
+        let drifts = (0..count).map(|_| Drift::of(itself)).collect();
+        IntegralDrift { at, values: vec![T::zero(); count], drifts }
+    }
+
+    fn look(&mut self, step: u64) {
+        for (drift, value) in self.drifts.iter_mut().zip(&self.values) {
+            drift.observe(step, core::slice::from_ref(value));
+        }
+    }
+}
+
+impl<T: MachineFloat> Observer<T> for IntegralDrift<'_, T> {
+    type Report = Vec<Drifted>;
+
+    fn observe(&mut self, step: u64, x: &[T]) {
+        // There is a value an integral; a state of another length leaves them as they are.
+        let _ = self.at.integrals(x, &mut self.values);
+        self.look(step);
+    }
+
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
+        if !has_looked_side_by_side(group, burst) {
+            for (lane, drift) in group.iter_mut().flatten().enumerate() {
+                burst.show(lane, 0, |step, x| drift.observe(step, x));
+            }
+        }
+    }
+
+    fn report(self) -> Vec<Drifted> {
+        self.drifts.into_iter().map(|drift| drift.report()[0]).collect()
+    }
+}
+
+/// Computes the integrals of all trajectories at once; `false` where there is no code for that.
+fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
+    group: &mut Observers<'_, IntegralDrift<'_, T>>,
+    burst: &Burst<'_, P>,
+) -> bool {
+    let [Some(first), ..] = group else { return true };
+    let (first, count) = (first.at, first.values.len());
+    let mut maps = [first; GROUP];
+    for (map, drift) in maps.iter_mut().zip(group.iter().flatten()) {
+        *map = drift.at;
+    }
+    let variables = first.dimension();
+    let mut columns = Aligned::<T, { MOST + MOST_INTEGRALS }>::zeros();
+    let Some(columns) = columns.0.get_mut(..variables + count) else { return false };
+    with_scratch(T::single(), |Scratch { given, .. }| {
+        let Some(abreast) = MapAt::integrals_abreast(maps, core::mem::take(given)) else { return false };
+        for (step, points) in burst.steps() {
+            columns.iter_mut().zip(points.as_ref()).for_each(|(column, point)| *column = *point);
+            abreast.step(columns);
+            for (lane, drift) in group.iter_mut().flatten().enumerate() {
+                drift
+                    .values
+                    .iter_mut()
+                    .zip(&columns[variables..])
+                    .for_each(|(value, column)| *value = column[lane]);
+                drift.look(step);
+            }
+        }
+        *given = abreast.into_room();
+        true
+    })
+}
+
+impl<T: MachineFloat> MapAt<T> {
+    /// What writes the integrals of these maps behind their points, side by side.
+    fn integrals_abreast(maps: [&Self; GROUP], room: Vec<T>) -> Option<Abreast<T>> {
+        let [first, ..] = maps;
+        let are_like_first = maps.iter().all(|map| map.is_like(first));
+        let constants = maps.map(|map| &*map.constants);
+        first.engine().integrals_abreast(constants, first.instructions, room).filter(|_| are_like_first)
+    }
+}
