@@ -38,7 +38,7 @@ impl Indicator {
     ///
     /// let field = Field::parse("xdot = p; ydot = q; pdot = -x - 2*x*y; qdot = y^2 - x^2 - y;").unwrap();
     /// let map = field.map().unwrap().at(0.05);
-    /// let mut columns = [[0.0, 0.0], [0.1, 0.1], [0.3, 0.49], [0.0, 0.0]];
+    /// let mut columns = [[0.0, 0.0], [0.1, -0.2], [0.3, 0.49], [0.0, 0.0]];
     /// let mut columns = columns.each_mut().map(|column| &mut column[..]);
     /// let indices = Indicator::Sali.of(&[&map], &mut columns, 5000).unwrap();
     /// assert!(indices[0] > 0.1 && indices[1] < 1e-6);
