@@ -2,7 +2,7 @@
 
 use std::ffi::OsString;
 use std::fs;
-use std::io::{IsTerminal, stderr};
+use std::io::{BufWriter, ErrorKind, IsTerminal, Write, stderr, stdout};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
 use crate::estimate::Estimate;
-use crate::files::{RESULTS, folder_is_writable, merge, ranges, status};
+use crate::files::{NoTable, RESULTS, folder_is_writable, merge, ranges, status, table};
 use crate::launcher::detect;
 use crate::plan::Plan;
 use crate::run::{End, Failure, Run, Shard};
@@ -36,11 +36,11 @@ use crate::scripts;
 #[command(name = "kahan-sweep", version, after_help = EXAMPLES)]
 struct Cli {
     /// The plan.
-    #[arg(value_name = "PLAN.toml")]
-    plan: PathBuf,
+    #[arg(value_name = "PLAN.toml", required_unless_present = "read")]
+    plan: Option<PathBuf>,
 
     /// The folder of the results; it is made if it is not there.
-    #[arg(long, value_name = "DIR", required_unless_present_any = ["dry_run", "scheduler"])]
+    #[arg(long, value_name = "DIR", required_unless_present_any = ["dry_run", "scheduler", "read"])]
     out: Option<PathBuf>,
 
     /// Which shard: i/n, the i-th of n, or `auto` for what the launcher says.
@@ -58,6 +58,14 @@ struct Cli {
     /// Say how many points, how long, how large, and run nothing else.
     #[arg(long, conflicts_with = "scheduler")]
     dry_run: bool,
+
+    /// Print the rows of a result as text, commas between the entries.
+    #[arg(long, value_name = "F.parquet", conflicts_with_all = ["plan", "out", "shard", "status", "merge", "dry_run", "scheduler"])]
+    read: Option<PathBuf>,
+
+    /// Which columns of it, and in which order; all unless told otherwise.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', requires = "read")]
+    columns: Vec<String>,
 
     /// Print a job description.
     #[arg(long = "for", value_name = "SCHEDULER", value_enum, requires = "shards")]
@@ -89,6 +97,7 @@ Examples:
   kahan-sweep plan.toml --out results --shard 3/10
   kahan-sweep plan.toml --out results --status
   kahan-sweep plan.toml --out results --merge
+  kahan-sweep --read results/results.parquet --columns x,sali > rows.csv
   kahan-sweep plan.toml --out results --for slurm --shards 100 > job.sh";
 
 /// What a command ends with.
@@ -127,8 +136,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 
 impl Cli {
     fn ended(&self) -> Ended {
-        let name = self.plan.display().to_string();
-        let text = match fs::read_to_string(&self.plan) {
+        if let Some(path) = &self.read {
+            return self.table(path);
+        }
+        // Without --read, clap asks for it.
+        let path = self.plan.as_deref().unwrap_or(Path::new("plan.toml"));
+        let name = path.display().to_string();
+        let text = match fs::read_to_string(path) {
             Ok(text) => text,
             Err(error) => return Ended::badly(format!("{name} cannot be read: {error}"), 2),
         };
@@ -140,8 +154,8 @@ impl Cli {
         if let Some(scheduler) = self.scheduler {
             let shards = self.shards.unwrap_or(1);
             return Ended::well(match scheduler {
-                Scheduler::Slurm => scripts::slurm(&self.plan, out, shards),
-                Scheduler::Kubernetes => scripts::kubernetes(&self.plan, shards),
+                Scheduler::Slurm => scripts::slurm(path, out, shards),
+                Scheduler::Kubernetes => scripts::kubernetes(path, shards),
             });
         }
         if self.dry_run {
@@ -155,6 +169,18 @@ impl Cli {
             return Ended::badly(format!("--out: nothing can be written into {}: {error}", out.display()), 2);
         }
         if self.merge { merged(&plan, out) } else { self.compute(&plan, out) }
+    }
+
+    fn table(&self, path: &Path) -> Ended {
+        let mut to = BufWriter::new(stdout().lock());
+        let written = table(path, &self.columns, &mut to);
+        match written.and_then(|()| to.flush().map_err(NoTable::Unwritten)) {
+            Ok(()) => Ended::well(""),
+            // Who reads has read enough.
+            Err(NoTable::Unwritten(error)) if error.kind() == ErrorKind::BrokenPipe => Ended::well(""),
+            Err(NoTable::Unwritten(error)) => Ended::badly(format!("the rows cannot be written: {error}"), 1),
+            Err(NoTable::Unreadable(why)) => Ended::badly(why, 2),
+        }
     }
 
     fn status(&self, plan: &Plan, out: &Path) -> Ended {

@@ -370,3 +370,42 @@ fn a_launcher_says_which_shard_this_is() {
     assert!(names.len() == 4 && names[0].ends_with("part-000000000001.parquet"));
     assert_eq!(launched(&[("JOB_COMPLETION_INDEX", "1")]).status.code(), Some(2));
 }
+
+#[test]
+fn results_are_read_as_text() {
+    const ROWS: &str = r#"
+[system]
+name = "e6"
+[axes]
+x = [1, 2]
+y = { from = 0, to = "1/3", points = 2 }
+z = 0.1
+eps = 0.05
+[task]
+kind = "orbit"
+steps = 3
+order = 2
+observe = ["escape"]
+"#;
+    let folder = folder(ROWS);
+    done(folder.path(), &["--out", "results"]);
+    let read = |columns: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_kahan-sweep"));
+        let read = command.args(["--read", "results/results.parquet"]).args(columns);
+        read.current_dir(folder.path()).output().expect("the command runs")
+    };
+    let third = 1.0 / 3.0;
+    assert_eq!(
+        text(&read(&["--columns", "y,x,escaped,x"]).stdout),
+        format!(
+            "y,x,escaped,x\n0.0,1.0,NaN,1.0\n{third},1.0,NaN,1.0\n0.0,2.0,NaN,2.0\n{third},2.0,NaN,2.0\n"
+        )
+    );
+    assert!(text(&read(&[]).stdout).starts_with("index,x,y,"));
+    let unknown = read(&["--columns", "w"]);
+    assert!(
+        unknown.status.code() == Some(2)
+            && text(&unknown.stderr).contains("no column `w`; it has index, x, y")
+    );
+    assert_eq!(sweep(folder.path(), &["--read", "results/results.parquet"]).status.code(), Some(2));
+}

@@ -1,17 +1,19 @@
 //! `kahan map`: stability maps, an ensemble over two coordinates or parameters in colours.
 
 mod cells;
+mod rows;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
 use crate::plot::{Drawing, Format, Grid, NumberLine, Sheet, Theme};
 use crate::printing::{Answer, Refusal, Sink};
-use crate::reading::{Range, Request, Start, whole};
+use crate::reading::{Range, Start, whole};
 
 use cells::Cells;
+use rows::Rows;
 
 /// Draws a stability map: what orbits do over two coordinates or parameters.
 ///
@@ -21,18 +23,43 @@ use cells::Cells;
 /// drift are shown as logarithms to base 10. A cell stays empty where its orbit leaves the range of
 /// doubles, and under `escape` where it does not escape. The numbers do not depend on the number of
 /// threads. The file is a picture, or a table of the numbers with a row a cell.
+///
+/// With --from the numbers are those of a result of `kahan sweep`, or of a CSV file, and no orbit is
+/// followed. --over NAME goes through the values that are there, and --over NAME=FROM:TO:CELLS shows
+/// the mean of the rows in each cell.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
+// Rows have ε and their places in themselves, and ε may be gone through.
+#[command(mut_arg("eps", |eps| eps.required(false)))]
+#[command(mut_arg("at", |at| at.required(false).required_unless_present("from")))]
 pub(crate) struct StabilityMap {
     #[command(flatten)]
     start: Start,
+
+    /// Draw the rows of F.parquet, F.csv or the folder of a sweep in the place of orbits.
+    #[arg(long, value_name = "F", conflicts_with_all = OF_ORBITS)]
+    from: Option<PathBuf>,
+
+    /// The column of F that is shown, where it is not named as --color.
+    #[arg(long, value_name = "NAME", requires = "from", conflicts_with = "color", hide_short_help = true)]
+    column: Option<String>,
+
+    /// Only the rows of F in which a column has this value.
+    #[arg(
+        long = "where",
+        value_name = "NAME=V",
+        requires = "from",
+        allow_hyphen_values = true,
+        hide_short_help = true
+    )]
+    chosen: Vec<String>,
 
     /// What is gone through, NAME=FROM:TO:CELLS: twice, the abscissa first.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, required = true)]
     over: Vec<String>,
 
     /// The number of steps of each orbit.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps, default_value = "1000")]
     steps: u64,
 
     /// What is shown.
@@ -81,13 +108,28 @@ const EXAMPLES: &str = "\
 Examples:
   kahan map e3 --eps 0.1 --at 1,2,3 --over x=-2:2:40 --over y=-2:2:40 --steps 200 --out e3.svg
   kahan map lv --eps 1 --at 1,1 --over x=0:2:9 --over eps=0:1:9 --steps 99 --color fli --out lv.csv
-  kahan map volterra --eps 0.1 --at 1,1,1 --over x=0:3:9 --over y=0:3:9 --steps 9 --out w.svg";
+  kahan map volterra --eps 0.1 --at 1,1,1 --over x=0:3:9 --over y=0:3:9 --steps 9 --out w.svg
+  kahan map --from lv.csv --over x --over eps --color fli --out lv.svg";
+
+/// What orbits need, and rows have in themselves.
+const OF_ORBITS: [&str; 9] =
+    ["system", "field", "file", "sites", "parameters", "eps", "at", "steps", "escape"];
 
 fn steps(text: &str) -> Result<u64, String> {
     whole(text, 1, 1 << 40)
 }
 
 impl Colour {
+    /// Its word on the command line.
+    fn name(self) -> String {
+        self.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
+    }
+
+    /// The column of a sweep that holds it.
+    fn column(self) -> String {
+        if self == Colour::Escape { "escaped".to_owned() } else { self.name() }
+    }
+
     fn label(self) -> &'static str {
         match self {
             Colour::Sali => "log SALI, to base 10",
@@ -100,103 +142,136 @@ impl Colour {
     }
 }
 
+/// What a map shows.
+struct Shown<'a> {
+    ranges: [Range<'a>; 2],
+    /// Row by row from below.
+    values: Vec<f64>,
+    /// Of what.
+    name: String,
+    /// What of it.
+    column: String,
+    /// Whether of that the logarithm to base 10.
+    is_logarithm: bool,
+    label: String,
+    description: String,
+}
+
 impl StabilityMap {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let ranges = self.ranges()?;
         let is_table = self.out.extension().is_some_and(|ending| ending == "csv");
         let format = if is_table { None } else { Some(Format::of(&self.out)?) };
         let sink = Sink::file(&self.out, "--out")?;
-        let request = self.start.request()?;
-        let values = Cells::new(&request, &ranges, self.color, self.steps, &self.escape)?.values()?;
+        let shown = self.shown()?;
         let file = match format {
-            Some(format) => self.grid(&request, &ranges, &values).drawing()?.file(format, &self.sheet())?,
-            None => table(&ranges, self.color, &values).into_bytes(),
+            Some(format) => self.grid(&shown).drawing()?.file(format, &self.sheet())?,
+            None => table(&shown).into_bytes(),
         };
         sink.put(file)?;
-        let shown = values.iter().filter(|value| !value.is_nan());
-        let extremes = shown.clone().fold(None, |ends: Option<(f64, f64)>, value| {
+        let values = shown.values.iter().filter(|value| !value.is_nan());
+        let extremes = values.clone().fold(None, |ends: Option<(f64, f64)>, value| {
             let (least, greatest) = ends.unwrap_or((*value, *value));
             Some((least.min(*value), greatest.max(*value)))
         });
-        let (out, empty) = (self.out.display().to_string(), values.len() - shown.count());
+        let (out, cells, empty) =
+            (self.out.display().to_string(), shown.values.len(), shown.values.len() - values.count());
         if self.json {
-            let color = self.color.to_possible_value().map(|value| value.get_name().to_owned());
             return Ok(Answer::json(&json!({
-                "system": request.name, "color": color, "out": out, "shows": self.description(&request, &ranges),
-                "cells": values.len(), "empty": empty, "least": extremes.map(|ends| ends.0), "greatest": extremes.map(|ends| ends.1),
+                "system": shown.name, "color": shown.column, "out": out, "shows": shown.description, "cells": cells,
+                "empty": empty, "least": extremes.map(|ends| ends.0), "greatest": extremes.map(|ends| ends.1),
             })));
         }
         let ends =
             extremes.map_or(String::new(), |(least, greatest)| format!(", from {least:.4} to {greatest:.4}"));
-        Ok(Answer::text(format!(
-            "{out} written: {} of {} orbits{ends}, {empty} empty\n",
-            self.color.label(),
-            values.len()
-        )))
+        let what = if self.from.is_some() { "cells" } else { "orbits" };
+        Ok(Answer::text(format!("{out} written: {} of {cells} {what}{ends}, {empty} empty\n", shown.label)))
     }
 
     /// The picture.
     pub(super) fn drawn(&self) -> Result<Drawing, Refusal> {
-        let (ranges, request) = (self.ranges()?, self.start.request()?);
-        let values = Cells::new(&request, &ranges, self.color, self.steps, &self.escape)?.values()?;
-        self.grid(&request, &ranges, &values).drawing()
+        self.grid(&self.shown()?).drawing()
     }
 
-    fn ranges(&self) -> Result<[Range<'_>; 2], Refusal> {
+    fn shown(&self) -> Result<Shown<'_>, Refusal> {
         let [x, y] = &self.over[..] else {
             return Err(Refusal::new(
                 "--over: a map goes through two ranges, as in --over x=-1:1:60 --over y=0:2:60",
             ));
         };
-        Ok([Range::read(x)?, Range::read(y)?])
+        match &self.from {
+            Some(from) => self.of_rows(from, [x, y]),
+            None => self.of_orbits([Range::read(x)?, Range::read(y)?]),
+        }
+    }
+
+    fn of_orbits<'a>(&'a self, ranges: [Range<'a>; 2]) -> Result<Shown<'a>, Refusal> {
+        let request = self.start.request_over(&ranges)?;
+        let values = Cells::new(&request, &ranges, self.color, self.steps, &self.escape)?.values()?;
+        let label = self.color.label().to_owned();
+        let is_logarithm = matches!(self.color, Colour::Sali | Colour::Drift);
+        let description = format!("{}, {} steps each", over(&label, &request.name, &ranges), self.steps);
+        Ok(Shown {
+            ranges,
+            values,
+            name: request.name,
+            column: self.color.name(),
+            is_logarithm,
+            label,
+            description,
+        })
+    }
+
+    fn of_rows<'a>(&'a self, from: &'a Path, names: [&'a str; 2]) -> Result<Shown<'a>, Refusal> {
+        let column = self.column.clone().unwrap_or_else(|| self.color.column());
+        let rows = Rows { from, over: names, column, chosen: &self.chosen };
+        let is_logarithm = rows.column == "sali" || rows.column.starts_with("drift");
+        let (ranges, values) =
+            rows.cells(|value| if is_logarithm { cells::logarithm(value) } else { value })?;
+        let column = rows.column;
+        let label = if is_logarithm { format!("log {column}, to base 10") } else { column.clone() };
+        let name = from.display().to_string();
+        let description = over(&label, &name, &ranges);
+        Ok(Shown { ranges, values, name, column, is_logarithm, label, description })
     }
 
     fn sheet(&self) -> Sheet {
         Sheet { pixels: self.size, theme: self.theme }
     }
 
-    /// What is shown, in words.
-    fn description(&self, request: &Request, [across, upwards]: &[Range<'_>; 2]) -> String {
-        format!(
-            "{} of {} over {} from {} to {} and {} from {} to {}, {} steps each",
-            self.color.label(),
-            request.name,
-            across.name,
-            across.from,
-            across.to,
-            upwards.name,
-            upwards.from,
-            upwards.to,
-            self.steps
-        )
-    }
-
-    fn grid(&self, request: &Request, ranges: &[Range<'_>; 2], values: &[f64]) -> Grid {
+    fn grid(&self, shown: &Shown<'_>) -> Grid {
         let line = |range: &Range<'_>| NumberLine {
             label: range.name.to_owned(),
             low: range.from.to_f64(),
             high: range.to.to_f64(),
         };
         Grid {
-            description: self.description(request, ranges),
+            description: shown.description.clone(),
             size: self.sheet().view_box(),
-            x: line(&ranges[0]),
-            y: line(&ranges[1]),
-            scale: NumberLine::around_most(self.color.label(), values.iter().copied()),
-            columns: ranges[0].steps,
-            values: values.to_vec(),
+            x: line(&shown.ranges[0]),
+            y: line(&shown.ranges[1]),
+            scale: NumberLine::around_most(&shown.label, shown.values.iter().copied()),
+            columns: shown.ranges[0].steps,
+            values: shown.values.clone(),
         }
     }
 }
 
+/// What is shown, in words.
+fn over(label: &str, name: &str, [across, upwards]: &[Range<'_>; 2]) -> String {
+    format!(
+        "{label} of {name} over {} from {} to {} and {} from {} to {}",
+        across.name, across.from, across.to, upwards.name, upwards.from, upwards.to
+    )
+}
+
 /// A row a cell, and the names of what is in it.
-fn table(ranges: &[Range<'_>; 2], colour: Colour, values: &[f64]) -> String {
-    let [across, upwards] = ranges;
-    let name = colour.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned());
+fn table(shown: &Shown<'_>) -> String {
+    let [across, upwards] = &shown.ranges;
     let columns: Vec<f64> = across.middles().map(|value| value.to_f64()).collect();
-    let rows = upwards.middles().map(|value| value.to_f64()).zip(values.chunks_exact(across.steps));
-    let mut text = format!("{},{},{name}\n", across.name, upwards.name);
+    let rows = upwards.middles().map(|value| value.to_f64()).zip(shown.values.chunks_exact(across.steps));
+    let log = if shown.is_logarithm { "log_" } else { "" };
+    let mut text = format!("{},{},{log}{}\n", across.name, upwards.name, shown.column);
     for (row, values) in rows {
         for (column, value) in columns.iter().zip(values) {
             let cell = if value.is_finite() { format!("{value:?}") } else { String::new() };

@@ -1,14 +1,11 @@
 //! `kahan sweep`: hands its arguments to the program `kahan-sweep`, which is installed apart.
 
-use std::env::consts::EXE_SUFFIX;
 use std::ffi::OsString;
-use std::io::ErrorKind;
-use std::path::PathBuf;
-use std::process::Command;
 
 use clap::Args;
 
 use crate::printing::{Answer, Refusal};
+use crate::reading::{not_started, sweeper};
 
 /// Runs a plan of many orbits, on one machine or many; the program kahan-sweep does it.
 ///
@@ -33,18 +30,10 @@ Examples:
 impl Sweep {
     /// The exit status of kahan-sweep.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let name = format!("kahan-sweep{EXE_SUFFIX}");
-        let beside =
-            std::env::current_exe().ok().map(|own| own.with_file_name(&name)).filter(|path| path.exists());
-        let program = beside.unwrap_or_else(|| PathBuf::from(&name));
-        match Command::new(&program).args(&self.arguments).status() {
+        match sweeper().args(&self.arguments).status() {
             // It has said all there is to say.
             Ok(status) => std::process::exit(status.code().unwrap_or(1)),
-            Err(error) if error.kind() == ErrorKind::NotFound => Err(Refusal::new(
-                "sweeps are run by the program kahan-sweep, which is not installed here; `cargo install --path kahan-sweep` in the \
-                 source tree installs it",
-            )),
-            Err(error) => Err(Refusal::new(format!("{} does not run: {error}", program.display()))),
+            Err(error) => Err(not_started(&error)),
         }
     }
 }

@@ -41,7 +41,7 @@ impl Start {
         if sites.saturating_mul(family.block()) > MOST_SITES {
             return Err(Refusal::new(format!("--sites {sites}: at most {MOST_SITES} numbers are stepped")));
         }
-        let eps = number(&self.eps, "--eps")?.to_f64();
+        let eps = self.half_step()?.to_f64();
         if !eps.is_finite() {
             return Err(Refusal::new("--eps is beyond the range of f64"));
         }

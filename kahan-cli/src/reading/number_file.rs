@@ -1,6 +1,7 @@
 //! Files of numbers: CSV, and NumPy's arrays (`.npy`, numpy.lib.format).
 
 use std::fs;
+use std::io::{self, BufRead};
 use std::path::Path;
 
 use crate::printing::Refusal;
@@ -25,22 +26,26 @@ pub(super) fn is_file(text: &str) -> bool {
 pub(super) fn read(path: &str, option: &str) -> Result<Numbers, Refusal> {
     let refused = |why: String| Refusal::new(format!("{option}: cannot read the file {path}: {why}"));
     let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
-    let numbers = if path.ends_with(".npy") {
-        array(&bytes)
-    } else {
-        String::from_utf8(bytes).map_err(|_| "it is no text".to_owned()).and_then(|text| table(&text))
-    };
+    let numbers = if path.ends_with(".npy") { array(&bytes) } else { table(&bytes[..]) };
     numbers.map_err(refused)
 }
 
-/// Rows of numbers with commas, behind a row of names or not.
-fn table(text: &str) -> Result<Numbers, String> {
-    let mut numbers = Numbers::default();
-    let lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
-    for (index, (line, row)) in lines.enumerate() {
+/// Rows of numbers with commas, behind a row of names or not; what is left out is not a number.
+pub(super) fn table(text: impl BufRead) -> Result<Numbers, String> {
+    let (mut numbers, mut index) = (Numbers::default(), 0);
+    for (line, row) in text.lines().enumerate() {
+        let row = row.map_err(|error| match error.kind() {
+            io::ErrorKind::InvalidData => "it is no text".to_owned(),
+            _ => error.to_string(),
+        })?;
+        if row.trim().is_empty() {
+            continue;
+        }
+        index += 1;
         let cells: Vec<&str> = row.split(',').map(str::trim).collect();
+        let value = |cell: &&'_ str| if cell.is_empty() { Ok(f64::NAN) } else { cell.parse() };
         let values: Result<Vec<f64>, &str> =
-            cells.iter().map(|cell| cell.parse().map_err(|_| *cell)).collect();
+            cells.iter().map(|cell| value(cell).map_err(|_| *cell)).collect();
         match values {
             Ok(values) => {
                 let [rows, columns] = numbers.sizes[..] else {
@@ -58,7 +63,7 @@ fn table(text: &str) -> Result<Numbers, String> {
                 numbers.sizes[0] = rows + 1;
                 numbers.values.extend(values);
             }
-            Err(_) if index == 0 => numbers.names = Some(cells.into_iter().map(str::to_owned).collect()),
+            Err(_) if index == 1 => numbers.names = Some(cells.into_iter().map(str::to_owned).collect()),
             Err(cell) => return Err(format!("`{cell}` in line {} is no number", line + 1)),
         }
     }
@@ -113,6 +118,7 @@ mod tests {
             let sizes = if values.is_empty() { Vec::new() } else { vec![values.len() / columns, columns] };
             Ok(Numbers { names, sizes, values: values.to_vec() })
         };
+        let table = |text: &str| table(text.as_bytes());
         assert_eq!(table("a, b\n1, 2\n\n-3,4e-1\n"), numbers(Some(&["a", "b"]), &[1.0, 2.0, -3.0, 0.4]));
         assert_eq!(table("1\n2"), numbers(None, &[1.0, 2.0]));
         assert_eq!(table(""), numbers(None, &[]));
@@ -121,6 +127,8 @@ mod tests {
             table("a,b\n1,2\n3,4,5\n6\n"),
             Err("line 3 has 3 numbers, and those before it 2".to_owned())
         );
+        let left_out = table("a,b\n1,\n").expect("a table").values;
+        assert!(left_out[0] == 1.0 && left_out[1].is_nan());
     }
 
     /// What NumPy writes, by the documentation of numpy.lib.format.

@@ -8,6 +8,7 @@ use kahan_algebra::system::System;
 use kahan_runtime::{Field, MapAt};
 
 use super::formula::{Formula, formula_of};
+use super::range::Range;
 use super::source::Start;
 use super::values::{coordinates, number};
 use crate::numbers::Printable;
@@ -25,15 +26,41 @@ pub(crate) struct Request {
 impl Start {
     /// The system with its claims proved, and the numbers.
     pub(crate) fn request(&self) -> Result<Request, Refusal> {
+        self.request_over(&[])
+    }
+
+    /// The same, where parameters or ε are gone through: those need no value besides.
+    pub(crate) fn request_over(&self, ranges: &[Range<'_>]) -> Result<Request, Refusal> {
         let block = self.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
+        let symbols = &system.field.symbols;
+        let mut source = self.source.clone();
+        for range in ranges.iter().filter(|range| symbols.parameters.iter().any(|name| name == range.name)) {
+            if !source.has_parameter(range.name) {
+                source = source.with_parameter(range.name, &range.from);
+            }
+        }
         let point = Point {
-            state: coordinates(self.at.as_deref().unwrap_or_default(), &system.field.symbols.states)?,
-            parameters: self.source.parameter_values(&system, &name)?,
-            eps: number(&self.eps, "--eps")?,
+            state: coordinates(self.at.as_deref().unwrap_or_default(), &symbols.states)?,
+            parameters: source.parameter_values(&system, &name)?,
+            eps: ranges
+                .iter()
+                .find(|range| range.name == "eps" && self.eps.is_none())
+                .map_or_else(|| self.half_step(), |range| Ok(range.from.clone()))?,
         };
         Ok(Request { name, system, point })
+    }
+}
+
+impl Start {
+    /// The value of --eps.
+    pub(super) fn half_step(&self) -> Result<Rational, Refusal> {
+        let given = self
+            .eps
+            .as_deref()
+            .ok_or_else(|| Refusal::new("half the time step is missing: add --eps E, as in --eps 0.1"))?;
+        number(given, "--eps")
     }
 }
 

@@ -57,8 +57,8 @@ pub(crate) struct Start {
     pub(super) source: Source,
 
     /// Half the time step: 1/2, -0.25, 1e-3.
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    pub(super) eps: String,
+    #[arg(long, value_name = "E", allow_hyphen_values = true, required = true)]
+    pub(super) eps: Option<String>,
 
     /// The (first) point, its coordinates separated by commas: 1,-2/3,0.5.
     #[arg(long, value_name = "X", allow_hyphen_values = true, required = true)]
@@ -115,6 +115,11 @@ impl Source {
     /// Whether a parameter was given.
     pub(crate) fn has_parameters(&self) -> bool {
         !self.parameters.is_empty()
+    }
+
+    /// Whether this parameter was given.
+    pub(super) fn has_parameter(&self, name: &str) -> bool {
+        self.parameters.iter().any(|given| given.split_once('=').is_some_and(|(own, _)| own.trim() == name))
     }
 
     /// The values of a system's parameters, in their order; `None` for one not given.

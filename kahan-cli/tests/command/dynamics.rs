@@ -129,7 +129,7 @@ fn the_examples_of_the_help_run() {
     let folder = tempfile::tempdir().expect("a folder");
     assert_eq!(examples_run("dynamics", folder.path()), 4);
     assert_eq!(examples_run("section", folder.path()), 4);
-    assert_eq!(examples_run("map", folder.path()), 3);
+    assert_eq!(examples_run("map", folder.path()), 4);
 }
 
 /// Cells of a table: the two coordinates, and what is shown, empty where nothing is.
@@ -212,4 +212,92 @@ fn maps_refuse_what_is_no_range() {
         assert!(paragraph.replace('\n', " ").contains(part), "{over:?}: {paragraph}");
     }
     assert_eq!(std::fs::read_dir(folder.path()).expect("the folder").count(), 0);
+}
+
+#[test]
+fn maps_of_parameters_and_eps_need_no_other_value_of_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("m.csv").to_str().expect("text").to_owned();
+    let map = |further: &[&str]| {
+        let given = ["map", "--field", "xdot = y; ydot = r*x;", "--at", "1,0", "--steps", "9", "--out", &out];
+        answer(&[&given, further, &["--over", "r=-4:4:4", "--over", "eps=0:1:3"]].concat());
+        std::fs::read_to_string(&out).expect("the file")
+    };
+    assert_eq!(map(&[]), map(&["--param", "r=7", "--eps", "2"]));
+}
+
+/// A map of rows, as a table.
+fn map_of_rows(rows: &str, arguments: &[&str]) -> String {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    std::fs::write(file("rows.csv"), rows).expect("the rows");
+    let (from, out) = (file("rows.csv"), file("m.csv"));
+    answer(&[&["map", "--from", &from, "--out", &out], arguments].concat());
+    std::fs::read_to_string(out).expect("the file")
+}
+
+const ROWS: &str =
+    "y,p,order,sali,drift_H\n0.3,1,2,1e-2,3\n0.1,1,2,1,\n0.2,1,2,1e-4,5\n0.1,1,4,1e-3,7\n0.1,3,2,1e-6,9\n";
+
+#[test]
+fn maps_show_the_rows_of_a_file() {
+    let of = |arguments: &[&str]| map_of_rows(ROWS, arguments);
+    // Values are the middles of cells, in their order; a cell without a row is empty.
+    assert_eq!(
+        of(&["--over", "y", "--over", "p", "--where", "order=2"]),
+        "y,p,log_sali\n0.1,1.0,0.0\n0.2,1.0,-4.0\n0.3,1.0,-2.0\n0.1,3.0,-6.0\n0.2,3.0,\n0.3,3.0,\n"
+    );
+    // Ranges show the mean of the rows in a cell; what is no number counts for nothing.
+    assert_eq!(
+        of(&["--over", "y=0:0.6:2", "--over", "p", "--column", "order"]),
+        "y,p,order\n0.15,1.0,2.6666666666666665\n0.45,1.0,2.0\n0.15,3.0,2.0\n0.45,3.0,\n"
+    );
+    assert_eq!(
+        of(&["--over", "p=4:0:2", "--over", "y=0:1:1", "--where", "y=0.1", "--column", "drift_H"]),
+        format!("p,y,log_drift_H\n3.0,0.5,{:?}\n1.0,0.5,{:?}\n", 9_f64.log10(), 7_f64.log10())
+    );
+    // A table of a map is drawn as the map is.
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let (table, picture, again) = (file("lv.csv"), file("lv.svg"), file("again.svg"));
+    let given = ["map", "lv", "--at", "1,1", "--over", "x=0:2:9", "--over", "eps=0:1:9", "--color", "fli"];
+    answer(&[&given[..], &["--out", &table]].concat());
+    answer(&[&given[..], &["--out", &picture]].concat());
+    answer(&["map", "--from", &table, "--over", "x", "--over", "eps", "--color", "fli", "--out", &again]);
+    let image = |file: &str| {
+        let picture = std::fs::read_to_string(file).expect("the picture");
+        picture.split("base64,").nth(1).expect("an image").split('"').next().map(str::to_owned)
+    };
+    assert_eq!(image(&picture), image(&again));
+}
+
+#[test]
+fn maps_of_rows_say_what_is_wrong() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let (rows, out) = (file("rows.csv"), file("m.svg"));
+    std::fs::write(&rows, ROWS).expect("the rows");
+    std::fs::write(file("bare.csv"), "1,2\n").expect("the rows");
+    std::fs::write(file("plan.toml"), "").expect("the plan");
+    let folder_of_parts = folder.path().to_str().expect("text").to_owned();
+    let both = ["--over", "y", "--over", "p"];
+    for (from, arguments, part) in [
+        (&rows, &both[..], "2 rows have y = 1/10 and p = 1"),
+        (&rows, &["--over", "y", "--over", "p", "--where", "order=3"], "there is 2, 4"),
+        (&rows, &["--over", "y", "--over", "p", "--where", "order"], "not NAME=VALUE"),
+        (&rows, &["--over", "y", "--over", "p", "--where", "order=4"], "`y` are not equally spaced"),
+        (&rows, &["--over", "y", "--over", "w"], "no column `w`; it has y, p, order, sali, drift_H"),
+        (&rows, &["--over", "y", "--over", "p", "--color", "fli"], "no column `fli`"),
+        (&rows, &["--over", "y=0:1:100000", "--over", "p=0:1:100000"], "too many"),
+        (&rows, &["--over", "y"], "two ranges"),
+        (&rows, &["--over", "y", "--over", "p", "--eps", "1"], "cannot be used with"),
+        (&file("bare.csv"), &both, "a line of its columns' names"),
+        (&file("plan.toml"), &both, "no result that can be read"),
+        (&file("none.csv"), &both, "No such file"),
+        (&folder_of_parts, &both, "--merge"),
+    ] {
+        let paragraph = refusal(&[&["map", "--from", from, "--out", &out], arguments].concat());
+        assert!(paragraph.replace('\n', " ").contains(part), "{arguments:?}: {paragraph}");
+    }
+    assert!(!std::fs::exists(out).expect("a folder"));
 }

@@ -8,8 +8,10 @@ mod journal;
 mod merge;
 mod part;
 mod status;
+mod table;
 
 pub(crate) use journal::Journal;
 pub(crate) use merge::{RESULTS, merge};
 pub(crate) use part::{Part, Unusable, folder_is_writable};
 pub(crate) use status::{ranges, status};
+pub(crate) use table::{NoTable, table};

@@ -166,7 +166,7 @@ impl Stretch {
 }
 
 /// To base 10; what is smaller than a rounding of 1 counts as that.
-fn logarithm(value: f64) -> f64 {
+pub(super) fn logarithm(value: f64) -> f64 {
     if value < f64::EPSILON { f64::EPSILON.log10() } else { value.log10() }
 }
 
