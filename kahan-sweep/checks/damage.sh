@@ -41,13 +41,13 @@ need faketime faketime
 a_plan one.toml 160 5000 1600
 kahan-sweep one.toml --out one >/dev/null
 faketime -f '+0 x4000' kahan-sweep one.toml --out begun >/dev/null 2>&1 &
-until [[ $(find begun -name '*.partial' -size +15k 2>/dev/null) ]]; do
+until [[ $(find begun -name 'notes-*' -size +15k 2>/dev/null) ]]; do
     kill -0 $! 2>/dev/null || fail "no records before the sweep ended"
     sleep 0.01
 done
 kill -KILL "$(sweeps)"
 wait $! 2>/dev/null || true
-records=$(find begun -name '*.partial')
+records=$(find begun -name 'notes-*')
 RANDOM=7
 for ((i = 0; i < 40; i++)); do
     rm -rf damaged

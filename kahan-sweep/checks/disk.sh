@@ -28,4 +28,22 @@ bash -c 'ulimit -f 100; kahan-sweep plan.toml --out limited; exit $?' >/dev/null
 same_parts limited
 kahan-sweep plan.toml --out limited >/dev/null
 merges_to_the_same limited
+# A disk that fills up while a part is under way: it is said at once, the work goes on, and is noted and
+# written when there is room.
+a_plan long.toml 400 300000 1000000
+kahan-sweep long.toml --out whole >/dev/null
+rm -rf disk/results
+mount -o "remount,size=64k" disk
+dd if=/dev/zero of=disk/ballast bs=1k count=60 status=none
+kahan-sweep long.toml --out disk/results >long.log 2>&1 &
+for ((i = 0; i < 200; i++)); do
+    if grep -q '^note: .*No space left on device' long.log; then break; fi
+    sleep 0.1
+done
+grep -q '^note: .*No space left on device' long.log || fail "nothing was said in 20 s: $(cat long.log)"
+kill -0 $! || fail "the work did not go on: $(cat long.log)"
+mount -o "remount,size=4m" disk
+wait $! || fail "$(cat long.log)"
+(($(grep -c '^note: ' long.log) == 1)) || fail "it was said again: $(cat long.log)"
+cmp disk/results/results.parquet whole/results.parquet
 echo "full at $full sizes, each said in a sentence; with room again the same bytes"

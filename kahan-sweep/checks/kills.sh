@@ -26,7 +26,7 @@ while ((killed < kills)); do
         wait $! 2>/dev/null || status=$?
         if ((status == 137)); then
             killed=$((killed + 1))
-            noted=$((noted + ($(find results -name '*.partial' | wc -l) > 0)))
+            noted=$((noted + ($(find results -name 'notes-*' | wc -l) > 0)))
         fi
         same_parts results
     done

@@ -16,19 +16,11 @@ pub(crate) struct Launched {
 
 /// How many shards there are, where a launcher does not say it.
 pub(crate) const SHARDS: &str = "KAHAN_SHARDS";
+/// Which shard this is, from 0 on, by launchers that this does not know.
+const INDEX: &str = "KAHAN_SHARD_INDEX";
 
-/// Launchers that number their tasks from 0, or from a first one, and say how many there are:
-/// name, task, how many.
-const RANKS: [(&str, &str, &str); 5] = [
-    ("Open MPI", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"),
-    ("MPI", "PMI_RANK", "PMI_SIZE"),
-    ("MPI", "MV2_COMM_WORLD_RANK", "MV2_COMM_WORLD_SIZE"),
-    ("Kubernetes", "JOB_COMPLETION_INDEX", SHARDS),
-    ("a launcher", "KAHAN_SHARD_INDEX", SHARDS),
-];
-
-/// Launchers of arrays: name, task, first, last, distance.
-const ARRAYS: [(&str, [&str; 4]); 4] = [
+/// Launchers of arrays of tasks: name, task, first, last, distance.
+const ARRAYS: [(&str, [&str; 4]); 5] = [
     (
         "Slurm",
         ["SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX", "SLURM_ARRAY_TASK_STEP"],
@@ -36,63 +28,110 @@ const ARRAYS: [(&str, [&str; 4]); 4] = [
     ("Grid Engine", ["SGE_TASK_ID", "SGE_TASK_FIRST", "SGE_TASK_LAST", "SGE_TASK_STEPSIZE"]),
     ("LSF", ["LSB_JOBINDEX", "", "LSB_JOBINDEX_END", "LSB_JOBINDEX_STEP"]),
     ("PBS", ["PBS_ARRAY_INDEX", "", "", ""]),
+    ("Kubernetes", ["JOB_COMPLETION_INDEX", "", "", ""]),
 ];
+
+/// Launchers whose processes begin together and are numbered from 0: name, which, how many.
+const RANKS: [(&str, &str, &str); 3] = [
+    ("Open MPI", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"),
+    ("MPI", "PMI_RANK", "PMI_SIZE"),
+    ("MPI", "MV2_COMM_WORLD_RANK", "MV2_COMM_WORLD_SIZE"),
+];
+
+/// Which of how many, and who says so.
+#[derive(Clone, Debug)]
+struct Place {
+    launcher: &'static str,
+    variable: &'static str,
+    index: u64,
+    of: u64,
+}
 
 /// Looks at an environment; `None` where no launcher is recognised, a sentence where one says too
 /// little.
+///
+/// The tasks of an array may start processes in their turn, as by MPI: each is then one of all the
+/// processes of all the tasks.
 pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Option<Result<Launched, String>> {
     let number = |name: &str| get(name).ok()?.trim().parse::<u64>().ok();
-    for (launcher, [task, first, last, step]) in ARRAYS {
-        // Grid Engine says `undefined` outside of arrays, and LSF 0.
-        let Some(id) = number(task).filter(|id| launcher != "LSF" || *id > 0) else { continue };
-        let (first, step) = (number(first).unwrap_or(1), number(step).unwrap_or(1).max(1));
-        let count = number(last).filter(|last| *last >= first).map(|last| (last - first) / step + 1);
-        return Some(launched(
-            launcher,
-            task,
-            id.checked_sub(first).map(|place| place / step),
-            number(SHARDS).or(count),
-            1,
-        ));
+    let beside = number("OMPI_COMM_WORLD_LOCAL_SIZE").or_else(|| number("MPI_LOCALNRANKS")).unwrap_or(1);
+    let own = number(INDEX).map(|index| Place::new("a launcher", INDEX, Some(index), number(SHARDS)));
+    let places = match own {
+        Some(own) => vec![own],
+        None => ARRAYS
+            .iter()
+            .find_map(|array| task(array, &number))
+            .into_iter()
+            .chain(rank(get("SLURM_STEP_ID").is_ok(), &number))
+            .collect(),
+    };
+    let places: Result<Vec<Place>, String> = places.into_iter().collect();
+    match places {
+        Ok(places) if places.is_empty() => None,
+        places => Some(places.map(|places| launched(&places, beside.max(1) as usize))),
     }
-    if get("SLURM_STEP_ID").is_ok()
-        && let (Some(rank), Some(size)) = (number("SLURM_PROCID"), number("SLURM_NTASKS"))
-        && size > 1
-    {
-        return Some(launched("Slurm", "SLURM_PROCID", Some(rank), Some(size), 1));
-    }
-    for (launcher, task, size) in RANKS {
-        let Some(rank) = number(task) else { continue };
-        let beside = number("OMPI_COMM_WORLD_LOCAL_SIZE").or_else(|| number("MPI_LOCALNRANKS")).unwrap_or(1);
-        return Some(launched(launcher, task, Some(rank), number(size), beside.max(1) as usize));
-    }
-    None
 }
 
-fn launched(
-    launcher: &str,
-    variable: &str,
-    index: Option<u64>,
-    of: Option<u64>,
-    beside: usize,
-) -> Result<Launched, String> {
-    let Some(of) = of else {
-        return Err(format!(
-            "{launcher} says by {variable} which task this is, and not how many there are; set {SHARDS} to their number, or give --shard i/n"
-        ));
-    };
-    match index.filter(|index| *index < of) {
-        Some(index) => {
-            let sentence = format!(
-                "{launcher} started this as task {} of {of} ({variable}): it computes that shard",
-                index + 1
-            );
-            Ok(Launched { shard: Shard { index, of }, sentence, beside })
+/// The task of an array.
+fn task(
+    (launcher, [task, first, last, step]): &(&'static str, [&'static str; 4]),
+    number: &dyn Fn(&str) -> Option<u64>,
+) -> Option<Result<Place, String>> {
+    // Grid Engine says `undefined` outside of arrays, and LSF 0.
+    let id = number(task).filter(|id| *launcher != "LSF" || *id > 0)?;
+    // Kubernetes counts from 0, and the others say where they begin.
+    let usual = if *launcher == "Kubernetes" { 0 } else { 1 };
+    let (first, step) = (number(first).unwrap_or(usual), number(step).unwrap_or(1).max(1));
+    let count = number(last).filter(|last| *last >= first).map(|last| (last - first) / step + 1);
+    let index = id.checked_sub(first).map(|place| place / step);
+    Some(Place::new(launcher, task, index, number(SHARDS).or(count)))
+}
+
+/// The process among those that began together.
+fn rank(is_step_of_slurm: bool, number: &dyn Fn(&str) -> Option<u64>) -> Option<Result<Place, String>> {
+    for (launcher, rank, size) in RANKS {
+        if let Some(index) = number(rank) {
+            return Some(Place::new(launcher, rank, Some(index), number(size)));
         }
-        None => Err(format!(
-            "{launcher} says by {variable} that this is a task beyond the {of} that there are; give --shard i/n"
-        )),
     }
+    // Last, as MPI may start its processes by one of Slurm's on each machine.
+    let size = number("SLURM_NTASKS").filter(|size| is_step_of_slurm && *size > 1)?;
+    Some(Place::new("Slurm", "SLURM_PROCID", Some(number("SLURM_PROCID")?), Some(size)))
+}
+
+impl Place {
+    fn new(
+        launcher: &'static str,
+        variable: &'static str,
+        index: Option<u64>,
+        of: Option<u64>,
+    ) -> Result<Self, String> {
+        let Some(of) = of else {
+            return Err(format!(
+                "{launcher} says by {variable} which task this is, and not how many there are; set {SHARDS} to their number, or give --shard i/n"
+            ));
+        };
+        match index.filter(|index| *index < of) {
+            Some(index) => Ok(Place { launcher, variable, index, of }),
+            None => Err(format!(
+                "{launcher} says by {variable} that this is a task beyond the {of} that there are; give --shard i/n"
+            )),
+        }
+    }
+}
+
+/// One place within the other, the last one fastest.
+fn launched(places: &[Place], beside: usize) -> Launched {
+    let shard = places.iter().fold(Shard::WHOLE, |Shard { index, of }, place| Shard {
+        index: index * place.of + place.index,
+        of: of * place.of,
+    });
+    let words = |Place { launcher, variable, index, of }: &Place| {
+        format!("{launcher} started this as task {} of {of} ({variable})", index + 1)
+    };
+    let words = places.iter().map(words).collect::<Vec<_>>().join(", and within it ");
+    let sentence = format!("{words}: it computes shard {} of {}", shard.index + 1, shard.of);
+    Launched { shard, sentence, beside }
 }
 
 #[cfg(test)]
@@ -125,8 +164,33 @@ mod tests {
         assert_eq!(found(&srun), Some(Ok((1, 3))));
         // A batch script has these, too, and is one process.
         assert_eq!(found(&srun[1..]), None);
+        assert_eq!(found(&[("KAHAN_SHARD_INDEX", "5"), ("KAHAN_SHARDS", "6"), slurm[0]]), Some(Ok((5, 6))));
         let grid_engine = [("SGE_TASK_ID", "undefined"), ("SGE_TASK_FIRST", "undefined")];
         assert_eq!(found(&grid_engine), None);
+    }
+
+    /// Each task of an array starts ranks: together they are all shards, each once.
+    #[test]
+    fn ranks_within_tasks_are_shards_of_their_own() {
+        let mut shards = Vec::new();
+        for task in ["2", "4", "6"] {
+            for rank in ["0", "1"] {
+                // Ranks inherit what the process has that started them on this machine.
+                let started = [("SLURM_STEP_ID", "0"), ("SLURM_PROCID", "0"), ("SLURM_NTASKS", "2")];
+                let array = [
+                    ("SLURM_ARRAY_TASK_ID", task),
+                    ("SLURM_ARRAY_TASK_MIN", "2"),
+                    ("SLURM_ARRAY_TASK_MAX", "6"),
+                    ("SLURM_ARRAY_TASK_STEP", "2"),
+                ];
+                let ranks = [("OMPI_COMM_WORLD_RANK", rank), ("OMPI_COMM_WORLD_SIZE", "2")];
+                shards.push(found(&[&started[..], &array, &ranks].concat()));
+            }
+        }
+        assert_eq!(shards, (0..6).map(|index| Some(Ok((index, 6)))).collect::<Vec<_>>());
+        let pod =
+            [("JOB_COMPLETION_INDEX", "2"), ("KAHAN_SHARDS", "3"), ("PMI_RANK", "1"), ("PMI_SIZE", "4")];
+        assert_eq!(found(&pod), Some(Ok((9, 12))));
     }
 
     #[test]

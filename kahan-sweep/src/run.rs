@@ -82,7 +82,7 @@ impl Run<'_> {
                         let rows = self.plan.rows(index);
                         (self.progress)(rows.end - rows.start);
                         // Another process may have written it while this one's notes were there.
-                        Journal::remove(&part);
+                        part.tidy();
                         continue;
                     }
                     Err(Unusable::Foreign(reason)) => return Err(Failure::Foreign(reason)),
@@ -115,13 +115,10 @@ impl Run<'_> {
             unnoted: 0,
             journal: Journal::of(part, hash),
             noted: Instant::now(),
-            failure: None,
+            has_failed: false,
         });
         for_each(chunks.len(), self.threads, &|chunk| self.chunk(chunks[chunk].clone(), &work));
         let mut work = work.into_inner().unwrap_or_else(PoisonError::into_inner);
-        if let Some(error) = work.failure.take() {
-            return Err(error.into());
-        }
         if self.stop.load(Ordering::Relaxed) {
             work.note()?;
             return Ok(End::Interrupted);
@@ -132,7 +129,7 @@ impl Run<'_> {
             all
         });
         part.write(&all)?;
-        Journal::remove(part);
+        part.tidy();
         Ok(End::Done)
     }
 
@@ -148,7 +145,12 @@ impl Run<'_> {
                 continue;
             }
             (self.progress)(count);
-            locked(work).take(next, made);
+            if let Some(error) = locked(work).take(next, made) {
+                (self.say)(&format!(
+                    "what is done cannot be noted in {}: {error}; it is kept in memory, and noted as soon as that works",
+                    self.folder.display()
+                ));
+            }
             next += count;
         }
     }
@@ -162,26 +164,30 @@ struct Work {
     unnoted: usize,
     journal: Journal,
     noted: Instant,
-    failure: Option<io::Error>,
+    /// Whether that failed the last time.
+    has_failed: bool,
 }
 
 impl Work {
-    fn take(&mut self, first: u64, rows: Rows) {
+    /// Takes rows, and notes them when it is time; an error is handed on when it is new.
+    fn take(&mut self, first: u64, rows: Rows) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;
-        if self.noted.elapsed() > NOTED
-            && let Err(error) = self.note()
-        {
-            self.failure.get_or_insert(error);
+        if self.noted.elapsed() <= NOTED {
+            return None;
         }
+        let was_told = self.has_failed;
+        let error = self.note().err();
+        self.has_failed = error.is_some();
+        error.filter(|_| !was_told)
     }
 
     /// Puts what is done on the disk.
     fn note(&mut self) -> io::Result<()> {
+        self.noted = Instant::now();
         let from = self.done.len() - self.unnoted;
         self.journal.note(&self.done[from..])?;
         self.unnoted = 0;
-        self.noted = Instant::now();
         Ok(())
     }
 }

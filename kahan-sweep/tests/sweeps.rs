@@ -163,8 +163,20 @@ fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
         );
     }
     assert!(kills > 0);
+    // What others left who were killed while they looked, wrote a part, or merged.
+    fs::create_dir_all(folder.path().join("r/part-000000000003.under-way")).expect("a folder");
+    for name in [".probe-1", ".results-1", "part-000000000003.under-way/rows-1.parquet"] {
+        fs::write(folder.path().join("r").join(name), "by halves").expect("a file");
+    }
     done(folder.path(), &["--out", "r"]);
     assert!(fs::read(folder.path().join("r/results.parquet")).expect("results") == expected);
+    // Nothing is left of those that were killed.
+    let all =
+        fs::read_dir(folder.path().join("r")).expect("the folder").map(|entry| entry.expect("an entry"));
+    let names: Vec<String> = all.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    let is_result =
+        |name: &String| name == "results.parquet" || name.ends_with(".parquet") && name.starts_with("part-");
+    assert!(names.iter().all(is_result), "{names:?}");
 }
 
 #[cfg(unix)]
@@ -200,7 +212,8 @@ fn an_interrupted_sweep_says_so_and_keeps_what_is_done() {
     assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
     assert!(text(&output.stderr).contains("the same command goes on"));
     // What was done of the part is noted.
-    assert!(parts(&folder.path().join("r")).iter().any(|path| path.to_string_lossy().ends_with(".partial")));
+    let noted = fs::read_dir(folder.path().join("r/part-000000000000.under-way")).expect("what is under way");
+    assert!(noted.count() > 0);
 }
 
 #[test]

@@ -1,26 +1,30 @@
 //! What is done of a part that is under way, so that a process that ends loses little.
 //!
 //! Records are appended, each with its checksum; what a killed process wrote by halves is passed
-//! over. Each process has a file of its own beside the part, and all go when the part is there.
+//! over. Each process has files of its own, and all go when the part is there.
 //! Records of another plan, version or kind of floats are passed over, too.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use sha2::{Digest, Sha256};
 
 use crate::columns::{Entries, Rows};
 
 use super::Part;
-use super::part::{floats, fresh};
+use super::part::{files, floats, fresh};
 
 /// The record file of one process for one part.
 pub(crate) struct Journal {
-    part: PathBuf,
+    folder: PathBuf,
     file: Option<File>,
     kind: [u8; 8],
 }
+
+/// How the names of such files begin and end.
+const BEGIN: &str = "notes-";
+const END: &str = ".bin";
 
 /// The beginning of every record: kind, first row, rows, bytes, checksum.
 const HEAD: usize = 8 + 8 + 8 + 8 + 4;
@@ -28,13 +32,13 @@ const HEAD: usize = 8 + 8 + 8 + 8 + 4;
 impl Journal {
     /// For a part.
     pub(crate) fn of(part: &Part<'_>, hash: &str) -> Self {
-        Self { part: part.path.clone(), file: None, kind: kind(hash) }
+        Self { folder: part.under_way(), file: None, kind: kind(hash) }
     }
 
     /// What processes before have noted of a part: first rows and rows, in no order.
     pub(crate) fn noted(part: &Part<'_>, hash: &str, empty: &Rows) -> Vec<(u64, Rows)> {
         let mut noted = Vec::new();
-        for path in files(part) {
+        for path in files(&part.under_way(), BEGIN, END) {
             let mut bytes = Vec::new();
             // What cannot be read is computed again.
             if File::open(&path).and_then(|mut file| file.read_to_end(&mut bytes)).is_ok() {
@@ -44,15 +48,14 @@ impl Journal {
         noted
     }
 
-    /// Notes rows, each from a first one on, on the disk when this returns.
+    /// Notes rows, each from a first one on, on the disk when this returns. Where that fails, nothing
+    /// of what was noted before is lost, and it can be tried again.
     pub(crate) fn note(&mut self, done: &[(u64, Rows)]) -> io::Result<()> {
-        let file = match &mut self.file {
+        // Behind half a record none is found: after a failure there is another file.
+        let mut file = match self.file.take() {
             Some(file) => file,
             // Its name is random: processes on other machines, or in containers, may share a number.
-            none => {
-                let folder = self.part.parent().unwrap_or(Path::new("."));
-                none.insert(fresh(folder, &stem(&self.part), ".partial")?.keep()?.0)
-            }
+            None => fresh(&self.folder, BEGIN, END)?.keep()?.0,
         };
         for (first, rows) in done {
             let body = encode(rows);
@@ -68,15 +71,9 @@ impl Journal {
             record.extend(body);
             file.write_all(&record)?;
         }
-        file.sync_data()
-    }
-
-    /// Removes what was noted of a part, by whomever.
-    pub(crate) fn remove(part: &Part<'_>) {
-        for path in files(part) {
-            // What stays is passed over, as the part is there.
-            let _ = fs::remove_file(path);
-        }
+        file.sync_data()?;
+        self.file = Some(file);
+        Ok(())
     }
 }
 
@@ -85,23 +82,6 @@ impl Journal {
 fn kind(hash: &str) -> [u8; 8] {
     let digest = Sha256::digest([hash, env!("CARGO_PKG_VERSION"), floats()].join("\n"));
     std::array::from_fn(|place| digest[place])
-}
-
-/// What the names of a part's record files begin with.
-fn stem(part: &Path) -> String {
-    part.file_stem().unwrap_or_default().to_string_lossy().into_owned() + "."
-}
-
-/// The record files of a part.
-fn files(part: &Part<'_>) -> Vec<PathBuf> {
-    let folder = part.path.parent().unwrap_or(Path::new("."));
-    let stem = stem(&part.path);
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let named = entries.filter(|entry| {
-        let name = entry.file_name().to_string_lossy().into_owned();
-        name.starts_with(&stem) && name.ends_with(".partial")
-    });
-    named.map(|entry| entry.path()).collect()
 }
 
 /// The records of a file, up to the first that is not whole.

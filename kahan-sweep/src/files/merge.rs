@@ -7,8 +7,11 @@ use std::path::Path;
 use parquet::column::writer::ColumnCloseResult;
 use parquet::file::reader::FileReader;
 
-use super::part::{Part, fresh, other, writer};
+use super::part::{Part, files, fresh, other, writer};
 use crate::plan::Plan;
+
+/// How the names begin of what becomes the merged file.
+const WRITING: &str = ".results-";
 
 /// The name of the merged file.
 pub(crate) const RESULTS: &str = "results.parquet";
@@ -27,7 +30,7 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
         )]);
     }
     let failed = |error: io::Error| vec![format!("{RESULTS} cannot be written: {error}")];
-    let mut file = fresh(folder, ".results-", "").map_err(failed)?;
+    let mut file = fresh(folder, WRITING, "").map_err(failed)?;
     let mut to = writer(plan, &hash, &mut file).map_err(|error| failed(other(error)))?;
     let mut reasons = Vec::new();
     for part in parts() {
@@ -65,6 +68,14 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
         file.as_file().metadata().map_err(failed)?.len()
     };
     file.as_file().sync_all().map_err(failed)?;
-    file.persist(folder.join(RESULTS)).map_err(|error| failed(error.error))?;
+    let results = folder.join(RESULTS);
+    match file.persist(&results) {
+        Ok(_) => {}
+        // Another process merged the same meanwhile, and tidied up.
+        Err(error) if error.error.kind() == io::ErrorKind::NotFound && results.exists() => {}
+        Err(error) => return Err(failed(error.error)),
+    }
+    // Those of processes that were killed; who still merges finds that all is done.
+    files(folder, WRITING, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     Ok(bytes)
 }

@@ -76,8 +76,16 @@ impl<'a> Part<'a> {
 
     /// Writes all its rows; the file appears when it is complete.
     pub(crate) fn write(&self, rows: &Rows) -> io::Result<()> {
+        match self.written(rows) {
+            // Another process wrote the part meanwhile, and tidied up.
+            Err(error) if error.kind() == io::ErrorKind::NotFound && self.exists() => Ok(()),
+            result => result,
+        }
+    }
+
+    fn written(&self, rows: &Rows) -> io::Result<()> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
-        let mut file = fresh(folder, ".part-", "")?;
+        let mut file = fresh(&self.under_way(), "rows-", ".parquet")?;
         let mut writer = writer(self.plan, &self.hash, &mut file).map_err(other)?;
         let mut group = writer.next_row_group().map_err(other)?;
         for column in &rows.columns {
@@ -92,11 +100,22 @@ impl<'a> Part<'a> {
         file.seek(SeekFrom::Start(sum.place))?;
         file.write_all(sum.found.as_bytes())?;
         file.as_file().sync_all()?;
-        let file = file.persist(&self.path)?;
-        file.sync_all()?;
+        file.persist(&self.path)?.sync_all()?;
         // The name is on the disk when the folder is; where a folder cannot be opened, nothing more
         // can be done.
         File::open(folder).and_then(|folder| folder.sync_all()).or(Ok(()))
+    }
+
+    /// The folder of what processes leave before the part is there. It is the part's own, as folders
+    /// of many parts take long to look through.
+    pub(super) fn under_way(&self) -> PathBuf {
+        self.path.with_extension("under-way")
+    }
+
+    /// Removes that folder, of whatever process.
+    pub(crate) fn tidy(&self) {
+        // What stays is passed over, as the part is there.
+        let _ = std::fs::remove_dir_all(self.under_way());
     }
 
     /// Whether the file is there.
@@ -270,12 +289,28 @@ impl Checksum {
 
 /// Makes the folder where it is missing, and sees that files can be written into it.
 pub(crate) fn folder_is_writable(folder: &Path) -> io::Result<()> {
-    std::fs::create_dir_all(folder)?;
-    fresh(folder, ".probe-", "").map(drop)
+    // Nobody needs the empty file, and who was killed here could not remove it.
+    files(folder, PROBE, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
+    fresh(folder, PROBE, "").map(drop)
 }
 
-/// A new file with a name that no other has, and with the rights that this user's files have.
+const PROBE: &str = ".probe-";
+
+/// The files in a folder whose names begin and end so.
+pub(super) fn files(folder: &Path, begin: &str, end: &str) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let named = entries.filter(|entry| {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        name.starts_with(begin) && name.ends_with(end)
+    });
+    named.map(|entry| entry.path()).collect()
+}
+
+/// A new file with a name that no other has, and with the rights that this user's files have; its
+/// folder is made where it is missing.
 pub(super) fn fresh(folder: &Path, prefix: &str, suffix: &str) -> io::Result<NamedTempFile> {
+    std::fs::create_dir_all(folder)?;
     let open = |path: &Path| File::options().read(true).write(true).create_new(true).open(path);
     Builder::new().prefix(prefix).suffix(suffix).make_in(folder, open)
 }
