@@ -25,7 +25,6 @@ pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil
 #[cfg(feature = "std")]
 pub use crate::lattice::{Folded, Row as BandRow, Total, neighbour};
 pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix};
-pub use crate::scalar::Dual;
 pub use crate::scalar::tuning::fenced;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};
 pub use crate::undeclared::{Integer, IntegerParameters, WithoutDensity, WithoutIntegrals};
@@ -36,6 +35,7 @@ pub use crate::{
 
 use core::cmp::Ordering;
 
+use crate::scalar::Dual;
 use crate::step::error::pole;
 
 /// The integer `n` as a scalar.

@@ -125,7 +125,7 @@ pub use map::{
 };
 #[cfg(feature = "std")]
 pub use map::{Projective, ProjectivePoint, ThroughPoles};
-pub use scalar::{Constant, Dd, FloatScalar, Scalar, nearest_short_eps};
+pub use scalar::{Constant, Dd, Dual, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
 pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};
 pub use step::{PreparedStep, Quotients, SingularStep, StepCost, WideStep};

@@ -4,10 +4,9 @@ use std::time::Instant;
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
-use kahan_core::__private::Dual;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, Precision, QuadraticField, Scalar, Scheme, StepCost};
+use kahan_core::{Dd, Dual, Precision, QuadraticField, Scalar, Scheme, StepCost};
 use kahan_runtime::Field;
 use kahan_runtime::interpreted::{Interpreted, VisitDimension, round, visit_dimension};
 

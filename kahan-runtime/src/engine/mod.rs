@@ -19,8 +19,7 @@ use std::sync::{Arc, OnceLock};
 use kahan_algebra::derived::{Derived, derive};
 use kahan_algebra::plan::Plan;
 use kahan_algebra::system::System;
-use kahan_core::__private::Dual;
-use kahan_core::{Composition, Constant, FloatScalar, Scalar};
+use kahan_core::{Composition, Constant, Dual, FloatScalar, Scalar};
 
 use crate::interpreted::Code;
 use crate::line::{Line, has_value};

@@ -6,8 +6,7 @@
 use core::cell::Cell;
 use std::thread::LocalKey;
 
-use kahan_core::__private::Dual;
-use kahan_core::{EnsembleScalar, FloatScalar, Scalar};
+use kahan_core::{Dual, EnsembleScalar, FloatScalar, Scalar};
 
 use crate::machine::Coded;
 

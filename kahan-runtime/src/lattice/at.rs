@@ -6,8 +6,8 @@
 use std::sync::Arc;
 
 use kahan_algebra::rational::Rational;
-use kahan_core::__private::{Boundary, Dual, Folded, Total};
-use kahan_core::Scalar;
+use kahan_core::__private::{Boundary, Folded, Total};
+use kahan_core::{Dual, Scalar};
 
 use crate::dimension::Argument;
 use crate::parameters::in_order;
