@@ -39,4 +39,5 @@ pub use kahan_core::{Composition, Level};
 pub use lattice::{Lattice, LatticeAt, LatticeError};
 pub use map::Map;
 pub use parameters::{ParameterError, ParameterValue};
+pub use periodic::ParametricAt;
 pub use text::FieldText;

@@ -5,7 +5,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::DMatrix;
-use kahan_core::periodic::{Differentiable, PeriodicPoint};
+use kahan_core::periodic::{Differentiable, Parametric, PeriodicPoint};
 
 use crate::heights::HeightsOrbit;
 use crate::{Map, MapAt};
@@ -29,6 +29,51 @@ impl Differentiable for MapAt<f64> {
         let mut rows = vec![0.0; x.len() * x.len()];
         assert!(self.jacobian(x, &mut rows).is_ok(), "{} numbers for another number of variables", x.len());
         DMatrix::from_row_slice(x.len(), x.len(), &rows)
+    }
+}
+
+/// A map whose derivative by one of its parameters, or by ε, is known, too; made by
+/// [`MapAt::by`].
+#[derive(Clone, Debug)]
+pub struct ParametricAt {
+    at: MapAt<f64>,
+    /// The place of the parameter; that of ε is behind all of them.
+    place: usize,
+}
+
+impl MapAt<f64> {
+    /// This map, as one of those at all values of ε, or of the parameter at this place in
+    /// [`Field::parameters`](crate::Field::parameters).
+    ///
+    /// # Panics
+    /// If there is no such parameter.
+    #[must_use]
+    pub fn by(&self, parameter: Option<usize>) -> ParametricAt {
+        let parameters = self.map().parameters().len();
+        assert!(parameter.is_none_or(|place| place < parameters), "the map has {parameters} parameters");
+        ParametricAt { at: self.clone(), place: parameter.unwrap_or(parameters) }
+    }
+}
+
+impl Differentiable for ParametricAt {
+    fn dimension(&self) -> usize {
+        self.at.dimension()
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        self.at.image(x)
+    }
+
+    fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
+        self.at.derivative(x)
+    }
+}
+
+impl Parametric for ParametricAt {
+    /// # Panics
+    /// If `x` has not an entry a variable.
+    fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
+        self.at.by_constant(self.place, x).expect("x has an entry a variable")
     }
 }
 
@@ -139,5 +184,50 @@ mod tests {
         assert_eq!((cycle.points.len(), cycle.family), (3, 1));
         let proved = map.rational_cycle(&eps, &cycle).unwrap();
         assert_eq!((proved.len(), &proved[0][0]), (3, &Rational::new(1, 5)));
+    }
+
+    #[test]
+    fn derivatives_by_eps_and_by_parameters_are_those_of_the_formulas() {
+        // (x̃ − x)/2ε = F(x,x̃) gives A(x,ε) ∂x̃/∂ε = (x̃ − x)/ε and A(x,ε) ∂x̃/∂p = 2ε ∂F/∂p.
+        let text = "xdot = r*x*y + s; ydot = y - x^2/r;";
+        let map = Field::parse(text).unwrap().with([("r", 0.75), ("s", 1.5)]).unwrap();
+        let (eps, x) = (0.125, [0.5, -0.25]);
+        let at = map.at(eps);
+        let next = at.image(&x);
+        let mut rows = [0.0; 4];
+        at.matrix(&x, &mut rows).unwrap();
+        let moved = [next[0] - x[0], next[1] - x[1]];
+        // ∂F/∂r = ((x·ỹ + x̃·y)/2, x·x̃/r²) and ∂F/∂s = (1, 0)
+        let by_r = [(x[0] * next[1] + next[0] * x[1]) / 2.0, x[0] * next[0] / (0.75 * 0.75)];
+        let expected = [
+            (None, moved.map(|entry| entry / eps)),
+            (Some(0), by_r.map(|entry| 2.0 * eps * entry)),
+            (Some(1), [2.0 * eps, 0.0]),
+        ];
+        for (parameter, right) in expected {
+            let slope = at.by(parameter).by_parameter(&x);
+            for i in 0..2 {
+                let left = rows[2 * i] * slope[0] + rows[2 * i + 1] * slope[1];
+                // Some ten roundings of numbers of size 1.
+                assert!((left - right[i]).abs() < 1e-15 * 4.0, "{parameter:?}: {left} for {}", right[i]);
+            }
+        }
+    }
+
+    #[test]
+    fn the_derivative_by_eps_goes_through_elimination_too() {
+        // In ten variables the step is elimination along the couplings.
+        let equation = |i: usize| format!("x{i}dot = x{i}*x{} - x{}/2 + 1/3;", (i + 1) % 10, (i + 7) % 10);
+        let map = Field::parse(&(0..10).map(equation).collect::<String>()).unwrap().map().unwrap();
+        let (eps, x) = (0.125, [0.5, -0.25, 1.0, 0.75, -0.5, 0.25, -1.0, 0.125, 0.375, 0.625]);
+        let at = map.at(eps);
+        let (next, slope) = (at.image(&x), at.by(None).by_parameter(&x));
+        let mut rows = [0.0; 100];
+        at.matrix(&x, &mut rows).unwrap();
+        for (i, row) in rows.chunks(10).enumerate() {
+            let left: f64 = row.iter().zip(&slope).map(|(entry, slope)| entry * slope).sum();
+            // The slopes are below 4, and some tens of roundings.
+            assert!((left - (next[i] - x[i]) / eps).abs() < 1e-14, "{i}: {left}");
+        }
     }
 }

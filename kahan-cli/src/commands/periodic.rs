@@ -92,10 +92,7 @@ impl Periodic {
         };
         let found = Found {
             exact: family.exact(&cycle),
-            branch: range.as_ref().map(|range| {
-                let ends = [range.from.to_f64(), range.to.to_f64()];
-                branch(|value| family.at(value), &cycle, ends, range.steps)
-            }),
+            branch: range.as_ref().map(|range| family.branch(&cycle, range)),
             cycle,
             request: &request,
             name: range.as_ref().map(|range| range.name.to_owned()),
@@ -160,6 +157,13 @@ impl<'a> Family<'a> {
             // The request has seen to it that there is a map at its own values.
             Err(_) => self.own().at(f64::NAN),
         }
+    }
+
+    /// The branch that begins with a cycle.
+    fn branch(&self, cycle: &PeriodicPoint, range: &Range<'_>) -> Branch {
+        let ends = [range.from.to_f64(), range.to.to_f64()];
+        let map = |value| self.at(value).by(self.parameter);
+        branch(map, cycle, ends, range.steps)
     }
 
     /// The map at the values that were given.

@@ -4,7 +4,7 @@ use std::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Differentiable;
+use super::Parametric;
 use super::cycle::{CIRCLE, PeriodicPoint, size};
 use super::newton::{defect, least_norm, slope};
 
@@ -57,12 +57,30 @@ type Place = DVector<f64>;
 /// Follows a cycle at `from` towards `to`, in about so many steps, until the parameter leaves the
 /// range between them.
 ///
-/// `map` makes the map at a value of the parameter. Derivatives with respect to points are exact;
-/// that with respect to the parameter, which only says where to look next, is a difference.
+/// `map` makes the map at a value of the parameter.
 ///
 /// Cost: each step some decompositions as those of
 /// [`periodic_point`](super::periodic_point()).
-pub fn branch<M: Differentiable>(
+///
+/// ```
+/// use kahan_core::Dual;
+/// use kahan_core::periodic::{Change, branch, periodic_point};
+/// use kahan_core::prelude::*;
+///
+/// kahan! {
+///     /// Stands still at x² = a.
+///     pub struct Fold { a }
+///     xdot = a - x^2;
+/// }
+///
+/// // At a, which changes, and a fixed ε.
+/// let map = |a| Fold { a: Dual::coordinate(a, 0) }.at(Dual::lift(0.1));
+/// let cycle = periodic_point(&map(1.0), &[0.9], 1).unwrap();
+/// let branch = branch(map, &cycle, [1.0, -1.0], 20);
+/// assert_eq!(branch.turns[0].change, Change::Fold);
+/// assert!(branch.turns[0].parameter.abs() < 1e-9);
+/// ```
+pub fn branch<M: Parametric>(
     map: impl Fn(f64) -> M,
     cycle: &PeriodicPoint,
     [from, to]: [f64; 2],
@@ -114,7 +132,7 @@ struct Arc<F> {
     length: f64,
 }
 
-impl<M: Differentiable, F: Fn(f64) -> M> Arc<F> {
+impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
     fn parameter(&self, place: &Place) -> f64 {
         self.from + self.length * place[place.len() - 1]
     }
@@ -135,16 +153,14 @@ impl<M: Differentiable, F: Fn(f64) -> M> Arc<F> {
 
     /// The derivative of the defect: with respect to the points, then the parameter.
     fn slope(&self, place: &Place) -> Option<DMatrix<f64>> {
-        /// Of the range; the best for a difference whose error is of the third order.
-        const APART: f64 = 1e-5;
-
-        let cycle = Self::cycle(place);
-        let at = |shift: f64| defect(&(self.map)(self.parameter(place) + shift * self.length), &cycle);
-        let by_parameter = (at(APART)? - at(-APART)?) / (2.0 * APART);
-        let slope = slope(&self.map(place), &cycle);
+        let (map, cycle) = (self.map(place), Self::cycle(place));
+        let slope = slope(&map, &cycle);
         let columns = slope.ncols();
         let mut wide = slope.insert_column(columns, 0.0);
-        wide.set_column(columns, &by_parameter);
+        let by_parameter = cycle.as_slice().chunks(map.dimension()).flat_map(|x| map.by_parameter(x));
+        for (entry, rate) in wide.column_mut(columns).iter_mut().zip(by_parameter) {
+            *entry = rate * self.length;
+        }
         wide.iter().all(|entry| entry.is_finite()).then_some(wide)
     }
 

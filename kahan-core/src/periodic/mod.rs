@@ -21,6 +21,7 @@
 //! ```
 
 mod branch;
+mod compiled;
 mod cycle;
 mod newton;
 #[cfg(test)]
@@ -28,9 +29,7 @@ mod tests;
 
 use std::vec::Vec;
 
-use nalgebra::{DMatrix, SVector};
-
-use crate::{KahanAt, KahanMap, Lift};
+use nalgebra::DMatrix;
 
 pub use branch::{Branch, BranchPoint, Change, Turn, branch};
 pub use cycle::{NoPeriodicPoint, PeriodicPoint, Stability, periodic_point};
@@ -47,20 +46,8 @@ pub trait Differentiable {
     fn derivative(&self, x: &[f64]) -> DMatrix<f64>;
 }
 
-impl<M, const N: usize> Differentiable for KahanAt<M, f64, N>
-where
-    M: KahanMap<f64, N> + Lift<f64, N>,
-{
-    fn dimension(&self) -> usize {
-        N
-    }
-
-    fn image(&self, x: &[f64]) -> Vec<f64> {
-        self.step(&SVector::from_column_slice(x)).as_slice().to_vec()
-    }
-
-    fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
-        let jacobian = self.jacobian(&SVector::from_column_slice(x));
-        DMatrix::from_fn(N, N, |i, j| jacobian[(i, j)])
-    }
+/// A map that depends on a number p, at one value of p.
+pub trait Parametric: Differentiable {
+    /// ∂x̃/∂p; not finite at a pole.
+    fn by_parameter(&self, x: &[f64]) -> Vec<f64>;
 }

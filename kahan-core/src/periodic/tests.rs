@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 use std::vec;
 use std::vec::Vec;
 
-use super::{Change, Differentiable, NoPeriodicPoint, Stability, branch, periodic_point};
+use super::{Change, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point};
 
 /// x ↦ r x (1 − x).
 struct Logistic(f64);
@@ -20,6 +20,12 @@ impl Differentiable for Logistic {
 
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         DMatrix::from_element(1, 1, self.0 * (1.0 - 2.0 * x[0]))
+    }
+}
+
+impl Parametric for Logistic {
+    fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
+        vec![x[0] * (1.0 - x[0])]
     }
 }
 
@@ -40,6 +46,13 @@ impl Differentiable for Henon {
     }
 }
 
+/// a changes.
+impl Parametric for Henon {
+    fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
+        vec![-x[0] * x[0], 0.0]
+    }
+}
+
 /// x ↦ x + p − x²
 struct SaddleNode(f64);
 
@@ -54,6 +67,12 @@ impl Differentiable for SaddleNode {
 
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         DMatrix::from_element(1, 1, 1.0 - 2.0 * x[0])
+    }
+}
+
+impl Parametric for SaddleNode {
+    fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
+        vec![1.0]
     }
 }
 

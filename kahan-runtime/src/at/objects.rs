@@ -44,6 +44,18 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(())
     }
 
+    /// ∂x̃/∂p, p being the parameter at this place, or ε at the place behind them.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable.
+    ///
+    /// # Panics
+    /// If there is no such place.
+    pub(crate) fn by_constant(&self, place: usize, x: &[T]) -> Result<Vec<T>, DimensionError> {
+        self.check_state(x)?;
+        Ok(self.engine().by_constant(&self.constants, place, x))
+    }
+
     /// The integrals, in the order of [`Field::integrals`](crate::Field::integrals).
     ///
     /// # Errors

@@ -294,6 +294,20 @@ impl Engine {
             }
         }
     }
+
+    /// ∂x̃/∂c of a step, c being one of the constants, which are the parameters and ε.
+    pub(crate) fn by_constant<T: Scratches>(&self, constants: &[T], index: usize, state: &[T]) -> Vec<T> {
+        let mut lifted: Vec<Dual<T, 1>> = constants.iter().map(|constant| Dual::lift(*constant)).collect();
+        lifted[index] = Dual::coordinate(constants[index], 0);
+        let mut point: Vec<Dual<T, 1>> = state.iter().map(|x| Dual::lift(*x)).collect();
+        with_scratch(T::duals(), |scratch| {
+            let stages = [self.stage(&lifted, scratch)];
+            self.run(&stages, 1, scratch, |step, rounds, registers, room| {
+                step.advance(rounds, &mut point, registers, room);
+            });
+        });
+        point.into_iter().map(|Dual { gradient: [slope], .. }| slope).collect()
+    }
 }
 
 /// The parameters, and ε behind them.
