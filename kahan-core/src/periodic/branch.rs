@@ -57,7 +57,7 @@ type Place = DVector<f64>;
 /// Follows a cycle at `from` towards `to`, in about so many steps, until the parameter leaves the
 /// range between them.
 ///
-/// `map` makes the map at a value of the parameter.
+/// `map` makes the map at a value of the parameter, and `see` is shown each cycle as it is found.
 ///
 /// Cost: each step some decompositions as those of
 /// [`periodic_point`](super::periodic_point()).
@@ -76,7 +76,7 @@ type Place = DVector<f64>;
 /// // At a, which changes, and a fixed ε.
 /// let map = |a| Fold { a: Dual::coordinate(a, 0) }.at(Dual::lift(0.1));
 /// let cycle = periodic_point(&map(1.0), &[0.9], 1).unwrap();
-/// let branch = branch(map, &cycle, [1.0, -1.0], 20);
+/// let branch = branch(map, &cycle, [1.0, -1.0], 20, |_| ());
 /// assert_eq!(branch.turns[0].change, Change::Fold);
 /// assert!(branch.turns[0].parameter.abs() < 1e-9);
 /// ```
@@ -85,6 +85,7 @@ pub fn branch<M: Parametric>(
     cycle: &PeriodicPoint,
     [from, to]: [f64; 2],
     steps: usize,
+    mut see: impl FnMut(&BranchPoint),
 ) -> Branch {
     let arc = Arc { map, from, length: to - from };
     let mut place = cycle.vector().push(0.0);
@@ -95,7 +96,9 @@ pub fn branch<M: Parametric>(
         branch.is_cut = true;
         return branch;
     };
-    branch.points.push(arc.judged(&place));
+    let first = arc.judged(&place);
+    see(&first);
+    branch.points.push(first);
     let longest = 1.0 / steps.max(1) as f64;
     let mut stride = longest;
     // A branch that winds ends somewhere.
@@ -111,6 +114,7 @@ pub fn branch<M: Parametric>(
             continue;
         };
         let there = arc.judged(&next);
+        see(&there);
         let before = &branch.points[branch.points.len() - 1].cycle;
         let turns = arc.turns(&place, [&tangent, &next_tangent], [before, &there.cycle], stride);
         branch.turns.extend(turns);

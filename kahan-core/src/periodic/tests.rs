@@ -134,7 +134,7 @@ fn what_is_no_cycle_is_told() {
 #[test]
 fn a_branch_turns_back_where_two_fixed_points_meet() {
     let start = periodic_point(&SaddleNode(0.5), &[0.7], 1).unwrap();
-    let branch = branch(SaddleNode, &start, [0.5, -0.5], 40);
+    let branch = branch(SaddleNode, &start, [0.5, -0.5], 40, |_| ());
     let fold = branch.turns.iter().find(|turn| turn.change == Change::Fold).unwrap();
     // Halving stops where the direction is known to the rounding of a cycle, whose root is the error.
     assert!(fold.parameter.abs() < 1e-9, "{:?}", branch.turns);
@@ -150,7 +150,7 @@ fn a_branch_turns_back_where_two_fixed_points_meet() {
 #[test]
 fn a_period_doubles_where_a_multiplier_goes_through_minus_one() {
     let start = periodic_point(&Logistic(2.5), &[0.6], 1).unwrap();
-    let branch = branch(Logistic, &start, [2.5, 3.4], 20);
+    let branch = branch(Logistic, &start, [2.5, 3.4], 20, |_| ());
     assert_eq!(branch.turns.len(), 1);
     assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
     // The multiplier is 2 − r.
@@ -162,7 +162,7 @@ fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
     // Area is kept; the fixed point x = 1/3 of a = 3 has the double multiplier −1.
     let start = periodic_point(&Henon(1.0, -1.0), &[0.4, -0.4], 1).unwrap();
     assert_eq!(start.stability(), Stability::Neutral);
-    let branch = branch(|a| Henon(a, -1.0), &start, [1.0, 4.0], 20);
+    let branch = branch(|a| Henon(a, -1.0), &start, [1.0, 4.0], 20, |_| ());
     assert_eq!(branch.turns.len(), 1);
     assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
     // |μ| is 1 + 10⁻⁶ at a distance of about its square.
