@@ -5,8 +5,9 @@ use std::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 
 use super::Parametric;
-use super::cycle::{CIRCLE, PeriodicPoint, size};
+use super::cycle::PeriodicPoint;
 use super::newton::{defect, least_norm, slope};
+use super::turns::{Stride, Turn};
 
 /// A cycle on a branch.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,28 +16,6 @@ pub struct BranchPoint {
     pub parameter: f64,
     /// The cycle there.
     pub cycle: PeriodicPoint,
-}
-
-/// What happens between two cycles of a branch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Change {
-    /// The branch turns back: two cycles meet.
-    Fold,
-    /// A real multiplier goes through 1.
-    ThroughOne,
-    /// A real multiplier goes through −1: cycles of twice the period may begin.
-    ThroughMinusOne,
-    /// A pair of complex multipliers goes through the unit circle.
-    ThroughCircle,
-}
-
-/// A change, and where.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turn {
-    /// What happens.
-    pub change: Change,
-    /// The parameter there.
-    pub parameter: f64,
 }
 
 /// A branch of cycles.
@@ -52,15 +31,17 @@ pub struct Branch {
 
 /// A place on the branch: the points of the cycle, and the parameter in units of the range behind
 /// them.
-type Place = DVector<f64>;
+pub(super) type Place = DVector<f64>;
 
 /// Follows a cycle at `from` towards `to`, in about so many steps, until the parameter leaves the
 /// range between them.
 ///
 /// `map` makes the map at a value of the parameter, and `see` is shown each cycle as it is found.
+/// Between two cycles each change is found by halving the step; what changes and changes back
+/// between them is not seen.
 ///
 /// Cost: each step some decompositions as those of
-/// [`periodic_point`](super::periodic_point()).
+/// [`periodic_point`](super::periodic_point()), and each change some hundred.
 ///
 /// ```
 /// use kahan_core::Dual;
@@ -116,8 +97,8 @@ pub fn branch<M: Parametric>(
         let there = arc.judged(&next);
         see(&there);
         let before = &branch.points[branch.points.len() - 1].cycle;
-        let turns = arc.turns(&place, [&tangent, &next_tangent], [before, &there.cycle], stride);
-        branch.turns.extend(turns);
+        let whole = Stride { arc: &arc, place: &place, tangent: &tangent, length: stride };
+        branch.turns.extend(whole.turns(before, (&next_tangent, &there.cycle)));
         let part = next[next.len() - 1];
         branch.points.push(there);
         (place, tangent) = (next, next_tangent);
@@ -130,14 +111,14 @@ pub fn branch<M: Parametric>(
 }
 
 /// The curve of cycles over the range.
-struct Arc<F> {
+pub(super) struct Arc<F> {
     map: F,
     from: f64,
     length: f64,
 }
 
 impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
-    fn parameter(&self, place: &Place) -> f64 {
+    pub(super) fn parameter(&self, place: &Place) -> f64 {
         self.from + self.length * place[place.len() - 1]
     }
 
@@ -149,7 +130,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
         place.rows(0, place.len() - 1).into_owned()
     }
 
-    fn judged(&self, place: &Place) -> BranchPoint {
+    pub(super) fn judged(&self, place: &Place) -> BranchPoint {
         let (map, cycle) = (self.map(place), Self::cycle(place));
         let residual = defect(&map, &cycle).map_or(f64::NAN, |gaps| gaps.amax());
         BranchPoint { parameter: self.parameter(place), cycle: PeriodicPoint::judged(&map, &cycle, residual) }
@@ -169,7 +150,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
     }
 
     /// The direction of the branch that is nearest to another one, of length 1.
-    fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
+    pub(super) fn tangent(&self, place: &Place, near: &Place) -> Option<Place> {
         let wide = self.slope(place)?;
         // What the derivative does to the other direction is taken out of it.
         let out = least_norm(wide.clone(), &(&wide * near))?;
@@ -177,7 +158,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
     }
 
     /// The place on the branch a stride further on.
-    fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
+    pub(super) fn step(&self, place: &Place, tangent: &Place, stride: f64) -> Option<Place> {
         const ROUNDS: usize = 12;
         const CLOSED: f64 = 1e-12;
 
@@ -195,73 +176,5 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
             next -= least_norm(square, &gaps.push(0.0))?;
         }
         None
-    }
-
-    /// What happens within a stride from a place, found by halving the stride.
-    fn turns(
-        &self,
-        place: &Place,
-        tangents: [&Place; 2],
-        cycles: [&PeriodicPoint; 2],
-        stride: f64,
-    ) -> Vec<Turn> {
-        let last = place.len() - 1;
-        let mut turns = Vec::new();
-        let goes_ahead = |tangent: &Place| tangent[last] > 0.0;
-        if goes_ahead(tangents[0]) != goes_ahead(tangents[1]) {
-            let is_before = |there: &Place| {
-                let tangent = self.tangent(there, tangents[0]);
-                tangent.is_none_or(|tangent| goes_ahead(&tangent) == goes_ahead(tangents[0]))
-            };
-            let there = self.halved(place, tangents[0], [0.0, stride], is_before);
-            turns.push(Turn { change: Change::Fold, parameter: self.parameter(&there) });
-        } else if cycles[0].outside() != cycles[1].outside() {
-            // The one that goes through is the smallest of those that are larger than 1 on one side.
-            let index = cycles[0].outside().max(cycles[1].outside()) - 1;
-            let crossing = |there: &Place| self.judged(there).cycle.multipliers[index];
-            let is_larger = cycles[0].outside() > cycles[1].outside();
-            let inner = &cycles[usize::from(is_larger)].multipliers[index];
-            // One that leaves the circle it stayed on is there but for rounding, and leaves it with
-            // a root of the distance; one that goes through it has it between two strides.
-            let (bound, strides) = if size(inner) > 1.0 - CIRCLE {
-                (1.0 + CIRCLE, [0.0, stride])
-            } else {
-                (1.0, [-stride, stride])
-            };
-            let is_before = |there: &Place| (size(&crossing(there)) > bound) == is_larger;
-            let there = self.halved(place, tangents[0], strides, is_before);
-            let one = crossing(&there);
-            let change = if one.im.abs() > 1e-3 {
-                Change::ThroughCircle
-            } else if one.re < 0.0 {
-                Change::ThroughMinusOne
-            } else {
-                Change::ThroughOne
-            };
-            turns.push(Turn { change, parameter: self.parameter(&there) });
-        }
-        turns
-    }
-
-    /// The place between two strides up to which a condition holds.
-    fn halved(
-        &self,
-        place: &Place,
-        tangent: &Place,
-        [mut low, mut high]: [f64; 2],
-        is_before: impl Fn(&Place) -> bool,
-    ) -> Place {
-        let mut found = place.clone();
-        for _ in 0..48 {
-            let middle = 0.5 * (low + high);
-            let Some(there) = self.step(place, tangent, middle) else { break };
-            if is_before(&there) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-            found = there;
-        }
-        found
     }
 }

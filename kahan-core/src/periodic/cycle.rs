@@ -89,11 +89,6 @@ impl PeriodicPoint {
         }
     }
 
-    /// How many multipliers are larger than 1 in size.
-    pub(super) fn outside(&self) -> usize {
-        self.multipliers.iter().filter(|one| size(one) > 1.0 + CIRCLE).count()
-    }
-
     /// The cycle as one vector.
     pub(super) fn vector(&self) -> DVector<f64> {
         DVector::from_vec(self.points.concat())

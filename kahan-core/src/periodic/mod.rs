@@ -26,13 +26,15 @@ mod cycle;
 mod newton;
 #[cfg(test)]
 mod tests;
+mod turns;
 
 use std::vec::Vec;
 
 use nalgebra::DMatrix;
 
-pub use branch::{Branch, BranchPoint, Change, Turn, branch};
+pub use branch::{Branch, BranchPoint, branch};
 pub use cycle::{NoPeriodicPoint, PeriodicPoint, Stability, periodic_point};
+pub use turns::{Change, Turn};
 
 /// A map of points with its derivative.
 pub trait Differentiable {

@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 use std::vec;
 use std::vec::Vec;
 
-use super::{Change, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point};
+use super::{Branch, Change, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point};
 
 /// x ↦ r x (1 − x).
 struct Logistic(f64);
@@ -167,4 +167,107 @@ fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
     assert_eq!(branch.turns[0].change, Change::ThroughMinusOne);
     // |μ| is 1 + 10⁻⁶ at a distance of about its square.
     assert!((branch.turns[0].parameter - 3.0).abs() < 1e-10, "{:?}", branch.turns);
+}
+
+/// (x, y) ↦ (x + p − x², (x/2 − 9/8)·y)
+///
+/// A fixed point of p = x², y = 0 has the multipliers 1 − 2x and x/2 − 9/8: one goes through 1 at
+/// x = 0, where the branch turns back, and the other one through −1 at x = 1/4.
+struct Turning(f64);
+
+impl Differentiable for Turning {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        vec![x[0] + self.0 - x[0] * x[0], (x[0] / 2.0 - 1.125) * x[1]]
+    }
+
+    fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_row_slice(2, 2, &[1.0 - 2.0 * x[0], 0.0, x[1] / 2.0, x[0] / 2.0 - 1.125])
+    }
+}
+
+impl Parametric for Turning {
+    fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
+        vec![1.0, 0.0]
+    }
+}
+
+/// A linear map with the multipliers p, −(p + 1/4), and (p − 1/4)·e^{±i}, which go through the
+/// circle at p = 1, 3/4 and 5/4.
+struct Several(f64);
+
+impl Differentiable for Several {
+    fn dimension(&self) -> usize {
+        4
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        (self.derivative(x) * DMatrix::from_column_slice(4, 1, x)).as_slice().to_vec()
+    }
+
+    fn derivative(&self, _: &[f64]) -> DMatrix<f64> {
+        let (sin, cos) = 1f64.sin_cos();
+        let mut matrix = DMatrix::zeros(4, 4);
+        (matrix[(0, 0)], matrix[(1, 1)]) = (self.0, -self.0 - 0.25);
+        let turn = DMatrix::from_row_slice(2, 2, &[cos, -sin, sin, cos]) * (self.0 - 0.25);
+        matrix.view_mut((2, 2), (2, 2)).copy_from(&turn);
+        matrix
+    }
+}
+
+impl Parametric for Several {
+    /// The fixed point is the origin.
+    fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
+        vec![0.0; 4]
+    }
+}
+
+/// Whether a branch has these changes, each within a bound of its parameter.
+fn has_turns(branch: &Branch, expected: &[(Change, f64)], bound: f64) -> bool {
+    let pairs = branch.turns.iter().zip(expected);
+    branch.turns.len() == expected.len()
+        && pairs
+            .into_iter()
+            .all(|(turn, (change, at))| turn.change == *change && (turn.parameter - at).abs() < bound)
+}
+
+#[test]
+fn all_changes_of_one_stride_are_told_in_order() {
+    use Change::{ThroughCircle, ThroughMinusOne, ThroughOne};
+
+    for steps in [1, 2, 7] {
+        let start = periodic_point(&Several(0.5), &[0.0; 4], 1).unwrap();
+        let there = branch(Several, &start, [0.5, 1.5], steps, |_| ());
+        let mut expected = [(ThroughMinusOne, 0.75), (ThroughOne, 1.0), (ThroughCircle, 1.25)];
+        // The multipliers are known to some roundings, and so is where they pass.
+        assert!(has_turns(&there, &expected, 1e-13), "{steps}: {:?}", there.turns);
+        let start = periodic_point(&Several(1.5), &[0.0; 4], 1).unwrap();
+        let back = branch(Several, &start, [1.5, 0.5], steps, |_| ());
+        expected.reverse();
+        assert!(has_turns(&back, &expected, 1e-13), "{steps}: {:?}", back.turns);
+    }
+}
+
+#[test]
+fn a_fold_hides_no_other_change() {
+    for steps in [2, 5, 40] {
+        let start = periodic_point(&Turning(1.0), &[0.9, 0.0], 1).unwrap();
+        let mut seen = 0;
+        let branch = branch(Turning, &start, [1.0, -1.0], steps, |_| seen += 1);
+        let expected = [(Change::ThroughMinusOne, 1.0 / 16.0), (Change::Fold, 0.0)];
+        // A fold is known to the root of what a direction is known to.
+        assert!(has_turns(&branch, &expected, 1e-9), "{steps}: {:?}", branch.turns);
+        assert_eq!(seen, branch.points.len());
+    }
+}
+
+#[test]
+fn a_planar_map_doubles_its_period_where_the_formula_says() {
+    // The fixed point has μ² + 2axμ − b = 0, so μ = −1 where 2ax = 1 − b, and a = 3(1 − b)²/4.
+    let start = periodic_point(&Henon(0.2, 0.3), &[0.9, 0.3], 1).unwrap();
+    let branch = branch(|a| Henon(a, 0.3), &start, [0.2, 0.5], 3, |_| ());
+    assert!(has_turns(&branch, &[(Change::ThroughMinusOne, 0.3675)], 1e-12), "{:?}", branch.turns);
 }
