@@ -276,7 +276,7 @@ impl Found<'_> {
             );
             if branch.is_cut {
                 lines.push(
-                    "the branch ends before the range does: at a pole, or where cycles come together"
+                    "the branch ends before the range does: at a pole, where cycles come together, or since it winds"
                         .to_owned(),
                 );
             }

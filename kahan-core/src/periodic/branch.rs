@@ -23,9 +23,10 @@ pub struct BranchPoint {
 pub struct Branch {
     /// In the order of the branch.
     pub points: Vec<BranchPoint>,
-    /// In the same order.
+    /// Those within the range, in the same order.
     pub turns: Vec<Turn>,
-    /// Whether it ended before the ends of the range: at a pole, or where no cycle was found beyond.
+    /// Whether it ended before the ends of the range: at a pole, where no cycle was found beyond, or
+    /// after twenty times as many steps as were asked for.
     pub is_cut: bool,
 }
 
@@ -80,15 +81,16 @@ pub fn branch<M: Parametric>(
     let first = arc.judged(&place);
     see(&first);
     branch.points.push(first);
-    let longest = 1.0 / steps.max(1) as f64;
-    let mut stride = longest;
-    // A branch that winds ends somewhere.
-    while branch.points.len() <= 20 * steps.max(1) {
+    let steps = steps.max(1);
+    // Far from the origin points move faster than the parameter.
+    let longest = |place: &Place| place.norm().max(1.0) / steps as f64;
+    let mut stride = longest(&place);
+    while (0.0..=1.0).contains(&place[place.len() - 1]) {
         let step =
             arc.step(&place, &tangent, stride).and_then(|next| Some((arc.tangent(&next, &tangent)?, next)));
         let Some((next_tangent, next)) = step.filter(|(turned, _)| turned.dot(&tangent) > 0.5) else {
             stride /= 2.0;
-            if stride < longest / 4096.0 {
+            if stride < longest(&place) / 4096.0 {
                 branch.is_cut = true;
                 break;
             }
@@ -98,12 +100,14 @@ pub fn branch<M: Parametric>(
         see(&there);
         let before = &branch.points[branch.points.len() - 1].cycle;
         let whole = Stride { arc: &arc, place: &place, tangent: &tangent, length: stride };
-        branch.turns.extend(whole.turns(before, (&next_tangent, &there.cycle)));
-        let part = next[next.len() - 1];
+        let turns = whole.turns(before, (&next_tangent, &there.cycle)).into_iter();
+        branch.turns.extend(turns.filter(|turn| (from.min(to)..=from.max(to)).contains(&turn.parameter)));
         branch.points.push(there);
         (place, tangent) = (next, next_tangent);
-        stride = (1.5 * stride).min(longest);
-        if !(0.0..=1.0).contains(&part) {
+        stride = (1.5 * stride).min(longest(&place));
+        // A branch that winds ends somewhere.
+        if branch.points.len() > 20 * steps {
+            branch.is_cut = true;
             break;
         }
     }

@@ -251,6 +251,39 @@ fn all_changes_of_one_stride_are_told_in_order() {
     }
 }
 
+/// A linear map with the multipliers 3/2 ± √p.
+struct Meeting(f64);
+
+impl Differentiable for Meeting {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        vec![1.5 * x[0] + self.0 * x[1], x[0] + 1.5 * x[1]]
+    }
+
+    fn derivative(&self, _: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_row_slice(2, 2, &[1.5, self.0, 1.0, 1.5])
+    }
+}
+
+impl Parametric for Meeting {
+    /// The fixed point is the origin.
+    fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
+        vec![0.0; 2]
+    }
+}
+
+#[test]
+fn multipliers_that_meet_outside_the_circle_go_through_nothing() {
+    for (from, to) in [(0.125, -1.0), (-1.0, 0.125)] {
+        let start = periodic_point(&Meeting(from), &[0.0; 2], 1).unwrap();
+        let branch = branch(Meeting, &start, [from, to], 3, |_| ());
+        assert!(branch.turns.is_empty() && branch.points.len() > 3, "{:?}", branch.turns);
+    }
+}
+
 #[test]
 fn a_fold_hides_no_other_change() {
     for steps in [2, 5, 40] {
