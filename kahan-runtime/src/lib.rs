@@ -39,5 +39,5 @@ pub use kahan_core::{Composition, Level};
 pub use lattice::{Lattice, LatticeAt, LatticeError};
 pub use map::Map;
 pub use parameters::{ParameterError, ParameterValue};
-pub use periodic::ParametricAt;
+pub use periodic::{ParametricAt, RationalCycle};
 pub use text::FieldText;

@@ -61,8 +61,8 @@ impl Interpreter {
         Some(point.state.iter().zip(&slopes).map(next).collect())
     }
 
-    /// ∂x̃/∂x: of the reduced map by dual numbers, else A(x,ε)⁻¹A(x̃,−ε).
-    pub(super) fn jacobian<A: Arithmetic>(
+    /// ∂x̃/∂x, where x̃ is `next`: of the reduced map by dual numbers, else A(x,ε)⁻¹A(x̃,−ε).
+    pub fn jacobian<A: Arithmetic>(
         &self,
         arithmetic: &A,
         point: &Point<A::Value>,

@@ -4,8 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::render::Notation;
+use kahan_algebra::symbols::Symbols;
 use kahan_core::periodic::{Branch, Change, PeriodicPoint, Stability, branch, periodic_point};
-use kahan_runtime::{Field, MapAt};
+use kahan_runtime::{Field, MapAt, RationalCycle};
 use serde_json::{Value, json};
 
 use crate::plot::{Format, Mark, Plot, Series, Sheet, Theme};
@@ -18,7 +20,8 @@ use crate::reading::{Range, Request, Start, whole};
 /// Newton's method with the exact Jacobian takes all points of the cycle as unknowns; where cycles
 /// come in families, as those of integrable maps do, it goes to the nearest. Multipliers are the
 /// eigenvalues of the derivative of the map over the period; `family` counts the directions that it
-/// leaves as they are. Where the points are fractions of a few digits, the cycle is proved exactly.
+/// leaves as they are. Where the points are fractions of a few digits, the cycle is proved exactly,
+/// and its stability is decided by the exact characteristic polynomial of that derivative.
 ///
 /// --over follows the cycle along a range of eps or of a parameter, round folds, and tells where
 /// multipliers go through the unit circle; there --eps or --param gives the value where the range
@@ -177,7 +180,7 @@ impl<'a> Family<'a> {
     }
 
     /// The cycle over ℚ, where nothing changes.
-    fn exact(&self, cycle: &PeriodicPoint) -> Option<Vec<Vec<Rational>>> {
+    fn exact(&self, cycle: &PeriodicPoint) -> Option<RationalCycle> {
         if self.changes { None } else { self.own().rational_cycle(&self.request.point.eps, cycle) }
     }
 }
@@ -186,7 +189,7 @@ impl<'a> Family<'a> {
 struct Found<'a> {
     request: &'a Request,
     cycle: PeriodicPoint,
-    exact: Option<Vec<Vec<Rational>>>,
+    exact: Option<RationalCycle>,
     branch: Option<Branch>,
     /// What changes along the branch.
     name: Option<String>,
@@ -198,8 +201,13 @@ impl Found<'_> {
     }
 
     fn object(&self) -> Value {
-        let exact = |points: &Vec<Vec<Rational>>| -> Value {
-            points.iter().map(|point| point.iter().map(ToString::to_string).collect::<Vec<_>>()).collect()
+        let texts = |point: &Vec<Rational>| point.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let exact = |exact: &RationalCycle| {
+            json!({
+                "points": exact.points.iter().map(texts).collect::<Vec<_>>(),
+                "polynomial": polynomial(exact),
+                "stability": word(exact.stability),
+            })
         };
         let cycle = |cycle: &PeriodicPoint| {
             json!({
@@ -257,11 +265,16 @@ impl Found<'_> {
         });
         lines.extend(table(&[heading].into_iter().chain(points).collect::<Rows>(), 1));
         if let Some(exact) = &self.exact {
-            let points = exact.iter().map(|point| {
+            let points = exact.points.iter().map(|point| {
                 format!("({})", point.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "))
             });
             lines.push(String::new());
             lines.push(format!("proved exactly: {}", points.collect::<Vec<_>>().join(" → ")));
+            lines.push(format!(
+                "multipliers are the roots of {}: {}",
+                polynomial(exact),
+                word(exact.stability)
+            ));
         }
         if let Some(branch) = &self.branch {
             lines.push(String::new());
@@ -340,6 +353,12 @@ fn word(stability: Stability) -> &'static str {
         Stability::Saddle => "saddle",
         Stability::Neutral => "neutral",
     }
+}
+
+/// The characteristic polynomial, in z.
+fn polynomial(exact: &RationalCycle) -> String {
+    let symbols = Symbols { states: vec!["z".to_owned()], parameters: Vec::new() };
+    Notation::Text.polynomial(&symbols, &exact.polynomial)
 }
 
 fn change(change: Change) -> &'static str {

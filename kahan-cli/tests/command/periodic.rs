@@ -32,7 +32,11 @@ fn multipliers_of_a_linear_field_are_those_of_the_formula() {
         assert!((re - expected).abs() < 1e-14 && im == 0.0, "{multiplier}");
     }
     assert_eq!((&found["stability"], &found["family"]), (&"saddle".into(), &0.into()));
-    assert_eq!(found["exact"], serde_json::json!([["0", "0"]]));
+    // (z − 3/2)(z − 9/11)
+    let exact = serde_json::json!(
+        { "points": [["0", "0"]], "polynomial": "27/22 - 51/22*z + z^2", "stability": "saddle" }
+    );
+    assert_eq!(found["exact"], exact);
 }
 
 #[test]

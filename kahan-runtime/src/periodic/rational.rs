@@ -1,0 +1,119 @@
+//! Cycles over ℚ near those that are known in floats.
+//!
+//! In: a cycle in floats. Out: fractions near it whose orbit closes exactly, and the exact
+//! characteristic polynomial of the derivative of the map along it.
+
+use kahan_algebra::arithmetic::Exact;
+use kahan_algebra::interpret::{Interpreter, Point};
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::rational::Rational;
+use kahan_core::periodic::{PeriodicPoint, Stability};
+
+use crate::Map;
+use crate::heights::HeightsOrbit;
+
+use super::circle::{characteristic_polynomial, product, stability};
+
+/// A cycle over ℚ, and what is proved of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RationalCycle {
+    /// The map carries each into the next one, by `==`, and the last one into the first.
+    pub points: Vec<Vec<Rational>>,
+    /// det(z·I − ∂φᵖ/∂x), p the period: its roots are the multipliers. z is the only variable.
+    pub polynomial: Polynomial,
+    /// What the multipliers say, decided without rounding.
+    pub stability: Stability,
+}
+
+impl Map {
+    /// The rational cycle of the map at this ε, half the time step, near one in floats. `None`
+    /// where no fractions with denominators of a few digits are.
+    ///
+    /// Cost: an exact orbit over the period for each of some guesses, and the exact derivative at
+    /// each point.
+    #[must_use]
+    pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {
+        /// How far the simplest fraction may be from a number, the nearest first.
+        const NEAR: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
+
+        let start = cycle.points.first()?;
+        let points = NEAR.iter().find_map(|near| {
+            let guess: Option<Vec<Rational>> =
+                start.iter().map(|&x| simplest(x, near * x.abs().max(1.0))).collect();
+            self.closed(eps, &guess?, cycle.points.len())
+        })?;
+        let polynomial = characteristic_polynomial(&self.exact_derivative(eps, &points)?);
+        Some(RationalCycle { stability: stability(&polynomial), points, polynomial })
+    }
+
+    /// ∂φᵖ/∂x along a cycle of p points.
+    fn exact_derivative(&self, eps: &Rational, points: &[Vec<Rational>]) -> Option<Vec<Vec<Rational>>> {
+        let interpreter = Interpreter::new(self.field().system());
+        let jacobians = points.iter().map(|x| {
+            let at = Point { state: x.clone(), parameters: self.parameters().to_vec(), eps: eps.clone() };
+            interpreter.jacobian(&Exact, &at, &interpreter.next(&Exact, &at)?)
+        });
+        jacobians.reduce(|before, here| Some(product(&here?, &before?)))?
+    }
+
+    /// The orbit of a point, if it closes after so many steps.
+    fn closed(&self, eps: &Rational, start: &[Rational], period: usize) -> Option<Vec<Vec<Rational>>> {
+        let mut orbit = HeightsOrbit::new(self.field().system(), self.parameters(), eps, start).ok()?;
+        let mut points = Vec::new();
+        for _ in 0..=period {
+            orbit.next()?;
+            points.push(orbit.point());
+        }
+        (points.pop()? == points[0]).then_some(points)
+    }
+}
+
+/// The fraction with the smallest denominator that is at most `near` from a number.
+fn simplest(x: f64, near: f64) -> Option<Rational> {
+    let (low, high) = (Rational::from_f64(x - near)?, Rational::from_f64(x + near)?);
+    let zero = Rational::zero();
+    if low <= zero && zero <= high {
+        return Some(zero);
+    }
+    if high < zero { Some(-between(&-high, &-low)?) } else { between(&low, &high) }
+}
+
+/// The simplest fraction from `low` to `high`, both above 0, by their continued fractions.
+fn between(low: &Rational, high: &Rational) -> Option<Rational> {
+    let (mut low, mut high) = (low.clone(), high.clone());
+    // What was taken off, from the outside to the inside.
+    let mut taken = Vec::new();
+    let last = loop {
+        let floor = Rational::from_f64(low.to_f64().floor()).filter(|floor| *floor <= low)?;
+        if floor == low {
+            break floor;
+        }
+        let next = &floor + &Rational::one();
+        if next <= high {
+            break next;
+        }
+        let one = Rational::one();
+        (low, high) = (one.checked_div(&(&high - &floor))?, one.checked_div(&(&low - &floor))?);
+        taken.push(floor);
+        // Doubles have no more than this.
+        if taken.len() > 100 {
+            return None;
+        }
+    };
+    taken.iter().rev().try_fold(last, |inner, floor| Some(floor + &Rational::one().checked_div(&inner)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_simplest_fraction_near_a_number_is_found() {
+        for (x, above, below) in
+            [(0.5, 1, 2), (1.0 / 3.0, 1, 3), (-22.0 / 7.0, -22, 7), (0.0, 0, 1), (1e-15, 0, 1), (41.0, 41, 1)]
+        {
+            assert_eq!(simplest(x, 1e-12), Some(Rational::new(above, below)), "{x}");
+        }
+        assert_eq!(simplest(std::f64::consts::PI, 2e-3), Some(Rational::new(22, 7)));
+    }
+}
