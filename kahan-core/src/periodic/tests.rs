@@ -4,6 +4,9 @@ use nalgebra::DMatrix;
 use std::vec;
 use std::vec::Vec;
 
+use crate::Dual;
+use crate::prelude::*;
+
 use super::{Branch, Change, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point};
 
 /// x ↦ r x (1 − x).
@@ -26,6 +29,30 @@ impl Differentiable for Logistic {
 impl Parametric for Logistic {
     fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         vec![x[0] * (1.0 - x[0])]
+    }
+}
+
+kahan! {
+    /// The map is x̃ = (x + 2εa)/(1 + 2εx).
+    struct Roots {
+        a
+    }
+    xdot = a - x^2;
+}
+
+#[test]
+fn maps_over_dual_numbers_know_how_they_depend_on_what_changes() {
+    let (a, eps, x) = (0.75, 0.125, 0.5);
+    let below = 1.0 + 2.0 * eps * x;
+    let next = (x + 2.0 * eps * a) / below;
+    let over_a = Roots { a: Dual::coordinate(a, 0) }.at(Dual::lift(eps));
+    let over_eps = Roots { a: Dual::lift(a) }.at(Dual::coordinate(eps, 0));
+    let by_eps = (2.0 * a - 2.0 * x * next) / below;
+    for (map, expected) in [(over_a, 2.0 * eps / below), (over_eps, by_eps)] {
+        // Three numbers of some roundings each.
+        assert!((map.image(&[x])[0] - next).abs() < 1e-15);
+        assert!((map.derivative(&[x])[(0, 0)] - (1.0 - 2.0 * eps * next) / below).abs() < 1e-15);
+        assert!((map.by_parameter(&[x])[0] - expected).abs() < 1e-15);
     }
 }
 
@@ -133,17 +160,19 @@ fn what_is_no_cycle_is_told() {
 
 #[test]
 fn a_branch_turns_back_where_two_fixed_points_meet() {
-    let start = periodic_point(&SaddleNode(0.5), &[0.7], 1).unwrap();
-    let branch = branch(SaddleNode, &start, [0.5, -0.5], 40, |_| ());
-    let fold = branch.turns.iter().find(|turn| turn.change == Change::Fold).unwrap();
-    // Halving stops where the direction is known to the rounding of a cycle, whose root is the error.
-    assert!(fold.parameter.abs() < 1e-9, "{:?}", branch.turns);
-    // It comes back to the value that it began with, at the other fixed point.
-    let last = branch.points.last().unwrap();
-    assert!(last.parameter >= 0.5 && last.cycle.points[0][0] < -0.7 && !branch.is_cut);
-    for point in &branch.points {
-        let x = point.cycle.points[0][0];
-        assert!((x * x - point.parameter).abs() < 1e-10);
+    for steps in [1, 3, 40] {
+        let start = periodic_point(&SaddleNode(0.5), &[0.7], 1).unwrap();
+        let branch = branch(SaddleNode, &start, [0.5, -0.5], steps, |_| ());
+        // Halving stops where the direction is known to the rounding of a cycle, whose root is the
+        // error.
+        assert!(has_turns(&branch, &[(Change::Fold, 0.0)], 1e-9), "{steps}: {:?}", branch.turns);
+        // It comes back to the value that it began with, at the other fixed point.
+        let last = branch.points.last().unwrap();
+        assert!(last.parameter >= 0.5 && last.cycle.points[0][0] < -0.7 && !branch.is_cut, "{steps}");
+        for point in &branch.points {
+            let x = point.cycle.points[0][0];
+            assert!((x * x - point.parameter).abs() < 1e-10);
+        }
     }
 }
 

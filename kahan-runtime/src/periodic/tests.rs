@@ -92,6 +92,40 @@ fn the_derivative_by_eps_goes_through_elimination_too() {
     }
 }
 
+#[test]
+fn a_cycle_between_fractions_is_not_taken_for_one_of_fractions() {
+    let map = Field::parse("xdot = x^2 - 2;").unwrap().map().unwrap();
+    let cycle = periodic_point(&map.at(0.25), &[1.4], 1).unwrap();
+    assert!((cycle.points[0][0] - 2f64.sqrt()).abs() < 1e-15);
+    assert_eq!(map.rational_cycle(&Rational::new(1, 4), &cycle), None);
+}
+
+#[test]
+fn derivatives_along_a_cycle_are_multiplied_in_its_order() {
+    // The map is linear in y and z, which turn differently at each point of x ↦ x̃ ↦ … of order 3.
+    let text = "xdot = x^2 + x + 1; ydot = x*z + y; zdot = x*y/2 - 2*z - y;";
+    let map = Field::parse(text).unwrap().map().unwrap();
+    let at = map.at(1.0);
+    let cycle = periodic_point(&at, &[0.2, 0.0, 0.0], 3).unwrap();
+    let after_three = |x: &[f64]| (0..3).fold(x.to_vec(), |x, _| at.image(&x));
+    let [first, second] = [after_three(&[0.2, 1.0, 0.0]), after_three(&[0.2, 0.0, 1.0])];
+    let (trace, determinant) = (first[1] + second[2], first[1] * second[2] - first[2] * second[1]);
+    // (z − 1)(z² − trace·z + determinant)
+    let expected = [-determinant, determinant + trace, -(1.0 + trace), 1.0];
+    let proved = map.rational_cycle(&Rational::one(), &cycle).unwrap().polynomial;
+    let [a, b, c] = cycle.multipliers[..] else { panic!("three") };
+    let found = [-(a * b * c), a * b + a * c + b * c, -(a + b + c), Complex::new(1.0, 0.0)];
+    for ((k, expected), found) in (0..).zip(expected).zip(found) {
+        let exact = proved.coefficient(&Monomial::power(Variable(0), k)).to_f64();
+        // Some tens of roundings of numbers of this size.
+        let bound = 1e-13 * (1.0 + determinant.abs() + trace.abs());
+        assert!(
+            (exact - expected).abs() < bound && (found - expected).norm1() < bound,
+            "{k}: {exact} {found}"
+        );
+    }
+}
+
 /// Hénon and Heiles' system; the square of the frequency of x is a.
 const HENON_HEILES: &str = "xdot = p; ydot = q; pdot = -a*x - 2*x*y; qdot = -y - x^2 + y^2;";
 
