@@ -166,18 +166,22 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
         const ROUNDS: usize = 12;
         const CLOSED: f64 = 1e-12;
 
+        let gaps_at = |there: &Place| defect(&self.map(there), &Self::cycle(there));
         let mut next = place + tangent * stride;
         for _ in 0..ROUNDS {
-            let gaps = defect(&self.map(&next), &Self::cycle(&next))?;
-            if gaps.amax() <= CLOSED * next.amax().max(1.0) {
-                return Some(next);
-            }
+            let gaps = gaps_at(&next)?;
             // Across the direction, so that it does not slide back.
             let wide = self.slope(&next)?;
             let rows = wide.nrows();
             let mut square = wide.insert_row(rows, 0.0);
             square.set_row(rows, &tangent.transpose());
-            next -= least_norm(square, &gaps.push(0.0))?;
+            let nearer = &next - least_norm(square, &gaps.push(0.0))?;
+            if gaps.amax() <= CLOSED * next.amax().max(1.0) {
+                // Double multipliers show a root of what is left.
+                let is_nearer = gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
+                return Some(if is_nearer { nearer } else { next });
+            }
+            next = nearer;
         }
         None
     }

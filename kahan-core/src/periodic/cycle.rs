@@ -20,6 +20,8 @@ pub struct PeriodicPoint {
     /// The dimension of the family of cycles of this period that it belongs to, 0 where it stands
     /// alone: how many directions ∂φᵖ/∂x leaves as they are.
     pub family: usize,
+    /// How far a multiplier of size 1 may be from it by rounding.
+    pub(super) rounding: f64,
 }
 
 /// How orbits near a cycle behave, as its multipliers say it to first order.
@@ -70,23 +72,27 @@ impl core::error::Error for NoPeriodicPoint {}
 
 /// What is left where a cycle is closed, relative to the size of its points.
 const CLOSED: f64 = 1e-11;
-/// How far a multiplier of size 1 may be from it, as a double eigenvalue loses half the digits.
-pub(super) const CIRCLE: f64 = 1e-6;
+/// How far a multiplier of size 1 may be from it where the derivative is not large, as a double
+/// eigenvalue loses half the digits.
+const CIRCLE: f64 = 1e-6;
 
 impl PeriodicPoint {
     /// What the multipliers say.
     #[must_use]
     pub fn stability(&self) -> Stability {
-        let is_larger = self.multipliers.iter().any(|one| size(one) > 1.0 + CIRCLE);
-        let is_smaller = self.multipliers.iter().any(|one| size(one) < 1.0 - CIRCLE);
-        match (is_larger, is_smaller) {
+        let is_larger = self.outside() > 0;
+        let inside = self.multipliers.iter().filter(|one| size(one) < 1.0 - self.rounding).count();
+        match (is_larger, inside > 0) {
             (true, true) => Stability::Saddle,
             (true, false) => Stability::Repelling,
-            (false, _) if self.multipliers.iter().all(|one| size(one) < 1.0 - CIRCLE) => {
-                Stability::Attracting
-            }
+            (false, _) if inside == self.multipliers.len() => Stability::Attracting,
             (false, _) => Stability::Neutral,
         }
+    }
+
+    /// How many multipliers are larger than 1 in size.
+    pub(super) fn outside(&self) -> usize {
+        self.multipliers.iter().filter(|one| size(one) > 1.0 + self.rounding).count()
     }
 
     /// The cycle as one vector.
@@ -109,7 +115,9 @@ impl PeriodicPoint {
         let left = (derivative - DMatrix::identity(n, n)).singular_values();
         let scale = left.max().max(1.0);
         let family = left.iter().filter(|value| **value < CIRCLE * scale).count();
-        PeriodicPoint { points, residual, multipliers, family }
+        // What rounding leaves of a derivative is in proportion to it, and has its root in a double
+        // eigenvalue.
+        PeriodicPoint { points, residual, multipliers, family, rounding: CIRCLE * scale.sqrt() }
     }
 }
 

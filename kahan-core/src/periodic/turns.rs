@@ -4,11 +4,9 @@
 use core::iter::repeat_n;
 use std::vec::Vec;
 
-use nalgebra::Complex;
-
 use super::Parametric;
 use super::branch::{Arc, Place};
-use super::cycle::{CIRCLE, PeriodicPoint, size};
+use super::cycle::{PeriodicPoint, size};
 
 /// What happens between two cycles of a branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,27 +44,21 @@ struct Post {
     at: f64,
     /// Whether the parameter goes on towards the end of its range.
     goes_ahead: bool,
-    /// The largest first.
-    multipliers: Vec<Complex<f64>>,
+    cycle: PeriodicPoint,
 }
 
 impl Post {
-    fn new(at: f64, tangent: &Place, cycle: &PeriodicPoint) -> Self {
-        Post { at, goes_ahead: tangent[tangent.len() - 1] > 0.0, multipliers: cycle.multipliers.clone() }
+    fn new(at: f64, tangent: &Place, cycle: PeriodicPoint) -> Self {
+        Post { at, goes_ahead: tangent[tangent.len() - 1] > 0.0, cycle }
     }
 
-    /// How many multipliers lie outside the circle.
-    fn outside(&self) -> usize {
-        self.multipliers.iter().filter(|one| size(one) > 1.0 + CIRCLE).count()
-    }
-
-    /// How many of them are real and above 1, real and below −1, complex.
+    /// How many multipliers outside the circle are real and above 1, real and below −1, complex.
     fn outside_by_kind(&self) -> [isize; 3] {
         /// Two that are nearly one may be complex by rounding.
         const REAL: f64 = 1e-3;
 
         let mut counts = [0; 3];
-        for one in &self.multipliers[..self.outside()] {
+        for one in &self.cycle.multipliers[..self.cycle.outside()] {
             let kind = match one.im.abs() > REAL {
                 true => 2,
                 false => usize::from(one.re < 0.0),
@@ -84,14 +76,18 @@ impl<M: Parametric, F: Fn(f64) -> M> Stride<'_, F> {
         first: &PeriodicPoint,
         (tangent, last): (&Place, &PeriodicPoint),
     ) -> Vec<Turn> {
-        let ends = [Post::new(0.0, self.tangent, first), Post::new(self.length, tangent, last)];
+        let ends =
+            [Post::new(0.0, self.tangent, first.clone()), Post::new(self.length, tangent, last.clone())];
         let mut turns = Vec::new();
-        self.search([&ends[0], &ends[1]], &mut turns);
+        // A change takes some forty; more would look for order in rounding.
+        let mut halvings = 400;
+        self.search([&ends[0], &ends[1]], &mut halvings, &mut turns);
         turns
     }
 
-    /// Halves what lies between two posts until each part holds one change at most.
-    fn search(&self, [low, high]: [&Post; 2], turns: &mut Vec<Turn>) {
+    /// Halves what lies between two posts, so many times at most, until each part holds one change at
+    /// most.
+    fn search(&self, [low, high]: [&Post; 2], halvings: &mut usize, turns: &mut Vec<Turn>) {
         /// Of the stride: what is nearer to each other happens at once.
         const AT_ONCE: f64 = 1e-12;
 
@@ -106,13 +102,14 @@ impl<M: Parametric, F: Fn(f64) -> M> Stride<'_, F> {
             (false, 0, 0, 2) => return turns.push(self.crossing(Change::ThroughCircle, [low, high])),
             _ => {}
         }
-        let middle = (high.at - low.at > AT_ONCE * self.length).then(|| self.post(0.5 * (low.at + high.at)));
-        if let Some(middle) = middle.flatten() {
-            self.search([low, &middle], turns);
-            self.search([&middle, high], turns);
+        let is_wide = high.at - low.at > AT_ONCE * self.length && *halvings > 0;
+        if let Some(middle) = is_wide.then(|| self.post(0.5 * (low.at + high.at))).flatten() {
+            *halvings -= 1;
+            self.search([low, &middle], halvings, turns);
+            self.search([&middle, high], halvings, turns);
             return;
         }
-        let parameter = self.at(high.at).map_or(f64::NAN, |there| self.arc.parameter(&there));
+        let parameter = self.arc.parameter(&self.at(high.at).unwrap_or_else(|| self.place.clone()));
         let mut tell = |change, times: isize| {
             turns.extend(repeat_n(Turn { change, parameter }, times.unsigned_abs()));
         };
@@ -131,7 +128,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Stride<'_, F> {
 
     fn post(&self, at: f64) -> Option<Post> {
         let place = self.at(at)?;
-        Some(Post::new(at, &self.arc.tangent(&place, self.tangent)?, &self.arc.judged(&place).cycle))
+        Some(Post::new(at, &self.arc.tangent(&place, self.tangent)?, self.arc.judged(&place).cycle))
     }
 
     /// Where the branch turns back between two posts.
@@ -145,26 +142,29 @@ impl<M: Parametric, F: Fn(f64) -> M> Stride<'_, F> {
 
     /// Where a multiplier, or a pair, comes to lie outside the circle, or no longer does.
     fn crossing(&self, change: Change, [low, high]: [&Post; 2]) -> Turn {
-        let (inner, outer) = if low.outside() < high.outside() { (low, high) } else { (high, low) };
+        let (inner, outer) =
+            if low.cycle.outside() < high.cycle.outside() { (low, high) } else { (high, low) };
         // It is the smallest of those that lie outside.
-        let index = outer.outside() - 1;
-        let size_at = |there: &Place| size(&self.arc.judged(there).cycle.multipliers[index]);
+        let index = outer.cycle.outside() - 1;
+        let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
+        let size_at = |there: &Place| size_of(&self.arc.judged(there).cycle);
+        let is_inside = |size: f64| size < 1.0 - inner.cycle.rounding;
         // One that goes through the circle may be at it where it does not count as outside yet.
         let behind = inner.at + self.length * (inner.at - outer.at).signum();
-        let (begin, bound) = if size(&inner.multipliers[index]) < 1.0 - CIRCLE {
+        let (begin, bound) = if is_inside(size_of(&inner.cycle)) {
             (inner.at, 1.0)
-        } else if self.at(behind).is_some_and(|there| size_at(&there) < 1.0 - CIRCLE) {
+        } else if self.at(behind).is_some_and(|there| is_inside(size_at(&there))) {
             (behind, 1.0)
         } else {
             // It stayed on the circle but for rounding, and leaves it with a root of the distance.
-            (inner.at, 1.0 + CIRCLE)
+            (inner.at, 1.0 + inner.cycle.rounding)
         };
         Turn { change, parameter: self.halved([begin, outer.at], |there| size_at(there) <= bound) }
     }
 
     /// The parameter up to which a condition holds, of those between two parts of the stride.
     fn halved(&self, [mut before, mut behind]: [f64; 2], is_before: impl Fn(&Place) -> bool) -> f64 {
-        let mut found = f64::NAN;
+        let mut found = self.arc.parameter(self.place);
         for _ in 0..48 {
             let middle = 0.5 * (before + behind);
             let Some(there) = self.at(middle) else { break };

@@ -244,3 +244,14 @@ fn cycles_of_maps_that_keep_a_volume_keep_it() {
         assert!((product - one).norm1() < 1e-12, "{text}: {product}");
     }
 }
+
+#[test]
+fn rounding_of_multipliers_of_1_is_no_change() {
+    // All multipliers are 1, of a derivative that can't be made diagonal and has entries up to 100.
+    let top = Field::parse("xdot = y*z; ydot = -2*x*z; zdot = x*y;").unwrap().map().unwrap();
+    let map = |eps: f64| top.at(eps).by(None);
+    let cycle = periodic_point(&map(0.5), &[0.2, 1.6, 0.4], 7).unwrap();
+    let branch = branch(map, &cycle, [0.5, 0.75], 20, |_| ());
+    assert!(branch.turns.is_empty() && !branch.is_cut, "{:?}", branch.turns);
+    assert!(branch.points.iter().all(|point| point.cycle.stability() == Stability::Neutral));
+}
