@@ -9,6 +9,7 @@
 
 mod list;
 mod machine_code;
+mod orbits;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -17,10 +18,11 @@ use std::process::{Command, Stdio};
 
 use list::{WEAKENINGS, Weakening};
 use machine_code::MACHINE_CODE;
+use orbits::ORBITS;
 
 /// All of them.
 fn every() -> impl Iterator<Item = &'static Weakening> {
-    WEAKENINGS.iter().chain(MACHINE_CODE)
+    WEAKENINGS.iter().chain(MACHINE_CODE).chain(ORBITS)
 }
 
 /// The workspace.
