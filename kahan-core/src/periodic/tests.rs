@@ -148,6 +148,30 @@ fn a_turn_of_a_fifth_has_a_family_of_cycles() {
     assert!((cycle.points[0][0] - 1.0).abs() < 1e-12);
 }
 
+/// x ↦ x + arctan x
+struct Arctangent;
+
+impl Differentiable for Arctangent {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        vec![x[0] + x[0].atan()]
+    }
+
+    fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_element(1, 1, 1.0 + 1.0 / (1.0 + x[0] * x[0]))
+    }
+}
+
+#[test]
+fn steps_that_lead_away_are_halved() {
+    // Newton's method leaves the root of the arctangent for good from 1.4 on.
+    let fixed = periodic_point(&Arctangent, &[3.0], 1).unwrap();
+    assert!(fixed.points[0][0].abs() < 1e-11);
+}
+
 #[test]
 fn what_is_no_cycle_is_told() {
     assert_eq!(periodic_point(&Logistic(3.0), &[0.5], 0), Err(NoPeriodicPoint::Unfit));
@@ -315,10 +339,11 @@ fn multipliers_that_meet_outside_the_circle_go_through_nothing() {
 
 #[test]
 fn a_fold_hides_no_other_change() {
-    for steps in [2, 5, 40] {
-        let start = periodic_point(&Turning(1.0), &[0.9, 0.0], 1).unwrap();
+    // The last one has both in one stride.
+    for (from, steps) in [(1.0, 2), (1.0, 5), (1.0, 40), (0.25, 1)] {
+        let start = periodic_point(&Turning(from), &[0.9, 0.0], 1).unwrap();
         let mut seen = 0;
-        let branch = branch(Turning, &start, [1.0, -1.0], steps, |_| seen += 1);
+        let branch = branch(Turning, &start, [from, from - 2.0], steps, |_| seen += 1);
         let expected = [(Change::ThroughMinusOne, 1.0 / 16.0), (Change::Fold, 0.0)];
         // A fold is known to the root of what a direction is known to.
         assert!(has_turns(&branch, &expected, 1e-9), "{steps}: {:?}", branch.turns);

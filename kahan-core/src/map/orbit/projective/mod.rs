@@ -50,8 +50,13 @@ pub trait ThroughPoles: Pivot {
 /// How far limits that are the same may be from each other, relative to the larger.
 const NEAR: f64 = 1.0 / (1_u32 << 18) as f64;
 
+/// The size of the largest entry.
+fn largest<T: Scalar, const N: usize>(x: &SVector<T, N>) -> f64 {
+    x.iter().map(|entry| entry.approximate().abs()).fold(0.0, f64::max)
+}
+
 macro_rules! implement_for_float {
-    ($float:ty) => {
+    ($float:ty, $last_digit:expr) => {
         impl ThroughPoles for $float {
             type Germ = Wide;
 
@@ -61,13 +66,15 @@ macro_rules! implement_for_float {
                 next: &SVector<Self, N>,
                 eps: &Self,
             ) -> bool {
-                next.iter().all(Pivot::is_finite_number)
+                // Where x is cancelled against x̃ − x, few digits of x̃ are left to look at.
+                let is_known = largest(x) * $last_digit <= largest(next) / 2048.0;
+                is_known
+                    && next.iter().all(Pivot::is_finite_number)
                     && is_far_from_singular(&map.matrix(x, *eps))
                     && is_far_from_singular(&map.matrix(next, -*eps))
             }
 
             fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool {
-                let largest = |x: &SVector<Self, N>| x.map(|entry| entry.approximate().abs()).max();
                 let distance = largest(&(a - b));
                 distance <= NEAR * largest(a).max(largest(b))
             }
@@ -75,9 +82,9 @@ macro_rules! implement_for_float {
     };
 }
 
-implement_for_float!(f32);
-implement_for_float!(f64);
-implement_for_float!(Dd);
+implement_for_float!(f32, f64::from(f32::EPSILON));
+implement_for_float!(f64, f64::EPSILON);
+implement_for_float!(Dd, f64::EPSILON * f64::EPSILON);
 
 #[cfg(feature = "exact")]
 impl ThroughPoles for num_rational::BigRational {
@@ -155,7 +162,8 @@ where
     /// Exact orbits are exact: lines are series in δ.
     ///
     /// Over floats points have the bits of [`KahanMap::orbit`] as long as A(x,ε) and A(x̃,−ε) are far
-    /// from singular: no pivot is below a 1024th of its row or column. Near a pole an
+    /// from singular: no pivot is below a 1024th of its row or column, as far as x̃ has digits to say
+    /// so. Near a pole an
     /// ordinary orbit loses as many digits as it comes near, first in large coordinates, then in
     /// those to which it comes back. Here such points and those after them are computed in
     /// seventeen digits of 64 bits and each is rounded once, until a rounding counts for no more
