@@ -7,7 +7,7 @@
 use std::vec;
 use std::vec::Vec;
 
-use crate::scalar::Dual;
+use crate::scalar::Along;
 use crate::{Constant, Scalar};
 
 use super::sites::neighbour;
@@ -101,11 +101,11 @@ impl<M: LatticeMap<T> + Energy<T>, T: LatticeScalar> LatticeAt<M, T> {
         let along: Vec<(T, T)> = x.iter().zip(next).map(|(x, next)| (x.clone(), next - x.clone())).collect();
         let third = T::constant(&Constant::ratio(1, 3));
         let mut total = Total::zero();
-        let lift = |(value, step): &(T, T)| Dual { value: value.clone(), gradient: [step.clone()] };
-        self.for_each_site(&along, lift, |densities: &[Dual<T, 1>]| {
-            let Dual { value, gradient: [slope] } = &densities[M::INTEGRALS.len()];
-            total.add(value);
-            total.add(&(third.clone() * slope.clone()));
+        let lift = |(value, step): &(T, T)| Along { value: value.clone(), slope: Some(step.clone()) };
+        self.for_each_site(&along, lift, |densities: &[Along<T>]| {
+            let density = densities[M::INTEGRALS.len()].clone();
+            total.add(&density.value);
+            total.add(&(third.clone() * density.into_slope()));
         });
         total.sum()
     }
@@ -122,9 +122,9 @@ impl<T: LatticeScalar> FromScalar<T> for T {
     }
 }
 
-impl<T: LatticeScalar> FromScalar<T> for Dual<T, 1> {
+impl<T: LatticeScalar> FromScalar<T> for Along<T> {
     fn from_scalar(value: &T) -> Self {
-        Dual::lift(value.clone())
+        Along::lift(value.clone())
     }
 }
 

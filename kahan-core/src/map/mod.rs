@@ -39,7 +39,7 @@ pub use orbit::{Projective, ProjectivePoint, ThroughPoles};
 pub use pivot::Pivot;
 pub use tangent::TangentAt;
 #[cfg(feature = "std")]
-pub(crate) use tangent::{DualStep, carry, dual_stages};
+pub(crate) use tangent::{TangentStep, carry, tangent_stages};
 pub use through_f64::ThroughF64;
 
 /// ε from the time step: ε = dt/2.

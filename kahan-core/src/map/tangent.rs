@@ -1,7 +1,7 @@
 //! The derivative of a prepared map, along one direction at a time.
 //!
 //! In: a map at its ε, once; then points x and tangent vectors v. Out: J(x)·v, J = ∂x̃/∂x, by the
-//! closed form of the step over dual numbers. Products of dual numbers are never fused, so a vector
+//! closed form of the step over numbers along a line. Their products are never fused, so a vector
 //! has the same bits on every level of instructions and in every build.
 
 use core::array::from_fn;
@@ -10,15 +10,15 @@ use core::fmt;
 use nalgebra::SVector;
 
 use crate::field::linear::vector;
-use crate::scalar::Dual;
+use crate::scalar::Along;
 use crate::{KahanAt, KahanMap, Lift, PreparedStep, Scalar, Single};
 
 use super::Method;
 
-/// The type of the step that a tangent vector takes: the prepared step over dual numbers of one
-/// direction, here or over another scalar U.
-pub(crate) type DualStep<M, T, const N: usize, U = T> =
-    <<M as Lift<T, N>>::Lifted<Dual<U, 1>> as KahanMap<Dual<U, 1>, N>>::Prepared;
+/// The type of the step that a tangent vector takes: the prepared step over numbers along a line,
+/// here or over another scalar U.
+pub(crate) type TangentStep<M, T, const N: usize, U = T> =
+    <<M as Lift<T, N>>::Lifted<Along<U>> as KahanMap<Along<U>, N>>::Prepared;
 
 /// What carries tangent vectors along a [`KahanAt`]; made by [`KahanAt::tangent`].
 pub struct TangentAt<M, T, const N: usize, K = Single>
@@ -31,7 +31,7 @@ where
     pub(crate) eps: T,
     /// ε of each stage.
     pub(crate) parts: K::Stages<T>,
-    stages: K::Stages<DualStep<M, T, N>>,
+    stages: K::Stages<TangentStep<M, T, N>>,
 }
 
 impl<M, T, const N: usize> KahanAt<M, T, N>
@@ -71,7 +71,7 @@ where
 {
     /// From the stages' ε.
     pub(crate) fn new(map: &M, eps: &T, parts: K::Stages<T>) -> Self {
-        let stages = dual_stages::<M, T, K, T, N>(map, &parts, T::clone);
+        let stages = tangent_stages::<M, T, K, T, N>(map, &parts, T::clone);
         Self { map: map.clone(), eps: eps.clone(), parts, stages }
     }
 
@@ -87,21 +87,21 @@ where
     }
 }
 
-/// The steps of a map at these ε over dual numbers of U, into which `lift` puts each number.
+/// The steps of a map at these ε over numbers of U along a line, into which `lift` puts each number.
 #[inline(always)]
-pub(crate) fn dual_stages<M, T, K, U, const N: usize>(
+pub(crate) fn tangent_stages<M, T, K, U, const N: usize>(
     map: &M,
     eps: &K::Stages<T>,
     lift: impl Fn(&T) -> U,
-) -> K::Stages<DualStep<M, T, N, U>>
+) -> K::Stages<TangentStep<M, T, N, U>>
 where
     M: Lift<T, N>,
     T: Scalar,
     K: Method,
     U: Scalar,
 {
-    let lifted = map.lift::<Dual<U, 1>>(|parameter| Dual::lift(lift(parameter)));
-    K::map(eps, |eps| lifted.prepare(&Dual::lift(lift(eps))))
+    let lifted = map.lift::<Along<U>>(|parameter| Along::lift(lift(parameter)));
+    K::map(eps, |eps| lifted.prepare(&Along::lift(lift(eps))))
 }
 
 /// A tangent vector at a point, all stages later; `None` at a pole of an exact scalar.
@@ -113,11 +113,11 @@ pub(crate) fn carry<K, S, T, const N: usize>(
 ) -> Option<SVector<T, N>>
 where
     K: Method,
-    S: PreparedStep<Dual<T, 1>, N>,
+    S: PreparedStep<Along<T>, N>,
     T: Scalar,
 {
-    let mut along: SVector<Dual<T, 1>, N> =
-        vector(from_fn(|i| Dual { value: x[i].clone(), gradient: [v[i].clone()] }));
+    let mut along: SVector<Along<T>, N> =
+        vector(from_fn(|i| Along { value: x[i].clone(), slope: Some(v[i].clone()) }));
     for step in K::in_order(stages) {
         let quotients = step.quotients(&along)?;
         // In its place: over lanes, compilers call what builds an array.
@@ -125,7 +125,7 @@ where
             along[i] = quotients.sum(i, along[i].clone());
         }
     }
-    Some(vector(from_fn(|i| along[i].gradient[0].clone())))
+    Some(vector(from_fn(|i| along[i].clone().into_slope())))
 }
 
 impl<M, T, K, const N: usize> Clone for TangentAt<M, T, N, K>

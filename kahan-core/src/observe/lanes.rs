@@ -9,7 +9,7 @@ use core::array::from_fn;
 use crate::ensemble::columns::{GROUP, Group};
 use crate::ensemble::lanes::{Lanes, OverLanes};
 use crate::field::linear::vector;
-use crate::map::{DualStep, carry, dual_stages};
+use crate::map::{TangentStep, carry, tangent_stages};
 use crate::{EnsembleScalar, Level, Lift, Method, PreparedStep, Scalar, TangentAt};
 
 use super::Grouped;
@@ -41,7 +41,7 @@ where
     P: Grouped<T>,
 {
     let work = SideBySide { tangent, places, vectors, squares };
-    if <DualStep<M, T, N> as PreparedStep<_, N>>::HAS_LANES { T::over_lanes(work, level) } else { None }
+    if <TangentStep<M, T, N> as PreparedStep<_, N>>::HAS_LANES { T::over_lanes(work, level) } else { None }
 }
 
 impl<M, T, K, P, const N: usize> OverLanes<T> for SideBySide<'_, M, T, K, P, N>
@@ -57,7 +57,7 @@ where
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> usize {
         let Self { tangent, places, vectors, squares } = self;
-        let stages = dual_stages::<M, T, K, L, N>(&tangent.map, &tangent.parts, L::spread);
+        let stages = tangent_stages::<M, T, K, L, N>(&tangent.map, &tangent.parts, L::spread);
         let (most, least) = (L::spread(&most()), L::spread(&(T::one() / most())));
         let steps = places.iter().zip(squares.chunks_mut(vectors.len()));
         for (step, (place, squares)) in steps.enumerate() {

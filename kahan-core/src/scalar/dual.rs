@@ -36,27 +36,15 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
 }
 
 /// Replaces each entry of a gradient, by itself or with that of another.
-///
-/// One direction is no loop: such a step is one long straight line over lanes of registers, in
-/// which compilers would unroll hundreds of loops too late, and call functions in place of
-/// closures.
 macro_rules! along {
     ($dual:expr, |$own:ident| $value:expr) => {
-        if let [$own] = &mut $dual.gradient[..] {
+        for $own in &mut $dual.gradient {
             *$own = $value;
-        } else {
-            for $own in &mut $dual.gradient {
-                *$own = $value;
-            }
         }
     };
     ($dual:expr, $with:expr, |$own:ident, $other:ident| $value:expr) => {
-        if let ([$own], [$other]) = (&mut $dual.gradient[..], &$with.gradient[..]) {
+        for ($own, $other) in $dual.gradient.iter_mut().zip(&$with.gradient) {
             *$own = $value;
-        } else {
-            for ($own, $other) in $dual.gradient.iter_mut().zip(&$with.gradient) {
-                *$own = $value;
-            }
         }
     };
 }

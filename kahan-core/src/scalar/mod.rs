@@ -5,6 +5,7 @@
 //! square root and no conversion. No method shares its name with one of num-traits, so both can be
 //! in scope.
 
+mod along;
 pub(crate) mod bounded;
 mod constant;
 mod dd;
@@ -25,6 +26,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use num_traits::{One, Zero};
 
+pub(crate) use along::Along;
 pub use constant::Constant;
 pub use dd::Dd;
 pub use dual::Dual;
@@ -104,6 +106,13 @@ pub trait Scalar:
     #[inline(always)]
     fn subtract_product(self, a: Self, b: Self) -> Self {
         self - a * b
+    }
+
+    /// The number as a constant of a step, which ε and the parameters fix: a number with a derivative
+    /// along the state has none as such.
+    #[inline(always)]
+    fn prepared(&self) -> Self {
+        self.clone()
     }
 
     /// A nearby `f64` for reports, not for computing; not a number where there is none, as here.

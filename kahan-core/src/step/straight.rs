@@ -34,11 +34,11 @@ pub trait Kernel<const N: usize, const C: usize> {
 #[repr(C, align(32))]
 pub struct Padded<T>(T, [u32; 3]);
 
-impl<T: Clone> Padded<T> {
-    /// The constant itself.
+impl<T: Scalar> Padded<T> {
+    /// The constant itself, which depends on no state.
     #[inline(always)]
     pub fn get(&self) -> T {
-        self.0.clone()
+        self.0.prepared()
     }
 }
 

@@ -1,8 +1,8 @@
-//! Dual numbers: the rules of differentiation, on numbers that floats hold exactly.
+//! Dual numbers, and those of one direction: the rules of differentiation, on numbers that floats hold exactly.
 
 use num_traits::{One, Zero};
 
-use crate::scalar::Dual;
+use crate::scalar::{Along, Dual};
 use crate::{Constant, Scalar};
 
 fn coordinates() -> [Dual<f64, 2>; 2] {
@@ -41,4 +41,42 @@ fn constants_have_no_gradient() {
     assert_eq!(Dual::<f64, 2>::one(), Dual::lift(1.0));
     assert_eq!(Dual::<f64, 2>::constant(&Constant::ratio(1, 4)), Dual::lift(0.25));
     assert!(!Dual::<f64, 2>::coordinate(0.0, 1).is_zero());
+}
+
+/// Numbers along a line, with their values and slopes, and a constant.
+fn along() -> [Along<f64>; 3] {
+    [(3.0, Some(1.0)), (4.0, Some(2.0)), (4.0, None)].map(|(value, slope)| Along { value, slope })
+}
+
+#[test]
+fn the_operators_differentiate_along_a_line() {
+    let [u, v, _] = along();
+    assert_eq!(u + v, Along { value: 7.0, slope: Some(3.0) });
+    assert_eq!(u - v, Along { value: -1.0, slope: Some(-1.0) });
+    assert_eq!(-u, Along { value: -3.0, slope: Some(-1.0) });
+    assert_eq!(u * v, Along { value: 12.0, slope: Some(10.0) });
+    assert_eq!(u / v, Along { value: 0.75, slope: Some(-0.125) });
+    assert_eq!(v.reciprocal(), Some(Along { value: 0.25, slope: Some(-0.125) }));
+    assert_eq!(u.quotient(v), Some(u / v));
+}
+
+#[test]
+fn a_constant_counts_as_a_number_of_slope_0() {
+    let [u, v, constant] = along();
+    let flat = Along { value: constant.value, slope: Some(0.0) };
+    for (left, right, expected) in [
+        (u, constant, (u + flat, u - flat, u * flat, u / flat)),
+        (constant, v, (flat + v, flat - v, flat * v, flat / v)),
+    ] {
+        assert_eq!((left + right, left - right, left * right, left / right), expected);
+        assert_eq!(left.quotient(right), Some(left / right));
+    }
+    assert_eq!(constant * constant, Along::lift(16.0));
+    assert_eq!((constant.into_slope(), v.into_slope()), (0.0, 2.0));
+}
+
+#[test]
+fn prepared_constants_have_no_slope() {
+    let [u, ..] = along();
+    assert_eq!(u.prepared(), Along::lift(3.0));
 }

@@ -1,0 +1,154 @@
+//! Numbers along a line: a value and its slope, v + s·d with d² = 0.
+//!
+//! In: the closed form of a step. Out: its value and its derivative along one direction. They are
+//! dual numbers that know whether they have a slope, so that nothing is multiplied by the slope 0 of
+//! a constant: once a step is inlined, compilers know of each number whether it has one.
+
+use num_traits::{One, Zero};
+
+use super::tuning::fenced;
+use super::{Constant, Scalar, assignments, operators};
+
+/// A value with its derivative along one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Along<T> {
+    /// The value.
+    pub(crate) value: T,
+    /// Its derivative; `None` for a constant.
+    pub(crate) slope: Option<T>,
+}
+
+impl<T: Scalar> Along<T> {
+    /// A constant.
+    #[inline(always)]
+    pub(crate) fn lift(value: T) -> Self {
+        Self { value, slope: None }
+    }
+
+    /// Compilers that pack such numbers with their neighbours need more shuffles than they save.
+    #[inline(always)]
+    fn new(value: T, slope: Option<T>) -> Self {
+        Self { value: fenced(value), slope: slope.map(fenced) }
+    }
+
+    /// The derivative, 0 of a constant.
+    #[inline(always)]
+    pub(crate) fn into_slope(self) -> T {
+        self.slope.unwrap_or_else(T::zero)
+    }
+}
+
+/// The slope of what is made of two numbers: from both slopes, or from the one that there is.
+#[inline(always)]
+fn joined<T: Scalar>(
+    slopes: [Option<T>; 2],
+    both: impl FnOnce(T, T) -> T,
+    left: impl FnOnce(T) -> T,
+    right: impl FnOnce(T) -> T,
+) -> Option<T> {
+    match slopes {
+        [Some(a), Some(b)] => Some(both(a, b)),
+        [Some(a), None] => Some(left(a)),
+        [None, Some(b)] => Some(right(b)),
+        [None, None] => None,
+    }
+}
+
+#[inline(always)]
+fn sum<T: Scalar>(a: Along<T>, b: Along<T>) -> Along<T> {
+    let slope = joined([a.slope, b.slope], |a, b| a + b, |a| a, |b| b);
+    Along::new(a.value + b.value, slope)
+}
+
+#[inline(always)]
+fn difference<T: Scalar>(a: Along<T>, b: Along<T>) -> Along<T> {
+    let slope = joined([a.slope, b.slope], |a, b| a - b, |a| a, |b| -b);
+    Along::new(a.value - b.value, slope)
+}
+
+// (uv)′ = u′v + uv′
+#[inline(always)]
+fn product<T: Scalar>(a: Along<T>, b: Along<T>) -> Along<T> {
+    let (u, v) = (a.value, b.value);
+    let both = |a, b| a * v.clone() + u.clone() * b;
+    let slope = joined([a.slope, b.slope], both, |a| a * v.clone(), |b| u.clone() * b);
+    Along::new(u * v, slope)
+}
+
+// (u/v)′ = (u′ − (u/v)v′)/v, where `over` divides by v.
+#[inline(always)]
+fn quotient<T: Scalar>(value: T, slopes: [Option<T>; 2], over: impl Fn(T) -> T) -> Along<T> {
+    let both = |a, b| over(a - value.clone() * b);
+    let slope = joined(slopes, both, &over, |b| over(-(value.clone() * b)));
+    Along::new(value, slope)
+}
+
+#[inline(always)]
+fn ratio<T: Scalar>(a: Along<T>, b: Along<T>) -> Along<T> {
+    quotient(a.value / b.value.clone(), [a.slope, b.slope], |slope| slope / b.value.clone())
+}
+
+operators!([T: Scalar] Along<T>: sum, difference, product, ratio);
+assignments!([T: Scalar] Along<T>);
+
+impl<T: Scalar> core::ops::Neg for Along<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.value, self.slope.map(|slope| -slope))
+    }
+}
+
+impl<T: Scalar> Zero for Along<T> {
+    fn zero() -> Self {
+        Self::lift(T::zero())
+    }
+
+    fn is_zero(&self) -> bool {
+        self.value.is_zero() && self.slope.as_ref().is_none_or(T::is_zero)
+    }
+}
+
+impl<T: Scalar> One for Along<T> {
+    fn one() -> Self {
+        Self::lift(T::one())
+    }
+}
+
+impl<T: Scalar> Scalar for Along<T> {
+    #[inline(always)]
+    fn constant(c: &Constant<'_>) -> Self {
+        Self::lift(T::constant(c))
+    }
+
+    #[inline(always)]
+    fn prepared(&self) -> Self {
+        Self::lift(self.value.clone())
+    }
+
+    // (1/v)′ = −v′/v². A number with value 0 has no reciprocal even when it is not 0 itself.
+    #[inline(always)]
+    fn reciprocal(&self) -> Option<Self> {
+        let value = self.value.reciprocal()?;
+        let factor = -(value.clone() * value.clone());
+        Some(Self::new(value, self.slope.clone().map(|slope| factor * slope)))
+    }
+
+    // With one reciprocal for value and slope.
+    #[inline(always)]
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        let reciprocal = divisor.value.reciprocal()?;
+        let value = self.value.quotient(divisor.value)?;
+        Some(quotient(value, [self.slope, divisor.slope], |slope| slope * reciprocal.clone()))
+    }
+
+    #[inline(always)]
+    fn is_better_pivot(&self, than: &Self) -> bool {
+        self.value.is_better_pivot(&than.value)
+    }
+
+    fn approximate(&self) -> f64 {
+        self.value.approximate()
+    }
+}
