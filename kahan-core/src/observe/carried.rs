@@ -38,8 +38,15 @@ impl<M: Tangent<T>, T: FloatScalar, const K: usize> Carried<M, T, K> {
     #[inline(always)]
     pub(super) fn follow(&mut self, step: u64, x: &[T]) -> [Size; K] {
         if step > 0 {
-            for vector in &mut self.vectors {
-                self.map.carry(self.place.as_ref(), vector);
+            // Written out: what depends on the place alone is then computed once for both.
+            let carry = |vector| self.map.carry(self.place.as_ref(), vector);
+            match &mut self.vectors[..] {
+                [one] => carry(one),
+                [one, other] => {
+                    carry(one);
+                    carry(other);
+                }
+                all => all.iter_mut().for_each(carry),
             }
         }
         self.place.as_mut().copy_from_slice(x);
