@@ -7,29 +7,11 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use kahan_bench_observers::{E6, HenonHeiles, MAP_EPS, cells};
 use kahan_core::observe::{
     Drift, Extrema, Fli, Lyapunov, MeanLogDet, Megno, Observer, Rotation, Sali, Spectrum,
 };
 use kahan_core::prelude::*;
-
-kahan! {
-    /// An integrable field in three variables.
-    struct E6;
-    xdot = y*(2*z - x);
-    ydot = x^2 - z^2;
-    zdot = y*(z - 2*x);
-    integral H = (x*z + y^2)/(1 - 3*eps^2*x*z);
-    integral K = 1/2*(x^2 + y^2 + z^2)/(1 - 3*eps^2*x*z);
-}
-
-kahan! {
-    /// Two coupled oscillators.
-    struct HenonHeiles;
-    xdot = p;
-    ydot = q;
-    pdot = -x - 2*x*y;
-    qdot = -y - x^2 + y^2;
-}
 
 const ROUNDS: usize = 31;
 const STEPS: u64 = 100_000;
@@ -90,15 +72,12 @@ fn stability_maps() {
     const SIDE: usize = 512;
     const STEPS: usize = 1000;
 
-    let map = HenonHeiles.at(0.05);
+    let map = HenonHeiles.at(MAP_EPS);
     let tangent = map.tangent();
-    let axis = Axis { start: -0.4, end: 0.4, count: SIDE };
-    let at_rest = Axis { start: 0.1, end: 0.1, count: 1 };
-    let grid = || Ensemble::grid([at_rest, axis, at_rest, axis]);
     println!("\n| {SIDE} × {SIDE} points of Hénon and Heiles, {STEPS} steps | seconds | ns a step |\n|---|---:|---:|");
     let row = |name: &str, run: &dyn Fn(Ensemble<f64, 4>)| {
         let times = (0..3).map(|_| {
-            let grid = grid();
+            let grid = cells(SIDE);
             let begun = Instant::now();
             run(grid);
             begun.elapsed().as_secs_f64()

@@ -64,6 +64,7 @@ where
             }),
         ),
         task("compensated", Box::new(move |n| arrive!(map.orbit(black_box(start), EPS).compensated(), n))),
+        task("projective", Box::new(move |n| arrive!(map.orbit(black_box(start), EPS).projective(), n))),
         task(
             "stable",
             Box::new(move |n| {
