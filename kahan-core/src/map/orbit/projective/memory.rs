@@ -12,17 +12,30 @@ use crate::Scalar;
 /// most.
 const LEAST_PIVOT: f64 = 1.0 / 1024.0;
 
+/// |εf′ᵢⱼ|, of A = I − εf′.
+#[inline(always)]
+fn slope<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>, i: usize, j: usize) -> f64 {
+    let slope = matrix[(i, j)].clone();
+    (if i == j { slope - T::one() } else { slope }).approximate().abs()
+}
+
+/// Whether the rows of |εf′| sum to so little that A = I − εf′ is far from singular, as I + εf′ is:
+/// below 1, no pivot could be 0.
+///
+/// The common case of a small ε.
+#[inline(always)]
+pub(super) fn has_small_slopes<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
+    (0..N).all(|i| (0..N).map(|j| slope(matrix, i, j)).sum::<f64>() <= 0.5)
+}
+
 /// Whether A = I − εf′ is far from singular: its pivots are no small parts of 1 + Σ|εf′ᵢⱼ| over
 /// their columns, or over their rows.
 pub(super) fn is_far_from_singular<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> bool {
-    let entry = |i: usize, j: usize| matrix[(i, j)].approximate();
-    let slope = |i: usize, j: usize| {
-        if i == j { (matrix[(i, i)].clone() - T::one()).approximate().abs() } else { entry(i, j).abs() }
-    };
-    // Below 1, no pivot could be 0; the common case of a small ε.
-    if (0..N).all(|i| (0..N).map(|j| slope(i, j)).sum::<f64>() <= 0.5) {
+    if has_small_slopes(matrix) {
         return true;
     }
+    let entry = |i: usize, j: usize| matrix[(i, j)].approximate();
+    let slope = |i: usize, j: usize| slope(matrix, i, j);
     let has_pivots = |entry: &dyn Fn(usize, usize) -> f64, slope: &dyn Fn(usize, usize) -> f64| {
         let scales: [f64; N] = core::array::from_fn(|j| 1.0 + (0..N).map(|i| slope(i, j)).sum::<f64>());
         let mut rows: [[f64; N]; N] = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));

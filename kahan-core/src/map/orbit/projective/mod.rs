@@ -22,7 +22,7 @@ use crate::step::error::Reason;
 use crate::{Dd, KahanMap, Lift, Orbit, Pivot, PreparedStep, Scalar, SingularStep};
 
 use germ::Germ;
-use memory::is_far_from_singular;
+use memory::{has_small_slopes, is_far_from_singular};
 use passage::{Lost, Passage, Place};
 pub use point::ProjectivePoint;
 
@@ -33,13 +33,15 @@ pub trait ThroughPoles: Pivot {
     #[doc(hidden)]
     type Germ: Germ<Self>;
 
-    /// Whether x̃ has as many digits of x as the step is to keep.
+    /// Whether x̃ has as many digits of x as the step is to keep. `is_flat` is true only where |εf′|
+    /// is known to be small, at x before and at x̃ afterwards.
     #[doc(hidden)]
     fn keeps<M: KahanMap<Self, N>, const N: usize>(
         map: &M,
         x: &SVector<Self, N>,
         next: &SVector<Self, N>,
         eps: &Self,
+        is_flat: &mut bool,
     ) -> bool;
 
     /// Whether two limits are the same but for what δ leaves in them.
@@ -60,18 +62,20 @@ macro_rules! implement_for_float {
         impl ThroughPoles for $float {
             type Germ = Wide;
 
+            #[inline(always)]
             fn keeps<M: KahanMap<Self, N>, const N: usize>(
                 map: &M,
                 x: &SVector<Self, N>,
                 next: &SVector<Self, N>,
                 eps: &Self,
+                is_flat: &mut bool,
             ) -> bool {
                 // Where x is cancelled against x̃ − x, few digits of x̃ are left to look at.
                 let is_known = largest(x) * $last_digit <= largest(next) / 2048.0;
-                is_known
-                    && next.iter().all(Pivot::is_finite_number)
-                    && is_far_from_singular(&map.matrix(x, *eps))
-                    && is_far_from_singular(&map.matrix(next, -*eps))
+                let was_flat = mem::replace(is_flat, has_small_slopes(&map.matrix(next, -*eps)));
+                let is_finite = next.iter().all(Pivot::is_finite_number);
+                // It is given copies, so that a loop keeps its state in registers.
+                is_known && is_finite && (was_flat && *is_flat || loses_little(map, *x, *next, *eps))
             }
 
             fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool {
@@ -80,6 +84,18 @@ macro_rules! implement_for_float {
             }
         }
     };
+}
+
+/// Whether neither matrix of a step is nearly singular, where |εf′| is not known to be small.
+#[cold]
+#[inline(never)]
+fn loses_little<M: KahanMap<T, N>, T: Scalar, const N: usize>(
+    map: &M,
+    x: SVector<T, N>,
+    next: SVector<T, N>,
+    eps: T,
+) -> bool {
+    is_far_from_singular(&map.matrix(&x, eps.clone())) && is_far_from_singular(&map.matrix(&next, -eps))
 }
 
 implement_for_float!(f32, f64::from(f32::EPSILON));
@@ -95,6 +111,7 @@ impl ThroughPoles for num_rational::BigRational {
         _x: &SVector<Self, N>,
         next: &SVector<Self, N>,
         eps: &Self,
+        _is_flat: &mut bool,
     ) -> bool {
         !num_traits::Zero::is_zero(&map.det_matrix(next, -eps.clone()))
     }
@@ -136,11 +153,25 @@ where
     /// Before the first point.
     First(SVector<T, N>),
     /// At a point that has lost nothing.
-    Point(SVector<T, N>),
+    Point {
+        x: SVector<T, N>,
+        /// Whether |εf′| is known to be small there.
+        is_flat: bool,
+    },
     /// On its way through a pole.
     Passage(Box<Passage<M, T, N>>),
     /// At its end.
     Nowhere,
+}
+
+impl<M, T, const N: usize> At<M, T, N>
+where
+    M: Lift<T, N>,
+    T: ThroughPoles,
+{
+    fn point(x: SVector<T, N>) -> Self {
+        At::Point { x, is_flat: false }
+    }
 }
 
 impl<M, T, const N: usize> Orbit<M, T, N>
@@ -172,8 +203,8 @@ where
     /// and not infinite, unless that is beyond the range of the scalar. In more than 32 variables
     /// the orbit takes ordinary steps only.
     ///
-    /// Cost: over floats, a step and twice the matrix A, with an elimination where |εf′| is not
-    /// small; over exact scalars, a step and a determinant. Ordinary steps of floats allocate
+    /// Cost: over floats, a step and the matrix A, with two of them and eliminations where |εf′| is
+    /// not small; over exact scalars, a step and a determinant. Ordinary steps of floats allocate
     /// nothing. A step near a pole costs several orders of magnitude more than an ordinary one, or
     /// over exact scalars a number of exact steps for each term of the series, and it allocates.
     ///
@@ -195,7 +226,7 @@ where
     /// ```
     pub fn projective(self) -> Projective<M, T, N> {
         let Self { map, eps, stages, state, begun, .. } = self;
-        let at = if begun { At::Point(state) } else { At::First(state) };
+        let at = if begun { At::point(state) } else { At::First(state) };
         Projective { map, eps, prepared: stages, at, stopped: None }
     }
 }
@@ -218,11 +249,22 @@ where
         None
     }
 
+    /// The next point where it is not one ordinary step from the last.
+    #[cold]
+    fn elsewhere(&mut self) -> Option<ProjectivePoint<T, N>> {
+        match mem::replace(&mut self.at, At::Nowhere) {
+            At::First(x) => Some(self.at_point(x)),
+            At::Point { x, .. } => self.after(x),
+            At::Passage(passage) => self.along(passage),
+            At::Nowhere => None,
+        }
+    }
+
     /// The point after an ordinary one.
     fn after(&mut self, x: SVector<T, N>) -> Option<ProjectivePoint<T, N>> {
         let next = self.prepared.next(&x);
         if let Some(next) = &next
-            && T::keeps(&self.map, &x, next, &self.eps)
+            && T::keeps(&self.map, &x, next, &self.eps, &mut false)
         {
             return Some(self.at_point(next.clone()));
         }
@@ -241,7 +283,7 @@ where
     }
 
     fn at_point(&mut self, x: SVector<T, N>) -> ProjectivePoint<T, N> {
-        self.at = At::Point(x.clone());
+        self.at = At::point(x.clone());
         x.into()
     }
 
@@ -269,7 +311,7 @@ where
         let Place { point, is_through } = place;
         let is_over = is_through == Some(true) || (passage.taken() >= MOST_STEPS && !point.is_infinite());
         self.at = match point.clone().affine() {
-            Some(x) if is_over => At::Point(x),
+            Some(x) if is_over => At::point(x),
             _ => At::Passage(passage),
         };
         point
@@ -291,16 +333,17 @@ where
 {
     type Item = ProjectivePoint<T, N>;
 
+    #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        if self.stopped.is_some() {
-            return None;
+        // In its place: a state that is moved is waited for in the chain of an orbit.
+        if let At::Point { x, is_flat } = &mut self.at
+            && let Some(next) = self.prepared.next(x)
+            && T::keeps(&self.map, x, &next, &self.eps, is_flat)
+        {
+            x.clone_from(&next);
+            return Some(next.into());
         }
-        match mem::replace(&mut self.at, At::Nowhere) {
-            At::First(x) => Some(self.at_point(x)),
-            At::Point(x) => self.after(x),
-            At::Passage(passage) => self.along(passage),
-            At::Nowhere => None,
-        }
+        self.elsewhere()
     }
 }
 
