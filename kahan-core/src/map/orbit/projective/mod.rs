@@ -9,6 +9,7 @@ mod germ;
 mod memory;
 mod passage;
 mod point;
+mod through;
 
 use core::fmt;
 use core::iter::FusedIterator;
@@ -17,109 +18,12 @@ use std::boxed::Box;
 
 use nalgebra::SVector;
 
-use crate::scalar::Wide;
 use crate::step::error::Reason;
-use crate::{Dd, KahanMap, Lift, Orbit, Pivot, PreparedStep, Scalar, SingularStep};
+use crate::{Lift, Orbit, PreparedStep, SingularStep};
 
-use germ::Germ;
-use memory::{has_small_slopes, is_far_from_singular};
 use passage::{Lost, Passage, Place};
 pub use point::ProjectivePoint;
-
-/// A scalar over which orbits go through poles: `f32`, `f64`, [`Dd`], and with the feature `exact`
-/// `BigRational`.
-pub trait ThroughPoles: Pivot {
-    /// The numbers of the way through.
-    #[doc(hidden)]
-    type Germ: Germ<Self>;
-
-    /// Whether x̃ has as many digits of x as the step is to keep. `is_flat` is true only where |εf′|
-    /// is known to be small, at x before and at x̃ afterwards.
-    #[doc(hidden)]
-    fn keeps<M: KahanMap<Self, N>, const N: usize>(
-        map: &M,
-        x: &SVector<Self, N>,
-        next: &SVector<Self, N>,
-        eps: &Self,
-        is_flat: &mut bool,
-    ) -> bool;
-
-    /// Whether two limits are the same but for what δ leaves in them.
-    #[doc(hidden)]
-    fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool;
-}
-
-/// How far limits that are the same may be from each other, relative to the larger.
-const NEAR: f64 = 1.0 / (1_u32 << 18) as f64;
-
-/// The size of the largest entry.
-fn largest<T: Scalar, const N: usize>(x: &SVector<T, N>) -> f64 {
-    x.iter().map(|entry| entry.approximate().abs()).fold(0.0, f64::max)
-}
-
-macro_rules! implement_for_float {
-    ($float:ty, $last_digit:expr) => {
-        impl ThroughPoles for $float {
-            type Germ = Wide;
-
-            #[inline(always)]
-            fn keeps<M: KahanMap<Self, N>, const N: usize>(
-                map: &M,
-                x: &SVector<Self, N>,
-                next: &SVector<Self, N>,
-                eps: &Self,
-                is_flat: &mut bool,
-            ) -> bool {
-                // Where x is cancelled against x̃ − x, few digits of x̃ are left to look at.
-                let is_known = largest(x) * $last_digit <= largest(next) / 2048.0;
-                let was_flat = mem::replace(is_flat, has_small_slopes(&map.matrix(next, -*eps)));
-                let is_finite = next.iter().all(Pivot::is_finite_number);
-                // It is given copies, so that a loop keeps its state in registers.
-                is_known && is_finite && (was_flat && *is_flat || loses_little(map, *x, *next, *eps))
-            }
-
-            fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool {
-                let distance = largest(&(a - b));
-                distance <= NEAR * largest(a).max(largest(b))
-            }
-        }
-    };
-}
-
-/// Whether neither matrix of a step is nearly singular, where |εf′| is not known to be small.
-#[cold]
-#[inline(never)]
-fn loses_little<M: KahanMap<T, N>, T: Scalar, const N: usize>(
-    map: &M,
-    x: SVector<T, N>,
-    next: SVector<T, N>,
-    eps: T,
-) -> bool {
-    is_far_from_singular(&map.matrix(&x, eps.clone())) && is_far_from_singular(&map.matrix(&next, -eps))
-}
-
-implement_for_float!(f32, f64::from(f32::EPSILON));
-implement_for_float!(f64, f64::EPSILON);
-implement_for_float!(Dd, f64::EPSILON * f64::EPSILON);
-
-#[cfg(feature = "exact")]
-impl ThroughPoles for num_rational::BigRational {
-    type Germ = crate::scalar::Laurent<Self>;
-
-    fn keeps<M: KahanMap<Self, N>, const N: usize>(
-        map: &M,
-        _x: &SVector<Self, N>,
-        next: &SVector<Self, N>,
-        eps: &Self,
-        _is_flat: &mut bool,
-    ) -> bool {
-        !num_traits::Zero::is_zero(&map.det_matrix(next, -eps.clone()))
-    }
-
-    fn are_near<const N: usize>(a: &SVector<Self, N>, b: &SVector<Self, N>) -> bool {
-        a == b
-    }
-}
+pub use through::ThroughPoles;
 
 /// After so many steps without it, what a pole has brought together is taken to stay so.
 const MOST_STEPS: usize = 12;
@@ -192,16 +96,15 @@ where
     ///
     /// Exact orbits are exact: lines are series in δ.
     ///
-    /// Over floats points have the bits of [`KahanMap::orbit`] as long as A(x,ε) and A(x̃,−ε) are far
-    /// from singular: no pivot is below a 1024th of its row or column, as far as x̃ has digits to say
-    /// so. Near a pole an
-    /// ordinary orbit loses as many digits as it comes near, first in large coordinates, then in
-    /// those to which it comes back. Here such points and those after them are computed in
-    /// seventeen digits of 64 bits and each is rounded once, until a rounding counts for no more
-    /// than ten bits at the point from where it came; so ten bits are what an orbit may lose on its
-    /// way through a pole. A float that is near a pole and not at it has a next point that is large
-    /// and not infinite, unless that is beyond the range of the scalar. In more than 32 variables
-    /// the orbit takes ordinary steps only.
+    /// Over floats points have the bits of [`KahanMap::orbit`](crate::KahanMap::orbit) as long as
+    /// A(x,ε) and A(x̃,−ε) are far from singular: no pivot is below a 1024th of its row or column, as
+    /// far as x̃ has digits to say so. Near a pole an ordinary orbit loses as many digits as it comes
+    /// near, first in large coordinates, then in those to which it comes back. Here such points and
+    /// those after them are computed in seventeen digits of 64 bits and each is rounded once, until a
+    /// rounding counts for no more than ten bits at the point from where it came; so ten bits are
+    /// what an orbit may lose on its way through a pole. A float that is near a pole and not at it has
+    /// a next point that is large and not infinite, unless that is beyond the range of the scalar. In
+    /// more than 32 variables the orbit takes ordinary steps only.
     ///
     /// Cost: over floats, a step and the matrix A, with two of them and eliminations where |εf′| is
     /// not small; over exact scalars, a step and a determinant. Ordinary steps of floats allocate
