@@ -38,16 +38,7 @@ impl<M: Tangent<T>, T: FloatScalar, const K: usize> Carried<M, T, K> {
     #[inline(always)]
     pub(super) fn follow(&mut self, step: u64, x: &[T]) -> [Size; K] {
         if step > 0 {
-            // Written out: what depends on the place alone is then computed once for both.
-            let carry = |vector| self.map.carry(self.place.as_ref(), vector);
-            match &mut self.vectors[..] {
-                [one] => carry(one),
-                [one, other] => {
-                    carry(one);
-                    carry(other);
-                }
-                all => all.iter_mut().for_each(carry),
-            }
+            carry_all(&self.map, self.place.as_ref(), &mut self.vectors);
         }
         self.place.as_mut().copy_from_slice(x);
         self.scale()
@@ -67,6 +58,22 @@ impl<M: Tangent<T>, T: FloatScalar, const K: usize> Carried<M, T, K> {
     /// The time of one step.
     pub(super) fn time_step(&self) -> f64 {
         2.0 * self.map.half_step()
+    }
+}
+
+/// Carries vectors along, two at a time: what depends on `x` alone is then computed once for both.
+#[inline(always)]
+pub(super) fn carry_all<'a, M: Tangent<T, Point: 'a>, T>(
+    map: &M,
+    x: &[T],
+    vectors: impl IntoIterator<Item = &'a mut M::Point>,
+) {
+    let mut vectors = vectors.into_iter();
+    while let Some(one) = vectors.next() {
+        map.carry(x, one);
+        if let Some(other) = vectors.next() {
+            map.carry(x, other);
+        }
     }
 }
 

@@ -18,6 +18,7 @@ use crate::{EnsembleScalar, Level};
 
 #[cfg(feature = "std")]
 use super::Grouped;
+use super::carried::carry_all;
 
 /// A space of points and vectors, which a map acts on.
 pub trait Points<T> {
@@ -166,8 +167,8 @@ where
         let mut columns = [[T::zero(); N]; N];
         for (i, column) in columns.iter_mut().enumerate() {
             column[i] = T::one();
-            Tangent::carry(self, x, column);
         }
+        carry_all(self, x, &mut columns);
         determinant::<T, N>(SMatrix::from_fn(|i, j| columns[j][i]))
     }
 

@@ -5,6 +5,7 @@ use std::vec::Vec;
 
 use crate::{Constant, FloatScalar};
 
+use super::carried::carry_all;
 use super::growth::{Size, dot, scale, square};
 use super::lyapunov::Doublings;
 use super::{Exponent, Observer, Tangent};
@@ -82,9 +83,8 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Spectrum<M, T> {
     #[inline]
     fn observe(&mut self, step: u64, x: &[T]) {
         if step > 0 {
-            for Direction { vector, .. } in &mut self.directions {
-                self.map.carry(self.place.as_ref(), vector);
-            }
+            let vectors = self.directions.iter_mut().map(|direction| &mut direction.vector);
+            carry_all(&self.map, self.place.as_ref(), vectors);
             self.steps = step;
             self.until -= 1;
             if self.until == 0 {
