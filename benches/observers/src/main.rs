@@ -22,6 +22,9 @@ fn main() {
     stability_maps();
 }
 
+/// A name, and what runs once and tells its seconds.
+type Contender = (&'static str, Box<dyn Fn() -> f64>);
+
 /// An orbit of E6 with observers, in seconds.
 fn observed<O: Observer<f64>>(observers: impl Fn() -> O + 'static) -> Box<dyn Fn() -> f64> {
     Box::new(move || {
@@ -40,7 +43,7 @@ fn orbits() {
         black_box(E6.orbit(black_box(vector![0.3, 0.8, 0.5]), EPS).nth(STEPS as usize));
         begun.elapsed().as_secs_f64()
     };
-    let contenders: [(&str, Box<dyn Fn() -> f64>); 11] = [
+    let contenders: [Contender; 11] = [
         ("the orbit alone", Box::new(alone)),
         ("no observer", observed(|| ())),
         ("extrema of three variables", observed(|| [0, 1, 2].map(|i| Extrema::of(move |x: &[f64]| x[i])))),
@@ -74,7 +77,9 @@ fn stability_maps() {
 
     let map = HenonHeiles.at(MAP_EPS);
     let tangent = map.tangent();
-    println!("\n| {SIDE} × {SIDE} points of Hénon and Heiles, {STEPS} steps | seconds | ns a step |\n|---|---:|---:|");
+    println!(
+        "\n| {SIDE} × {SIDE} points of Hénon and Heiles, {STEPS} steps | seconds | ns a step |\n|---|---:|---:|"
+    );
     let row = |name: &str, run: &dyn Fn(Ensemble<f64, 4>)| {
         let times = (0..3).map(|_| {
             let grid = cells(SIDE);
