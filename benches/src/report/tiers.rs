@@ -52,7 +52,7 @@ pub(crate) fn tiers(effort: Effort) -> Result<(Vec<Section>, Vec<Limit>)> {
     }
     progress.advance();
     let text = "Chains of dependent steps, each tier against the fast one of the same build: `orbit`, `orbit(..).compensated()`, \
-                `try_step`, `Dd`,\nand for `f32` also the step computed in `f64`. Ratios are those of the least times of all rounds."
+                `orbit(..).projective()`\nfar from poles, `try_step`, `Dd`, and for `f32` also the step computed in `f64`. Ratios are those of the least times of all rounds."
         .to_owned();
     Ok((vec![Section { title: "Tiers".to_owned(), text, table }], limits))
 }
