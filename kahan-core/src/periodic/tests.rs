@@ -340,10 +340,10 @@ fn multipliers_that_meet_outside_the_circle_go_through_nothing() {
 #[test]
 fn a_fold_hides_no_other_change() {
     // The last one has both in one stride.
-    for (from, steps) in [(1.0, 2), (1.0, 5), (1.0, 40), (0.25, 1)] {
+    for (from, to, steps) in [(1.0, -1.0, 2), (1.0, -1.0, 5), (1.0, -1.0, 40), (0.25, -3.75, 1)] {
         let start = periodic_point(&Turning(from), &[0.9, 0.0], 1).unwrap();
         let mut seen = 0;
-        let branch = branch(Turning, &start, [from, from - 2.0], steps, |_| seen += 1);
+        let branch = branch(Turning, &start, [from, to], steps, |_| seen += 1);
         let expected = [(Change::ThroughMinusOne, 1.0 / 16.0), (Change::Fold, 0.0)];
         // A fold is known to the root of what a direction is known to.
         assert!(has_turns(&branch, &expected, 1e-9), "{steps}: {:?}", branch.turns);
