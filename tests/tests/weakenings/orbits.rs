@@ -5,7 +5,6 @@ use super::list::Weakening;
 const CYCLES: &str = "-p kahan-core --lib -- periodic";
 const PROOFS: &str = "-p kahan-runtime --lib -- periodic";
 const POLES: &str = "-p kahan-core --features exact --lib -- projective";
-const PATTERNS: &str = "-p kahan-tests --test main -- through_poles";
 
 const fn of(
     tests: &'static str,
@@ -128,19 +127,4 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(POLES, "one line instead of two", "kahan-core/src/map/orbit/projective/passage.rs",
         "if delta.is_zero() { 1 } else { 2 }",
         "1"),
-    of(PATTERNS, "derivatives of a way in the other order", "kahan-core/src/map/orbit/projective/passage.rs",
-        "product(&derivative, &step_back)",
-        "product(&step_back, &derivative)"),
-    of(PATTERNS, "a limit of too few digits", "kahan-core/src/map/orbit/projective/germ/digits.rs",
-        "entry.radius() <= size.scaled(-KNOWN)",
-        "entry.radius() <= size.scaled(KNOWN)"),
-    of(PATTERNS, "what a small number leaves behind", "kahan-core/src/map/orbit/projective/germ/digits.rs",
-        "if entry.size() < size.scaled(-INFINITE) {",
-        "if entry.is_zero() {"),
-    of(PATTERNS, "points that lose any number of bits", "kahan-core/src/map/orbit/projective/germ/digits.rs",
-        "const LOST: i64 = 10;",
-        "const LOST: i64 = 60;"),
-    of(PATTERNS, "series that are too short to say so", "kahan-core/src/map/orbit/projective/germ/series.rs",
-        "order().is_some_and(|order| order < 0)",
-        "order().is_some_and(|order| order < -9)"),
 ];
