@@ -8,13 +8,13 @@
 Prints two tables in Markdown, after it has checked that both sides compute the same. All take turns; a ratio is the median of
 the rounds' ratios, theirs over ours, so that above 1 we are faster. Times are the least of all rounds.
 
-Their loops are those of `steps.py`, compiled by Numba for this processor with `fastmath`, which fuses and reorders as ours never
-do, unless the row says otherwise. Tangent vectors are scaled every SCALED steps, as a logarithm or a root at each step would
-cost more than the step; ours look at their length at every step. The stability map runs on two threads on both sides, and its
-times are processor seconds of both, as a wall clock would tell what else the machine does. "In the
-inner loop" are LANES cells whose steps are inlined into it, without which Numba's compiler makes no vectors of them. NumPy
-steps CHUNK cells at a time, so that its arrays stay in the cache, the chunks on two threads. What Numba takes to compile a loop
-when it is called first is in no time of a loop; ours are compiled with the program.
+Their loops are those of `steps.py`, compiled by Numba for this processor with `fastmath`, which fuses and reorders as ours
+never do, unless the row says otherwise. Tangent vectors are scaled every SCALED steps, as a logarithm or a root at each step
+would cost more than the step; ours look at their length at every step. The stability map runs on two threads on both sides,
+and its times are processor seconds of both, as a wall clock would tell what else the machine does. "In the inner loop" are
+LANES cells whose steps are inlined into it, without which Numba's compiler makes no vectors of them. NumPy steps CHUNK cells
+at a time, so that its arrays stay in the cache, the chunks on two threads. What Numba takes to compile a loop when it is
+called first is in no time of a loop; ours are compiled with the program.
 """
 
 import os
