@@ -1,6 +1,8 @@
 # Kubernetes: the Job of --for kubernetes against the schemas of three versions, and its pods played by a loop.
 python_with kubernetes-validate pyyaml
-kahan-sweep plan.toml --for kubernetes --shards 5 >job.yaml
+# Whatever the plan's name is, it is plan.toml to the pods.
+cp plan.toml "a plan: #1 'ü', \"%A\".toml"
+kahan-sweep "a plan: #1 'ü', \"%A\".toml" --for kubernetes --shards 5 >job.yaml
 # The oldest version whose schema is known, the newest, and one between.
 newest=$(kubernetes-validate --version)
 for version in 1.25.0 1.30.0 "$newest"; do

@@ -24,10 +24,11 @@ pub(crate) fn slurm(plan: &Path, out: &Path, shards: u64) -> String {
 
 /// An indexed Job for Kubernetes, a completion a shard.
 pub(crate) fn kubernetes(plan: &Path, shards: u64) -> String {
-    let name = plan.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    // Keys of config maps are of few letters, so the plan has one name there, whatever its file's is.
+    let plan = quoted(plan);
     format!(
         "# An indexed Job of {shards} completions, a shard each. Before it:\n\
-         #   kubectl create configmap kahan-sweep-plan --from-file={name}\n\
+         #   kubectl create configmap kahan-sweep-plan --from-file=plan.toml={plan}\n\
          # and a claim `kahan-sweep-results` for a volume that all nodes can write, and an image with kahan-sweep in it.\n\
          apiVersion: batch/v1\n\
          kind: Job\n\
@@ -44,7 +45,7 @@ pub(crate) fn kubernetes(plan: &Path, shards: u64) -> String {
          \x20     containers:\n\
          \x20       - name: kahan-sweep\n\
          \x20         image: kahan-sweep:{version}\n\
-         \x20         args: [\"/plan/{name}\", \"--out\", \"/results\", \"--threads\", \"1\"]\n\
+         \x20         args: [\"/plan/plan.toml\", \"--out\", \"/results\", \"--threads\", \"1\"]\n\
          \x20         env:\n\
          \x20           - name: KAHAN_SHARDS\n\
          \x20             value: \"{shards}\"\n\
@@ -71,6 +72,44 @@ fn quoted(path: &Path) -> String {
     if !text.is_empty() && text.chars().all(is_plain) {
         text.into_owned()
     } else {
-        format!("'{}'", text.replace('\'', r"'\''"))
+        // A line within a comment would end it.
+        format!("'{}'", text.replace('\'', r"'\''").replace('\n', r"'$'\n''"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+    use std::process::Command;
+
+    use super::{kubernetes, quoted, slurm};
+
+    const NAMES: [&str; 5] =
+        ["plan.toml", "it's a plan: #1.toml", "ü \"%A\" $HOME `x`", "two\nlines", "a&b;c|d>e"];
+
+    #[cfg(unix)]
+    #[test]
+    fn a_shell_reads_paths_as_they_are() {
+        for name in NAMES {
+            let script = format!("printf %s {}", quoted(Path::new(name)));
+            let said = Command::new("bash").args(["-c", &script]).output().expect("a shell").stdout;
+            assert_eq!(String::from_utf8(said).as_deref(), Ok(name));
+        }
+    }
+
+    #[test]
+    fn names_leave_job_descriptions_as_they_are() {
+        let lines = |text: String| {
+            let lines = text.lines().filter(|line| !line.starts_with("exec") && !line.starts_with("# "));
+            lines.map(|line| format!("{line}\n")).collect::<String>()
+        };
+        let comments = |text: String| text.lines().filter(|line| line.starts_with('#')).count();
+        let of = |name: &str| [slurm(Path::new(name), Path::new(name), 7), kubernetes(Path::new(name), 7)];
+        for name in NAMES {
+            for (text, plain) in of(name).into_iter().zip(of("plan.toml")) {
+                assert_eq!(lines(text.clone()), lines(plain.clone()), "{name}");
+                assert_eq!(comments(text), comments(plain), "{name}");
+            }
+        }
     }
 }
