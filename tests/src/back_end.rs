@@ -32,6 +32,8 @@ pub trait BackEnd {
     fn step(&self, x: &[Q], eps: &Q) -> Option<Vector>;
     /// ∂x̃/∂x; `None` at a pole.
     fn jacobian(&self, x: &[Q], eps: &Q) -> Option<Matrix>;
+    /// (∂x̃/∂x)·v where x̃ is known, as `next`; `None` at a pole.
+    fn carry(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector>;
     /// det A(x,ε)
     fn det_matrix(&self, x: &[Q], eps: &Q) -> Q;
     /// det ∂x̃/∂x; `None` at a pole.

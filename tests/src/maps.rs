@@ -6,7 +6,7 @@
 //! system.
 
 use kahan_core::prelude::*;
-use kahan_core::{Constant, KahanAt, Orbit, SingularStep};
+use kahan_core::{Constant, KahanAt, Lift, Orbit, SingularStep};
 use kahan_systems::entry::Entry;
 use kahan_systems::with_catalog;
 
@@ -47,6 +47,8 @@ pub trait Map<T>: Steps<T> {
     fn det_jacobian(&self, x: &[T], eps: T) -> T;
     /// (N, D) = (adj A·b, det A)
     fn rational_map(&self, x: &[T], eps: T) -> (Vec<T>, T);
+    /// (∂x̃/∂x)·v, x̃ being `next`.
+    fn carry(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>>;
     /// The prepared map.
     fn at(&self, eps: T) -> Box<dyn Prepared<T>>;
     /// x₀, x₁, …
@@ -104,7 +106,7 @@ impl<T: Pivot, M: KahanMap<T, N>, const N: usize> Steps<T> for OfDimension<M, N>
     }
 }
 
-impl<T: Pivot, M: KahanMap<T, N> + Clone + 'static, const N: usize> Map<T> for OfDimension<M, N> {
+impl<T: Pivot, M: Lift<T, N> + 'static, const N: usize> Map<T> for OfDimension<M, N> {
     fn field(&self, x: &[T]) -> Vec<T> {
         entries(&self.0.field(&point(x)))
     }
@@ -148,6 +150,11 @@ impl<T: Pivot, M: KahanMap<T, N> + Clone + 'static, const N: usize> Map<T> for O
     fn rational_map(&self, x: &[T], eps: T) -> (Vec<T>, T) {
         let (numerators, denominator) = self.0.rational_map(&point(x), eps);
         (entries(&numerators), denominator)
+    }
+
+    fn carry(&self, x: &[T], next: &[T], v: &[T], eps: T) -> Option<Vec<T>> {
+        let tangent = self.0.at(eps).tangent();
+        tangent.carry_to(&point(x), &point(next), &point(v)).map(|carried| entries(&carried))
     }
 
     fn at(&self, eps: T) -> Box<dyn Prepared<T>> {
@@ -202,7 +209,7 @@ pub fn parameters<T: Scalar>(entry: &Entry) -> Vec<T> {
 pub(crate) fn erased<T, M, const N: usize>(map: M) -> Box<dyn Map<T>>
 where
     T: Pivot,
-    M: KahanMap<T, N> + Clone + 'static,
+    M: Lift<T, N> + 'static,
 {
     Box::new(OfDimension(map))
 }

@@ -30,6 +30,7 @@ mod floats {
     mod derived_bounds;
     mod double_double_steps;
     mod half_steps;
+    mod long_tangents;
     mod one_step;
     mod prepared;
     mod stable;

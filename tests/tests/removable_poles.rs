@@ -87,6 +87,12 @@ fn compiled_and_read_agree<M, const N: usize>(
         "{name} over ℚ at {x:?}"
     );
     assert_eq!(map.reduced_map(&x, eps.clone()), read.reduced_map(&x, eps.clone()), "{name} at {x:?}");
+    if let Ok(next) = map.try_step(&x, eps.clone()) {
+        // Where A is singular, its equation for a tangent vector says nothing.
+        let v = SVector::from_fn(|i, _| BigRational::new((2 * i as i64 - 3).into(), 5.into()));
+        let carried = map.at(eps.clone()).tangent().carry_to(&x, &next, &v);
+        assert_eq!(carried, Some(map.jacobian(&x, eps.clone()) * v), "{name} at {x:?}");
+    }
     let float = |value: &BigRational| Rational::from(value.clone()).to_f64();
     let (compiled, interpreted) = (map.lift(float), read.lift(float));
     let (near, near_eps) = (x.map(|x| float(&x)), float(&eps));

@@ -69,6 +69,7 @@ pub struct Derived {
     /// by row.
     pub brackets: Vec<(String, Plan)>,
     step: OnceLock<Option<StepPlan>>,
+    carry: OnceLock<Option<(Symbols, Plan)>>,
 }
 
 /// Derives the plans of a system.
@@ -105,6 +106,7 @@ pub fn derive(system: &System) -> Derived {
         density: claims(ClaimKind::Density).next().map(|(_, plan)| single(plan)),
         brackets: claims(ClaimKind::Bracket).map(|(name, plan)| (name, single(plan))).collect(),
         step: OnceLock::new(),
+        carry: OnceLock::new(),
         system: system.clone(),
     }
 }
@@ -117,6 +119,25 @@ impl Derived {
         let plan = || StepPlan::of_map(&self.system.field, self.map.as_ref());
         let written = || if self.couplings.is_some() { None } else { plan() };
         self.step.get_or_init(written).as_ref()
+    }
+
+    /// v ↦ (∂x̃/∂x)·v where x̃ is known besides x, a component a result; `None` where the reduced map
+    /// has a value at zeros of det A, and where there is no such form that is short and keeps its
+    /// digits.
+    ///
+    /// The symbols are those of the [variational](System::variational) field: x and v are its
+    /// states, and x̃ is the first half of its second states.
+    ///
+    /// Cost: the first call plans it, as that of a step.
+    pub fn carry(&self) -> Option<(&Symbols, &Plan)> {
+        let plan = || {
+            let variational = self.system.variational().field;
+            let plan = Plan::of_tangent(&variational)?;
+            Some((variational.symbols, plan))
+        };
+        let has_other_poles = self.reduced_map.is_some();
+        let planned = || if has_other_poles || self.step().is_none() { None } else { plan() };
+        self.carry.get_or_init(planned).as_ref().map(|(symbols, plan)| (symbols, plan))
     }
 
     /// Whether the field divides by nothing that is zero at these parameters, in their order.

@@ -21,7 +21,7 @@ use crate::field::Field;
 use crate::prime_field::SplitMix64;
 use crate::table::sorted_by;
 
-use super::StepPlan;
+use super::{Plan, StepPlan};
 use program::{Program, short};
 use trial::{Elimination, Trial};
 
@@ -96,6 +96,18 @@ impl<'a> Accuracy<'a> {
         let runner = Runner::of(step);
         self.few.iter().rev().all(|trials| runner.loss(trials).measured <= KEPT)
     }
+
+    /// Whether a form that carries tangent vectors from x to x̃ stays within the limits that a step
+    /// is refused beyond; this is the variational field.
+    pub(super) fn keeps_tangents(&self, carry: &Plan) -> bool {
+        let program = Program::of(carry);
+        let n = carry.outputs.len();
+        let error = |trial: &Trial| {
+            let inputs: Vec<f64> = trial.inputs.iter().chain(&trial.next[..n]).copied().collect();
+            trial.error_from(n, &program.run(short, &inputs, &[]))
+        };
+        self.few.iter().all(|trials| ratio(trials, error).measured <= REFUSED)
+    }
 }
 
 /// So many points of each size. Where f′ vanishes there are none; a field of which that is mostly
@@ -145,23 +157,9 @@ impl<'a> Runner<'a> {
         Runner { step, constants: Program::of(&step.constants), kernel: Program::of(&step.kernel) }
     }
 
-    /// The ratios of medians and of tails to what they may be.
+    /// The ratios of its errors to what they may be.
     fn loss(&self, trials: &[Trial]) -> Ratio {
-        if trials.len() < FEW {
-            return Ratio { measured: 0.0, largest: 0.0 };
-        }
-        let own = sorted(trials.iter().map(|trial| self.error(trial)));
-        let others = sorted(trials.iter().map(|trial| trial.elimination));
-        let band = BAND / (trials.len() as f64).sqrt();
-        // The step read off at `shift` from a quantile, elimination as far on the other side.
-        let ratio = |shift: f64| {
-            let of_medians =
-                quantile(&own, 0.5 + shift) / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(SMALL));
-            let tail = quantile(&own, TAIL + shift / 2.0);
-            let of_tails = tail / (TAIL_FACTOR * quantile(&others, TAIL - shift / 2.0));
-            if tail <= SMALL_TAIL { of_medians } else { of_medians.max(of_tails) }
-        };
-        Ratio { measured: ratio(0.0), largest: ratio(band) }
+        ratio(trials, |trial| self.error(trial))
     }
 
     /// The error of one step.
@@ -176,6 +174,25 @@ impl<'a> Runner<'a> {
         }
         trial.error(&next)
     }
+}
+
+/// The ratios of medians and of tails to what they may be.
+fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
+    if trials.len() < FEW {
+        return Ratio { measured: 0.0, largest: 0.0 };
+    }
+    let own = sorted(trials.iter().map(error));
+    let others = sorted(trials.iter().map(|trial| trial.elimination));
+    let band = BAND / (trials.len() as f64).sqrt();
+    // The step read off at `shift` from a quantile, elimination as far on the other side.
+    let ratio = |shift: f64| {
+        let of_medians =
+            quantile(&own, 0.5 + shift) / (MEDIAN_FACTOR * quantile(&others, 0.5 - shift).max(SMALL));
+        let tail = quantile(&own, TAIL + shift / 2.0);
+        let of_tails = tail / (TAIL_FACTOR * quantile(&others, TAIL - shift / 2.0));
+        if tail <= SMALL_TAIL { of_medians } else { of_medians.max(of_tails) }
+    };
+    Ratio { measured: ratio(0.0), largest: ratio(band) }
 }
 
 fn sorted(errors: impl Iterator<Item = f64>) -> Vec<f64> {

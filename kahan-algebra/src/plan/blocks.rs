@@ -41,6 +41,8 @@ pub(super) struct Blocks<'a> {
     matrix: Vec<Vec<Polynomial>>,
     polarized: Vec<Polynomial>,
     structure: Structure,
+    /// The states that are solved for come from here on; those before them are known at both points.
+    first: usize,
 }
 
 /// How blocks are solved.
@@ -64,16 +66,48 @@ impl<'a> Blocks<'a> {
             matrix: scaled_matrix(field),
             polarized: polarization(field),
             structure: Structure::of(field),
+            first: 0,
         }
+    }
+
+    /// For the tangent vector v of a variational field, where x̃ is known besides x.
+    ///
+    /// Second states stand for x + x̃ and ṽ − v: then half of the terms of the polarised field
+    /// cancel, and none of the others has a factor ½ that the field does not have, if it is doubled.
+    pub(super) fn of_tangent(field: &'a Field) -> Self {
+        let first = field.dimension() / 2;
+        let mut blocks = Blocks { first, ..Blocks::of(field) };
+        for polarized in &mut blocks.polarized {
+            *polarized = polarized.scale(&Rational::from(2));
+            for i in 0..2 * first {
+                let [state, second] = [Symbol::State(i), Symbol::SecondState(i)]
+                    .map(|symbol| Polynomial::variable(field.symbols.variable(symbol)));
+                let shifted = if i < first { &second - &state } else { &second + &state };
+                // Second states have degree 1 at most.
+                let parts = polarized.coefficients_in(field.symbols.variable(Symbol::SecondState(i)));
+                *polarized = parts.iter().fold(Polynomial::zero(), |sum, (degree, part)| match degree {
+                    0 => &sum + part,
+                    _ => &sum + &(part * &shifted),
+                });
+            }
+        }
+        blocks
+    }
+
+    /// Whether this is a tangent vector, whose polarised field is doubled.
+    fn is_tangent(&self) -> bool {
+        self.first > 0
     }
 
     /// The candidate in one manner; `None` where a block is too large.
     pub(super) fn candidate(&self, mut writer: Writer, manner: Manner) -> Option<Candidate> {
+        self.put_sums(&mut writer);
         let still = (Signed::plus(writer.draft.zero()), None);
         let mut increments: Vec<Increment> = vec![still; self.field.dimension()];
-        for block in &self.structure.blocks() {
+        for block in self.structure.blocks().iter().filter(|block| block[0] >= self.first) {
             self.solve(block, manner, &mut writer, &mut increments)?;
         }
+        let increments = &increments[self.first..];
         let numerator = |(signed, _): &Increment| match signed.negative {
             // Its value is a part of x̃ in this plan, so a difference is not turned round.
             true => writer.draft.builder.changed_sign(signed.node),
@@ -124,16 +158,20 @@ impl<'a> Blocks<'a> {
             // An odd order of the rows changes all signs, which cancel in the quotients.
             written.rotate_left(turn);
             let Determinants { denominator, numerators } = determinants(writer, &written);
-            let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);
+            let reciprocal = match self.is_tangent() {
+                true => writer.eps_over(denominator.node),
+                false => writer.reciprocal(&Rational::from(2), denominator.node),
+            };
             for (&i, numerator) in rest.iter().zip(numerators) {
                 increments[i] = (numerator.flipped(denominator.negative), Some(reciprocal));
                 self.put_next(writer, i, increments[i]);
             }
         }
         for i in independent {
-            let twice_eps = Polynomial::variable(self.field.symbols.epsilon()).scale(&Rational::from(2));
+            let eps = Polynomial::variable(self.field.symbols.epsilon());
+            let time = eps.scale(&Rational::from(if self.is_tangent() { 1 } else { 2 }));
             let moved = self.with_known(&self.polarized[i], block, &rest);
-            let written = writer.write_cheapest(&(&twice_eps * &moved));
+            let written = writer.write_cheapest(&(&time * &moved));
             increments[i] = (written, None);
             self.put_next(writer, i, increments[i]);
         }
@@ -147,7 +185,11 @@ impl<'a> Blocks<'a> {
         independent: &[usize],
         rest: &[usize],
     ) -> Option<Vec<Vec<Polynomial>>> {
-        let eps = Polynomial::variable(self.field.symbols.epsilon());
+        // A tangent vector has it in the reciprocal.
+        let eps = match self.is_tangent() {
+            true => Polynomial::one(),
+            false => Polynomial::variable(self.field.symbols.epsilon()),
+        };
         let right = |i: usize| &eps * &self.with_known(&self.polarized[i], block, &[]);
         let rows = rest.iter().map(|&i| {
             let eliminated = |start: Polynomial, entry: &dyn Fn(usize) -> Polynomial| {
@@ -168,16 +210,34 @@ impl<'a> Blocks<'a> {
     }
 
     /// The polarised field with x for x̃ in the states of the block, but for those that are known
-    /// already.
+    /// already; of a tangent vector, without their increments.
     fn with_known(&self, polarized: &Polynomial, block: &[usize], known: &[usize]) -> Polynomial {
         let symbols = &self.field.symbols;
+        if self.is_tangent() {
+            let unknown = block.iter().filter(|i| !known.contains(i));
+            return unknown.fold(polarized.clone(), |polarized, &i| {
+                polarized.substitute(symbols.variable(Symbol::SecondState(i)), &Rational::zero())
+            });
+        }
         polarized.map_variables(|variable| match symbols.symbol(variable) {
             Symbol::SecondState(i) if block.contains(&i) && !known.contains(&i) => symbols.state(i),
             _ => variable,
         })
     }
 
-    /// x̃ᵢ = xᵢ + numerator · reciprocal, for what comes later; dropped if nothing uses it.
+    /// x + x̃ of the states that are known.
+    fn put_sums(&self, writer: &mut Writer) {
+        for i in 0..self.first {
+            let second = self.field.symbols.variable(Symbol::SecondState(i));
+            let [state, next] =
+                [self.field.symbols.state(i), second].map(|variable| writer.draft.input(variable));
+            let sum = writer.draft.sum(&[Signed::plus(state), Signed::plus(next)]);
+            writer.put(second, sum);
+        }
+    }
+
+    /// x̃ᵢ = xᵢ + numerator · reciprocal, for what comes later; dropped if nothing uses it. Of a
+    /// tangent vector, the increment alone.
     fn put_next(&self, writer: &mut Writer, i: usize, (increment, reciprocal): Increment) {
         let symbols = &self.field.symbols;
         let second: Variable = symbols.variable(Symbol::SecondState(i));
@@ -186,8 +246,11 @@ impl<'a> Blocks<'a> {
             Some(reciprocal) => writer.draft.multiply(increment.node, reciprocal),
             None => increment.node,
         };
-        let next =
-            writer.draft.sum(&[Signed::plus(state), Signed { node: step, negative: increment.negative }]);
+        let step = Signed { node: step, negative: increment.negative };
+        let next = match self.is_tangent() {
+            true => writer.draft.node(step),
+            false => writer.draft.sum(&[Signed::plus(state), step]),
+        };
         writer.put(second, next);
     }
 }

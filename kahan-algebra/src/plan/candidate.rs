@@ -22,9 +22,8 @@ impl Candidate {
         let mut outputs = numerators.clone();
         outputs.extend(distinct(reciprocals.iter().copied().flatten()));
         let plan = writer.draft.builder.finish(&outputs);
-        let states = writer.scaling.states();
         let epsilon = writer.scaling.epsilon();
-        let (constants, kernel) = plan.split(epsilon, |variable| variable.0 < states);
+        let (constants, kernel) = plan.split(epsilon, |variable| writer.scaling.ready(variable).is_some());
         let derived = if writer.scaling.folds { 0 } else { constants.derived_constants(epsilon) };
         let price = price_of(&kernel, numerators.len(), derived);
         let products = reciprocals.iter().flatten().count();

@@ -15,7 +15,7 @@ pub(super) struct Draft {
     ready: Vec<u32>,
     /// Whether a step depends on no state: it is a constant that a prepared map computes once.
     fixed: Vec<bool>,
-    /// Variables below this index are states.
+    /// Variables from here to ε are parameters, the others states.
     states: u16,
     epsilon: Variable,
     /// Whether constants may be multiplied with each other, see [`Self::product`].
@@ -38,7 +38,7 @@ impl Draft {
     fn settle(&mut self) {
         for operation in &self.builder.operations()[self.ready.len()..] {
             let fixed = match operation {
-                Operation::Input(variable) => variable.0 >= self.states,
+                Operation::Input(variable) => (self.states..=self.epsilon.0).contains(&variable.0),
                 Operation::Divide(_, divisor) => {
                     self.builder.operations()[divisor.0] == Operation::Input(self.epsilon)
                 }

@@ -21,7 +21,8 @@
 //!    multiply-adds, signs.
 //! 10. `single_divisions` gives each component a division of its own.
 //! 11. `recurrence` measures the way from a state to the next, `accuracy` what a long step loses.
-//! 12. `step` chooses among all of these. `words` describes a plan's values for whoever names them.
+//! 12. `step` chooses among all of these, and `tangent` carries tangent vectors along it. `words`
+//!     describes a plan's values for whoever names them.
 
 mod accuracy;
 mod blocks;
@@ -48,6 +49,7 @@ mod single_divisions;
 mod split;
 mod step;
 mod structure;
+mod tangent;
 mod words;
 mod writer;
 

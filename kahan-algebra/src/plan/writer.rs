@@ -99,6 +99,12 @@ impl Writer {
         self.draft.builder.divide(c, denominator)
     }
 
+    /// ε/d
+    pub(super) fn eps_over(&mut self, denominator: Node) -> Node {
+        let eps = self.draft.input(self.scaling.epsilon());
+        self.draft.builder.divide(eps, denominator)
+    }
+
     /// From now on a step stands for this symbol.
     pub(super) fn put(&mut self, symbol: Variable, node: Node) {
         self.put.push((symbol, node));

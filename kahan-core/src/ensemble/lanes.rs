@@ -39,6 +39,23 @@ pub trait OverLanes<T> {
     fn run<L: Lanes<T>>(self) -> Self::Output;
 }
 
+/// Work on one number at a time.
+pub(crate) trait Alone {
+    /// What comes of it.
+    type Output;
+
+    /// Does it; to be inlined into its caller, whose instructions it then is compiled with.
+    fn run(self) -> Self::Output;
+}
+
+/// Runs it with the instructions of this processor that change no bit of a result.
+pub(crate) fn run_alone<W: Alone>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    return super::x86_64::run_alone(work);
+    #[cfg(not(target_arch = "x86_64"))]
+    work.run()
+}
+
 /// A float that fills lanes.
 pub(crate) trait InLanes: Sized {
     /// Numbers in the widest register.

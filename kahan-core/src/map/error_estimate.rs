@@ -163,7 +163,7 @@ where
             None => vector(from_fn(|_| T::zero())),
             Some((Estimated { point: before, error }, local_before)) => {
                 let left = |i: usize| half.clone().multiply_add(local_before[i].clone(), error[i].clone());
-                let carried = self.tangent.carry(before, &vector(from_fn(left)))?;
+                let carried = self.tangent.carry_to(before, &point, &vector(from_fn(left)))?;
                 vector(from_fn(|i| half.clone().multiply_add(local[i].clone(), carried[i].clone())))
             }
         };

@@ -4,7 +4,11 @@
 //! another. Out: the system over that one. This is how a step is repeated in a wider precision, in
 //! dual numbers, or with an error bound beside each value.
 
+use nalgebra::SVector;
+
 use crate::{KahanMap, Scalar};
+
+use super::tangent::carry_along;
 
 /// A system that exists over every scalar, as all do that [`kahan!`](crate::kahan) writes.
 ///
@@ -30,4 +34,21 @@ pub trait Lift<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// The system with each parameter put into U by `lift`. Parameters only: what is written in the
     /// field are exact numbers, which every scalar rounds for itself.
     fn lift<U: Scalar>(&self, lift: impl Fn(&T) -> U) -> Self::Lifted<U>;
+
+    /// The tangent vector `v` at `x` carried to x̃, which is `y`: J(x)·v. `None` at a pole of an exact
+    /// scalar.
+    ///
+    /// The macro writes the solution of A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v where det A is zero at
+    /// poles alone. Other maps differentiate their step, and have no need of `y`.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn carry_tangent(
+        &self,
+        eps: &T,
+        x: &SVector<T, N>,
+        _y: &SVector<T, N>,
+        v: &SVector<T, N>,
+    ) -> Option<SVector<T, N>> {
+        carry_along(self, eps, x, v)
+    }
 }

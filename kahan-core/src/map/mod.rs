@@ -32,6 +32,7 @@ pub use coupled::{CoupledField, CoupledStep, Postfix, slopes_matrix};
 pub use elimination::Elimination;
 pub use error_estimate::{ErrorEstimates, Estimated};
 pub use lift::Lift;
+pub(crate) use orbit::Sees;
 pub(crate) use orbit::sealed::Sealed;
 pub use orbit::{Accumulation, Compensated, Method, Orbit, Rounded, Scaled, Single};
 #[cfg(feature = "std")]
@@ -39,7 +40,7 @@ pub use orbit::{Projective, ProjectivePoint, ThroughPoles};
 pub use pivot::Pivot;
 pub use tangent::TangentAt;
 #[cfg(feature = "std")]
-pub(crate) use tangent::{TangentStep, carry, tangent_stages};
+pub(crate) use tangent::carry_to;
 pub use through_f64::ThroughF64;
 
 /// ε from the time step: ε = dt/2.

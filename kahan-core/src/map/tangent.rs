@@ -1,8 +1,9 @@
-//! The derivative of a prepared map, along one direction at a time.
+//! The derivative of a map at its ε, along one direction at a time.
 //!
 //! In: a map at its ε, once; then points x and tangent vectors v. Out: J(x)·v, J = ∂x̃/∂x, by the
-//! closed form of the step over numbers along a line. Their products are never fused, so a vector
-//! has the same bits on every level of instructions and in every build.
+//! linear equation that it solves, or by the closed form of the step over numbers along a line.
+//! Products are never fused, so a vector has the same bits on every level of instructions and in
+//! every build.
 
 use core::array::from_fn;
 use core::fmt;
@@ -11,14 +12,9 @@ use nalgebra::SVector;
 
 use crate::field::linear::vector;
 use crate::scalar::Along;
-use crate::{KahanAt, KahanMap, Lift, PreparedStep, Scalar, Single};
+use crate::{KahanAt, KahanMap, Lift, PreparedStep, Quotients, Scalar, Single};
 
 use super::Method;
-
-/// The type of the step that a tangent vector takes: the prepared step over numbers along a line,
-/// here or over another scalar U.
-pub(crate) type TangentStep<M, T, const N: usize, U = T> =
-    <<M as Lift<T, N>>::Lifted<Along<U>> as KahanMap<Along<U>, N>>::Prepared;
 
 /// What carries tangent vectors along a [`KahanAt`]; made by [`KahanAt::tangent`].
 pub struct TangentAt<M, T, const N: usize, K = Single>
@@ -31,7 +27,6 @@ where
     pub(crate) eps: T,
     /// ε of each stage.
     pub(crate) parts: K::Stages<T>,
-    stages: K::Stages<TangentStep<M, T, N>>,
 }
 
 impl<M, T, const N: usize> KahanAt<M, T, N>
@@ -40,8 +35,6 @@ where
     T: Scalar,
 {
     /// What carries tangent vectors along this map: v ↦ J(x)·v with J = ∂x̃/∂x.
-    ///
-    /// All that depends on ε and the parameters alone is computed here, once.
     ///
     /// ```
     /// use kahan_core::prelude::*;
@@ -71,8 +64,7 @@ where
 {
     /// From the stages' ε.
     pub(crate) fn new(map: &M, eps: &T, parts: K::Stages<T>) -> Self {
-        let stages = tangent_stages::<M, T, K, T, N>(map, &parts, T::clone);
-        Self { map: map.clone(), eps: eps.clone(), parts, stages }
+        Self { map: map.clone(), eps: eps.clone(), parts }
     }
 
     /// ε, half the time step.
@@ -83,49 +75,98 @@ where
     /// J(x)·v; `None` at a pole of an exact scalar.
     #[inline(always)]
     pub fn carry(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
-        carry::<K, _, T, N>(&self.stages, x, v)
+        let (mut x, mut v) = (x.clone(), v.clone());
+        for eps in K::in_order(&self.parts) {
+            let y = unfused_step(&self.map, eps, &x)?;
+            v = self.map.carry_tangent(eps, &x, &y, &v)?;
+            x = y;
+        }
+        Some(v)
+    }
+
+    /// The same where x̃ is known, as an orbit's next point is: about half of the work then.
+    #[inline(always)]
+    pub fn carry_to(
+        &self,
+        x: &SVector<T, N>,
+        next: &SVector<T, N>,
+        v: &SVector<T, N>,
+    ) -> Option<SVector<T, N>> {
+        carry_to::<K, M, T, N>(&self.map, &self.parts, x, next, v)
     }
 }
 
-/// The steps of a map at these ε over numbers of U along a line, into which `lift` puts each number.
+/// J(x)·v of a map with these ε of its stages, for the point after the last of them.
 #[inline(always)]
-pub(crate) fn tangent_stages<M, T, K, U, const N: usize>(
+pub(crate) fn carry_to<K, M, T, const N: usize>(
     map: &M,
-    eps: &K::Stages<T>,
-    lift: impl Fn(&T) -> U,
-) -> K::Stages<TangentStep<M, T, N, U>>
-where
-    M: Lift<T, N>,
-    T: Scalar,
-    K: Method,
-    U: Scalar,
-{
-    let lifted = map.lift::<Along<U>>(|parameter| Along::lift(lift(parameter)));
-    K::map(eps, |eps| lifted.prepare(&Along::lift(lift(eps))))
-}
-
-/// A tangent vector at a point, all stages later; `None` at a pole of an exact scalar.
-#[inline(always)]
-pub(crate) fn carry<K, S, T, const N: usize>(
-    stages: &K::Stages<S>,
+    parts: &K::Stages<T>,
     x: &SVector<T, N>,
+    next: &SVector<T, N>,
     v: &SVector<T, N>,
 ) -> Option<SVector<T, N>>
 where
     K: Method,
-    S: PreparedStep<Along<T>, N>,
+    M: Lift<T, N>,
     T: Scalar,
 {
-    let mut along: SVector<Along<T>, N> =
-        vector(from_fn(|i| Along { value: x[i].clone(), slope: Some(v[i].clone()) }));
-    for step in K::in_order(stages) {
-        let quotients = step.quotients(&along)?;
-        // In its place: over lanes, compilers call what builds an array.
-        for i in 0..N {
-            along[i] = quotients.sum(i, along[i].clone());
-        }
+    let (mut x, mut v) = (x.clone(), v.clone());
+    let mut left = K::in_order(parts).count();
+    for eps in K::in_order(parts) {
+        left -= 1;
+        let y = if left == 0 { next.clone() } else { unfused_step(map, eps, &x)? };
+        v = map.carry_tangent(eps, &x, &y, &v)?;
+        x = y;
     }
-    Some(vector(from_fn(|i| along[i].clone().into_slope())))
+    Some(v)
+}
+
+/// The step over numbers along a line, and the point and the vector that each of them is made of.
+#[inline(always)]
+fn step_along<M, T, const N: usize>(
+    map: &M,
+    eps: &T,
+    mut along: SVector<Along<T>, N>,
+) -> Option<SVector<Along<T>, N>>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+{
+    let lifted = map.lift::<Along<T>>(|parameter| Along::lift(parameter.clone()));
+    let quotients: Quotients<_, N> = lifted.prepare(&Along::lift(eps.clone())).quotients(&along)?;
+    // In its place: over lanes, compilers call what builds an array.
+    for i in 0..N {
+        along[i] = quotients.sum(i, along[i].clone());
+    }
+    Some(along)
+}
+
+/// x̃ by products that are never fused.
+#[inline(always)]
+fn unfused_step<M, T, const N: usize>(map: &M, eps: &T, x: &SVector<T, N>) -> Option<SVector<T, N>>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+{
+    let next = step_along(map, eps, vector(from_fn(|i| Along::lift(x[i].clone()))))?;
+    Some(vector(from_fn(|i| next[i].value.clone())))
+}
+
+/// J(x)·v by numbers along v.
+#[inline(always)]
+pub(super) fn carry_along<M, T, const N: usize>(
+    map: &M,
+    eps: &T,
+    x: &SVector<T, N>,
+    v: &SVector<T, N>,
+) -> Option<SVector<T, N>>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+{
+    let along = vector(from_fn(|i| Along { value: x[i].clone(), slope: Some(v[i].clone()) }));
+    let next = step_along(map, eps, along)?;
+    Some(vector(from_fn(|i| next[i].clone().into_slope())))
 }
 
 impl<M, T, K, const N: usize> Clone for TangentAt<M, T, N, K>
@@ -135,12 +176,7 @@ where
     K: Method,
 {
     fn clone(&self) -> Self {
-        Self {
-            map: self.map.clone(),
-            eps: self.eps.clone(),
-            parts: self.parts.clone(),
-            stages: self.stages.clone(),
-        }
+        Self { map: self.map.clone(), eps: self.eps.clone(), parts: self.parts.clone() }
     }
 }
 

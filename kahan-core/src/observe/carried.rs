@@ -25,29 +25,36 @@ pub(super) struct Carried<M: Tangent<T>, T, const K: usize> {
     vectors: [M::Point; K],
     /// Vector k stands for itself times 2 to this power.
     exponents: [i64; K],
+    /// The steps taken.
+    steps: u64,
 }
 
 impl<M: Tangent<T>, T: FloatScalar, const K: usize> Carried<M, T, K> {
     /// Vectors in directions that nothing prefers.
     pub(super) fn new(map: M) -> Self {
         let vectors = from_fn(|k| map.point(|i| any_direction(k, i)));
-        Self { place: map.point(|_| T::zero()), vectors, exponents: [0; K], map }
+        Self { place: map.point(|_| T::zero()), vectors, exponents: [0; K], steps: 0, map }
     }
 
-    /// To the next point, and the squares of the vectors' lengths there.
+    /// To the next point.
     #[inline(always)]
-    pub(super) fn follow(&mut self, step: u64, x: &[T]) -> [Size; K] {
+    fn follow(&mut self, step: u64, x: &[T]) {
         if step > 0 {
-            carry_all(&self.map, self.place.as_ref(), &mut self.vectors);
+            carry_all(&self.map, self.place.as_ref(), x, &mut self.vectors);
         }
         self.place.as_mut().copy_from_slice(x);
-        self.scale()
+        self.steps = step;
     }
 
     /// Scales the vectors; the squares of their lengths.
     #[inline(always)]
-    fn scale(&mut self) -> [Size; K] {
-        from_fn(|k| scale(self.vectors[k].as_mut(), &mut self.exponents[k]))
+    pub(super) fn scale(&mut self) -> [Size; K] {
+        from_fn(|k| scale(&mut self.vectors[k], &mut self.exponents[k]))
+    }
+
+    /// The steps taken.
+    pub(super) fn steps(&self) -> u64 {
+        self.steps
     }
 
     /// The vectors, each up to a power of two.
@@ -61,32 +68,63 @@ impl<M: Tangent<T>, T: FloatScalar, const K: usize> Carried<M, T, K> {
     }
 }
 
-/// Carries vectors along, two at a time: what depends on `x` alone is then computed once for both.
+/// Carries vectors along, two at a time: what depends on the points alone is then computed once for
+/// both.
 #[inline(always)]
 pub(super) fn carry_all<'a, M: Tangent<T, Point: 'a>, T>(
     map: &M,
     x: &[T],
+    next: &[T],
     vectors: impl IntoIterator<Item = &'a mut M::Point>,
 ) {
     let mut vectors = vectors.into_iter();
     while let Some(one) = vectors.next() {
-        map.carry(x, one);
+        map.carry_to(x, next, one);
         if let Some(other) = vectors.next() {
-            map.carry(x, other);
+            map.carry_to(x, next, other);
         }
     }
 }
 
 /// An observer of tangent vectors.
-pub(super) trait Follower<T, const K: usize> {
+pub(super) trait Follower<T: FloatScalar, const K: usize> {
     type Map: Tangent<T>;
 
+    /// Whether it looks at each step, or at 0, 1, …, [`PAUSE`] and multiples of that.
+    const LOOKS_AT_EACH: bool;
+
     /// The vectors.
-    #[cfg(feature = "std")]
     fn carried(&mut self) -> &mut Carried<Self::Map, T, K>;
 
     /// Looks at the squares of their lengths.
     fn look(&mut self, step: u64, sizes: [Size; K]);
+
+    /// Takes the vectors to the next point, and looks at them if it is time to.
+    #[inline(always)]
+    fn follow(&mut self, step: u64, x: &[T]) {
+        self.carried().follow(step, x);
+        if step < PAUSE || step.is_multiple_of(PAUSE) || looks_at_each::<Self, T, K>() {
+            let sizes = self.carried().scale();
+            self.look(step, sizes);
+        }
+    }
+}
+
+/// Steps after which vectors are scaled that nobody looks at meanwhile.
+///
+/// For a vector that was of moderate size to leave the range of an `f64` meanwhile, it has to grow or
+/// shrink by 2⁶⁰ at each of them; near a pole it does at one or two.
+const PAUSE: u64 = 16;
+
+/// Whether vectors are looked at after each step: where that is asked for, and in `f32`, whose range
+/// they may leave at any.
+#[inline(always)]
+fn looks_at_each<F, T, const K: usize>() -> bool
+where
+    F: Follower<T, K> + ?Sized,
+    T: FloatScalar,
+{
+    F::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()
 }
 
 /// Takes the vectors of a group of trajectories along a burst, and looks at them after each step.
@@ -104,10 +142,7 @@ where
         done += taken;
     }
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
-        burst.show(lane, done, |step, x| {
-            let sizes = follower.carried().follow(step, x);
-            follower.look(step, sizes);
-        });
+        burst.show(lane, done, |step, x| follower.follow(step, x));
     }
 }
 
@@ -124,7 +159,10 @@ where
     T: EnsembleScalar + FloatScalar,
     P: Grouped<T>,
 {
-    let places = &burst.seen[done..burst.seen.len() - 1];
+    let places = &burst.seen[done..];
+    if places.len() < 2 {
+        return None;
+    }
     // Places without a trajectory carry vectors of moderate size, too.
     let mut ones = places.first()?.clone();
     ones.as_mut().fill([T::one(); GROUP]);
@@ -141,19 +179,21 @@ where
     }
     let first = maps[0]?;
     let maps = maps.map(|map| map.unwrap_or(first));
-    let mut squares = [[[T::one(); GROUP]; K]; BURST];
-    let taken =
-        F::Map::carry_side_by_side(maps, places, &mut vectors, squares.as_flattened_mut(), burst.level)?;
     let first = burst.before + 1 + done as u64;
+    let mut squares = [[[T::one(); GROUP]; K]; BURST];
+    let looks_at_each = first < PAUSE || looks_at_each::<F, T, K>();
+    let squares = if looks_at_each { squares.as_flattened_mut() } else { &mut [] };
+    let taken = F::Map::carry_side_by_side(maps, places, &mut vectors, squares, burst.level)?;
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
         let carried = follower.carried();
         for (columns, vector) in vectors.iter().zip(&mut carried.vectors) {
             columns.read(lane, vector.as_mut());
         }
         burst.seen[done + taken].read(lane, carried.place.as_mut());
+        carried.steps = first + taken as u64 - 1;
         let exponents = carried.exponents;
         let last = carried.scale();
-        for (step, squares) in (first..).zip(&squares[..taken - 1]) {
+        for (step, squares) in (first..).zip(squares.chunks_exact(K).take(taken - 1)) {
             let size = |k: usize| Size::of_square(squares[k][lane].approximate(), exponents[k]);
             follower.look(step, from_fn(size));
         }

@@ -18,7 +18,7 @@ use super::{Observer, Tangent};
 /// Over n steps it grows like log n on a torus and like n where motion is chaotic. C. Froeschlé, E.
 /// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41.
 ///
-/// Cost: a step over dual numbers, and the vector's square.
+/// Cost: a tangent vector, about that of a step, and its square; see `BENCHMARKS.md`.
 #[derive(Clone, Debug)]
 pub struct Fli<M: Tangent<T>, T> {
     carried: Carried<M, T, 1>,
@@ -36,7 +36,8 @@ impl<M: Tangent<T>, T: FloatScalar> Fli<M, T> {
 impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Fli<M, T> {
     type Map = M;
 
-    #[cfg(feature = "std")]
+    const LOOKS_AT_EACH: bool = true;
+
     #[inline(always)]
     fn carried(&mut self) -> &mut Carried<M, T, 1> {
         &mut self.carried
@@ -62,10 +63,8 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Fli<M, T> {
 
     #[inline(always)]
     fn observe(&mut self, step: u64, x: &[T]) {
-        let sizes = self.carried.follow(step, x);
-        self.look(step, sizes);
+        self.follow(step, x);
     }
-
     #[cfg(feature = "std")]
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where

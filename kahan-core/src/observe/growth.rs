@@ -40,7 +40,7 @@ impl Size {
     }
 
     /// The natural logarithm of its magnitude, however mantissa and exponent share it.
-    pub(super) fn ln(&self) -> f64 {
+    pub(super) fn ln(self) -> f64 {
         let (mantissa, exponent) = libm::frexp(self.mantissa.abs());
         // Numbers near 1 have a logarithm near 0, not one that is left of two larger ones.
         let (mantissa, exponent) =
@@ -68,10 +68,16 @@ const BITS: i64 = 32;
 /// and not 0. Adds what it was scaled by to `exponent`, and returns the square of its length, as
 /// that of the vector before it was ever scaled.
 #[inline(always)]
-pub(super) fn scale<T: FloatScalar>(vector: &mut [T], exponent: &mut i64) -> Size {
-    let mut squared = square(vector);
+pub(super) fn scale<P, T>(vector: &mut P, exponent: &mut i64) -> Size
+where
+    P: Clone + AsRef<[T]> + AsMut<[T]>,
+    T: FloatScalar,
+{
+    let mut squared = square(vector.as_ref());
     if !is_moderate(squared) {
-        squared = scaled(vector, exponent);
+        let bits;
+        (*vector, bits, squared) = scaled(vector.clone());
+        *exponent += bits;
     }
     Size::of_square(squared, *exponent)
 }
@@ -99,24 +105,34 @@ fn is_moderate(squared: f64) -> bool {
     squared > 1.0 / MOST && squared < MOST
 }
 
-/// The square of a vector's length after it was scaled.
+/// The vector scaled, the power of two that it was scaled by, and the square of its length.
+///
+/// It is given a copy, so that a loop keeps the vector in registers.
 #[cold]
-fn scaled<T: FloatScalar>(vector: &mut [T], exponent: &mut i64) -> f64 {
+#[inline(never)]
+fn scaled<P, T>(mut vector: P) -> (P, i64, f64)
+where
+    P: AsRef<[T]> + AsMut<[T]>,
+    T: FloatScalar,
+{
     let up = T::constant(&Constant::integer(1 << BITS));
     let down = T::one() / up;
+    let mut exponent = 0;
     // From one end of the range of `f64` to the other.
     for _ in 0..2 * 1100 / BITS {
-        let squared = square(vector);
-        if is_moderate(squared) || squared == 0.0 || squared.is_nan() {
+        let squared = square(vector.as_ref());
+        // The square of a small vector may be 0.
+        if is_moderate(squared) || squared.is_nan() || vector.as_ref().iter().all(T::is_zero) {
             break;
         }
         let (factor, bits) = if squared < 1.0 { (up, -BITS) } else { (down, BITS) };
-        for entry in &mut *vector {
+        for entry in vector.as_mut() {
             *entry *= factor;
         }
-        *exponent += bits;
+        exponent += bits;
     }
-    square(vector)
+    let squared = square(vector.as_ref());
+    (vector, exponent, squared)
 }
 
 /// The square of a vector's length, by multiplications and additions that nothing fuses.

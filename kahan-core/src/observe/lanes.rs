@@ -9,23 +9,24 @@ use core::array::from_fn;
 use crate::ensemble::columns::{GROUP, Group};
 use crate::ensemble::lanes::{Lanes, OverLanes};
 use crate::field::linear::vector;
-use crate::map::{TangentStep, carry, tangent_stages};
+use crate::map::carry_to;
 use crate::{EnsembleScalar, Level, Lift, Method, PreparedStep, Scalar, TangentAt};
 
 use super::Grouped;
 use super::growth::most;
 
-/// Vectors that are carried from points to the next ones.
+/// Vectors that are carried along points.
 struct SideBySide<'a, M: Lift<T, N>, T: Scalar, K: Method, P, const N: usize> {
     tangent: &'a TangentAt<M, T, N, K>,
     places: &'a [P],
     vectors: &'a mut [P],
-    /// The squares of their lengths after each step.
+    /// The squares of their lengths after each step, or room for none.
     squares: &'a mut [Group<T>],
 }
 
-/// Carries vectors, each N columns, along the points at `places`, until the square of one leaves the
-/// range that vectors are kept in: the steps taken. `None` where the step, or the scalar, has no
+/// Carries vectors, each N columns, from the first of the points at `places` to the last, until the
+/// square of one leaves the range that vectors are kept in, if there is room for squares: the steps
+/// taken. `None` where the step, or the scalar, has no
 /// lanes.
 pub(super) fn carry_side_by_side<M, T, K, P, const N: usize>(
     tangent: &TangentAt<M, T, N, K>,
@@ -41,7 +42,7 @@ where
     P: Grouped<T>,
 {
     let work = SideBySide { tangent, places, vectors, squares };
-    if <TangentStep<M, T, N> as PreparedStep<_, N>>::HAS_LANES { T::over_lanes(work, level) } else { None }
+    if <M::Prepared as PreparedStep<_, N>>::HAS_LANES { T::over_lanes(work, level) } else { None }
 }
 
 impl<M, T, K, P, const N: usize> OverLanes<T> for SideBySide<'_, M, T, K, P, N>
@@ -57,32 +58,37 @@ where
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> usize {
         let Self { tangent, places, vectors, squares } = self;
-        let stages = tangent_stages::<M, T, K, L, N>(&tangent.map, &tangent.parts, L::spread);
+        let map = tangent.map.lift(L::spread);
+        let parts = K::map(&tangent.parts, L::spread);
         let (most, least) = (L::spread(&most()), L::spread(&(T::one() / most())));
-        let steps = places.iter().zip(squares.chunks_mut(vectors.len()));
-        for (step, (place, squares)) in steps.enumerate() {
+        let mut squares = squares.chunks_exact_mut(vectors.len());
+        for (step, places) in places.windows(2).enumerate() {
+            let mut squares = squares.next();
             let mut is_moderate = true;
-            let place = place.as_ref();
+            let (place, next) = (places[0].as_ref(), places[1].as_ref());
             for part in (0..GROUP).step_by(L::WIDTH) {
                 let x = vector(from_fn(|i| L::load(&place[i], part)));
-                for (columns, squares) in vectors.iter_mut().zip(&mut *squares) {
+                let y = vector(from_fn(|i| L::load(&next[i], part)));
+                for (k, columns) in vectors.iter_mut().enumerate() {
                     let columns = columns.as_mut();
                     let v = vector(from_fn(|i| L::load(&columns[i], part)));
                     // Floats have a value at every point.
-                    let Some(carried) = carry::<K, _, L, N>(&stages, &x, &v) else { continue };
+                    let Some(carried) = carry_to::<K, _, L, N>(&map, &parts, &x, &y, &v) else { continue };
                     let mut squared = L::zero();
                     for (entry, column) in carried.iter().zip(columns) {
                         squared += *entry * *entry;
                         entry.store(column, part);
                     }
-                    squared.store(squares, part);
-                    is_moderate &= !L::any(squared.exceeds(most)) && !L::any(least.exceeds(squared));
+                    if let Some(squares) = &mut squares {
+                        squared.store(&mut squares[k], part);
+                        is_moderate &= !L::any(squared.exceeds(most)) && !L::any(least.exceeds(squared));
+                    }
                 }
             }
             if !is_moderate {
                 return step + 1;
             }
         }
-        places.len()
+        places.len() - 1
     }
 }

@@ -16,13 +16,11 @@ use super::{Observer, Tangent};
 /// length has grown by exp(λ·2εn) and a factor that stays bounded, or grows slowly: on a torus
 /// linearly, so that λ tends to 0 as log(n)/n.
 ///
-/// Cost: a step over dual numbers, and the vector's square.
+/// Cost: a tangent vector, about that of a step; see `BENCHMARKS.md`.
 #[derive(Clone, Debug)]
 pub struct Lyapunov<M: Tangent<T>, T> {
     carried: Carried<M, T, 1>,
     first: Size,
-    last: Size,
-    steps: u64,
     doublings: Doublings,
 }
 
@@ -39,20 +37,17 @@ pub struct Exponent {
 impl<M: Tangent<T>, T: FloatScalar> Lyapunov<M, T> {
     /// The exponent of the map that `tangent` belongs to.
     pub fn new(tangent: M) -> Self {
-        let carried = Carried::new(tangent);
-        Self { carried, first: Size::ONE, last: Size::ONE, steps: 0, doublings: Doublings::default() }
-    }
-
-    /// The logarithm of the growth since step 0.
-    fn ln(&self) -> f64 {
-        0.5 * (self.last.ln() - self.first.ln())
+        let mut carried = Carried::new(tangent);
+        let [first] = carried.scale();
+        Self { carried, first, doublings: Doublings::default() }
     }
 }
 
 impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Lyapunov<M, T> {
     type Map = M;
 
-    #[cfg(feature = "std")]
+    const LOOKS_AT_EACH: bool = false;
+
     #[inline(always)]
     fn carried(&mut self) -> &mut Carried<M, T, 1> {
         &mut self.carried
@@ -60,11 +55,8 @@ impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Lyapunov<M, T> {
 
     #[inline(always)]
     fn look(&mut self, step: u64, [size]: [Size; 1]) {
-        (self.steps, self.last) = (step, size);
-        if step == 0 {
-            self.first = size;
-        } else if step.is_power_of_two() {
-            self.doublings.pass(step, self.ln());
+        if step.is_power_of_two() {
+            self.doublings.pass(step, size);
         }
     }
 }
@@ -74,10 +66,8 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Lyapunov<M, T> {
 
     #[inline(always)]
     fn observe(&mut self, step: u64, x: &[T]) {
-        let sizes = self.carried.follow(step, x);
-        self.look(step, sizes);
+        self.follow(step, x);
     }
-
     #[cfg(feature = "std")]
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
@@ -86,26 +76,38 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Lyapunov<M, T> {
         follow_burst(group, burst);
     }
 
-    fn report(self) -> Exponent {
-        self.doublings.exponent(self.steps, self.ln(), self.carried.time_step())
+    fn report(mut self) -> Exponent {
+        let [size] = self.carried.scale();
+        self.doublings.exponent(self.first, (self.carried.steps(), size), self.carried.time_step())
     }
 }
 
-/// A logarithm of growth at the last three powers of two, counted in steps.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Doublings([(u64, f64); 3]);
+/// Squares of a length at the last three powers of two, counted in steps.
+///
+/// Their logarithms are taken in the end, so that a loop over steps calls nothing.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Doublings([(u64, Size); 3]);
+
+impl Default for Doublings {
+    /// None yet: no number has been seen.
+    fn default() -> Self {
+        Self([(0, Size::of(f64::NAN)); 3])
+    }
+}
 
 impl Doublings {
     /// To be called at every power of two.
-    pub(super) fn pass(&mut self, step: u64, ln: f64) {
+    #[inline(always)]
+    pub(super) fn pass(&mut self, step: u64, square: Size) {
         let [_, before, last] = self.0;
-        self.0 = [before, last, (step, ln)];
+        self.0 = [before, last, (step, square)];
     }
 
-    /// The exponent of a growth of exp(`ln`) in so many steps of `time` each.
-    pub(super) fn exponent(&self, steps: u64, ln: f64, time: f64) -> Exponent {
-        let rate = |(steps, ln): (u64, f64)| ln / (steps as f64 * time);
-        let value = rate((steps, ln));
+    /// The exponent of a length that has grown between these squares, in so many steps of `time`
+    /// each.
+    pub(super) fn exponent(&self, first: Size, last: (u64, Size), time: f64) -> Exponent {
+        let rate = |(steps, square): (u64, Size)| 0.5 * (square.ln() - first.ln()) / (steps as f64 * time);
+        let value = rate(last);
         Exponent { value, error: (value - rate(self.0[0])).abs() }
     }
 }

@@ -17,7 +17,7 @@ use super::{Observer, Tangent};
 /// grows like λ·εn where it is chaotic, λ the largest exponent per unit of time. P. M. Cincotta, C.
 /// M. Giordano, C. Simó, Physica D 182 (2003) 151.
 ///
-/// Cost: a step over dual numbers, and a logarithm.
+/// Cost: a tangent vector, about that of a step, and a logarithm.
 #[derive(Clone, Debug)]
 pub struct Megno<M: Tangent<T>, T> {
     carried: Carried<M, T, 1>,
@@ -57,7 +57,8 @@ impl<M: Tangent<T>, T: FloatScalar> Megno<M, T> {
 impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Megno<M, T> {
     type Map = M;
 
-    #[cfg(feature = "std")]
+    const LOOKS_AT_EACH: bool = true;
+
     #[inline(always)]
     fn carried(&mut self) -> &mut Carried<M, T, 1> {
         &mut self.carried
@@ -81,10 +82,8 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Megno<M, T> {
 
     #[inline]
     fn observe(&mut self, step: u64, x: &[T]) {
-        let sizes = self.carried.follow(step, x);
-        self.look(step, sizes);
+        self.follow(step, x);
     }
-
     #[cfg(feature = "std")]
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where

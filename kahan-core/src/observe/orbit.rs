@@ -1,6 +1,10 @@
 //! Observing one orbit.
 
-use crate::map::Accumulation;
+use nalgebra::SVector;
+
+#[cfg(feature = "std")]
+use crate::ensemble::lanes::{Alone, run_alone};
+use crate::map::{Accumulation, Sees};
 use crate::{FloatScalar, KahanMap, Method, Orbit, Scalar, Scaled};
 
 use super::Observer;
@@ -33,9 +37,66 @@ where
     /// let beyond_two = Escape::when(|x: &[f64]| x[0] > 2.0);
     /// assert_eq!(Growth.orbit(vector![1.0], 0.05).observe(100, beyond_two), Some(7));
     /// ```
-    pub fn observe<O: Observer<T>>(&mut self, steps: u64, mut observers: O) -> O::Report {
-        self.show(steps, |step, point| observers.observe(step, point.as_slice()));
+    pub fn observe<O: Observer<T>>(&mut self, steps: u64, observers: O) -> O::Report {
+        let shown = Shown { orbit: self, steps, observers };
+        #[cfg(feature = "std")]
+        let observers = run_alone(shown);
+        #[cfg(not(feature = "std"))]
+        let observers = shown.into_observers();
         observers.report()
+    }
+}
+
+/// An orbit before its observers.
+struct Shown<'a, I, O> {
+    orbit: &'a mut I,
+    steps: u64,
+    observers: O,
+}
+
+impl<M, T, K, A, O, const N: usize> Shown<'_, Orbit<M, T, N, K, A>, O>
+where
+    M: KahanMap<T, N>,
+    T: Scalar,
+    K: Method,
+    A: Accumulation,
+    O: Observer<T>,
+{
+    /// Shows them all points, and gives them back. They are moved, so that a loop keeps them in
+    /// registers.
+    #[inline(always)]
+    fn into_observers(self) -> O {
+        let Self { orbit, steps, observers } = self;
+        let mut seer = Seer(observers);
+        orbit.show(steps, &mut seer);
+        seer.0
+    }
+}
+
+#[cfg(feature = "std")]
+impl<M, T, K, A, O, const N: usize> Alone for Shown<'_, Orbit<M, T, N, K, A>, O>
+where
+    M: KahanMap<T, N>,
+    T: Scalar,
+    K: Method,
+    A: Accumulation,
+    O: Observer<T>,
+{
+    type Output = O;
+
+    #[inline(always)]
+    fn run(self) -> O {
+        self.into_observers()
+    }
+}
+
+/// Observers as an orbit knows them.
+struct Seer<O>(O);
+
+impl<T, O: Observer<T>, const N: usize> Sees<T, N> for Seer<O> {
+    #[inline(always)]
+    fn see(&mut self, step: u64, point: &SVector<T, N>) {
+        self.0.observe(step, point.as_slice());
     }
 }
 

@@ -18,7 +18,6 @@ use crate::{EnsembleScalar, Level};
 
 #[cfg(feature = "std")]
 use super::Grouped;
-use super::carried::carry_all;
 
 /// A space of points and vectors, which a map acts on.
 pub trait Points<T> {
@@ -37,17 +36,22 @@ pub trait Tangent<T>: Points<T> + Clone {
 
     /// Replaces the tangent vector `v` at the point `x` by J(x)·v.
     ///
-    /// Each observer calls this once a step and vector. What depends on `x` alone is computed once
-    /// for several vectors where this is inlined into their loop.
     fn carry(&self, x: &[T], v: &mut Self::Point);
+
+    /// The same where x̃ is known, as observers know it, and that saves work; what depends on both
+    /// points alone is computed once for several vectors, likewise.
+    #[inline(always)]
+    fn carry_to(&self, x: &[T], _next: &[T], v: &mut Self::Point) {
+        self.carry(x, v);
+    }
 
     /// det J(x)
     fn det_jacobian(&self, x: &[T]) -> T;
 
-    /// Carries the vectors of a group of trajectories, each by its own map, along the points at
-    /// `places`, and writes the squares of their lengths after each step. It ends early after a step
-    /// that takes one of these out of the range that vectors are kept in, and returns the steps
-    /// taken; `None` where it cannot. Bits are those of [`carry`](Self::carry).
+    /// Carries the vectors of a group of trajectories, each by its own map, from the first of the
+    /// points at `places` to the last, and writes the squares of their lengths after each step, if there is room for
+    /// them. It may end early after a step that takes one of these out of the range that vectors are
+    /// kept in, and returns the steps taken; `None` where it cannot. Bits are those of [`carry_to`](Self::carry_to).
     #[cfg(feature = "std")]
     #[doc(hidden)]
     fn carry_side_by_side<P: Grouped<T>>(
@@ -87,6 +91,11 @@ impl<T, M: Tangent<T>> Tangent<T> for &M {
     #[inline(always)]
     fn carry(&self, x: &[T], v: &mut Self::Point) {
         M::carry(self, x, v);
+    }
+
+    #[inline(always)]
+    fn carry_to(&self, x: &[T], next: &[T], v: &mut Self::Point) {
+        M::carry_to(self, x, next, v);
     }
 
     #[inline(always)]
@@ -161,14 +170,21 @@ where
         }
     }
 
+    #[inline(always)]
+    fn carry_to(&self, x: &[T], next: &[T], v: &mut [T; N]) {
+        if let Some(carried) = TangentAt::carry_to(self, &entries(x), &entries(next), &SVector::from(*v)) {
+            [*v] = carried.data.0;
+        }
+    }
+
     /// By the tangent vectors of all variables.
     #[inline]
     fn det_jacobian(&self, x: &[T]) -> T {
         let mut columns = [[T::zero(); N]; N];
         for (i, column) in columns.iter_mut().enumerate() {
             column[i] = T::one();
+            Tangent::carry(self, x, column);
         }
-        carry_all(self, x, &mut columns);
         determinant::<T, N>(SMatrix::from_fn(|i, j| columns[j][i]))
     }
 

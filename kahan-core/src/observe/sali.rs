@@ -18,7 +18,7 @@ use super::{Observer, Tangent};
 /// variables, it stays of moderate size; in two, and where vectors can only align with a flow, it
 /// falls like a power of time. C. Skokos, J. Phys. A 34 (2001) 10029.
 ///
-/// Cost: steps over dual numbers of two vectors.
+/// Cost: two tangent vectors, which share what depends on the points alone.
 #[derive(Clone, Debug)]
 pub struct Sali<M: Tangent<T>, T> {
     carried: Carried<M, T, 2>,
@@ -34,7 +34,8 @@ impl<M: Tangent<T>, T: FloatScalar> Sali<M, T> {
 impl<M: Tangent<T>, T: FloatScalar> Follower<T, 2> for Sali<M, T> {
     type Map = M;
 
-    #[cfg(feature = "std")]
+    const LOOKS_AT_EACH: bool = false;
+
     #[inline(always)]
     fn carried(&mut self) -> &mut Carried<M, T, 2> {
         &mut self.carried
@@ -51,10 +52,8 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Sali<M, T> {
 
     #[inline(always)]
     fn observe(&mut self, step: u64, x: &[T]) {
-        let sizes = self.carried.follow(step, x);
-        self.look(step, sizes);
+        self.follow(step, x);
     }
-
     #[cfg(feature = "std")]
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where

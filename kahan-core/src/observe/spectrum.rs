@@ -20,7 +20,7 @@ use super::{Exponent, Observer, Tangent};
 ///
 /// Lengths are never divided out, only powers of two; no root is taken.
 ///
-/// Cost: k steps over dual numbers a step, and every m steps about k² inner products. Memory is
+/// Cost: k tangent vectors a step, and every m steps about k² inner products. Memory is
 /// allocated when it is made and when it reports.
 #[derive(Clone, Debug)]
 pub struct Spectrum<M: Tangent<T>, T> {
@@ -84,7 +84,7 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Spectrum<M, T> {
     fn observe(&mut self, step: u64, x: &[T]) {
         if step > 0 {
             let vectors = self.directions.iter_mut().map(|direction| &mut direction.vector);
-            carry_all(&self.map, self.place.as_ref(), vectors);
+            carry_all(&self.map, self.place.as_ref(), x, vectors);
             self.steps = step;
             self.until -= 1;
             if self.until == 0 {
@@ -92,7 +92,7 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Spectrum<M, T> {
                 make_orthogonal(&mut self.directions);
                 if self.turns.is_power_of_two() {
                     for Direction { growth, doublings, .. } in &mut self.directions {
-                        doublings.pass(step, 0.5 * growth.ln());
+                        doublings.pass(step, *growth);
                     }
                 }
             }
@@ -104,27 +104,30 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Spectrum<M, T> {
         make_orthogonal(&mut self.directions);
         let time = 2.0 * self.map.half_step();
         let exponent = |direction: &Direction<_>| {
-            direction.doublings.exponent(self.steps, 0.5 * direction.growth.ln(), time)
+            direction.doublings.exponent(Size::ONE, (self.steps, direction.growth), time)
         };
         self.directions.iter().map(exponent).collect()
     }
 }
 
 /// Makes each vector orthogonal to those before it, and takes its growth down.
-fn make_orthogonal<P: AsRef<[T]> + AsMut<[T]>, T: FloatScalar>(directions: &mut [Direction<P>]) {
+fn make_orthogonal<P, T>(directions: &mut [Direction<P>])
+where
+    P: Clone + AsRef<[T]> + AsMut<[T]>,
+    T: FloatScalar,
+{
     for j in 0..directions.len() {
         let (before, rest) = directions.split_at_mut(j);
         let Some(Direction { vector, squared, growth, .. }) = rest.first_mut() else { return };
-        let vector = vector.as_mut();
         for axis in before.iter().map(|direction| direction.vector.as_ref()) {
-            let along = dot(axis, vector) / dot(axis, axis);
-            for (entry, axis) in vector.iter_mut().zip(axis) {
+            let along = dot(axis, vector.as_ref()) / dot(axis, axis);
+            for (entry, axis) in vector.as_mut().iter_mut().zip(axis) {
                 *entry -= along * *axis;
             }
         }
         let now = scale(vector, &mut 0);
         growth.multiply(now);
         growth.multiply(Size::of(1.0 / *squared));
-        *squared = square(vector);
+        *squared = square(vector.as_ref());
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! In: the closed form of a step. Out: its value and its derivative along one direction. They are
 //! dual numbers that know whether they have a slope, so that nothing is multiplied by the slope 0 of
-//! a constant: once a step is inlined, compilers know of each number whether it has one.
+//! a constant: once a step is inlined, compilers know of each number whether it has one. Without
+//! optimization operators are calls, as those of [dual numbers](super::dual) are.
 
 use num_traits::{One, Zero};
 
@@ -20,26 +21,26 @@ pub(crate) struct Along<T> {
 
 impl<T: Scalar> Along<T> {
     /// A constant.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn lift(value: T) -> Self {
         Self { value, slope: None }
     }
 
     /// Compilers that pack such numbers with their neighbours need more shuffles than they save.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(value: T, slope: Option<T>) -> Self {
         Self { value: fenced(value), slope: slope.map(fenced) }
     }
 
     /// The derivative, 0 of a constant.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn into_slope(self) -> T {
         self.slope.unwrap_or_else(T::zero)
     }
 }
 
 /// The slope of what is made of two numbers: from both slopes, or from the one that there is.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn joined<T: Scalar>(
     slopes: [Option<T>; 2],
     both: impl FnOnce(T, T) -> T,
@@ -54,20 +55,20 @@ fn joined<T: Scalar>(
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sum<T: Scalar>(a: Along<T>, b: Along<T>) -> Along<T> {
     let slope = joined([a.slope, b.slope], |a, b| a + b, |a| a, |b| b);
     Along::new(a.value + b.value, slope)
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn difference<T: Scalar>(a: Along<T>, b: Along<T>) -> Along<T> {
     let slope = joined([a.slope, b.slope], |a, b| a - b, |a| a, |b| -b);
     Along::new(a.value - b.value, slope)
 }
 
 // (uv)′ = u′v + uv′
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn product<T: Scalar>(a: Along<T>, b: Along<T>) -> Along<T> {
     let (u, v) = (a.value, b.value);
     let both = |a, b| a * v.clone() + u.clone() * b;
@@ -76,14 +77,14 @@ fn product<T: Scalar>(a: Along<T>, b: Along<T>) -> Along<T> {
 }
 
 // (u/v)′ = (u′ − (u/v)v′)/v, where `over` divides by v.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn quotient<T: Scalar>(value: T, slopes: [Option<T>; 2], over: impl Fn(T) -> T) -> Along<T> {
     let both = |a, b| over(a - value.clone() * b);
     let slope = joined(slopes, both, &over, |b| over(-(value.clone() * b)));
     Along::new(value, slope)
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn ratio<T: Scalar>(a: Along<T>, b: Along<T>) -> Along<T> {
     quotient(a.value / b.value.clone(), [a.slope, b.slope], |slope| slope / b.value.clone())
 }
@@ -94,7 +95,7 @@ assignments!([T: Scalar] Along<T>);
 impl<T: Scalar> core::ops::Neg for Along<T> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self::new(-self.value, self.slope.map(|slope| -slope))
     }
@@ -117,18 +118,18 @@ impl<T: Scalar> One for Along<T> {
 }
 
 impl<T: Scalar> Scalar for Along<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(c: &Constant<'_>) -> Self {
         Self::lift(T::constant(c))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn prepared(&self) -> Self {
         Self::lift(self.value.clone())
     }
 
     // (1/v)′ = −v′/v². A number with value 0 has no reciprocal even when it is not 0 itself.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn reciprocal(&self) -> Option<Self> {
         let value = self.value.reciprocal()?;
         let factor = -(value.clone() * value.clone());
@@ -136,14 +137,14 @@ impl<T: Scalar> Scalar for Along<T> {
     }
 
     // With one reciprocal for value and slope.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn quotient(self, divisor: Self) -> Option<Self> {
         let reciprocal = divisor.value.reciprocal()?;
         let value = self.value.quotient(divisor.value)?;
         Some(quotient(value, [self.slope, divisor.slope], |slope| slope * reciprocal.clone()))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_better_pivot(&self, than: &Self) -> bool {
         self.value.is_better_pivot(&than.value)
     }

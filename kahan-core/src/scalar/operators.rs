@@ -6,7 +6,7 @@ macro_rules! operators {
         impl<$($generics)*> ::core::ops::$Operator for $type {
             type Output = Self;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(self, other: Self) -> Self {
                 $function(self, other)
             }
@@ -24,7 +24,7 @@ macro_rules! operators {
 macro_rules! assignments {
     (one [$($generics:tt)*] $type:ty, $Assign:ident $method:ident $operator:tt) => {
         impl<$($generics)*> ::core::ops::$Assign for $type {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(&mut self, other: Self) {
                 *self = ::core::clone::Clone::clone(self) $operator other;
             }

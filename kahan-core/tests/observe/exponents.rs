@@ -1,8 +1,8 @@
 //! Lyapunov exponents.
 
-use kahan_core::Composition;
-use kahan_core::observe::{Lyapunov, MeanLogDet, Spectrum};
+use kahan_core::observe::{Lyapunov, MeanLogDet, Sali, Spectrum};
 use kahan_core::prelude::*;
+use kahan_core::{Composition, Ensemble};
 
 use super::{E6, LORENZ};
 
@@ -42,6 +42,26 @@ fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     let bound = 10.0 * f64::EPSILON / (2.0 * eps);
     for (found, lambda) in [(spectrum[0].value, a), (spectrum[1].value, b), (largest.value, b)] {
         assert!((found - exact(lambda)).abs() < bound, "{found} is not {}", exact(lambda));
+    }
+}
+
+/// Vectors that grow by 2⁴⁰ in a step, or shrink by as much, and are scaled every so many steps. One
+/// that shrinks is what is left of itself and its increment: 13 bits of its digits.
+#[test]
+fn steep_growth_leaves_no_range() {
+    let eps = 1.0 - 2_f64.powi(-39);
+    for sign in [1.0, -1.0] {
+        let map = Along { a: sign, b: sign }.at(eps);
+        let tangent = map.tangent();
+        let alone = map.orbit(vector![0.0, 0.0]).observe(1000, Lyapunov::new(&tangent));
+        let many = Ensemble::new(vec![vector![0.0, 0.0]; 16])
+            .observe(&map, 1000, |_| (Lyapunov::new(&tangent), Sali::new(&tangent)));
+        let exact = sign * ((1.0 + eps) / (1.0 - eps)).ln() / (2.0 * eps);
+        for (found, sali) in many.into_iter().chain([(alone, 0.5)]) {
+            let bound = if sign > 0.0 { 10.0 * f64::EPSILON } else { 2_f64.powi(-13) };
+            assert!((found.value - exact).abs() < bound, "{found:?} is not {exact}");
+            assert!(sali > 0.1, "both directions grow alike: {sali}");
+        }
     }
 }
 

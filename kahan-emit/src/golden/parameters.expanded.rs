@@ -416,6 +416,60 @@ const _: () = {
                 nu: lift(&self.nu),
             }
         }
+        #[inline(always)]
+        fn carry_tangent(
+            &self,
+            eps: &T,
+            x: &__kahan::SVector<T, 2>,
+            y: &__kahan::SVector<T, 2>,
+            v: &__kahan::SVector<T, 2>,
+        ) -> __kahan::Option<__kahan::SVector<T, 2>> {
+            let eps = eps.clone();
+            let [__s_x, __s_y] = __kahan::components(x).clone();
+            let [__o_x, __o_y] = __kahan::components(y).clone();
+            let [__s_dx, __s_dy] = __kahan::components(v).clone();
+            let __p_mu = self.mu.clone();
+            let __p_nu = self.nu.clone();
+            let __t_two_dy = __kahan::integer::<T>(2) * __s_dy.clone();
+            let __t_one_plus_nu = __kahan::integer::<T>(1) + __p_nu.clone();
+            let __c_981 = __kahan::integer::<T>(981);
+            let __t_eps_mu = eps.clone() * __p_mu.clone();
+            let __product_1 = (__c_981.clone() * (eps.clone() * __p_nu.clone())
+                - __c_981.clone() * __t_eps_mu.clone()
+                + __t_one_plus_nu.clone()
+                    * (__kahan::integer::<T>(100) * (__s_y.clone() * eps.clone())))
+                * __kahan::ratio::<T>(1, 100);
+            let __c_10 = __kahan::integer::<T>(10);
+            let __t_ten_nu = __p_nu.clone() * __c_10.clone();
+            let __t_nu_eps_mu = __p_nu.clone() * __t_eps_mu.clone();
+            let __product_2 = (__p_mu.clone() * __c_10.clone() - __t_ten_nu.clone()
+                + (__p_mu.clone() * __t_ten_nu.clone() + __p_mu.clone() * __t_eps_mu)
+                + (__p_mu.clone() * __t_nu_eps_mu.clone()
+                    - __p_nu.clone() * __t_nu_eps_mu.clone()
+                    - (__p_nu.clone() * __t_ten_nu + __t_nu_eps_mu))
+                - __t_one_plus_nu.clone()
+                    * (__c_10.clone() * (__s_x.clone() * eps.clone())))
+                * __kahan::ratio::<T>(1, 10);
+            let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
+            let __product_3 = ((__p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
+                + (__p_mu.clone() * __t_nu_mu.clone() - __p_nu.clone() * __t_nu_mu)
+                - __t_one_plus_nu.clone() * ((__s_x + __o_x) * __kahan::integer::<T>(5)))
+                * (__s_dy.clone() * __c_10)
+                - (__t_one_plus_nu * ((__s_y + __o_y) * __kahan::integer::<T>(50))
+                    - __c_981 * (__p_mu - __p_nu)) * __s_dx.clone())
+                * __kahan::ratio::<T>(1, 50);
+            let __quotient_1 = eps
+                .clone()
+                .quotient(__product_2.clone() - eps.clone() * __product_1.clone())?;
+            __kahan::Some(
+                __kahan::vector([
+                    __s_dx
+                        - (eps * __product_3.clone() - __t_two_dy.clone() * __product_2)
+                            * __quotient_1.clone(),
+                    __s_dy + (__t_two_dy * __product_1 - __product_3) * __quotient_1,
+                ]),
+            )
+        }
     }
     #[doc(hidden)]
     impl<T> __kahan::WithoutIntegrals for Pendulum<T> {}

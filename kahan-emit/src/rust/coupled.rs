@@ -132,7 +132,8 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
 fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = plan.inputs();
-    let states = emit_pattern(&inputs, symbols, Symbol::State).map(|states| quote! { let #states = x; });
+    let states = emit_pattern(&inputs, symbols, Symbol::State, symbols.dimension());
+    let states = states.map(|states| quote! { let #states = x; });
     let parameters = emit_own_parameters(context, plan);
     let Emitted { bindings, results } = emit_plan(plan, symbols, &context.scalar);
     (quote! { #states #parameters #bindings }, results)

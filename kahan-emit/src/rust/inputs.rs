@@ -23,10 +23,11 @@ pub(super) fn binding(symbols: &Symbols, variable: Variable) -> Ident {
 pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     let inputs = plan.inputs();
     let mut bindings = TokenStream::new();
-    if let Some(states) = emit_pattern(&inputs, symbols, Symbol::State) {
+    let dimension = symbols.dimension();
+    if let Some(states) = emit_pattern(&inputs, symbols, Symbol::State, dimension) {
         bindings.extend(quote! { let #states = __kahan::components(x); });
     }
-    if let Some(states) = emit_pattern(&inputs, symbols, Symbol::SecondState) {
+    if let Some(states) = emit_pattern(&inputs, symbols, Symbol::SecondState, dimension) {
         bindings.extend(quote! { let #states = __kahan::components(y); });
     }
     for (k, parameter) in symbols.parameters.iter().enumerate() {
@@ -45,7 +46,7 @@ pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
 /// order in which compilers that pack scalar code into vectors pair them badly, at the cost of a
 /// tenth of a large step.
 pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
-    let states = emit_pattern(&plan.inputs(), symbols, Symbol::State);
+    let states = emit_pattern(&plan.inputs(), symbols, Symbol::State, symbols.dimension());
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()
 }
 
@@ -54,8 +55,9 @@ pub(super) fn emit_pattern(
     inputs: &[Variable],
     symbols: &Symbols,
     symbol: impl Fn(usize) -> Symbol,
+    dimension: usize,
 ) -> Option<TokenStream> {
-    let variables = (0..symbols.dimension()).map(|i| symbols.variable(symbol(i)));
+    let variables = (0..dimension).map(|i| symbols.variable(symbol(i)));
     let names: Vec<Option<Ident>> =
         variables.map(|variable| inputs.contains(&variable).then(|| binding(symbols, variable))).collect();
     let shown = names.iter().map(|name| name.as_ref().map_or_else(|| quote!(_), |name| quote!(#name)));

@@ -3,13 +3,16 @@
 
 use kahan_algebra::elimination::Couplings;
 use kahan_algebra::plan::Plan;
+use kahan_algebra::symbols::Symbol;
 use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Context;
 use super::coupled::{Sizes, emit_coupled, emit_parameters};
 use super::field::emit_body;
+use super::inputs::{binding, emit_pattern};
 use super::items::identifier;
+use super::plan::{Emitted, emit_kernel};
 use super::step::{EmittedStep, emit_step};
 
 /// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`; what is not
@@ -109,6 +112,7 @@ fn emit_lift(context: &Context<'_>) -> TokenStream {
     let (this, name, scalar, dimension) =
         (context.self_type(), &context.name, &context.scalar, &context.dimension);
     let other = format_ident!("{}", if context.name == "U" { "V" } else { "U" });
+    let carry = emit_carry(context);
     let (lifted, value) = if context.has_parameters() {
         let fields = context.system.field.symbols.parameters.iter().map(|parameter| {
             let field = identifier(parameter, Span::call_site());
@@ -128,8 +132,45 @@ fn emit_lift(context: &Context<'_>) -> TokenStream {
             ) -> #lifted {
                 #value
             }
+            #carry
         }
     }
+}
+
+/// How a tangent vector v is carried from x to x̃, which is `y`, where that has a form of its own.
+fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
+    let (symbols, plan) = context.derived.carry()?;
+    let (scalar, vector, n) = (&context.scalar, context.vector(), context.system.field.dimension());
+    let inputs = plan.inputs();
+    let point = |name: &str, symbol: &dyn Fn(usize) -> Symbol| {
+        let (pattern, point) = (emit_pattern(&inputs, symbols, symbol, n)?, format_ident!("{name}"));
+        Some(quote! { let #pattern = __kahan::components(#point).clone(); })
+    };
+    let points =
+        [point("x", &Symbol::State), point("y", &Symbol::SecondState), point("v", &|i| Symbol::State(n + i))];
+    let points = points.into_iter().flatten();
+    let parameters = symbols.parameters.iter().enumerate().filter_map(|(k, parameter)| {
+        let variable = symbols.parameter(k);
+        let (name, field) = (binding(symbols, variable), identifier(parameter, Span::call_site()));
+        inputs.contains(&variable).then(|| quote! { let #name = self.#field.clone(); })
+    });
+    let Emitted { bindings, results } = emit_kernel(plan, symbols, scalar, &[], n == 3);
+    Some(quote! {
+        #[inline(always)]
+        fn carry_tangent(
+            &self,
+            eps: &#scalar,
+            x: &#vector,
+            y: &#vector,
+            v: &#vector,
+        ) -> __kahan::Option<#vector> {
+            let eps = eps.clone();
+            #(#points)*
+            #(#parameters)*
+            #bindings
+            __kahan::Some(__kahan::vector([#(#results),*]))
+        }
+    })
 }
 
 /// D, (N, D) and the reduced (N, D), without a division by anything that depends on the state.

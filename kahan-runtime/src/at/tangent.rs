@@ -99,14 +99,17 @@ impl<T: MachineFloat + FloatScalar> Tangent<T> for TangentAt<T> {
                 *own = *column;
             }
             let mut taken = 0;
-            for (place, squares) in places.iter().zip(squares.chunks_exact_mut(count)) {
+            let mut squares = squares.chunks_exact_mut(count);
+            for place in &places[..places.len() - 1] {
                 columns.iter_mut().zip(place.as_ref()).for_each(|(column, place)| *column = *place);
                 abreast.step(columns);
                 let found = &columns[variables * (1 + count)..];
-                squares.iter_mut().zip(found).for_each(|(square, found)| *square = *found);
                 taken += 1;
-                if !are_moderate(squares) {
-                    break;
+                if let Some(squares) = squares.next() {
+                    squares.iter_mut().zip(found).for_each(|(square, found)| *square = *found);
+                    if !are_moderate(squares) {
+                        break;
+                    }
                 }
             }
             for (column, carried) in vectors.iter_mut().flat_map(P::as_mut).zip(&columns[variables..]) {

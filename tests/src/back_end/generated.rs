@@ -183,6 +183,10 @@ impl BackEnd for Generated {
         value_of(|| self.map.jacobian(x, eps.clone()))
     }
 
+    fn carry(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
+        self.map.carry(x, next, v, eps.clone())
+    }
+
     fn det_matrix(&self, x: &[Q], eps: &Q) -> Q {
         self.map.det_matrix(x, eps.clone())
     }

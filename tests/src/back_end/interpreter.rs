@@ -6,6 +6,7 @@ use std::rc::Rc;
 use std::sync::OnceLock;
 
 use kahan_algebra::arithmetic::Exact;
+use kahan_algebra::derive;
 use kahan_algebra::interpret::{Evaluation, Interpreter, Point};
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::poly::Polynomial;
@@ -13,7 +14,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 
 use super::BackEnd;
-use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, q};
+use crate::exact::{Matrix, Q, Vector, adjugate_product, determinant, product, q};
 use crate::expression::evaluate;
 
 /// A system as the front end reads it, and what is derived of it, once.
@@ -28,6 +29,8 @@ pub struct Read {
 #[derive(Debug)]
 struct Derived {
     interpreter: Interpreter,
+    /// All plans, once they are asked for.
+    plans: OnceLock<kahan_algebra::Derived>,
     /// N and D as polynomials, within the budget.
     map: Option<RationalMap>,
 }
@@ -42,6 +45,7 @@ impl Read {
     fn derived(&'static self) -> &'static Derived {
         self.derived.get_or_init(|| Derived {
             interpreter: Interpreter::new(&self.system),
+            plans: OnceLock::new(),
             map: RationalMap::of(&self.system.field),
         })
     }
@@ -162,6 +166,21 @@ impl BackEnd for Interpreted {
 
     fn jacobian(&self, x: &[Q], eps: &Q) -> Option<Matrix> {
         self.at(x, eps).jacobian.as_deref().map(outward_rows)
+    }
+
+    /// By the plan that generated code has or, where there is none, by the Jacobian.
+    fn carry(&self, x: &[Q], next: &[Q], v: &[Q], eps: &Q) -> Option<Vector> {
+        let plans = self.derived.plans.get_or_init(|| derive(self.system));
+        let Some((_, plan)) = plans.carry() else {
+            return Some(product(&self.jacobian(x, eps)?, v));
+        };
+        // States, parameters, ε, second states: in this order variables are numbered.
+        let states = x.iter().chain(v).cloned().map(Rational::from);
+        let constants = self.parameters.iter().cloned().chain([eps.clone().into()]);
+        let values: Vec<Rational> =
+            states.chain(constants).chain(next.iter().cloned().map(Rational::from)).collect();
+        let results = plan.evaluate(&Exact, |variable| values[usize::from(variable.0)].clone());
+        results.into_iter().map(|value| value.map(|value| value.to_big())).collect()
     }
 
     fn det_matrix(&self, x: &[Q], eps: &Q) -> Q {

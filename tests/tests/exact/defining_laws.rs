@@ -157,6 +157,15 @@ fn the_jacobian_is_the_inverse_of_a_here_times_a_there_with_minus_eps() {
 }
 
 #[test]
+fn tangent_vectors_are_carried_by_the_jacobian() {
+    on_every_back_end(219, |back_end, x, eps, rationals| {
+        let (next, v) = (step(back_end, x, eps), rationals.point(x.len()));
+        let jacobian = back_end.jacobian(x, eps).expect("off det A = 0 there is a Jacobian");
+        assert_eq!(back_end.carry(x, &next, &v, eps), Some(product(&jacobian, &v)));
+    });
+}
+
+#[test]
 fn the_rational_map_is_cramer_s_rule() {
     on_every_back_end(212, |back_end, x, eps, _| {
         let (numerators, denominator) = back_end.rational_map(x, eps);

@@ -1,10 +1,14 @@
-//! The weakenings of what is told of orbits: periodic points, and the way through poles.
+//! The weakenings of what is told of orbits: periodic points, tangent vectors, and the way through
+//! poles.
 
 use super::list::Weakening;
 
 const CYCLES: &str = "-p kahan-core --lib -- periodic";
 const PROOFS: &str = "-p kahan-runtime --lib -- periodic";
 const POLES: &str = "-p kahan-core --features exact --lib -- projective";
+const TANGENTS: &str = "-p kahan-tests --test main -- long_tangents";
+const REMOVABLE: &str = "-p kahan-tests --test removable_poles";
+const EXPONENTS: &str = "-p kahan-core --test observe -- exponents";
 
 const fn of(
     tests: &'static str,
@@ -96,6 +100,16 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(PROOFS, "multipliers on the circle that attract", "kahan-runtime/src/periodic/circle.rs",
         "gcd(polynomial, &reversed).as_constant().is_some()",
         "!reversed.is_zero()"),
+    // Tangent vectors.
+    of(TANGENTS, "forms that lose the digits of tangent vectors", "kahan-algebra/src/plan/tangent.rs",
+        "forms.filter(|form| accuracy.keeps_tangents(form))",
+        "forms.filter(|_| true)"),
+    of(REMOVABLE, "tangent vectors at removable poles", "kahan-algebra/src/derived/mod.rs",
+        "let has_other_poles = self.reduced_map.is_some();",
+        "let has_other_poles = false;"),
+    of(EXPONENTS, "vectors that are scaled too seldom", "kahan-core/src/observe/carried.rs",
+        "const PAUSE: u64 = 16;",
+        "const PAUSE: u64 = 64;"),
     // The way through poles.
     of(POLES, "a step that forgets where it came from", "kahan-core/src/map/orbit/projective/through.rs",
         " && is_far_from_singular(&map.matrix(&next, -eps))",

@@ -13,7 +13,7 @@ pub(super) struct Trial {
     /// States, parameters and ε, as variables count them.
     pub(super) inputs: Vec<f64>,
     /// x̃
-    next: Vec<f64>,
+    pub(super) next: Vec<f64>,
     /// The error of elimination in floats of 30 bits.
     pub(super) elimination: f64,
 }
@@ -61,8 +61,13 @@ impl Trial {
     /// The largest error of a component, in units u of the largest component; infinite where one is
     /// not finite.
     pub(super) fn error(&self, next: &[f64]) -> f64 {
+        self.error_from(0, next)
+    }
+
+    /// The same of the components from this one on.
+    pub(super) fn error_from(&self, first: usize, next: &[f64]) -> f64 {
         let (mut size, mut off) = (0.0_f64, 0.0_f64);
-        for (exact, computed) in self.next.iter().zip(next) {
+        for (exact, computed) in self.next[first..].iter().zip(next) {
             let difference = (computed - exact).abs();
             size = size.max(exact.abs());
             off = if difference.is_finite() { off.max(difference) } else { f64::INFINITY };

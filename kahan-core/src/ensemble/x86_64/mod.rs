@@ -16,7 +16,7 @@ mod tests;
 use crate::{Method, WideStep};
 
 use super::columns::Group;
-use super::lanes::{Lanes, OverLanes};
+use super::lanes::{Alone, Lanes, OverLanes};
 use super::level::{Instructions, Level, Reciprocal};
 use super::sweep::{Register, sweep};
 use super::twice::Twice;
@@ -132,4 +132,20 @@ where
 #[target_feature(enable = "avx512f")]
 fn work_on_avx512<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
     work.run::<L>()
+}
+
+/// Runs work on one number at a time with the instructions of AVX2, whose operands stay as they are:
+/// registers are not copied first. The bits are those of the baseline, as nothing is fused.
+pub(super) fn run_alone<W: Alone>(work: W) -> W::Output {
+    if std::arch::is_x86_feature_detected!("avx2") {
+        // SAFETY: the processor has AVX2; it was asked in the line above.
+        unsafe { alone_on_avx2(work) }
+    } else {
+        work.run()
+    }
+}
+
+#[target_feature(enable = "avx2")]
+fn alone_on_avx2<W: Alone>(work: W) -> W::Output {
+    work.run()
 }

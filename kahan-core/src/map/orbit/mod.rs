@@ -116,7 +116,7 @@ where
     }
 
     /// `steps` steps on, or as many as there are, each point seen; whether there were that many.
-    #[inline]
+    #[inline(always)]
     fn advance(&mut self, steps: u64, mut see: impl FnMut(u64, &SVector<T, N>)) -> bool {
         // A state of its own, which the compiler can keep in registers.
         let mut state = self.state.clone();
@@ -133,13 +133,35 @@ where
 
     /// Shows the next point that the orbit would yield as that of step 0, and those of the `steps`
     /// steps after it, or as many as there are.
-    #[inline]
-    pub(crate) fn show(&mut self, steps: u64, mut see: impl FnMut(u64, &SVector<T, N>)) {
-        if let Some(first) = self.next() {
-            see(0, &first);
-            self.advance(steps, |step, point| see(step + 1, point));
+    ///
+    /// What sees them stands in one place of one loop, which it is compiled into.
+    #[inline(always)]
+    pub(crate) fn show(&mut self, steps: u64, seer: &mut impl Sees<T, N>) {
+        if self.next().is_none() {
+            return;
         }
+        // A state of its own, which the compiler can keep in registers.
+        let mut state = self.state.clone();
+        let mut step = 0;
+        loop {
+            seer.see(step, state.point());
+            if step == steps {
+                break;
+            }
+            if K::run(&self.stages, |step| state.advance(step)).is_none() {
+                self.stopped = Some(SingularStep::pole(self.eps.approximate()));
+                break;
+            }
+            step += 1;
+        }
+        self.state = state;
     }
+}
+
+/// What sees the points of an orbit, to be inlined into its loop as no closure can be.
+pub(crate) trait Sees<T, const N: usize> {
+    /// The point after so many steps.
+    fn see(&mut self, step: u64, point: &SVector<T, N>);
 }
 
 impl<M, T, K, A, const N: usize> Iterator for Orbit<M, T, N, K, A>
