@@ -3,6 +3,8 @@
 //! In: work that is written once, over any lanes. Out: the same work, compiled for the instructions
 //! of a level and run there. One float is the register of processors that have no other.
 
+use crate::scalar::Alone;
+
 use super::level::Level;
 use super::sweep::Register;
 
@@ -39,16 +41,7 @@ pub trait OverLanes<T> {
     fn run<L: Lanes<T>>(self) -> Self::Output;
 }
 
-/// Work on one number at a time.
-pub(crate) trait Alone {
-    /// What comes of it.
-    type Output;
-
-    /// Does it; to be inlined into its caller, whose instructions it then is compiled with.
-    fn run(self) -> Self::Output;
-}
-
-/// Runs it with the instructions of this processor that change no bit of a result.
+/// Runs work with the instructions of this processor that change no bit of a result.
 pub(crate) fn run_alone<W: Alone>(work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     return super::x86_64::run_alone(work);

@@ -3,8 +3,9 @@
 use nalgebra::SVector;
 
 #[cfg(feature = "std")]
-use crate::ensemble::lanes::{Alone, run_alone};
+use crate::ensemble::lanes::run_alone;
 use crate::map::{Accumulation, Sees};
+use crate::scalar::Alone;
 use crate::{FloatScalar, KahanMap, Method, Orbit, Scalar, Scaled};
 
 use super::Observer;
@@ -42,7 +43,7 @@ where
         #[cfg(feature = "std")]
         let observers = run_alone(shown);
         #[cfg(not(feature = "std"))]
-        let observers = shown.into_observers();
+        let observers = shown.run();
         observers.report()
     }
 }
@@ -54,26 +55,6 @@ struct Shown<'a, I, O> {
     observers: O,
 }
 
-impl<M, T, K, A, O, const N: usize> Shown<'_, Orbit<M, T, N, K, A>, O>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-    K: Method,
-    A: Accumulation,
-    O: Observer<T>,
-{
-    /// Shows them all points, and gives them back. They are moved, so that a loop keeps them in
-    /// registers.
-    #[inline(always)]
-    fn into_observers(self) -> O {
-        let Self { orbit, steps, observers } = self;
-        let mut seer = Seer(observers);
-        orbit.show(steps, &mut seer);
-        seer.0
-    }
-}
-
-#[cfg(feature = "std")]
 impl<M, T, K, A, O, const N: usize> Alone for Shown<'_, Orbit<M, T, N, K, A>, O>
 where
     M: KahanMap<T, N>,
@@ -82,11 +63,15 @@ where
     A: Accumulation,
     O: Observer<T>,
 {
+    /// The observers, which are moved so that a loop keeps them in registers.
     type Output = O;
 
     #[inline(always)]
     fn run(self) -> O {
-        self.into_observers()
+        let Self { orbit, steps, observers } = self;
+        let mut seer = Seer(observers);
+        orbit.show(steps, &mut seer);
+        seer.0
     }
 }
 

@@ -5,7 +5,8 @@
 //! lanes come into being only inside [`avx2`] and [`avx512`], which are compiled for their
 //! instructions and entered after the processor was asked for them, or are those of SSE2, which
 //! every x86-64 processor has. The types are private to this module; a step meets them as type
-//! arguments only, from inside those two functions.
+//! arguments only, from inside those two functions. What works on one number at a time is let in,
+//! too, for the sake of the instructions alone.
 #![expect(unsafe_code, reason = "registers of vectors, entered after the processor was asked for them")]
 
 mod estimated;
@@ -13,10 +14,11 @@ mod lanes;
 #[cfg(test)]
 mod tests;
 
+use crate::scalar::Alone;
 use crate::{Method, WideStep};
 
 use super::columns::Group;
-use super::lanes::{Alone, Lanes, OverLanes};
+use super::lanes::{Lanes, OverLanes};
 use super::level::{Instructions, Level, Reciprocal};
 use super::sweep::{Register, sweep};
 use super::twice::Twice;
