@@ -3,8 +3,6 @@
 //! In: work that is written once, over any lanes. Out: the same work, compiled for the instructions
 //! of a level and run there. One float is the register of processors that have no other.
 
-use crate::scalar::Alone;
-
 use super::level::Level;
 use super::sweep::Register;
 
@@ -39,14 +37,6 @@ pub trait OverLanes<T> {
 
     /// Does it; to be inlined into its caller, whose instructions it then is compiled with.
     fn run<L: Lanes<T>>(self) -> Self::Output;
-}
-
-/// Runs work with the instructions of this processor that change no bit of a result.
-pub(crate) fn run_alone<W: Alone>(work: W) -> W::Output {
-    #[cfg(target_arch = "x86_64")]
-    return super::x86_64::run_alone(work);
-    #[cfg(not(target_arch = "x86_64"))]
-    work.run()
 }
 
 /// A float that fills lanes.

@@ -2,10 +2,7 @@
 
 use nalgebra::SVector;
 
-#[cfg(feature = "std")]
-use crate::ensemble::lanes::run_alone;
 use crate::map::{Accumulation, Sees};
-use crate::scalar::Alone;
 use crate::{FloatScalar, KahanMap, Method, Orbit, Scalar, Scaled};
 
 use super::Observer;
@@ -39,39 +36,10 @@ where
     /// assert_eq!(Growth.orbit(vector![1.0], 0.05).observe(100, beyond_two), Some(7));
     /// ```
     pub fn observe<O: Observer<T>>(&mut self, steps: u64, observers: O) -> O::Report {
-        let shown = Shown { orbit: self, steps, observers };
-        #[cfg(feature = "std")]
-        let observers = run_alone(shown);
-        #[cfg(not(feature = "std"))]
-        let observers = shown.run();
-        observers.report()
-    }
-}
-
-/// An orbit before its observers.
-struct Shown<'a, I, O> {
-    orbit: &'a mut I,
-    steps: u64,
-    observers: O,
-}
-
-impl<M, T, K, A, O, const N: usize> Alone for Shown<'_, Orbit<M, T, N, K, A>, O>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-    K: Method,
-    A: Accumulation,
-    O: Observer<T>,
-{
-    /// The observers, which are moved so that a loop keeps them in registers.
-    type Output = O;
-
-    #[inline(always)]
-    fn run(self) -> O {
-        let Self { orbit, steps, observers } = self;
+        // They are moved, so that the loop keeps them in registers.
         let mut seer = Seer(observers);
-        orbit.show(steps, &mut seer);
-        seer.0
+        self.show(steps, &mut seer);
+        seer.0.report()
     }
 }
 

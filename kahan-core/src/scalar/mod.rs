@@ -36,7 +36,6 @@ pub use float_scalar::FloatScalar;
 pub(crate) use laurent::Laurent;
 pub(crate) use operators::assignments;
 use operators::operators;
-pub(crate) use tuning::Alone;
 pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.

@@ -16,15 +16,6 @@ pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
 /// The same for `f64`.
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
 
-/// Work on one number at a time.
-pub(crate) trait Alone {
-    /// What comes of it.
-    type Output;
-
-    /// Does it; to be inlined into its caller, whose instructions it then is compiled with.
-    fn run(self) -> Self::Output;
-}
-
 /// Whether T is U.
 #[inline(always)]
 fn is<T: 'static, U: 'static>() -> bool {

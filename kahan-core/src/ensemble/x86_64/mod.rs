@@ -5,8 +5,7 @@
 //! lanes come into being only inside [`avx2`] and [`avx512`], which are compiled for their
 //! instructions and entered after the processor was asked for them, or are those of SSE2, which
 //! every x86-64 processor has. The types are private to this module; a step meets them as type
-//! arguments only, from inside those two functions. What works on one number at a time is let in,
-//! too, for the sake of the instructions alone.
+//! arguments only, from inside those two functions.
 #![expect(unsafe_code, reason = "registers of vectors, entered after the processor was asked for them")]
 
 mod estimated;
@@ -14,7 +13,6 @@ mod lanes;
 #[cfg(test)]
 mod tests;
 
-use crate::scalar::Alone;
 use crate::{Method, WideStep};
 
 use super::columns::Group;
@@ -134,20 +132,4 @@ where
 #[target_feature(enable = "avx512f")]
 fn work_on_avx512<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output {
     work.run::<L>()
-}
-
-/// Runs work on one number at a time with the instructions of AVX2, whose operands stay as they are:
-/// registers are not copied first. The bits are those of the baseline, as nothing is fused.
-pub(super) fn run_alone<W: Alone>(work: W) -> W::Output {
-    if std::arch::is_x86_feature_detected!("avx2") {
-        // SAFETY: the processor has AVX2; it was asked in the line above.
-        unsafe { alone_on_avx2(work) }
-    } else {
-        work.run()
-    }
-}
-
-#[target_feature(enable = "avx2")]
-fn alone_on_avx2<W: Alone>(work: W) -> W::Output {
-    work.run()
 }

@@ -117,15 +117,15 @@ where
 
     /// `steps` steps on, or as many as there are, each point seen; whether there were that many.
     #[inline(always)]
-    fn advance(&mut self, steps: u64, mut see: impl FnMut(u64, &SVector<T, N>)) -> bool {
+    fn advance(&mut self, steps: u64, seer: &mut impl Sees<T, N>) -> bool {
         // A state of its own, which the compiler can keep in registers.
         let mut state = self.state.clone();
-        for step in 0..steps {
+        for step in 1..=steps {
             if K::run(&self.stages, |step| state.advance(step)).is_none() {
                 self.stopped = Some(SingularStep::pole(self.eps.approximate()));
                 break;
             }
-            see(step, state.point());
+            seer.see(step, state.point());
         }
         self.state = state;
         self.stopped.is_none()
@@ -133,28 +133,12 @@ where
 
     /// Shows the next point that the orbit would yield as that of step 0, and those of the `steps`
     /// steps after it, or as many as there are.
-    ///
-    /// What sees them stands in one place of one loop, which it is compiled into.
     #[inline(always)]
     pub(crate) fn show(&mut self, steps: u64, seer: &mut impl Sees<T, N>) {
-        if self.next().is_none() {
-            return;
+        if let Some(first) = self.next() {
+            seer.see(0, &first);
+            self.advance(steps, seer);
         }
-        // A state of its own, which the compiler can keep in registers.
-        let mut state = self.state.clone();
-        let mut step = 0;
-        loop {
-            seer.see(step, state.point());
-            if step == steps {
-                break;
-            }
-            if K::run(&self.stages, |step| state.advance(step)).is_none() {
-                self.stopped = Some(SingularStep::pole(self.eps.approximate()));
-                break;
-            }
-            step += 1;
-        }
-        self.state = state;
     }
 }
 
@@ -162,6 +146,12 @@ where
 pub(crate) trait Sees<T, const N: usize> {
     /// The point after so many steps.
     fn see(&mut self, step: u64, point: &SVector<T, N>);
+}
+
+/// Nobody does.
+impl<T, const N: usize> Sees<T, N> for () {
+    #[inline(always)]
+    fn see(&mut self, _step: u64, _point: &SVector<T, N>) {}
 }
 
 impl<M, T, K, A, const N: usize> Iterator for Orbit<M, T, N, K, A>
@@ -192,7 +182,7 @@ where
             return None;
         }
         // Two loops rather than a sum, which could overflow.
-        let arrived = self.advance(u64::from(self.begun), |_, _| ()) && self.advance(n as u64, |_, _| ());
+        let arrived = self.advance(u64::from(self.begun), &mut ()) && self.advance(n as u64, &mut ());
         self.begun = true;
         arrived.then(|| self.state.point().clone())
     }
