@@ -62,7 +62,8 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Sali<M, T> {
         follow_burst(group, burst);
     }
 
-    fn report(self) -> f64 {
+    fn report(mut self) -> f64 {
+        let _ = self.carried.scale();
         let vectors = self.carried.vectors();
         let lengths = vectors.map(|vector| libm::sqrt(square(vector)));
         let pairs = vectors[0].iter().zip(vectors[1]);
