@@ -110,7 +110,7 @@ where
     /// O(ε⁴) at a fixed time, the error being of order ε², as long as the error stays small beside
     /// the scale on which φ′ changes. Rounding is not in it.
     ///
-    /// Cost: about four steps a step: one over dual numbers, and f, f′ and Q.
+    /// Cost: about three steps a step: a tangent vector, and f, f′ and Q.
     ///
     /// ```
     /// use kahan_core::prelude::*;
