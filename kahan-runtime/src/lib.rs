@@ -22,6 +22,7 @@ mod line;
 mod literal;
 mod machine;
 mod map;
+mod operators;
 pub mod orbit;
 mod parameters;
 mod periodic;

@@ -27,10 +27,7 @@ impl<T: MachineFloat> MapAt<T> {
     /// # Errors
     /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
     pub fn matrix(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
-        self.check_state(x)?;
-        self.check_out(out, self.dimension().pow(2))?;
-        self.engine().matrix(&self.constants, x, out);
-        Ok(())
+        self.object(Object::Matrix, x, out, self.dimension().pow(2))
     }
 
     /// ∂x̃/∂x, row by row.
@@ -38,10 +35,7 @@ impl<T: MachineFloat> MapAt<T> {
     /// # Errors
     /// [`DimensionError`] if `x` has not an entry a variable, or `out` not n².
     pub fn jacobian(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
-        self.check_state(x)?;
-        self.check_out(out, self.dimension().pow(2))?;
-        self.engine().jacobian(&self.constants, x, out);
-        Ok(())
+        self.object(Object::Jacobian, x, out, self.dimension().pow(2))
     }
 
     /// ∂x̃/∂p, p being the parameter at this place, or ε at the place behind them.

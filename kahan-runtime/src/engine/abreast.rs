@@ -39,11 +39,11 @@ impl Engine {
     ) -> Option<Abreast<T>> {
         let [first, ..] = stages;
         let count = first.constants.len();
-        let kind = (first.kind, first.form);
-        if stages.iter().any(|own| (own.kind, own.form) != kind || own.constants.len() != count) {
+        let kind = first.kind;
+        if stages.iter().any(|own| own.kind != kind || own.constants.len() != count) {
             return None;
         }
-        let find = || self.codes.abreast(&self.derived, kind, vectors, set.or_else(InstructionSet::best)?);
+        let find = || self.codes.abreast(self, kind, vectors, set.or_else(InstructionSet::best)?);
         let code = Arc::clone(first.abreast.get(vectors)?.get_or_init(find).as_ref()?);
         Some(Abreast::of(code, count, room, |stage, lane, k| stages[lane].constants[stage][k]))
     }
@@ -56,7 +56,7 @@ impl Engine {
         Instructions { set, .. }: Instructions,
         room: Vec<T>,
     ) -> Option<Abreast<T>> {
-        let code = self.codes.integrals(&self.derived, set.or_else(InstructionSet::best)?)?;
+        let code = self.codes.integrals(self, set.or_else(InstructionSet::best)?)?;
         Some(Abreast::of(code, 1, room, |_, lane, k| constants[lane][k]))
     }
 }

@@ -4,19 +4,18 @@ use std::sync::{Arc, OnceLock};
 
 use kahan_core::{Composition, Scalar};
 
-use crate::machine::{Form, OrbitCode, StepKind};
+use crate::machine::{OrbitCode, StepKind};
 
 use super::abreast::AbreastOnce;
 use super::scratch::{Scratch, Scratches, with_scratch};
 use super::step::Steps;
-use super::{Engine, Object, stage_constants};
+use super::{Engine, stage_constants};
 
 /// The stages of a step as code, with the constants of those that differ, the middle one last.
 #[derive(Clone, Debug)]
 pub(crate) struct CodedStages<T> {
     code: Arc<OrbitCode<T>>,
     pub(super) kind: StepKind,
-    pub(super) form: Form,
     pub(super) constants: Arc<[Vec<T>]>,
     /// The code that carries what a state lacks, once it was asked for.
     carrying: Arc<OnceLock<Option<Arc<OrbitCode<T>>>>>,
@@ -31,23 +30,27 @@ impl<T: Scratches> CodedStages<T> {
 }
 
 impl Engine {
-    /// The form of a step's stages at these ε, and whether it rounds increments; `None` where they
-    /// are not all of one form.
-    pub(crate) fn form<V: Scalar>(&self, eps: impl IntoIterator<Item = V>) -> Option<(Form, bool)> {
+    /// A kind of step in the form that its stages over V take at these ε; `None` where they are not
+    /// all of one form.
+    pub(crate) fn kind_at<V: Scalar>(
+        &self,
+        kind: StepKind,
+        eps: impl IntoIterator<Item = V>,
+    ) -> Option<StepKind> {
         let mut general = eps.into_iter().map(|eps| self.steps().are_general(&eps));
-        let first = general.next()?;
-        let form = if first { Form::AnyEps } else { Form::Own };
-        general.all(|other| other == first).then_some((form, Steps::rounds::<V>(first)))
+        let is_general = general.next()?;
+        let rounds_increments = Steps::rounds::<V>(is_general);
+        general.all(|other| other == is_general).then_some(StepKind { is_general, rounds_increments, ..kind })
     }
 
-    /// What the kernel of a form reads; `constants` are the parameters and ε.
+    /// What the kernel of a kind reads; `constants` are the parameters and ε.
     pub(crate) fn prepared<V: Scalar + Copy>(
         &self,
-        form: Form,
+        kind: StepKind,
         constants: &[V],
         scratch: &mut Scratch<V>,
     ) -> Vec<V> {
-        self.steps().form(form == Form::AnyEps).prepared(constants, &mut scratch.registers)
+        self.steps().form(kind.is_general).prepared(constants, &mut scratch.registers)
     }
 
     /// The stages of a composition as code, where there is some; `constants` are the parameters and
@@ -59,13 +62,13 @@ impl Engine {
         fuses: bool,
     ) -> Option<CodedStages<T>> {
         let own = stage_constants(constants, composition);
-        let (form, rounds_increments) = self.form(own.iter().map(|constants| super::split(constants).1))?;
-        let kind = StepKind { rounds_increments, ..StepKind::of::<T>(fuses) };
-        let code = self.codes.orbit(&self.derived, kind, form, own.len() > 1)?;
+        let kind =
+            self.kind_at(StepKind::of::<T>(fuses), own.iter().map(|constants| super::split(constants).1))?;
+        let code = self.codes.orbit(self, kind, own.len() > 1)?;
         let constants = with_scratch(T::single(), |scratch| {
-            own.iter().map(|constants| self.prepared(form, constants, scratch)).collect()
+            own.iter().map(|constants| self.prepared(kind, constants, scratch)).collect()
         });
-        Some(CodedStages { code, kind, form, constants, carrying: Arc::default(), abreast: Arc::default() })
+        Some(CodedStages { code, kind, constants, carrying: Arc::default(), abreast: Arc::default() })
     }
 
     /// Replaces a state by the one so many steps later.
@@ -83,7 +86,7 @@ impl Engine {
     ) -> bool {
         let code = stages.carrying.get_or_init(|| {
             let kind = StepKind { compensated: true, ..stages.kind };
-            self.codes.orbit(&self.derived, kind, stages.form, stages.constants.len() > 1)
+            self.codes.orbit(self, kind, stages.constants.len() > 1)
         });
         let Some(code) = code else { return false };
         with_scratch(T::single(), |Scratch { state: numbers, .. }| {
@@ -95,17 +98,5 @@ impl Engine {
             carry.copy_from_slice(lacking);
         });
         true
-    }
-
-    /// Computes an object by code; `false` where there is none, or no room for all of it.
-    pub(super) fn has_evaluated<T: Scratches>(
-        &self,
-        object: Object,
-        constants: &[T],
-        state: &[T],
-        out: &mut [T],
-    ) -> bool {
-        let code = self.codes.function(&self.derived, object);
-        code.is_some_and(|code| code.has_run(constants, state, out))
     }
 }

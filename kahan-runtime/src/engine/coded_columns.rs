@@ -59,8 +59,7 @@ impl Engine {
         Instructions { set, fuses }: Instructions,
         code: &ColumnsOnce<T>,
     ) -> bool {
-        let code = code
-            .get_or_init(|| self.codes.columns(&self.derived, (set.or_else(InstructionSet::best)?, fuses)));
+        let code = code.get_or_init(|| self.codes.columns(self, (set.or_else(InstructionSet::best)?, fuses)));
         let Some(code) = code else { return false };
         with_scratch(T::single(), |scratch| {
             let mut prepared = Prepared { code, composition, constants: &mut scratch.given, length: 0 };
@@ -185,9 +184,11 @@ impl<T: Scratches> Prepared<'_, T> {
         let stages = distinct(&self.composition).len();
         let of_stage = |k: usize| &self.constants[k * self.length..][..self.length];
         if stages == 1 {
-            self.code.advance(tile, of_stage(0), are_shared, steps);
+            self.code.advance_columns(tile, of_stage(0), are_shared, steps);
         } else {
-            (0..steps).for_each(|_| in_turn(stages, |k| self.code.advance(tile, of_stage(k), are_shared, 1)));
+            (0..steps).for_each(|_| {
+                in_turn(stages, |k| self.code.advance_columns(tile, of_stage(k), are_shared, 1))
+            });
         }
     }
 }

@@ -3,12 +3,13 @@
 //! Every operation is that of the floats, lane by lane, so each lane has the bits that it would
 //! have alone. An instruction of a line is decoded once for all of them.
 
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::Neg;
 
 use kahan_core::num_traits::{One, Zero};
 use kahan_core::{Constant, Scalar};
 
 use crate::line::has_value;
+use crate::operators::operators;
 
 /// How many trajectories stand side by side.
 pub(crate) const LANES: usize = 8;
@@ -48,31 +49,12 @@ impl<T: Scalar + Copy> Lanes<T> {
     }
 }
 
-macro_rules! operators {
-    ($($Operator:ident $method:ident, $Assign:ident $assign:ident;)*) => { $(
-        impl<T: Scalar + Copy> $Operator for Lanes<T> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                self.zip(other, T::$method)
-            }
-        }
-
-        impl<T: Scalar + Copy> $Assign for Lanes<T> {
-            #[inline(always)]
-            fn $assign(&mut self, other: Self) {
-                *self = self.$method(other);
-            }
-        }
-    )* };
-}
-
 operators! {
-    Add add, AddAssign add_assign;
-    Sub sub, SubAssign sub_assign;
-    Mul mul, MulAssign mul_assign;
-    Div div, DivAssign div_assign;
+    [T: Scalar + Copy] Lanes<T>:
+    |a: Self, b| a.zip(b, T::add),
+    |a: Self, b| a.zip(b, T::sub),
+    |a: Self, b| a.zip(b, T::mul),
+    |a: Self, b| a.zip(b, T::div)
 }
 
 impl<T: Scalar + Copy> Neg for Lanes<T> {

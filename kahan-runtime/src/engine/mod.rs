@@ -21,12 +21,11 @@ use kahan_algebra::plan::Plan;
 use kahan_algebra::system::System;
 use kahan_core::{Composition, Constant, Dual, FloatScalar, Scalar};
 
-use crate::interpreted::Code;
 use crate::line::{Line, has_value};
 use crate::machine::Codes;
 
 use elimination::solve;
-use step::{Step, Steps, into_matrix};
+use step::Steps;
 
 pub(crate) use abreast::Abreast;
 pub(crate) use coded::CodedStages;
@@ -35,8 +34,9 @@ pub(crate) use columns::Columns;
 pub(crate) use couplings::{Factors, Tables};
 use scratch::{Room, sized};
 pub(crate) use scratch::{Scratch, Scratches, with_scratch};
+pub(crate) use step::{Step, into_matrix};
 
-/// A function of the state.
+/// A function of the state, or of two states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Object {
     /// f(x)
@@ -53,11 +53,20 @@ pub(crate) enum Object {
     Matrix,
     /// ∂x̃/∂x, row by row.
     Jacobian,
+    /// Q(x,y)
+    Bilinear,
+    /// Q(x,y) + ½B(x+y) + c
+    Polarized,
+    /// det A, within the budget of terms.
+    DetMatrix,
+    /// The numerators, then the denominator, within the budget.
+    RationalMap,
+    /// The same, where a factor that depends on states is divided out.
+    ReducedMap,
 }
 
 impl Object {
     /// Its place among all objects of a field; brackets come last.
-    #[cfg(feature = "jit")]
     pub(crate) fn place(self) -> usize {
         match self {
             Object::Field => 0,
@@ -66,7 +75,29 @@ impl Object {
             Object::Density => 3,
             Object::Matrix => 4,
             Object::Jacobian => 5,
-            Object::Bracket(index) => 6 + index,
+            Object::Bilinear => 6,
+            Object::Polarized => 7,
+            Object::DetMatrix => 8,
+            Object::RationalMap => 9,
+            Object::ReducedMap => 10,
+            Object::Bracket(index) => 11 + index,
+        }
+    }
+
+    /// Its plan; `None` where the field has none, and for what is computed from others.
+    fn plan(self, derived: &Derived) -> Option<&Plan> {
+        match self {
+            Object::Field => Some(&derived.field),
+            Object::FieldJacobian => Some(&derived.field_jacobian),
+            Object::Integrals => Some(&derived.integrals),
+            Object::Density => derived.density.as_ref(),
+            Object::Bracket(index) => derived.brackets.get(index).map(|(_, plan)| plan),
+            Object::Matrix | Object::Jacobian => None,
+            Object::Bilinear => Some(&derived.bilinear),
+            Object::Polarized => Some(&derived.polarized),
+            Object::DetMatrix => derived.det_matrix.as_ref(),
+            Object::RationalMap => derived.rational_map.as_ref(),
+            Object::ReducedMap => derived.reduced_map.as_ref(),
         }
     }
 }
@@ -76,12 +107,10 @@ impl Object {
 pub(crate) struct Engine {
     pub(crate) derived: Derived,
     steps: OnceLock<Steps>,
-    field: OnceLock<Line>,
-    field_jacobian: OnceLock<Line>,
-    integrals: OnceLock<Line>,
-    density: OnceLock<Line>,
-    brackets: Vec<OnceLock<Line>>,
-    code: OnceLock<Code>,
+    /// Those of the objects, each in its place.
+    lines: Vec<OnceLock<Option<Line>>>,
+    /// The integrals, each by itself.
+    single_integrals: OnceLock<Vec<Line>>,
     variational: OnceLock<Arc<Engine>>,
     pub(crate) codes: Codes,
 }
@@ -110,23 +139,20 @@ impl Engine {
     /// Derives the map.
     pub(crate) fn new(system: &System) -> Self {
         let derived = derive(system);
+        let objects = Object::Bracket(derived.brackets.len()).place();
         Engine {
-            brackets: derived.brackets.iter().map(|_| OnceLock::new()).collect(),
-            codes: Codes::new(derived.brackets.len()),
+            lines: (0..objects).map(|_| OnceLock::new()).collect(),
+            codes: Codes::new(objects),
             derived,
             steps: OnceLock::new(),
-            field: OnceLock::new(),
-            field_jacobian: OnceLock::new(),
-            integrals: OnceLock::new(),
-            density: OnceLock::new(),
-            code: OnceLock::new(),
+            single_integrals: OnceLock::new(),
             variational: OnceLock::new(),
         }
     }
 
-    /// What only maps over any scalar run.
-    pub(crate) fn code(&self) -> &Code {
-        self.code.get_or_init(|| Code::of(&self.derived))
+    /// The number of variables.
+    pub(crate) fn dimension(&self) -> usize {
+        self.derived.system.field.dimension()
     }
 
     /// The variational field, of twice the variables.
@@ -139,36 +165,23 @@ impl Engine {
         self.steps.get_or_init(|| Steps::of(&self.derived))
     }
 
-    /// f(x)
-    pub(crate) fn field(&self) -> &Line {
-        self.made(&self.field, &self.derived.field)
+    /// The line of an object, which is made where there is none yet; `None` where the field has no
+    /// such object, and for what is computed from others.
+    pub(crate) fn line(&self, object: Object) -> Option<&Line> {
+        let line = || Some(Line::of(object.plan(&self.derived)?, &self.derived.system.field.symbols));
+        self.lines.get(object.place())?.get_or_init(line).as_ref()
     }
 
-    /// f′(x), row by row.
-    pub(crate) fn field_jacobian(&self) -> &Line {
-        self.made(&self.field_jacobian, &self.derived.field_jacobian)
+    /// The line of an object that every field has.
+    pub(crate) fn known_line(&self, object: Object) -> &Line {
+        self.line(object).unwrap_or_else(|| unreachable!("every field has it"))
     }
 
-    fn line_of_integrals(&self) -> &Line {
-        self.made(&self.integrals, &self.derived.integrals)
-    }
-
-    fn line(&self, object: Object) -> Option<&Line> {
-        let derived = &self.derived;
-        Some(match object {
-            Object::Field => self.field(),
-            Object::FieldJacobian => self.field_jacobian(),
-            Object::Integrals => self.line_of_integrals(),
-            Object::Density => self.made(&self.density, derived.density.as_ref()?),
-            Object::Bracket(index) => self.made(self.brackets.get(index)?, &derived.brackets.get(index)?.1),
-            // They are computed from others.
-            Object::Matrix | Object::Jacobian => return None,
-        })
-    }
-
-    /// The line of a plan, which is made where there is none yet.
-    fn made<'a>(&'a self, kept: &'a OnceLock<Line>, plan: &Plan) -> &'a Line {
-        kept.get_or_init(|| Line::of(plan, &self.derived.system.field.symbols))
+    /// The integrals, each by itself, where a division by zero may have no value.
+    pub(crate) fn single_integrals(&self) -> &[Line] {
+        let Derived { integrals, integral_names, system, .. } = &self.derived;
+        let line = |index| Line::with_poles(&integrals.result(index), &system.field.symbols);
+        self.single_integrals.get_or_init(|| (0..integral_names.len()).map(line).collect())
     }
 
     /// The distinct stages of a composition, each prepared; `constants` are the parameters and ε.
@@ -240,15 +253,22 @@ impl Engine {
     /// An object at a state; `constants` are the parameters and ε. What `out` has no room for is
     /// left out, as is an object that the field has not.
     pub(crate) fn evaluate<T: Scratches>(&self, object: Object, constants: &[T], state: &[T], out: &mut [T]) {
-        if self.has_evaluated(object, constants, state, out) {
+        if self.codes.function(self, object).is_some_and(|code| code.has_run(constants, state, out)) {
             return;
         }
-        let Some(line) = self.line(object) else { return };
-        with_scratch(T::single(), |scratch| {
-            let registers = sized(&mut scratch.registers, line.registers());
-            let results = has_value(line.results(constants.iter().copied(), registers, state));
-            out.iter_mut().zip(results.iter()).for_each(|(out, result)| *out = result);
-        });
+        match object {
+            Object::Jacobian => self.jacobian(constants, state, out),
+            Object::Matrix => {
+                self.evaluate(Object::FieldJacobian, constants, state, out);
+                into_matrix(out, split(constants).1, state.len());
+            }
+            _ => with_scratch(T::single(), |scratch| {
+                let Some(line) = self.line(object) else { return };
+                let registers = sized(&mut scratch.registers, line.registers());
+                let results = has_value(line.results(constants.iter().copied(), registers, state));
+                out.iter_mut().zip(results.iter()).for_each(|(out, result)| *out = result);
+            }),
+        }
     }
 
     /// The integrals at a state, in order; `constants` are the parameters and ε.
@@ -258,38 +278,26 @@ impl Engine {
         state: &[V],
         scratch: &'a mut Scratch<V>,
     ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
-        let line = self.line_of_integrals();
+        let line = self.known_line(Object::Integrals);
         let registers = sized(&mut scratch.registers, line.registers());
         has_value(line.results(constants.iter().copied(), registers, state)).iter()
     }
 
-    /// A(x,ε), row by row; `constants` are the parameters and ε.
-    pub(crate) fn matrix<T: Scratches>(&self, constants: &[T], state: &[T], out: &mut [T]) {
-        if self.has_evaluated(Object::Matrix, constants, state, out) {
-            return;
-        }
-        self.evaluate(Object::FieldJacobian, constants, state, out);
-        into_matrix(out, split(constants).1, state.len());
-    }
-
     /// ∂x̃/∂x of a step, row by row: the straight line over dual numbers, or A(x,ε)⁻¹·A(x̃,−ε);
     /// `constants` are the parameters and ε.
-    pub(crate) fn jacobian<T: Scratches>(&self, constants: &[T], state: &[T], out: &mut [T]) {
-        if self.has_evaluated(Object::Jacobian, constants, state, out) {
-            return;
-        }
+    fn jacobian<T: Scratches>(&self, constants: &[T], state: &[T], out: &mut [T]) {
         let (parameters, eps) = split(constants);
-        let step = self.steps().form(self.steps().are_general(&Dual::<T, 1>::lift(eps)));
+        let step = self.steps().of_duals();
         if step.has_lanes() {
             with_scratch(T::duals(), |scratch| jacobian_by_duals(step, constants, state, out, scratch));
         } else {
             let mut next = state.to_vec();
             self.advance(&self.stages(constants, Composition::KAHAN), &mut next, 1);
             let behind: Vec<T> = parameters.iter().copied().chain([-eps]).collect();
-            self.matrix(&behind, &next, out);
+            self.evaluate(Object::Matrix, &behind, &next, out);
             if !step.solves_columns(constants, state, out) {
                 let mut matrix = vec![T::zero(); out.len()];
-                self.matrix(constants, state, &mut matrix);
+                self.evaluate(Object::Matrix, constants, state, &mut matrix);
                 solve(&mut matrix, out, state.len());
             }
         }
@@ -324,13 +332,13 @@ fn stage_constants<T: FloatScalar>(constants: &[T], composition: Composition) ->
     distinct(&composition).map(stage).collect()
 }
 
-/// One direction after the other.
-fn jacobian_by_duals<T: Scratches>(
+/// ∂x̃/∂x of a step that is a straight line, row by row, one direction after the other.
+pub(crate) fn jacobian_by_duals<V: Scalar + Copy>(
     step: &Step,
-    constants: &[T],
-    state: &[T],
-    out: &mut [T],
-    scratch: &mut Scratch<Dual<T, 1>>,
+    constants: &[V],
+    state: &[V],
+    out: &mut [V],
+    scratch: &mut Scratch<Dual<V, 1>>,
 ) {
     let Scratch { registers, room, constants: lifted, given, state: point } = scratch;
     [&mut *lifted, given, point].into_iter().for_each(Vec::clear);
@@ -343,7 +351,7 @@ fn jacobian_by_duals<T: Scratches>(
         point[j] = Dual::coordinate(state[j], 0);
         for (i, increment) in step.increments(point, registers, room).enumerate() {
             let [slope] = increment.gradient;
-            out[i * state.len() + j] = if i == j { T::one() + slope } else { slope };
+            out[i * state.len() + j] = if i == j { V::one() + slope } else { slope };
         }
         point[j] = Dual::lift(state[j]);
     }

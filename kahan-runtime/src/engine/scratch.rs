@@ -17,8 +17,8 @@ use super::lanes::Lanes;
 #[derive(Clone, Debug)]
 pub struct Scratch<V> {
     /// The registers of lines.
-    pub(super) registers: Vec<V>,
-    pub(super) room: Room<V>,
+    pub(crate) registers: Vec<V>,
+    pub(crate) room: Room<V>,
     /// The parameters and ε.
     pub(super) constants: Vec<V>,
     /// What the line of a step is given.

@@ -4,9 +4,10 @@
 use kahan_algebra::derived::Derived;
 use kahan_algebra::plan::StepPlan;
 use kahan_core::__private::may_divide_by;
-use kahan_core::Scalar;
+use kahan_core::{Precision, Scalar};
 
 use crate::line::{Line, has_value};
+use crate::machine::StepKind;
 
 use super::couplings::{Factors, Tables};
 use super::elimination::solve;
@@ -47,6 +48,11 @@ impl Steps {
     /// One of the two forms.
     pub(crate) fn form(&self, is_general: bool) -> &Step {
         self.general.as_ref().filter(|_| is_general).unwrap_or(&self.first)
+    }
+
+    /// The form of dual numbers.
+    pub(crate) fn of_duals(&self) -> &Step {
+        self.form(self.divides_by_eps)
     }
 
     /// The form of several trajectories side by side.
@@ -142,6 +148,16 @@ impl Step {
         }
     }
 
+    /// What the registers of a straight line hold whatever the state, from its prepared constants.
+    #[cfg(feature = "jit")]
+    pub(crate) fn given<V: Scalar>(&self, prepared: impl IntoIterator<Item = V>) -> Vec<V> {
+        let mut given = Vec::new();
+        if let Some([_, kernel]) = self.lines() {
+            append_given(kernel, prepared, &mut given);
+        }
+        given
+    }
+
     /// How many registers the step takes.
     pub(crate) fn registers(&self) -> usize {
         match &self.kind {
@@ -202,17 +218,44 @@ impl Step {
         }
     }
 
-    /// Adds the increment at a state to another one.
-    pub(crate) fn add_increment<V: Scalar + Copy>(
+    /// The same in a wider precision for a state of single precision, to which `single` rounds each
+    /// number once; `carry` is empty where nothing is carried.
+    pub(crate) fn advance_through<V: Scalar + Copy>(
         &self,
         rounds: bool,
-        [state, base]: [&mut [V]; 2],
+        [state, carry]: [&mut [V]; 2],
         registers: &mut [V],
         room: &mut Room<V>,
+        single: impl Fn(V) -> V,
     ) {
         self.compute(state, registers, room);
-        for (i, x) in base.iter_mut().enumerate() {
-            *x = added(self.quotient(i, rounds, room), *x);
+        for (i, x) in state.iter_mut().enumerate() {
+            let carry = carry.get_mut(i);
+            let base = carry.as_ref().map_or(*x, |carry| *x + **carry);
+            let next = added(self.quotient(i, rounds, room), base);
+            *x = single(next);
+            if let Some(carry) = carry {
+                *carry = single(next - *x);
+            }
+        }
+    }
+
+    /// The step of a kind; `carry` is empty where nothing is carried.
+    pub(crate) fn advance_as<V: Scalar + Copy>(
+        &self,
+        kind: StepKind,
+        [state, carry]: [&mut [V]; 2],
+        registers: &mut [V],
+        room: &mut Room<V>,
+        single: impl Fn(V) -> V,
+    ) {
+        let rounds = kind.rounds_increments;
+        if kind.precision == Precision::SingleThroughDouble {
+            self.advance_through(rounds, [state, carry], registers, room, single);
+        } else if kind.compensated {
+            self.advance_with_carry(rounds, [state, carry], registers, room);
+        } else {
+            self.advance(rounds, state, registers, room);
         }
     }
 
@@ -331,7 +374,7 @@ fn added<V: Scalar>((numerator, reciprocal): (V, Option<V>), x: V) -> V {
 }
 
 /// f′(x), row by row, becomes A(x,ε) = I − εf′(x).
-pub(super) fn into_matrix<V: Scalar + Copy>(slopes: &mut [V], eps: V, n: usize) {
+pub(crate) fn into_matrix<V: Scalar + Copy>(slopes: &mut [V], eps: V, n: usize) {
     for (place, entry) in slopes.iter_mut().enumerate() {
         let scaled = -(eps * *entry);
         *entry = if place / n == place % n { V::one() + scaled } else { scaled };

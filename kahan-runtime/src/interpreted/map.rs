@@ -7,6 +7,7 @@ use kahan_core::{KahanMap, Lift, Pivot, QuadraticField, Scalar, SingularStep};
 
 use smallvec::SmallVec;
 
+use crate::engine::Object;
 use crate::line::Line;
 
 use super::unplanned::Unplanned;
@@ -39,33 +40,35 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         Some(jacobian)
     }
 
-    /// A line of two points whose results are a vector.
-    fn vector_of_two(&self, line: &Line, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
+    /// An object of two points that is a vector.
+    fn vector_of_two(&self, object: Object, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
         let own = self.variables().len();
         let mut points: SmallVec<[T; 16]> = SmallVec::new();
         [x, y].into_iter().for_each(|point| points.extend(point.iter().take(own).cloned()));
-        self.run(line, &points, &T::zero(), |results| vector(results.iter()))
+        self.run(self.engine.known_line(object), &points, &T::zero(), |results| vector(results.iter()))
     }
 }
 
 impl<T: Scalar, const N: usize> QuadraticField<T, N> for Interpreted<T, N> {
     fn field(&self, x: &SVector<T, N>) -> SVector<T, N> {
-        self.run(self.engine.field(), x.as_slice(), &T::zero(), |results| vector(results.iter()))
+        self.run(self.engine.known_line(Object::Field), x.as_slice(), &T::zero(), |results| {
+            vector(results.iter())
+        })
     }
 
     fn field_jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         let own = self.variables().len();
-        self.run(self.engine.field_jacobian(), x.as_slice(), &T::zero(), |entries| {
+        self.run(self.engine.known_line(Object::FieldJacobian), x.as_slice(), &T::zero(), |entries| {
             SMatrix::from_fn(|i, j| if i.max(j) < own { entries.get(i * own + j) } else { T::zero() })
         })
     }
 
     fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
-        self.vector_of_two(&self.engine.code().bilinear, x, y)
+        self.vector_of_two(Object::Bilinear, x, y)
     }
 
     fn polarized(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
-        self.vector_of_two(&self.engine.code().polarized, x, y)
+        self.vector_of_two(Object::Polarized, x, y)
     }
 }
 
@@ -99,21 +102,21 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     }
 
     fn det_matrix(&self, x: &SVector<T, N>, eps: T) -> T {
-        match &self.engine.code().det_matrix {
+        match self.engine.line(Object::DetMatrix) {
             Some(line) => self.run(line, x.as_slice(), &eps, |results| results.get(0)),
             None => Unplanned(self.clone()).det_matrix(x, eps),
         }
     }
 
     fn rational_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
-        match &self.engine.code().rational_map {
+        match self.engine.line(Object::RationalMap) {
             Some(line) => self.fraction(line, x, &eps),
             None => Unplanned(self.clone()).rational_map(x, eps),
         }
     }
 
     fn reduced_map(&self, x: &SVector<T, N>, eps: T) -> (SVector<T, N>, T) {
-        match &self.engine.code().reduced_map {
+        match self.engine.line(Object::ReducedMap) {
             Some(line) => self.fraction(line, x, &eps),
             None => self.rational_map(x, eps),
         }

@@ -6,7 +6,6 @@
 //! generic over maps (orbits, compositions, the step with a promise) takes fields from the command
 //! line too. It runs the same plans in the same order, several times as slowly.
 
-mod code;
 mod dimension;
 mod map;
 mod step;
@@ -22,10 +21,8 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::{Scalar, StepCost};
 use smallvec::SmallVec;
 
-use crate::engine::{Engine, Factors, Tables};
+use crate::engine::{Engine, Factors, Object, Tables};
 use crate::line::{Line, Results, has_value};
-
-pub(crate) use code::Code;
 
 pub use crate::literal::round;
 pub use dimension::{LARGEST_DIMENSION, UnsupportedDimension, VisitDimension, visit_dimension};
@@ -115,7 +112,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
             let registers = sized(&mut registers, line.registers());
             Some(line.results(self.constants(eps), registers, x.as_slice())?.get(0))
         };
-        self.engine.code().integrals.iter().map(value).collect()
+        self.engine.single_integrals().iter().map(value).collect()
     }
 
     /// The same system over another scalar, each parameter put into it by `lift`.
@@ -128,7 +125,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
     /// x̃ − x along the couplings of many variables; `None` in few, and where a pivot is too small.
     fn along_couplings(&self, state: &[T], eps: &T) -> Option<Vec<T>> {
         let (tables, mut factors) = self.factors(state, eps)?;
-        let mut velocity = self.list(self.engine.field(), state, eps);
+        let mut velocity = self.list(self.engine.known_line(Object::Field), state, eps);
         tables.solve(&mut factors, &mut velocity, 1, 0);
         let time_step = eps.clone() + eps.clone();
         Some(velocity.into_iter().map(|entry| time_step.clone() * entry).collect())

@@ -4,11 +4,9 @@ use std::convert::Infallible;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-use kahan_algebra::Derived;
+use crate::engine::{Engine, Object};
 
-use crate::engine::Object;
-
-use super::{Form, StepKind};
+use super::StepKind;
 
 /// The code of a field: none.
 #[derive(Debug)]
@@ -33,55 +31,50 @@ impl InstructionSet {
     }
 }
 
-/// The code of an orbit: none.
+/// Code of whatever kind: none.
 #[derive(Debug)]
-pub(crate) struct OrbitCode<T>(Infallible, PhantomData<T>);
+pub(crate) struct Absent<T>(Infallible, PhantomData<T>);
 
-/// The code of an object: none.
-#[derive(Debug)]
-pub(crate) struct FunctionCode<T>(Infallible, PhantomData<T>);
-
-/// The code of columns: none.
-#[derive(Debug)]
-pub(crate) struct ColumnsCode<T>(Infallible, PhantomData<T>);
-
-/// The code of orbits side by side: none.
-#[derive(Debug)]
-pub(crate) struct Sweep<T>(Infallible, PhantomData<T>);
+/// The code of an orbit.
+pub(crate) type OrbitCode<T> = Absent<T>;
+/// The code of columns.
+pub(crate) type ColumnsCode<T> = Absent<T>;
+/// The code of orbits side by side.
+pub(crate) type Sweep<T> = Absent<T>;
 
 impl Codes {
     pub(crate) fn new(_: usize) -> Self {
         Codes {}
     }
 
-    pub(crate) fn orbit<T>(&self, _: &Derived, _: StepKind, _: Form, _: bool) -> Option<Arc<OrbitCode<T>>> {
+    pub(crate) fn orbit<T>(&self, _: &Engine, _: StepKind, _: bool) -> Option<Arc<OrbitCode<T>>> {
         None
     }
 
     pub(crate) fn abreast<T>(
         &self,
-        _: &Derived,
-        _: (StepKind, Form),
+        _: &Engine,
+        _: StepKind,
         _: usize,
         _: InstructionSet,
     ) -> Option<Arc<Sweep<T>>> {
         None
     }
 
-    pub(crate) fn integrals<T>(&self, _: &Derived, _: InstructionSet) -> Option<Arc<Sweep<T>>> {
+    pub(crate) fn integrals<T>(&self, _: &Engine, _: InstructionSet) -> Option<Arc<Sweep<T>>> {
         None
     }
 
-    pub(crate) fn function<T>(&self, _: &Derived, _: Object) -> Option<&FunctionCode<T>> {
+    pub(crate) fn function<T>(&self, _: &Engine, _: Object) -> Option<&Absent<T>> {
         None
     }
 
-    pub(crate) fn columns<T>(&self, _: &Derived, _: (InstructionSet, bool)) -> Option<Arc<ColumnsCode<T>>> {
+    pub(crate) fn columns<T>(&self, _: &Engine, _: (InstructionSet, bool)) -> Option<Arc<ColumnsCode<T>>> {
         None
     }
 }
 
-impl<T> OrbitCode<T> {
+impl<T> Absent<T> {
     pub(crate) fn step(&self, _: &[T], _: &[Vec<T>], _: &mut [T]) {
         match self.0 {}
     }
@@ -89,30 +82,16 @@ impl<T> OrbitCode<T> {
     pub(crate) fn advance(&self, _: &mut [T], _: &[Vec<T>], _: u64) {
         match self.0 {}
     }
-}
 
-impl<T> Sweep<T> {
-    pub(crate) fn constants(&self) -> usize {
-        match self.0 {}
-    }
-
-    pub(crate) fn width(&self) -> usize {
+    pub(crate) fn advance_columns(&self, _: &mut [&mut [T]], _: &[T], _: bool, _: u64) {
         match self.0 {}
     }
 
     pub(crate) fn run(&self, _: &mut [impl AsMut<[T]>], _: &[T], _: u64) {
         match self.0 {}
     }
-}
 
-impl<T> FunctionCode<T> {
     pub(crate) fn has_run(&self, _: &[T], _: &[T], _: &mut [T]) -> bool {
-        match self.0 {}
-    }
-}
-
-impl<T> ColumnsCode<T> {
-    pub(crate) fn width(&self) -> usize {
         match self.0 {}
     }
 
@@ -120,7 +99,11 @@ impl<T> ColumnsCode<T> {
         match self.0 {}
     }
 
-    pub(crate) fn advance(&self, _: &mut [&mut [T]], _: &[T], _: bool, _: u64) {
+    pub(crate) fn constants(&self) -> usize {
+        match self.0 {}
+    }
+
+    pub(crate) fn width(&self) -> usize {
         match self.0 {}
     }
 }

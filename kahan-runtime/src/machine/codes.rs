@@ -4,14 +4,12 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use kahan_algebra::Derived;
-use kahan_algebra::rational::Rational;
+use kahan_core::FloatScalar;
 use kahan_jit::{ComposedOrbit, Constants, Function, InstructionSet, Lanes, Orbit, Refusal, Shape, Sweep};
 
-use crate::engine::Object;
+use crate::engine::{Engine, Object};
 
-use super::objects;
-use super::{Form, StepKind};
+use super::{StepKind, programs};
 
 /// The most stages of a composition.
 const MOST_STAGES: usize = 32;
@@ -37,10 +35,10 @@ impl<K: Eq + Hash, C> Table<K, C> {
 /// The code of a field over one float.
 #[derive(Debug)]
 pub struct CodesOf<T> {
-    orbits: Table<(StepKind, Form, bool), OrbitCode<T>>,
+    orbits: Table<(StepKind, bool), OrbitCode<T>>,
     functions: Vec<OnceLock<Option<FunctionCode<T>>>>,
     columns: Table<Shape, ColumnsCode<T>>,
-    abreast: Table<(StepKind, Form, usize, InstructionSet), Sweep<T>>,
+    abreast: Table<(StepKind, usize, InstructionSet), Sweep<T>>,
     integrals: Table<InstructionSet, Sweep<T>>,
 }
 
@@ -52,26 +50,19 @@ pub struct Codes {
 }
 
 /// A float that has code.
-pub trait Coded: kahan_jit::Float {
-    /// The float nearest to a number, as a double.
-    const NEAREST: fn(&Rational) -> f64;
-
+pub trait Coded: kahan_jit::Float + FloatScalar {
     /// Its code.
     #[doc(hidden)]
     fn of(codes: &Codes) -> &CodesOf<Self>;
 }
 
 impl Coded for f32 {
-    const NEAREST: fn(&Rational) -> f64 = |value| value.to_f32().into();
-
     fn of(codes: &Codes) -> &CodesOf<f32> {
         &codes.single
     }
 }
 
 impl Coded for f64 {
-    const NEAREST: fn(&Rational) -> f64 = Rational::to_f64;
-
     fn of(codes: &Codes) -> &CodesOf<f64> {
         &codes.double
     }
@@ -113,22 +104,20 @@ impl<T> CodesOf<T> {
 }
 
 impl Codes {
-    /// None yet, for a field with so many brackets.
-    pub(crate) fn new(brackets: usize) -> Self {
-        let objects = Object::Bracket(brackets).place();
+    /// None yet, for a field with so many objects.
+    pub(crate) fn new(objects: usize) -> Self {
         Codes { single: CodesOf::new(objects), double: CodesOf::new(objects) }
     }
 
     /// The code of an orbit; `None` where the step is no straight line, or there can be no code.
     pub(crate) fn orbit<T: Coded>(
         &self,
-        derived: &Derived,
+        engine: &Engine,
         kind: StepKind,
-        form: Form,
         is_composed: bool,
     ) -> Option<Arc<OrbitCode<T>>> {
-        T::of(self).orbits.get((kind, form, is_composed), || {
-            let program = kind.program(form.of(derived.step()?), &derived.system.field.symbols);
+        T::of(self).orbits.get((kind, is_composed), || {
+            let program = kind.program::<T>(engine)?;
             let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
             let shape = Shape { instructions, lanes: Lanes::One, fuses: kind.fuses };
             Some(if is_composed {
@@ -143,16 +132,15 @@ impl Codes {
     /// variational one, so many tangent vectors; likewise.
     pub(crate) fn abreast<T: Coded>(
         &self,
-        derived: &Derived,
-        (kind, form): (StepKind, Form),
+        engine: &Engine,
+        kind: StepKind,
         vectors: usize,
         instructions: InstructionSet,
     ) -> Option<Arc<Sweep<T>>> {
-        T::of(self).abreast.get((kind, form, vectors, instructions), || {
-            let (step, symbols) = (form.of(derived.step()?), &derived.system.field.symbols);
+        T::of(self).abreast.get((kind, vectors, instructions), || {
             let program = match vectors {
-                0 => kind.program(step, symbols),
-                _ => kind.carrying(step, symbols, vectors),
+                0 => kind.program::<T>(engine)?,
+                _ => kind.carrying::<T>(engine, vectors)?,
             };
             let shape = Shape { instructions, lanes: Lanes::All, fuses: kind.fuses };
             Some(Sweep::compile(&program, shape, Constants::Own))
@@ -163,20 +151,20 @@ impl Codes {
     /// are its parameters and ε.
     pub(crate) fn integrals<T: Coded>(
         &self,
-        derived: &Derived,
+        engine: &Engine,
         instructions: InstructionSet,
     ) -> Option<Arc<Sweep<T>>> {
         T::of(self).integrals.get(instructions, || {
-            let program = objects::behind_the_state(&derived.integrals, derived, T::NEAREST);
+            let program = programs::integrals_behind_the_state::<T>(engine)?;
             let shape = Shape { instructions, lanes: Lanes::All, fuses: false };
             Some(Sweep::compile(&program, shape, Constants::Own))
         })
     }
 
     /// The code of an object; likewise. Nothing in it is fused.
-    pub(crate) fn function<T: Coded>(&self, derived: &Derived, object: Object) -> Option<&FunctionCode<T>> {
+    pub(crate) fn function<T: Coded>(&self, engine: &Engine, object: Object) -> Option<&FunctionCode<T>> {
         let compile = || {
-            let program = objects::program(object, derived, T::NEAREST)?;
+            let program = programs::object::<T>(object, engine)?;
             let shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One, fuses: false };
             Function::compile(&program, shape).ok().map(FunctionCode)
         };
@@ -186,15 +174,11 @@ impl Codes {
     /// The code of columns in instructions and a rounding; likewise.
     pub(crate) fn columns<T: Coded>(
         &self,
-        derived: &Derived,
+        engine: &Engine,
         (instructions, fuses): (InstructionSet, bool),
     ) -> Option<Arc<ColumnsCode<T>>> {
         let shape = Shape { instructions, lanes: Lanes::All, fuses };
-        T::of(self).columns.get(shape, || {
-            let step = derived.step()?;
-            let step = step.general.as_deref().unwrap_or(step);
-            Some(ColumnsCode::compile(derived, step, shape))
-        })
+        T::of(self).columns.get(shape, || ColumnsCode::compile(engine, shape))
     }
 }
 
@@ -239,22 +223,20 @@ impl<T: Coded> FunctionCode<T> {
 }
 
 impl<T: Coded> ColumnsCode<T> {
-    fn compile(
-        derived: &Derived,
-        step: &kahan_algebra::plan::StepPlan,
-        shape: Shape,
-    ) -> Result<Self, Refusal> {
-        let prepared = objects::constants(&step.constants, derived, T::NEAREST);
-        let kind = StepKind::of::<T>(shape.fuses);
-        let program = kind.program(step, &derived.system.field.symbols);
-        Ok(ColumnsCode {
-            // Constants are rounded once each, whatever the step does.
-            constants: Function::compile(&prepared, Shape { fuses: false, ..shape })?,
-            count: prepared.results().len(),
-            width: shape.width::<T>(),
-            shared: Sweep::compile(&program, shape, Constants::Shared)?,
-            own: Sweep::compile(&program, shape, Constants::Own)?,
-        })
+    fn compile(engine: &Engine, shape: Shape) -> Option<Result<Self, Refusal>> {
+        let kind = StepKind { is_general: true, ..StepKind::of::<T>(shape.fuses) };
+        let (prepared, program) = (programs::prepared::<T>(engine)?, kind.program::<T>(engine)?);
+        let compile = || {
+            Ok(ColumnsCode {
+                // Constants are rounded once each, whatever the step does.
+                constants: Function::compile(&prepared, Shape { fuses: false, ..shape })?,
+                count: prepared.results().len(),
+                width: shape.width::<T>(),
+                shared: Sweep::compile(&program, shape, Constants::Shared)?,
+                own: Sweep::compile(&program, shape, Constants::Own)?,
+            })
+        };
+        Some(compile())
     }
 
     /// How many trajectories go side by side.
@@ -275,7 +257,13 @@ impl<T: Coded> ColumnsCode<T> {
 
     /// Advances columns of whole registers, all with these constants, or each register with its
     /// own.
-    pub(crate) fn advance(&self, columns: &mut [&mut [T]], constants: &[T], are_shared: bool, steps: u64) {
+    pub(crate) fn advance_columns(
+        &self,
+        columns: &mut [&mut [T]],
+        constants: &[T],
+        are_shared: bool,
+        steps: u64,
+    ) {
         let sweep = if are_shared { &self.shared } else { &self.own };
         sweep.run(columns, constants, steps);
     }

@@ -6,216 +6,222 @@
 //! not a number from the first one on that was not. Whoever runs the program looks at the guard
 //! now and then, and steps again by other means where it is not 0.
 
+use core::ops::Neg;
 use std::cell::RefCell;
 
-use kahan_algebra::arithmetic::Arithmetic;
-use kahan_algebra::rational::Rational;
-use kahan_jit::Instruction::*;
+use kahan_core::num_traits::{One, Zero};
+use kahan_core::{Constant, Scalar};
+use kahan_jit::Instruction::{Literal, State};
+use kahan_jit::{Instruction, Program};
 
-use super::recorder::Recorder;
+use crate::operators::operators;
 
-/// A number as the instructions of its two parts.
-#[derive(Clone, Copy, Debug)]
+use super::traced::{self, Traced};
+
+/// A double of the program.
+type Double = Traced<f64>;
+
+/// A number as its two parts.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pair {
-    pub(super) high: usize,
-    pub(super) low: usize,
+    high: Double,
+    low: Double,
 }
 
-/// Double-double arithmetic over the instructions of doubles.
-#[derive(Debug)]
-pub(super) struct DoubleDouble<'a> {
-    base: &'a Recorder,
+/// What is known of the program that is being written.
+#[derive(Debug, Default)]
+struct Notes {
     /// Whether multiply-adds are fused, which decides how the error of a product is found.
     fuses: bool,
     /// What the guard is the sum of.
-    notes: RefCell<Vec<usize>>,
+    of_sizes: Vec<Double>,
     /// Leading parts that are known to be neither large nor small.
-    moderate: RefCell<Vec<usize>>,
+    moderate: Vec<Double>,
+}
+
+thread_local! {
+    static NOTES: RefCell<Notes> = RefCell::default();
 }
 
 /// A divisor between 2^−DIVISORS and 2^DIVISORS is taken for one that leaves room for everything.
 const DIVISORS: i32 = 400;
+
+/// The program of the numbers that `compute` gives, each as its two parts, and of a guard behind
+/// them that was 0 before.
+pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Vec<Pair>) -> Option<Program> {
+    NOTES.set(Notes { fuses, ..Notes::default() });
+    traced::program(|| {
+        let mut results: Vec<Double> = compute().into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
+        let guard = Double::of(State(results.len()));
+        // The sum of a step's notes does not wait for the step before.
+        let noted = NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
+        results.push(noted.map_or(guard, |noted| guard + noted));
+        Some(results)
+    })
+}
 
 /// 2^exponent
 fn power_of_two(exponent: i32) -> f64 {
     f64::exp2(f64::from(exponent))
 }
 
-impl<'a> DoubleDouble<'a> {
-    /// The arithmetic that writes into a program.
-    pub(super) fn new(base: &'a Recorder, fuses: bool) -> Self {
-        DoubleDouble { base, fuses, notes: RefCell::default(), moderate: RefCell::default() }
-    }
-
-    /// A guard that was 0 before, after everything that was written.
-    pub(super) fn guarded(&self, guard: usize) -> usize {
-        // The sum of a step's notes does not wait for the step before.
-        let notes = self.notes.borrow();
-        match notes.iter().copied().reduce(|a, b| self.add(a, b)) {
-            Some(sum) => self.add(guard, sum),
-            None => guard,
-        }
-    }
-
-    /// Notes 0 where |a|·2^exponent is finite, and else what is not a number.
-    fn note_below(&self, a: usize, exponent: i32) {
-        let grown = self.multiply(a, self.number(power_of_two(exponent)));
-        self.notes.borrow_mut().push(self.multiply(grown, self.number(0.0)));
-    }
-
-    /// Notes whether a is too large or too small to be divided, or to be divided by; `inverse` is
-    /// near 1/a.
-    fn note_moderate(&self, a: usize, inverse: usize) {
-        self.note_below(a, 1024 - DIVISORS);
-        self.note_below(inverse, 1024 - DIVISORS);
-    }
-
-    fn number(&self, value: f64) -> usize {
-        self.base.push(Literal(value))
-    }
-
-    fn add(&self, a: usize, b: usize) -> usize {
-        self.base.push(Add(a, b))
-    }
-
-    fn subtract(&self, a: usize, b: usize) -> usize {
-        self.base.push(Subtract(a, b))
-    }
-
-    fn multiply(&self, a: usize, b: usize) -> usize {
-        self.base.push(Multiply(a, b))
-    }
-
-    /// a·b + c, rounded once where that is one instruction.
-    fn multiply_add(&self, a: usize, b: usize, c: usize) -> usize {
-        self.base.push(MultiplyAdd(a, b, c))
-    }
-
-    /// a + b and its error (Knuth).
-    fn two_sum(&self, a: usize, b: usize) -> (usize, usize) {
-        let sum = self.add(a, b);
-        let from_a = self.subtract(sum, b);
-        let from_b = self.subtract(sum, from_a);
-        (sum, self.add(self.subtract(a, from_a), self.subtract(b, from_b)))
-    }
-
-    /// The same where |a| ≥ |b| (Dekker).
-    fn fast_two_sum(&self, a: usize, b: usize) -> Pair {
-        let high = self.add(a, b);
-        Pair { high, low: self.subtract(b, self.subtract(high, a)) }
-    }
-
-    /// a·b and its error: by one fused operation, or by halves (Dekker).
-    fn two_product(&self, a: usize, b: usize) -> (usize, usize) {
-        let product = self.multiply(a, b);
-        if self.fuses {
-            return (product, self.base.push(MultiplySubtract(a, b, product)));
-        }
-        let ((a_high, a_low), (b_high, b_low)) = (self.split(a), self.split(b));
-        let left = self.subtract(self.multiply(a_high, b_high), product);
-        let left = self.add(left, self.multiply(a_high, b_low));
-        let left = self.add(left, self.multiply(a_low, b_high));
-        (product, self.add(left, self.multiply(a_low, b_low)))
-    }
-
-    /// Two floats of 26 bits with the sum a (Veltkamp); a beyond 2⁹⁹⁵ is noted.
-    fn split(&self, a: usize) -> (usize, usize) {
-        self.note_below(a, 1024 - 995);
-        let spread = self.multiply(self.number(power_of_two(27) + 1.0), a);
-        let high = self.subtract(spread, self.subtract(spread, a));
-        (high, self.subtract(a, high))
-    }
-
-    /// whole − a·b, where that is a float.
-    fn remainder(&self, whole: usize, a: usize, b: usize) -> usize {
-        if self.fuses {
-            return self.base.push(SubtractProduct(whole, a, b));
-        }
-        let (product, error) = self.two_product(a, b);
-        self.subtract(self.subtract(whole, product), error)
-    }
-
-    /// A leading sum or product leaves room for what is added to it: else it is noted.
-    fn leaves_room(&self, leading: usize) {
-        self.note_below(leading, 1024 - 1022);
-    }
-
-    fn opposite(&self, a: Pair) -> Pair {
-        Pair { high: self.base.push(Negate(a.high)), low: self.base.push(Negate(a.low)) }
-    }
-
-    /// x·y + z
-    fn product_plus(&self, x: Pair, y: Pair, z: Pair) -> Pair {
-        let (leading, product_error) = self.two_product(x.high, y.high);
-        let (sum, sum_error) = self.two_sum(leading, z.high);
-        self.leaves_room(sum);
-        let lower = self.multiply_add(x.low, y.high, self.multiply_add(x.high, y.low, z.low));
-        self.fast_two_sum(sum, self.add(sum_error, self.add(product_error, lower)))
-    }
+fn number(value: f64) -> Double {
+    Double::of(Literal(value))
 }
 
-impl Arithmetic for DoubleDouble<'_> {
-    type Value = Pair;
+fn fuses() -> bool {
+    NOTES.with_borrow(|notes| notes.fuses)
+}
 
-    fn constant(&self, value: &Rational) -> Option<Pair> {
-        let (high, low) = value.to_double_double();
-        Some(Pair { high: self.number(high), low: self.number(low) })
+/// Notes 0 where |a|·2^exponent is finite, and else what is not a number.
+fn note_below(a: Double, exponent: i32) {
+    let note = a * number(power_of_two(exponent)) * number(0.0);
+    NOTES.with_borrow_mut(|notes| notes.of_sizes.push(note));
+}
+
+/// Notes whether a is too large or too small to be divided, or to be divided by; `inverse` is near
+/// 1/a.
+fn note_moderate(a: Double, inverse: Double) {
+    note_below(a, 1024 - DIVISORS);
+    note_below(inverse, 1024 - DIVISORS);
+}
+
+/// A leading sum or product leaves room for what is added to it: else it is noted.
+fn leaves_room(leading: Double) {
+    note_below(leading, 1024 - 1022);
+}
+
+/// a + b and its error (Knuth).
+fn two_sum(a: Double, b: Double) -> (Double, Double) {
+    let sum = a + b;
+    let from_a = sum - b;
+    let from_b = sum - from_a;
+    (sum, (a - from_a) + (b - from_b))
+}
+
+/// The same where |a| ≥ |b| (Dekker).
+fn fast_two_sum(a: Double, b: Double) -> Pair {
+    let high = a + b;
+    Pair { high, low: b - (high - a) }
+}
+
+/// a·b and its error: by one fused operation, or by halves (Dekker).
+fn two_product(a: Double, b: Double) -> (Double, Double) {
+    let product = a * b;
+    if fuses() {
+        return (product, a.multiply_subtract(b, product));
+    }
+    let ((a_high, a_low), (b_high, b_low)) = (split(a), split(b));
+    let left = a_high * b_high - product + a_high * b_low + a_low * b_high;
+    (product, left + a_low * b_low)
+}
+
+/// Two floats of 26 bits with the sum a (Veltkamp); a beyond 2⁹⁹⁵ is noted.
+fn split(a: Double) -> (Double, Double) {
+    note_below(a, 1024 - 995);
+    let spread = number(power_of_two(27) + 1.0) * a;
+    let high = spread - (spread - a);
+    (high, a - high)
+}
+
+/// whole − a·b, where that is a float.
+fn remainder(whole: Double, a: Double, b: Double) -> Double {
+    if fuses() {
+        return whole.subtract_product(a, b);
+    }
+    let (product, error) = two_product(a, b);
+    whole - product - error
+}
+
+impl Pair {
+    /// The numbers that a program begins with, `entry` being those of the state or the constants.
+    pub(super) fn of(entry: fn(usize) -> Instruction, place: usize) -> Self {
+        Pair { high: Double::of(entry(2 * place)), low: Double::of(entry(2 * place + 1)) }
     }
 
-    fn add(&self, a: &Pair, b: &Pair) -> Pair {
-        let (leading, error) = self.two_sum(a.high, b.high);
-        self.leaves_room(leading);
-        let (lower, rest) = self.two_sum(a.low, b.low);
-        let Pair { high, low } = self.fast_two_sum(leading, self.add(error, lower));
-        self.fast_two_sum(high, self.add(rest, low))
+    fn sum(self, other: Self) -> Self {
+        let (leading, error) = two_sum(self.high, other.high);
+        leaves_room(leading);
+        let (lower, rest) = two_sum(self.low, other.low);
+        let Pair { high, low } = fast_two_sum(leading, error + lower);
+        fast_two_sum(high, rest + low)
     }
 
-    fn subtract(&self, a: &Pair, b: &Pair) -> Pair {
-        Arithmetic::add(self, a, &self.opposite(*b))
+    fn product(self, other: Self) -> Self {
+        let (leading, error) = two_product(self.high, other.high);
+        leaves_room(leading);
+        let lower = self.low.multiply_add(other.high, self.high * other.low);
+        fast_two_sum(leading, error + lower)
     }
 
-    fn multiply(&self, a: &Pair, b: &Pair) -> Pair {
-        let (leading, error) = self.two_product(a.high, b.high);
-        self.leaves_room(leading);
-        let lower = self.multiply_add(a.low, b.high, self.multiply(a.high, b.low));
-        self.fast_two_sum(leading, self.add(error, lower))
-    }
-
-    fn negate(&self, a: &Pair) -> Pair {
-        self.opposite(*a)
-    }
-
-    fn divide(&self, a: &Pair, b: &Pair) -> Option<Pair> {
-        let leading = self.base.push(Divide(a.high, b.high));
-        let reciprocal = self.base.push(Divide(self.number(1.0), b.high));
-        self.note_moderate(b.high, reciprocal);
-        let is_ordinary = self.base.literal(a.high).is_some_and(|value| {
+    fn over(self, divisor: Self) -> Self {
+        let leading = self.high / divisor.high;
+        let reciprocal = number(1.0) / divisor.high;
+        note_moderate(divisor.high, reciprocal);
+        let is_ordinary = self.high.literal().is_some_and(|value| {
             // So that the quotient can be divided once more.
             (power_of_two(-40)..power_of_two(40)).contains(&value.abs())
         });
         if is_ordinary {
-            self.moderate.borrow_mut().push(leading);
-        } else if !self.moderate.borrow().contains(&a.high) {
-            self.note_moderate(a.high, self.base.push(Divide(self.number(1.0), a.high)));
+            NOTES.with_borrow_mut(|notes| notes.moderate.push(leading));
+        } else if !NOTES.with_borrow(|notes| notes.moderate.contains(&self.high)) {
+            note_moderate(self.high, number(1.0) / self.high);
         }
-        let correction = self.base.push(SubtractProduct(a.low, leading, b.low));
-        let remainder = self.add(self.remainder(a.high, leading, b.high), correction);
-        Some(self.fast_two_sum(leading, self.multiply(remainder, reciprocal)))
+        let correction = self.low.subtract_product(leading, divisor.low);
+        let remainder = remainder(self.high, leading, divisor.high) + correction;
+        fast_two_sum(leading, remainder * reciprocal)
+    }
+}
+
+operators! { [] Pair: Pair::sum, |a: Self, b: Self| a + -b, Pair::product, Pair::over }
+
+impl Neg for Pair {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Pair { high: -self.high, low: -self.low }
+    }
+}
+
+impl Zero for Pair {
+    fn zero() -> Self {
+        Pair { high: number(0.0), low: number(0.0) }
     }
 
-    fn multiply_add(&self, a: &Pair, b: &Pair, c: &Pair) -> Pair {
-        self.product_plus(*a, *b, *c)
-    }
-
-    fn multiply_subtract(&self, a: &Pair, b: &Pair, c: &Pair) -> Pair {
-        self.product_plus(*a, *b, self.opposite(*c))
-    }
-
-    fn subtract_product(&self, a: &Pair, b: &Pair, c: &Pair) -> Pair {
-        self.product_plus(self.opposite(*b), *c, *a)
-    }
-
-    fn is_zero(&self, _: &Pair) -> bool {
+    fn is_zero(&self) -> bool {
         false
+    }
+}
+
+impl One for Pair {
+    fn one() -> Self {
+        Pair { high: number(1.0), low: number(0.0) }
+    }
+}
+
+impl Scalar for Pair {
+    fn constant(c: &Constant<'_>) -> Self {
+        let (high, low) = c.to_double_double();
+        Pair { high: number(high), low: number(low) }
+    }
+
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        Some(self / divisor)
+    }
+
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        let (leading, product_error) = two_product(self.high, factor.high);
+        let (sum, sum_error) = two_sum(leading, addend.high);
+        leaves_room(sum);
+        let lower = self.low.multiply_add(factor.high, self.high.multiply_add(factor.low, addend.low));
+        fast_two_sum(sum, sum_error + (product_error + lower))
+    }
+
+    fn multiply_subtract(self, factor: Self, subtrahend: Self) -> Self {
+        self.multiply_add(factor, -subtrahend)
+    }
+
+    fn subtract_product(self, a: Self, b: Self) -> Self {
+        (-a).multiply_add(b, self)
     }
 }

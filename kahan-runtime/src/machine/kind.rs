@@ -1,28 +1,6 @@
 //! Which step there is code for.
 
-#[cfg(feature = "jit")]
-use kahan_algebra::plan::StepPlan;
-use kahan_core::Precision;
-
-/// Which of the two forms of a step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Form {
-    /// The one that serves the orbit of one point at an ordinary ε.
-    Own,
-    /// The one that serves every scalar and every ε.
-    AnyEps,
-}
-
-#[cfg(feature = "jit")]
-impl Form {
-    /// The plan of this form.
-    pub(super) fn of(self, step: &StepPlan) -> &StepPlan {
-        match self {
-            Form::Own => step,
-            Form::AnyEps => step.for_any_step(),
-        }
-    }
-}
+use kahan_core::{Precision, Scheme};
 
 /// Which step is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -31,6 +9,9 @@ pub(crate) struct StepKind {
     pub(crate) precision: Precision,
     /// Whether the state is carried with its rounding error.
     pub(crate) compensated: bool,
+    /// Whether it is the form that serves every scalar and every ε, rather than the one for the orbit
+    /// of one point at an ordinary ε.
+    pub(crate) is_general: bool,
     /// Whether an increment is rounded before it is added, as the general form of a step that has
     /// another one for ordinary ε is.
     pub(crate) rounds_increments: bool,
@@ -43,7 +24,13 @@ impl StepKind {
     pub(crate) fn of<T>(fuses: bool) -> Self {
         let precision =
             if size_of::<T>() == size_of::<f32>() { Precision::Single } else { Precision::Double };
-        StepKind { precision, compensated: false, rounds_increments: false, fuses }
+        StepKind { precision, compensated: false, is_general: false, rounds_increments: false, fuses }
+    }
+
+    /// The step of a scheme, with multiply-adds as everything else in this program has them.
+    pub(crate) fn of_scheme(Scheme { precision, compensated, .. }: Scheme) -> Self {
+        let fuses = cfg!(target_feature = "fma");
+        StepKind { precision, compensated, is_general: false, rounds_increments: false, fuses }
     }
 
     /// How many numbers a state is.

@@ -10,15 +10,11 @@ mod absent;
 mod codes;
 #[cfg(feature = "jit")]
 mod double_double;
-#[cfg(feature = "jit")]
-mod dual;
 mod kind;
 #[cfg(feature = "jit")]
-mod objects;
+mod programs;
 #[cfg(feature = "jit")]
-mod recorder;
-#[cfg(feature = "jit")]
-mod step;
+mod traced;
 
 #[cfg(not(feature = "jit"))]
 pub(crate) use absent::*;
@@ -26,4 +22,4 @@ pub(crate) use absent::*;
 pub(crate) use codes::{Coded, Codes, ColumnsCode, OrbitCode};
 #[cfg(feature = "jit")]
 pub(crate) use kahan_jit::{InstructionSet, Sweep};
-pub(crate) use kind::{Form, StepKind};
+pub(crate) use kind::StepKind;

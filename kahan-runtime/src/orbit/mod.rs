@@ -9,28 +9,93 @@ mod interpreted;
 #[cfg(test)]
 mod tests;
 
+use core::fmt::Debug;
+
 use kahan_algebra::rational::Rational;
-use kahan_core::{Composition, Dd, FloatScalar, Scheme};
+use kahan_core::{Composition, Dd, FloatScalar, Precision, Scheme};
 
 use crate::Map;
+use crate::interpreted::round;
 
 use coded::Coding;
-use interpreted::Interpreting;
+use interpreted::{Interpreting, Walk};
 
 /// An orbit that is at some point, in a scheme that was chosen at run time; begun by
 /// [`Map::orbit`].
 #[derive(Debug)]
 pub struct SchemeOrbit {
-    engine: Engine,
+    running: Box<dyn Running>,
+    is_code: bool,
     /// The same orbit interpreted, put at a point where something is asked about it.
-    interpreter: Interpreting,
+    interpreter: Box<dyn Interpreting>,
     point: Vec<Dd>,
 }
 
-#[derive(Clone, Debug)]
-enum Engine {
-    Code(Coding),
-    Interpreter(Box<Interpreting>),
+/// An orbit in the numbers that it runs in.
+trait Running: Debug + Send + Sync {
+    /// So many steps further; `false` where it cannot tell, and the state is as before.
+    fn advance(&mut self, steps: u64) -> bool;
+
+    /// The coordinates of the point.
+    fn point(&self, point: &mut [Dd]);
+
+    /// A copy.
+    fn boxed(&self) -> Box<dyn Running>;
+}
+
+/// What an orbit is begun with. Each number is rounded once to a `G`, what ε and points are, and
+/// widened to what steps are computed in.
+struct Asked<'a> {
+    map: &'a Map,
+    scheme: Scheme,
+    eps: &'a Rational,
+    start: &'a [Rational],
+}
+
+impl Asked<'_> {
+    fn parameters<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> impl Iterator<Item = V> {
+        self.map.parameters().iter().map(move |value| widen(round(value)))
+    }
+
+    fn start<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> impl Iterator<Item = V> {
+        self.start.iter().map(move |value| widen(round(value)))
+    }
+
+    fn eps<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> V {
+        widen(round(self.eps))
+    }
+
+    /// ε of each stage that differs, the middle one last.
+    fn stages<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> Vec<V> {
+        let (composition, eps) = (self.scheme.composition, round(self.eps));
+        if composition == Composition::KAHAN {
+            return vec![widen(eps)];
+        }
+        let differing = composition.coefficients().take(composition.stages().div_ceil(2));
+        differing.map(|gamma| widen(G::constant(gamma) * eps)).collect()
+    }
+
+    /// The orbit by the interpreter, and by code where there is some.
+    fn begin(&self) -> (Box<dyn Interpreting>, Option<Box<dyn Running>>) {
+        let wide: fn(f32) -> f64 = f64::from;
+        match self.scheme.precision {
+            Precision::Single => (
+                Walk::begin(self, |x: f32| x, |x| x.high() as f32),
+                Coding::begin(self, |x: f32| x, |x| vec![x]),
+            ),
+            Precision::SingleThroughDouble => (
+                Walk::begin(self, wide, |x| f64::from(x.high() as f32)),
+                Coding::begin(self, wide, |x| vec![x]),
+            ),
+            Precision::Double => {
+                (Walk::begin(self, |x: f64| x, Dd::high), Coding::begin(self, |x: f64| x, |x| vec![x]))
+            }
+            Precision::DoubleDouble => (
+                Walk::begin(self, |x: Dd| x, |x| x),
+                Coding::begin(self, |x: Dd| x, |x| vec![x.high(), x.low()]),
+            ),
+        }
+    }
 }
 
 /// Where an orbit ends: no step leads from there to a point that is finite.
@@ -46,12 +111,11 @@ pub struct End {
 impl SchemeOrbit {
     /// The orbit of a map at its first point, which has a coordinate a variable.
     pub(crate) fn begin(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Self {
-        let interpreter = Interpreting::begin(map, scheme, eps, start);
-        let engine = match Coding::begin(map, scheme, eps, start) {
-            Some(code) => Engine::Code(code),
-            None => Engine::Interpreter(Box::new(interpreter.clone())),
-        };
-        let mut orbit = SchemeOrbit { engine, interpreter, point: vec![Dd::default(); start.len()] };
+        let (interpreter, code) = Asked { map, scheme, eps, start }.begin();
+        let is_code = code.is_some();
+        let running = code.unwrap_or_else(|| interpreter.boxed());
+        let mut orbit =
+            SchemeOrbit { running, is_code, interpreter, point: vec![Dd::default(); start.len()] };
         orbit.look();
         orbit
     }
@@ -59,7 +123,7 @@ impl SchemeOrbit {
     /// Whether it is machine code.
     #[must_use]
     pub fn is_code(&self) -> bool {
-        matches!(self.engine, Engine::Code(_))
+        self.is_code
     }
 
     /// The point.
@@ -78,13 +142,11 @@ impl SchemeOrbit {
 
     /// So many steps further. Where a step has no value, the point is not finite from then on.
     pub fn advance(&mut self, steps: u64) {
-        match &mut self.engine {
-            Engine::Code(code) => {
-                if !code.advance(steps) {
-                    self.interpret(steps);
-                }
-            }
-            Engine::Interpreter(orbit) => orbit.advance(steps),
+        if !self.running.advance(steps) {
+            // The interpreter goes on, from the point before.
+            self.interpreter.put(&self.point);
+            (self.running, self.is_code) = (self.interpreter.boxed(), false);
+            self.running.advance(steps);
         }
         self.look();
     }
@@ -95,14 +157,14 @@ impl SchemeOrbit {
     /// [`End`] where that comes before; what a compensated orbit carries beside its point is not
     /// looked at to say why.
     pub fn advance_while_finite(&mut self, steps: u64) -> Result<(), End> {
-        let start = self.engine.clone();
+        let start = (self.running.boxed(), self.is_code);
         self.advance(steps);
         let Some(largest) = steps.checked_ilog2().filter(|_| !self.is_finite()) else { return Ok(()) };
         self.return_to(start);
         let mut taken = 0;
         // What is not finite stays so: the steps that are left to take are a sum of powers of 2.
         for power in (0..=largest).rev() {
-            let before = self.engine.clone();
+            let before = (self.running.boxed(), self.is_code);
             self.advance(1 << power);
             if self.is_finite() {
                 taken += 1 << power;
@@ -114,8 +176,8 @@ impl SchemeOrbit {
         Err(End { steps: taken, is_pole: self.interpreter.divides_by_zero() })
     }
 
-    fn return_to(&mut self, engine: Engine) {
-        self.engine = engine;
+    fn return_to(&mut self, before: (Box<dyn Running>, bool)) {
+        (self.running, self.is_code) = before;
         self.look();
     }
 
@@ -124,26 +186,6 @@ impl SchemeOrbit {
     }
 
     fn look(&mut self) {
-        match &self.engine {
-            Engine::Code(code) => code.point(&mut self.point),
-            Engine::Interpreter(orbit) => orbit.point(&mut self.point),
-        }
-    }
-
-    /// Goes on by the interpreter, from the point before.
-    fn interpret(&mut self, steps: u64) {
-        let mut orbit = self.interpreter.clone();
-        orbit.put(&self.point);
-        orbit.advance(steps);
-        self.engine = Engine::Interpreter(Box::new(orbit));
-    }
-}
-
-/// ε of each stage that differs, the middle one last.
-fn stages<G: FloatScalar>(composition: Composition, eps: G) -> Vec<G> {
-    let differing = composition.coefficients().take(composition.stages().div_ceil(2));
-    match composition.stages() {
-        1 => vec![eps],
-        _ => differing.map(|gamma| G::constant(gamma) * eps).collect(),
+        self.running.point(&mut self.point);
     }
 }

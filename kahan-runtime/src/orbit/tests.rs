@@ -9,8 +9,7 @@ use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra}
 use crate::Field;
 use crate::interpreted::round;
 
-use super::End;
-use super::interpreted::Interpreting;
+use super::{Asked, End};
 
 fn q(text: &str) -> Rational {
     Rational::parse(text).expect("a number")
@@ -124,7 +123,7 @@ where
             let (eps, start): (Rational, Vec<Rational>) = (q(eps), start[..N].iter().map(|x| q(x)).collect());
             for scheme in Scheme::all() {
                 let mut orbit = map.orbit(scheme, &eps, &start).expect("a coordinate a variable");
-                let mut interpreted = Interpreting::begin(&map, scheme, &eps, &start);
+                let mut interpreted = Asked { map: &map, scheme, eps: &eps, start: &start }.begin().0;
                 let mut found = vec![Dd::default(); N];
                 let mut compiled = of_map(exact, scheme, &eps, &start);
                 let mut expected = vec![Dd::default(); N];

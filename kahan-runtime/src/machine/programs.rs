@@ -1,0 +1,123 @@
+//! What code is compiled from: the interpreter's work, over numbers that write it down.
+
+use kahan_core::num_traits::Zero;
+use kahan_core::{Precision, Scalar};
+use kahan_jit::Instruction::{Constant, State};
+use kahan_jit::Program;
+
+use crate::engine::{Engine, Object, Scratch, Step, into_matrix, jacobian_by_duals};
+use crate::line::{Line, has_value};
+
+use super::double_double::{self, Pair};
+use super::traced::{self, Traced};
+use super::{Coded, StepKind};
+
+impl StepKind {
+    /// The program from the numbers of a state to those of the next, for the prepared constants of
+    /// the step; `None` where that is no straight line.
+    ///
+    /// The numbers are x₁, …, xₙ; compensated, what each of them lacks comes behind. In
+    /// double-double each is two numbers, the high one first, and the guard comes last.
+    pub(super) fn program<T: Coded>(self, engine: &Engine) -> Option<Program> {
+        let step = engine.steps().form(self.is_general);
+        let variables = engine.dimension();
+        step.lines()?;
+        if self.precision == Precision::DoubleDouble {
+            return double_double::program(self.fuses, || {
+                let state = (0..variables).map(|i| Pair::of(State, i)).collect();
+                self.advanced(step, state, |k| Pair::of(Constant, k), |pair| pair)
+            });
+        }
+        let numbers = if self.compensated { 2 * variables } else { variables };
+        traced::program(|| Some(self.next(step, Traced::<T>::states(0..numbers))))
+    }
+
+    /// The program of a point that carries so many tangent vectors, each as many numbers as the
+    /// point; the engine is that of the variational field. The squares of the vectors' lengths are
+    /// results behind them, of states that nothing reads.
+    pub(super) fn carrying<T: Coded>(self, engine: &Engine, vectors: usize) -> Option<Program> {
+        let step = engine.steps().form(self.is_general);
+        let n = engine.dimension() / 2;
+        step.lines()?;
+        traced::program(|| {
+            let (mut results, mut squares) = (Vec::new(), Vec::new());
+            for k in 0..vectors {
+                let next = self.next(step, Traced::<T>::states((0..n).chain((k + 1) * n..(k + 2) * n)));
+                // All vectors have the same point; equal operations are compiled once.
+                results.extend(&next[if k == 0 { 0 } else { n }..]);
+                squares
+                    .extend(next[n..].iter().map(|entry| *entry * *entry).reduce(|sum, square| sum + square));
+            }
+            results.extend(squares);
+            Some(results)
+        })
+    }
+
+    fn next<T: Coded>(self, step: &Step, numbers: Vec<Traced<T>>) -> Vec<Traced<T>> {
+        self.advanced(step, numbers, |k| Traced::of(Constant(k)), Traced::to_single)
+    }
+
+    /// The numbers of a state one step later.
+    fn advanced<V: Scalar + Copy>(
+        self,
+        step: &Step,
+        mut numbers: Vec<V>,
+        constant: impl Fn(usize) -> V,
+        single: impl Fn(V) -> V,
+    ) -> Vec<V> {
+        let Scratch { mut registers, mut room, .. } = Scratch::default();
+        step.open(&step.given((0..).map(constant)), &mut registers);
+        let (state, carry) = numbers.split_at_mut(step.reciprocals.len());
+        step.advance_as(self, [state, carry], &mut registers, &mut room, single);
+        numbers
+    }
+}
+
+/// The program of an object from a state, and the parameters with ε behind them; `None` where the
+/// field has none, or no straight line for it.
+pub(super) fn object<T: Coded>(object: Object, engine: &Engine) -> Option<Program> {
+    traced::program(|| {
+        let n = engine.dimension();
+        let (state, constants) = (Traced::<T>::states(0..n), constants(engine));
+        match object {
+            Object::Matrix => {
+                let mut slopes = results(engine.line(Object::FieldJacobian)?, &constants, &state);
+                into_matrix(&mut slopes, constants[constants.len() - 1], n);
+                Some(slopes)
+            }
+            Object::Jacobian => {
+                let step = engine.steps().of_duals();
+                step.lines()?;
+                let mut slopes = vec![state[0]; n * n];
+                jacobian_by_duals(step, &constants, &state, &mut slopes, &mut Scratch::default());
+                Some(slopes)
+            }
+            _ => Some(results(engine.line(object)?, &constants, &state)),
+        }
+    })
+}
+
+/// The program of the constants that the step of columns is prepared with.
+pub(super) fn prepared<T: Coded>(engine: &Engine) -> Option<Program> {
+    let [prepared, _] = engine.steps().of_lanes().lines()?;
+    traced::program(|| Some(results(prepared, &constants::<T>(engine), &[])))
+}
+
+/// The program of a state that stays as it is, and the integrals behind it.
+pub(super) fn integrals_behind_the_state<T: Coded>(engine: &Engine) -> Option<Program> {
+    traced::program(|| {
+        let state = Traced::<T>::states(0..engine.dimension());
+        let integrals = results(engine.line(Object::Integrals)?, &constants(engine), &state);
+        Some([state, integrals].concat())
+    })
+}
+
+/// The parameters, and ε behind them.
+fn constants<T: Coded>(engine: &Engine) -> Vec<Traced<T>> {
+    (0..=engine.derived.system.field.symbols.parameters.len()).map(|k| Traced::of(Constant(k))).collect()
+}
+
+fn results<T: Coded>(line: &Line, constants: &[Traced<T>], state: &[Traced<T>]) -> Vec<Traced<T>> {
+    let mut registers = vec![Traced::zero(); line.registers()];
+    has_value(line.results(constants.iter().copied(), &mut registers, state)).iter().collect()
+}
