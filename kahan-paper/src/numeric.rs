@@ -21,23 +21,23 @@ impl Arithmetic for Decimals {
     }
 
     fn add(&self, a: &Precise, b: &Precise) -> Precise {
-        a.clone() + b.clone()
+        *a + *b
     }
 
     fn subtract(&self, a: &Precise, b: &Precise) -> Precise {
-        a.clone() - b.clone()
+        *a - *b
     }
 
     fn multiply(&self, a: &Precise, b: &Precise) -> Precise {
-        a.clone() * b.clone()
+        *a * *b
     }
 
     fn negate(&self, a: &Precise) -> Precise {
-        -a.clone()
+        -*a
     }
 
     fn divide(&self, a: &Precise, b: &Precise) -> Option<Precise> {
-        (!self.is_zero(b)).then(|| a.clone() / b.clone())
+        (!self.is_zero(b)).then(|| *a / *b)
     }
 
     fn is_zero(&self, a: &Precise) -> bool {
@@ -78,10 +78,10 @@ impl Calculus for Decimals {
             }
             ("K", [k]) => elliptic_k(k),
             ("F", [phi, k]) => elliptic_f(phi, k),
-            ("nome", [k]) => Modulus::new(k.clone()).nome(),
-            ("sn", [u, k]) => jacobi(u, &Modulus::new(k.clone())).sn,
-            ("cn", [u, k]) => jacobi(u, &Modulus::new(k.clone())).cn,
-            ("dn", [u, k]) => jacobi(u, &Modulus::new(k.clone())).dn,
+            ("nome", [k]) => Modulus::new(*k).nome(),
+            ("sn", [u, k]) => jacobi(u, &Modulus::new(*k)).sn,
+            ("cn", [u, k]) => jacobi(u, &Modulus::new(*k)).cn,
+            ("dn", [u, k]) => jacobi(u, &Modulus::new(*k)).dn,
             ("theta1", [z, q]) => theta(z, q).one,
             ("theta2", [z, q]) => theta(z, q).two,
             ("theta3", [z, q]) => theta(z, q).three,

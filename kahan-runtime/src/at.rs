@@ -259,7 +259,7 @@ impl<T: MachineFloat> MapAt<T> {
     }
 
     fn dimension(&self) -> usize {
-        self.map.field().variables().len()
+        self.engine().dimension()
     }
 
     fn check_state(&self, x: &[T]) -> Result<(), DimensionError> {

@@ -35,7 +35,7 @@ pub(crate) fn trajectory<S: 'static, const N: usize>(
     at: fn(&S, &Precise) -> SVector<Precise, N>,
 ) -> Option<Trajectory> {
     let solution = solution.ok()?;
-    Some(Box::new(move |t| at(&solution, t).iter().cloned().collect()))
+    Some(Box::new(move |t| at(&solution, t).iter().copied().collect()))
 }
 
 /// Coordinates as a point, if there are N.

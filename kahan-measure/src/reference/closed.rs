@@ -30,5 +30,5 @@ pub(super) fn closed_solution(
 /// The nearest double-double number.
 fn double_double(value: &Precise) -> Dd {
     let high = value.to_f64();
-    Dd::new(high, (value.clone() - Precise::from_f64(high)).to_f64())
+    Dd::new(high, (*value - Precise::from_f64(high)).to_f64())
 }

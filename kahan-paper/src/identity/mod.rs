@@ -103,7 +103,7 @@ impl Identity<'_> {
             point.iter().map(|(name, value)| (name.clone(), decimal(value))).collect();
         let [left, right] = self.sides(&Decimals, self.left, self.right, frame).map_err(|t| words(&t))?;
         let holds = match (self.relation, self.digit) {
-            (Relation::Approximate, Some(unit)) => (left.clone() - right.clone()).abs() < decimal(unit),
+            (Relation::Approximate, Some(unit)) => (left - right).abs() < decimal(unit),
             (Relation::Different, _) => agreement(&left, &right) < DECIMALS,
             _ => agreement(&left, &right) >= DECIMALS,
         };

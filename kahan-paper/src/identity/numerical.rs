@@ -23,7 +23,7 @@ impl Identity<'_> {
             let [left, right] = self.numerical_point(&names, &mut random)?;
             if self.relation == Relation::Approximate {
                 let unit = self.digit.ok_or("an approximate value is one number")?;
-                let difference = (left.clone() - right.clone()).abs();
+                let difference = (left - right).abs();
                 return if difference < decimal(unit) {
                     Ok(Evidence::Numerical(decimals_of(unit)))
                 } else {
@@ -79,12 +79,12 @@ pub(super) fn decimal(value: &Rational) -> Precise {
 pub(super) fn agreement(left: &Precise, right: &Precise) -> u32 {
     let one = Precise::from(1);
     let scale = [left.abs(), right.abs()].into_iter().fold(one, |a, b| if b > a { b } else { a });
-    let error = (left.clone() - right.clone()).abs() / scale;
+    let error = (*left - *right).abs() / scale;
     let mut unit = Precise::from(1);
     let tenth = Precise::from_ratio(1, 10);
     let mut decimals = 0;
     while decimals < 70 && error < unit {
-        unit *= tenth.clone();
+        unit *= tenth;
         decimals += u32::from(error < unit);
     }
     decimals

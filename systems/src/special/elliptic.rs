@@ -18,7 +18,7 @@ pub struct Modulus<T> {
 impl<T: Real> Modulus<T> {
     /// From k alone, 0 ≤ k ≤ 1; its complement is not a number elsewhere.
     pub fn new(k: T) -> Self {
-        let complement = ((T::one() - k.clone()) * (T::one() + k.clone())).sqrt();
+        let complement = ((T::one() - k) * (T::one() + k)).sqrt();
         Self { k, complement }
     }
 
@@ -29,7 +29,7 @@ impl<T: Real> Modulus<T> {
 
     /// The modulus k′, with the complement k.
     pub fn complementary(&self) -> Self {
-        Self { k: self.complement.clone(), complement: self.k.clone() }
+        Self { k: self.complement, complement: self.k }
     }
 
     /// The complete integral K(k) = F(π/2, k), the quarter of the period of sn; not a number at k =
@@ -47,7 +47,7 @@ impl<T: Real> Modulus<T> {
         if !self.complement.is_positive() {
             return not_a_number();
         }
-        T::pi() * T::half() / arithmetic_geometric_mean(T::one(), self.complement.clone())
+        T::pi() * T::half() / arithmetic_geometric_mean(T::one(), self.complement)
     }
 
     /// The nome q = exp(−π K(k′)/K(k)), for 0 ≤ k < 1.
@@ -67,7 +67,7 @@ impl<T: Real> Modulus<T> {
     /// By Carlson's R_F(cos²φ, 1 − k² sin²φ, 1) sin φ, after whole half turns are taken off. In
     /// `f64` at most 6 ulp for |φ| ≤ π/2 and 8 for |φ| ≤ 50, also next to k = 1.
     fn incomplete(&self, phi: &T) -> T {
-        let half_turns = (phi.clone() / T::pi() + T::half()).floor();
+        let half_turns = (*phi / T::pi() + T::half()).floor();
         let (sine, cosine) = phi.sin_cos();
         // The sine and cosine of φ less the half turns: the cosine is not negative.
         let (sine, cosine) = if cosine.is_negative() { (-sine, -cosine) } else { (sine, cosine) };
@@ -80,7 +80,7 @@ impl<T: Real> Modulus<T> {
     /// the pair (sn, cn), which keeps the precision that an angle near ±π/2 would lose.
     pub fn inverse(&self, sn: &T, cn: &T) -> T {
         if cn.is_negative() {
-            let rest = self.incomplete_of_point(&sn.abs(), &-cn.clone());
+            let rest = self.incomplete_of_point(&sn.abs(), &-*cn);
             let value = int::<T>(2) * self.quarter_period() - rest;
             return if sn.is_negative() { -value } else { value };
         }
@@ -90,8 +90,8 @@ impl<T: Real> Modulus<T> {
     /// F for a cosine that is not negative.
     fn incomplete_of_point(&self, sine: &T, cosine: &T) -> T {
         // 1 − k² sin²φ = cos²φ + k′² sin²φ, a sum of positive numbers.
-        let delta = cosine.square() + (self.complement.clone() * sine.clone()).square();
-        sine.clone() * carlson_rf(cosine.square(), delta, T::one())
+        let delta = cosine.square() + (self.complement * *sine).square();
+        *sine * carlson_rf(cosine.square(), delta, T::one())
     }
 }
 
@@ -103,12 +103,12 @@ impl<T: Real> Modulus<T> {
 /// assert_eq!(elliptic_f(&0.7, &0.0), 0.7);
 /// ```
 pub fn elliptic_f<T: Real>(phi: &T, k: &T) -> T {
-    Modulus::new(k.clone()).incomplete(phi)
+    Modulus::new(*k).incomplete(phi)
 }
 
 /// The complete elliptic integral K(k) of the first kind, of the modulus k, 0 ≤ k < 1.
 pub fn elliptic_k<T: Real>(k: &T) -> T {
-    Modulus::new(k.clone()).quarter_period()
+    Modulus::new(*k).quarter_period()
 }
 
 /// The common limit of arithmetic and geometric means, for positive a and b.
@@ -117,8 +117,8 @@ fn arithmetic_geometric_mean<T: Real>(a: T, b: T) -> T {
     // Each turn squares the relative difference; once it is below √ε the next mean is exact to
     // rounding.
     for _ in 0..64 {
-        let done = ((a.clone() - b.clone()) / a.clone()).square() < T::epsilon();
-        let mean = (a.clone() + b.clone()) * T::half();
+        let done = ((a - b) / a).square() < T::epsilon();
+        let mean = (a + b) * T::half();
         if done {
             return mean;
         }
@@ -138,31 +138,31 @@ fn carlson_rf<T: Real>(x: T, y: T, z: T) -> T {
     let quarter = T::from_ratio(1, 4);
     let (mut x, mut y, mut z) = (x, y, z);
     // The neglected terms are of degree 8 in the spread.
-    let bound = T::epsilon().sqrt().sqrt().sqrt() * quarter.clone();
+    let bound = T::epsilon().sqrt().sqrt().sqrt() * quarter;
     loop {
-        let mean = (x.clone() + y.clone() + z.clone()) * third.clone();
-        let spread = |v: &T| T::one() - v.clone() / mean.clone();
+        let mean = (x + y + z) * third;
+        let spread = |v: &T| T::one() - *v / mean;
         let (dx, dy, dz) = (spread(&x), spread(&y), spread(&z));
         let wide = |v: &T| v.abs() > bound;
         if !(wide(&dx) || wide(&dy) || wide(&dz)) {
             return rf_series(&dx, &dy, &dz) / mean.sqrt();
         }
         let (rx, ry, rz) = (x.sqrt(), y.sqrt(), z.sqrt());
-        let lambda = rx.clone() * ry.clone() + ry * rz.clone() + rz * rx;
-        x = (x + lambda.clone()) * quarter.clone();
-        y = (y + lambda.clone()) * quarter.clone();
-        z = (z + lambda) * quarter.clone();
+        let lambda = rx * ry + ry * rz + rz * rx;
+        x = (x + lambda) * quarter;
+        y = (y + lambda) * quarter;
+        z = (z + lambda) * quarter;
     }
 }
 
 /// The expansion of R_F about equal arguments, in E₂ = XY + YZ + ZX and E₃ = XYZ with X + Y + Z =
 /// 0: up to degree 7.
 fn rf_series<T: Real>(dx: &T, dy: &T, dz: &T) -> T {
-    let e2 = dx.clone() * dy.clone() - dz.square();
-    let e3 = dx.clone() * dy.clone() * dz.clone();
+    let e2 = *dx * *dy - dz.square();
+    let e3 = *dx * *dy * *dz;
     let c = |p, q| T::from_ratio(p, q);
-    T::one() - c(1, 10) * e2.clone() + c(1, 14) * e3.clone() + c(1, 24) * e2.square()
-        - c(3, 44) * e2.clone() * e3.clone()
+    T::one() - c(1, 10) * e2 + c(1, 14) * e3 + c(1, 24) * e2.square()
+        - c(3, 44) * e2 * e3
         - c(5, 208) * e2.power(3)
         + c(3, 104) * e3.square()
         + c(1, 16) * e2.square() * e3

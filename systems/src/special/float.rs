@@ -7,6 +7,14 @@ use kahan_core::num_traits::ToPrimitive;
 
 use super::{Real, bernoulli, gamma};
 
+macro_rules! by_the_machine {
+    ($($function:ident)*) => { $(
+        fn $function(&self) -> Self {
+            f64::$function(*self)
+        }
+    )* };
+}
+
 impl Real for f64 {
     const DIGITS: usize = 15;
 
@@ -30,29 +38,7 @@ impl Real for f64 {
         core::f64::consts::PI
     }
 
-    fn abs(&self) -> Self {
-        f64::abs(*self)
-    }
-
-    fn sqrt(&self) -> Self {
-        f64::sqrt(*self)
-    }
-
-    fn exp(&self) -> Self {
-        f64::exp(*self)
-    }
-
-    fn exp_m1(&self) -> Self {
-        f64::exp_m1(*self)
-    }
-
-    fn ln(&self) -> Self {
-        f64::ln(*self)
-    }
-
-    fn ln_1p(&self) -> Self {
-        f64::ln_1p(*self)
-    }
+    by_the_machine! { abs sqrt exp exp_m1 ln ln_1p tanh floor }
 
     fn sin_cos(&self) -> (Self, Self) {
         f64::sin_cos(*self)
@@ -66,16 +52,8 @@ impl Real for f64 {
         (f64::sinh(*self), f64::cosh(*self))
     }
 
-    fn tanh(&self) -> Self {
-        f64::tanh(*self)
-    }
-
     fn atanh(&self) -> Self {
         libm::atanh(*self)
-    }
-
-    fn floor(&self) -> Self {
-        f64::floor(*self)
     }
 
     fn gamma(&self) -> Self {

@@ -51,21 +51,21 @@ pub(super) fn asymptotic_from<T: Real>() -> i64 {
 
 /// The steps that lead from x > 0 to an argument of at least `from`.
 pub(super) fn steps_up<T: Real>(x: &T, from: i64) -> i64 {
-    ((int::<T>(from) - x.clone()).to_f64().ceil() as i64).max(0)
+    ((int::<T>(from) - *x).to_f64().ceil() as i64).max(0)
 }
 
 /// sin(πx), x reduced exactly before it meets π.
 pub(super) fn sin_pi<T: Real>(x: &T) -> T {
-    let turns = int::<T>(2) * (x.clone() * T::half() + T::half() * T::half()).floor();
+    let turns = int::<T>(2) * (*x * T::half() + T::half() * T::half()).floor();
     // Now between −1/2 and 3/2.
-    let rest = x.clone() - turns;
+    let rest = *x - turns;
     (T::pi() * rest).sin()
 }
 
 /// cos(πx), x reduced exactly before it meets π, so that the zeros are exact.
 pub(super) fn cos_pi<T: Real>(x: &T) -> T {
     let two = int::<T>(2);
-    let rest = x.clone() - two * (x.clone() * T::half() + T::half()).floor();
+    let rest = *x - two * (*x * T::half() + T::half()).floor();
     // Now between −1 and 1; 1/2 − |rest| is exact where the cosine is small.
     (T::pi() * (T::half() - rest.abs())).sin()
 }
@@ -77,16 +77,16 @@ pub(super) fn by_stirling<T: Real>(x: &T) -> T {
         return not_a_number();
     }
     if *x < T::half() {
-        return T::pi() / (sin_pi(x) * by_stirling(&(T::one() - x.clone())));
+        return T::pi() / (sin_pi(x) * by_stirling(&(T::one() - *x)));
     }
     let steps = steps_up(x, asymptotic_from::<T>());
     let mut descent = T::one();
     for j in 0..steps {
-        descent *= x.clone() + int(j);
+        descent *= *x + int(j);
     }
-    let large = x.clone() + int(steps);
-    let series = stirling_sum(&large, |m, bernoulli| bernoulli / int(2 * m * (2 * m - 1))) * large.clone();
-    let power = large.power_real(&(large.clone() - T::half()));
+    let large = *x + int(steps);
+    let series = stirling_sum(&large, |m, bernoulli| bernoulli / int(2 * m * (2 * m - 1))) * large;
+    let power = large.power_real(&(large - T::half()));
     (int::<T>(2) * T::pi()).sqrt() * power * (series - large).exp() / descent
 }
 
@@ -97,15 +97,15 @@ pub(super) fn digamma_by_stirling<T: Real>(x: &T) -> T {
         return not_a_number();
     }
     if *x < T::half() {
-        let cotangent = sin_pi(&(x.clone() + T::half())) / sin_pi(x);
-        return digamma_by_stirling(&(T::one() - x.clone())) - T::pi() * cotangent;
+        let cotangent = sin_pi(&(*x + T::half())) / sin_pi(x);
+        return digamma_by_stirling(&(T::one() - *x)) - T::pi() * cotangent;
     }
     let steps = steps_up(x, asymptotic_from::<T>());
     let mut descent = T::zero();
     for j in 0..steps {
-        descent += T::one() / (x.clone() + int(j));
+        descent += T::one() / (*x + int(j));
     }
-    let large = x.clone() + int(steps);
+    let large = *x + int(steps);
     let series = stirling_sum(&large, |m, bernoulli| bernoulli / int(2 * m));
     large.ln() - T::half() / large - series - descent
 }
@@ -116,8 +116,8 @@ fn stirling_sum<T: Real>(x: &T, term: impl Fn(i64, T) -> T) -> T {
     let mut power = T::one();
     let mut sum = T::zero();
     for (m, bernoulli) in (1..).zip(T::bernoulli()) {
-        power *= inverse_square.clone();
-        let next = term(m, bernoulli.clone()) * power.clone();
+        power *= inverse_square;
+        let next = term(m, *bernoulli) * power;
         let small = next.abs() < T::epsilon() * sum.abs() * T::half();
         sum += next;
         if small {

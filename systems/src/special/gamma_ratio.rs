@@ -22,8 +22,8 @@ use super::real::int;
 /// assert_eq!(gamma_ratio(&-3.0, &1.0, &0.0), -3.0);
 /// ```
 pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
-    let middle = (a.clone() + b.clone() - T::one()) * T::half();
-    centered_gamma_ratio(&(x.clone() + middle), &((a.clone() - b.clone()) * T::half()))
+    let middle = (*a + *b - T::one()) * T::half();
+    centered_gamma_ratio(&(*x + middle), &((*a - *b) * T::half()))
 }
 
 /// R(w, σ) = Γ(w + 1/2 + σ)/Γ(w + 1/2 − σ), for any real w and σ.
@@ -34,23 +34,23 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
 /// for |σ| ≤ 3, at most 4 ulp for w ≥ 20, 40 ulp for 0 ≤ w ≤ 20 and 64 ulp for −20 ≤ w < 0 off the
 /// poles.
 pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
-    if let Some(n) = small_integer(&(int::<T>(2) * sigma.clone())) {
+    if let Some(n) = small_integer(&(int::<T>(2) * *sigma)) {
         return rational_ratio(w, n);
     }
     if is_reflected(w, sigma) {
-        return reflection(w, sigma) * centered_gamma_ratio(&-w.clone(), sigma);
+        return reflection(w, sigma) * centered_gamma_ratio(&-*w, sigma);
     }
     let steps = steps_up(w, asymptotic_from::<T>() + 2 * sigma.abs().to_f64().ceil() as i64);
     let mut numerator = T::one();
     let mut denominator = T::one();
     for j in 0..steps {
-        let centre = w.clone() + (int::<T>(j) + T::half());
-        numerator *= centre.clone() - sigma.clone();
-        denominator *= centre + sigma.clone();
+        let centre = *w + (int::<T>(j) + T::half());
+        numerator *= centre - *sigma;
+        denominator *= centre + *sigma;
     }
-    let large = w.clone() + int(steps);
+    let large = *w + int(steps);
     let series = odd_bernoulli_sum(&large, sigma, |m, value| value / int(m * (2 * m + 1)));
-    large.power_real(&(int::<T>(2) * sigma.clone())) * (-series).exp() * (numerator / denominator)
+    large.power_real(&(int::<T>(2) * *sigma)) * (-series).exp() * (numerator / denominator)
 }
 
 /// ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ), the logarithmic derivative of [`centered_gamma_ratio`] in w,
@@ -69,19 +69,19 @@ pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
         // The derivative of the logarithm of the reflection: π tan π(σ−f) + π tan π(σ+f) = π sin
         // 2πσ/(cos cos).
         let fold = fold(w);
-        let cosines = cos_pi(&(sigma.clone() - fold.clone())) * cos_pi(&(sigma.clone() + fold));
-        let tangents = T::pi() * sin_pi(&(two * sigma.clone())) / cosines;
-        return tangents - centered_digamma_difference(&-w.clone(), sigma);
+        let cosines = cos_pi(&(*sigma - fold)) * cos_pi(&(*sigma + fold));
+        let tangents = T::pi() * sin_pi(&(two * *sigma)) / cosines;
+        return tangents - centered_digamma_difference(&-*w, sigma);
     }
     let steps = steps_up(w, asymptotic_from::<T>() + 2 * sigma.abs().to_f64().ceil() as i64);
     let mut descent = T::zero();
     for j in 0..steps {
-        let centre = w.clone() + (int::<T>(j) + T::half());
-        descent += T::one() / ((centre.clone() - sigma.clone()) * (centre + sigma.clone()));
+        let centre = *w + (int::<T>(j) + T::half());
+        descent += T::one() / ((centre - *sigma) * (centre + *sigma));
     }
-    let large = w.clone() + int(steps);
-    let series = odd_bernoulli_sum(&large, sigma, |m, value| value / int(2 * m + 1)) / large.clone();
-    two.clone() * (sigma.clone() / large + series + sigma.clone() * descent)
+    let large = *w + int(steps);
+    let series = odd_bernoulli_sum(&large, sigma, |m, value| value / int(2 * m + 1)) / large;
+    two * (*sigma / large + series + *sigma * descent)
 }
 
 /// Whether w is so far on the left that reflection serves. For −|σ| − 1/2 ≤ w < 0 it could multiply
@@ -92,14 +92,14 @@ fn is_reflected<T: Real>(w: &T, sigma: &T) -> bool {
 
 /// w less the nearest integer, exactly: between −1/2 and 1/2.
 fn fold<T: Real>(w: &T) -> T {
-    w.clone() - (w.clone() + T::half()).floor()
+    *w - (*w + T::half()).floor()
 }
 
 /// R(w, σ)/R(−w, σ) = cos π(σ − f)/cos π(σ + f), f = w less the nearest integer; from Γ(z)Γ(1−z) =
 /// π/sin πz.
 fn reflection<T: Real>(w: &T, sigma: &T) -> T {
     let fold = fold(w);
-    cos_pi(&(sigma.clone() - fold.clone())) / cos_pi(&(sigma.clone() + fold))
+    cos_pi(&(*sigma - fold)) / cos_pi(&(*sigma + fold))
 }
 
 /// The integer that x is, if it is one of at most 64 in size.
@@ -111,8 +111,8 @@ fn small_integer<T: Real>(x: &T) -> Option<i64> {
 /// R(w, n/2): the product of w + (1−n)/2 + j over 0 ≤ j < n for n ≥ 0, the reciprocal of R(w, −n/2)
 /// for n < 0.
 fn rational_ratio<T: Real>(w: &T, n: i64) -> T {
-    let product = (0..n.abs())
-        .fold(T::one(), |product, j| product * (w.clone() + T::from_ratio(1 - n.abs() + 2 * j, 2)));
+    let product =
+        (0..n.abs()).fold(T::one(), |product, j| product * (*w + T::from_ratio(1 - n.abs() + 2 * j, 2)));
     if n < 0 { T::one() / product } else { product }
 }
 
@@ -126,9 +126,9 @@ fn odd_bernoulli_sum<T: Real>(w: &T, sigma: &T, term: impl Fn(i64, T) -> T) -> T
     let mut power = T::one();
     let mut sum = T::zero();
     for m in 1..=T::bernoulli().len() as i64 {
-        power *= inverse_square.clone();
+        power *= inverse_square;
         let value = binomial_sum(2 * m + 1, sigma, &middle);
-        let next = term(m, value) * power.clone();
+        let next = term(m, value) * power;
         let small = next.abs() < T::epsilon() * T::half() * sum.abs();
         sum += next;
         if small {
@@ -146,10 +146,10 @@ pub(super) fn binomial_sum<T: Real>(n: i64, sigma: &T, values: &[T]) -> T {
     let mut binomial = T::one();
     let mut sum = T::zero();
     for (k, value) in (0..n).step_by(2).zip(values) {
-        sum = sum * square.clone() + binomial.clone() * value.clone();
+        sum = sum * square + binomial * *value;
         binomial = binomial * int((n - k) * (n - k - 1)) / int((k + 1) * (k + 2));
     }
-    sum * sigma.clone()
+    sum * *sigma
 }
 
 /// B₀(1/2), B₂(1/2), B₄(1/2), …
@@ -158,8 +158,8 @@ pub(super) fn middle_values<T: Real>() -> Vec<T> {
     let quarter = T::from_ratio(1, 4);
     core::iter::once(T::one())
         .chain(T::bernoulli().iter().map(|bernoulli| {
-            power *= quarter.clone();
-            (power.clone() - T::one()) * bernoulli.clone()
+            power *= quarter;
+            (power - T::one()) * *bernoulli
         }))
         .collect()
 }

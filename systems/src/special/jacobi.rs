@@ -33,16 +33,16 @@ pub struct Jacobi<T> {
 pub fn jacobi<T: Real>(u: &T, modulus: &Modulus<T>) -> Jacobi<T> {
     if modulus.complement.is_zero() {
         let secant = T::one() / u.cosh();
-        return Jacobi { sn: u.tanh(), cn: secant.clone(), dn: secant };
+        return Jacobi { sn: u.tanh(), cn: secant, dn: secant };
     }
     if !modulus.complement.is_positive() {
         return Jacobi { sn: not_a_number(), cn: not_a_number(), dn: not_a_number() };
     }
     let half_period = int::<T>(2) * modulus.quarter_period();
-    let turns = (u.clone() / half_period.clone() + T::half()).floor();
-    let rest = u.clone() - turns.clone() * half_period;
+    let turns = (*u / half_period + T::half()).floor();
+    let rest = *u - turns * half_period;
     let Jacobi { sn, cn, dn } = descend(&rest, modulus);
-    let odd = (turns.clone() * T::half()).floor() * int(2) != turns;
+    let odd = (turns * T::half()).floor() * int(2) != turns;
     if odd { Jacobi { sn: -sn, cn: -cn, dn } } else { Jacobi { sn, cn, dn } }
 }
 
@@ -56,19 +56,17 @@ fn descend<T: Real>(u: &T, modulus: &Modulus<T>) -> Jacobi<T> {
         let (sn, cn) = u.sin_cos();
         return Jacobi { sn, cn, dn: T::one() };
     }
-    let sum = T::one() + modulus.complement.clone();
+    let sum = T::one() + modulus.complement;
     // 1 − k′ = k²/(1 + k′), without cancellation.
-    let lower = Modulus {
-        k: (modulus.k.clone() / sum.clone()).square(),
-        complement: int::<T>(2) * modulus.complement.sqrt() / sum.clone(),
-    };
-    let Jacobi { sn: s, cn: c, dn: d } = descend(&(u.clone() * sum.clone() * T::half()), &lower);
-    let divisor = T::one() + lower.k.clone() * s.square();
+    let lower =
+        Modulus { k: (modulus.k / sum).square(), complement: int::<T>(2) * modulus.complement.sqrt() / sum };
+    let Jacobi { sn: s, cn: c, dn: d } = descend(&(*u * sum * T::half()), &lower);
+    let divisor = T::one() + lower.k * s.square();
     // 1 − k₁ = 2k′/(1 + k′) and 1 + k₁ = 2/(1 + k′).
     let two = int::<T>(2);
     Jacobi {
-        sn: two.clone() * s / (sum.clone() * divisor.clone()),
-        dn: (two * modulus.complement.clone() / sum + lower.k * c.square()) / divisor.clone(),
+        sn: two * s / (sum * divisor),
+        dn: (two * modulus.complement / sum + lower.k * c.square()) / divisor,
         cn: c * d / divisor,
     }
 }

@@ -27,7 +27,7 @@ pub struct Integral<T> {
 /// assert!((integrate(&0.0, &1.0, |x: &f64| x.exp()).value - (1.0_f64.exp() - 1.0)).abs() < 1e-14);
 /// ```
 pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> {
-    let half_width = (to.clone() - from.clone()) * T::half();
+    let half_width = (*to - *from) * T::half();
     if half_width.is_zero() {
         return Integral { value: T::zero(), change: T::zero() };
     }
@@ -39,37 +39,37 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     // = 2/(e^{2s} + 1).
     let pair = |u: &T| {
         let rise = u.exp_m1();
-        let fall = rise.clone() / (rise.clone() + T::one());
-        let (twice_sine, twice_cosine) = (rise.clone() + fall.clone(), int::<T>(2) + rise - fall);
+        let fall = rise / (rise + T::one());
+        let (twice_sine, twice_cosine) = (rise + fall, int::<T>(2) + rise - fall);
         // e^(2s) with s = ½π sinh u
-        let power = (quarter_turn.clone() * twice_sine).exp();
-        let sum = power.clone() + T::one();
-        let distance = half_width.clone() * int(2) / sum.clone();
+        let power = (quarter_turn * twice_sine).exp();
+        let sum = power + T::one();
+        let distance = half_width * int(2) / sum;
         // cosh u/cosh² s
         let weight = twice_cosine * int(2) * power / sum.square();
-        let (left, right) = (from.clone() + distance.clone(), to.clone() - distance);
+        let (left, right) = (*from + distance, *to - distance);
         // A node that rounds onto an end has no weight left.
         let value = |x: &T, end: &T| if x == end { T::zero() } else { f(x) };
         weight * (value(&left, from) + value(&right, to))
     };
     let mut step = 1.0;
-    let mut sum = f(&(from.clone() + half_width.clone())) + sum_of(1, 1, step, reach, &pair);
-    let mut estimate = sum.clone();
+    let mut sum = f(&(*from + half_width)) + sum_of(1, 1, step, reach, &pair);
+    let mut estimate = sum;
     let mut change = estimate.abs();
     for _ in 0..10 {
         step *= 0.5;
         sum += sum_of(1, 2, step, reach, &pair);
-        let next = sum.clone() * T::from_f64(step);
-        let before = core::mem::replace(&mut change, (next.clone() - estimate).abs());
+        let next = sum * T::from_f64(step);
+        let before = core::mem::replace(&mut change, (next - estimate).abs());
         estimate = next;
         let exact = change <= int::<T>(256) * T::epsilon() * estimate.abs();
-        let noise = change < T::epsilon().sqrt() * estimate.abs() && int::<T>(2) * change.clone() > before;
+        let noise = change < T::epsilon().sqrt() * estimate.abs() && int::<T>(2) * change > before;
         if exact || noise {
             break;
         }
     }
     let scale = half_width * quarter_turn;
-    Integral { value: estimate * scale.clone(), change: change * scale.abs() }
+    Integral { value: estimate * scale, change: change * scale.abs() }
 }
 
 /// Σ pair(j·step) over j = first, first + stride, … as far as `reach`.

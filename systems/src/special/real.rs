@@ -8,9 +8,9 @@ use kahan_core::num_rational::BigRational;
 ///
 /// Implemented for `f64` and for [`Precise`](super::Precise). What has no real value (0/0, ln(−1),
 /// a pole of Γ) is not a number: it compares with nothing, and
-/// [`is_finite_number`](Pivot::is_finite_number) tells. Methods take references, since a number of
-/// many digits is not `Copy`; the operators of [`Scalar`](kahan_core::Scalar) take values.
-pub trait Real: Pivot + PartialOrd + core::fmt::Display {
+/// [`is_finite_number`](Pivot::is_finite_number) tells. Methods take references; the operators of
+/// [`Scalar`](kahan_core::Scalar) take values.
+pub trait Real: Pivot + Copy + PartialOrd + core::fmt::Display {
     /// Decimal digits that a value carries at least: 15 for `f64`, 76 for
     /// [`Precise`](super::Precise).
     const DIGITS: usize;
@@ -121,7 +121,7 @@ pub trait Real: Pivot + PartialOrd + core::fmt::Display {
         // For x ≥ 0: eʸ − 1 = x + x²/(1 + √(1 + x²)); odd, so the size decides.
         let x = self.abs();
         let root = (Self::one() + x.square()).sqrt();
-        let value = (x.clone() + x.square() / (Self::one() + root)).ln_1p();
+        let value = (x + x.square() / (Self::one() + root)).ln_1p();
         if self.is_negative() { -value } else { value }
     }
 
@@ -132,17 +132,17 @@ pub trait Real: Pivot + PartialOrd + core::fmt::Display {
 
     /// x².
     fn square(&self) -> Self {
-        self.clone() * self.clone()
+        *self * *self
     }
 
     /// xⁿ for any integer n; x⁰ = 1.
     fn power(&self, n: i64) -> Self {
         let mut result = Self::one();
-        let mut square = self.clone();
+        let mut square = *self;
         let mut rest = n.unsigned_abs();
         while rest > 0 {
             if rest % 2 == 1 {
-                result *= square.clone();
+                result *= square;
             }
             square = square.square();
             rest /= 2;

@@ -32,8 +32,8 @@ fn order<T: Real>() -> usize {
 /// With w = N + j + 1/2 the term is ξ/(2w(w² − 1)) · w^(−4σ) exp Σ_m 2p_{2m+1}(σ)/(m(2m+1) w^(2m)),
 /// where p_n(σ) is the Bernoulli polynomial without its term of degree n − 1.
 pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
-    let sigma = (xi.clone() - T::one()) * T::half();
-    let numbers: Vec<T> = core::iter::once(T::one()).chain(T::bernoulli().iter().cloned()).collect();
+    let sigma = (*xi - T::one()) * T::half();
+    let numbers: Vec<T> = core::iter::once(T::one()).chain(T::bernoulli().iter().copied()).collect();
     let exponent: Vec<T> = (0..=order::<T>() as i64)
         .map(|m| {
             if m == 0 {
@@ -44,7 +44,7 @@ pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
         .collect();
     let coefficients = divide_by_one_minus_square(exponential(&exponent));
     let terms: Vec<Jet<T>> = coefficients.into_iter().map(|a| [a, T::zero(), T::zero()]).collect();
-    xi.clone() * T::half() * tail(n, &(int::<T>(2) * xi.clone() + T::one()), &terms)
+    *xi * T::half() * tail(n, &(int::<T>(2) * *xi + T::one()), &terms)
 }
 
 /// Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h − ψ(N + j +
@@ -53,13 +53,13 @@ pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
 /// With w = N + j + 1/2 and D = h − ψ(w) − 1/(2w) = h + Σ B₂ₘ/(2m w^(2m)) − ln w the term is
 /// (D + D² − 1/(4w²))/(2w(w² − 1)).
 pub(crate) fn digamma_product_tail<T: Real>(n: &T, h: &T) -> T {
-    let even: Vec<T> = core::iter::once(h.clone())
-        .chain((1..).zip(T::bernoulli()).map(|(m, number)| number.clone() / int(2 * m)))
+    let even: Vec<T> = core::iter::once(*h)
+        .chain((1..).zip(T::bernoulli()).map(|(m, number)| *number / int(2 * m)))
         .take(order::<T>() + 1)
         .collect();
     let mut constant = product(&even, &even);
     for (value, term) in constant.iter_mut().zip(&even) {
-        *value += term.clone();
+        *value += *term;
     }
     constant[1] -= T::from_ratio(1, 4);
     let mut linear: Vec<T> = even.into_iter().map(|value| -(int::<T>(2) * value)).collect();
@@ -78,53 +78,52 @@ fn tail<T: Real>(n: &T, s: &T, coefficients: &[Jet<T>]) -> T {
     let inverse_square = T::one() / n.square();
     let logarithm = n.ln();
     // N^(1−s−η) = N^(1−s)(1 − η ln N + η² ln² N/2)
-    let power: Jet<T> = [T::one(), -logarithm.clone(), logarithm.square() * T::half()];
+    let power: Jet<T> = [T::one(), -logarithm, logarithm.square() * T::half()];
     let mut scale = T::one();
     let mut sum = T::zero();
     for (i, [a, b, c]) in coefficients.iter().enumerate() {
-        let exponent = s.clone() + int(2 * i as i64);
+        let exponent = *s + int(2 * i as i64);
         let series = power_sum(&exponent, &inverse_square, &middle[..coefficients.len() - i]);
         let [z0, z1, z2] = multiply(&power, &series);
         // −d/ds brings down a logarithm.
-        sum += scale.clone() * (a.clone() * z0 - b.clone() * z1 + int::<T>(2) * c.clone() * z2);
-        scale *= inverse_square.clone();
+        sum += scale * (*a * z0 - *b * z1 + int::<T>(2) * *c * z2);
+        scale *= inverse_square;
     }
-    sum * n.power_real(&(T::one() - s.clone()))
+    sum * n.power_real(&(T::one() - *s))
 }
 
 /// 1/(s+η−1) + Σ_{k≥1} B₂ₖ(1/2) (s+η)…(s+η+2k−2)/(2k)! · v^k as a jet in η, v = N^(−2).
 fn power_sum<T: Real>(s: &T, v: &T, middle: &[T]) -> Jet<T> {
-    let inverse = T::one() / (s.clone() - T::one());
-    let mut sum = [inverse.clone(), -inverse.square(), inverse.power(3)];
-    let factor = |shift: i64| [s.clone() + int(shift), T::one(), T::zero()];
-    let mut term = factor(0).map(|value| value * v.clone() * T::half());
+    let inverse = T::one() / (*s - T::one());
+    let mut sum = [inverse, -inverse.square(), inverse.power(3)];
+    let factor = |shift: i64| [*s + int(shift), T::one(), T::zero()];
+    let mut term = factor(0).map(|value| value * *v * T::half());
     for (k, value) in (1..).zip(&middle[1..]) {
         for (total, part) in sum.iter_mut().zip(&term) {
-            *total += part.clone() * value.clone();
+            *total += *part * *value;
         }
         let divisor = int::<T>((2 * k + 1) * (2 * k + 2));
-        term = multiply(&multiply(&term, &factor(2 * k - 1)), &factor(2 * k))
-            .map(|value| value * v.clone() / divisor.clone());
+        term =
+            multiply(&multiply(&term, &factor(2 * k - 1)), &factor(2 * k)).map(|value| value * *v / divisor);
     }
     sum
 }
 
 fn multiply<T: Real>([a0, a1, a2]: &Jet<T>, [b0, b1, b2]: &Jet<T>) -> Jet<T> {
-    let times = |a: &T, b: &T| a.clone() * b.clone();
+    let times = |a: &T, b: &T| *a * *b;
     [times(a0, b0), times(a0, b1) + times(a1, b0), times(a0, b2) + times(a1, b1) + times(a2, b0)]
 }
 
 /// The product of two power series, as long as the first.
 fn product<T: Real>(a: &[T], b: &[T]) -> Vec<T> {
-    (0..a.len()).map(|n| (0..=n).fold(T::zero(), |sum, i| sum + a[i].clone() * b[n - i].clone())).collect()
+    (0..a.len()).map(|n| (0..=n).fold(T::zero(), |sum, i| sum + a[i] * b[n - i])).collect()
 }
 
 /// The exponential of a power series without constant term: n eₙ = Σ m cₘ eₙ₋ₘ.
 fn exponential<T: Real>(series: &[T]) -> Vec<T> {
     let mut result = vec![T::one()];
     for n in 1..series.len() {
-        let sum = (1..=n)
-            .fold(T::zero(), |sum, m| sum + int::<T>(m as i64) * series[m].clone() * result[n - m].clone());
+        let sum = (1..=n).fold(T::zero(), |sum, m| sum + int::<T>(m as i64) * series[m] * result[n - m]);
         result.push(sum / int(n as i64));
     }
     result
@@ -137,7 +136,7 @@ fn divide_by_one_minus_square<T: Real>(series: Vec<T>) -> Vec<T> {
         .into_iter()
         .map(|value| {
             total += value;
-            total.clone()
+            total
         })
         .collect()
 }

@@ -44,33 +44,28 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     // Chebyshev's recurrence for sin jz and cos jz would lose digits near z = 0, so the angle is
     // turned instead.
     let (mut s, mut c) = (T::zero(), T::one());
-    let turn = |s: &T, c: &T| {
-        (
-            s.clone() * cosine.clone() + c.clone() * sine.clone(),
-            c.clone() * cosine.clone() - s.clone() * sine.clone(),
-        )
-    };
+    let turn = |s: &T, c: &T| (*s * cosine + *c * sine, *c * cosine - *s * sine);
     let quarter = q.sqrt().sqrt();
     // q^(j²/4) for j = 0, 1, 2, …; the ratio of neighbours is q^((2j+1)/4).
-    let (mut power, mut ratio) = (T::one(), quarter.clone());
+    let (mut power, mut ratio) = (T::one(), quarter);
     let root = q.sqrt();
     for j in 1.. {
         (s, c) = turn(&s, &c);
-        power *= ratio.clone();
-        ratio *= root.clone();
-        let term = int::<T>(2) * power.clone();
+        power *= ratio;
+        ratio *= root;
+        let term = int::<T>(2) * power;
         let half = j / 2;
         if j % 2 == 1 {
-            let signed = if half % 2 == 0 { s.clone() } else { -s.clone() };
-            sum.one += term.clone() * signed;
-            sum.two += term.clone() * c.clone();
+            let signed = if half % 2 == 0 { s } else { -s };
+            sum.one += term * signed;
+            sum.two += term * c;
         } else {
-            let value = term.clone() * c.clone();
-            sum.three += value.clone();
+            let value = term * c;
+            sum.three += value;
             sum.four += if half % 2 == 0 { value } else { -value };
         }
         // Relative to the first term of ϑ₁ and ϑ₂, so that they are as precise for a small nome.
-        if term < T::epsilon() * T::half() * quarter.clone() {
+        if term < T::epsilon() * T::half() * quarter {
             break;
         }
     }

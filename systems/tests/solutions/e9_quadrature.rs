@@ -18,7 +18,7 @@ fn integrals_of_known_value() {
     let one = Precise::from_int(1);
     assert_close(&integrate(&Precise::zero(), &one, Real::exp).value, &one.exp_m1(), 74, "exp");
     // A singularity at the left end, and an interval that is traversed backwards.
-    let root = integrate(&Precise::zero(), &one, |x: &Precise| one.clone() / x.sqrt()).value;
+    let root = integrate(&Precise::zero(), &one, |x: &Precise| one / x.sqrt()).value;
     assert_close(&root, &Precise::from_int(2), 37, "inverse root");
     let back = integrate(&one, &Precise::zero(), Real::exp).value;
     assert_close(&back, &-one.exp_m1(), 74, "backwards");
@@ -39,8 +39,8 @@ fn the_quadrature_is_the_time_of_the_closed_cases() {
         for i in 0..3 {
             assert!(points[i][2].is_positive());
             assert_close(
-                &(clock[i].clone() - clock[0].clone() + times[0].clone() + number("1")),
-                &(times[i].clone() + number("1")),
+                &(clock[i] - clock[0] + times[0] + number("1")),
+                &(times[i] + number("1")),
                 60,
                 "time",
             );
@@ -71,19 +71,19 @@ fn the_time_of_a_generic_case_satisfies_the_differential_equation() {
     // dt/dx = −1/(xz) by a symmetric difference of order 2, at two steps: the error falls with h².
     for xi in ["-1/2", "3/2", "-7/3", "5"].map(number) {
         let quadrature = e9::Quadrature::through(&xi, &start()).unwrap();
-        let x = start()[0].clone();
+        let x = start()[0];
         let slope = |h: &Precise| {
-            let difference = quadrature.time_from_largest(&(x.clone() + h.clone()))
-                - quadrature.time_from_largest(&(x.clone() - h.clone()));
-            difference / (Precise::from_int(2) * h.clone())
+            let difference =
+                quadrature.time_from_largest(&(x + *h)) - quadrature.time_from_largest(&(x - *h));
+            difference / (Precise::from_int(2) * *h)
         };
         let field = E9 { xi }.field(&start());
         let h = ten_to_minus(16);
-        let coarse = slope(&(Precise::from_int(2) * h.clone()));
+        let coarse = slope(&(Precise::from_int(2) * h));
         let fine = slope(&h);
         // Richardson: order 4, so 10^(−64) against 10^(−60) of rounding.
-        let extrapolated = fine.clone() + (fine - coarse) / Precise::from_int(3);
-        assert_close(&(extrapolated * field[0].clone()), &Precise::from_int(1), 50, "dt/dx");
+        let extrapolated = fine + (fine - coarse) / Precise::from_int(3);
+        assert_close(&(extrapolated * field[0]), &Precise::from_int(1), 50, "dt/dx");
     }
 }
 
@@ -107,11 +107,11 @@ fn a_small_closed_trajectory_has_the_period_of_the_linearisation() {
     // 2(1−ξ)(−ξ)a².
     let xi = number("-1/2");
     let fixed = &e9::fixed_points(&xi, &number("1"))[2];
-    let mut near = fixed.clone();
+    let mut near = *fixed;
     near[2] += ten_to_minus(12);
     let period = e9::Quadrature::through(&xi, &near).unwrap().period().unwrap();
     let one = Precise::from_int(1);
-    let square = Precise::from_int(2) * (one - xi.clone()) * -xi * fixed[1].square();
+    let square = Precise::from_int(2) * (one - xi) * -xi * fixed[1].square();
     let expected = Precise::from_int(2) * Precise::pi() / square.sqrt();
     assert_close(&period, &expected, 20, "period");
 }

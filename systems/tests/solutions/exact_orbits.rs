@@ -81,7 +81,7 @@ pub(crate) fn assert_on_orbit(
         let size = norm(&expected);
         for i in 0..3 {
             // A floor of a tenth of a unit of the last digit lets the fixed point 0 pass.
-            let floor = if size > ten_to_minus(200) { size.clone() } else { ten_to_minus(200) };
+            let floor = if size > ten_to_minus(200) { size } else { ten_to_minus(200) };
             assert_close_above(&value[i], &expected[i], digits, &floor, &format!("{what}, n = {n}"));
         }
     }

@@ -20,10 +20,10 @@ fn derivative(at: &impl Fn(&Precise) -> Point<Precise>, t: &Precise) -> Point<Pr
     let mut sum = vector![Precise::zero(), Precise::zero(), Precise::zero()];
     for k in 1..=6 {
         weight *= -Precise::from_ratio(7 - k, 6 + k);
-        let step = Precise::from_int(k) * h.clone();
-        let difference = at(&(t.clone() + step.clone())) - at(&(t.clone() - step));
-        let scale = weight.clone() / (Precise::from_int(k) * h.clone());
-        sum += difference.map(|value| value * scale.clone());
+        let step = Precise::from_int(k) * h;
+        let difference = at(&(*t + step)) - at(&(*t - step));
+        let scale = weight / (Precise::from_int(k) * h);
+        sum += difference.map(|value| value * scale);
     }
     sum
 }
@@ -36,7 +36,7 @@ fn assert_solves(
     what: &str,
 ) {
     let close = |value: &Point<Precise>, expected: &Point<Precise>, digits: i64, what: &str| {
-        let error = norm(&(value.clone() - expected.clone()));
+        let error = norm(&(*value - *expected));
         assert!(error <= ten_to_minus(digits) * norm(expected), "{what}: {value} for {expected}");
     };
     close(&at(&Precise::zero()), start, 60, what);

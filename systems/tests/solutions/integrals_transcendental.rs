@@ -99,17 +99,17 @@ fn special_cases_are_the_integrals_of_e1_and_e2() {
     let int = Precise::from_int;
     for (start, eps) in starts() {
         let (start, eps) = (precise(&start), Precise::from_rational(&eps));
-        let one = E1.integrals(&start, eps.clone());
+        let one = E1.integrals(&start, eps);
         assert_close(&e7::integral_h(&int(1), &start, &eps), &one[0], 74, "H1");
         assert_close(&e7::integral_k(&int(1), &start, &eps).unwrap(), &one[1], 68, "K1");
-        let two = E2.integrals(&start, eps.clone());
-        let scaled = int(4) * eps.square() * two[0].clone();
+        let two = E2.integrals(&start, eps);
+        let scaled = int(4) * eps.square() * two[0];
         assert_close(&e7::integral_h(&int(-1), &start, &eps), &scaled, 74, "H2");
         assert!(e7::integral_k(&int(-1), &start, &eps).is_err());
         // The bracket at ξ = ±1 is minus P of dE1, dE2.
-        let negated = E1.bracket_P(&start, eps.clone()).map(|value| -value);
+        let negated = E1.bracket_P(&start, eps).map(|value| -value);
         assert_same(&e7::bracket_of_h(&int(1), &start, &eps), &negated);
-        let negated = E2.bracket_P(&start, eps.clone()).map(|value| -value);
+        let negated = E2.bracket_P(&start, eps).map(|value| -value);
         assert_same(&e7::bracket_of_h(&int(-1), &start, &eps), &negated);
     }
 }
@@ -126,24 +126,24 @@ fn the_digamma_bracket_is_invariant_and_has_its_casimir() {
     for (start, eps) in starts() {
         let (start, eps) = (precise(&start), Precise::from_rational(&eps));
         for xi in ["19/17", "-1/2", "2/3", "-7/3"].map(number) {
-            let map = E7 { xi: xi.clone() };
-            let jacobian = map.jacobian(&start, eps.clone());
-            let moved = jacobian.clone() * e7::bracket_of_h(&xi, &start, &eps) * jacobian.transpose();
-            let next = map.step(&start, eps.clone());
+            let map = E7 { xi };
+            let jacobian = map.jacobian(&start, eps);
+            let moved = jacobian * e7::bracket_of_h(&xi, &start, &eps) * jacobian.transpose();
+            let next = map.step(&start, eps);
             assert_same(&e7::bracket_of_h(&xi, &next, &eps), &moved);
             // P dH = 0, the gradient by symmetric differences with one extrapolation.
             let gradient = Point::from([0, 1, 2].map(|i| {
                 let slope = |h: Precise| {
                     let along = |sign: i64| {
-                        let mut point = start.clone();
-                        point[i] += Precise::from_int(sign) * h.clone();
+                        let mut point = start;
+                        point[i] += Precise::from_int(sign) * h;
                         e7::integral_h(&xi, &point, &eps)
                     };
-                    (along(1) - along(-1)) / (Precise::from_int(2) * h.clone())
+                    (along(1) - along(-1)) / (Precise::from_int(2) * h)
                 };
                 let (fine, coarse) =
                     (slope(ten_to_minus(14)), slope(Precise::from_int(2) * ten_to_minus(14)));
-                fine.clone() + (fine - coarse) / Precise::from_int(3)
+                fine + (fine - coarse) / Precise::from_int(3)
             }));
             let flow = e7::bracket_of_h(&xi, &start, &eps) * gradient;
             assert!(flow.iter().all(|value| value.abs() < ten_to_minus(45)), "{flow}");

@@ -22,8 +22,8 @@ pub(crate) fn assert_close_above(
     floor: &Precise,
     what: &str,
 ) {
-    let size = if expected.abs() > *floor { expected.abs() } else { floor.clone() };
-    let error = (value.clone() - expected.clone()).abs();
+    let size = if expected.abs() > *floor { expected.abs() } else { *floor };
+    let error = (*value - *expected).abs();
     assert!(error <= ten_to_minus(digits) * size, "{what}: {value} where {expected} is expected");
 }
 
@@ -37,5 +37,5 @@ pub(crate) fn assert_close(value: &Precise, expected: &Precise, digits: i64, wha
 /// larger).
 pub(crate) fn ulps_above(value: f64, expected: &Precise, floor: f64) -> f64 {
     let size = expected.abs().to_f64().max(floor);
-    ((Precise::from(value) - expected.clone()) / Precise::from(size * f64::EPSILON)).to_f64().abs()
+    ((Precise::from(value) - *expected) / Precise::from(size * f64::EPSILON)).to_f64().abs()
 }

@@ -82,14 +82,14 @@ fn parameters_of_e4_give_the_integrals() {
         if solution.branch == Branch::Outer {
             continue;
         }
-        let [h, k] = E4.integrals(&start, eps.clone()).into();
+        let [h, k] = E4.integrals(&start, eps).into();
         let square = solution.modulus.k.square();
         let Jacobi { sn, cn, dn } = jacobi(&solution.delta, &solution.modulus);
         let (sn, cn, dn) = (sn.square(), cn.square(), dn.square());
-        let top = (int(1) - square.clone()) * sn.clone();
+        let top = (int(1) - square) * sn;
         let bottom = int(2) * eps.square() * (int(2) - (int(1) + square) * sn);
         assert_close(&(h.abs() * bottom), &top, 60, "H of E4");
-        let expected = (Precise::half() - cn.clone() * dn.clone() / (cn + dn)) / eps.square();
+        let expected = (Precise::half() - cn * dn / (cn + dn)) / eps.square();
         assert_close(&k, &expected, 60, "K of E4");
     }
 }

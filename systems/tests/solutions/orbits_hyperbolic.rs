@@ -99,20 +99,20 @@ fn parameters_give_the_integrals() {
     let int = Precise::from_int;
     for case in more() {
         let (start, eps) = (precise(&case.start), Precise::from_rational(&case.eps));
-        let [h, k] = E3.integrals(&start, eps.clone()).into();
+        let [h, k] = E3.integrals(&start, eps).into();
         let e3::Solution { delta, theta, branch, .. } = e3::Solution::through(&start, &eps).unwrap();
         let tanh = if branch == Branch::Inner { delta.tanh() } else { int(1) / delta.tanh() };
         assert_close(&h, &(theta.sin() / theta.cos()), 70, "H of E3");
         assert_close(&k, &(tanh.square() / (int(2) * eps.square())), 68, "K of E3");
 
-        let [h, k] = E5.integrals(&start, eps.clone()).into();
+        let [h, k] = E5.integrals(&start, eps).into();
         let e5::Solution { delta, mu, branch, .. } = e5::Solution::through(&start, &eps).unwrap();
         let (tanh, factor) = match branch {
             Branch::Inner => (delta.tanh(), delta.sinh()),
             Branch::Outer => (int(1) / delta.tanh(), delta.cosh()),
         };
         assert_close(&h, &(tanh.square() / (int(2) * eps.square())), 68, "H of E5");
-        assert_close(&k, &(mu * factor / eps.clone() + (tanh / eps).square()), 64, "K of E5");
+        assert_close(&k, &(mu * factor / eps + (tanh / eps).square()), 64, "K of E5");
     }
 }
 

@@ -62,8 +62,8 @@ fn text_is_read_and_written() {
 fn what_is_not_real_is_undefined_and_spreads() {
     let (zero, one) = (Precise::zero(), Precise::from_int(1));
     let undefined = [
-        one.clone() / zero.clone(),
-        zero.clone() / zero.clone(),
+        one / zero,
+        zero / zero,
         Precise::from_int(-1).sqrt(),
         zero.ln(),
         Precise::from_int(-1).ln(),
@@ -78,12 +78,12 @@ fn what_is_not_real_is_undefined_and_spreads() {
     for value in undefined {
         assert!(!value.is_defined() && !value.is_finite_number() && value.to_f64().is_nan(), "{value}");
         assert!(value != value && value.partial_cmp(&one).is_none() && !value.magnitude_exceeds(&one));
-        assert!(!(value.clone() * zero.clone()).is_defined() && !value.exp().is_defined());
+        assert!(!(value * zero).is_defined() && !value.exp().is_defined());
         assert!(
             !value.sin_cos().0.is_defined() && !value.atan2(&one).is_defined() && !value.floor().is_defined()
         );
     }
-    assert!(Precise::from(-0.0) == zero && (-zero.clone()).is_zero());
+    assert!(Precise::from(-0.0) == zero && (-zero).is_zero());
     assert_eq!(zero.atan2(&zero), zero);
 }
 

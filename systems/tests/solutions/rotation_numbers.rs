@@ -28,7 +28,7 @@ fn observed<M: KahanMap<f64, 3>>(map: &M, start: SVector<f64, 3>) -> [(Extremes<
 /// δ/2K, if there are at least a hundred turns and the modulus is at most 0.99.
 fn half_turn(solution: &e4::Solution<Precise>) -> Option<f64> {
     let quarter = solution.modulus.quarter_period();
-    let turns = (solution.delta.clone() / (quarter.clone() + quarter)).to_f64().abs();
+    let turns = (solution.delta / (quarter + quarter)).to_f64().abs();
     let is_ordinary = solution.modulus.k.to_f64() <= 0.99 && solution.branch == Branch::Inner;
     (turns * STEPS as f64 >= 100.0 && is_ordinary).then_some(turns)
 }

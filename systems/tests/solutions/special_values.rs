@@ -148,7 +148,7 @@ fn check_theta(z: &str, q: &str, expected: [&str; 4]) {
     for (value, expected) in [value.one, value.two, value.three, value.four].iter().zip(expected) {
         // Next to a zero of theta the digits are relative to the series' terms, which are of size
         // 1.
-        let error = (value.clone() - number(expected)).abs();
+        let error = (*value - number(expected)).abs();
         assert!(error < Precise::from_int(10).power(-DIGITS), "{value} where {expected} is expected");
     }
 }

@@ -24,20 +24,20 @@ impl<T: Real> FlowSolution<T> {
     /// # Errors
     /// Unless x² + y² > 0: a point (0, 0, z) is a fixed point.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();
         require(radius_square.is_positive(), "x^2 + y^2 > 0")?;
-        let lambda = (radius_square.clone() + z.square()).sqrt();
+        let lambda = (radius_square + z.square()).sqrt();
         // sinh λα = z/r
-        Ok(Self { alpha: (z / radius_square.sqrt()).asinh() / lambda.clone(), theta: y.atan2(&x), lambda })
+        Ok(Self { alpha: (z / radius_square.sqrt()).asinh() / lambda, theta: y.atan2(&x), lambda })
     }
 
     /// The point at time t, any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, theta } = self;
-        let phase = lambda.clone() * (t.clone() + alpha.clone());
+        let phase = *lambda * (*t + *alpha);
         let (sine, cosine) = theta.sin_cos();
-        let radius = lambda.clone() / phase.cosh();
-        vector![radius.clone() * cosine, radius * sine, lambda.clone() * phase.tanh()]
+        let radius = *lambda / phase.cosh();
+        vector![radius * cosine, radius * sine, *lambda * phase.tanh()]
     }
 }

@@ -36,35 +36,35 @@ impl<T: Real> Solution<T> {
     /// Unless ε ≠ 0, x² + y² > 0 (else a fixed point) and ε²z² ≠ 1: the step from εz = 1 ends in
     /// the fixed point (0, 0, 1/ε), and at εz = −1 det A vanishes.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         let radius_square = x.square() + y.square();
         require(!eps.is_zero(), "eps != 0")?;
         require(radius_square.is_positive(), "x^2 + y^2 > 0")?;
-        let scaled = eps.clone() * z.clone();
+        let scaled = *eps * z;
         // 1 − ε²z², without cancellation
-        let inner = (T::one() - scaled.clone()) * (T::one() + scaled);
+        let inner = (T::one() - scaled) * (T::one() + scaled);
         require(!inner.is_zero(), "eps^2 z^2 != 1")?;
         let width = inner.abs().sqrt();
-        let norm = (radius_square.clone() + z.square()).sqrt();
+        let norm = (radius_square + z.square()).sqrt();
         let radius = radius_square.sqrt();
         let stretched = (T::one() + eps.square() * radius_square).sqrt();
-        let eps = eps.clone();
+        let eps = *eps;
         Ok(if inner.is_positive() {
             Self {
                 // sinh²δ = ε²|x|²/(1 − ε²z²), sinh²κ = z²(1 + ε²r²)/(r²(1 − ε²z²))
-                delta: (eps.clone() * norm / width.clone()).asinh(),
+                delta: (eps * norm / width).asinh(),
                 kappa: (z * stretched / (radius * width)).asinh(),
                 theta: y.atan2(&x),
                 branch: Branch::Inner,
                 eps,
             }
         } else {
-            let sign = (eps.clone() * z.clone()).sign();
+            let sign = (eps * z).sign();
             Self {
                 // sinh²δ = (1 + ε²r²)/(ε²z² − 1), sinh²κ = |x|²/(r²(ε²z² − 1))
-                delta: (eps.sign() * stretched / width.clone()).asinh(),
+                delta: (eps.sign() * stretched / width).asinh(),
                 kappa: (z.sign() * norm / (radius * width)).asinh(),
-                theta: (sign.clone() * y).atan2(&(sign * x)),
+                theta: (sign * y).atan2(&(sign * x)),
                 branch: Branch::Outer,
                 eps,
             }
@@ -74,7 +74,7 @@ impl<T: Real> Solution<T> {
     /// The point n steps on, or back for n < 0; not finite where T = 0 on the outer branch, a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, theta, branch } = self;
-        let argument = integer::<T>(2 * n) * delta.clone() + kappa.clone();
+        let argument = integer::<T>(2 * n) * *delta + *kappa;
         let (sine_delta, cosine_delta) = delta.sinh_cosh();
         let (sine, cosine) = theta.sin_cos();
         let product = delta.tanh() * argument.tanh();
@@ -82,7 +82,7 @@ impl<T: Real> Solution<T> {
             Branch::Inner => (sine_delta / argument.cosh(), product),
             Branch::Outer => (alternating::<T>(n) * cosine_delta / argument.sinh(), T::one() / product),
         };
-        let radius = radius / eps.clone();
-        vector![radius.clone() * cosine, radius * sine, height / eps.clone()]
+        let radius = radius / *eps;
+        vector![radius * cosine, radius * sine, height / *eps]
     }
 }

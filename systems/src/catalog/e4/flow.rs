@@ -35,14 +35,13 @@ impl<T: Real> FlowSolution<T> {
         let small = difference.square() + height.square();
         let lambda = large.sqrt();
         // k² = (d² + z²)/(s² + z²), 1 − k² = 4xy/(s² + z²)
-        let modulus =
-            Modulus::from_squares(&(small.clone() / large.clone()), &(integer::<T>(4) * product / large));
+        let modulus = Modulus::from_squares(&(small / large), &(integer::<T>(4) * product / large));
         // (sn, cn) at t = 0 are (z, d)/(kλ); k = 0 is the fixed point x = y, z = 0.
         let alpha = if small.is_zero() {
             T::zero()
         } else {
             let size = small.sqrt();
-            modulus.inverse(&(height / size.clone()), &(difference / size)) / lambda.clone()
+            modulus.inverse(&(height / size), &(difference / size)) / lambda
         };
         Ok(Self { alpha, lambda, modulus, symmetry })
     }
@@ -50,8 +49,8 @@ impl<T: Real> FlowSolution<T> {
     /// The point at time t, any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, modulus, symmetry } = self;
-        let Jacobi { sn, cn, dn } = jacobi(&(lambda.clone() * (t.clone() + alpha.clone())), modulus);
-        let amplitude = lambda.clone() * modulus.k.clone();
-        symmetry.point(lambda.clone() * dn, amplitude.clone() * cn, amplitude * sn)
+        let Jacobi { sn, cn, dn } = jacobi(&(*lambda * (*t + *alpha)), modulus);
+        let amplitude = *lambda * modulus.k;
+        symmetry.point(*lambda * dn, amplitude * cn, amplitude * sn)
     }
 }

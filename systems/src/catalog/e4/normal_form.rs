@@ -35,7 +35,7 @@ pub struct Symmetry {
 impl Symmetry {
     /// The point with these s, d, z, moved by the symmetry.
     pub(super) fn point<T: Real>(&self, sum: T, difference: T, height: T) -> SVector<T, 3> {
-        let x = (sum.clone() + difference.clone()) * T::half();
+        let x = (sum + difference) * T::half();
         let y = (sum - difference) * T::half();
         let (x, y, z) = if self.swap { (y, x, -height) } else { (x, y, height) };
         vector![if self.flip_x { -x } else { x }, if self.flip_y { -y } else { y }, z]
@@ -59,7 +59,7 @@ impl<T: Real> NormalForm<T> {
     /// The point with x and y negative or not as asked for, which may depend on z; a coordinate
     /// that is zero becomes y, since at modulus 1 the curve has no point with x = 0.
     fn with_signs(point: &SVector<T, 3>, wanted: impl Fn(&T) -> (bool, bool)) -> (Self, Symmetry) {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         let swap = x.is_zero();
         let (first, second, height) = if swap { (y, x, -z) } else { (x, y, z) };
         let (first_negative, second_negative) = wanted(&height);
@@ -67,12 +67,8 @@ impl<T: Real> NormalForm<T> {
             (first.is_negative() != first_negative, second.is_negative() != second_negative);
         let first = if flip_first { -first } else { first };
         let second = if flip_second { -second } else { second };
-        let form = Self {
-            sum: first.clone() + second.clone(),
-            difference: first.clone() - second.clone(),
-            height,
-            product: (first * second).abs(),
-        };
+        let form =
+            Self { sum: first + second, difference: first - second, height, product: (first * second).abs() };
         // After the swap back, the first coordinate is y.
         let (flip_x, flip_y) = if swap { (flip_second, flip_first) } else { (flip_first, flip_second) };
         (form, Symmetry { flip_x, flip_y, swap })

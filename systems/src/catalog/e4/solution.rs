@@ -48,8 +48,8 @@ impl<T: Real> Solution<T> {
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         require(!eps.is_zero(), "eps != 0")?;
         require(!(point[0].is_zero() && point[1].is_zero()), "x^2 + y^2 > 0")?;
-        let scaled = eps.clone() * point[2].clone();
-        let inner = (T::one() - scaled.clone()) * (T::one() + scaled);
+        let scaled = *eps * point[2];
+        let inner = (T::one() - scaled) * (T::one() + scaled);
         require(!inner.is_zero(), "eps^2 z^2 != 1")?;
         Ok(if inner.is_positive() {
             Self::inner(NormalForm::same_signs(point), eps, &inner)
@@ -63,9 +63,9 @@ impl<T: Real> Solution<T> {
         let modulus = modulus(&form, eps, width);
         // sn²δ = ε²(s² + z²)/(1 + ε²s²), cn²δ = (1 − ε²z²)/(1 + ε²s²), dn²δ = (1 − ε²z²)/(1 + ε²d²)
         let advance = Jacobi {
-            sn: eps.clone() * (wide / sum.clone()).sqrt(),
-            cn: (width.clone() / sum).sqrt(),
-            dn: (width.clone() / difference.clone()).sqrt(),
+            sn: *eps * (wide / sum).sqrt(),
+            cn: (*width / sum).sqrt(),
+            dn: (*width / difference).sqrt(),
         };
         // (k sn δ)² = ε²(d² + z²)/(1 + ε²d²), so (sn κ, cn κ) = (z √(1 + ε²d²), d √(1 − ε²z²))/√(d²
         // + z²).
@@ -73,53 +73,51 @@ impl<T: Real> Solution<T> {
             T::zero()
         } else {
             let size = narrow.sqrt();
-            let sn = form.height * difference.sqrt() / size.clone();
+            let sn = form.height * difference.sqrt() / size;
             modulus.inverse(&sn, &(form.difference * width.sqrt() / size))
         };
         let delta = modulus.inverse(&advance.sn, &advance.cn);
-        Self { eps: eps.clone(), delta, kappa, modulus, symmetry, branch: Branch::Inner, advance }
+        Self { eps: *eps, delta, kappa, modulus, symmetry, branch: Branch::Inner, advance }
     }
 
     fn outer((form, symmetry): (NormalForm<T>, Symmetry), eps: &T, width: &T) -> Self {
         let Squares { sum, difference, wide, narrow } = Squares::of(&form, eps);
         let modulus = modulus(&form, eps, width);
-        let over = |top: &T, bottom: T| (top.clone() / bottom).sqrt() / eps.clone();
+        let over = |top: &T, bottom: T| (*top / bottom).sqrt() / *eps;
         // ε²(d² + z²) sn²δ = 1 + ε²d², ε²(d² + z²) cn²δ = ε²z² − 1 = ε²(s² + z²) dn²δ
         let advance = Jacobi {
-            sn: over(&difference, narrow.clone()),
-            cn: over(width, narrow.clone()).abs(),
-            dn: over(width, wide.clone()).abs(),
+            sn: over(&difference, narrow),
+            cn: over(width, narrow).abs(),
+            dn: over(width, wide).abs(),
         };
         // sn κ = 1/(ε k sn δ z) = √(s² + z²)/(z √(1 + ε²s²)), cn κ = ε s dn δ sn κ
         let sn = (wide / sum).sqrt() / form.height;
-        let cn = eps.clone() * form.sum * advance.dn.clone() * sn.clone();
+        let cn = *eps * form.sum * advance.dn * sn;
         let kappa = modulus.inverse(&sn, &cn);
         let delta = modulus.inverse(&advance.sn, &advance.cn);
-        Self { eps: eps.clone(), delta, kappa, modulus, symmetry, branch: Branch::Outer, advance }
+        Self { eps: *eps, delta, kappa, modulus, symmetry, branch: Branch::Outer, advance }
     }
 
     /// The point n steps on, or back for n < 0; not finite where sn v = 0 on the outer branch, a
     /// pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, modulus, symmetry, branch, advance } = self;
-        let k = modulus.k.clone();
-        let Jacobi { sn, cn, dn } = jacobi(&(integer::<T>(2 * n) * delta.clone() + kappa.clone()), modulus);
+        let k = modulus.k;
+        let Jacobi { sn, cn, dn } = jacobi(&(integer::<T>(2 * n) * *delta + *kappa), modulus);
         let (sum, difference, height) = match branch {
-            Branch::Inner => (
-                advance.sn.clone() / advance.cn.clone() * dn,
-                k.clone() * advance.sn.clone() / advance.dn.clone() * cn,
-                k * advance.sn.clone() * sn,
-            ),
+            Branch::Inner => {
+                (advance.sn / advance.cn * dn, k * advance.sn / advance.dn * cn, k * advance.sn * sn)
+            }
             Branch::Outer => {
                 let sign = alternating::<T>(n);
                 (
-                    sign.clone() * cn / (advance.dn.clone() * sn.clone()),
-                    sign * dn / (k.clone() * advance.cn.clone() * sn.clone()),
-                    T::one() / (k * advance.sn.clone() * sn),
+                    sign * cn / (advance.dn * sn),
+                    sign * dn / (k * advance.cn * sn),
+                    T::one() / (k * advance.sn * sn),
                 )
             }
         };
-        symmetry.point(sum / eps.clone(), difference / eps.clone(), height / eps.clone())
+        symmetry.point(sum / *eps, difference / *eps, height / *eps)
     }
 }
 
@@ -139,9 +137,9 @@ impl<T: Real> Squares<T> {
     fn of(form: &NormalForm<T>, eps: &T) -> Self {
         let (s, d, z) = (form.sum.square(), form.difference.square(), form.height.square());
         Self {
-            sum: T::one() + eps.square() * s.clone(),
-            difference: T::one() + eps.square() * d.clone(),
-            wide: s + z.clone(),
+            sum: T::one() + eps.square() * s,
+            difference: T::one() + eps.square() * d,
+            wide: s + z,
             narrow: d + z,
         }
     }
@@ -151,8 +149,5 @@ impl<T: Real> Squares<T> {
 fn modulus<T: Real>(form: &NormalForm<T>, eps: &T, width: &T) -> Modulus<T> {
     let Squares { sum, difference, wide, narrow } = Squares::of(form, eps);
     let divisor = wide * difference;
-    Modulus::from_squares(
-        &(narrow * sum / divisor.clone()),
-        &(integer::<T>(4) * form.product.clone() * width.clone() / divisor),
-    )
+    Modulus::from_squares(&(narrow * sum / divisor), &(integer::<T>(4) * form.product * *width / divisor))
 }

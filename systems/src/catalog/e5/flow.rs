@@ -28,22 +28,22 @@ impl<T: Real> FlowSolution<T> {
     /// # Errors
     /// Unless x ≠ 0: the plane x = 0 is kept, and its solutions are not of this form.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;
         let sign = x.sign();
         let lambda = (x.square() + y.square()).sqrt();
         // sinh λα = −y/|x|, cosh λα = λ/|x|
         let phase = -(y / x.abs()).asinh();
-        let mu = sign.clone() * (z - x.clone()) * x.abs() / lambda.clone();
-        Ok(Self { alpha: phase / lambda.clone(), lambda, mu, sign })
+        let mu = sign * (z - x) * x.abs() / lambda;
+        Ok(Self { alpha: phase / lambda, lambda, mu, sign })
     }
 
     /// The point at time t, any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { alpha, lambda, mu, sign } = self;
-        let phase = lambda.clone() * (t.clone() + alpha.clone());
+        let phase = *lambda * (*t + *alpha);
         let cosine = phase.cosh();
-        let x = sign.clone() * lambda.clone() / cosine.clone();
-        vector![x.clone(), -lambda.clone() * phase.tanh(), sign.clone() * mu.clone() * cosine + x]
+        let x = *sign * *lambda / cosine;
+        vector![x, -*lambda * phase.tanh(), *sign * *mu * cosine + x]
     }
 }

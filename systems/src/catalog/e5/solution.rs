@@ -40,33 +40,32 @@ impl<T: Real> Solution<T> {
     /// # Errors
     /// Unless ε ≠ 0, x ≠ 0 and ε²y² ≠ 1: there det A vanishes for one sign of ε.
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         require(!eps.is_zero(), "eps != 0")?;
         require(!x.is_zero(), "x != 0")?;
-        let scaled = eps.clone() * y.clone();
-        let inner = (T::one() - scaled.clone()) * (T::one() + scaled);
+        let scaled = *eps * y;
+        let inner = (T::one() - scaled) * (T::one() + scaled);
         require(!inner.is_zero(), "eps^2 y^2 != 1")?;
         let width = inner.abs().sqrt();
         let norm = (x.square() + y.square()).sqrt();
         let stretched = (T::one() + eps.square() * x.square()).sqrt();
-        let eps = eps.clone();
+        let eps = *eps;
         Ok(if inner.is_positive() {
             // sinh²δ = ε²(x² + y²)/(1 − ε²y²), sinh²κ = y²(1 + ε²x²)/(x²(1 − ε²y²))
-            let sine_delta = eps.clone() * norm / width.clone();
+            let sine_delta = eps * norm / width;
             let kappa = -(y * stretched / (x.abs() * width)).asinh();
             let sign = x.sign();
             // From z − x = s μ (cosh κ + sinh²δ/cosh κ).
             let cosine = kappa.cosh();
-            let mu = sign.clone() * (z - x) * cosine.clone() / (cosine.square() + sine_delta.square());
+            let mu = sign * (z - x) * cosine / (cosine.square() + sine_delta.square());
             Self { delta: sine_delta.asinh(), kappa, mu, sign, branch: Branch::Inner, eps }
         } else {
             // sinh²δ = (1 + ε²x²)/(ε²y² − 1), cosh²δ = ε²(x² + y²)/(ε²y² − 1), sinh²κ = (x² +
             // y²)/(x²(ε²y² − 1))
-            let cosine_delta_square = (eps.clone() * norm.clone() / width.clone()).square();
-            let sine_kappa = -(y.sign() * norm / (x.abs() * width.clone()));
-            let sign = (x.clone() * eps.clone() * sine_kappa.clone()).sign();
-            let mu =
-                sign.clone() * (z - x) * sine_kappa.clone() / (sine_kappa.square() + cosine_delta_square);
+            let cosine_delta_square = (eps * norm / width).square();
+            let sine_kappa = -(y.sign() * norm / (x.abs() * width));
+            let sign = (x * eps * sine_kappa).sign();
+            let mu = sign * (z - x) * sine_kappa / (sine_kappa.square() + cosine_delta_square);
             Self {
                 delta: (eps.sign() * stretched / width).asinh(),
                 kappa: sine_kappa.asinh(),
@@ -81,16 +80,16 @@ impl<T: Real> Solution<T> {
     /// The point n steps on, or back for n < 0; not finite where T = 0 on the outer branch, a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, mu, sign, branch } = self;
-        let argument = integer::<T>(2 * n) * delta.clone() + kappa.clone();
+        let argument = integer::<T>(2 * n) * *delta + *kappa;
         let (sine_delta, cosine_delta) = delta.sinh_cosh();
         let (sine, cosine) = argument.sinh_cosh();
         let product = delta.tanh() * argument.tanh();
         let (sign, top, bottom, height) = match branch {
-            Branch::Inner => (sign.clone(), sine_delta, cosine, product),
-            Branch::Outer => (sign.clone() * alternating::<T>(n), cosine_delta, sine, T::one() / product),
+            Branch::Inner => (*sign, sine_delta, cosine, product),
+            Branch::Outer => (*sign * alternating::<T>(n), cosine_delta, sine, T::one() / product),
         };
-        let quotient = top.clone() / bottom.clone();
-        let z = mu.clone() * bottom + (T::one() / eps.clone() + mu.clone() * top) * quotient.clone();
-        vector![sign.clone() * quotient / eps.clone(), -height / eps.clone(), sign * z]
+        let quotient = top / bottom;
+        let z = *mu * bottom + (T::one() / *eps + *mu * top) * quotient;
+        vector![sign * quotient / *eps, -height / *eps, sign * z]
     }
 }

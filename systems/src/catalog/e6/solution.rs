@@ -67,11 +67,11 @@ fn coefficients<T: Real>() -> [T; 3] {
 }
 
 fn to_top<T: Real>(point: &SVector<T, 3>) -> SVector<T, 3> {
-    let [x, y, z] = point.clone().into();
-    vector![x.clone() - z.clone(), x + z, y]
+    let [x, y, z] = (*point).into();
+    vector![x - z, x + z, y]
 }
 
 fn from_top<T: Real>(point: &SVector<T, 3>) -> SVector<T, 3> {
-    let [difference, sum, y] = point.clone().into();
-    vector![(sum.clone() + difference.clone()) * T::half(), y, (sum - difference) * T::half(),]
+    let [difference, sum, y] = (*point).into();
+    vector![(sum + difference) * T::half(), y, (sum - difference) * T::half(),]
 }

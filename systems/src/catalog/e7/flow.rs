@@ -28,12 +28,12 @@ impl<T: Real> FlowSolution<T> {
     /// # Errors
     /// Unless x ≠ 0.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;
         Ok(Self {
-            xi: xi.clone(),
-            alpha: T::one() / x.clone(),
-            beta: y.clone() * x.abs().power_real(&-xi.clone()),
+            xi: *xi,
+            alpha: T::one() / x,
+            beta: y * x.abs().power_real(&-*xi),
             gamma: x * z + y.square(),
         })
     }
@@ -42,18 +42,14 @@ impl<T: Real> FlowSolution<T> {
     /// leads.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { xi, alpha, beta, gamma } = self;
-        let time = t.clone() + alpha.clone();
+        let time = *t + *alpha;
         // Negative beyond the pole, so that the power has no value there.
-        let size = time.clone() * alpha.sign();
-        let y = beta.clone() * size.power_real(&-xi.clone());
-        let x = T::one() / time.clone();
+        let size = time * alpha.sign();
+        let y = *beta * size.power_real(&-*xi);
+        let x = T::one() / time;
         // A base that is not positive has a value for some exponents; beyond the pole there is none
         // to give.
         let defined = if size.is_positive() { T::one() } else { T::zero() / T::zero() };
-        vector![
-            x * defined.clone(),
-            y.clone() * defined.clone(),
-            time * (gamma.clone() - y.square()) * defined
-        ]
+        vector![x * defined, y * defined, time * (*gamma - y.square()) * defined]
     }
 }

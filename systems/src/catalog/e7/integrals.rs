@@ -9,12 +9,12 @@ use crate::special::{
 
 /// u = 1/(2εx), which one step raises by 1.
 fn level<T: Real>(x: &T, eps: &T) -> T {
-    T::one() / (integer::<T>(2) * eps.clone() * x.clone())
+    T::one() / (integer::<T>(2) * *eps * *x)
 }
 
 /// σ = (ξ − 1)/2, so that Γ(u + ξ/2)/Γ(u + 1 − ξ/2) is centred.
 fn sigma<T: Real>(xi: &T) -> T {
-    (xi.clone() - T::one()) * T::half()
+    (*xi - T::one()) * T::half()
 }
 
 /// Ĥ₇ = (y/x) Γ(ξ/2 + u)/Γ(1 − ξ/2 + u) with u = 1/(2εx), an integral of dE7 (section 6.1); ε is
@@ -35,7 +35,7 @@ fn sigma<T: Real>(xi: &T) -> T {
 /// ```
 pub fn integral_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> T {
     let ratio = centered_gamma_ratio(&level(&point[0], eps), &sigma(xi));
-    point[1].clone() / point[0].clone() * ratio
+    point[1] / point[0] * ratio
 }
 
 /// K̂₇, the second integral of dE7, for ξ > 0 (not in the paper as a function of the point, see
@@ -50,20 +50,19 @@ pub fn integral_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> T {
 /// # Errors
 /// Unless ξ > 0 (for ξ ≤ 0 the series diverges) and εx ≠ 0.
 pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
-    let [x, y, z] = point.clone().into();
+    let [x, y, z] = (*point).into();
     require(xi.is_positive(), "xi > 0")?;
-    require(!(x.clone() * eps.clone()).is_zero(), "eps x != 0")?;
+    require(!(x * *eps).is_zero(), "eps x != 0")?;
     let mut level = level(&x, eps);
-    let mut slope = y / x.clone();
-    let half_xi = xi.clone() * T::half();
+    let mut slope = y / x;
+    let half_xi = *xi * T::half();
     let two = integer::<T>(2);
     let start: T = integer(asymptotic_start(xi));
     let mut sum = z / (x * cubic(&level).0);
     while level < start {
-        let next =
-            slope.clone() * (level.clone() + T::one() - half_xi.clone()) / (level.clone() + half_xi.clone());
+        let next = slope * (level + T::one() - half_xi) / (level + half_xi);
         let (square, third) = cubic(&level);
-        sum += two.clone() * two.clone() * xi.clone() * slope * next.clone() / (square * third);
+        sum += two * two * *xi * slope * next / (square * third);
         slope = next;
         level += T::one();
     }
@@ -73,8 +72,8 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
 
 /// 4N² − 1 and 2N + 3.
 fn cubic<T: Real>(level: &T) -> (T, T) {
-    let double = integer::<T>(2) * level.clone();
-    ((double.clone() - T::one()) * (double.clone() + T::one()), double + integer(3))
+    let double = integer::<T>(2) * *level;
+    ((double - T::one()) * (double + T::one()), double + integer(3))
 }
 
 /// The invariant bracket of dE7 with the Casimir Ĥ₇ (section 6.1): {x,y} = 0, {z,x} = x(1 − ε²x²),
@@ -82,23 +81,13 @@ fn cubic<T: Real>(level: &T) -> (T, T) {
 /// {y,z} = y(1 − ε²x²)[(ψ(1 − ξ/2 + u) − ψ(ξ/2 + u))/(2εx) − 1], u = 1/(2εx), as the antisymmetric
 /// matrix of {x_i, x_j}. At ξ = 1 it is minus `P` of dE1, at ξ = −1 minus that of dE2.
 pub fn bracket_of_h<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> SMatrix<T, 3, 3> {
-    let [x, y, _] = point.clone().into();
-    let scaled = eps.clone() * x.clone();
-    let width = (T::one() - scaled.clone()) * (T::one() + scaled);
+    let [x, y, _] = (*point).into();
+    let scaled = *eps * x;
+    let width = (T::one() - scaled) * (T::one() + scaled);
     let level = level(&x, eps);
     let difference = -centered_digamma_difference(&level, &sigma(xi));
-    let yz = y * width.clone() * (difference * level - T::one());
+    let yz = y * width * (difference * level - T::one());
     let zx = x * width;
     let zero = T::zero();
-    SMatrix::from_row_slice(&[
-        zero.clone(),
-        zero.clone(),
-        -zx.clone(),
-        zero.clone(),
-        zero.clone(),
-        yz.clone(),
-        zx,
-        -yz,
-        zero,
-    ])
+    SMatrix::from_row_slice(&[zero, zero, -zx, zero, zero, yz, zx, -yz, zero])
 }

@@ -34,27 +34,27 @@ impl<T: Real> Solution<T> {
     /// # Errors
     /// Unless εx ≠ 0 and ε²x² ≠ 1 (4τ² ≠ 1).
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         let (tau, _) = shift_and_divisor(&x, eps)?;
-        let double = integer::<T>(2) * eps.clone();
-        Ok(Self { tau, beta: double.clone() * y, gamma: double * z, xi: xi.clone(), eps: eps.clone() })
+        let double = integer::<T>(2) * *eps;
+        Ok(Self { tau, beta: double * y, gamma: double * z, xi: *xi, eps: *eps })
     }
 
     /// The point n steps on, or back for n < 0; a cost of |n| terms. Not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, xi, tau, beta, gamma } = self;
-        let shifted = integer::<T>(n) + tau.clone();
-        let x = T::one() / (integer::<T>(2) * eps.clone() * shifted.clone());
-        let y = tau.clone() * beta.clone() * self.gamma_quotient(&shifted) * x.clone();
+        let shifted = integer::<T>(n) + *tau;
+        let x = T::one() / (integer::<T>(2) * *eps * shifted);
+        let y = *tau * *beta * self.gamma_quotient(&shifted) * x;
         let four = integer::<T>(4);
-        let first = tau.clone() * gamma.clone() / square_less_one(tau);
-        let second = four * (tau.clone() * beta.clone()).square() * xi.clone() * self.scaled_sum(n);
-        vector![x.clone(), y, x * square_less_one(&shifted) * (first + second)]
+        let first = *tau * *gamma / square_less_one(tau);
+        let second = four * (*tau * *beta).square() * *xi * self.scaled_sum(n);
+        vector![x, y, x * square_less_one(&shifted) * (first + second)]
     }
 
     /// g G₀ at N: the quotient Y/Y₀ of y/x, by two ratios of Γ.
     fn gamma_quotient(&self, shifted: &T) -> T {
-        let sigma = (self.xi.clone() - T::one()) * T::half();
+        let sigma = (self.xi - T::one()) * T::half();
         centered_gamma_ratio(&self.tau, &sigma) / centered_gamma_ratio(shifted, &sigma)
     }
 
@@ -68,15 +68,15 @@ impl<T: Real> Solution<T> {
         let mut quotient = if range.is_empty() {
             T::one()
         } else {
-            self.gamma_quotient(&(integer::<T>(range.start) + tau.clone()))
+            self.gamma_quotient(&(integer::<T>(range.start) + *tau))
         };
         let mut sum = T::zero();
         for j in range {
-            let double = two.clone() * (integer::<T>(j) + tau.clone());
-            let top = double.clone() + two.clone() - xi.clone();
-            let bottom = double.clone() + xi.clone();
-            let divisor = (double.clone() + integer(3)) * bottom.clone() * (double.square() - T::one());
-            sum += top.clone() * quotient.square() / divisor;
+            let double = two * (integer::<T>(j) + *tau);
+            let top = double + two - *xi;
+            let bottom = double + *xi;
+            let divisor = (double + integer(3)) * bottom * (double.square() - T::one());
+            sum += top * quotient.square() / divisor;
             quotient = quotient * top / bottom;
         }
         sign * sum
@@ -85,6 +85,6 @@ impl<T: Real> Solution<T> {
 
 /// 4N² − 1 = (2N − 1)(2N + 1).
 fn square_less_one<T: Real>(shifted: &T) -> T {
-    let double = integer::<T>(2) * shifted.clone();
-    (double.clone() - T::one()) * (double + T::one())
+    let double = integer::<T>(2) * *shifted;
+    (double - T::one()) * (double + T::one())
 }

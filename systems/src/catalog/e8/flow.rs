@@ -16,14 +16,14 @@ pub type FlowSolution<T> = ReciprocalTrajectory<E8, T>;
 
 impl<T: Real> ReciprocalFlow<T> for E8 {
     fn beta(x: T, y: T) -> T {
-        y / x.clone() - x.abs().ln()
+        y / x - x.abs().ln()
     }
 
     fn point(trajectory: &FlowSolution<T>, time: T) -> SVector<T, 3> {
         let FlowSolution { alpha, beta, gamma, .. } = trajectory;
-        let slope = beta.clone() - (time.clone() * alpha.sign()).ln();
-        let x = T::one() / time.clone();
-        let y = slope.clone() * x.clone();
-        vector![x, y.clone(), gamma.clone() * time - slope * y]
+        let slope = *beta - (time * alpha.sign()).ln();
+        let x = T::one() / time;
+        let y = slope * x;
+        vector![x, y, *gamma * time - slope * y]
     }
 }

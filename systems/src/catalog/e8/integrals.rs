@@ -10,8 +10,8 @@ use crate::special::{Real, asymptotic_start, digamma, digamma_product_tail};
 ///
 /// Real for every x ≠ 0 where 1/2 + u is not a pole of ψ; not a number there and at x = 0.
 pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
-    let level = T::one() / (integer::<T>(2) * eps.clone() * point[0].clone());
-    point[1].clone() / point[0].clone() + digamma(&(level + T::half()))
+    let level = T::one() / (integer::<T>(2) * *eps * point[0]);
+    point[1] / point[0] + digamma(&(level + T::half()))
 }
 
 /// K̂₈, the second integral of dE8 (not in the paper as a function of the point, see erratum B7):
@@ -26,25 +26,25 @@ pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
 /// # Errors
 /// Unless εx ≠ 0.
 pub fn integral_k<T: Real>(point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
-    let [x, y, z] = point.clone().into();
-    let scaled = integer::<T>(2) * eps.clone() * x.clone();
+    let [x, y, z] = (*point).into();
+    let scaled = integer::<T>(2) * *eps * x;
     require(!scaled.is_zero(), "eps x != 0")?;
     let two = integer::<T>(2);
     let mut level = T::one() / scaled;
-    let mut slope = y / x.clone();
+    let mut slope = y / x;
     let start: T = integer(asymptotic_start(&T::zero()));
     let square_less_one = |level: &T| {
-        let double = two.clone() * level.clone();
-        (double.clone() - T::one()) * (double + T::one())
+        let double = two * *level;
+        (double - T::one()) * (double + T::one())
     };
     let mut sum = z / (x * square_less_one(&level));
     while level < start {
-        let next = slope.clone() - T::one() / (level.clone() + T::half());
-        let top = slope.clone() + next.clone() + two.clone() * slope * next.clone();
-        sum += two.clone() * top / (square_less_one(&level) * (two.clone() * level.clone() + integer(3)));
+        let next = slope - T::one() / (level + T::half());
+        let top = slope + next + two * slope * next;
+        sum += two * top / (square_less_one(&level) * (two * level + integer(3)));
         slope = next;
         level += T::one();
     }
-    let integral_h = slope + digamma(&(level.clone() + T::half()));
+    let integral_h = slope + digamma(&(level + T::half()));
     Ok((sum + digamma_product_tail(&level, &integral_h)) / eps.square())
 }

@@ -34,36 +34,35 @@ impl<T: Real> Solution<T> {
     /// # Errors
     /// Unless εx ≠ 0 and ε²x² ≠ 1 (4τ² ≠ 1).
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         let (tau, _) = shift_and_divisor(&x, eps)?;
-        let double = integer::<T>(2) * eps.clone();
-        Ok(Self { tau, beta: double.clone() * y, gamma: double * z, eps: eps.clone() })
+        let double = integer::<T>(2) * *eps;
+        Ok(Self { tau, beta: double * y, gamma: double * z, eps: *eps })
     }
 
     /// The point n steps on, or back for n < 0; a cost of |n| terms. Not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, tau, beta, gamma } = self;
-        let shifted = integer::<T>(n) + tau.clone();
+        let shifted = integer::<T>(n) + *tau;
         let four = integer::<T>(4);
-        let x = T::one() / (integer::<T>(2) * eps.clone() * shifted.clone());
-        let y = (tau.clone() * beta.clone() - self.digamma_difference(n)) * x.clone();
-        let initial = four.clone() * tau.square() - T::one();
-        let travelled = four.clone() * integer::<T>(n) * (shifted.clone() + tau.clone());
-        let bracket = travelled * (beta.square() * tau.clone() + beta.clone() + gamma.clone())
-            + initial.clone() * gamma.clone();
-        let first = tau.clone() * bracket / initial;
-        let second = four.clone() * (four * shifted.square() - T::one()) * self.sum(n);
-        vector![x.clone(), y, x * (first - second)]
+        let x = T::one() / (integer::<T>(2) * *eps * shifted);
+        let y = (*tau * *beta - self.digamma_difference(n)) * x;
+        let initial = four * tau.square() - T::one();
+        let travelled = four * integer::<T>(n) * (shifted + *tau);
+        let bracket = travelled * (beta.square() * *tau + *beta + *gamma) + initial * *gamma;
+        let first = *tau * bracket / initial;
+        let second = four * (four * shifted.square() - T::one()) * self.sum(n);
+        vector![x, y, x * (first - second)]
     }
 
     /// U_n = ψ(N+1/2) − ψ(τ+1/2) = Σ_{j<n} 1/(j+τ+1/2).
     fn digamma_difference(&self, n: i64) -> T {
-        let middle = self.tau.clone() + T::half();
+        let middle = self.tau + T::half();
         if n.abs() > SUMMED {
-            return digamma(&(integer::<T>(n) + middle.clone())) - digamma(&middle);
+            return digamma(&(integer::<T>(n) + middle)) - digamma(&middle);
         }
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };
-        range.fold(T::zero(), |sum, j| sum + sign.clone() / (integer::<T>(j) + middle.clone()))
+        range.fold(T::zero(), |sum, j| sum + sign / (integer::<T>(j) + middle))
     }
 
     /// V_n = Σ_{j<n} {1+2βτ + U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)), M = j +
@@ -71,19 +70,18 @@ impl<T: Real> Solution<T> {
     pub fn sum(&self, n: i64) -> T {
         let Self { tau, beta, .. } = self;
         let two = integer::<T>(2);
-        let product = two.clone() * beta.clone() * tau.clone();
+        let product = two * *beta * *tau;
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };
         let mut difference = self.digamma_difference(range.start);
         let mut sum = T::zero();
         for j in range {
-            let double = two.clone() * (integer::<T>(j) + tau.clone());
-            let next = double.clone() + T::one();
-            let linear = double.clone() * (T::one() + product.clone()) - T::one() + product.clone();
-            let top =
-                T::one() + product.clone() + difference.clone() * linear - difference.square() * next.clone();
-            let divisor = (double.clone() + integer(3)) * next.clone() * (double.square() - T::one());
+            let double = two * (integer::<T>(j) + *tau);
+            let next = double + T::one();
+            let linear = double * (T::one() + product) - T::one() + product;
+            let top = T::one() + product + difference * linear - difference.square() * next;
+            let divisor = (double + integer(3)) * next * (double.square() - T::one());
             sum += top / divisor;
-            difference += two.clone() / next;
+            difference += two / next;
         }
         sign * sum
     }

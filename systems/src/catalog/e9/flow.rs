@@ -56,7 +56,7 @@ impl<T: Real> FlowSolution<T> {
     /// 2, y ≠ 0 for ξ = 1/2 (other points of these planes move, but as points of E3's form), x² +
     /// y² > 0 for ξ = ±1.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         let two = integer::<T>(2);
         if xi.is_zero() {
             let plane = e3::FlowSolution::through(&vector![x, T::zero(), z])?;
@@ -79,13 +79,13 @@ impl<T: Real> FlowSolution<T> {
         match self {
             Self::Zero { plane, y } => {
                 let [x, _, z] = plane.at(t).into();
-                vector![x, y.clone(), z]
+                vector![x, *y, z]
             }
             Self::One(solution) => solution.at(t),
             Self::MinusOne(solution) => solution.at(t),
             Self::Two(solution) => solution.at(t),
             Self::Half(solution) => {
-                let [y, x, z] = solution.at(&(t.clone() * T::half())).into();
+                let [y, x, z] = solution.at(&(*t * T::half())).into();
                 vector![x, y, z]
             }
         }
@@ -98,15 +98,15 @@ impl<T: Real> Elementary<T> {
     /// # Errors
     /// Unless x ≠ 0: the plane x = 0 is kept, and its solutions are of E3's form.
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;
         let two = integer::<T>(2);
         let k = two * (x.square() + y.square() + z.square()).sqrt();
         let square = x.square();
-        let c = y / square.clone();
-        let b = (c.square() + T::one() / k.square()).sqrt() / k.clone();
+        let c = y / square;
+        let b = (c.square() + T::one() / k.square()).sqrt() / k;
         // ẇ = 2wz = 2bk sinh φ at t = 0
-        let phase = (z / (square * k.clone() * b.clone())).asinh();
+        let phase = (z / (square * k * b)).asinh();
         Ok(Self { k, b, c, phase, sign: x.sign() })
     }
 
@@ -114,8 +114,8 @@ impl<T: Real> Elementary<T> {
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { k, b, c, phase, sign } = self;
         let two = integer::<T>(2);
-        let (sine, cosine) = (k.clone() * t.clone() + phase.clone()).sinh_cosh();
-        let w = two.clone() * (T::one() / k.square() + b.clone() * cosine);
-        vector![sign.clone() / w.sqrt(), c.clone() / w.clone(), k.clone() * b.clone() * sine / w]
+        let (sine, cosine) = (*k * *t + *phase).sinh_cosh();
+        let w = two * (T::one() / k.square() + *b * cosine);
+        vector![*sign / w.sqrt(), *c / w, *k * *b * sine / w]
     }
 }

@@ -9,7 +9,7 @@ use crate::special::{Real, integrate};
 
 /// The radius √(2K₉) = √(x² + y² + z²) of the sphere that a trajectory of E9 stays on, for every ξ.
 pub fn sphere_radius<T: Real>(point: &SVector<T, 3>) -> T {
-    let [x, y, z] = point.clone().into();
+    let [x, y, z] = (*point).into();
     (x.square() + y.square() + z.square()).sqrt()
 }
 
@@ -18,11 +18,11 @@ pub fn sphere_radius<T: Real>(point: &SVector<T, 3>) -> T {
 /// the first two are listed.)
 pub fn fixed_points<T: Real>(xi: &T, radius: &T) -> Vec<SVector<T, 3>> {
     let zero = T::zero;
-    let mut points = vec![vector![zero(), zero(), radius.clone()], vector![zero(), zero(), -radius.clone()]];
+    let mut points = vec![vector![zero(), zero(), *radius], vector![zero(), zero(), -*radius]];
     if xi.is_negative() {
-        let y = radius.clone() / (T::one() - xi.clone()).sqrt();
-        let x = (-xi.clone()).sqrt() * y.clone();
-        for (x, y) in [(x.clone(), y.clone()), (x.clone(), -y.clone()), (-x.clone(), y.clone()), (-x, -y)] {
+        let y = *radius / (T::one() - *xi).sqrt();
+        let x = (-*xi).sqrt() * y;
+        for (x, y) in [(x, y), (x, -y), (-x, y), (-x, -y)] {
             points.push(vector![x, y, zero()]);
         }
     }
@@ -56,35 +56,35 @@ impl<T: Real> Quadrature<T> {
     /// # Errors
     /// Unless x > 0, y > 0 and ξ ≠ 0, and for ξ < 0 the point is not the fixed point.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
-        let [x, y, _] = point.clone().into();
+        let [x, y, _] = (*point).into();
         require(x.is_positive() && y.is_positive(), "x > 0 and y > 0")?;
         require(!xi.is_zero(), "xi != 0")?;
         let radius = sphere_radius(point);
-        let c = y * x.power_real(&-xi.clone());
+        let c = y * x.power_real(&-*xi);
         let turning = Turning { xi, radius: &radius, c: &c };
         if xi.is_positive() {
             // z² falls in x from x > 0 on: the point itself is on the left, r on the right of its
             // zero.
-            let largest = turning.zero(x, radius.clone());
-            return Ok(Self { xi: xi.clone(), largest, smallest: None, radius, c });
+            let largest = turning.zero(x, radius);
+            return Ok(Self { xi: *xi, largest, smallest: None, radius, c });
         }
         // The middle, where x² + c²x^{2ξ} is least: x^{2−2ξ} = −ξc²; both zeros lie beyond, at most
         // r away and at least where c²x^{2ξ} = r².
-        let base = (-xi.clone()) * c.square();
-        let middle = base.power_real(&(T::half() / (T::one() - xi.clone())));
+        let base = (-*xi) * c.square();
+        let middle = base.power_real(&(T::half() / (T::one() - *xi)));
         require(turning.height_square(&middle).is_positive(), "not a fixed point")?;
-        let least = (radius.clone() / c.clone()).power_real(&(T::one() / xi.clone()));
-        let smallest = turning.zero(middle.clone(), least);
-        let largest = turning.zero(middle, radius.clone());
-        Ok(Self { xi: xi.clone(), largest, smallest: Some(smallest), radius, c })
+        let least = (radius / c).power_real(&(T::one() / *xi));
+        let smallest = turning.zero(middle, least);
+        let largest = turning.zero(middle, radius);
+        Ok(Self { xi: *xi, largest, smallest: Some(smallest), radius, c })
     }
 
     /// The point of the trajectory with this x, on the side z ≥ 0; not a number where x is beyond a
     /// turning point.
     pub fn point(&self, x: &T) -> SVector<T, 3> {
         let turning = Turning { xi: &self.xi, radius: &self.radius, c: &self.c };
-        let y = self.c.clone() * x.power_real(&self.xi);
-        vector![x.clone(), y, turning.height_square(x).sqrt()]
+        let y = self.c * x.power_real(&self.xi);
+        vector![*x, y, turning.height_square(x).sqrt()]
     }
 
     /// The time from the turning point of the largest x to this x, on the side z > 0 where x falls;
@@ -102,7 +102,7 @@ impl<T: Real> Quadrature<T> {
         let smallest = self.smallest.as_ref()?;
         // Each half by its own turning point, so that neither integrand meets the other's
         // singularity.
-        let middle = (self.largest.clone() * smallest.clone()).sqrt();
+        let middle = (self.largest * *smallest).sqrt();
         let from_smallest = self.time_from(smallest, &middle, T::one());
         Some(integer::<T>(2) * (self.time_from_largest(&middle) + from_smallest))
     }
@@ -111,14 +111,13 @@ impl<T: Real> Quadrature<T> {
     /// z² = −x*²(e^{2σs²} − 1) − c²x*^{2ξ}(e^{2ξσs²} − 1).
     fn time_from(&self, turning: &T, x: &T, sigma: T) -> T {
         let two = integer::<T>(2);
-        let end = (sigma.clone() * (x.clone() / turning.clone()).ln()).sqrt();
+        let end = (sigma * (*x / *turning).ln()).sqrt();
         let square = turning.square();
-        let other = (self.c.clone() * turning.power_real(&self.xi)).square();
+        let other = (self.c * turning.power_real(&self.xi)).square();
         integrate(&T::zero(), &end, |s| {
-            let exponent = two.clone() * sigma.clone() * s.square();
-            let height_square =
-                -(square.clone() * exponent.exp_m1()) - other.clone() * (self.xi.clone() * exponent).exp_m1();
-            two.clone() * s.clone() / height_square.sqrt()
+            let exponent = two * sigma * s.square();
+            let height_square = -(square * exponent.exp_m1()) - other * (self.xi * exponent).exp_m1();
+            two * *s / height_square.sqrt()
         })
         .value
     }
@@ -133,7 +132,7 @@ struct Turning<'a, T> {
 
 impl<T: Real> Turning<'_, T> {
     fn height_square(&self, x: &T) -> T {
-        let y = self.c.clone() * x.power_real(self.xi);
+        let y = *self.c * x.power_real(self.xi);
         self.radius.square() - x.square() - y.square()
     }
 
@@ -141,20 +140,20 @@ impl<T: Real> Turning<'_, T> {
     /// Newton's method kept inside by bisection.
     fn zero(&self, inside: T, outside: T) -> T {
         let (mut inside, mut outside) = (inside, outside);
-        let mut x = (inside.clone() + outside.clone()) * T::half();
+        let mut x = (inside + outside) * T::half();
         for _ in 0..400 {
             let value = self.height_square(&x);
             if value.is_negative() {
-                outside = x.clone();
+                outside = x;
             } else {
-                inside = x.clone();
+                inside = x;
             }
-            let y = self.c.clone() * x.power_real(self.xi);
-            let slope = -(integer::<T>(2) * (x.clone() + self.xi.clone() * y.square() / x.clone()));
-            let newton = x.clone() - value / slope;
+            let y = *self.c * x.power_real(self.xi);
+            let slope = -(integer::<T>(2) * (x + *self.xi * y.square() / x));
+            let newton = x - value / slope;
             let between = (newton > inside && newton < outside) || (newton < inside && newton > outside);
-            let next = if between { newton } else { (inside.clone() + outside.clone()) * T::half() };
-            let done = (next.clone() - x.clone()).abs() <= T::epsilon() * x.abs();
+            let next = if between { newton } else { (inside + outside) * T::half() };
+            let done = (next - x).abs() <= T::epsilon() * x.abs();
             x = next;
             if done {
                 break;

@@ -32,7 +32,7 @@ impl<T: Real> Solution<T> {
     /// one.
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         if xi.is_zero() {
-            let [x, y, z] = point.clone().into();
+            let [x, y, z] = (*point).into();
             let plane = e3::Solution::through(&vector![x, T::zero(), z], eps)?;
             Ok(Self::Zero { plane, y })
         } else if *xi == T::one() {
@@ -49,7 +49,7 @@ impl<T: Real> Solution<T> {
         match self {
             Self::Zero { plane, y } => {
                 let [x, _, z] = plane.at(n).into();
-                vector![x, y.clone(), z]
+                vector![x, *y, z]
             }
             Self::One(solution) => solution.at(n),
             Self::MinusOne(solution) => solution.at(n),

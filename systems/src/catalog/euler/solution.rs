@@ -39,29 +39,29 @@ impl<T: Real> Reduction<T> {
         let odd = odd.ok_or(OutOfDomain { condition: "a1, a2, a3 of different signs" })?;
         let axes = [(odd + 1) % 3, (odd + 2) % 3, odd];
         let [r1, r2, r3] = [
-            -T::one() / coefficients[axes[0]].clone(),
-            -T::one() / coefficients[axes[1]].clone(),
-            T::one() / coefficients[odd].clone(),
+            -T::one() / coefficients[axes[0]],
+            -T::one() / coefficients[axes[1]],
+            T::one() / coefficients[odd],
         ];
         let sign = r3.sign();
-        let scaling = [(r2.clone() * r3.clone()).sqrt(), (r3 * r1.clone()).sqrt(), sign * (r1 * r2).sqrt()];
+        let scaling = [(r2 * r3).sqrt(), (r3 * r1).sqrt(), sign * (r1 * r2).sqrt()];
         Ok(Self { axes, scaling })
     }
 
     /// A point of the top in the coordinates of E4.
     fn to_e4(&self, point: &SVector<T, 3>) -> SVector<T, 3> {
         let [difference, sum, height] =
-            core::array::from_fn(|place| point[self.axes[place]].clone() / self.scaling[place].clone());
+            core::array::from_fn(|place| point[self.axes[place]] / self.scaling[place]);
         let half = T::half();
-        SVector::from([(sum.clone() + difference.clone()) * half.clone(), (sum - difference) * half, height])
+        SVector::from([(sum + difference) * half, (sum - difference) * half, height])
     }
 
     /// A point of E4 in the coordinates of the top.
     fn back_from_e4(&self, point: &SVector<T, 3>) -> SVector<T, 3> {
-        let [x, y, z] = point.clone().into();
+        let [x, y, z] = (*point).into();
         let mut result = SVector::from([T::zero(), T::zero(), T::zero()]);
-        for (place, value) in [x.clone() - y.clone(), x + y, z].into_iter().enumerate() {
-            result[self.axes[place]] = value * self.scaling[place].clone();
+        for (place, value) in [x - y, x + y, z].into_iter().enumerate() {
+            result[self.axes[place]] = value * self.scaling[place];
         }
         result
     }

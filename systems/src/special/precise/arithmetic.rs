@@ -7,6 +7,7 @@ use kahan_core::num_traits::{One, Zero};
 use kahan_core::{Constant, Pivot, Scalar};
 
 use super::{CONTEXT, Precise};
+use crate::special::Real;
 
 macro_rules! operator {
     ($trait:ident, $method:ident, $assign_trait:ident, $assign:ident) => {
@@ -15,7 +16,7 @@ macro_rules! operator {
 
             fn $method(self, other: Self) -> Self {
                 match (self.repr(), other.repr()) {
-                    (Some(a), Some(b)) => Self::from_outcome(CONTEXT.$method(a, b)),
+                    (Some(a), Some(b)) => Self::from_outcome(CONTEXT.$method(&a, &b)),
                     _ => Self::UNDEFINED,
                 }
             }
@@ -23,7 +24,7 @@ macro_rules! operator {
 
         impl $assign_trait for Precise {
             fn $assign(&mut self, other: Self) {
-                *self = $trait::$method(core::mem::replace(self, Self::UNDEFINED), other);
+                *self = $trait::$method(*self, other);
             }
         }
     };
@@ -38,7 +39,7 @@ impl Neg for Precise {
     type Output = Self;
 
     fn neg(self) -> Self {
-        self.0.map_or(Self::UNDEFINED, |repr| Self::from_repr(-repr))
+        self.repr().map_or(Self::UNDEFINED, |repr| Self::from_repr(-repr))
     }
 }
 
@@ -75,8 +76,7 @@ impl Scalar for Precise {
 
 impl Pivot for Precise {
     fn magnitude_exceeds(&self, other: &Self) -> bool {
-        let magnitude = |x: &Self| if *x < Self::zero() { -x.clone() } else { x.clone() };
-        magnitude(self) > magnitude(other)
+        self.abs() > other.abs()
     }
 
     fn is_finite_number(&self) -> bool {

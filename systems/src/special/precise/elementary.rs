@@ -13,7 +13,7 @@ use crate::special::{Real, bernoulli, gamma};
 impl Precise {
     fn apply(&self, function: impl FnOnce(&Repr<2>, Option<&mut ConstCache>) -> Outcome) -> Self {
         let Some(repr) = self.repr() else { return Self::UNDEFINED };
-        CACHE.with_borrow_mut(|cache| Self::from_outcome(function(repr, Some(cache))))
+        CACHE.with_borrow_mut(|cache| Self::from_outcome(function(&repr, Some(cache))))
     }
 
     fn apply_pair(
@@ -21,9 +21,17 @@ impl Precise {
         function: impl FnOnce(&Repr<2>, Option<&mut ConstCache>) -> (Outcome, Outcome),
     ) -> (Self, Self) {
         let Some(repr) = self.repr() else { return (Self::UNDEFINED, Self::UNDEFINED) };
-        let (first, second) = CACHE.with_borrow_mut(|cache| function(repr, Some(cache)));
+        let (first, second) = CACHE.with_borrow_mut(|cache| function(&repr, Some(cache)));
         (Self::from_outcome(first), Self::from_outcome(second))
     }
+}
+
+macro_rules! by_the_library {
+    ($($function:ident)*) => { $(
+        fn $function(&self) -> Self {
+            self.apply(|x, cache| CONTEXT.$function(x, cache))
+        }
+    )* };
 }
 
 impl Real for Precise {
@@ -50,28 +58,14 @@ impl Real for Precise {
     }
 
     fn abs(&self) -> Self {
-        if *self < Self::zero() { -self.clone() } else { self.clone() }
+        if *self < Self::zero() { -*self } else { *self }
     }
 
     fn sqrt(&self) -> Self {
         self.apply(|x, _| CONTEXT.sqrt(x))
     }
 
-    fn exp(&self) -> Self {
-        self.apply(|x, cache| CONTEXT.exp(x, cache))
-    }
-
-    fn exp_m1(&self) -> Self {
-        self.apply(|x, cache| CONTEXT.exp_m1(x, cache))
-    }
-
-    fn ln(&self) -> Self {
-        self.apply(|x, cache| CONTEXT.ln(x, cache))
-    }
-
-    fn ln_1p(&self) -> Self {
-        self.apply(|x, cache| CONTEXT.ln_1p(x, cache))
-    }
+    by_the_library! { exp exp_m1 ln ln_1p tanh atanh }
 
     fn sin_cos(&self) -> (Self, Self) {
         self.apply_pair(|x, cache| CONTEXT.sin_cos(x, cache))
@@ -82,25 +76,17 @@ impl Real for Precise {
             return Self::zero();
         }
         let Some(abscissa) = x.repr() else { return Self::UNDEFINED };
-        self.apply(|y, cache| CONTEXT.atan2(y, abscissa, cache))
+        self.apply(|y, cache| CONTEXT.atan2(y, &abscissa, cache))
     }
 
     fn sinh_cosh(&self) -> (Self, Self) {
         self.apply_pair(|x, cache| CONTEXT.sinh_cosh(x, cache))
     }
 
-    fn tanh(&self) -> Self {
-        self.apply(|x, cache| CONTEXT.tanh(x, cache))
-    }
-
-    fn atanh(&self) -> Self {
-        self.apply(|x, cache| CONTEXT.atanh(x, cache))
-    }
-
     fn floor(&self) -> Self {
         let Some(repr) = self.repr() else { return Self::UNDEFINED };
         if repr.exponent() >= 0 {
-            return self.clone();
+            return *self;
         }
         // A shift to the right of a negative integer rounds towards minus infinity.
         Self::from_repr(Repr::new(repr.significand() >> repr.exponent().unsigned_abs(), 0))
@@ -124,6 +110,6 @@ impl Real for Precise {
         if !self.is_positive() {
             return if y.is_zero() { Self::one() } else { Self::UNDEFINED };
         }
-        self.apply(|x, cache| CONTEXT.powf(x, exponent, cache))
+        self.apply(|x, cache| CONTEXT.powf(x, &exponent, cache))
     }
 }

@@ -15,7 +15,7 @@ use std::cell::RefCell;
 use dashu_float::round::Rounded;
 use dashu_float::round::mode::HalfEven;
 use dashu_float::{ConstCache, Context, FBig, FpError, Repr};
-use dashu_int::IBig;
+use dashu_int::{IBig, Sign, UBig, Word};
 use kahan_core::num_rational::BigRational;
 
 pub use text::ParsePreciseError;
@@ -38,8 +38,17 @@ pub use text::ParsePreciseError;
 /// assert_eq!(format!("{:.30}", Precise::pi()), "3.14159265358979323846264338328");
 /// assert_ne!(Precise::from_int(-1).sqrt(), Precise::from_int(-1).sqrt());
 /// ```
-#[derive(Clone)]
-pub struct Precise(Option<Repr<2>>);
+#[derive(Clone, Copy)]
+pub struct Precise(Option<Number>);
+
+/// ±significand·2^exponent, the significand odd or, with the exponent 0, 0.
+#[derive(Clone, Copy, PartialEq)]
+struct Number {
+    sign: Sign,
+    /// The lowest first. What the library rounds to so many bits can be some bits longer.
+    words: [Word; BITS / Word::BITS as usize + 1],
+    exponent: isize,
+}
 
 /// The bits of a [`Precise`].
 const BITS: usize = 256;
@@ -81,11 +90,12 @@ impl Precise {
 
     /// The nearest `f64`; not a number where there is no value.
     pub fn to_f64(&self) -> f64 {
-        self.0.as_ref().map_or(f64::NAN, |repr| repr.to_f64().value())
+        self.repr().map_or(f64::NAN, |repr| repr.to_f64().value())
     }
 
-    fn repr(&self) -> Option<&Repr<2>> {
-        self.0.as_ref()
+    fn repr(&self) -> Option<Repr<2>> {
+        let Number { sign, words, exponent } = self.0?;
+        Some(Repr::new(IBig::from_parts(sign, UBig::from_words(&words)), exponent))
     }
 
     /// A finite result of the library, or undefined.
@@ -99,13 +109,14 @@ impl Precise {
 
     fn from_repr(repr: Repr<2>) -> Self {
         if repr.is_infinite() {
-            Self::UNDEFINED
-        } else if repr.significand().is_zero() {
-            // One zero only, so that equal numbers are equal everywhere.
-            Self(Some(Repr::zero()))
-        } else {
-            Self(Some(repr))
+            return Self::UNDEFINED;
         }
+        let (significand, exponent) = repr.into_parts();
+        let (sign, digits) = significand.as_sign_words();
+        let mut words = [0; _];
+        words[..digits.len()].copy_from_slice(digits);
+        // One zero only, so that equal numbers are equal everywhere.
+        Self(Some(Number { sign, words, exponent: if significand.is_zero() { 0 } else { exponent } }))
     }
 }
 
@@ -141,7 +152,7 @@ impl PartialEq for Precise {
 
 impl PartialOrd for Precise {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.repr()?.cmp(other.repr()?))
+        Some(self.repr()?.cmp(&other.repr()?))
     }
 }
 

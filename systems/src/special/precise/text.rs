@@ -57,7 +57,7 @@ impl Precise {
             return "0".to_owned();
         }
         let digits = digits.max(1);
-        let exact = FBig::<HalfEven, 2>::from_repr(repr.clone(), Context::new(0));
+        let exact = FBig::<HalfEven, 2>::from_repr(repr, Context::new(0));
         let decimal = exact.with_base_and_precision::<10>(digits).value();
         let (significand, exponent) = decimal.into_repr().into_parts();
         let text = significand.to_string();
