@@ -3,6 +3,9 @@
 //! In: the maps and first points of orbits. Out: what an observer says of each, over `f64`, compiled
 //! here for those who draw.
 
+use std::iter::repeat_n;
+use std::rc::Rc;
+
 use kahan_core::observe::{Drifted, Escape, Fli, Lyapunov, Megno, Observer, Sali};
 
 use crate::{DimensionError, IntegralDrift, MapAt, TangentAt};
@@ -49,8 +52,13 @@ impl Indicator {
         columns: &mut [&mut [f64]],
         steps: u64,
     ) -> Result<Vec<f64>, DimensionError> {
-        let own = Maps::of(maps, !matches!(self, Indicator::Drift | Indicator::Escape(_)));
-        let tangent = |orbit| own.tangent(orbit);
+        let has_tangents = !matches!(self, Indicator::Drift | Indicator::Escape(_));
+        // What carries tangent vectors along each map, once for neighbours with one map.
+        let runs = maps.chunk_by(|map, next| core::ptr::eq(*map, *next)).filter(|_| has_tangents);
+        let tangents: Vec<Rc<TangentAt<f64>>> =
+            runs.flat_map(|run| repeat_n(Rc::new(run[0].tangent()), run.len())).collect();
+        let own = |orbit: usize| orbit.min(maps.len() - 1);
+        let tangent = |orbit| &*tangents[own(orbit)];
         let values = match self {
             Indicator::Sali => follow(maps, columns, steps, |orbit| Sali::new(tangent(orbit)), |sali| sali),
             Indicator::Fli => follow(maps, columns, steps, |orbit| Fli::new(tangent(orbit)), |fli| fli),
@@ -63,7 +71,7 @@ impl Indicator {
             Indicator::Drift => {
                 let worst =
                     |drifts: Vec<Drifted>| drifts.iter().map(|drifted| drifted.max).fold(0.0, f64::max);
-                follow(maps, columns, steps, |orbit| IntegralDrift::of(own.map(orbit)), worst)
+                follow(maps, columns, steps, |orbit| IntegralDrift::of(maps[own(orbit)]), worst)
             }
             Indicator::Escape(size) => {
                 let is_beyond = move |x: &[f64]| !x.iter().all(|x| x.abs() <= size);
@@ -91,33 +99,4 @@ fn follow<O: Observer<f64>>(
     number: impl Fn(O::Report) -> f64,
 ) -> Result<Vec<f64>, DimensionError> {
     Ok(MapAt::observe_columns(maps, columns, steps, observer)?.into_iter().map(number).collect())
-}
-
-/// The maps of orbits with what carries their tangent vectors, once for neighbours with one map.
-struct Maps<'a> {
-    maps: &'a [&'a MapAt<f64>],
-    tangents: Vec<TangentAt<f64>>,
-    /// Which of these each map has.
-    tangent_of: Vec<usize>,
-}
-
-impl<'a> Maps<'a> {
-    fn of(maps: &'a [&'a MapAt<f64>], has_tangents: bool) -> Self {
-        let mut own = Maps { maps, tangents: Vec::new(), tangent_of: Vec::new() };
-        for (place, map) in maps.iter().enumerate().filter(|_| has_tangents) {
-            if place == 0 || !core::ptr::eq(*map, maps[place - 1]) {
-                own.tangents.push(map.tangent());
-            }
-            own.tangent_of.push(own.tangents.len() - 1);
-        }
-        own
-    }
-
-    fn map(&self, orbit: usize) -> &'a MapAt<f64> {
-        self.maps[orbit.min(self.maps.len() - 1)]
-    }
-
-    fn tangent(&self, orbit: usize) -> &TangentAt<f64> {
-        &self.tangents[self.tangent_of[orbit.min(self.maps.len() - 1)]]
-    }
 }

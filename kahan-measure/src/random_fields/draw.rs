@@ -2,7 +2,7 @@
 
 use kahan_algebra::prime_field::SplitMix64;
 
-use super::tree::{Tree, literal, name, negated, quotient};
+use super::tree::{Tree, literal, negated, quotient};
 
 /// The largest dimension.
 pub(super) const DIMENSIONS: usize = 6;
@@ -35,6 +35,6 @@ impl Draw {
     }
 
     pub(super) fn state(&mut self, states: &[&'static str]) -> Tree {
-        name(states[self.below(states.len())])
+        Tree::Name(states[self.below(states.len())])
     }
 }

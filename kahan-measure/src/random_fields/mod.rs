@@ -12,9 +12,10 @@ mod tree;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::num_rational::BigRational;
 
+use Tree::{Name, Product, Sum};
 use draw::{AWKWARD, DIMENSIONS, Draw, PLAIN};
 pub use tree::Tree;
-use tree::{literal, name, negated, power, product, quotient, sum};
+use tree::{literal, negated, power, quotient};
 
 /// A parameter p/d, a dyadic rational so that every float scalar has it exactly.
 type Parameter = (&'static str, i64, i64);
@@ -85,8 +86,8 @@ fn sparse(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let equation = |draw: &mut Draw| {
         let terms = draw.below(2) + 1;
-        sum((0..terms)
-            .map(|_| product(vec![draw.coefficient(), draw.state(states), draw.state(states)]))
+        Sum((0..terms)
+            .map(|_| Product(vec![draw.coefficient(), draw.state(states), draw.state(states)]))
             .collect())
     };
     let equations = (0..n).map(|_| equation(draw)).collect();
@@ -96,11 +97,11 @@ fn sparse(n: usize, draw: &mut Draw) -> RandomField {
 fn affine(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let equation = |draw: &mut Draw| {
-        sum(vec![
+        Sum(vec![
             draw.coefficient(),
-            product(vec![draw.coefficient(), draw.state(states)]),
-            product(vec![draw.coefficient(), draw.state(states), draw.state(states)]),
-            product(vec![draw.coefficient(), draw.state(states)]),
+            Product(vec![draw.coefficient(), draw.state(states)]),
+            Product(vec![draw.coefficient(), draw.state(states), draw.state(states)]),
+            Product(vec![draw.coefficient(), draw.state(states)]),
         ])
     };
     let equations = (0..n).map(|_| equation(draw)).collect();
@@ -109,25 +110,25 @@ fn affine(n: usize, draw: &mut Draw) -> RandomField {
 
 fn scaled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
-    let (a, b, k) = (|| name("a"), || name("b"), || name("k"));
+    let (a, b, k) = (|| Name("a"), || Name("b"), || Name("k"));
     let factors = [
         a(),
         negated(b()),
-        product(vec![a(), b()]),
-        quotient(literal("1"), sum(vec![a(), negated(b())])),
-        quotient(b(), sum(vec![literal("1"), power(k(), 2)])),
-        quotient(sum(vec![a(), negated(k())]), product(vec![literal("3"), k()])),
+        Product(vec![a(), b()]),
+        quotient(literal("1"), Sum(vec![a(), negated(b())])),
+        quotient(b(), Sum(vec![literal("1"), power(k(), 2)])),
+        quotient(Sum(vec![a(), negated(k())]), Product(vec![literal("3"), k()])),
     ];
     let mut equation = |i: usize| {
         let mut terms = vec![
-            product(vec![draw.one(&factors).clone(), draw.state(states), draw.state(states)]),
-            quotient(product(vec![draw.state(states), draw.one(&factors).clone()]), k()),
+            Product(vec![draw.one(&factors).clone(), draw.state(states), draw.state(states)]),
+            quotient(Product(vec![draw.state(states), draw.one(&factors).clone()]), k()),
         ];
         // Every parameter is used, whatever was drawn.
         if i == 0 {
-            terms.push(sum(vec![a(), negated(b())]));
+            terms.push(Sum(vec![a(), negated(b())]));
         }
-        sum(terms)
+        Sum(terms)
     };
     let equations = (0..n).map(&mut equation).collect();
     field("Scaled", "parameters, and divisors of them", states, equations, &PARAMETERS)
@@ -139,19 +140,19 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let sign = |draw: &mut Draw, term: Tree| if draw.below(2) == 0 { term } else { negated(term) };
     let mut equation = |i: usize| {
-        let own = product(vec![name(PARAMETERS[draw.below(2)].0), draw.state(states)]);
-        let square = product(vec![draw.state(states), draw.state(states)]);
-        let mut terms = vec![sign(draw, own), sign(draw, name(states[i])), sign(draw, square)];
+        let own = Product(vec![Name(PARAMETERS[draw.below(2)].0), draw.state(states)]);
+        let square = Product(vec![draw.state(states), draw.state(states)]);
+        let mut terms = vec![sign(draw, own), sign(draw, Name(states[i])), sign(draw, square)];
         // One term an equation, so that the closed form of many variables is short.
         if n > 4 {
             terms = vec![terms.swap_remove((draw.below(2) + i) % 3)];
         }
         // Both parameters are used, whatever was drawn.
         if i == 0 {
-            let difference = sum(vec![name("a"), negated(name("b"))]);
-            terms.push(product(vec![difference, draw.state(states)]));
+            let difference = Sum(vec![Name("a"), negated(Name("b"))]);
+            terms.push(Product(vec![difference, draw.state(states)]));
         }
-        sum(terms)
+        Sum(terms)
     };
     let equations = (0..n).map(&mut equation).collect();
     field("Coupled", "parameters before unit terms", states, equations, &PARAMETERS[..2])
@@ -161,28 +162,28 @@ fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &AWKWARD[..n];
     let start = draw.below(n);
     let equation = |i: usize| {
-        let state = |k: usize| name(states[(start + i + k) % n]);
+        let state = |k: usize| Name(states[(start + i + k) % n]);
         let (x, y, z) = (state(0), state(1), state(2));
         // In turn, so that every spelling occurs in every dimension with enough equations.
         let first = match (i + 2 * n) % 5 {
             0 => negated(power(x.clone(), 2)),
-            1 => product(vec![x.clone(), power(sum(vec![y.clone(), negated(z.clone())]), 1)]),
+            1 => Product(vec![x.clone(), power(Sum(vec![y.clone(), negated(z.clone())]), 1)]),
             2 => {
-                quotient(power(sum(vec![x.clone(), product(vec![literal("2"), y.clone()])]), 2), literal("3"))
+                quotient(power(Sum(vec![x.clone(), Product(vec![literal("2"), y.clone()])]), 2), literal("3"))
             }
-            3 => product(vec![sum(vec![x.clone(), y.clone()]), sum(vec![x.clone(), negated(y.clone())])]),
-            _ => negated(negated(product(vec![x.clone(), literal("0.1"), y.clone()]))),
+            3 => Product(vec![Sum(vec![x.clone(), y.clone()]), Sum(vec![x.clone(), negated(y.clone())])]),
+            _ => negated(negated(Product(vec![x.clone(), literal("0.1"), y.clone()]))),
         };
         let second = match (i + n) % 4 {
-            0 => product(vec![literal("1.5e-3"), z.clone()]),
-            1 => product(vec![literal("12.50"), power(y.clone(), 0)]),
-            2 => negated(quotient(product(vec![z.clone(), literal("1e2")]), literal("0.7"))),
+            0 => Product(vec![literal("1.5e-3"), z.clone()]),
+            1 => Product(vec![literal("12.50"), power(y.clone(), 0)]),
+            2 => negated(quotient(Product(vec![z.clone(), literal("1e2")]), literal("0.7"))),
             _ => quotient(literal("1_000"), literal("3")),
         };
         // What cancels, cancels: x²y − x·y·x.
-        let cubic = product(vec![power(x.clone(), 2), y.clone()]);
-        let again = negated(product(vec![x.clone(), y, x]));
-        sum(vec![first, cubic, second, again])
+        let cubic = Product(vec![power(x.clone(), 2), y.clone()]);
+        let again = negated(Product(vec![x.clone(), y, x]));
+        Sum(vec![first, cubic, second, again])
     };
     let equations = (0..n).map(equation).collect();
     field("Spelled", "awkward spellings, and cubic terms that cancel", states, equations, &[])
@@ -193,12 +194,12 @@ fn dense(n: usize, draw: &mut Draw) -> RandomField {
     let mut equation = || {
         let mut terms = vec![draw.coefficient()];
         for i in 0..n {
-            terms.push(product(vec![draw.coefficient(), name(states[i])]));
+            terms.push(Product(vec![draw.coefficient(), Name(states[i])]));
             for state in &states[i..] {
-                terms.push(product(vec![draw.coefficient(), name(states[i]), name(state)]));
+                terms.push(Product(vec![draw.coefficient(), Name(states[i]), Name(state)]));
             }
         }
-        sum(terms)
+        Sum(terms)
     };
     let equations = (0..n).map(|_| equation()).collect();
     field("Dense", "every monomial in every equation", states, equations, &[])

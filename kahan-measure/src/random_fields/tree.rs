@@ -33,20 +33,8 @@ pub(super) fn literal(digits: &str) -> Tree {
     Tree::Literal(digits.to_owned())
 }
 
-pub(super) fn name(name: &'static str) -> Tree {
-    Tree::Name(name)
-}
-
 pub(super) fn negated(a: Tree) -> Tree {
     Tree::Negated(Box::new(a))
-}
-
-pub(super) fn sum(terms: Vec<Tree>) -> Tree {
-    Tree::Sum(terms)
-}
-
-pub(super) fn product(factors: Vec<Tree>) -> Tree {
-    Tree::Product(factors)
 }
 
 pub(super) fn quotient(a: Tree, b: Tree) -> Tree {

@@ -29,28 +29,16 @@ pub struct Entry {
 
 /// The families of the catalog.
 pub const ALL: [Entry; 5] = [
-    Entry {
-        command: "volterra-ring",
-        title: "Volterra's chain closed to a ring",
-        text: include_str!("volterra_ring.rs"),
-    },
-    Entry {
-        command: "volterra-chain",
-        title: "Volterra's chain with two ends",
-        text: include_str!("volterra_chain.rs"),
-    },
-    Entry { command: "toda", title: "Toda's chain in Flaschka's variables", text: include_str!("toda.rs") },
-    Entry {
-        command: "species",
-        title: "species along a shore that compete with their neighbours",
-        text: include_str!("species.rs"),
-    },
-    Entry {
-        command: "kdv",
-        title: "the Korteweg-de Vries equation by central differences",
-        text: include_str!("kdv.rs"),
-    },
+    entry("volterra-ring", "Volterra's chain closed to a ring", include_str!("volterra_ring.rs")),
+    entry("volterra-chain", "Volterra's chain with two ends", include_str!("volterra_chain.rs")),
+    entry("toda", "Toda's chain in Flaschka's variables", include_str!("toda.rs")),
+    entry("species", "species along a shore that compete with their neighbours", include_str!("species.rs")),
+    entry("kdv", "the Korteweg-de Vries equation by central differences", include_str!("kdv.rs")),
 ];
+
+const fn entry(command: &'static str, title: &'static str, text: &'static str) -> Entry {
+    Entry { command, title, text }
+}
 
 /// The family of this command name.
 pub fn find(command: &str) -> Option<&'static Entry> {
