@@ -8,35 +8,22 @@ const EVENLY: u64 = 512;
 /// moves fast, however short that is.
 const ON_A_PIECE: u32 = 3;
 
-/// Numbers of steps after which an orbit is looked at, each larger than the one before.
-#[derive(Clone, Debug)]
-pub(super) struct Stops(Vec<u64>);
-
-impl Stops {
-    /// For an orbit of so many steps, at least one, with ε = `eps`; the last step is among them.
-    pub(super) fn of(reference: Option<&Reference>, eps: f64, steps: u64) -> Self {
-        let stride = steps.div_ceil(EVENLY);
-        let mut stops: Vec<u64> = (1..=steps / stride).map(|k| k * stride).collect();
-        if let Some(flow) = reference.map(Reference::flow).filter(|_| stride > 1) {
-            let begins: Vec<f64> = flow.breaks().collect();
-            let ends = begins.iter().skip(1).copied().chain([flow.end()]);
-            for (begin, end) in begins.iter().zip(ends) {
-                let times =
-                    (1..=ON_A_PIECE).map(|k| begin + (end - begin) * f64::from(k) / f64::from(ON_A_PIECE));
-                stops.extend(times.map(|t| ((t / (2.0 * eps)).round() as u64).clamp(1, steps)));
-            }
+/// Numbers of steps after which an orbit of so many steps, at least one, with ε = `eps`, is looked
+/// at, each larger than the one before; the last step is among them.
+pub(super) fn stops(reference: Option<&Reference>, eps: f64, steps: u64) -> Vec<u64> {
+    let stride = steps.div_ceil(EVENLY);
+    let mut stops: Vec<u64> = (1..=steps / stride).map(|k| k * stride).collect();
+    if let Some(flow) = reference.map(Reference::flow).filter(|_| stride > 1) {
+        let begins: Vec<f64> = flow.breaks().collect();
+        let ends = begins.iter().skip(1).copied().chain([flow.end()]);
+        for (begin, end) in begins.iter().zip(ends) {
+            let times =
+                (1..=ON_A_PIECE).map(|k| begin + (end - begin) * f64::from(k) / f64::from(ON_A_PIECE));
+            stops.extend(times.map(|t| ((t / (2.0 * eps)).round() as u64).clamp(1, steps)));
         }
-        stops.push(steps);
-        stops.sort_unstable();
-        stops.dedup();
-        Self(stops)
     }
-
-    pub(super) fn len(&self) -> usize {
-        self.0.len()
-    }
-
-    pub(super) fn iter(&self) -> impl Iterator<Item = u64> {
-        self.0.iter().copied()
-    }
+    stops.push(steps);
+    stops.sort_unstable();
+    stops.dedup();
+    stops
 }

@@ -11,7 +11,7 @@ use super::Measured;
 use super::clock::Clock;
 use super::drift::{Drift, Integrals};
 use super::runner::Runner;
-use super::stops::Stops;
+use super::stops::stops;
 
 /// Points at which integrals are evaluated beside, where the need is the trajectory.
 const INTEGRAL_SAMPLES: usize = 32;
@@ -81,7 +81,7 @@ impl Study<'_> {
 
     fn measure(&self, setting: Setting) -> Measured {
         let (scheme, eps, steps) = (setting.scheme(), setting.eps(), setting.steps());
-        let stops = Stops::of(self.reference.as_ref(), eps, steps);
+        let stops = stops(self.reference.as_ref(), eps, steps);
         let (mut trajectory, mut samples) = (0.0_f64, 0_usize);
         let mut drift = Drift::new(self.subject, &self.integrals, eps);
         let has_integrals = !self.integrals.is_empty();
@@ -90,7 +90,7 @@ impl Study<'_> {
             Need::Integrals => 1,
         };
         let dt = Dd::from(eps) * Dd::from(2.0);
-        self.subject.follow(scheme, eps, None, &mut stops.iter(), &mut |step, x| {
+        self.subject.follow(scheme, eps, None, &mut stops.iter().copied(), &mut |step, x| {
             if let Some(reference) = &self.reference {
                 let t = dt * Dd::from(step as f64);
                 if f64::from(t) <= reference.flow().end() {

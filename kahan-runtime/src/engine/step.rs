@@ -64,67 +64,52 @@ impl Steps {
 /// One form of a step.
 #[derive(Debug)]
 pub(crate) struct Step {
-    kind: Kind,
+    /// What prepares the constants of a straight line; `None` where the step eliminates.
+    prepared: Option<Line>,
+    /// What is run at every state: the kernel of a straight line, else the entries of f′ and the
+    /// field. With `couplings` the entries are those that these place, else all of them.
+    lines: Vec<Line>,
+    couplings: Option<Tables>,
     /// For each component the index of its reciprocal.
     pub(crate) reciprocals: Vec<Option<usize>>,
-}
-
-#[derive(Debug)]
-enum Kind {
-    Straight {
-        constants: Line,
-        kernel: Line,
-    },
-    /// With `couplings` the line gives the entries of f′ that these place, else all of them.
-    Elimination {
-        slopes: Line,
-        field: Line,
-        couplings: Option<Tables>,
-    },
 }
 
 impl Step {
     fn straight(plan: &StepPlan, derived: &Derived) -> Self {
         let symbols = &derived.system.field.symbols;
-        let kind = Kind::Straight {
-            constants: Line::of(&plan.constants, symbols),
-            kernel: Line::of_kernel(&plan.kernel, symbols, plan.constants.outputs.len()),
-        };
-        Step { kind, reciprocals: plan.reciprocals.clone() }
+        Step {
+            prepared: Some(Line::of(&plan.constants, symbols)),
+            lines: vec![Line::of_kernel(&plan.kernel, symbols, plan.constants.outputs.len())],
+            couplings: None,
+            reciprocals: plan.reciprocals.clone(),
+        }
     }
 
     fn by_elimination(derived: &Derived) -> Self {
-        let symbols = &derived.system.field.symbols;
-        let kind = Kind::Elimination {
-            slopes: Line::of(
-                derived.couplings.as_ref().map_or(&derived.field_jacobian, |couplings| &couplings.slopes),
-                symbols,
-            ),
-            field: Line::of(&derived.field, symbols),
-            couplings: derived.couplings.as_ref().map(Tables::of),
-        };
-        Step { kind, reciprocals: vec![None; symbols.dimension()] }
+        let Derived { system, couplings, field, field_jacobian, .. } = derived;
+        let symbols = &system.field.symbols;
+        let slopes = couplings.as_ref().map_or(field_jacobian, |couplings| &couplings.slopes);
+        Step {
+            prepared: None,
+            lines: [slopes, field].map(|plan| Line::of(plan, symbols)).into(),
+            couplings: couplings.as_ref().map(Tables::of),
+            reciprocals: vec![None; symbols.dimension()],
+        }
     }
 
     /// The lines of its constants and of its kernel, where it is a straight line.
     pub(crate) fn lines(&self) -> Option<[&Line; 2]> {
-        match &self.kind {
-            Kind::Straight { constants, kernel } => Some([constants, kernel]),
-            Kind::Elimination { .. } => None,
-        }
+        Some([self.prepared.as_ref()?, &self.lines[0]])
     }
 
     /// The line of the entries of f′ in many variables, and where these stand.
     pub(crate) fn couplings(&self) -> Option<(&Line, &Tables)> {
-        match &self.kind {
-            Kind::Elimination { slopes, couplings, .. } => Some((slopes, couplings.as_ref()?)),
-            Kind::Straight { .. } => None,
-        }
+        Some((&self.lines[0], self.couplings.as_ref()?))
     }
 
     /// Whether it compares numbers, which several side by side can't.
     pub(crate) fn has_lanes(&self) -> bool {
-        matches!(self.kind, Kind::Straight { .. })
+        self.prepared.is_some()
     }
 
     /// Appends all that does not depend on the state to `given`. `constants` are the parameters and
@@ -135,16 +120,13 @@ impl Step {
         registers: &mut Vec<V>,
         given: &mut Vec<V>,
     ) {
-        match &self.kind {
-            Kind::Straight { constants: prepared, kernel } => {
+        match &self.prepared {
+            Some(prepared) => {
                 let registers = sized(registers, prepared.registers());
                 let prepared = has_value(prepared.results(constants.iter().copied(), registers, &[]));
-                append_given(kernel, prepared.iter(), given);
+                append_given(&self.lines[0], prepared.iter(), given);
             }
-            Kind::Elimination { slopes, field, .. } => {
-                append_given(slopes, constants.iter().copied(), given);
-                append_given(field, constants.iter().copied(), given);
-            }
+            None => self.lines.iter().for_each(|line| append_given(line, constants.iter().copied(), given)),
         }
     }
 
@@ -160,21 +142,16 @@ impl Step {
 
     /// How many registers the step takes.
     pub(crate) fn registers(&self) -> usize {
-        match &self.kind {
-            Kind::Straight { kernel, .. } => kernel.registers(),
-            Kind::Elimination { slopes, field, .. } => slopes.registers() + field.registers(),
-        }
+        self.lines.iter().map(Line::registers).sum()
     }
 
     /// Appends the registers of the step, with what was prepared.
-    pub(crate) fn open<V: Scalar + Copy>(&self, given: &[V], registers: &mut Vec<V>) {
-        match &self.kind {
-            Kind::Straight { kernel, .. } => append_registers(kernel, given, registers),
-            Kind::Elimination { slopes, field, .. } => {
-                let (of_slopes, of_field) = given.split_at(slopes.given());
-                append_registers(slopes, of_slopes, registers);
-                append_registers(field, of_field, registers);
-            }
+    pub(crate) fn open<V: Scalar + Copy>(&self, mut given: &[V], registers: &mut Vec<V>) {
+        for line in &self.lines {
+            let (own, rest) = given.split_at(line.given());
+            registers.extend_from_slice(own);
+            registers.resize(registers.len() + line.registers() - own.len(), V::zero());
+            given = rest;
         }
     }
 
@@ -261,22 +238,15 @@ impl Step {
 
     /// Whether the step that was computed here divides by a number that is exactly 0.
     pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V], room: &Room<V>) -> bool {
-        match &self.kind {
-            Kind::Straight { kernel, .. } => kernel.has_divided_by_zero(registers),
-            Kind::Elimination { .. } => room.is_singular,
-        }
+        if self.has_lanes() { self.lines[0].has_divided_by_zero(registers) } else { room.is_singular }
     }
 
     /// What the state's kernel reads; `constants` are the parameters and ε. Nothing, where the step
     /// is no straight line.
     pub(crate) fn prepared<V: Scalar + Copy>(&self, constants: &[V], registers: &mut Vec<V>) -> Vec<V> {
-        match &self.kind {
-            Kind::Straight { constants: prepared, .. } => {
-                let registers = sized(registers, prepared.registers());
-                has_value(prepared.results(constants.iter().copied(), registers, &[])).iter().collect()
-            }
-            Kind::Elimination { .. } => Vec::new(),
-        }
+        let Some(prepared) = &self.prepared else { return Vec::new() };
+        let registers = sized(registers, prepared.registers());
+        has_value(prepared.results(constants.iter().copied(), registers, &[])).iter().collect()
     }
 
     /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings of many variables; whether it could.
@@ -309,9 +279,8 @@ impl Step {
     fn compute<V: Scalar + Copy>(&self, state: &[V], registers: &mut [V], room: &mut Room<V>) {
         let Room { outcome, matrix, slopes: entries, factors, is_singular } = room;
         outcome.clear();
-        match &self.kind {
-            Kind::Straight { kernel, .. } => outcome.extend(has_value(kernel.run(registers, state)).iter()),
-            Kind::Elimination { slopes, field, couplings } => {
+        match &self.lines[..] {
+            [slopes, field] => {
                 let (of_slopes, of_field) = registers.split_at_mut(slopes.registers());
                 let eps = slopes.eps(of_slopes);
                 outcome.extend(has_value(field.run(of_field, state)).iter());
@@ -320,13 +289,13 @@ impl Step {
                 matrix.reserve(state.len() * state.len());
                 entries.clear();
                 entries.extend(has_value(slopes.run(of_slopes, state)).iter());
-                *is_singular = match couplings {
+                *is_singular = match &self.couplings {
                     Some(tables) if tables.factor(entries, &eps, factors) => {
                         tables.solve(factors, outcome, 1, 0);
                         false
                     }
                     _ => {
-                        match couplings {
+                        match &self.couplings {
                             Some(tables) => tables.spread(entries, matrix),
                             None => matrix.extend_from_slice(entries),
                         }
@@ -337,6 +306,7 @@ impl Step {
                 let time_step = eps + eps;
                 outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
             }
+            kernel => outcome.extend(has_value(kernel[0].run(registers, state)).iter()),
         }
     }
 
@@ -356,12 +326,6 @@ fn append_given<V: Scalar>(line: &Line, constants: impl IntoIterator<Item = V>, 
     let start = given.len();
     given.resize(start + line.given(), V::zero());
     line.give(constants, &mut given[start..]);
-}
-
-/// Appends the registers of a line, filled with what is given.
-fn append_registers<V: Scalar + Copy>(line: &Line, given: &[V], registers: &mut Vec<V>) {
-    registers.extend_from_slice(given);
-    registers.resize(registers.len() + line.registers() - given.len(), V::zero());
 }
 
 /// A component of the next state.
