@@ -6,6 +6,7 @@
 //! must not know the command: nothing here reads arguments or prints.
 
 pub mod extremes;
+mod map;
 pub mod random_fields;
 pub mod reference;
 pub mod trade;

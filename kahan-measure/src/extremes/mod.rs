@@ -29,12 +29,14 @@ use kahan_systems::entry::Entry;
 use kahan_systems::registry::SYSTEMS;
 use kahan_systems::volterra;
 
+use crate::map::read;
+
 use judge::Judge;
-use steps::StepsOfSystem;
 use trial::Ready;
 
+pub use crate::map::CannotRun;
 pub use regime::Regime;
-pub use steps::CannotRun;
+pub(crate) use steps::StepsOfSystem;
 pub use tally::{Cell, Failure, Place, Tally};
 
 /// A system whose steps are judged.
@@ -71,7 +73,7 @@ impl Subject {
     pub fn new(name: &str, system: &System, parameters: Vec<Option<Rational>>) -> Result<Self, Unjudged> {
         let judge = Judge::of(system).ok_or(Unjudged::BeyondBudget)?;
         let values: Vec<BigRational> = (1..).zip(&parameters).map(value_or_any).collect();
-        let steps = StepsOfSystem::new(system, &values).map_err(Unjudged::CannotRun)?;
+        let steps = read(system, &values).map_err(Unjudged::CannotRun)?.1.steps();
         Ok(Self { name: name.to_owned(), parameters, judge, steps })
     }
 

@@ -4,15 +4,12 @@
 //! over each scalar that is judged, with the bits of the code that the macro writes for it (which tests show on the
 //! whole catalog), so that a verdict on these is a verdict on that.
 
-use kahan_algebra::system::System;
 use kahan_core::nalgebra::SVector;
-use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Elimination, KahanMap, PreparedStep, QuadraticField};
 
 use super::float::Float;
 
-use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension, VisitDimension, visit_dimension};
-use kahan_runtime::{Field, Map, ParameterError};
+use kahan_runtime::interpreted::Interpreted;
 
 /// The steps of one map. A step has as many components as x.
 pub(crate) trait Steps<T>: core::fmt::Debug + Send + Sync {
@@ -66,56 +63,10 @@ fn own<T: Float, const N: usize>(next: &SVector<T, N>, x: &[T]) -> Vec<T> {
     next.iter().copied().take(x.len()).collect()
 }
 
-/// The steps of a system over each scalar that is judged.
+/// The steps of a system over each scalar that is judged, planned once.
 #[derive(Debug)]
 pub(crate) struct StepsOfSystem {
     pub(crate) single: Box<dyn Steps<f32>>,
     pub(crate) double: Box<dyn Steps<f64>>,
     pub(crate) double_double: Box<dyn Steps<Dd>>,
-}
-
-impl StepsOfSystem {
-    /// They are planned once; `values` are parameters at which the system is defined.
-    pub(crate) fn new(system: &System, values: &[BigRational]) -> Result<Self, CannotRun> {
-        let names = &system.field.symbols.parameters;
-        let map = Field::of(system).with(names.iter().zip(values)).map_err(CannotRun::Parameters)?;
-        visit_dimension(system.field.dimension(), Reader(&map)).map_err(CannotRun::Dimension)
-    }
-}
-
-/// Why the steps of a system cannot be run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum CannotRun {
-    /// It has too many variables.
-    Dimension(UnsupportedDimension),
-    /// It is not defined at the parameters.
-    Parameters(ParameterError),
-}
-
-impl core::fmt::Display for CannotRun {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Dimension(why) => why.fmt(f),
-            Self::Parameters(why) => why.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for CannotRun {}
-
-/// Takes a map in whatever dimension it has.
-struct Reader<'a>(&'a Map);
-
-impl VisitDimension for Reader<'_> {
-    type Output = StepsOfSystem;
-
-    fn visit<const N: usize>(self) -> StepsOfSystem {
-        let exact = self.0.as_kahan_map::<BigRational, N>();
-        let exact = exact.unwrap_or_else(|why| unreachable!("the type was chosen for the field: {why}"));
-        StepsOfSystem {
-            single: Box::new(exact.rounded()),
-            double: Box::new(exact.rounded()),
-            double_double: Box::new(exact.rounded()),
-        }
-    }
 }

@@ -21,9 +21,8 @@ use kahan_algebra::system::System;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Need, Scene, Scheme, Setting};
 
+use crate::map::CannotRun;
 use crate::reference::{Certificate, Limits, NoReference, Reference, Trajectory};
-use kahan_runtime::ParameterError;
-use kahan_runtime::interpreted::UnsupportedDimension;
 
 use clock::Clock;
 use drift::Integrals;
@@ -86,10 +85,8 @@ pub struct Trade {
 /// Why nothing was measured.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CannotTrade {
-    /// The system is not defined at the parameters.
-    Parameters(ParameterError),
-    /// It has too many variables.
-    Dimension(UnsupportedDimension),
+    /// The system cannot be run.
+    CannotRun(CannotRun),
     /// There is no reference trajectory.
     Reference(NoReference),
     /// The need is integrals, and the system declares none that depends on the state.
@@ -99,8 +96,7 @@ pub enum CannotTrade {
 impl core::fmt::Display for CannotTrade {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
-            Self::Parameters(why) => why.fmt(f),
-            Self::Dimension(why) => why.fmt(f),
+            Self::CannotRun(why) => why.fmt(f),
             Self::Reference(why) => why.fmt(f),
             Self::NoIntegrals => f.write_str(
                 "no integral is claimed without `when`, so there is none to keep; claim one in the field (`integral H = …;`), \

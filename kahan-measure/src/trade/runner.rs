@@ -1,16 +1,12 @@
-//! A system at a starting point: its orbits, its flow, its integrals, whatever its type.
+//! A system at a starting point: its orbits, and what else is asked of it.
 
 use std::time::Instant;
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
-use kahan_core::nalgebra::SVector;
-use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, Dual, Precision, QuadraticField, Scalar, Scheme, StepCost};
-use kahan_runtime::Field;
-use kahan_runtime::interpreted::{Interpreted, VisitDimension, round, visit_dimension};
+use kahan_core::{Dd, Precision, Scheme};
 
-use crate::reference::{Limits, NoReference, Reference, Trajectory};
+use crate::map::{Map, read};
 
 use super::CannotTrade;
 
@@ -34,10 +30,7 @@ impl Runner {
         parameters: &[Rational],
         start: &[Rational],
     ) -> Result<Self, CannotTrade> {
-        let names = &system.field.symbols.parameters;
-        let orbits = Field::of(system).with(names.iter().zip(parameters)).map_err(CannotTrade::Parameters)?;
-        let map =
-            visit_dimension(system.field.dimension(), Reader(&orbits)).map_err(CannotTrade::Dimension)?;
+        let (orbits, map) = read(system, parameters).map_err(CannotTrade::CannotRun)?;
         Ok(Runner { map, orbits, start: start.to_vec() })
     }
 
@@ -78,75 +71,6 @@ impl Runner {
         }
         clock.elapsed().as_secs_f64()
     }
-}
-
-/// A system that was read, in whatever number of variables.
-pub(super) trait Map {
-    /// The trajectory to compare with.
-    fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference>;
-    /// ‖f′(x₀)‖∞
-    fn slope(&self, start: &[Rational]) -> f64;
-    /// The declared integrals at this ε.
-    fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd>;
-    /// Their Taylor coefficients at ε = 0: the values, and those of ε².
-    fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]>;
-    /// What a step of the generated code costs.
-    fn cost(&self) -> StepCost;
-}
-
-impl<const N: usize> Map for Interpreted<BigRational, N> {
-    fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference> {
-        Reference::of(&self.rounded::<Dd>(), asked, limits)
-    }
-
-    fn slope(&self, start: &[Rational]) -> f64 {
-        let slopes =
-            self.rounded::<f64>().field_jacobian(&SVector::from_fn(|i, _| start.get(i).map_or(0.0, round)));
-        slopes.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
-    }
-
-    fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd> {
-        let values = self.rounded().integrals(&padded(x, |value| value), &Dd::from(eps));
-        values.into_iter().map(number).collect()
-    }
-
-    fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
-        // ε = d + d′ with d² = d′² = 0: the coefficient of dd′ is the second derivative.
-        let fixed = |value: Dd| Dual::<_, 1>::lift(Dual::<_, 1>::lift(value));
-        let eps = Dual { value: Dual::coordinate(Dd::from(0.0), 0), gradient: [Dual::lift(Dd::from(1.0))] };
-        let claims = self.rounded::<Dd>().over(|parameter| fixed(*parameter));
-        let half = Dd::from(0.5);
-        let coefficients = claims.integrals(&padded(x, fixed), &eps).into_iter().map(|value| match value {
-            Some(value) => [value.value.value, value.gradient[0].gradient[0] * half],
-            None => [number(None); 2],
-        });
-        coefficients.collect()
-    }
-
-    fn cost(&self) -> StepCost {
-        Interpreted::cost(self)
-    }
-}
-
-/// Takes a map in whatever number of variables it has.
-struct Reader<'a>(&'a kahan_runtime::Map);
-
-impl VisitDimension for Reader<'_> {
-    type Output = Box<dyn Map>;
-
-    fn visit<const N: usize>(self) -> Box<dyn Map> {
-        let map = self.0.as_kahan_map::<BigRational, N>();
-        Box::new(map.unwrap_or_else(|why| unreachable!("the type was chosen for the field: {why}")))
-    }
-}
-
-/// A point in numbers made from its coordinates, with zeros for the variables that stand still.
-fn padded<T: Scalar, const N: usize>(x: &[Dd], number: impl Fn(Dd) -> T) -> SVector<T, N> {
-    SVector::from_fn(|i, _| number(x.get(i).copied().unwrap_or_default()))
-}
-
-fn number(value: Option<Dd>) -> Dd {
-    value.unwrap_or(Dd::from(f64::NAN))
 }
 
 /// A float as the number that it is; 0 for what is none.

@@ -1,0 +1,122 @@
+//! A system that was read, in whatever number of variables.
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+use kahan_core::nalgebra::SVector;
+use kahan_core::num_rational::BigRational;
+use kahan_core::{Dd, Dual, QuadraticField, Scalar, StepCost};
+use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension, VisitDimension, round, visit_dimension};
+use kahan_runtime::{Field, ParameterError, ParameterValue};
+
+use crate::extremes::StepsOfSystem;
+use crate::reference::{Limits, NoReference, Reference, Trajectory};
+
+/// What is asked of a system.
+pub(crate) trait Map {
+    /// The trajectory to compare with.
+    fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference>;
+    /// ‖f′(x₀)‖∞
+    fn slope(&self, start: &[Rational]) -> f64;
+    /// The declared integrals at this ε.
+    fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd>;
+    /// Their Taylor coefficients at ε = 0: the values, and those of ε².
+    fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]>;
+    /// What a step of the generated code costs.
+    fn cost(&self) -> StepCost;
+    /// Its steps over each scalar that is judged.
+    fn steps(&self) -> StepsOfSystem;
+}
+
+/// A system at these values of its parameters: its orbits, and what else is asked of it.
+pub(crate) fn read(
+    system: &System,
+    parameters: &[impl ParameterValue],
+) -> Result<(kahan_runtime::Map, Box<dyn Map>), CannotRun> {
+    let names = &system.field.symbols.parameters;
+    let orbits = Field::of(system).with(names.iter().zip(parameters)).map_err(CannotRun::Parameters)?;
+    let map = visit_dimension(system.field.dimension(), Reader(&orbits)).map_err(CannotRun::Dimension)?;
+    Ok((orbits, map))
+}
+
+/// Why a system cannot be run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CannotRun {
+    /// It has too many variables.
+    Dimension(UnsupportedDimension),
+    /// It is not defined at the parameters.
+    Parameters(ParameterError),
+}
+
+impl core::fmt::Display for CannotRun {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Dimension(why) => why.fmt(f),
+            Self::Parameters(why) => why.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for CannotRun {}
+
+impl<const N: usize> Map for Interpreted<BigRational, N> {
+    fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference> {
+        Reference::of(&self.rounded::<Dd>(), asked, limits)
+    }
+
+    fn slope(&self, start: &[Rational]) -> f64 {
+        let slopes =
+            self.rounded::<f64>().field_jacobian(&SVector::from_fn(|i, _| start.get(i).map_or(0.0, round)));
+        slopes.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
+    }
+
+    fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd> {
+        let values = self.rounded().integrals(&padded(x, |value| value), &Dd::from(eps));
+        values.into_iter().map(number).collect()
+    }
+
+    fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
+        // ε = d + d′ with d² = d′² = 0: the coefficient of dd′ is the second derivative.
+        let fixed = |value: Dd| Dual::<_, 1>::lift(Dual::<_, 1>::lift(value));
+        let eps = Dual { value: Dual::coordinate(Dd::from(0.0), 0), gradient: [Dual::lift(Dd::from(1.0))] };
+        let claims = self.rounded::<Dd>().over(|parameter| fixed(*parameter));
+        let half = Dd::from(0.5);
+        let coefficients = claims.integrals(&padded(x, fixed), &eps).into_iter().map(|value| match value {
+            Some(value) => [value.value.value, value.gradient[0].gradient[0] * half],
+            None => [number(None); 2],
+        });
+        coefficients.collect()
+    }
+
+    fn cost(&self) -> StepCost {
+        Interpreted::cost(self)
+    }
+
+    fn steps(&self) -> StepsOfSystem {
+        StepsOfSystem {
+            single: Box::new(self.rounded()),
+            double: Box::new(self.rounded()),
+            double_double: Box::new(self.rounded()),
+        }
+    }
+}
+
+/// Takes a map in whatever number of variables it has.
+struct Reader<'a>(&'a kahan_runtime::Map);
+
+impl VisitDimension for Reader<'_> {
+    type Output = Box<dyn Map>;
+
+    fn visit<const N: usize>(self) -> Box<dyn Map> {
+        let map = self.0.as_kahan_map::<BigRational, N>();
+        Box::new(map.unwrap_or_else(|why| unreachable!("the type was chosen for the field: {why}")))
+    }
+}
+
+/// A point in numbers made from its coordinates, with zeros for the variables that stand still.
+fn padded<T: Scalar, const N: usize>(x: &[Dd], number: impl Fn(Dd) -> T) -> SVector<T, N> {
+    SVector::from_fn(|i, _| number(x.get(i).copied().unwrap_or_default()))
+}
+
+fn number(value: Option<Dd>) -> Dd {
+    value.unwrap_or(Dd::from(f64::NAN))
+}
