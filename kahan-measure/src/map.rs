@@ -5,7 +5,7 @@ use kahan_algebra::system::System;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Dual, QuadraticField, Scalar, StepCost};
-use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension, VisitDimension, round, visit_dimension};
+use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension, round};
 use kahan_runtime::{Field, ParameterError, ParameterValue};
 
 use crate::extremes::StepsOfSystem;
@@ -34,8 +34,8 @@ pub(crate) fn read(
 ) -> Result<(kahan_runtime::Map, Box<dyn Map>), CannotRun> {
     let names = &system.field.symbols.parameters;
     let orbits = Field::of(system).with(names.iter().zip(parameters)).map_err(CannotRun::Parameters)?;
-    let map = visit_dimension(system.field.dimension(), Reader(&orbits)).map_err(CannotRun::Dimension)?;
-    Ok((orbits, map))
+    let map = orbits.as_padded_kahan_map::<BigRational>().map_err(CannotRun::Dimension)?;
+    Ok((orbits, Box::new(map)))
 }
 
 /// Why a system cannot be run.
@@ -97,18 +97,6 @@ impl<const N: usize> Map for Interpreted<BigRational, N> {
             double: Box::new(self.rounded()),
             double_double: Box::new(self.rounded()),
         }
-    }
-}
-
-/// Takes a map in whatever number of variables it has.
-struct Reader<'a>(&'a kahan_runtime::Map);
-
-impl VisitDimension for Reader<'_> {
-    type Output = Box<dyn Map>;
-
-    fn visit<const N: usize>(self) -> Box<dyn Map> {
-        let map = self.0.as_kahan_map::<BigRational, N>();
-        Box::new(map.unwrap_or_else(|why| unreachable!("the type was chosen for the field: {why}")))
     }
 }
 

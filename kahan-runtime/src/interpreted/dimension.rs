@@ -1,22 +1,23 @@
-//! From a number of variables that is known at run time to types, whose dimension is a constant.
+//! A number of variables that is known at run time, as a type.
 //!
-//! Two types serve all: what is generic over maps is compiled for 4 and for 8 variables, and
-//! smaller systems are [padded](super::Interpreted::padded). A type for every number of variables
-//! took four times as long to compile.
+//! One type serves all: what is generic over maps is compiled for the most variables, and smaller
+//! systems are [padded](Interpreted::padded). A type for every number of variables would take eight
+//! times as long to compile, and a step is interpreted line by line, so it is no slower among
+//! variables that stand still.
 
-/// What is to be done in some dimension.
-pub trait VisitDimension {
-    /// What comes out.
-    type Output;
+use kahan_core::Scalar;
 
-    /// Does it in N variables, at least as many as were asked for.
-    fn visit<const N: usize>(self) -> Self::Output;
-}
+use super::Interpreted;
+use crate::Map;
 
-/// The most variables that a system read at run time may have where types are needed.
+/// The most variables that a system read at run time may have where a type is needed.
 pub const LARGEST_DIMENSION: usize = 8;
 
-/// More variables than there are types for, or none.
+/// A system read at run time among [`LARGEST_DIMENSION`] variables; made by
+/// [`Map::as_padded_kahan_map`].
+pub type Padded<T> = Interpreted<T, LARGEST_DIMENSION>;
+
+/// More variables than there is a type for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnsupportedDimension(
     /// The variables.
@@ -36,17 +37,13 @@ impl core::fmt::Display for UnsupportedDimension {
 
 impl core::error::Error for UnsupportedDimension {}
 
-/// Does it in the fewest variables that there is a type for and that hold `dimension`.
-///
-/// # Errors
-/// [`UnsupportedDimension`] beyond [`LARGEST_DIMENSION`].
-pub fn visit_dimension<V: VisitDimension>(
-    dimension: usize,
-    visitor: V,
-) -> Result<V::Output, UnsupportedDimension> {
-    match dimension {
-        1..=4 => Ok(visitor.visit::<4>()),
-        5..=LARGEST_DIMENSION => Ok(visitor.visit::<LARGEST_DIMENSION>()),
-        other => Err(UnsupportedDimension(other)),
+impl Map {
+    /// The map as a [`KahanMap`](kahan_core::KahanMap) over any scalar, in a type that holds
+    /// whatever number of variables is supported: those beyond its own stand still.
+    ///
+    /// # Errors
+    /// [`UnsupportedDimension`] beyond [`LARGEST_DIMENSION`].
+    pub fn as_padded_kahan_map<T: Scalar>(&self) -> Result<Padded<T>, UnsupportedDimension> {
+        self.as_kahan_map().map_err(|why| UnsupportedDimension(why.expected()))
     }
 }

@@ -25,7 +25,7 @@ use crate::engine::{Engine, Factors, Object, Tables};
 use crate::line::{Line, Results, has_value};
 
 pub use crate::literal::round;
-pub use dimension::{LARGEST_DIMENSION, UnsupportedDimension, VisitDimension, visit_dimension};
+pub use dimension::{LARGEST_DIMENSION, Padded, UnsupportedDimension};
 pub use step::InterpretedStep;
 
 /// A system read at run time, over the scalar T in N variables; made by

@@ -6,6 +6,7 @@
 
 mod coded;
 mod interpreted;
+mod projective;
 #[cfg(test)]
 mod tests;
 
@@ -16,6 +17,8 @@ use kahan_core::{Composition, Dd, FloatScalar, Precision, Scheme};
 
 use crate::Map;
 use crate::interpreted::round;
+
+pub use projective::{ProjectiveOrbit, ProjectiveScalar};
 
 use coded::Coding;
 use interpreted::{Interpreting, Walk};

@@ -1,15 +1,12 @@
 //! Orbits through poles: points at infinity are rows, too.
 
-use std::marker::PhantomData;
-
 use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::rational::Rational;
-use kahan_core::nalgebra::SVector;
+use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::Zero;
-use kahan_core::{Dd, KahanMap, Projective, ProjectivePoint, SingularStep, ThroughPoles};
-use kahan_runtime::interpreted::{Interpreted, VisitDimension, round, visit_dimension};
-use kahan_runtime::{Field, Map};
+use kahan_runtime::Field;
+use kahan_runtime::orbit::{ProjectiveOrbit, ProjectiveScalar};
 
 use super::{Orbit, Rows};
 use crate::numbers::{DoubleDouble, Printable};
@@ -19,7 +16,7 @@ use crate::reading::Request;
 /// An arithmetic whose numbers are those of a scalar of the library.
 pub(super) trait OfScalar: Printable {
     /// That scalar.
-    type Scalar: ThroughPoles;
+    type Scalar: ProjectiveScalar;
 
     /// Its number as one of the arithmetic.
     fn value(number: &Self::Scalar) -> Self::Value;
@@ -50,69 +47,6 @@ of_float!(Float32, f32);
 of_float!(Float64, f64);
 of_float!(DoubleDouble, Dd);
 
-/// An orbit in whatever dimension its type has.
-trait Points<T> {
-    /// One point on, or why there is none.
-    fn advance(&mut self) -> Result<(), Option<SingularStep>>;
-    /// The coordinates; at infinity 0 for those that are not infinite.
-    fn coordinates(&self) -> &[T];
-    /// Whether the point is at infinity.
-    fn is_infinite(&self) -> bool;
-    /// The integrals at a point that is not.
-    fn integrals(&self) -> Vec<Option<T>>;
-}
-
-/// An orbit and the point that it is at.
-struct At<T: ThroughPoles, const N: usize> {
-    map: Interpreted<T, N>,
-    eps: T,
-    orbit: Projective<Interpreted<T, N>, T, N>,
-    point: ProjectivePoint<T, N>,
-}
-
-impl<T: ThroughPoles, const N: usize> Points<T> for At<T, N> {
-    fn advance(&mut self) -> Result<(), Option<SingularStep>> {
-        self.point = self.orbit.next().ok_or_else(|| self.orbit.stopped().copied())?;
-        Ok(())
-    }
-
-    fn coordinates(&self) -> &[T] {
-        &self.point.coordinates().as_slice()[..self.map.variables().len()]
-    }
-
-    fn is_infinite(&self) -> bool {
-        self.point.is_infinite()
-    }
-
-    fn integrals(&self) -> Vec<Option<T>> {
-        self.map.integrals(self.point.coordinates(), &self.eps)
-    }
-}
-
-/// Begins an orbit.
-struct Beginner<'a, A> {
-    arithmetic: PhantomData<A>,
-    map: &'a Map,
-    eps: &'a Rational,
-    start: &'a [Rational],
-}
-
-impl<A: OfScalar> VisitDimension for Beginner<'_, A> {
-    type Output = Box<dyn Points<A::Scalar>>;
-
-    fn visit<const N: usize>(self) -> Self::Output {
-        let map = self.map.as_kahan_map::<A::Scalar, N>();
-        let map = map.unwrap_or_else(|why| unreachable!("the type was chosen for the field: {why}"));
-        let zero = Rational::zero();
-        let start: SVector<A::Scalar, N> = SVector::from_fn(|i, _| round(self.start.get(i).unwrap_or(&zero)));
-        let eps: A::Scalar = round(self.eps);
-        let mut orbit = map.orbit(start.clone(), eps.clone()).projective();
-        // The first item is the first point itself.
-        orbit.next();
-        Box::new(At { map, eps, orbit, point: start.into() })
-    }
-}
-
 impl Orbit {
     /// The rows of an orbit through its poles.
     pub(super) fn through_poles<A: OfScalar>(
@@ -134,10 +68,8 @@ impl Orbit {
         let point = &request.point;
         let values = field.parameters().iter().zip(&point.parameters);
         let map = field.with(values).map_err(|_| request.undefined_field())?;
-        let beginner =
-            Beginner { arithmetic: PhantomData::<A>, map: &map, eps: &point.eps, start: &point.state };
-        let mut orbit = visit_dimension(point.state.len(), beginner)
-            .map_err(|why| Refusal::new(format!("--projective: {why}")))?;
+        let orbit = map.projective_orbit::<A::Scalar>(&point.eps, &point.state);
+        let mut orbit = orbit.map_err(|why| Refusal::new(format!("--projective: {why}")))?;
         let mut head = self.head::<A>(request, &parameters, &eps, field.integrals());
         head.insert("projective".to_owned(), true.into());
         let time_step = arithmetic.add(&eps, &eps);
@@ -158,7 +90,7 @@ fn row<A: OfScalar>(
     table: &mut Table,
     n: i64,
     time_step: &A::Value,
-    orbit: &dyn Points<A::Scalar>,
+    orbit: &dyn ProjectiveOrbit<A::Scalar>,
 ) -> Result<(), Broken> {
     let number = arithmetic.constant(&Rational::from(n));
     let time = number.map(|n| Cell::Value(arithmetic.multiply(&n, time_step)));
