@@ -4,6 +4,8 @@
 //! as long as the code needs them; what code reads and writes beside them is its own stack.
 #![expect(unsafe_code, reason = "machine code is entered by the address of its first byte")]
 
+use std::marker::PhantomData;
+
 use crate::Refusal;
 use crate::pages::Pages;
 
@@ -17,16 +19,17 @@ pub(crate) struct Extent {
 
 /// Code in memory, and what it needs.
 #[derive(Debug)]
-pub(crate) struct Code {
+pub(crate) struct Code<T> {
     pages: Pages,
     extent: Extent,
+    floats: PhantomData<fn(T)>,
 }
 
-impl Code {
+impl<T> Code<T> {
     /// Puts code where it may run. It must be code of a routine of this crate, which reads and
     /// writes no more than `extent` says.
     pub(crate) fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
-        Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent })
+        Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
     }
 
     /// How many numbers the results are.
@@ -35,7 +38,7 @@ impl Code {
     }
 
     /// Runs the code of a [`Function`](crate::Function).
-    pub(crate) fn function<T>(&self, states: &[T], constants: &[T], results: &mut [T]) {
+    pub(crate) fn function(&self, states: &[T], constants: &[T], results: &mut [T]) {
         let Extent { states: s, constants: c, results: r } = self.extent;
         assert!(
             states.len() >= s && constants.len() >= c && results.len() >= r,
@@ -49,7 +52,7 @@ impl Code {
     }
 
     /// Runs the code of an [`Orbit`](crate::Orbit), `steps` rounds.
-    pub(crate) fn orbit<T>(&self, state: &mut [T], constants: &[T], steps: u64) {
+    pub(crate) fn orbit(&self, state: &mut [T], constants: &[T], steps: u64) {
         self.check_orbit(state, constants);
         let state = written(state);
         // SAFETY: the slices are as long as the code needs them, and `state` is borrowed alone.
@@ -58,7 +61,7 @@ impl Code {
 
     /// Runs one round of it from a state to another; it must be code that writes the last state
     /// alone.
-    pub(crate) fn orbit_step<T>(&self, state: &[T], constants: &[T], next: &mut [T]) {
+    pub(crate) fn orbit_step(&self, state: &[T], constants: &[T], next: &mut [T]) {
         self.check_orbit(state, constants);
         self.check_orbit(next, constants);
         // SAFETY: the slices are as long as the code needs them, and `next`, to which alone it
@@ -67,7 +70,7 @@ impl Code {
     }
 
     /// Runs the code of a [`ComposedOrbit`](crate::ComposedOrbit), `steps` rounds of all stages.
-    pub(crate) fn composed_orbit<T>(&self, state: &mut [T], stages: &[&[T]], steps: u64) {
+    pub(crate) fn composed_orbit(&self, state: &mut [T], stages: &[&[T]], steps: u64) {
         /// As many as the longest composition has, with room.
         const MOST: usize = 64;
 
@@ -82,7 +85,7 @@ impl Code {
         unsafe { self.enter([written(state), read(&table), stages.len(), counted(steps), 0]) }
     }
 
-    fn check_orbit<T>(&self, state: &[T], constants: &[T]) {
+    fn check_orbit(&self, state: &[T], constants: &[T]) {
         let Extent { states: s, constants: c, .. } = self.extent;
         assert!(
             state.len() >= s && constants.len() >= c,
@@ -94,7 +97,7 @@ impl Code {
 
     /// Runs the code of a [`Sweep`](crate::Sweep) over columns of `len` numbers, `width` at once,
     /// `steps` times; the constants are `stride` numbers further on for each register.
-    pub(crate) fn sweep<T>(
+    pub(crate) fn sweep(
         &self,
         columns: &mut [impl AsMut<[T]>],
         width: usize,
@@ -114,7 +117,7 @@ impl Code {
     }
 
     /// The same by a table that has room for the addresses of the columns.
-    fn sweep_by<T, const ROOM: usize>(
+    fn sweep_by<const ROOM: usize>(
         &self,
         mut table: [usize; ROOM],
         columns: &mut [impl AsMut<[T]>],

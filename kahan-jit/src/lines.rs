@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
-use crate::assembler::Fused;
+use crate::assembler::{Binary, Fused};
 use crate::program::{Instruction, Program};
 
 /// What one line computes; operands are the indices of earlier lines.
@@ -30,17 +30,6 @@ pub(crate) enum Given {
     Constant(usize),
     /// The bits of a number in double precision.
     Literal(u64),
-}
-
-/// An operation on two registers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Binary {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    /// The bits of a, those flipped that are set in b.
-    ExclusiveOr,
 }
 
 /// What becomes of the results of a program.

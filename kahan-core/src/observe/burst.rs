@@ -42,6 +42,19 @@ impl<T: Copy, const N: usize> Grouped<T> for [Group<T>; N] {
     }
 }
 
+/// Tangent vectors of a group of trajectories that are carried along its points side by side.
+#[derive(Debug)]
+pub struct SideBySide<'a, T, P> {
+    /// The points, one after another.
+    pub places: &'a [P],
+    /// The vectors at the first of them, each as many columns as there are variables.
+    pub vectors: &'a mut [P],
+    /// The squares of their lengths after each step, or room for none.
+    pub squares: &'a mut [Group<T>],
+    /// The instructions to use.
+    pub level: Level,
+}
+
 /// Some points of each trajectory of a group.
 #[derive(Debug)]
 pub struct Burst<'a, P> {

@@ -1,4 +1,4 @@
-//! Tangent vectors that follow an orbit.
+//! Tangent vectors that follow an orbit, and the observers that look at nothing else.
 //!
 //! In: the points of the orbit, one after another. Out: K vectors, each at the point given last and
 //! scaled by a power of two.
@@ -11,14 +11,14 @@ use crate::EnsembleScalar;
 use crate::ensemble::columns::GROUP;
 use crate::{Constant, FloatScalar};
 
-use super::Tangent;
 #[cfg(feature = "std")]
-use super::burst::{BURST, Burst, Grouped, Observers};
+use super::burst::{BURST, Burst, Grouped, Observers, SideBySide};
 use super::growth::{Size, scale};
+use super::{Observer, Tangent};
 
 /// K tangent vectors that a map carries along.
 #[derive(Clone, Debug)]
-pub(super) struct Carried<M: Tangent<T>, T, const K: usize> {
+pub struct Carried<M: Tangent<T>, T, const K: usize> {
     map: M,
     /// Where the vectors are.
     place: M::Point,
@@ -86,27 +86,70 @@ pub(super) fn carry_all<'a, M: Tangent<T, Point: 'a>, T>(
     }
 }
 
-/// An observer of tangent vectors.
-pub(super) trait Follower<T: FloatScalar, const K: usize> {
-    type Map: Tangent<T>;
+/// What is looked at in K tangent vectors.
+pub trait Indicator<const K: usize> {
+    /// What it says in the end.
+    type Report;
 
     /// Whether it looks at each step, or at 0, 1, …, [`PAUSE`] and multiples of that.
     const LOOKS_AT_EACH: bool;
 
-    /// The vectors.
-    fn carried(&mut self) -> &mut Carried<Self::Map, T, K>;
+    /// Before the first point, where the squares of the vectors' lengths are these.
+    fn new(first: [Size; K]) -> Self;
 
     /// Looks at the squares of their lengths.
     fn look(&mut self, step: u64, sizes: [Size; K]);
 
+    /// The report on vectors that have been carried to the last point.
+    fn report<M: Tangent<T>, T: FloatScalar>(self, carried: Carried<M, T, K>) -> Self::Report;
+}
+
+/// An observer of K tangent vectors.
+#[derive(Clone, Debug)]
+pub struct Follower<I, M: Tangent<T>, T, const K: usize> {
+    carried: Carried<M, T, K>,
+    indicator: I,
+}
+
+impl<I: Indicator<K>, M: Tangent<T>, T: FloatScalar, const K: usize> Follower<I, M, T, K> {
+    /// That of the map that `tangent` belongs to.
+    pub fn new(tangent: M) -> Self {
+        let mut carried = Carried::new(tangent);
+        let indicator = I::new(carried.scale());
+        Self { carried, indicator }
+    }
+}
+
+impl<I: Indicator<K>, M: Tangent<T>, T: FloatScalar, const K: usize> Observer<T> for Follower<I, M, T, K> {
+    type Report = I::Report;
+
     /// Takes the vectors to the next point, and looks at them if it is time to.
     #[inline(always)]
-    fn follow(&mut self, step: u64, x: &[T]) {
-        self.carried().follow(step, x);
-        if step < PAUSE || step.is_multiple_of(PAUSE) || looks_at_each::<Self, T, K>() {
-            let sizes = self.carried().scale();
-            self.look(step, sizes);
+    fn observe(&mut self, step: u64, x: &[T]) {
+        self.carried.follow(step, x);
+        if step < PAUSE || step.is_multiple_of(PAUSE) || looks_at_each::<I, T, K>() {
+            let sizes = self.carried.scale();
+            self.indicator.look(step, sizes);
         }
+    }
+
+    /// All are carried side by side where they are known to belong to one map that can.
+    #[cfg(feature = "std")]
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
+    where
+        T: EnsembleScalar,
+    {
+        let mut done = 0;
+        while let Some(taken) = follow_side_by_side(group, burst, done) {
+            done += taken;
+        }
+        for (lane, follower) in group.iter_mut().flatten().enumerate() {
+            burst.show(lane, done, |step, x| follower.observe(step, x));
+        }
+    }
+
+    fn report(self) -> I::Report {
+        self.indicator.report(self.carried)
     }
 }
 
@@ -119,43 +162,22 @@ const PAUSE: u64 = 16;
 /// Whether vectors are looked at after each step: where that is asked for, and in `f32`, whose range
 /// they may leave at any.
 #[inline(always)]
-fn looks_at_each<F, T, const K: usize>() -> bool
-where
-    F: Follower<T, K> + ?Sized,
-    T: FloatScalar,
-{
-    F::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()
+fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
+    I::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()
 }
 
-/// Takes the vectors of a group of trajectories along a burst, and looks at them after each step.
-///
-/// All are carried side by side where they are known to belong to one map that can.
-#[cfg(feature = "std")]
-pub(super) fn follow_burst<F, T, P, const K: usize>(group: &mut Observers<'_, F>, burst: &Burst<'_, P>)
-where
-    F: Follower<T, K>,
-    T: EnsembleScalar + FloatScalar,
-    P: Grouped<T>,
-{
-    let mut done = 0;
-    while let Some(taken) = follow_side_by_side(group, burst, done) {
-        done += taken;
-    }
-    for (lane, follower) in group.iter_mut().flatten().enumerate() {
-        burst.show(lane, done, |step, x| follower.follow(step, x));
-    }
-}
-
-/// The same side by side from the step after `done` on, until a vector has to be scaled: the steps
+/// Takes the vectors of a group of trajectories along a burst side by side, and looks at them after
+/// each step: from the step after `done` on, until a vector has to be scaled: the steps
 /// taken, `None` where there is none left or it cannot be done.
 #[cfg(feature = "std")]
-fn follow_side_by_side<F, T, P, const K: usize>(
-    group: &mut Observers<'_, F>,
+fn follow_side_by_side<I, M, T, P, const K: usize>(
+    group: &mut Observers<'_, Follower<I, M, T, K>>,
     burst: &Burst<'_, P>,
     done: usize,
 ) -> Option<usize>
 where
-    F: Follower<T, K>,
+    I: Indicator<K>,
+    M: Tangent<T>,
     T: EnsembleScalar + FloatScalar,
     P: Grouped<T>,
 {
@@ -169,7 +191,7 @@ where
     let mut vectors: [P; K] = from_fn(|_| ones.clone());
     let mut maps = [None; GROUP];
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
-        let carried = follower.carried();
+        let carried = &follower.carried;
         for (columns, vector) in vectors.iter_mut().zip(carried.vectors()) {
             for (column, entry) in columns.as_mut().iter_mut().zip(vector) {
                 column[lane] = *entry;
@@ -181,11 +203,12 @@ where
     let maps = maps.map(|map| map.unwrap_or(first));
     let first = burst.before + 1 + done as u64;
     let mut squares = [[[T::one(); GROUP]; K]; BURST];
-    let looks_at_each = first < PAUSE || looks_at_each::<F, T, K>();
+    let looks_at_each = first < PAUSE || looks_at_each::<I, T, K>();
     let squares = if looks_at_each { squares.as_flattened_mut() } else { &mut [] };
-    let taken = F::Map::carry_side_by_side(maps, places, &mut vectors, squares, burst.level)?;
+    let work = SideBySide { places, vectors: &mut vectors, squares, level: burst.level };
+    let taken = M::carry_side_by_side(maps, work)?;
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
-        let carried = follower.carried();
+        let carried = &mut follower.carried;
         for (columns, vector) in vectors.iter().zip(&mut carried.vectors) {
             columns.read(lane, vector.as_mut());
         }
@@ -195,9 +218,9 @@ where
         let last = carried.scale();
         for (step, squares) in (first..).zip(squares.chunks_exact(K).take(taken - 1)) {
             let size = |k: usize| Size::of_square(squares[k][lane].approximate(), exponents[k]);
-            follower.look(step, from_fn(size));
+            follower.indicator.look(step, from_fn(size));
         }
-        follower.look(first + taken as u64 - 1, last);
+        follower.indicator.look(first + taken as u64 - 1, last);
     }
     Some(taken)
 }

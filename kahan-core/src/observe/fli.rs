@@ -2,15 +2,11 @@
 
 use core::cmp::Ordering;
 
-#[cfg(feature = "std")]
-use crate::EnsembleScalar;
 use crate::FloatScalar;
 
-use super::carried::{Carried, Follower};
+use super::Tangent;
+use super::carried::{Carried, Follower, Indicator};
 use super::growth::Size;
-#[cfg(feature = "std")]
-use super::{Burst, Grouped, Observers, carried::follow_burst};
-use super::{Observer, Tangent};
 
 /// The fast Lyapunov indicator: the logarithm of the greatest length that a tangent vector has had,
 /// its first length being 1.
@@ -19,28 +15,24 @@ use super::{Observer, Tangent};
 /// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41.
 ///
 /// Cost: a tangent vector, about that of a step, and its square; see `BENCHMARKS.md`.
+///
+/// It reports not a number from a pole on.
+pub type Fli<M, T> = Follower<Greatest, M, T, 1>;
+
+/// The squares of a vector's first and greatest lengths.
 #[derive(Clone, Debug)]
-pub struct Fli<M: Tangent<T>, T> {
-    carried: Carried<M, T, 1>,
+pub struct Greatest {
     first: Size,
     greatest: Size,
 }
 
-impl<M: Tangent<T>, T: FloatScalar> Fli<M, T> {
-    /// The indicator of the map that `tangent` belongs to.
-    pub fn new(tangent: M) -> Self {
-        Self { carried: Carried::new(tangent), first: Size::ONE, greatest: Size::ONE }
-    }
-}
-
-impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Fli<M, T> {
-    type Map = M;
+impl Indicator<1> for Greatest {
+    type Report = f64;
 
     const LOOKS_AT_EACH: bool = true;
 
-    #[inline(always)]
-    fn carried(&mut self) -> &mut Carried<M, T, 1> {
-        &mut self.carried
+    fn new([first]: [Size; 1]) -> Self {
+        Self { first, greatest: first }
     }
 
     #[inline(always)]
@@ -55,25 +47,8 @@ impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Fli<M, T> {
             _ => {}
         }
     }
-}
 
-impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Fli<M, T> {
-    /// Not a number from a pole on.
-    type Report = f64;
-
-    #[inline(always)]
-    fn observe(&mut self, step: u64, x: &[T]) {
-        self.follow(step, x);
-    }
-    #[cfg(feature = "std")]
-    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
-    where
-        T: EnsembleScalar,
-    {
-        follow_burst(group, burst);
-    }
-
-    fn report(self) -> f64 {
+    fn report<M: Tangent<T>, T: FloatScalar>(self, _carried: Carried<M, T, 1>) -> f64 {
         0.5 * (self.greatest.ln() - self.first.ln())
     }
 }

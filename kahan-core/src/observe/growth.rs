@@ -15,7 +15,7 @@ use crate::{Constant, FloatScalar};
 
 /// A positive number: mantissa·2^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Size {
+pub struct Size {
     mantissa: f64,
     exponent: i64,
 }

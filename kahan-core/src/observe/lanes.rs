@@ -6,46 +6,23 @@
 
 use core::array::from_fn;
 
-use crate::ensemble::columns::{GROUP, Group};
+use crate::ensemble::columns::GROUP;
 use crate::ensemble::lanes::{Lanes, OverLanes};
 use crate::field::linear::vector;
 use crate::map::carry_to;
-use crate::{EnsembleScalar, Level, Lift, Method, PreparedStep, Scalar, TangentAt};
+use crate::{EnsembleScalar, Lift, Method, Scalar, TangentAt};
 
-use super::Grouped;
 use super::growth::most;
+use super::{Grouped, SideBySide};
 
-/// Vectors that are carried along points.
-struct SideBySide<'a, M: Lift<T, N>, T: Scalar, K: Method, P, const N: usize> {
-    tangent: &'a TangentAt<M, T, N, K>,
-    places: &'a [P],
-    vectors: &'a mut [P],
-    /// The squares of their lengths after each step, or room for none.
-    squares: &'a mut [Group<T>],
+/// Vectors that one map carries, from the first of the points to the last, until the square of one
+/// leaves the range that vectors are kept in, if there is room for squares: the steps taken.
+pub(super) struct ByOneMap<'a, M: Lift<T, N>, T: Scalar, K: Method, P, const N: usize> {
+    pub(super) map: &'a TangentAt<M, T, N, K>,
+    pub(super) work: SideBySide<'a, T, P>,
 }
 
-/// Carries vectors, each N columns, from the first of the points at `places` to the last, until the
-/// square of one leaves the range that vectors are kept in, if there is room for squares: the steps
-/// taken. `None` where the step, or the scalar, has no
-/// lanes.
-pub(super) fn carry_side_by_side<M, T, K, P, const N: usize>(
-    tangent: &TangentAt<M, T, N, K>,
-    places: &[P],
-    vectors: &mut [P],
-    squares: &mut [Group<T>],
-    level: Level,
-) -> Option<usize>
-where
-    M: Lift<T, N>,
-    T: EnsembleScalar,
-    K: Method,
-    P: Grouped<T>,
-{
-    let work = SideBySide { tangent, places, vectors, squares };
-    if <M::Prepared as PreparedStep<_, N>>::HAS_LANES { T::over_lanes(work, level) } else { None }
-}
-
-impl<M, T, K, P, const N: usize> OverLanes<T> for SideBySide<'_, M, T, K, P, N>
+impl<M, T, K, P, const N: usize> OverLanes<T> for ByOneMap<'_, M, T, K, P, N>
 where
     M: Lift<T, N>,
     T: EnsembleScalar,
@@ -57,7 +34,7 @@ where
 
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> usize {
-        let Self { tangent, places, vectors, squares } = self;
+        let Self { map: tangent, work: SideBySide { places, vectors, squares, .. } } = self;
         let map = tangent.map.lift(L::spread);
         let parts = K::map(&tangent.parts, L::spread);
         let (most, least) = (L::spread(&most()), L::spread(&(T::one() / most())));

@@ -1,14 +1,10 @@
 //! The largest Lyapunov exponent.
 
-#[cfg(feature = "std")]
-use crate::EnsembleScalar;
 use crate::FloatScalar;
 
-use super::carried::{Carried, Follower};
+use super::Tangent;
+use super::carried::{Carried, Follower, Indicator};
 use super::growth::Size;
-#[cfg(feature = "std")]
-use super::{Burst, Grouped, Observers, carried::follow_burst};
-use super::{Observer, Tangent};
 
 /// The rate at which a tangent vector grows: the largest Lyapunov exponent, per unit of time.
 ///
@@ -17,9 +13,11 @@ use super::{Observer, Tangent};
 /// linearly, so that λ tends to 0 as log(n)/n.
 ///
 /// Cost: a tangent vector, about that of a step; see `BENCHMARKS.md`.
+pub type Lyapunov<M, T> = Follower<Growth, M, T, 1>;
+
+/// The square of a vector's first length, and those at powers of two.
 #[derive(Clone, Debug)]
-pub struct Lyapunov<M: Tangent<T>, T> {
-    carried: Carried<M, T, 1>,
+pub struct Growth {
     first: Size,
     doublings: Doublings,
 }
@@ -34,23 +32,13 @@ pub struct Exponent {
     pub error: f64,
 }
 
-impl<M: Tangent<T>, T: FloatScalar> Lyapunov<M, T> {
-    /// The exponent of the map that `tangent` belongs to.
-    pub fn new(tangent: M) -> Self {
-        let mut carried = Carried::new(tangent);
-        let [first] = carried.scale();
-        Self { carried, first, doublings: Doublings::default() }
-    }
-}
-
-impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Lyapunov<M, T> {
-    type Map = M;
+impl Indicator<1> for Growth {
+    type Report = Exponent;
 
     const LOOKS_AT_EACH: bool = false;
 
-    #[inline(always)]
-    fn carried(&mut self) -> &mut Carried<M, T, 1> {
-        &mut self.carried
+    fn new([first]: [Size; 1]) -> Self {
+        Self { first, doublings: Doublings::default() }
     }
 
     #[inline(always)]
@@ -59,26 +47,10 @@ impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Lyapunov<M, T> {
             self.doublings.pass(step, size);
         }
     }
-}
 
-impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Lyapunov<M, T> {
-    type Report = Exponent;
-
-    #[inline(always)]
-    fn observe(&mut self, step: u64, x: &[T]) {
-        self.follow(step, x);
-    }
-    #[cfg(feature = "std")]
-    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
-    where
-        T: EnsembleScalar,
-    {
-        follow_burst(group, burst);
-    }
-
-    fn report(mut self) -> Exponent {
-        let [size] = self.carried.scale();
-        self.doublings.exponent(self.first, (self.carried.steps(), size), self.carried.time_step())
+    fn report<M: Tangent<T>, T: FloatScalar>(self, mut carried: Carried<M, T, 1>) -> Exponent {
+        let [size] = carried.scale();
+        self.doublings.exponent(self.first, (carried.steps(), size), carried.time_step())
     }
 }
 

@@ -1,14 +1,10 @@
 //! The mean exponential growth factor of nearby orbits.
 
-#[cfg(feature = "std")]
-use crate::EnsembleScalar;
 use crate::FloatScalar;
 
-use super::carried::{Carried, Follower};
+use super::Tangent;
+use super::carried::{Carried, Follower, Indicator};
 use super::growth::Size;
-#[cfg(feature = "std")]
-use super::{Burst, Grouped, Observers, carried::follow_burst};
-use super::{Observer, Tangent};
 
 /// MEGNO, the mean exponential growth factor of nearby orbits, of a map:
 /// Y(n) = (2/n)·Σ k·log(|vₖ|/|vₖ₋₁|), k = 1, …, n, and the mean of Y(1), …, Y(n).
@@ -18,9 +14,11 @@ use super::{Observer, Tangent};
 /// M. Giordano, C. Simó, Physica D 182 (2003) 151.
 ///
 /// Cost: a tangent vector, about that of a step, and a logarithm.
-#[derive(Clone, Debug)]
-pub struct Megno<M: Tangent<T>, T> {
-    carried: Carried<M, T, 1>,
+pub type Megno<M, T> = Follower<MeanGrowth, M, T, 1>;
+
+/// What the sums of its definition have come to.
+#[derive(Clone, Debug, Default)]
+pub struct MeanGrowth {
     /// log |v₀|
     first: f64,
     /// The sum of log |vₖ|/|v₀| over the steps before the last.
@@ -40,13 +38,7 @@ pub struct Megnos {
     pub last: f64,
 }
 
-impl<M: Tangent<T>, T: FloatScalar> Megno<M, T> {
-    /// The factor of the map that `tangent` belongs to.
-    pub fn new(tangent: M) -> Self {
-        let carried = Carried::new(tangent);
-        Self { carried, first: 0.0, before: 0.0, last: 0.0, sum: 0.0, steps: 0 }
-    }
-
+impl MeanGrowth {
     /// Y(n) = 2·(log |vₙ| − (log |v₀| + … + log |vₙ₋₁|)/n), where |v₀| = 1: the sum of its
     /// definition, by parts.
     fn value(&self) -> f64 {
@@ -54,14 +46,13 @@ impl<M: Tangent<T>, T: FloatScalar> Megno<M, T> {
     }
 }
 
-impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Megno<M, T> {
-    type Map = M;
+impl Indicator<1> for MeanGrowth {
+    type Report = Megnos;
 
     const LOOKS_AT_EACH: bool = true;
 
-    #[inline(always)]
-    fn carried(&mut self) -> &mut Carried<M, T, 1> {
-        &mut self.carried
+    fn new(_first: [Size; 1]) -> Self {
+        Self::default()
     }
 
     fn look(&mut self, step: u64, [size]: [Size; 1]) {
@@ -75,24 +66,8 @@ impl<M: Tangent<T>, T: FloatScalar> Follower<T, 1> for Megno<M, T> {
         self.last = ln - self.first;
         self.sum += self.value();
     }
-}
 
-impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Megno<M, T> {
-    type Report = Megnos;
-
-    #[inline]
-    fn observe(&mut self, step: u64, x: &[T]) {
-        self.follow(step, x);
-    }
-    #[cfg(feature = "std")]
-    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
-    where
-        T: EnsembleScalar,
-    {
-        follow_burst(group, burst);
-    }
-
-    fn report(self) -> Megnos {
+    fn report<M: Tangent<T>, T: FloatScalar>(self, _carried: Carried<M, T, 1>) -> Megnos {
         Megnos { mean: self.sum / self.steps as f64, last: self.value() }
     }
 }

@@ -71,7 +71,7 @@ mod tuples;
 #[cfg(feature = "std")]
 use crate::EnsembleScalar;
 #[cfg(feature = "std")]
-pub use burst::{Burst, Grouped, Observers};
+pub use burst::{Burst, Grouped, Observers, SideBySide};
 /// What observes groups of trajectories of maps that are read at run time.
 #[cfg(feature = "std")]
 #[doc(hidden)]

@@ -10,14 +10,14 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::composition::Composed;
 #[cfg(feature = "std")]
-use crate::ensemble::columns::{GROUP, Group};
+use crate::ensemble::columns::GROUP;
 use crate::field::linear::determinant;
 use crate::{Composition, FloatScalar, KahanAt, KahanMap, Lift, Method, Scalar, TangentAt};
 #[cfg(feature = "std")]
-use crate::{EnsembleScalar, Level};
+use crate::{EnsembleScalar, PreparedStep};
 
 #[cfg(feature = "std")]
-use super::Grouped;
+use super::{Grouped, SideBySide, lanes::ByOneMap};
 
 /// A space of points and vectors, which a map acts on.
 pub trait Points<T> {
@@ -48,19 +48,14 @@ pub trait Tangent<T>: Points<T> + Clone {
     /// det J(x)
     fn det_jacobian(&self, x: &[T]) -> T;
 
-    /// Carries the vectors of a group of trajectories, each by its own map, from the first of the
-    /// points at `places` to the last, and writes the squares of their lengths after each step, if there is room for
-    /// them. It may end early after a step that takes one of these out of the range that vectors are
-    /// kept in, and returns the steps taken; `None` where it cannot. Bits are those of [`carry_to`](Self::carry_to).
+    /// Carries the vectors of a group of trajectories, each by its own map, from the first of its
+    /// points to the last, and writes the squares of their lengths after each step, if there is
+    /// room for them. It may end early after a step that takes one of these out of the range that
+    /// vectors are kept in, and returns the steps taken; `None` where it cannot. Bits are those of
+    /// [`carry_to`](Self::carry_to).
     #[cfg(feature = "std")]
     #[doc(hidden)]
-    fn carry_side_by_side<P: Grouped<T>>(
-        _maps: [&Self; GROUP],
-        _places: &[P],
-        _vectors: &mut [P],
-        _squares: &mut [Group<T>],
-        _level: Level,
-    ) -> Option<usize>
+    fn carry_side_by_side<P: Grouped<T>>(_maps: [&Self; GROUP], _work: SideBySide<'_, T, P>) -> Option<usize>
     where
         T: EnsembleScalar,
     {
@@ -104,17 +99,11 @@ impl<T, M: Tangent<T>> Tangent<T> for &M {
     }
 
     #[cfg(feature = "std")]
-    fn carry_side_by_side<P: Grouped<T>>(
-        maps: [&Self; GROUP],
-        places: &[P],
-        vectors: &mut [P],
-        squares: &mut [Group<T>],
-        level: Level,
-    ) -> Option<usize>
+    fn carry_side_by_side<P: Grouped<T>>(maps: [&Self; GROUP], work: SideBySide<'_, T, P>) -> Option<usize>
     where
         T: EnsembleScalar,
     {
-        M::carry_side_by_side(maps.map(|map| *map), places, vectors, squares, level)
+        M::carry_side_by_side(maps.map(|map| *map), work)
     }
 }
 
@@ -189,23 +178,15 @@ where
     }
 
     #[cfg(feature = "std")]
-    fn carry_side_by_side<P: Grouped<T>>(
-        maps: [&Self; GROUP],
-        places: &[P],
-        vectors: &mut [P],
-        squares: &mut [Group<T>],
-        level: Level,
-    ) -> Option<usize>
+    fn carry_side_by_side<P: Grouped<T>>(maps: [&Self; GROUP], work: SideBySide<'_, T, P>) -> Option<usize>
     where
         T: EnsembleScalar,
     {
         // The vectors of different maps have different constants.
         let are_one = maps.iter().all(|map| core::ptr::eq(*map, maps[0]));
-        if are_one {
-            super::lanes::carry_side_by_side(maps[0], places, vectors, squares, level)
-        } else {
-            None
-        }
+        let has_lanes = <M::Prepared as PreparedStep<_, N>>::HAS_LANES;
+        let level = work.level;
+        if are_one && has_lanes { T::over_lanes(ByOneMap { map: maps[0], work }, level) } else { None }
     }
 }
 

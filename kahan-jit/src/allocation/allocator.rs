@@ -1,11 +1,11 @@
 //! One pass over the lines: each gets its operands, a register, and its operation.
 
-use crate::assembler::{Fused, Order, Vector};
-use crate::lines::{Binary, Ends, Given, Line, Lines};
+use crate::assembler::{Binary, Fused, Order, Vector};
+use crate::lines::{Ends, Given, Line, Lines};
 
 use super::carried::carry;
 use super::uses::Uses;
-use super::{Operand, Operation, Place, Request};
+use super::{Operand, Operation, Place};
 
 /// What a pass leaves.
 pub(super) struct Code {
@@ -38,12 +38,12 @@ pub(super) struct Allocator<'a> {
 
 impl<'a> Allocator<'a> {
     /// Before the first line; the lines in `kept` have the last registers for themselves.
-    pub(super) fn new(lines: &'a Lines, request: Request, kept: &[usize]) -> Self {
+    pub(super) fn new(lines: &'a Lines, registers: u8, ends: Ends, kept: &[usize]) -> Self {
         let count = lines.lines.len();
-        let own = usize::from(request.registers) - kept.len();
+        let own = usize::from(registers) - kept.len();
         let mut allocator = Allocator {
             lines,
-            ends: request.ends,
+            ends,
             uses: Uses::of(lines),
             registers: vec![None; own],
             locked: vec![false; own],
@@ -58,7 +58,7 @@ impl<'a> Allocator<'a> {
         let mut states: Vec<Option<usize>> = vec![None; lines.results.len()];
         for (index, line) in lines.lines.iter().enumerate() {
             match *line {
-                Line::Given(Given::State(i)) if request.ends == Ends::Carried => {
+                Line::Given(Given::State(i)) if ends == Ends::Carried => {
                     allocator.registers[i] = Some(index);
                     allocator.register_of[index] = Some(Vector(i as u8));
                 }
@@ -79,7 +79,7 @@ impl<'a> Allocator<'a> {
         }
         for ((i, &result), state) in lines.results.iter().enumerate().zip(states) {
             let is_read_later = |state: usize| state != result && allocator.uses.last(state) > Some(result);
-            let waits = match request.ends {
+            let waits = match ends {
                 Ends::Carried => true,
                 Ends::InPlace => state.is_some_and(is_read_later),
                 Ends::Elsewhere => false,
@@ -90,7 +90,7 @@ impl<'a> Allocator<'a> {
         for (result, _) in lines.results.iter().zip(&allocator.waits).filter(|(_, waits)| **waits) {
             allocator.uses.add(*result, count);
         }
-        if request.ends == Ends::Carried {
+        if ends == Ends::Carried {
             allocator.code.most_taken = lines.results.len() as u8;
         }
         allocator
@@ -109,14 +109,13 @@ impl<'a> Allocator<'a> {
                 Line::Given(_) => {}
                 Line::Binary(operator, a, b) => self.binary(time, operator, a, b),
                 Line::Fused(operator, operands) => self.fused(time, operator, operands),
-                Line::Copy(a) => self.copy(time, a),
+                Line::Copy(a) => {
+                    let source = self.source(a);
+                    self.finish(time, &[a], |to| Operation::bring(to, source));
+                }
                 Line::RoundToSingle(a) => {
                     let from = self.in_register(a, time);
-                    self.release(&[a], time);
-                    let to = self.target(time);
-                    self.code.operations.push(Operation::RoundToSingle(to, from));
-                    self.define(time, to);
-                    self.free_slots_of(&[a]);
+                    self.finish(time, &[a], |to| Operation::RoundToSingle(to, from));
                 }
             }
             self.locked.fill(false);
@@ -167,11 +166,7 @@ impl<'a> Allocator<'a> {
         let (a, b) = if is_swapped { (b, a) } else { (a, b) };
         let first = self.in_register(a, time);
         let second = self.operand(b, time);
-        self.release(&[a, b], time);
-        let to = self.target(time);
-        self.code.operations.push(Operation::Binary(operator, to, first, second));
-        self.define(time, to);
-        self.free_slots_of(&[a, b]);
+        self.finish(time, &[a, b], |to| Operation::Binary(operator, to, first, second));
     }
 
     /// One of the three operands is overwritten: the order of the instruction says which.
@@ -209,10 +204,7 @@ impl<'a> Allocator<'a> {
             }
             let source = self.source(overwritten);
             let to = self.fresh(time);
-            self.code.operations.push(match source {
-                Operand::Register(from) => Operation::Copy(to, from),
-                Operand::Memory(place) => Operation::Load(to, place),
-            });
+            self.code.operations.push(Operation::bring(to, source));
             (to, overwritten)
         };
         let (order, second, third) = if overwritten == c {
@@ -232,15 +224,12 @@ impl<'a> Allocator<'a> {
         self.free_slots_of(&operands);
     }
 
-    fn copy(&mut self, time: usize, a: usize) {
-        let source = self.source(a);
-        self.release(&[a], time);
+    /// An operation whose operands stand ready, and whose result goes to the register it is given.
+    fn finish(&mut self, time: usize, operands: &[usize], operation: impl FnOnce(Vector) -> Operation) {
+        self.release(operands, time);
         let to = self.target(time);
-        self.code.operations.push(match source {
-            Operand::Register(from) => Operation::Copy(to, from),
-            Operand::Memory(place) => Operation::Load(to, place),
-        });
+        self.code.operations.push(operation(to));
         self.define(time, to);
-        self.free_slots_of(&[a]);
+        self.free_slots_of(operands);
     }
 }

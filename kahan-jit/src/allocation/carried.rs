@@ -39,10 +39,7 @@ pub(super) fn carry(
             }
             continue;
         }
-        operations.push(match source {
-            Operand::Register(from) => Operation::Copy(to, from),
-            Operand::Memory(place) => Operation::Load(to, place),
-        });
+        operations.push(Operation::bring(to, source));
         moves.swap_remove(place);
     }
 }

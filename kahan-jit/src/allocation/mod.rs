@@ -12,8 +12,8 @@ mod carried;
 mod registers;
 mod uses;
 
-use crate::assembler::{Fused, Order, Vector};
-use crate::lines::{Binary, Ends, Given, Line, Lines};
+use crate::assembler::{Binary, Fused, Order, Vector};
+use crate::lines::{Ends, Given, Line, Lines};
 use allocator::Allocator;
 use uses::Uses;
 
@@ -60,11 +60,9 @@ pub(crate) struct Allocation {
     pub(crate) slots: usize,
 }
 
-/// What is allocated for.
+/// What a routine makes of its lines.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Request {
-    /// How many registers there are, at least [`FEWEST_REGISTERS`].
-    pub(crate) registers: u8,
+pub(crate) struct Plan {
     /// What becomes of the results.
     pub(crate) ends: Ends,
     /// Whether there are many rounds, and the constants are the same in all of them.
@@ -76,16 +74,27 @@ pub(crate) struct Request {
 /// An operation has three operands, and one more place is needed to bring them there.
 pub(crate) const FEWEST_REGISTERS: u8 = 4;
 
+impl Operation {
+    /// Brings a number into a register.
+    fn bring(to: Vector, source: Operand) -> Self {
+        match source {
+            Operand::Register(from) => Self::Copy(to, from),
+            Operand::Memory(place) => Self::Load(to, place),
+        }
+    }
+}
+
 impl Allocation {
-    pub(crate) fn of(lines: &Lines, request: Request) -> Self {
-        let first = Allocator::new(lines, request, &[]).run();
+    /// `registers` is how many there are, at least [`FEWEST_REGISTERS`].
+    pub(crate) fn of(lines: &Lines, registers: u8, plan: Plan) -> Self {
+        let first = Allocator::new(lines, registers, plan.ends, &[]).run();
         // Registers that nothing else takes hold what would be read again in each round.
-        let left = request.registers - first.most_taken;
-        let kept = kept(lines, request, usize::from(left));
+        let left = registers - first.most_taken;
+        let kept = kept(lines, plan, usize::from(left));
         let (code, kept) = if kept.is_empty() {
             (first, Vec::new())
         } else {
-            let code = Allocator::new(lines, request, &kept);
+            let code = Allocator::new(lines, registers, plan.ends, &kept);
             let loads = code.kept_registers(&kept);
             (code.run(), loads)
         };
@@ -96,7 +105,7 @@ impl Allocation {
         let mut before: Vec<Operation> =
             kept.iter().map(|(line, register)| Operation::Load(*register, given(*line))).collect();
         let mut after = Vec::new();
-        if request.ends == Ends::Carried {
+        if plan.ends == Ends::Carried {
             for i in 0..lines.results.len() {
                 let (place, register) = (Place::Given(Given::State(i)), Vector(i as u8));
                 before.push(Operation::Load(register, place));
@@ -108,11 +117,11 @@ impl Allocation {
 }
 
 /// Constants and literals that are read in each round, the most used first.
-fn kept(lines: &Lines, request: Request, most: usize) -> Vec<usize> {
+fn kept(lines: &Lines, plan: Plan, most: usize) -> Vec<usize> {
     let uses = Uses::of(lines);
     let is_kept = |line: &usize| match lines.lines[*line] {
-        Line::Given(Given::Constant(_)) => request.keeps_constants,
-        Line::Given(Given::Literal(_)) => request.keeps_literals,
+        Line::Given(Given::Constant(_)) => plan.keeps_constants,
+        Line::Given(Given::Literal(_)) => plan.keeps_literals,
         _ => false,
     };
     let mut kept: Vec<usize> = (0..lines.lines.len()).filter(is_kept).collect();

@@ -20,12 +20,15 @@ pub(crate) use operands::{Element, Form, General, Memory, Source, Vector, Width}
 pub(crate) use pool::Entry;
 
 /// An operation on two operands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Arithmetic {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Binary {
     Add,
     Subtract,
     Multiply,
     Divide,
+    /// The bits of a, those flipped that are set in b. Of single numbers, the other bits of the
+    /// register are flipped as well: a memory operand is 16 bytes at least.
+    ExclusiveOr,
 }
 
 /// A fused operation on a product.
@@ -64,14 +67,15 @@ impl Assembler {
     }
 
     /// to = a ∘ b
-    pub(crate) fn arithmetic(&mut self, operator: Arithmetic, to: Vector, a: Vector, b: Source) {
+    pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {
-            Arithmetic::Add => 0x58,
-            Arithmetic::Multiply => 0x59,
-            Arithmetic::Subtract => 0x5c,
-            Arithmetic::Divide => 0x5e,
+            Binary::Add => Opcode::of(self.form, 0x58),
+            Binary::Multiply => Opcode::of(self.form, 0x59),
+            Binary::Subtract => Opcode::of(self.form, 0x5c),
+            Binary::Divide => Opcode::of(self.form, 0x5e),
+            Binary::ExclusiveOr => Opcode::exclusive_or(self.form),
         };
-        self.vector(Opcode::of(self.form, opcode), to, a, b);
+        self.vector(opcode, to, a, b);
     }
 
     /// A product and a sum or a difference, rounded once, into `to`, which is an operand too.
@@ -87,12 +91,6 @@ impl Assembler {
             Fused::SubtractProduct => 4,
         };
         self.vector(Opcode::fused(self.form, order + operator), to, b, c);
-    }
-
-    /// The bits of a, those flipped that are set in b. Of single numbers, the other bits of the
-    /// register are flipped as well: a memory operand is 16 bytes at least.
-    pub(crate) fn exclusive_or(&mut self, to: Vector, a: Vector, b: Source) {
-        self.vector(Opcode::exclusive_or(self.form), to, a, b);
     }
 
     /// Copies a whole register.

@@ -6,7 +6,7 @@ use iced_x86::{
 };
 
 use super::{
-    Arithmetic, Assembler, Condition, Element, Form, Fused, General, Memory, Order, Source, Vector, Width,
+    Assembler, Binary, Condition, Element, Form, Fused, General, Memory, Order, Source, Vector, Width,
 };
 
 const FORMS: [Form; 8] = {
@@ -166,16 +166,17 @@ fn named(name: &str, form: Form, is_evex: bool) -> String {
 #[test]
 fn operations_are_what_was_asked_for() {
     let operations = [
-        ("vadd", Arithmetic::Add),
-        ("vsub", Arithmetic::Subtract),
-        ("vmul", Arithmetic::Multiply),
-        ("vdiv", Arithmetic::Divide),
+        ("vadd", Binary::Add),
+        ("vsub", Binary::Subtract),
+        ("vmul", Binary::Multiply),
+        ("vdiv", Binary::Divide),
     ];
     for form in FORMS {
         for (name, operator) in operations {
-            check(name, form, form.bytes(), |assembler, to, a, b| assembler.arithmetic(operator, to, a, b));
+            check(name, form, form.bytes(), |assembler, to, a, b| assembler.binary(operator, to, a, b));
         }
-        check("vxor", form, form.bytes().max(16), Assembler::exclusive_or);
+        let write = |assembler: &mut Assembler, to, a, b| assembler.binary(Binary::ExclusiveOr, to, a, b);
+        check("vxor", form, form.bytes().max(16), write);
     }
 }
 
@@ -253,7 +254,7 @@ fn numbers_of_the_pool_stand_behind_the_code_in_every_lane() {
         let numbers = [0x3ff0_0000_3f80_0000, 0x8000_0000_8000_0000, 0x8000_0000_3f80_0000];
         for (k, bits) in (0..).zip(numbers.into_iter().chain(numbers)) {
             let entry = assembler.constant(bits);
-            assembler.arithmetic(Arithmetic::Add, Vector(k), Vector(20), Source::Memory(Memory::Pool(entry)));
+            assembler.binary(Binary::Add, Vector(k), Vector(20), Source::Memory(Memory::Pool(entry)));
         }
         let code = assembler.bytes.len();
         let bytes = assembler.finish();

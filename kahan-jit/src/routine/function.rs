@@ -1,21 +1,18 @@
 //! A program run once.
 
-use std::marker::PhantomData;
-
-use crate::allocation::Place;
+use crate::allocation::{Place, Plan};
 use crate::assembler::{General, Memory};
 use crate::call::{Code, Extent};
 use crate::instructions::{Float, Shape};
 use crate::lines::{Ends, Given};
 use crate::{Program, Refusal};
 
-use super::{Plan, Writer, entry};
+use super::{Writer, entry};
 
 /// A program as code that runs once: from states and constants to the results.
 #[derive(Debug)]
 pub struct Function<T> {
-    code: Code,
-    floats: PhantomData<fn(T)>,
+    code: Code<T>,
 }
 
 impl<T: Float> Function<T> {
@@ -43,7 +40,7 @@ impl<T: Float> Function<T> {
             constants: program.constants() * width,
             results: program.results().len() * width,
         };
-        Ok(Function { code: Code::new(&writer.leave(), extent)?, floats: PhantomData })
+        Ok(Function { code: Code::new(&writer.leave(), extent)? })
     }
 
     /// How many numbers the results are.

@@ -9,21 +9,13 @@ pub use function::Function;
 pub use orbit::{ComposedOrbit, Orbit};
 pub use sweep::{Constants, Sweep};
 
-use crate::allocation::{Allocation, Operand, Operation, Place, Request};
-use crate::assembler::{Arithmetic, Assembler, Element, Form, General, Memory, Source};
-use crate::lines::{Binary, Ends, Given, Lines};
+use crate::allocation::{Allocation, Operand, Operation, Place, Plan};
+use crate::assembler::{Assembler, Element, Form, General, Memory, Source};
+use crate::lines::{Given, Lines};
 use crate::{Program, Refusal, Shape};
 
 /// Longer programs are no better than a loop.
 const MOST_INSTRUCTIONS: usize = 20_000;
-
-/// What a routine makes of a program.
-#[derive(Clone, Copy, Debug)]
-struct Plan {
-    ends: Ends,
-    keeps_constants: bool,
-    keeps_literals: bool,
-}
 
 /// Where a number lies; what stands between a place and its address may take an instruction.
 type Addresses<'a> = &'a dyn Fn(&mut Assembler, Place) -> Memory;
@@ -53,10 +45,7 @@ impl Writer {
         if instructions > MOST_INSTRUCTIONS {
             return Err(Refusal::TooLong { instructions });
         }
-        let lines = Lines::of(program, fuses, plan.ends);
-        let Plan { ends, keeps_constants, keeps_literals } = plan;
-        let registers = shape.instructions.registers();
-        let code = Allocation::of(&lines, Request { registers, ends, keeps_constants, keeps_literals });
+        let code = Allocation::of(&Lines::of(program, fuses, plan.ends), set.registers(), plan);
         let mut writer = Writer { assembler: Assembler::new(form), form, code, saved };
         writer.enter();
         Ok(writer)
@@ -139,13 +128,7 @@ fn emit(assembler: &mut Assembler, operations: &[Operation], form: Form, address
             Operation::Copy(to, from) => assembler.copy(to, from),
             Operation::Binary(operator, to, a, b) => {
                 let b = source(assembler, b);
-                match operator {
-                    Binary::Add => assembler.arithmetic(Arithmetic::Add, to, a, b),
-                    Binary::Subtract => assembler.arithmetic(Arithmetic::Subtract, to, a, b),
-                    Binary::Multiply => assembler.arithmetic(Arithmetic::Multiply, to, a, b),
-                    Binary::Divide => assembler.arithmetic(Arithmetic::Divide, to, a, b),
-                    Binary::ExclusiveOr => assembler.exclusive_or(to, a, b),
-                }
+                assembler.binary(operator, to, a, b);
             }
             Operation::Fused(operator, order, to, b, c) => {
                 let c = source(assembler, c);

@@ -1,30 +1,26 @@
 //! A program run many times on one state, which stays in registers.
 
-use std::marker::PhantomData;
-
-use crate::allocation::{FEWEST_REGISTERS, Place};
+use crate::allocation::{FEWEST_REGISTERS, Place, Plan};
 use crate::assembler::{Assembler, Condition, General, Memory};
 use crate::call::{Code, Extent};
 use crate::instructions::{Float, Shape};
 use crate::lines::{Ends, Given};
 use crate::{Program, Refusal};
 
-use super::{Plan, Writer, entry};
+use super::{Writer, entry};
 
 /// A program as code that runs many times: its results are the states of the next round, and its
 /// constants stay.
 #[derive(Debug)]
 pub struct Orbit<T> {
-    code: Code,
+    code: Code<T>,
     ends: Ends,
-    floats: PhantomData<fn(T)>,
 }
 
 /// The same with several sets of constants, which have their turn in each round one after another.
 #[derive(Debug)]
 pub struct ComposedOrbit<T> {
-    code: Code,
-    floats: PhantomData<fn(T)>,
+    code: Code<T>,
 }
 
 impl<T: Float> Orbit<T> {
@@ -53,7 +49,7 @@ impl<T: Float> Orbit<T> {
         writer.after(&last);
         writer.assembler.bind(end);
         let code = Code::new(&writer.leave(), extent::<T>(program, shape))?;
-        Ok(Orbit { code, ends, floats: PhantomData })
+        Ok(Orbit { code, ends })
     }
 
     /// Advances the state by so many steps.
@@ -105,10 +101,7 @@ impl<T: Float> ComposedOrbit<T> {
         writer.assembler.jump_if(Condition::NotZero, again);
         writer.after(&addresses);
         writer.assembler.bind(end);
-        Ok(ComposedOrbit {
-            code: Code::new(&writer.leave(), extent::<T>(program, shape))?,
-            floats: PhantomData,
-        })
+        Ok(ComposedOrbit { code: Code::new(&writer.leave(), extent::<T>(program, shape))? })
     }
 
     /// Advances the state by so many steps, each of all stages; `stages` are their constants.

@@ -1,15 +1,13 @@
 //! A program run over columns: register after register of trajectories, step after step.
 
-use std::marker::PhantomData;
-
-use crate::allocation::Place;
+use crate::allocation::{Place, Plan};
 use crate::assembler::{Assembler, Condition, General, Memory};
 use crate::call::{Code, Extent};
 use crate::instructions::{Float, Shape};
 use crate::lines::{Ends, Given};
 use crate::{Program, Refusal};
 
-use super::{Plan, Writer, entry};
+use super::{Writer, entry};
 
 /// Whose constants a sweep takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -23,11 +21,10 @@ pub enum Constants {
 /// A program as code that advances many trajectories; column i holds state i of all of them.
 #[derive(Debug)]
 pub struct Sweep<T> {
-    code: Code,
+    code: Code<T>,
     width: usize,
     constants: usize,
     of: Constants,
-    floats: PhantomData<fn(T)>,
 }
 
 /// The columns whose addresses stay in registers.
@@ -80,7 +77,7 @@ impl<T: Float> Sweep<T> {
         let (width, constants) = (shape.width::<T>(), program.constants() * shape.width::<T>());
         let extent = Extent { states, constants, results: 0 };
         let code = Code::new(&writer.leave(), extent)?;
-        Ok(Sweep { code, width, constants, of, floats: PhantomData })
+        Ok(Sweep { code, width, constants, of })
     }
 
     /// How many trajectories an instruction works on: columns are so long, or a multiple of it.

@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use crate::allocation::{Allocation, FEWEST_REGISTERS, Operand, Operation, Place, Request};
-use crate::assembler::{Fused, Order, Vector};
-use crate::lines::{Binary, Ends, Given, Lines};
+use crate::allocation::{Allocation, FEWEST_REGISTERS, Operand, Operation, Place, Plan};
+use crate::assembler::{Binary, Fused, Order, Vector};
+use crate::lines::{Ends, Given, Lines};
 use crate::program::Program;
 
 use super::{Draw, random_program, run, same};
@@ -78,13 +78,13 @@ impl Machine {
 /// Runs what is allocated for a program; the results after so many rounds.
 fn allocated(
     program: &Program,
-    request: Request,
+    (registers, plan): (u8, Plan),
     fuses: bool,
     (states, constants): (&[f64], &[f64]),
     rounds: usize,
 ) -> Vec<f64> {
-    let code = Allocation::of(&Lines::of(program, fuses, request.ends), request);
-    let mut machine = Machine { registers: vec![None; request.registers.into()], memory: HashMap::new() };
+    let code = Allocation::of(&Lines::of(program, fuses, plan.ends), registers, plan);
+    let mut machine = Machine { registers: vec![None; registers.into()], memory: HashMap::new() };
     for (i, state) in states.iter().enumerate() {
         machine.memory.insert(format!("{:?}", Place::Given(Given::State(i))), *state);
     }
@@ -94,7 +94,7 @@ fn allocated(
     machine.run(&code.before);
     (0..rounds).for_each(|_| machine.run(&code.round));
     machine.run(&code.after);
-    let place = |i| match request.ends {
+    let place = |i| match plan.ends {
         Ends::Elsewhere => Place::Result(i),
         Ends::Carried | Ends::InPlace => Place::Given(Given::State(i)),
     };
@@ -116,13 +116,13 @@ fn any_number_of_registers_computes_what_the_program_says() {
             }
             let rounds = if ends == Ends::Elsewhere { 1 } else { 3 };
             for (fuses, keeps) in [(false, false), (false, true), (true, false), (true, true)] {
-                let request = Request { registers, ends, keeps_constants: keeps, keeps_literals: keeps };
-                let found = allocated(&program, request, fuses, (&x, &c), rounds);
+                let plan = Plan { ends, keeps_constants: keeps, keeps_literals: keeps };
+                let found = allocated(&program, (registers, plan), fuses, (&x, &c), rounds);
                 let expected = (0..rounds).fold(x.clone(), |x, _| run(&program, &x, &c, fuses));
                 let agree = found.iter().zip(&expected).all(|(a, b)| same(*a, *b));
                 assert!(
                     agree,
-                    "case {case}, {request:?}, fused {fuses}: {found:?}, {expected:?}\n{program:?}"
+                    "case {case}, {registers} registers, {plan:?}, fused {fuses}: {found:?}, {expected:?}\n{program:?}"
                 );
             }
         }

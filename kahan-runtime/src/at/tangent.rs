@@ -6,8 +6,8 @@
 
 use std::sync::Arc;
 
-use kahan_core::observe::{Between, GROUP, Group, Grouped, Points, Tangent, are_moderate};
-use kahan_core::{FloatScalar, Level};
+use kahan_core::FloatScalar;
+use kahan_core::observe::{Between, GROUP, Grouped, Points, SideBySide, Tangent, are_moderate};
 use smallvec::SmallVec;
 
 use super::group::Aligned;
@@ -82,10 +82,7 @@ impl<T: MachineFloat + FloatScalar> Tangent<T> for TangentAt<T> {
     /// With vectors as observers have them, one or two, where there is code.
     fn carry_side_by_side<P: Grouped<T>>(
         maps: [&Self; GROUP],
-        places: &[P],
-        vectors: &mut [P],
-        squares: &mut [Group<T>],
-        _: Level,
+        SideBySide { places, vectors, squares, .. }: SideBySide<'_, T, P>,
     ) -> Option<usize> {
         let variational = maps.map(|map| &map.variational);
         let (variables, count) = (places.first()?.as_ref().len(), vectors.len());
