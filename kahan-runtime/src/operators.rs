@@ -1,7 +1,7 @@
 //! The operators of numbers, written from functions.
 
-/// + − × ÷ of a type that is copied, with their assignments, each from a function of two numbers; in
-/// brackets are its generic parameters.
+/// The four operators of a type that is copied, with their assignments, each from a function of two
+/// numbers; the generic parameters of the type are in brackets.
 macro_rules! operators {
     (one [$($generics:tt)*] $type:ty, $Operator:ident $method:ident, $Assign:ident $assign:ident, $function:expr) => {
         impl<$($generics)*> ::core::ops::$Operator for $type {
