@@ -15,7 +15,10 @@ use kahan_algebra::arithmetic::Float64;
 use kahan_core::{Composition, Level};
 
 use crate::dimension::Argument;
-use crate::engine::{CodedStages, Columns, ColumnsOnce, Engine, Instructions, Scratches, Stage};
+use crate::engine::{
+    CodedStages, Columns, ColumnsOnce, Engine, Instructions, Scratches, Stage, stage_constants,
+};
+use crate::machine::StepKind;
 use crate::{DimensionError, Map};
 
 /// A float of the machine: `f64` or `f32`.
@@ -72,7 +75,8 @@ impl<T: MachineFloat> MapAt<T> {
     pub fn composed(&self, composition: Composition) -> Self {
         let (engine, constants) = (self.engine(), &self.constants);
         let stages = engine.stages(constants, composition).into();
-        let coded = engine.coded_stages(constants, composition, self.instructions.fuses);
+        let kind = StepKind::of::<T>(self.instructions.fuses);
+        let coded = engine.coded_stages(kind, &stage_constants(constants, composition), |number| [number]);
         MapAt { composition, stages, coded, ..self.clone() }
     }
 
@@ -143,7 +147,7 @@ impl<T: MachineFloat> MapAt<T> {
 
     fn advance_checked(&self, x: &mut [T], steps: u64) {
         match &self.coded {
-            Some(stages) => self.engine().advance_coded(stages, x, steps),
+            Some(stages) => stages.advance(x, steps),
             None => self.engine().advance(&self.stages, x, steps),
         }
     }

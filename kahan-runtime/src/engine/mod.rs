@@ -325,7 +325,7 @@ fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
 }
 
 /// The parameters, and behind them the ε of each stage that differs in its turn.
-fn stage_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<Vec<T>> {
+pub(crate) fn stage_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<Vec<T>> {
     let (parameters, eps) = split(constants);
     let own = |coefficient: &Constant<'_>| T::constant(coefficient) * eps;
     let stage = |coefficient| parameters.iter().copied().chain([own(coefficient)]).collect();

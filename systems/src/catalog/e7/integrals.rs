@@ -2,14 +2,14 @@
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 
-use crate::solution::{OutOfDomain, integer, require};
+use crate::solution::{OutOfDomain, require};
 use crate::special::{
     Real, asymptotic_start, centered_digamma_difference, centered_gamma_ratio, gamma_product_tail,
 };
 
 /// u = 1/(2εx), which one step raises by 1.
 fn level<T: Real>(x: &T, eps: &T) -> T {
-    T::one() / (integer::<T>(2) * *eps * *x)
+    T::one() / (T::from_int(2) * *eps * *x)
 }
 
 /// σ = (ξ − 1)/2, so that Γ(u + ξ/2)/Γ(u + 1 − ξ/2) is centred.
@@ -56,8 +56,8 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
     let mut level = level(&x, eps);
     let mut slope = y / x;
     let half_xi = *xi * T::half();
-    let two = integer::<T>(2);
-    let start: T = integer(asymptotic_start(xi));
+    let two = T::from_int(2);
+    let start: T = T::from_int(asymptotic_start(xi));
     let mut sum = z / (x * cubic(&level).0);
     while level < start {
         let next = slope * (level + T::one() - half_xi) / (level + half_xi);
@@ -72,8 +72,8 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
 
 /// 4N² − 1 and 2N + 3.
 fn cubic<T: Real>(level: &T) -> (T, T) {
-    let double = integer::<T>(2) * *level;
-    ((double - T::one()) * (double + T::one()), double + integer(3))
+    let double = T::from_int(2) * *level;
+    ((double - T::one()) * (double + T::one()), double + T::from_int(3))
 }
 
 /// The invariant bracket of dE7 with the Casimir Ĥ₇ (section 6.1): {x,y} = 0, {z,x} = x(1 − ε²x²),
