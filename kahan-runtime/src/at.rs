@@ -129,7 +129,7 @@ impl<T: MachineFloat> MapAt<T> {
             Some(stages) => stages.step(x, next),
             None => {
                 next.copy_from_slice(x);
-                self.engine().advance(&self.stages, next, 1);
+                self.engine().advance(&self.stages, [next, &mut []], 1);
             }
         }
         Ok(())
@@ -148,7 +148,7 @@ impl<T: MachineFloat> MapAt<T> {
     fn advance_checked(&self, x: &mut [T], steps: u64) {
         match &self.coded {
             Some(stages) => stages.advance(x, steps),
-            None => self.engine().advance(&self.stages, x, steps),
+            None => self.engine().advance(&self.stages, [x, &mut []], steps),
         }
     }
 
@@ -165,7 +165,7 @@ impl<T: MachineFloat> MapAt<T> {
         let engine = self.engine();
         let by_code = |stages| engine.has_advanced_with_carry(stages, x, carry, steps);
         if !self.coded.as_ref().is_some_and(by_code) {
-            engine.advance_with_carry(&self.stages, x, carry, steps);
+            engine.advance(&self.stages, [x, carry], steps);
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 
-use crate::solution::{OutOfDomain, require};
+use crate::solution::{OutOfDomain, require, square_less_one};
 use crate::special::{
     Real, asymptotic_start, centered_digamma_difference, centered_gamma_ratio, gamma_product_tail,
 };
@@ -58,22 +58,15 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
     let half_xi = *xi * T::half();
     let two = T::from_int(2);
     let start: T = T::from_int(asymptotic_start(xi));
-    let mut sum = z / (x * cubic(&level).0);
+    let mut sum = z / (x * square_less_one(level));
     while level < start {
         let next = slope * (level + T::one() - half_xi) / (level + half_xi);
-        let (square, third) = cubic(&level);
-        sum += two * two * *xi * slope * next / (square * third);
+        sum += two * two * *xi * slope * next / (square_less_one(level) * (two * level + T::from_int(3)));
         slope = next;
         level += T::one();
     }
     let integral_h = slope * centered_gamma_ratio(&level, &sigma(xi));
     Ok((sum + integral_h.square() * gamma_product_tail(&level, xi)) / eps.square())
-}
-
-/// 4N² − 1 and 2N + 3.
-fn cubic<T: Real>(level: &T) -> (T, T) {
-    let double = T::from_int(2) * *level;
-    ((double - T::one()) * (double + T::one()), double + T::from_int(3))
 }
 
 /// The invariant bracket of dE7 with the Casimir Ĥ₇ (section 6.1): {x,y} = 0, {z,x} = x(1 − ε²x²),

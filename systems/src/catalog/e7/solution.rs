@@ -3,7 +3,7 @@
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
-use crate::solution::{OutOfDomain, shift_and_divisor};
+use crate::solution::{OutOfDomain, shift_and_divisor, square_less_one};
 use crate::special::{Real, centered_gamma_ratio};
 
 /// An orbit of dE7 (section 6.1, equations for x, y and z): with N = n + τ, β = 2εy₀, γ = 2εz₀,
@@ -47,9 +47,9 @@ impl<T: Real> Solution<T> {
         let x = T::one() / (T::from_int(2) * *eps * shifted);
         let y = *tau * *beta * self.gamma_quotient(&shifted) * x;
         let four = T::from_int(4);
-        let first = *tau * *gamma / square_less_one(tau);
+        let first = *tau * *gamma / square_less_one(*tau);
         let second = four * (*tau * *beta).square() * *xi * self.scaled_sum(n);
-        vector![x, y, x * square_less_one(&shifted) * (first + second)]
+        vector![x, y, x * square_less_one(shifted) * (first + second)]
     }
 
     /// g G₀ at N: the quotient Y/Y₀ of y/x, by two ratios of Γ.
@@ -78,10 +78,4 @@ impl<T: Real> Solution<T> {
         }
         sign * sum
     }
-}
-
-/// 4N² − 1 = (2N − 1)(2N + 1).
-fn square_less_one<T: Real>(shifted: &T) -> T {
-    let double = T::from_int(2) * *shifted;
-    (double - T::one()) * (double + T::one())
 }

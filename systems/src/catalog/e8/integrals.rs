@@ -2,7 +2,7 @@
 
 use kahan_core::nalgebra::SVector;
 
-use crate::solution::{OutOfDomain, require};
+use crate::solution::{OutOfDomain, require, square_less_one};
 use crate::special::{Real, asymptotic_start, digamma, digamma_product_tail};
 
 /// Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of dE8 (section 6.2); ε is half the time
@@ -33,15 +33,11 @@ pub fn integral_k<T: Real>(point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDom
     let mut level = T::one() / scaled;
     let mut slope = y / x;
     let start: T = T::from_int(asymptotic_start(&T::zero()));
-    let square_less_one = |level: &T| {
-        let double = two * *level;
-        (double - T::one()) * (double + T::one())
-    };
-    let mut sum = z / (x * square_less_one(&level));
+    let mut sum = z / (x * square_less_one(level));
     while level < start {
         let next = slope - T::one() / (level + T::half());
         let top = slope + next + two * slope * next;
-        sum += two * top / (square_less_one(&level) * (two * level + T::from_int(3)));
+        sum += two * top / (square_less_one(level) * (two * level + T::from_int(3)));
         slope = next;
         level += T::one();
     }
