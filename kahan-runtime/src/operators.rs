@@ -1,6 +1,6 @@
 //! The operators of numbers, written from functions.
 
-/// + − × ÷ of a type that is copied, with their assignments, each from a function of two numbers; in
+/// The operators + − × ÷ of a type that is copied, with their assignments, each from a function of two numbers; in
 /// brackets are its generic parameters.
 macro_rules! operators {
     (one [$($generics:tt)*] $type:ty, $Operator:ident $method:ident, $Assign:ident $assign:ident, $function:expr) => {

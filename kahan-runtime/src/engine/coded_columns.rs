@@ -187,7 +187,7 @@ impl<T: Scratches> Prepared<'_, T> {
             self.code.advance_columns(tile, of_stage(0), are_shared, steps);
         } else {
             (0..steps).for_each(|_| {
-                in_turn(stages, |k| self.code.advance_columns(tile, of_stage(k), are_shared, 1))
+                in_turn(stages, |k| self.code.advance_columns(tile, of_stage(k), are_shared, 1));
             });
         }
     }

@@ -54,7 +54,7 @@ impl StepKind {
     }
 
     fn next<T: Coded>(self, step: &Step, numbers: Vec<Traced<T>>) -> Vec<Traced<T>> {
-        self.advanced(step, numbers, |k| Traced::of(Constant(k)), Traced::to_single)
+        self.advanced(step, numbers, |k| Traced::of(Constant(k)), Traced::rounded_to_single)
     }
 
     /// The numbers of a state one step later.

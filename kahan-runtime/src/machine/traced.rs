@@ -50,7 +50,7 @@ impl<T> Traced<T> {
     }
 
     /// The number of single precision nearest to it.
-    pub(super) fn to_single(self) -> Self {
+    pub(super) fn rounded_to_single(self) -> Self {
         Self::of(RoundToSingle(self.place))
     }
 
