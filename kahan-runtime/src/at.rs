@@ -15,7 +15,10 @@ use kahan_algebra::arithmetic::Float64;
 use kahan_core::{Composition, Level};
 
 use crate::dimension::Argument;
-use crate::engine::{CodedStages, Columns, ColumnsOnce, Engine, Instructions, Scratches, Stage};
+use crate::engine::{
+    CodedStages, Columns, ColumnsOnce, Engine, Instructions, Scratches, Stage, stage_constants,
+};
+use crate::machine::StepKind;
 use crate::{DimensionError, Map};
 
 /// A float of the machine: `f64` or `f32`.
@@ -72,7 +75,8 @@ impl<T: MachineFloat> MapAt<T> {
     pub fn composed(&self, composition: Composition) -> Self {
         let (engine, constants) = (self.engine(), &self.constants);
         let stages = engine.stages(constants, composition).into();
-        let coded = engine.coded_stages(constants, composition, self.instructions.fuses);
+        let kind = StepKind::of::<T>(self.instructions.fuses);
+        let coded = engine.coded_stages(kind, &stage_constants(constants, composition), |number| [number]);
         MapAt { composition, stages, coded, ..self.clone() }
     }
 
@@ -125,7 +129,7 @@ impl<T: MachineFloat> MapAt<T> {
             Some(stages) => stages.step(x, next),
             None => {
                 next.copy_from_slice(x);
-                self.engine().advance(&self.stages, next, 1);
+                self.engine().advance(&self.stages, [next, &mut []], 1);
             }
         }
         Ok(())
@@ -143,8 +147,8 @@ impl<T: MachineFloat> MapAt<T> {
 
     fn advance_checked(&self, x: &mut [T], steps: u64) {
         match &self.coded {
-            Some(stages) => self.engine().advance_coded(stages, x, steps),
-            None => self.engine().advance(&self.stages, x, steps),
+            Some(stages) => stages.advance(x, steps),
+            None => self.engine().advance(&self.stages, [x, &mut []], steps),
         }
     }
 
@@ -161,7 +165,7 @@ impl<T: MachineFloat> MapAt<T> {
         let engine = self.engine();
         let by_code = |stages| engine.has_advanced_with_carry(stages, x, carry, steps);
         if !self.coded.as_ref().is_some_and(by_code) {
-            engine.advance_with_carry(&self.stages, x, carry, steps);
+            engine.advance(&self.stages, [x, carry], steps);
         }
         Ok(())
     }

@@ -83,6 +83,12 @@ pub(crate) fn shift_and_divisor<T: Scalar>(x: &T, eps: &T) -> Result<(T, T), Out
     Ok((T::one() / (integer::<T>(2) * scaled), divisor))
 }
 
+/// 4N² − 1 = (2N − 1)(2N + 1).
+pub(crate) fn square_less_one<T: Scalar + Copy>(shifted: T) -> T {
+    let double = shifted + shifted;
+    (double - T::one()) * (double + T::one())
+}
+
 /// An integer as a scalar.
 pub(crate) fn integer<T: Scalar>(n: i64) -> T {
     T::constant(&Constant::integer(n))

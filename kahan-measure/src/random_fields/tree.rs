@@ -154,18 +154,19 @@ impl fmt::Display for Tree {
 
 #[cfg(test)]
 mod tests {
+    use super::Tree::{Name, Product, Sum};
     use super::*;
 
     #[test]
     fn the_text_has_the_parentheses_that_it_needs_and_no_others() {
-        let (x, y) = (|| Tree::Name("x"), || Tree::Name("y"));
+        let (x, y) = (|| Name("x"), || Name("y"));
         let texts = [
             (negated(power(x(), 2)), "-x^2"),
             (power(negated(x()), 2), "(-x)^2"),
-            (Tree::Product(vec![quotient(literal("3"), literal("7")), x()]), "3/7*x"),
-            (Tree::Product(vec![x(), quotient(x(), y())]), "x*(x/y)"),
-            (quotient(x(), Tree::Product(vec![x(), y()])), "x/(x*y)"),
-            (Tree::Sum(vec![x(), negated(Tree::Sum(vec![x(), y()]))]), "x - (x + y)"),
+            (Product(vec![quotient(literal("3"), literal("7")), x()]), "3/7*x"),
+            (Product(vec![x(), quotient(x(), y())]), "x*(x/y)"),
+            (quotient(x(), Product(vec![x(), y()])), "x/(x*y)"),
+            (Sum(vec![x(), negated(Sum(vec![x(), y()]))]), "x - (x + y)"),
         ];
         for (tree, text) in texts {
             assert_eq!(tree.to_string(), text);

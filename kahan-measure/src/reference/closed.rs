@@ -4,7 +4,7 @@ use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
 
 use kahan_systems::registry::find;
-use kahan_systems::special::{Precise, Real};
+use kahan_systems::special::Precise;
 
 /// A solution as a function of time.
 pub(super) type Solution = Box<dyn Fn(Dd) -> Vec<Dd>>;
@@ -22,7 +22,7 @@ pub(super) fn closed_solution(
     let precise = |values: &[BigRational]| values.iter().map(Precise::from_rational).collect::<Vec<_>>();
     let trajectory = find(command)?.flow?(&precise(parameters), &precise(start))?;
     Some(Box::new(move |t| {
-        let (high, low) = (Precise::from_f64(t.high()), Precise::from_f64(t.low()));
+        let (high, low) = (Precise::from(t.high()), Precise::from(t.low()));
         trajectory(&(high + low)).iter().map(double_double).collect()
     }))
 }
@@ -30,5 +30,5 @@ pub(super) fn closed_solution(
 /// The nearest double-double number.
 fn double_double(value: &Precise) -> Dd {
     let high = value.to_f64();
-    Dd::new(high, (*value - Precise::from_f64(high)).to_f64())
+    Dd::new(high, (*value - Precise::from(high)).to_f64())
 }

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 
 use kahan_core::observe::{GROUP, Group};
 
-use crate::machine::{InstructionSet, Sweep};
+use crate::machine::{InstructionSet, SideBySide, Sweep};
 
 use super::coded::CodedStages;
 use super::scratch::Scratches;
@@ -43,7 +43,8 @@ impl Engine {
         if stages.iter().any(|own| own.kind != kind || own.constants.len() != count) {
             return None;
         }
-        let find = || self.codes.abreast(self, kind, vectors, set.or_else(InstructionSet::best)?);
+        let work = SideBySide::Steps(kind, vectors);
+        let find = || self.codes.abreast(self, work, set.or_else(InstructionSet::best)?);
         let code = Arc::clone(first.abreast.get(vectors)?.get_or_init(find).as_ref()?);
         Some(Abreast::of(code, count, room, |stage, lane, k| stages[lane].constants[stage][k]))
     }
@@ -56,7 +57,7 @@ impl Engine {
         Instructions { set, .. }: Instructions,
         room: Vec<T>,
     ) -> Option<Abreast<T>> {
-        let code = self.codes.integrals(self, set.or_else(InstructionSet::best)?)?;
+        let code = self.codes.abreast(self, SideBySide::Integrals, set.or_else(InstructionSet::best)?)?;
         Some(Abreast::of(code, 1, room, |_, lane, k| constants[lane][k]))
     }
 }

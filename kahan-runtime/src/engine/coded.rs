@@ -2,14 +2,14 @@
 
 use std::sync::{Arc, OnceLock};
 
-use kahan_core::{Composition, Scalar};
+use kahan_core::Scalar;
 
 use crate::machine::{OrbitCode, StepKind};
 
+use super::Engine;
 use super::abreast::AbreastOnce;
 use super::scratch::{Scratch, Scratches, with_scratch};
 use super::step::Steps;
-use super::{Engine, stage_constants};
 
 /// The stages of a step as code, with the constants of those that differ, the middle one last.
 #[derive(Clone, Debug)]
@@ -27,53 +27,38 @@ impl<T: Scratches> CodedStages<T> {
     pub(crate) fn step(&self, state: &[T], next: &mut [T]) {
         self.code.step(state, &self.constants, next);
     }
+
+    /// Replaces the numbers of a state by those so many steps later.
+    pub(crate) fn advance(&self, numbers: &mut [T], steps: u64) {
+        self.code.advance(numbers, &self.constants, steps);
+    }
+
+    /// How the numbers are a state.
+    pub(crate) fn kind(&self) -> StepKind {
+        self.kind
+    }
 }
 
 impl Engine {
-    /// A kind of step in the form that its stages over V take at these ε; `None` where they are not
-    /// all of one form.
-    pub(crate) fn kind_at<V: Scalar>(
+    /// The stages of a composition as code, where there is some and they are all of one form; `own`
+    /// are the parameters and ε of those that differ, and `numbers` what the code takes for one.
+    pub(crate) fn coded_stages<T: Scratches, V: Scalar + Copy, const N: usize>(
         &self,
         kind: StepKind,
-        eps: impl IntoIterator<Item = V>,
-    ) -> Option<StepKind> {
-        let mut general = eps.into_iter().map(|eps| self.steps().are_general(&eps));
-        let is_general = general.next()?;
-        let rounds_increments = Steps::rounds::<V>(is_general);
-        general.all(|other| other == is_general).then_some(StepKind { is_general, rounds_increments, ..kind })
-    }
-
-    /// What the kernel of a kind reads; `constants` are the parameters and ε.
-    pub(crate) fn prepared<V: Scalar + Copy>(
-        &self,
-        kind: StepKind,
-        constants: &[V],
-        scratch: &mut Scratch<V>,
-    ) -> Vec<V> {
-        self.steps().form(kind.is_general).prepared(constants, &mut scratch.registers)
-    }
-
-    /// The stages of a composition as code, where there is some; `constants` are the parameters and
-    /// ε.
-    pub(crate) fn coded_stages<T: Scratches>(
-        &self,
-        constants: &[T],
-        composition: Composition,
-        fuses: bool,
+        own: &[Vec<V>],
+        numbers: fn(V) -> [T; N],
     ) -> Option<CodedStages<T>> {
-        let own = stage_constants(constants, composition);
-        let kind =
-            self.kind_at(StepKind::of::<T>(fuses), own.iter().map(|constants| super::split(constants).1))?;
+        let mut general = own.iter().map(|constants| self.steps().are_general(&super::split(constants).1));
+        let is_general = general.next()?;
+        let kind = StepKind { is_general, rounds_increments: Steps::rounds::<V>(is_general), ..kind };
+        if general.any(|other| other != is_general) {
+            return None;
+        }
         let code = self.codes.orbit(self, kind, own.len() > 1)?;
-        let constants = with_scratch(T::single(), |scratch| {
-            own.iter().map(|constants| self.prepared(kind, constants, scratch)).collect()
-        });
+        let (step, mut registers) = (self.steps().form(is_general), Vec::new());
+        let mut prepared = |constants: &Vec<V>| step.prepared(constants, &mut registers);
+        let constants = own.iter().map(|own| prepared(own).into_iter().flat_map(numbers).collect()).collect();
         Some(CodedStages { code, kind, constants, carrying: Arc::default(), abreast: Arc::default() })
-    }
-
-    /// Replaces a state by the one so many steps later.
-    pub(crate) fn advance_coded<T: Scratches>(&self, stages: &CodedStages<T>, state: &mut [T], steps: u64) {
-        stages.code.advance(state, &stages.constants, steps);
     }
 
     /// The same, with what the state lacks carried along; `false` where there is no code.

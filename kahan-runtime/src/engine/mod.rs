@@ -199,26 +199,21 @@ impl Engine {
         Stage { is_general, given }
     }
 
-    /// Replaces a state by the one so many steps later.
-    pub(crate) fn advance<T: Scratches>(&self, stages: &[Stage<T>], state: &mut [T], steps: u64) {
-        with_scratch(T::single(), |scratch| {
-            self.run(stages, steps, scratch, |step, rounds, registers, room| {
-                step.advance(rounds, state, registers, room);
-            });
-        });
-    }
-
-    /// The same, with what the state lacks carried along.
-    pub(crate) fn advance_with_carry<T: Scratches>(
+    /// Replaces a state by the one so many steps later, with what it lacks carried along where there
+    /// is a `carry`.
+    pub(crate) fn advance<T: Scratches>(
         &self,
         stages: &[Stage<T>],
-        state: &mut [T],
-        carry: &mut [T],
+        [state, carry]: [&mut [T]; 2],
         steps: u64,
     ) {
         with_scratch(T::single(), |scratch| {
             self.run(stages, steps, scratch, |step, rounds, registers, room| {
-                step.advance_with_carry(rounds, [state, carry], registers, room);
+                if carry.is_empty() {
+                    step.advance(rounds, state, registers, room);
+                } else {
+                    step.advance_with_carry(rounds, [state, carry], registers, room);
+                }
             });
         });
     }
@@ -292,7 +287,7 @@ impl Engine {
             with_scratch(T::duals(), |scratch| jacobian_by_duals(step, constants, state, out, scratch));
         } else {
             let mut next = state.to_vec();
-            self.advance(&self.stages(constants, Composition::KAHAN), &mut next, 1);
+            self.advance(&self.stages(constants, Composition::KAHAN), [&mut next, &mut []], 1);
             let behind: Vec<T> = parameters.iter().copied().chain([-eps]).collect();
             self.evaluate(Object::Matrix, &behind, &next, out);
             if !step.solves_columns(constants, state, out) {
@@ -325,7 +320,7 @@ fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
 }
 
 /// The parameters, and behind them the ε of each stage that differs in its turn.
-fn stage_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<Vec<T>> {
+pub(crate) fn stage_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<Vec<T>> {
     let (parameters, eps) = split(constants);
     let own = |coefficient: &Constant<'_>| T::constant(coefficient) * eps;
     let stage = |coefficient| parameters.iter().copied().chain([own(coefficient)]).collect();

@@ -189,16 +189,9 @@ impl Iterator for HeightsOrbit {
         if self.stopped.is_some() {
             return None;
         }
-        match self.advance() {
-            Ok(heights) => {
-                self.step = Some(heights.step);
-                Some(heights)
-            }
-            Err(stop) => {
-                self.stopped = Some(stop);
-                None
-            }
-        }
+        let heights = self.advance().map_err(|stop| self.stopped = Some(stop)).ok()?;
+        self.step = Some(heights.step);
+        Some(heights)
     }
 }
 

@@ -94,10 +94,9 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
         match self.engine.derived.step() {
             Some(_) => jacobian_by_duals(self, x, &eps),
-            None => match self.jacobian_along_couplings(x, &eps) {
-                Some(jacobian) => jacobian,
-                None => Unplanned(self.clone()).jacobian(x, eps),
-            },
+            None => self
+                .jacobian_along_couplings(x, &eps)
+                .unwrap_or_else(|| Unplanned(self.clone()).jacobian(x, eps)),
         }
     }
 

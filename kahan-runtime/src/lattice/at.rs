@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use kahan_algebra::family::Family;
 use kahan_algebra::rational::Rational;
 use kahan_core::__private::{Boundary, Folded, Total};
 use kahan_core::{Dual, Scalar};
@@ -124,16 +125,9 @@ impl LatticeAt {
     /// # Errors
     /// A state of another length.
     pub fn integrals(&self, state: &[f64]) -> Result<Vec<f64>, DimensionError> {
-        self.check(state)?;
-        let mut totals = vec![Total::zero(); self.code.family.integrals.len()];
-        self.for_each_site(
-            |k| state[k],
-            |number| number,
-            |densities| {
-                totals.iter_mut().zip(densities).for_each(|(total, density)| total.add(&density));
-            },
-        );
-        Ok(totals.into_iter().map(Total::sum).collect())
+        let mut sums = self.sums(state)?;
+        sums.truncate(self.code.family.integrals.len());
+        Ok(sums)
     }
 
     /// H(x), which the flow keeps and the map does not; `None` without a Hamiltonian.
@@ -141,16 +135,19 @@ impl LatticeAt {
     /// # Errors
     /// A state of another length.
     pub fn hamiltonian(&self, state: &[f64]) -> Result<Option<f64>, DimensionError> {
+        Ok(self.sums(state)?.get(self.code.family.integrals.len()).copied())
+    }
+
+    /// The linear integrals, and the Hamiltonian behind them.
+    fn sums(&self, state: &[f64]) -> Result<Vec<f64>, DimensionError> {
         self.check(state)?;
-        let mut total = Total::zero();
-        self.for_each_site(
-            |k| state[k],
-            |number| number,
-            |densities| {
-                densities.skip(self.code.family.integrals.len()).for_each(|density| total.add(&density));
-            },
-        );
-        Ok(self.code.family.hamiltonian.is_some().then(|| total.sum()))
+        let Family { integrals, hamiltonian, .. } = &self.code.family;
+        let mut totals = vec![Total::zero(); integrals.len() + usize::from(hamiltonian.is_some())];
+        let add = |densities: &mut dyn Iterator<Item = f64>| {
+            totals.iter_mut().zip(densities).for_each(|(total, density)| total.add(&density));
+        };
+        self.for_each_site(|k| state[k], |number| number, add);
+        Ok(totals.into_iter().map(Total::sum).collect())
     }
 
     /// H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map keeps where H is of degree three at most;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::engine::{Engine, Object};
 
-use super::StepKind;
+use super::{SideBySide, StepKind};
 
 /// The code of a field: none.
 #[derive(Debug)]
@@ -51,17 +51,7 @@ impl Codes {
         None
     }
 
-    pub(crate) fn abreast<T>(
-        &self,
-        _: &Engine,
-        _: StepKind,
-        _: usize,
-        _: InstructionSet,
-    ) -> Option<Arc<Sweep<T>>> {
-        None
-    }
-
-    pub(crate) fn integrals<T>(&self, _: &Engine, _: InstructionSet) -> Option<Arc<Sweep<T>>> {
+    pub(crate) fn abreast<T>(&self, _: &Engine, _: SideBySide, _: InstructionSet) -> Option<Arc<Sweep<T>>> {
         None
     }
 

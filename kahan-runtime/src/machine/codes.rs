@@ -9,7 +9,7 @@ use kahan_jit::{ComposedOrbit, Constants, Function, InstructionSet, Lanes, Orbit
 
 use crate::engine::{Engine, Object};
 
-use super::{StepKind, programs};
+use super::{SideBySide, StepKind, programs};
 
 /// The most stages of a composition.
 const MOST_STAGES: usize = 32;
@@ -38,8 +38,7 @@ pub struct CodesOf<T> {
     orbits: Table<(StepKind, bool), OrbitCode<T>>,
     functions: Vec<OnceLock<Option<FunctionCode<T>>>>,
     columns: Table<Shape, ColumnsCode<T>>,
-    abreast: Table<(StepKind, usize, InstructionSet), Sweep<T>>,
-    integrals: Table<InstructionSet, Sweep<T>>,
+    abreast: Table<(SideBySide, InstructionSet), Sweep<T>>,
 }
 
 /// The code of a field.
@@ -93,13 +92,7 @@ pub(crate) struct ColumnsCode<T> {
 impl<T> CodesOf<T> {
     fn new(objects: usize) -> Self {
         let functions = std::iter::repeat_with(OnceLock::new).take(objects).collect();
-        CodesOf {
-            orbits: Table::default(),
-            functions,
-            columns: Table::default(),
-            abreast: Table::default(),
-            integrals: Table::default(),
-        }
+        CodesOf { orbits: Table::default(), functions, columns: Table::default(), abreast: Table::default() }
     }
 }
 
@@ -128,36 +121,20 @@ impl Codes {
         })
     }
 
-    /// The code of orbits side by side, each with constants of its own, and, where the field is a
-    /// variational one, so many tangent vectors; likewise.
+    /// The code of points side by side, each with constants of its own; likewise.
     pub(crate) fn abreast<T: Coded>(
         &self,
         engine: &Engine,
-        kind: StepKind,
-        vectors: usize,
+        work: SideBySide,
         instructions: InstructionSet,
     ) -> Option<Arc<Sweep<T>>> {
-        T::of(self).abreast.get((kind, vectors, instructions), || {
-            let program = match vectors {
-                0 => kind.program::<T>(engine)?,
-                _ => kind.carrying::<T>(engine, vectors)?,
+        T::of(self).abreast.get((work, instructions), || {
+            let (program, fuses) = match work {
+                SideBySide::Steps(kind, 0) => (kind.program::<T>(engine)?, kind.fuses),
+                SideBySide::Steps(kind, vectors) => (kind.carrying::<T>(engine, vectors)?, kind.fuses),
+                SideBySide::Integrals => (programs::integrals_behind_the_state::<T>(engine)?, false),
             };
-            let shape = Shape { instructions, lanes: Lanes::All, fuses: kind.fuses };
-            Some(Sweep::compile(&program, shape, Constants::Own))
-        })
-    }
-
-    /// The code of the integrals of points side by side, behind these; likewise. The constants of each
-    /// are its parameters and ε.
-    pub(crate) fn integrals<T: Coded>(
-        &self,
-        engine: &Engine,
-        instructions: InstructionSet,
-    ) -> Option<Arc<Sweep<T>>> {
-        T::of(self).integrals.get(instructions, || {
-            let program = programs::integrals_behind_the_state::<T>(engine)?;
-            let shape = Shape { instructions, lanes: Lanes::All, fuses: false };
-            Some(Sweep::compile(&program, shape, Constants::Own))
+            Some(Sweep::compile(&program, Shape { instructions, lanes: Lanes::All, fuses }, Constants::Own))
         })
     }
 

@@ -19,6 +19,16 @@ pub(crate) struct StepKind {
     pub(crate) fuses: bool,
 }
 
+/// What is done with points side by side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum SideBySide {
+    /// They are stepped, each with so many tangent vectors; where these are some, the field is a
+    /// variational one.
+    Steps(StepKind, usize),
+    /// Their integrals are written behind them; constants are the parameters and ε.
+    Integrals,
+}
+
 impl StepKind {
     /// The plain step over T, a float of the machine.
     pub(crate) fn of<T>(fuses: bool) -> Self {

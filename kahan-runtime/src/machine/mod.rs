@@ -22,4 +22,4 @@ pub(crate) use absent::*;
 pub(crate) use codes::{Coded, Codes, ColumnsCode, OrbitCode};
 #[cfg(feature = "jit")]
 pub(crate) use kahan_jit::{InstructionSet, Sweep};
-pub(crate) use kind::StepKind;
+pub(crate) use kind::{SideBySide, StepKind};

@@ -4,6 +4,7 @@ use kahan_core::{Dd, FloatScalar};
 
 use crate::Map;
 use crate::engine::{Scratch, Stage};
+use crate::interpreted::round;
 use crate::machine::StepKind;
 
 use super::{Asked, Running};
@@ -47,22 +48,13 @@ where
     ) -> Box<dyn Interpreting> {
         let (map, scheme) = (asked.map.clone(), asked.scheme);
         let mut scratch = Scratch::default();
-        let constants = |eps: V| -> Vec<V> { asked.parameters(widen).chain([eps]).collect() };
-        let stage = |eps| map.field().engine.stage(&constants(eps), &mut scratch);
-        let stages = asked.stages(widen).into_iter().map(stage).collect();
+        let stages =
+            asked.stages(widen).iter().map(|own| map.field().engine.stage(own, &mut scratch)).collect();
+        let constants = asked.parameters(widen).chain([widen(round(asked.eps))]).collect();
         let state: Vec<V> = asked.start(widen).collect();
         let carry = if scheme.compensated { vec![V::zero(); state.len()] } else { Vec::new() };
         let kind = StepKind::of_scheme(scheme);
-        Box::new(Walk {
-            constants: constants(asked.eps(widen)),
-            map,
-            kind,
-            stages,
-            state,
-            carry,
-            scratch,
-            narrow,
-        })
+        Box::new(Walk { constants, map, kind, stages, state, carry, scratch, narrow })
     }
 }
 

@@ -64,39 +64,33 @@ impl Asked<'_> {
         self.start.iter().map(move |value| widen(round(value)))
     }
 
-    fn eps<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> V {
-        widen(round(self.eps))
-    }
-
-    /// ε of each stage that differs, the middle one last.
-    fn stages<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> Vec<V> {
+    /// The parameters, and ε behind them, of each stage that differs, the middle one last.
+    fn stages<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> Vec<Vec<V>> {
         let (composition, eps) = (self.scheme.composition, round(self.eps));
+        let own = |eps: G| self.parameters(widen).chain([widen(eps)]).collect();
         if composition == Composition::KAHAN {
-            return vec![widen(eps)];
+            return vec![own(eps)];
         }
         let differing = composition.coefficients().take(composition.stages().div_ceil(2));
-        differing.map(|gamma| widen(G::constant(gamma) * eps)).collect()
+        differing.map(|gamma| own(G::constant(gamma) * eps)).collect()
     }
 
     /// The orbit by the interpreter, and by code where there is some.
     fn begin(&self) -> (Box<dyn Interpreting>, Option<Box<dyn Running>>) {
         let wide: fn(f32) -> f64 = f64::from;
         match self.scheme.precision {
-            Precision::Single => (
-                Walk::begin(self, |x: f32| x, |x| x.high() as f32),
-                Coding::begin(self, |x: f32| x, |x| vec![x]),
-            ),
-            Precision::SingleThroughDouble => (
-                Walk::begin(self, wide, |x| f64::from(x.high() as f32)),
-                Coding::begin(self, wide, |x| vec![x]),
-            ),
-            Precision::Double => {
-                (Walk::begin(self, |x: f64| x, Dd::high), Coding::begin(self, |x: f64| x, |x| vec![x]))
+            Precision::Single => {
+                (Walk::begin(self, |x: f32| x, |x| x.high() as f32), Coding::begin(self, |x: f32| x, |x| [x]))
             }
-            Precision::DoubleDouble => (
-                Walk::begin(self, |x: Dd| x, |x| x),
-                Coding::begin(self, |x: Dd| x, |x| vec![x.high(), x.low()]),
-            ),
+            Precision::SingleThroughDouble => {
+                (Walk::begin(self, wide, |x| f64::from(x.high() as f32)), Coding::begin(self, wide, |x| [x]))
+            }
+            Precision::Double => {
+                (Walk::begin(self, |x: f64| x, Dd::high), Coding::begin(self, |x: f64| x, |x| [x]))
+            }
+            Precision::DoubleDouble => {
+                (Walk::begin(self, |x: Dd| x, |x| x), Coding::begin(self, |x: Dd| x, |x| [x.high(), x.low()]))
+            }
         }
     }
 }

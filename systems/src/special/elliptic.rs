@@ -2,7 +2,6 @@
 
 use super::Real;
 use super::gamma::not_a_number;
-use super::real::int;
 
 /// A modulus k with 0 ≤ k ≤ 1 and its complement k′ = √(1 − k²), both to full relative precision.
 ///
@@ -71,8 +70,11 @@ impl<T: Real> Modulus<T> {
         let (sine, cosine) = phi.sin_cos();
         // The sine and cosine of φ less the half turns: the cosine is not negative.
         let (sine, cosine) = if cosine.is_negative() { (-sine, -cosine) } else { (sine, cosine) };
-        let whole =
-            if half_turns.is_zero() { T::zero() } else { int::<T>(2) * half_turns * self.quarter_period() };
+        let whole = if half_turns.is_zero() {
+            T::zero()
+        } else {
+            T::from_int(2) * half_turns * self.quarter_period()
+        };
         whole + self.incomplete_of_point(&sine, &cosine)
     }
 
@@ -81,7 +83,7 @@ impl<T: Real> Modulus<T> {
     pub fn inverse(&self, sn: &T, cn: &T) -> T {
         if cn.is_negative() {
             let rest = self.incomplete_of_point(&sn.abs(), &-*cn);
-            let value = int::<T>(2) * self.quarter_period() - rest;
+            let value = T::from_int(2) * self.quarter_period() - rest;
             return if sn.is_negative() { -value } else { value };
         }
         self.incomplete_of_point(sn, cn)
@@ -112,8 +114,7 @@ pub fn elliptic_k<T: Real>(k: &T) -> T {
 }
 
 /// The common limit of arithmetic and geometric means, for positive a and b.
-fn arithmetic_geometric_mean<T: Real>(a: T, b: T) -> T {
-    let (mut a, mut b) = (a, b);
+fn arithmetic_geometric_mean<T: Real>(mut a: T, mut b: T) -> T {
     // Each turn squares the relative difference; once it is below √ε the next mean is exact to
     // rounding.
     for _ in 0..64 {
@@ -133,33 +134,28 @@ fn arithmetic_geometric_mean<T: Real>(a: T, b: T) -> T {
 ///
 /// The duplication theorem brings the arguments together, where a series of degree 7 in their
 /// spread finishes.
-fn carlson_rf<T: Real>(x: T, y: T, z: T) -> T {
+fn carlson_rf<T: Real>(mut x: T, mut y: T, mut z: T) -> T {
     let third = T::from_ratio(1, 3);
     let quarter = T::from_ratio(1, 4);
-    let (mut x, mut y, mut z) = (x, y, z);
     // The neglected terms are of degree 8 in the spread.
     let bound = T::epsilon().sqrt().sqrt().sqrt() * quarter;
     loop {
         let mean = (x + y + z) * third;
-        let spread = |v: &T| T::one() - *v / mean;
-        let (dx, dy, dz) = (spread(&x), spread(&y), spread(&z));
-        let wide = |v: &T| v.abs() > bound;
-        if !(wide(&dx) || wide(&dy) || wide(&dz)) {
-            return rf_series(&dx, &dy, &dz) / mean.sqrt();
+        let spreads = [x, y, z].map(|v| T::one() - v / mean);
+        if !spreads.iter().any(|spread| spread.abs() > bound) {
+            return rf_series(spreads) / mean.sqrt();
         }
-        let (rx, ry, rz) = (x.sqrt(), y.sqrt(), z.sqrt());
+        let [rx, ry, rz] = [x, y, z].map(|v| v.sqrt());
         let lambda = rx * ry + ry * rz + rz * rx;
-        x = (x + lambda) * quarter;
-        y = (y + lambda) * quarter;
-        z = (z + lambda) * quarter;
+        [x, y, z] = [x, y, z].map(|v| (v + lambda) * quarter);
     }
 }
 
 /// The expansion of R_F about equal arguments, in E₂ = XY + YZ + ZX and E₃ = XYZ with X + Y + Z =
 /// 0: up to degree 7.
-fn rf_series<T: Real>(dx: &T, dy: &T, dz: &T) -> T {
-    let e2 = *dx * *dy - dz.square();
-    let e3 = *dx * *dy * *dz;
+fn rf_series<T: Real>([dx, dy, dz]: [T; 3]) -> T {
+    let e2 = dx * dy - dz.square();
+    let e3 = dx * dy * dz;
     let c = |p, q| T::from_ratio(p, q);
     T::one() - c(1, 10) * e2 + c(1, 14) * e3 + c(1, 24) * e2.square()
         - c(3, 44) * e2 * e3

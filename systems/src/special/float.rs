@@ -30,10 +30,6 @@ impl Real for f64 {
         q.to_f64().unwrap_or(f64::NAN)
     }
 
-    fn from_f64(x: f64) -> Self {
-        x
-    }
-
     fn pi() -> Self {
         core::f64::consts::PI
     }

@@ -4,7 +4,6 @@
 //! other precision.
 
 use super::Real;
-use super::real::int;
 
 /// Γ(x), the factorial (x − 1)! of a real number; not a number at the poles 0, −1, −2, …
 ///
@@ -51,12 +50,12 @@ pub(super) fn asymptotic_from<T: Real>() -> i64 {
 
 /// The steps that lead from x > 0 to an argument of at least `from`.
 pub(super) fn steps_up<T: Real>(x: &T, from: i64) -> i64 {
-    ((int::<T>(from) - *x).to_f64().ceil() as i64).max(0)
+    ((T::from_int(from) - *x).to_f64().ceil() as i64).max(0)
 }
 
 /// sin(πx), x reduced exactly before it meets π.
 pub(super) fn sin_pi<T: Real>(x: &T) -> T {
-    let turns = int::<T>(2) * (*x * T::half() + T::half() * T::half()).floor();
+    let turns = T::from_int(2) * (*x * T::half() + T::half() * T::half()).floor();
     // Now between −1/2 and 3/2.
     let rest = *x - turns;
     (T::pi() * rest).sin()
@@ -64,7 +63,7 @@ pub(super) fn sin_pi<T: Real>(x: &T) -> T {
 
 /// cos(πx), x reduced exactly before it meets π, so that the zeros are exact.
 pub(super) fn cos_pi<T: Real>(x: &T) -> T {
-    let two = int::<T>(2);
+    let two = T::from_int(2);
     let rest = *x - two * (*x * T::half() + T::half()).floor();
     // Now between −1 and 1; 1/2 − |rest| is exact where the cosine is small.
     (T::pi() * (T::half() - rest.abs())).sin()
@@ -82,12 +81,12 @@ pub(super) fn by_stirling<T: Real>(x: &T) -> T {
     let steps = steps_up(x, asymptotic_from::<T>());
     let mut descent = T::one();
     for j in 0..steps {
-        descent *= *x + int(j);
+        descent *= *x + T::from_int(j);
     }
-    let large = *x + int(steps);
-    let series = stirling_sum(&large, |m, bernoulli| bernoulli / int(2 * m * (2 * m - 1))) * large;
+    let large = *x + T::from_int(steps);
+    let series = stirling_sum(&large, |m, bernoulli| bernoulli / T::from_int(2 * m * (2 * m - 1))) * large;
     let power = large.power_real(&(large - T::half()));
-    (int::<T>(2) * T::pi()).sqrt() * power * (series - large).exp() / descent
+    (T::from_int(2) * T::pi()).sqrt() * power * (series - large).exp() / descent
 }
 
 /// ψ(x) = ln x − 1/(2x) − Σ B₂ₘ/(2m x^(2m)), from x + n back by ψ(x+1) = ψ(x) + 1/x, and for x <
@@ -103,21 +102,26 @@ pub(super) fn digamma_by_stirling<T: Real>(x: &T) -> T {
     let steps = steps_up(x, asymptotic_from::<T>());
     let mut descent = T::zero();
     for j in 0..steps {
-        descent += T::one() / (*x + int(j));
+        descent += T::one() / (*x + T::from_int(j));
     }
-    let large = *x + int(steps);
-    let series = stirling_sum(&large, |m, bernoulli| bernoulli / int(2 * m));
+    let large = *x + T::from_int(steps);
+    let series = stirling_sum(&large, |m, bernoulli| bernoulli / T::from_int(2 * m));
     large.ln() - T::half() / large - series - descent
 }
 
 /// Σ_{m≥1} term(m, B₂ₘ) x^(−2m) up to the precision of T.
 fn stirling_sum<T: Real>(x: &T, term: impl Fn(i64, T) -> T) -> T {
+    sum_in_inverse_squares(x, (1..).zip(T::bernoulli()).map(|(m, bernoulli)| term(m, *bernoulli)))
+}
+
+/// Σ_{m≥1} cₘ x^(−2m) up to the precision of T.
+pub(super) fn sum_in_inverse_squares<T: Real>(x: &T, coefficients: impl Iterator<Item = T>) -> T {
     let inverse_square = T::one() / x.square();
     let mut power = T::one();
     let mut sum = T::zero();
-    for (m, bernoulli) in (1..).zip(T::bernoulli()) {
+    for coefficient in coefficients {
         power *= inverse_square;
-        let next = term(m, *bernoulli) * power;
+        let next = coefficient * power;
         let small = next.abs() < T::epsilon() * sum.abs() * T::half();
         sum += next;
         if small {

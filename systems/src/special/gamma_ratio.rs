@@ -6,8 +6,7 @@
 //! subtracted.
 
 use super::Real;
-use super::gamma::{asymptotic_from, cos_pi, sin_pi, steps_up};
-use super::real::int;
+use super::gamma::{asymptotic_from, cos_pi, sin_pi, steps_up, sum_in_inverse_squares};
 
 /// Γ(x + a)/Γ(x + b), for any real x, a, b, to full relative precision for every size of x.
 ///
@@ -34,7 +33,7 @@ pub fn gamma_ratio<T: Real>(x: &T, a: &T, b: &T) -> T {
 /// for |σ| ≤ 3, at most 4 ulp for w ≥ 20, 40 ulp for 0 ≤ w ≤ 20 and 64 ulp for −20 ≤ w < 0 off the
 /// poles.
 pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
-    if let Some(n) = small_integer(&(int::<T>(2) * *sigma)) {
+    if let Some(n) = small_integer(&(T::from_int(2) * *sigma)) {
         return rational_ratio(w, n);
     }
     if is_reflected(w, sigma) {
@@ -44,13 +43,13 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
     let mut numerator = T::one();
     let mut denominator = T::one();
     for j in 0..steps {
-        let centre = *w + (int::<T>(j) + T::half());
+        let centre = *w + (T::from_int(j) + T::half());
         numerator *= centre - *sigma;
         denominator *= centre + *sigma;
     }
-    let large = *w + int(steps);
-    let series = odd_bernoulli_sum(&large, sigma, |m, value| value / int(m * (2 * m + 1)));
-    large.power_real(&(int::<T>(2) * *sigma)) * (-series).exp() * (numerator / denominator)
+    let large = *w + T::from_int(steps);
+    let series = odd_bernoulli_sum(&large, sigma, |m, value| value / T::from_int(m * (2 * m + 1)));
+    large.power_real(&(T::from_int(2) * *sigma)) * (-series).exp() * (numerator / denominator)
 }
 
 /// ψ(w + 1/2 + σ) − ψ(w + 1/2 − σ), the logarithmic derivative of [`centered_gamma_ratio`] in w,
@@ -64,7 +63,7 @@ pub fn centered_gamma_ratio<T: Real>(w: &T, sigma: &T) -> T {
 /// assert_eq!(centered_digamma_difference(&1e15, &0.5), 1e-15);
 /// ```
 pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
-    let two = int::<T>(2);
+    let two = T::from_int(2);
     if is_reflected(w, sigma) {
         // The derivative of the logarithm of the reflection: π tan π(σ−f) + π tan π(σ+f) = π sin
         // 2πσ/(cos cos).
@@ -76,11 +75,11 @@ pub fn centered_digamma_difference<T: Real>(w: &T, sigma: &T) -> T {
     let steps = steps_up(w, asymptotic_from::<T>() + 2 * sigma.abs().to_f64().ceil() as i64);
     let mut descent = T::zero();
     for j in 0..steps {
-        let centre = *w + (int::<T>(j) + T::half());
+        let centre = *w + (T::from_int(j) + T::half());
         descent += T::one() / ((centre - *sigma) * (centre + *sigma));
     }
-    let large = *w + int(steps);
-    let series = odd_bernoulli_sum(&large, sigma, |m, value| value / int(2 * m + 1)) / large;
+    let large = *w + T::from_int(steps);
+    let series = odd_bernoulli_sum(&large, sigma, |m, value| value / T::from_int(2 * m + 1)) / large;
     two * (*sigma / large + series + *sigma * descent)
 }
 
@@ -122,20 +121,8 @@ fn rational_ratio<T: Real>(w: &T, n: i64) -> T {
 /// k only.
 fn odd_bernoulli_sum<T: Real>(w: &T, sigma: &T, term: impl Fn(i64, T) -> T) -> T {
     let middle = middle_values::<T>();
-    let inverse_square = T::one() / w.square();
-    let mut power = T::one();
-    let mut sum = T::zero();
-    for m in 1..=T::bernoulli().len() as i64 {
-        power *= inverse_square;
-        let value = binomial_sum(2 * m + 1, sigma, &middle);
-        let next = term(m, value) * power;
-        let small = next.abs() < T::epsilon() * T::half() * sum.abs();
-        sum += next;
-        if small {
-            break;
-        }
-    }
-    sum
+    let terms = 1..=T::bernoulli().len() as i64;
+    sum_in_inverse_squares(w, terms.map(|m| term(m, binomial_sum(2 * m + 1, sigma, &middle))))
 }
 
 /// Σ C(n, k) vₖ σ^(n−k) over even k < n, for odd n; the slice holds v₀, v₂, v₄, …
@@ -147,7 +134,7 @@ pub(super) fn binomial_sum<T: Real>(n: i64, sigma: &T, values: &[T]) -> T {
     let mut sum = T::zero();
     for (k, value) in (0..n).step_by(2).zip(values) {
         sum = sum * square + binomial * *value;
-        binomial = binomial * int((n - k) * (n - k - 1)) / int((k + 1) * (k + 2));
+        binomial = binomial * T::from_int((n - k) * (n - k - 1)) / T::from_int((k + 1) * (k + 2));
     }
     sum * *sigma
 }

@@ -1,7 +1,6 @@
 //! Jacobi's elliptic functions sn, cn, dn of a real argument.
 
 use super::gamma::not_a_number;
-use super::real::int;
 use super::{Modulus, Real};
 
 /// The values of Jacobi's three elliptic functions at one argument.
@@ -38,11 +37,11 @@ pub fn jacobi<T: Real>(u: &T, modulus: &Modulus<T>) -> Jacobi<T> {
     if !modulus.complement.is_positive() {
         return Jacobi { sn: not_a_number(), cn: not_a_number(), dn: not_a_number() };
     }
-    let half_period = int::<T>(2) * modulus.quarter_period();
+    let half_period = T::from_int(2) * modulus.quarter_period();
     let turns = (*u / half_period + T::half()).floor();
     let rest = *u - turns * half_period;
     let Jacobi { sn, cn, dn } = descend(&rest, modulus);
-    let odd = (turns * T::half()).floor() * int(2) != turns;
+    let odd = (turns * T::half()).floor() * T::from_int(2) != turns;
     if odd { Jacobi { sn: -sn, cn: -cn, dn } } else { Jacobi { sn, cn, dn } }
 }
 
@@ -58,12 +57,14 @@ fn descend<T: Real>(u: &T, modulus: &Modulus<T>) -> Jacobi<T> {
     }
     let sum = T::one() + modulus.complement;
     // 1 − k′ = k²/(1 + k′), without cancellation.
-    let lower =
-        Modulus { k: (modulus.k / sum).square(), complement: int::<T>(2) * modulus.complement.sqrt() / sum };
+    let lower = Modulus {
+        k: (modulus.k / sum).square(),
+        complement: T::from_int(2) * modulus.complement.sqrt() / sum,
+    };
     let Jacobi { sn: s, cn: c, dn: d } = descend(&(*u * sum * T::half()), &lower);
     let divisor = T::one() + lower.k * s.square();
     // 1 − k₁ = 2k′/(1 + k′) and 1 + k₁ = 2/(1 + k′).
-    let two = int::<T>(2);
+    let two = T::from_int(2);
     Jacobi {
         sn: two * s / (sum * divisor),
         dn: (two * modulus.complement / sum + lower.k * c.square()) / divisor,

@@ -1,7 +1,6 @@
 //! Numerical integration on a finite interval, to the precision of the number type.
 
 use super::Real;
-use super::real::int;
 
 /// A numerical integral.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +31,7 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
         return Integral { value: T::zero(), change: T::zero() };
     }
     // Where the weight has fallen below the rounding: cosh u e^(−π sinh u) < ε².
-    let reach = (int::<T>(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
+    let reach = (T::from_int(2) * -T::epsilon().ln()).to_f64() / core::f64::consts::PI;
     let reach = (reach + (reach * reach + 1.0).sqrt()).ln() + 0.2;
     let quarter_turn = T::pi() * T::half();
     // f at the two nodes ±u, with their weight: each node by its distance from its end, 1 − tanh s
@@ -40,13 +39,13 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     let pair = |u: &T| {
         let rise = u.exp_m1();
         let fall = rise / (rise + T::one());
-        let (twice_sine, twice_cosine) = (rise + fall, int::<T>(2) + rise - fall);
+        let (twice_sine, twice_cosine) = (rise + fall, T::from_int(2) + rise - fall);
         // e^(2s) with s = ½π sinh u
         let power = (quarter_turn * twice_sine).exp();
         let sum = power + T::one();
-        let distance = half_width * int(2) / sum;
+        let distance = half_width * T::from_int(2) / sum;
         // cosh u/cosh² s
-        let weight = twice_cosine * int(2) * power / sum.square();
+        let weight = twice_cosine * T::from_int(2) * power / sum.square();
         let (left, right) = (*from + distance, *to - distance);
         // A node that rounds onto an end has no weight left.
         let value = |x: &T, end: &T| if x == end { T::zero() } else { f(x) };
@@ -59,11 +58,11 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
     for _ in 0..10 {
         step *= 0.5;
         sum += sum_of(1, 2, step, reach, &pair);
-        let next = sum * T::from_f64(step);
+        let next = sum * T::from(step);
         let before = core::mem::replace(&mut change, (next - estimate).abs());
         estimate = next;
-        let exact = change <= int::<T>(256) * T::epsilon() * estimate.abs();
-        let noise = change < T::epsilon().sqrt() * estimate.abs() && int::<T>(2) * change > before;
+        let exact = change <= T::from_int(256) * T::epsilon() * estimate.abs();
+        let noise = change < T::epsilon().sqrt() * estimate.abs() && T::from_int(2) * change > before;
         if exact || noise {
             break;
         }
@@ -75,5 +74,5 @@ pub fn integrate<T: Real>(from: &T, to: &T, f: impl Fn(&T) -> T) -> Integral<T> 
 /// Σ pair(j·step) over j = first, first + stride, … as far as `reach`.
 fn sum_of<T: Real>(first: i64, stride: usize, step: f64, reach: f64, pair: &impl Fn(&T) -> T) -> T {
     let last = (reach / step).floor() as i64;
-    (first..=last).step_by(stride).fold(T::zero(), |sum, j| sum + pair(&T::from_f64(j as f64 * step)))
+    (first..=last).step_by(stride).fold(T::zero(), |sum, j| sum + pair(&T::from(j as f64 * step)))
 }

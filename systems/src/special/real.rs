@@ -9,8 +9,9 @@ use kahan_core::num_rational::BigRational;
 /// Implemented for `f64` and for [`Precise`](super::Precise). What has no real value (0/0, ln(−1),
 /// a pole of Γ) is not a number: it compares with nothing, and
 /// [`is_finite_number`](Pivot::is_finite_number) tells. Methods take references; the operators of
-/// [`Scalar`](kahan_core::Scalar) take values.
-pub trait Real: Pivot + Copy + PartialOrd + core::fmt::Display {
+/// [`Scalar`](kahan_core::Scalar) take values. An `f64` becomes the number that it is, without
+/// rounding.
+pub trait Real: Pivot + Copy + PartialOrd + From<f64> + core::fmt::Display {
     /// Decimal digits that a value carries at least: 15 for `f64`, 76 for
     /// [`Precise`](super::Precise).
     const DIGITS: usize;
@@ -29,9 +30,6 @@ pub trait Real: Pivot + Copy + PartialOrd + core::fmt::Display {
     fn from_ratio(p: i64, q: i64) -> Self {
         Self::from_int(p) / Self::from_int(q)
     }
-
-    /// The number that an `f64` is, without rounding.
-    fn from_f64(x: f64) -> Self;
 
     /// The nearest `f64`.
     fn to_f64(&self) -> f64 {
@@ -162,9 +160,4 @@ pub trait Real: Pivot + Copy + PartialOrd + core::fmt::Display {
     fn is_negative(&self) -> bool {
         *self < Self::zero()
     }
-}
-
-/// Integer, as a short word in formulas: `int::<T>(2)`.
-pub(crate) fn int<T: Real>(n: i64) -> T {
-    T::from_int(n)
 }

@@ -11,7 +11,6 @@
 use super::Real;
 use super::gamma::asymptotic_from;
 use super::gamma_ratio::{binomial_sum, middle_values};
-use super::real::int;
 
 /// Numbers z₀ + z₁η + z₂η² with η³ = 0.
 type Jet<T> = [T; 3];
@@ -34,17 +33,12 @@ fn order<T: Real>() -> usize {
 pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
     let sigma = (*xi - T::one()) * T::half();
     let numbers: Vec<T> = core::iter::once(T::one()).chain(T::bernoulli().iter().copied()).collect();
-    let exponent: Vec<T> = (0..=order::<T>() as i64)
-        .map(|m| {
-            if m == 0 {
-                return T::zero();
-            }
-            int::<T>(2) * binomial_sum(2 * m + 1, &sigma, &numbers) / int(m * (2 * m + 1))
-        })
-        .collect();
+    let exponents = (1..=order::<T>() as i64)
+        .map(|m| T::from_int(2) * binomial_sum(2 * m + 1, &sigma, &numbers) / T::from_int(m * (2 * m + 1)));
+    let exponent: Vec<T> = core::iter::once(T::zero()).chain(exponents).collect();
     let coefficients = divide_by_one_minus_square(exponential(&exponent));
     let terms: Vec<Jet<T>> = coefficients.into_iter().map(|a| [a, T::zero(), T::zero()]).collect();
-    *xi * T::half() * tail(n, &(int::<T>(2) * *xi + T::one()), &terms)
+    *xi * T::half() * tail(n, &(T::from_int(2) * *xi + T::one()), &terms)
 }
 
 /// Σ_{j≥0} 2(Y_j + Y_{j+1} + 2Y_jY_{j+1})/((4(N+j)² − 1)(2(N+j) + 3)) with Y_j = h − ψ(N + j +
@@ -54,7 +48,7 @@ pub(crate) fn gamma_product_tail<T: Real>(n: &T, xi: &T) -> T {
 /// (D + D² − 1/(4w²))/(2w(w² − 1)).
 pub(crate) fn digamma_product_tail<T: Real>(n: &T, h: &T) -> T {
     let even: Vec<T> = core::iter::once(*h)
-        .chain((1..).zip(T::bernoulli()).map(|(m, number)| *number / int(2 * m)))
+        .chain((1..).zip(T::bernoulli()).map(|(m, number)| *number / T::from_int(2 * m)))
         .take(order::<T>() + 1)
         .collect();
     let mut constant = product(&even, &even);
@@ -62,14 +56,14 @@ pub(crate) fn digamma_product_tail<T: Real>(n: &T, h: &T) -> T {
         *value += *term;
     }
     constant[1] -= T::from_ratio(1, 4);
-    let mut linear: Vec<T> = even.into_iter().map(|value| -(int::<T>(2) * value)).collect();
+    let mut linear: Vec<T> = even.into_iter().map(|value| -(T::from_int(2) * value)).collect();
     linear[0] -= T::one();
     let mut square = vec![T::zero(); order::<T>() + 1];
     square[0] = T::one();
     let [constant, linear, square] = [constant, linear, square].map(divide_by_one_minus_square);
     let terms: Vec<Jet<T>> =
         constant.into_iter().zip(linear).zip(square).map(|((a, b), c)| [a, b, c]).collect();
-    T::half() * tail(n, &int(3), &terms)
+    T::half() * tail(n, &T::from_int(3), &terms)
 }
 
 /// Σ_{j≥0} Σ_i w^(−s−2i)(a_i + b_i ln w + c_i ln² w) at w = N + 1/2 + j.
@@ -82,11 +76,11 @@ fn tail<T: Real>(n: &T, s: &T, coefficients: &[Jet<T>]) -> T {
     let mut scale = T::one();
     let mut sum = T::zero();
     for (i, [a, b, c]) in coefficients.iter().enumerate() {
-        let exponent = *s + int(2 * i as i64);
+        let exponent = *s + T::from_int(2 * i as i64);
         let series = power_sum(&exponent, &inverse_square, &middle[..coefficients.len() - i]);
-        let [z0, z1, z2] = multiply(&power, &series);
+        let [z0, z1, z2] = multiply(power, series);
         // −d/ds brings down a logarithm.
-        sum += scale * (*a * z0 - *b * z1 + int::<T>(2) * *c * z2);
+        sum += scale * (*a * z0 - *b * z1 + T::from_int(2) * *c * z2);
         scale *= inverse_square;
     }
     sum * n.power_real(&(T::one() - *s))
@@ -96,22 +90,20 @@ fn tail<T: Real>(n: &T, s: &T, coefficients: &[Jet<T>]) -> T {
 fn power_sum<T: Real>(s: &T, v: &T, middle: &[T]) -> Jet<T> {
     let inverse = T::one() / (*s - T::one());
     let mut sum = [inverse, -inverse.square(), inverse.power(3)];
-    let factor = |shift: i64| [*s + int(shift), T::one(), T::zero()];
+    let factor = |shift: i64| [*s + T::from_int(shift), T::one(), T::zero()];
     let mut term = factor(0).map(|value| value * *v * T::half());
     for (k, value) in (1..).zip(&middle[1..]) {
         for (total, part) in sum.iter_mut().zip(&term) {
             *total += *part * *value;
         }
-        let divisor = int::<T>((2 * k + 1) * (2 * k + 2));
-        term =
-            multiply(&multiply(&term, &factor(2 * k - 1)), &factor(2 * k)).map(|value| value * *v / divisor);
+        let divisor = T::from_int((2 * k + 1) * (2 * k + 2));
+        term = multiply(multiply(term, factor(2 * k - 1)), factor(2 * k)).map(|value| value * *v / divisor);
     }
     sum
 }
 
-fn multiply<T: Real>([a0, a1, a2]: &Jet<T>, [b0, b1, b2]: &Jet<T>) -> Jet<T> {
-    let times = |a: &T, b: &T| *a * *b;
-    [times(a0, b0), times(a0, b1) + times(a1, b0), times(a0, b2) + times(a1, b1) + times(a2, b0)]
+fn multiply<T: Real>([a0, a1, a2]: Jet<T>, [b0, b1, b2]: Jet<T>) -> Jet<T> {
+    [a0 * b0, a0 * b1 + a1 * b0, a0 * b2 + a1 * b1 + a2 * b0]
 }
 
 /// The product of two power series, as long as the first.
@@ -123,8 +115,8 @@ fn product<T: Real>(a: &[T], b: &[T]) -> Vec<T> {
 fn exponential<T: Real>(series: &[T]) -> Vec<T> {
     let mut result = vec![T::one()];
     for n in 1..series.len() {
-        let sum = (1..=n).fold(T::zero(), |sum, m| sum + int::<T>(m as i64) * series[m] * result[n - m]);
-        result.push(sum / int(n as i64));
+        let sum = (1..=n).fold(T::zero(), |sum, m| sum + T::from_int(m as i64) * series[m] * result[n - m]);
+        result.push(sum / T::from_int(n as i64));
     }
     result
 }
@@ -132,11 +124,9 @@ fn exponential<T: Real>(series: &[T]) -> Vec<T> {
 /// A power series in v divided by 1 − v.
 fn divide_by_one_minus_square<T: Real>(series: Vec<T>) -> Vec<T> {
     let mut total = T::zero();
-    series
-        .into_iter()
-        .map(|value| {
-            total += value;
-            total
-        })
-        .collect()
+    let sum = |value| {
+        total += value;
+        total
+    };
+    series.into_iter().map(sum).collect()
 }

@@ -2,7 +2,6 @@
 
 use super::Real;
 use super::gamma::not_a_number;
-use super::real::int;
 
 /// ϑ₁ to ϑ₄ at one argument z and nome q.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,8 +32,8 @@ pub struct Theta<T> {
 /// ```
 pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     if q.is_negative() || *q >= T::one() || !q.is_finite_number() {
-        let none = not_a_number::<T>;
-        return Theta { one: none(), two: none(), three: none(), four: none() };
+        let none = not_a_number();
+        return Theta { one: none, two: none, three: none, four: none };
     }
     let (sine, cosine) = z.sin_cos();
     let mut sum = Theta { one: T::zero(), two: T::zero(), three: T::one(), four: T::one() };
@@ -44,25 +43,22 @@ pub fn theta<T: Real>(z: &T, q: &T) -> Theta<T> {
     // Chebyshev's recurrence for sin jz and cos jz would lose digits near z = 0, so the angle is
     // turned instead.
     let (mut s, mut c) = (T::zero(), T::one());
-    let turn = |s: &T, c: &T| (*s * cosine + *c * sine, *c * cosine - *s * sine);
     let quarter = q.sqrt().sqrt();
     // q^(j²/4) for j = 0, 1, 2, …; the ratio of neighbours is q^((2j+1)/4).
     let (mut power, mut ratio) = (T::one(), quarter);
     let root = q.sqrt();
     for j in 1.. {
-        (s, c) = turn(&s, &c);
+        (s, c) = (s * cosine + c * sine, c * cosine - s * sine);
         power *= ratio;
         ratio *= root;
-        let term = int::<T>(2) * power;
-        let half = j / 2;
+        let term = T::from_int(2) * power;
+        let alternating = |value: T| if j / 2 % 2 == 0 { value } else { -value };
         if j % 2 == 1 {
-            let signed = if half % 2 == 0 { s } else { -s };
-            sum.one += term * signed;
+            sum.one += alternating(term * s);
             sum.two += term * c;
         } else {
-            let value = term * c;
-            sum.three += value;
-            sum.four += if half % 2 == 0 { value } else { -value };
+            sum.three += term * c;
+            sum.four += alternating(term * c);
         }
         // Relative to the first term of ϑ₁ and ϑ₂, so that they are as precise for a small nome.
         if term < T::epsilon() * T::half() * quarter {

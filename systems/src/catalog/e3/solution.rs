@@ -3,7 +3,7 @@
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
-use crate::solution::{Branch, OutOfDomain, alternating, integer, require};
+use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::Real;
 
 /// An orbit of dE3 (Theorem 3, i = 3): with T = 2δn + κ,
@@ -74,7 +74,7 @@ impl<T: Real> Solution<T> {
     /// The point n steps on, or back for n < 0; not finite where T = 0 on the outer branch, a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, theta, branch } = self;
-        let argument = integer::<T>(2 * n) * *delta + *kappa;
+        let argument = T::from_int(2 * n) * *delta + *kappa;
         let (sine_delta, cosine_delta) = delta.sinh_cosh();
         let (sine, cosine) = theta.sin_cos();
         let product = delta.tanh() * argument.tanh();

@@ -3,7 +3,7 @@
 use kahan_core::nalgebra::SVector;
 
 use super::normal_form::{NormalForm, Symmetry};
-use crate::solution::{OutOfDomain, integer, require};
+use crate::solution::{OutOfDomain, require};
 use crate::special::{Jacobi, Modulus, Real, jacobi};
 
 /// A trajectory of E4 (Table 5, i = 4): with T = t + α and sn, cn, dn at λT, modulus k,
@@ -35,7 +35,7 @@ impl<T: Real> FlowSolution<T> {
         let small = difference.square() + height.square();
         let lambda = large.sqrt();
         // k² = (d² + z²)/(s² + z²), 1 − k² = 4xy/(s² + z²)
-        let modulus = Modulus::from_squares(&(small / large), &(integer::<T>(4) * product / large));
+        let modulus = Modulus::from_squares(&(small / large), &(T::from_int(4) * product / large));
         // (sn, cn) at t = 0 are (z, d)/(kλ); k = 0 is the fixed point x = y, z = 0.
         let alpha = if small.is_zero() {
             T::zero()

@@ -3,7 +3,7 @@
 use kahan_core::nalgebra::SVector;
 
 use super::normal_form::{NormalForm, Symmetry};
-use crate::solution::{Branch, OutOfDomain, alternating, integer, require};
+use crate::solution::{Branch, OutOfDomain, alternating, require};
 use crate::special::{Jacobi, Modulus, Real, jacobi};
 
 /// An orbit of dE4 (Theorem 3, i = 4): with v = 2δn + κ, modulus k, s = x + y and d = x − y,
@@ -103,7 +103,7 @@ impl<T: Real> Solution<T> {
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, delta, kappa, modulus, symmetry, branch, advance } = self;
         let k = modulus.k;
-        let Jacobi { sn, cn, dn } = jacobi(&(integer::<T>(2 * n) * *delta + *kappa), modulus);
+        let Jacobi { sn, cn, dn } = jacobi(&(T::from_int(2 * n) * *delta + *kappa), modulus);
         let (sum, difference, height) = match branch {
             Branch::Inner => {
                 (advance.sn / advance.cn * dn, k * advance.sn / advance.dn * cn, k * advance.sn * sn)
@@ -149,5 +149,5 @@ impl<T: Real> Squares<T> {
 fn modulus<T: Real>(form: &NormalForm<T>, eps: &T, width: &T) -> Modulus<T> {
     let Squares { sum, difference, wide, narrow } = Squares::of(form, eps);
     let divisor = wide * difference;
-    Modulus::from_squares(&(narrow * sum / divisor), &(integer::<T>(4) * form.product * *width / divisor))
+    Modulus::from_squares(&(narrow * sum / divisor), &(T::from_int(4) * form.product * *width / divisor))
 }

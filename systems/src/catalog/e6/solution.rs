@@ -9,7 +9,7 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
 use crate::euler;
-use crate::solution::{OutOfDomain, integer};
+use crate::solution::OutOfDomain;
 use crate::special::Real;
 
 /// An orbit of dE6, by Jacobi's elliptic functions (not in the paper, which says that it follows
@@ -63,7 +63,7 @@ impl<T: Real> FlowSolution<T> {
 }
 
 fn coefficients<T: Real>() -> [T; 3] {
-    [T::one(), integer::<T>(-3), T::one()]
+    [T::one(), T::from_int(-3), T::one()]
 }
 
 fn to_top<T: Real>(point: &SVector<T, 3>) -> SVector<T, 3> {

@@ -2,14 +2,14 @@
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 
-use crate::solution::{OutOfDomain, integer, require};
+use crate::solution::{OutOfDomain, require, square_less_one};
 use crate::special::{
     Real, asymptotic_start, centered_digamma_difference, centered_gamma_ratio, gamma_product_tail,
 };
 
 /// u = 1/(2εx), which one step raises by 1.
 fn level<T: Real>(x: &T, eps: &T) -> T {
-    T::one() / (integer::<T>(2) * *eps * *x)
+    T::one() / (T::from_int(2) * *eps * *x)
 }
 
 /// σ = (ξ − 1)/2, so that Γ(u + ξ/2)/Γ(u + 1 − ξ/2) is centred.
@@ -56,24 +56,17 @@ pub fn integral_k<T: Real>(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<T, 
     let mut level = level(&x, eps);
     let mut slope = y / x;
     let half_xi = *xi * T::half();
-    let two = integer::<T>(2);
-    let start: T = integer(asymptotic_start(xi));
-    let mut sum = z / (x * cubic(&level).0);
+    let two = T::from_int(2);
+    let start: T = T::from_int(asymptotic_start(xi));
+    let mut sum = z / (x * square_less_one(level));
     while level < start {
         let next = slope * (level + T::one() - half_xi) / (level + half_xi);
-        let (square, third) = cubic(&level);
-        sum += two * two * *xi * slope * next / (square * third);
+        sum += two * two * *xi * slope * next / (square_less_one(level) * (two * level + T::from_int(3)));
         slope = next;
         level += T::one();
     }
     let integral_h = slope * centered_gamma_ratio(&level, &sigma(xi));
     Ok((sum + integral_h.square() * gamma_product_tail(&level, xi)) / eps.square())
-}
-
-/// 4N² − 1 and 2N + 3.
-fn cubic<T: Real>(level: &T) -> (T, T) {
-    let double = integer::<T>(2) * *level;
-    ((double - T::one()) * (double + T::one()), double + integer(3))
 }
 
 /// The invariant bracket of dE7 with the Casimir Ĥ₇ (section 6.1): {x,y} = 0, {z,x} = x(1 − ε²x²),

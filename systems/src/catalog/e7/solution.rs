@@ -3,7 +3,7 @@
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
-use crate::solution::{OutOfDomain, integer, shift_and_divisor};
+use crate::solution::{OutOfDomain, shift_and_divisor, square_less_one};
 use crate::special::{Real, centered_gamma_ratio};
 
 /// An orbit of dE7 (section 6.1, equations for x, y and z): with N = n + τ, β = 2εy₀, γ = 2εz₀,
@@ -36,20 +36,20 @@ impl<T: Real> Solution<T> {
     pub fn through(xi: &T, point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let (tau, _) = shift_and_divisor(&x, eps)?;
-        let double = integer::<T>(2) * *eps;
+        let double = T::from_int(2) * *eps;
         Ok(Self { tau, beta: double * y, gamma: double * z, xi: *xi, eps: *eps })
     }
 
     /// The point n steps on, or back for n < 0; a cost of |n| terms. Not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, xi, tau, beta, gamma } = self;
-        let shifted = integer::<T>(n) + *tau;
-        let x = T::one() / (integer::<T>(2) * *eps * shifted);
+        let shifted = T::from_int(n) + *tau;
+        let x = T::one() / (T::from_int(2) * *eps * shifted);
         let y = *tau * *beta * self.gamma_quotient(&shifted) * x;
-        let four = integer::<T>(4);
-        let first = *tau * *gamma / square_less_one(tau);
+        let four = T::from_int(4);
+        let first = *tau * *gamma / square_less_one(*tau);
         let second = four * (*tau * *beta).square() * *xi * self.scaled_sum(n);
-        vector![x, y, x * square_less_one(&shifted) * (first + second)]
+        vector![x, y, x * square_less_one(shifted) * (first + second)]
     }
 
     /// g G₀ at N: the quotient Y/Y₀ of y/x, by two ratios of Γ.
@@ -64,27 +64,18 @@ impl<T: Real> Solution<T> {
     fn scaled_sum(&self, n: i64) -> T {
         let Self { xi, tau, .. } = self;
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };
-        let two = integer::<T>(2);
-        let mut quotient = if range.is_empty() {
-            T::one()
-        } else {
-            self.gamma_quotient(&(integer::<T>(range.start) + *tau))
-        };
+        let two = T::from_int(2);
+        let mut quotient =
+            if range.is_empty() { T::one() } else { self.gamma_quotient(&(T::from_int(range.start) + *tau)) };
         let mut sum = T::zero();
         for j in range {
-            let double = two * (integer::<T>(j) + *tau);
+            let double = two * (T::from_int(j) + *tau);
             let top = double + two - *xi;
             let bottom = double + *xi;
-            let divisor = (double + integer(3)) * bottom * (double.square() - T::one());
+            let divisor = (double + T::from_int(3)) * bottom * (double.square() - T::one());
             sum += top * quotient.square() / divisor;
             quotient = quotient * top / bottom;
         }
         sign * sum
     }
-}
-
-/// 4N² − 1 = (2N − 1)(2N + 1).
-fn square_less_one<T: Real>(shifted: &T) -> T {
-    let double = integer::<T>(2) * *shifted;
-    (double - T::one()) * (double + T::one())
 }

@@ -2,7 +2,7 @@
 
 use kahan_core::nalgebra::SVector;
 
-use crate::solution::{OutOfDomain, integer, require};
+use crate::solution::{OutOfDomain, require, square_less_one};
 use crate::special::{Real, asymptotic_start, digamma, digamma_product_tail};
 
 /// Ĥ₈ = y/x + ψ(1/2 + u) with u = 1/(2εx), an integral of dE8 (section 6.2); ε is half the time
@@ -10,7 +10,7 @@ use crate::special::{Real, asymptotic_start, digamma, digamma_product_tail};
 ///
 /// Real for every x ≠ 0 where 1/2 + u is not a pole of ψ; not a number there and at x = 0.
 pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
-    let level = T::one() / (integer::<T>(2) * *eps * point[0]);
+    let level = T::one() / (T::from_int(2) * *eps * point[0]);
     point[1] / point[0] + digamma(&(level + T::half()))
 }
 
@@ -27,21 +27,17 @@ pub fn integral_h<T: Real>(point: &SVector<T, 3>, eps: &T) -> T {
 /// Unless εx ≠ 0.
 pub fn integral_k<T: Real>(point: &SVector<T, 3>, eps: &T) -> Result<T, OutOfDomain> {
     let [x, y, z] = (*point).into();
-    let scaled = integer::<T>(2) * *eps * x;
+    let scaled = T::from_int(2) * *eps * x;
     require(!scaled.is_zero(), "eps x != 0")?;
-    let two = integer::<T>(2);
+    let two = T::from_int(2);
     let mut level = T::one() / scaled;
     let mut slope = y / x;
-    let start: T = integer(asymptotic_start(&T::zero()));
-    let square_less_one = |level: &T| {
-        let double = two * *level;
-        (double - T::one()) * (double + T::one())
-    };
-    let mut sum = z / (x * square_less_one(&level));
+    let start: T = T::from_int(asymptotic_start(&T::zero()));
+    let mut sum = z / (x * square_less_one(level));
     while level < start {
         let next = slope - T::one() / (level + T::half());
         let top = slope + next + two * slope * next;
-        sum += two * top / (square_less_one(&level) * (two * level + integer(3)));
+        sum += two * top / (square_less_one(level) * (two * level + T::from_int(3)));
         slope = next;
         level += T::one();
     }

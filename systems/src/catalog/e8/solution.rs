@@ -3,7 +3,7 @@
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
-use crate::solution::{OutOfDomain, integer, shift_and_divisor};
+use crate::solution::{OutOfDomain, shift_and_divisor};
 use crate::special::{Real, digamma};
 
 /// An orbit of dE8 (section 6.2, with erratum A3 corrected): with N = n + τ, β = 2εy₀, γ = 2εz₀ and
@@ -36,19 +36,19 @@ impl<T: Real> Solution<T> {
     pub fn through(point: &SVector<T, 3>, eps: &T) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         let (tau, _) = shift_and_divisor(&x, eps)?;
-        let double = integer::<T>(2) * *eps;
+        let double = T::from_int(2) * *eps;
         Ok(Self { tau, beta: double * y, gamma: double * z, eps: *eps })
     }
 
     /// The point n steps on, or back for n < 0; a cost of |n| terms. Not finite at a pole.
     pub fn at(&self, n: i64) -> SVector<T, 3> {
         let Self { eps, tau, beta, gamma } = self;
-        let shifted = integer::<T>(n) + *tau;
-        let four = integer::<T>(4);
-        let x = T::one() / (integer::<T>(2) * *eps * shifted);
+        let shifted = T::from_int(n) + *tau;
+        let four = T::from_int(4);
+        let x = T::one() / (T::from_int(2) * *eps * shifted);
         let y = (*tau * *beta - self.digamma_difference(n)) * x;
         let initial = four * tau.square() - T::one();
-        let travelled = four * integer::<T>(n) * (shifted + *tau);
+        let travelled = four * T::from_int(n) * (shifted + *tau);
         let bracket = travelled * (beta.square() * *tau + *beta + *gamma) + initial * *gamma;
         let first = *tau * bracket / initial;
         let second = four * (four * shifted.square() - T::one()) * self.sum(n);
@@ -59,27 +59,27 @@ impl<T: Real> Solution<T> {
     fn digamma_difference(&self, n: i64) -> T {
         let middle = self.tau + T::half();
         if n.abs() > SUMMED {
-            return digamma(&(integer::<T>(n) + middle)) - digamma(&middle);
+            return digamma(&(T::from_int(n) + middle)) - digamma(&middle);
         }
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };
-        range.fold(T::zero(), |sum, j| sum + sign / (integer::<T>(j) + middle))
+        range.fold(T::zero(), |sum, j| sum + sign / (T::from_int(j) + middle))
     }
 
     /// V_n = Σ_{j<n} {1+2βτ + U_j[2M(1+2βτ) − 1 + 2βτ] − U_j²(2M+1)}/((2M+3)(2M+1)(4M²−1)), M = j +
     /// τ; for n < 0 minus the sum over n ≤ j < 0.
     pub fn sum(&self, n: i64) -> T {
         let Self { tau, beta, .. } = self;
-        let two = integer::<T>(2);
+        let two = T::from_int(2);
         let product = two * *beta * *tau;
         let (range, sign) = if n < 0 { (n..0, -T::one()) } else { (0..n, T::one()) };
         let mut difference = self.digamma_difference(range.start);
         let mut sum = T::zero();
         for j in range {
-            let double = two * (integer::<T>(j) + *tau);
+            let double = two * (T::from_int(j) + *tau);
             let next = double + T::one();
             let linear = double * (T::one() + product) - T::one() + product;
             let top = T::one() + product + difference * linear - difference.square() * next;
-            let divisor = (double + integer(3)) * next * (double.square() - T::one());
+            let divisor = (double + T::from_int(3)) * next * (double.square() - T::one());
             sum += top / divisor;
             difference += two / next;
         }

@@ -4,7 +4,7 @@
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
-use crate::solution::{OutOfDomain, integer, require};
+use crate::solution::{OutOfDomain, require};
 use crate::special::Real;
 use crate::{e3, e4};
 
@@ -57,7 +57,7 @@ impl<T: Real> FlowSolution<T> {
     /// y² > 0 for ξ = ±1.
     pub fn through(xi: &T, point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
-        let two = integer::<T>(2);
+        let two = T::from_int(2);
         if xi.is_zero() {
             let plane = e3::FlowSolution::through(&vector![x, T::zero(), z])?;
             Ok(Self::Zero { plane, y })
@@ -100,7 +100,7 @@ impl<T: Real> Elementary<T> {
     pub fn through(point: &SVector<T, 3>) -> Result<Self, OutOfDomain> {
         let [x, y, z] = (*point).into();
         require(!x.is_zero(), "x != 0")?;
-        let two = integer::<T>(2);
+        let two = T::from_int(2);
         let k = two * (x.square() + y.square() + z.square()).sqrt();
         let square = x.square();
         let c = y / square;
@@ -113,7 +113,7 @@ impl<T: Real> Elementary<T> {
     /// The point at time t, any real number.
     pub fn at(&self, t: &T) -> SVector<T, 3> {
         let Self { k, b, c, phase, sign } = self;
-        let two = integer::<T>(2);
+        let two = T::from_int(2);
         let (sine, cosine) = (*k * *t + *phase).sinh_cosh();
         let w = two * (T::one() / k.square() + *b * cosine);
         vector![*sign / w.sqrt(), *c / w, *k * *b * sine / w]

@@ -4,7 +4,7 @@
 use kahan_core::nalgebra::SVector;
 use kahan_core::vector;
 
-use crate::solution::{OutOfDomain, integer, require};
+use crate::solution::{OutOfDomain, require};
 use crate::special::{Real, integrate};
 
 /// The radius √(2K₉) = √(x² + y² + z²) of the sphere that a trajectory of E9 stays on, for every ξ.
@@ -104,13 +104,13 @@ impl<T: Real> Quadrature<T> {
         // singularity.
         let middle = (self.largest * *smallest).sqrt();
         let from_smallest = self.time_from(smallest, &middle, T::one());
-        Some(integer::<T>(2) * (self.time_from_largest(&middle) + from_smallest))
+        Some(T::from_int(2) * (self.time_from_largest(&middle) + from_smallest))
     }
 
     /// ∫ dx/(xz) from a turning point x* to x = x* e^(σS²), as ∫₀^S 2s ds/z with
     /// z² = −x*²(e^{2σs²} − 1) − c²x*^{2ξ}(e^{2ξσs²} − 1).
     fn time_from(&self, turning: &T, x: &T, sigma: T) -> T {
-        let two = integer::<T>(2);
+        let two = T::from_int(2);
         let end = (sigma * (*x / *turning).ln()).sqrt();
         let square = turning.square();
         let other = (self.c * turning.power_real(&self.xi)).square();
@@ -149,7 +149,7 @@ impl<T: Real> Turning<'_, T> {
                 inside = x;
             }
             let y = *self.c * x.power_real(self.xi);
-            let slope = -(integer::<T>(2) * (x + *self.xi * y.square() / x));
+            let slope = -(T::from_int(2) * (x + *self.xi * y.square() / x));
             let newton = x - value / slope;
             let between = (newton > inside && newton < outside) || (newton < inside && newton > outside);
             let next = if between { newton } else { (inside + outside) * T::half() };

@@ -49,10 +49,6 @@ impl Real for Precise {
         Self::from_rational(q)
     }
 
-    fn from_f64(x: f64) -> Self {
-        x.into()
-    }
-
     fn pi() -> Self {
         CACHE.with_borrow_mut(|cache| Self::from_repr(CONTEXT.pi::<2>(Some(cache)).value().into_repr()))
     }
