@@ -5,37 +5,24 @@ use kahan_algebra::system::System;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Dual, QuadraticField, Scalar, StepCost};
-use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension, round};
+use kahan_runtime::interpreted::{Padded, UnsupportedDimension, round};
 use kahan_runtime::{Field, ParameterError, ParameterValue};
 
-use crate::extremes::StepsOfSystem;
 use crate::reference::{Limits, NoReference, Reference, Trajectory};
 
-/// What is asked of a system.
-pub(crate) trait Map {
-    /// The trajectory to compare with.
-    fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference>;
-    /// ‖f′(x₀)‖∞
-    fn slope(&self, start: &[Rational]) -> f64;
-    /// The declared integrals at this ε.
-    fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd>;
-    /// Their Taylor coefficients at ε = 0: the values, and those of ε².
-    fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]>;
-    /// What a step of the generated code costs.
-    fn cost(&self) -> StepCost;
-    /// Its steps over each scalar that is judged.
-    fn steps(&self) -> StepsOfSystem;
-}
+/// A system at values of its parameters, planned once.
+#[derive(Debug)]
+pub(crate) struct Map(Padded<BigRational>);
 
 /// A system at these values of its parameters: its orbits, and what else is asked of it.
 pub(crate) fn read(
     system: &System,
     parameters: &[impl ParameterValue],
-) -> Result<(kahan_runtime::Map, Box<dyn Map>), CannotRun> {
+) -> Result<(kahan_runtime::Map, Map), CannotRun> {
     let names = &system.field.symbols.parameters;
     let orbits = Field::of(system).with(names.iter().zip(parameters)).map_err(CannotRun::Parameters)?;
-    let map = orbits.as_padded_kahan_map::<BigRational>().map_err(CannotRun::Dimension)?;
-    Ok((orbits, Box::new(map)))
+    let map = orbits.as_padded_kahan_map().map_err(CannotRun::Dimension)?;
+    Ok((orbits, Map(map)))
 }
 
 /// Why a system cannot be run.
@@ -58,27 +45,40 @@ impl core::fmt::Display for CannotRun {
 
 impl core::error::Error for CannotRun {}
 
-impl<const N: usize> Map for Interpreted<BigRational, N> {
-    fn reference(&self, asked: &Trajectory<'_>, limits: &Limits) -> Result<Reference, NoReference> {
-        Reference::of(&self.rounded::<Dd>(), asked, limits)
+impl Map {
+    /// The map over a scalar, each parameter rounded once.
+    pub(crate) fn over<T: Scalar>(&self) -> Padded<T> {
+        self.0.rounded()
     }
 
-    fn slope(&self, start: &[Rational]) -> f64 {
-        let slopes =
-            self.rounded::<f64>().field_jacobian(&SVector::from_fn(|i, _| start.get(i).map_or(0.0, round)));
+    /// The trajectory to compare with.
+    pub(crate) fn reference(
+        &self,
+        asked: &Trajectory<'_>,
+        limits: &Limits,
+    ) -> Result<Reference, NoReference> {
+        Reference::of(&self.over::<Dd>(), asked, limits)
+    }
+
+    /// ‖f′(x₀)‖∞
+    pub(crate) fn slope(&self, start: &[Rational]) -> f64 {
+        let point = SVector::from_fn(|i, _| start.get(i).map_or(0.0, round));
+        let slopes = self.over::<f64>().field_jacobian(&point);
         slopes.row_iter().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
     }
 
-    fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd> {
-        let values = self.rounded().integrals(&padded(x, |value| value), &Dd::from(eps));
+    /// The declared integrals at this ε.
+    pub(crate) fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd> {
+        let values = self.over().integrals(&padded(x, |value| value), &Dd::from(eps));
         values.into_iter().map(number).collect()
     }
 
-    fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
+    /// Their Taylor coefficients at ε = 0: the values, and those of ε².
+    pub(crate) fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
         // ε = d + d′ with d² = d′² = 0: the coefficient of dd′ is the second derivative.
         let fixed = |value: Dd| Dual::<_, 1>::lift(Dual::<_, 1>::lift(value));
         let eps = Dual { value: Dual::coordinate(Dd::from(0.0), 0), gradient: [Dual::lift(Dd::from(1.0))] };
-        let claims = self.rounded::<Dd>().over(|parameter| fixed(*parameter));
+        let claims = self.over::<Dd>().over(|parameter| fixed(*parameter));
         let half = Dd::from(0.5);
         let coefficients = claims.integrals(&padded(x, fixed), &eps).into_iter().map(|value| match value {
             Some(value) => [value.value.value, value.gradient[0].gradient[0] * half],
@@ -87,16 +87,9 @@ impl<const N: usize> Map for Interpreted<BigRational, N> {
         coefficients.collect()
     }
 
-    fn cost(&self) -> StepCost {
-        Interpreted::cost(self)
-    }
-
-    fn steps(&self) -> StepsOfSystem {
-        StepsOfSystem {
-            single: Box::new(self.rounded()),
-            double: Box::new(self.rounded()),
-            double_double: Box::new(self.rounded()),
-        }
+    /// What a step of the generated code costs.
+    pub(crate) fn cost(&self) -> StepCost {
+        self.0.cost()
     }
 }
 

@@ -5,7 +5,6 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::{Dd, KahanMap, Lift, Pivot, ThroughF64};
 
 use super::dyadic::Dyadic;
-use super::steps::{Steps, StepsOfSystem};
 
 /// A float that can be judged.
 pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
@@ -31,9 +30,6 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     /// A stable step may not be flagged below this condition number; `None` where nothing is
     /// promised.
     const FLAG_CONDITION: Option<f64>;
-
-    /// A system's steps over this scalar.
-    fn steps(of_system: &StepsOfSystem) -> &dyn Steps<Self>;
 
     /// The nearest number.
     fn of(value: f64) -> Self;
@@ -74,10 +70,6 @@ impl Float for f64 {
     const STATE_BINADES: i64 = 498;
     const FLAG_CONDITION: Option<f64> = Some(1e12);
 
-    fn steps(of_system: &StepsOfSystem) -> &dyn Steps<Self> {
-        &*of_system.double
-    }
-
     fn of(value: f64) -> Self {
         value
     }
@@ -94,10 +86,6 @@ impl Float for f32 {
     const EPS_BINADES: i64 = 125;
     const STATE_BINADES: i64 = 62;
     const FLAG_CONDITION: Option<f64> = Some(1e4);
-
-    fn steps(of_system: &StepsOfSystem) -> &dyn Steps<Self> {
-        &*of_system.single
-    }
 
     fn of(value: f64) -> Self {
         value as Self
@@ -123,10 +111,6 @@ impl Float for Dd {
     const EPS_BINADES: i64 = 996;
     const STATE_BINADES: i64 = 498;
     const FLAG_CONDITION: Option<f64> = None;
-
-    fn steps(of_system: &StepsOfSystem) -> &dyn Steps<Self> {
-        &*of_system.double_double
-    }
 
     fn of(value: f64) -> Self {
         value.into()

@@ -29,14 +29,13 @@ use kahan_systems::entry::Entry;
 use kahan_systems::registry::SYSTEMS;
 use kahan_systems::volterra;
 
-use crate::map::read;
+use crate::map::{Map, read};
 
 use judge::Judge;
 use trial::Ready;
 
 pub use crate::map::CannotRun;
 pub use regime::Regime;
-pub(crate) use steps::StepsOfSystem;
 pub use tally::{Cell, Failure, Place, Tally};
 
 /// A system whose steps are judged.
@@ -46,7 +45,7 @@ pub struct Subject {
     /// The values of parameters that are given; the others are drawn.
     parameters: Vec<Option<Rational>>,
     judge: Judge,
-    steps: StepsOfSystem,
+    map: Map,
 }
 
 /// What is judged where no system is named: the paper's systems, and the lattice of three sites,
@@ -73,8 +72,8 @@ impl Subject {
     pub fn new(name: &str, system: &System, parameters: Vec<Option<Rational>>) -> Result<Self, Unjudged> {
         let judge = Judge::of(system).ok_or(Unjudged::BeyondBudget)?;
         let values: Vec<BigRational> = (1..).zip(&parameters).map(value_or_any).collect();
-        let steps = read(system, &values).map_err(Unjudged::CannotRun)?.1.steps();
-        Ok(Self { name: name.to_owned(), parameters, judge, steps })
+        let (_, map) = read(system, &values).map_err(Unjudged::CannotRun)?;
+        Ok(Self { name: name.to_owned(), parameters, judge, map })
     }
 
     /// Its name.

@@ -24,7 +24,7 @@ pub(super) struct Ready<'a, T> {
 /// A subject with its steps over one scalar.
 struct Runner<'a, T> {
     subject: &'a Subject,
-    steps: &'a dyn Steps<T>,
+    steps: Steps<T>,
     fixed: Vec<Option<T>>,
 }
 
@@ -43,7 +43,7 @@ impl<'a, T: Float> Ready<'a, T> {
     pub(super) fn new(subjects: &'a [Subject], trials: u64, seed: u64) -> Self {
         let runner = |subject: &'a Subject| {
             let fixed = subject.parameters.iter().map(|value| value.as_ref().map(rounded)).collect();
-            Runner { subject, steps: T::steps(&subject.steps), fixed }
+            Runner { subject, steps: Steps::of(&subject.map), fixed }
         };
         let subjects: Vec<Runner<'a, T>> = subjects.iter().map(runner).collect();
         let indices = |has: fn(&Subject) -> bool| {

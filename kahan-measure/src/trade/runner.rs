@@ -12,7 +12,7 @@ use super::CannotTrade;
 
 /// A system at a starting point.
 pub(super) struct Runner {
-    pub(super) map: Box<dyn Map>,
+    pub(super) map: Map,
     orbits: kahan_runtime::Map,
     start: Vec<Rational>,
 }
