@@ -6,6 +6,7 @@
 
 use core::array::from_fn;
 use core::marker::PhantomData;
+use core::mem::needs_drop;
 
 use nalgebra::SVector;
 
@@ -75,8 +76,27 @@ where
 
     #[inline(always)]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
-        K::quotients(&self.constants, components(x).clone())
+        let state = components(x).clone();
+        if const { needs_drop::<T>() } {
+            called::<K, T, N, C>(&self.constants, state)
+        } else {
+            K::quotients(&self.constants, state)
+        }
     }
+}
+
+/// The formulas over numbers that own memory, such as big rationals: each operation on them is
+/// calls already, so they are compiled once, and not into every function that takes a step.
+#[inline(never)]
+fn called<K, T, const N: usize, const C: usize>(
+    constants: &[Padded<T>; C],
+    state: [T; N],
+) -> Option<Quotients<T, N>>
+where
+    K: Kernel<N, C>,
+    T: Scalar,
+{
+    K::quotients(constants, state)
 }
 
 impl<K, T, const N: usize, const C: usize> WideStep<T, N> for StraightStep<K, T, C>
