@@ -32,9 +32,10 @@ impl MachineFloat for f64 {}
 /// States are slices, an entry a variable. Bits are those of the code that `kahan!` writes, for
 /// single steps and for columns (where those are ensembles at [`Level::Baseline`]), unless
 /// [another level](Self::at_level) is asked for. It runs as machine code where that can be had, and
-/// else interpreted, by the same calls and with the same bits. Nothing panics, whatever the numbers are: a
-/// pole shows as numbers that are not finite. After the first call on a thread no step allocates.
-/// A map can be used from any number of threads at once, none of which waits for another.
+/// else interpreted, by the same calls and with the same bits. Nothing panics, whatever the numbers
+/// are: a pole shows as numbers that are not finite. After the first call on a thread no step
+/// allocates. A map can be used from any number of threads at once, none of which waits for
+/// another.
 #[derive(Clone, Debug)]
 pub struct MapAt<T> {
     map: Map,
@@ -80,12 +81,12 @@ impl<T: MachineFloat> MapAt<T> {
         MapAt { composition, stages, coded, ..self.clone() }
     }
 
-    /// The same map with the bits of a level of ensembles, whose larger ones fuse multiply-adds, and
-    /// its columns on the instructions of that level; `None` if this processor lacks them, or there
-    /// is no machine code for the step.
+    /// The same map with the bits of a level of ensembles, whose larger ones fuse multiply-adds,
+    /// and its columns on the instructions of that level; `None` if this processor lacks them, or
+    /// there is no machine code for the step.
     ///
-    /// [`Level::Baseline`] is what a map is without being asked: the bits of this build, computed in
-    /// registers as wide as there are.
+    /// [`Level::Baseline`] is what a map is without being asked: the bits of this build, computed
+    /// in registers as wide as there are.
     #[must_use]
     pub fn at_level(&self, level: Level) -> Option<Self> {
         let instructions = Instructions::at_level(level);
@@ -177,8 +178,8 @@ impl<T: MachineFloat> MapAt<T> {
     /// empty one means those of the map. A trajectory has the same bits whatever stands beside it,
     /// and those of an ensemble at its ε and parameters.
     ///
-    /// What is not a number stays so, and a trajectory at whose parameters the field divides by zero
-    /// is not a number either. The rest never notices.
+    /// What is not a number stays so, and a trajectory at whose parameters the field divides by
+    /// zero is not a number either. The rest never notices.
     ///
     /// # Errors
     /// [`DimensionError`] for what has another length.
@@ -215,8 +216,8 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(())
     }
 
-    /// Where the field divides by zero at a trajectory's parameters there is no map; its code, which
-    /// has no such divisor any more, does not notice.
+    /// Where the field divides by zero at a trajectory's parameters there is no map; its code,
+    /// which has no such divisor any more, does not notice.
     fn forget_undefined(&self, Columns { columns, parameters, .. }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {

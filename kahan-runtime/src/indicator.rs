@@ -1,7 +1,7 @@
 //! One number for each of many orbits: what a stability map shows.
 //!
-//! In: the maps and first points of orbits. Out: what an observer says of each, over `f64`, compiled
-//! here for those who draw.
+//! In: the maps and first points of orbits. Out: what an observer says of each, over `f64`,
+//! compiled here for those who draw.
 
 use std::iter::repeat_n;
 use std::rc::Rc;
@@ -23,15 +23,16 @@ pub enum Indicator {
     Lyapunov,
     /// The greatest drift of the claimed integrals, 0 where there is none.
     Drift,
-    /// The first step after which a variable is larger in size than this, or no number; not a number
-    /// where there is none.
+    /// The first step after which a variable is larger in size than this, or no number; not a
+    /// number where there is none.
     Escape(f64),
 }
 
 impl Indicator {
     /// The indicator of many orbits, each followed for so many steps: column c holds variable c of
     /// all of them, first that of their first points and then of their last, and `maps` is one map
-    /// for all or one each. But for an escape, it is not a number where an orbit leaves the numbers.
+    /// for all or one each. But for an escape, it is not a number where an orbit leaves the
+    /// numbers.
     ///
     /// # Errors
     /// [`DimensionError`] for columns that do not fit the maps, or each other.

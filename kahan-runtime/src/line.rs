@@ -30,8 +30,8 @@ enum Instruction {
 /// Straight-line instructions with several results.
 ///
 /// Registers are numbered in the order in which they are filled: with the constants (the parameters
-/// and ε, or in a kernel what was prepared), the numbers that the plan writes out, the states (those
-/// of a second point behind those of the first), and the result of each instruction.
+/// and ε, or in a kernel what was prepared), the numbers that the plan writes out, the states
+/// (those of a second point behind those of the first), and the result of each instruction.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     constants: usize,

@@ -39,8 +39,8 @@ impl Map {
     /// The map at ε, half the time step, over the float that ε is. What depends on ε and the
     /// parameters alone is computed here.
     ///
-    /// Cost: the first call for a field plans its step, which takes some milliseconds to some tens of
-    /// them; further ones some microseconds.
+    /// Cost: the first call for a field plans its step, which takes some milliseconds to some tens
+    /// of them; further ones some microseconds.
     #[must_use]
     pub fn at<T: MachineFloat>(&self, eps: T) -> MapAt<T> {
         MapAt::new(self.clone(), self.parameters.iter().map(round).chain([eps]).collect())
@@ -62,8 +62,8 @@ impl Map {
     /// The orbit in a scheme, with ε, half the time step, from a first point; each number is
     /// rounded once.
     ///
-    /// Cost: the first orbit of a field plans its step, which takes some milliseconds to some tens of
-    /// them, and the first of its kind compiles it, in some tenths of one.
+    /// Cost: the first orbit of a field plans its step, which takes some milliseconds to some tens
+    /// of them, and the first of its kind compiles it, in some tenths of one.
     ///
     /// # Errors
     /// [`DimensionError`] if the point has not an entry a variable.

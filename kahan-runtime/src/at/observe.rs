@@ -1,7 +1,7 @@
 //! Many orbits observed in the loop, side by side where there is code for that.
 //!
-//! In: a map for all orbits or one each, first points, and observers of each. Out: reports. An orbit
-//! has the points and the report that it has alone, bit for bit, whatever stands beside it.
+//! In: a map for all orbits or one each, first points, and observers of each. Out: reports. An
+//! orbit has the points and the report that it has alone, bit for bit, whatever stands beside it.
 
 use core::array::from_fn;
 

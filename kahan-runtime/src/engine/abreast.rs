@@ -15,7 +15,8 @@ use super::{Engine, Instructions, in_turn};
 /// The most vectors that are carried at once.
 const MOST_VECTORS: usize = 2;
 
-/// The code for no tangent vector, one, and so on, once it was asked for; `None` where there is none.
+/// The code for no tangent vector, one, and so on, once it was asked for; `None` where there is
+/// none.
 pub(crate) type AbreastOnce<T> = [OnceLock<Option<Arc<Sweep<T>>>>; MOST_VECTORS + 1];
 
 /// The steps of a group's orbits, or another line over their columns.

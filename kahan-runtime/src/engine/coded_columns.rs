@@ -1,9 +1,9 @@
 //! Many trajectories by machine code: whole registers of them, tile by tile.
 //!
 //! A tile stays in the nearest cache while all of its steps run, and its registers do not wait for
-//! each other. What is left after the last whole register goes through a register of its own, filled
-//! up with copies of the last trajectory. However the columns are divided, each trajectory goes
-//! through the same operations.
+//! each other. What is left after the last whole register goes through a register of its own,
+//! filled up with copies of the last trajectory. However the columns are divided, each trajectory
+//! goes through the same operations.
 
 use std::sync::{Arc, OnceLock};
 
@@ -115,8 +115,8 @@ impl Engine {
 fn run_in_lines<T: Scratches>(tile: &mut [&mut [T]], room: &mut Vec<T>, run: impl FnOnce(&mut [&mut [T]])) {
     let line = LINE / size_of::<T>();
     let len = tile.first().map_or(0, |column| column.len());
-    // A processor takes places that lie whole pages apart for the same at first, and a load waits for
-    // a store that went there. So columns begin at places spread over a page.
+    // A processor takes places that lie whole pages apart for the same at first, and a load waits
+    // for a store that went there. So columns begin at places spread over a page.
     let page = PAGE / size_of::<T>();
     let apart = (page / tile.len().max(1)).next_multiple_of(line);
     let stride = len.next_multiple_of(page) + apart;

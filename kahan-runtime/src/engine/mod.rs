@@ -199,8 +199,8 @@ impl Engine {
         Stage { is_general, given }
     }
 
-    /// Replaces a state by the one so many steps later, with what it lacks carried along where there
-    /// is a `carry`.
+    /// Replaces a state by the one so many steps later, with what it lacks carried along where
+    /// there is a `carry`.
     pub(crate) fn advance<T: Scratches>(
         &self,
         stages: &[Stage<T>],

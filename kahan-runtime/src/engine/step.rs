@@ -155,8 +155,8 @@ impl Step {
         }
     }
 
-    /// Replaces a state by the next one, in the registers of the step. Where generated code takes the
-    /// general form for one state, it rounds increments before it adds them.
+    /// Replaces a state by the next one, in the registers of the step. Where generated code takes
+    /// the general form for one state, it rounds increments before it adds them.
     #[inline]
     pub(crate) fn advance<V: Scalar + Copy>(
         &self,
@@ -249,7 +249,8 @@ impl Step {
         has_value(prepared.results(constants.iter().copied(), registers, &[])).iter().collect()
     }
 
-    /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings of many variables; whether it could.
+    /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings of many variables; whether it
+    /// could.
     pub(super) fn solves_columns<V: Scalar + Copy>(&self, constants: &[V], state: &[V], b: &mut [V]) -> bool {
         let Some((slopes, tables)) = self.couplings() else { return false };
         let mut registers = vec![V::zero(); slopes.registers()];

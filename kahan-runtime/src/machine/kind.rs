@@ -9,8 +9,8 @@ pub(crate) struct StepKind {
     pub(crate) precision: Precision,
     /// Whether the state is carried with its rounding error.
     pub(crate) compensated: bool,
-    /// Whether it is the form that serves every scalar and every ε, rather than the one for the orbit
-    /// of one point at an ordinary ε.
+    /// Whether it is the form that serves every scalar and every ε, rather than the one for the
+    /// orbit of one point at an ordinary ε.
     pub(crate) is_general: bool,
     /// Whether an increment is rounded before it is added, as the general form of a step that has
     /// another one for ordinary ε is.

@@ -1,8 +1,8 @@
 //! Steps and objects as machine code: their programs, compiled when they are first asked for.
 //!
-//! In: the plans of a field, and how it is to be stepped. Out: code, kept for everyone who steps the
-//! same field so. What numbers mean is known here; what instructions there are is `kahan-jit`'s.
-//! Without the feature `jit` there is never any code, and everything is interpreted.
+//! In: the plans of a field, and how it is to be stepped. Out: code, kept for everyone who steps
+//! the same field so. What numbers mean is known here; what instructions there are is
+//! `kahan-jit`'s. Without the feature `jit` there is never any code, and everything is interpreted.
 
 #[cfg(not(feature = "jit"))]
 mod absent;

@@ -36,29 +36,19 @@ pub trait ProjectiveScalar: ThroughPoles {
     fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>>;
 }
 
-impl ProjectiveScalar for f32 {
-    fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>> {
-        At::begin(map, eps, start)
-    }
+/// Scalars for which this crate compiles the orbit: a provided method would be compiled where it is
+/// called.
+macro_rules! compile_for {
+    ($($scalar:ty),*) => {$(
+        impl ProjectiveScalar for $scalar {
+            fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>> {
+                At::begin(map, eps, start)
+            }
+        }
+    )*};
 }
 
-impl ProjectiveScalar for f64 {
-    fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>> {
-        At::begin(map, eps, start)
-    }
-}
-
-impl ProjectiveScalar for Dd {
-    fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>> {
-        At::begin(map, eps, start)
-    }
-}
-
-impl ProjectiveScalar for BigRational {
-    fn begin(map: Padded<Self>, eps: &Rational, start: &[Rational]) -> Box<dyn ProjectiveOrbit<Self>> {
-        At::begin(map, eps, start)
-    }
-}
+compile_for!(f32, f64, Dd, BigRational);
 
 impl Map {
     /// The orbit through poles with ε, half the time step, from a first point; each number is

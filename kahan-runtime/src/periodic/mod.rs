@@ -1,8 +1,8 @@
 //! Periodic points of maps that are read at run time, and proofs over ℚ of those that are rational.
 //!
-//! In: a map at its ε for [`kahan_core::periodic`], and a cycle that this found. Out: fractions whose
-//! orbit closes exactly ([`rational`]), where there are such near the cycle, and how stable it is
-//! ([`circle`]).
+//! In: a map at its ε for [`kahan_core::periodic`], and a cycle that this found. Out: fractions
+//! whose orbit closes exactly ([`rational`]), where there are such near the cycle, and how stable
+//! it is ([`circle`]).
 
 mod circle;
 mod rational;
