@@ -1,14 +1,14 @@
 //! The exact front end of Kahan's method.
 //!
 //! In: text or tokens of the language of `kahan!`. Out: a checked quadratic vector field with a
-//! verdict on every claim about its map ([`read`]), and every plan that evaluates it ([`derive()`]).
-//! It must not know any target language, nor the scalars of `kahan-core`: the macro, the maps made
-//! at run time and the command read the same [`Derived`].
+//! verdict on every claim about its map ([`read`]), and every plan that evaluates it
+//! ([`derive()`]). It must not know any target language, nor the scalars of `kahan-core`: the
+//! macro, the maps made at run time and the command read the same [`Derived`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`],
 //! [`system`], [`family`], [`kahan`], [`plan`], [`elimination`], [`derived`], [`relations`],
-//! [`prove`], [`specialise`], [`interpret`], [`render`]; beneath them the exact arithmetic of [`rational`], [`poly`] and
-//! [`rational_function`].
+//! [`prove`], [`specialise`], [`interpret`], [`render`]; beneath them the exact arithmetic of
+//! [`rational`], [`poly`] and [`rational_function`].
 
 pub mod arithmetic;
 pub mod check;

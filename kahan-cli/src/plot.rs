@@ -84,7 +84,8 @@ pub(crate) struct Series {
     pub(crate) colour: usize,
     /// How it is drawn.
     pub(crate) mark: Mark,
-    /// (x, y) in the units of the axes; what these do not show is left out, and no line leads there.
+    /// (x, y) in the units of the axes; what these do not show is left out, and no line leads
+    /// there.
     pub(crate) points: Vec<(f64, f64)>,
 }
 

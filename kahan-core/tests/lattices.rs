@@ -159,8 +159,8 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |largest, (a, b)| largest.max((a - b).abs()))
 }
 
-/// The error after a time of 1, at half the step: a quarter, up to the next term, which is a quarter
-/// of its own.
+/// The error after a time of 1, at half the step: a quarter, up to the next term, which is a
+/// quarter of its own.
 #[test]
 fn chains_are_of_order_two_and_go_back() {
     fn check<M: LatticeMap<f64>>(map: &M, sites: usize, steps: u64) {

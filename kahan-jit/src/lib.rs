@@ -2,8 +2,9 @@
 //!
 //! In: a [`Program`] over two arrays. Out: code that runs it once ([`Function`]), many times on one
 //! state ([`Orbit`], [`ComposedOrbit`]), or over columns of trajectories ([`Sweep`]), in `f64` or
-//! `f32`, one number or a register of them at a time. The operations and their order are the program's, so are the bits: those of generated
-//! Rust, without fused multiply-adds or with them. It must not know what the numbers mean.
+//! `f32`, one number or a register of them at a time. The operations and their order are
+//! the program's, so are the bits: those of generated Rust, without fused multiply-adds or with
+//! them. It must not know what the numbers mean.
 //!
 //! Modules in reading order: `program`, `lines`, `allocation`, `assembler`, `routine`, `pages`,
 //! `call`. The last two hold all of the `unsafe` code.

@@ -1,8 +1,8 @@
 //! Memory that code may run in.
 //!
-//! In: the bytes of code and its numbers. Out: pages that hold them, which can be read and run. They
-//! are writable before that, never both at once, and go back to the system when they are dropped. A
-//! system that gives no such memory answers with an error.
+//! In: the bytes of code and its numbers. Out: pages that hold them, which can be read and run.
+//! They are writable before that, never both at once, and go back to the system when they are
+//! dropped. A system that gives no such memory answers with an error.
 
 use std::io;
 

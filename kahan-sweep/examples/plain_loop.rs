@@ -1,5 +1,5 @@
-//! The calls of `kahan_runtime` that a sweep of E6 makes, in a loop of one's own: what a sweep's time
-//! is measured against. It prints the seconds that it took.
+//! The calls of `kahan_runtime` that a sweep of E6 makes, in a loop of one's own: what a sweep's
+//! time is measured against. It prints the seconds that it took.
 
 use std::time::Instant;
 

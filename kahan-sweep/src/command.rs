@@ -27,8 +27,8 @@ use crate::scripts;
 ///
 /// With --shard i/n this process computes the i-th of n shards; where a launcher's environment says
 /// which task this is (Slurm, MPI, Kubernetes, Grid Engine, LSF, PBS), it is taken from there. All
-/// shards write into one folder, and --merge joins what they wrote. The bytes of the result depend on
-/// the plan alone: not on shards, threads or interruptions.
+/// shards write into one folder, and --merge joins what they wrote. The bytes of the result depend
+/// on the plan alone: not on shards, threads or interruptions.
 ///
 /// The exit status is 0, or 1 where something is missing or does not belong together, or 2 for bad
 /// usage or a plan with mistakes, or 130 where it was interrupted.

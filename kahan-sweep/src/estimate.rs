@@ -33,8 +33,8 @@ impl Estimate {
         let points = plan.points();
         let begun = Instant::now();
         let (mut measured, mut bytes, mut seconds) = (0u64, 0u64, 0.0);
-        // Points all over the plan, as they may differ: the multiples of an odd number. Neighbours may
-        // go side by side, so as many are taken together as the time has room for.
+        // Points all over the plan, as they may differ: the multiples of an odd number. Neighbours
+        // may go side by side, so as many are taken together as the time has room for.
         let stride = (points / 997) | 1;
         let (mut place, mut together) = (0u64, 1);
         while measured < points.min(100_000) && (measured == 0 || begun.elapsed() < MEASURED) {

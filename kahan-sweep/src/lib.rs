@@ -1,11 +1,11 @@
 //! Sweeps: Kahan's map from many starts, at many parameters and ε, on any number of machines.
 //!
-//! In: a plan in TOML. Out: one file of Parquet, whose bytes the plan alone decides. It must not know
-//! how machines are found, shared or restarted: schedulers do that, and start this program with the
-//! number of a shard.
+//! In: a plan in TOML. Out: one file of Parquet, whose bytes the plan alone decides. It must not
+//! know how machines are found, shared or restarted: schedulers do that, and start this program
+//! with the number of a shard.
 //!
-//! Data flows one way: a [`Plan`] gives a point from its index, a task makes a row of a point, a run
-//! makes parts of rows, and parts are merged. A part is the rows of a fixed range of indices.
+//! Data flows one way: a [`Plan`] gives a point from its index, a task makes a row of a point, a
+//! run makes parts of rows, and parts are merged. A part is the rows of a fixed range of indices.
 
 mod columns;
 mod command;

@@ -24,7 +24,8 @@ pub(crate) fn slurm(plan: &Path, out: &Path, shards: u64) -> String {
 
 /// An indexed Job for Kubernetes, a completion a shard.
 pub(crate) fn kubernetes(plan: &Path, shards: u64) -> String {
-    // Keys of config maps are of few letters, so the plan has one name there, whatever its file's is.
+    // Keys of config maps are of few letters, so the plan has one name there, whatever its file's
+    // is.
     let plan = quoted(plan);
     format!(
         "# An indexed Job of {shards} completions, a shard each. Before it:\n\

@@ -136,7 +136,8 @@ fn a_row_is_what_the_library_says_of_its_point() {
 
 #[test]
 fn a_killed_sweep_goes_on_and_ends_with_the_same_bytes() {
-    // A part takes about as long as the longer waits, so that kills meet the first parts and later ones.
+    // A part takes about as long as the longer waits, so that kills meet the first parts and later
+    // ones.
     let plan = PLAN.replace("steps = 50", "steps = 100");
     let expected = undisturbed(&plan);
     let folder = folder(&plan);

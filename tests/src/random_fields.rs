@@ -1,7 +1,7 @@
 //! The file `random_systems.rs`: random fields as the macro compiles them.
 //!
-//! All of them are compiled over ℚ. Code over floats costs most of what building the tests takes, so
-//! there are such steps of those in `IN_FLOATS` only: every kind in two dimensions at least, and
+//! All of them are compiled over ℚ. Code over floats costs most of what building the tests takes,
+//! so there are such steps of those in `IN_FLOATS` only: every kind in two dimensions at least, and
 //! every dimension. The file is written anew by `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests
 //! back_ends`.
 
@@ -20,7 +20,8 @@ fn in_floats_and_not() -> [Vec<RandomField>; 2] {
     [floats, not]
 }
 
-/// Every field, in the order of [`maps::random`](crate::maps::random): those over floats, too, first.
+/// Every field, in the order of [`maps::random`](crate::maps::random): those over floats, too,
+/// first.
 #[must_use]
 pub fn in_order() -> Vec<RandomField> {
     in_floats_and_not().into_iter().flatten().collect()

@@ -1,12 +1,14 @@
 //! Lattices that someone wrote from the README and the page of the language alone.
 //!
 //! `cargo run --release -p kahan-bench-own-lattices --bin check` in this folder compares their steps
-//! with Kahan's map by dense elimination; without `--bin check`, times and what is kept are printed.
+//! with Kahan's map by dense elimination; without `--bin check`, times and what is kept are
+//! printed.
 #![allow(missing_docs, reason = "parameters are named in the equations")]
 use kahan_core::prelude::*;
 
 kahan! {
-    /// Predator and prey along a valley with open ends, each diffusing; the prey's growth rate differs from site to site.
+    /// Predator and prey along a valley with open ends, each diffusing; the prey's growth rate
+    /// differs from site to site.
     pub struct PredatorPrey { /// diffusion of the prey
         du, dv, grow, eat, die }
     for i in open {
@@ -61,12 +63,14 @@ kahan! {
         u[i]dot = p[i];
         p[i]dot = (u[i+1] - 2*u[i] + u[i-1]) + alpha*((u[i+1] - u[i])^2 - (u[i] - u[i-1])^2);
     }
-    // The bond to the left wall, (u[0] - 0), is in no summand (u[i+1] - u[i]); multiplied out, it is.
+    // The bond to the left wall, (u[0] - 0), is in no summand (u[i+1] - u[i]); multiplied out, it
+    // is.
     hamiltonian H = sum(p[i]^2/2 + u[i]^2 - u[i]*u[i+1] + alpha*(u[i]^2*u[i+1] - u[i]*u[i+1]^2));
 }
 
 kahan! {
-    /// Predator and prey that cannot leave: what crosses a border is a parameter of the site, 0 at the ends.
+    /// Predator and prey that cannot leave: what crosses a border is a parameter of the site, 0 at
+    /// the ends.
     pub struct NoFlux { left, right, grow }
     for i in open {
         u[i]dot = u[i]*(grow[i] - u[i] - v[i]) + right[i]*(u[i+1] - u[i]) + left[i]*(u[i-1] - u[i]);

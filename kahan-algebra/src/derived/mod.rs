@@ -121,9 +121,9 @@ impl Derived {
         self.step.get_or_init(written).as_ref()
     }
 
-    /// v ↦ (∂x̃/∂x)·v where x̃ is known besides x, a component a result; `None` where the reduced map
-    /// has a value at zeros of det A, and where there is no such form that is short and keeps its
-    /// digits.
+    /// v ↦ (∂x̃/∂x)·v where x̃ is known besides x, a component a result; `None` where the reduced
+    /// map has a value at zeros of det A, and where there is no such form that is short and keeps
+    /// its digits.
     ///
     /// The symbols are those of the [variational](System::variational) field: x and v are its
     /// states, and x̃ is the first half of its second states.

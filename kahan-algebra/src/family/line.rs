@@ -165,9 +165,9 @@ impl Writer<'_> {
         self.multiple(None, &component.numerator, &component.denominator)
     }
 
-    /// A quotient, or ε times it, as a sum of prepared coefficients times polynomials of integers in
-    /// what a site sees: what the parameters make of a term is computed once and not at each site.
-    /// Where sites divide by numbers of their own, the whole sum is divided.
+    /// A quotient, or ε times it, as a sum of prepared coefficients times polynomials of integers
+    /// in what a site sees: what the parameters make of a term is computed once and not at each
+    /// site. Where sites divide by numbers of their own, the whole sum is divided.
     fn multiple(&mut self, eps: Option<Node>, above: &Polynomial, below: &Polynomial) -> Node {
         let is_prepared = !below.variables().iter().any(|variable| self.is_of_site(*variable));
         let one = Polynomial::one();

@@ -7,7 +7,8 @@
 //! the others, A_SS = I, so that
 //!
 //! ```text
-//! (A_RR − A_RS·A_SR)·(x̃ − x)_R = 2ε (P_R − A_RS·P_S),      (x̃ − x)_S = 2ε P_S(x, x̃) with x̃_R put in.
+//! (A_RR − A_RS·A_SR)·(x̃ − x)_R = 2ε (P_R − A_RS·P_S)
+//! (x̃ − x)_S = 2ε P_S(x, x̃) with x̃_R put in
 //! ```
 //!
 //! A pivot of 1 beside entries of the size ‖εf′‖ costs that many digits in long steps. Where that
@@ -41,7 +42,8 @@ pub(super) struct Blocks<'a> {
     matrix: Vec<Vec<Polynomial>>,
     polarized: Vec<Polynomial>,
     structure: Structure,
-    /// The states that are solved for come from here on; those before them are known at both points.
+    /// The states that are solved for come from here on; those before them are known at both
+    /// points.
     first: usize,
 }
 
@@ -73,7 +75,8 @@ impl<'a> Blocks<'a> {
     /// For the tangent vector v of a variational field, where x̃ is known besides x.
     ///
     /// Second states stand for x + x̃ and ṽ − v: then half of the terms of the polarised field
-    /// cancel, and none of the others has a factor ½ that the field does not have, if it is doubled.
+    /// cancel, and none of the others has a factor ½ that the field does not have, if it is
+    /// doubled.
     pub(super) fn of_tangent(field: &'a Field) -> Self {
         let first = field.dimension() / 2;
         let mut blocks = Blocks { first, ..Blocks::of(field) };

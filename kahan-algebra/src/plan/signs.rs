@@ -217,8 +217,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The signs of the two summands of a sum as they are carried, `of` being those of its operands; not
-/// of use for other operations.
+/// The signs of the two summands of a sum as they are carried, `of` being those of its operands;
+/// not of use for other operations.
 fn summands(operation: &Operation, of: impl Fn(Node) -> bool) -> (bool, bool) {
     match *operation {
         Operation::Add(a, b) => (of(a), of(b)),

@@ -21,7 +21,8 @@ pub(crate) struct List {
 }
 
 impl List {
-    /// The table, or `systems`: [{`name`, `type`, `title`, `variables`, `parameters`, `claims`}], and
+    /// The table, or `systems`: [{`name`, `type`, `title`, `variables`, `parameters`, `claims`}],
+    /// and
     /// `families` likewise, with `arrays` in the place of `variables`.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let mut rows =

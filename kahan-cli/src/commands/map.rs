@@ -19,14 +19,14 @@ use rows::Rows;
 ///
 /// Each cell of the grid is an orbit that begins at the middle of the cell, in doubles, for the same
 /// number of steps; its colour is what an observer says of it. Two of the variables' first values,
-/// the parameters and eps are gone through; the others are those of --at, --param and --eps. SALI and
-/// drift are shown as logarithms to base 10. A cell stays empty where its orbit leaves the range of
-/// doubles, and under `escape` where it does not escape. The numbers do not depend on the number of
-/// threads. The file is a picture, or a table of the numbers with a row a cell.
+/// the parameters and eps are gone through; the others are those of --at, --param and --eps. SALI
+/// and drift are shown as logarithms to base 10. A cell stays empty where its orbit leaves the
+/// range of doubles, and under `escape` where it does not escape. The numbers do not depend on the
+/// number of threads. The file is a picture, or a table of the numbers with a row a cell.
 ///
-/// With --from the numbers are those of a result of `kahan sweep`, or of a CSV file, and no orbit is
-/// followed. --over NAME goes through the values that are there, and --over NAME=FROM:TO:CELLS shows
-/// the mean of the rows in each cell.
+/// With --from the numbers are those of a result of `kahan sweep`, or of a CSV file, and no orbit
+/// is followed. --over NAME goes through the values that are there, and --over NAME=FROM:TO:CELLS
+/// shows the mean of the rows in each cell.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 // Rows have ε and their places in themselves, and ε may be gone through.

@@ -1,5 +1,6 @@
-//! `kahan page`: one page on one field. Each figure is what another command draws, and is shown with
-//! the call that makes it again.
+//! `kahan page`: one page on one field.
+//!
+//! Each figure is what another command draws, and is shown with the call that makes it again.
 
 mod figures;
 mod findings;
@@ -28,10 +29,10 @@ use scene::Scene;
 ///
 /// The page is DIR/index.html. It shows the field, A, b, the map and its Jacobian; what
 /// `kahan discover` finds; what becomes of singularities, and heights of an exact orbit; orbits, a
-/// section, exponents, a stability map; and the cheapest settings of `kahan trade`. Under each figure
-/// stands the command that makes it again. What is not given is chosen: eps as the rates of the
-/// field allow, and a first point whose orbit stays. A parameter without a value is generic in the
-/// search, and has the catalog's value in the figures.
+/// section, exponents, a stability map; and the cheapest settings of `kahan trade`. Under each
+/// figure stands the command that makes it again. What is not given is chosen: eps as the rates of
+/// the field allow, and a first point whose orbit stays. A parameter without a value is generic in
+/// the search, and has the catalog's value in the figures.
 ///
 /// The page needs no network and no script. It appears whole or not at all, in place of an older
 /// one. What cannot be made is left out, and the page says why.

@@ -1,4 +1,5 @@
-//! `kahan periodic`: cycles of the map, how stable they are, and where they go as something changes.
+//! `kahan periodic`: cycles of the map, how stable they are, and where they go when something
+//! changes.
 
 use std::path::PathBuf;
 
@@ -25,8 +26,8 @@ use crate::reading::{Range, Request, Start, whole};
 ///
 /// --over follows the cycle along a range of eps or of a parameter, round folds, and tells where
 /// multipliers go through the unit circle; there --eps or --param gives the value where the range
-/// begins, and may be left out. The table has a row a step; --out writes it as CSV, or draws it. The
-/// exit status is 1 where no cycle is found.
+/// begins, and may be left out. The table has a row a step; --out writes it as CSV, or draws it.
+/// The exit status is 1 where no cycle is found.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Periodic {
@@ -46,7 +47,8 @@ pub(crate) struct Periodic {
     #[arg(long, value_name = "F", requires = "over")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object: period, points, residual, multipliers, stability, family, exact, branch.
+    /// Print one JSON object: period, points, residual, multipliers, stability, family, exact,
+    /// branch.
     #[arg(long)]
     json: bool,
 }
@@ -144,7 +146,8 @@ impl<'a> Family<'a> {
         Ok(Family { request, field, parameter, changes: range.is_some() })
     }
 
-    /// The map where what changes has this value; where the field divides by zero, that of no value.
+    /// The map where what changes has this value; where the field divides by zero, that of no
+    /// value.
     fn at(&self, value: f64) -> MapAt<f64> {
         let mut parameters = self.request.point.parameters.clone();
         if let Some(place) = self.parameter {

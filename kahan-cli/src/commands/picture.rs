@@ -29,8 +29,8 @@ use orbits::Pace;
 ///
 /// A section (--plane) shows where orbits cross it with growing formula, refined as `kahan section`
 /// does it. An orbit diagram (--over) starts anew at each value, and shows the first of --axes as
-/// it is after the transient. Heights are drawn so that growth like a power of n is a straight line; where
-/// it is exponential, exponential growth is.
+/// it is after the transient. Heights are drawn so that growth like a power of n is a straight
+/// line; where it is exponential, exponential growth is.
 ///
 /// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone. PNG
 /// is for builds with the feature `png`.

@@ -14,11 +14,11 @@ use crate::reading::{Formula, Request, Start, whole};
 /// Prints where an orbit crosses a section, as CSV: step n, time t, variables.
 ///
 /// The section is where a formula of the variables, of the claimed integrals, parameters and eps
-/// vanishes. A crossing lies between two points of the orbit; it is refined on the curve that the map
-/// draws from the first to the second as eps grows from 0, which is as far from the flow as a step
-/// is: t is that of the crossing, and n the step that it comes after. Steps are those of
-/// `kahan orbit` in f64. Where numbers leave the range of f64, the crossings up to there are kept and
-/// the exit status is 1.
+/// vanishes. A crossing lies between two points of the orbit; it is refined on the curve that the
+/// map draws from the first to the second as eps grows from 0, which is as far from the flow as a
+/// step is: t is that of the crossing, and n the step that it comes after. Steps are those of
+/// `kahan orbit` in f64. Where numbers leave the range of f64, the crossings up to there are kept,
+/// and the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Section {

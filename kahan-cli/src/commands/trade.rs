@@ -18,9 +18,10 @@ pub(super) use comparison::Comparison;
 
 /// Measures what accuracy costs on one scene, and names the cheapest setting that serves.
 ///
-/// It measures on this machine. A setting is a scalar (f32; f32 with every step computed through f64; f64; dd, 32 digits), an
-/// order (2 is Kahan's map, 4, 6 and 8 its compositions), whether the state carries its rounding
-/// error (compensated), and eps. Its price is nanoseconds per unit of simulated time. Two needs:
+/// It measures on this machine. A setting is a scalar (f32; f32 with every step computed through
+/// f64; f64; dd, 32 digits), an order (2 is Kahan's map, 4, 6 and 8 its compositions), whether the
+/// state carries its rounding error (compensated), and eps. Its price is nanoseconds per unit of
+/// simulated time. Two needs:
 ///
 /// trajectory: to follow the flow. The error is the largest distance from the flow's trajectory
 /// over the whole horizon, at the times of the steps and with the last point standing for the

@@ -1,7 +1,8 @@
 //! Colours for numbers: the scale viridis, dark for small and light for large.
 //!
 //! Equal steps of the number look about equally far apart, and lightness alone tells their order,
-//! so it reads in grey and without any one kind of cones. (Van der Walt and Smith, matplotlib 2015.)
+//! so it reads in grey and without any one kind of cones. (Van der Walt and Smith, matplotlib
+//! 2015.)
 
 /// Red, green, blue.
 pub(super) type Rgb = [u8; 3];

@@ -70,8 +70,8 @@ fn a_branch_goes_round_its_fold() {
 
 #[test]
 fn what_changes_the_stability_of_the_lorenz_system_is_found() {
-    // Equilibria lose their stability at r = s(s + b + 3)/(s − b − 1) = 470/19, those of the flow and
-    // of the map: multipliers are (1 + ελ)/(1 − ελ).
+    // Equilibria lose their stability at r = s(s + b + 3)/(s − b − 1) = 470/19, those of the flow
+    // and of the map: multipliers are (1 + ελ)/(1 − ελ).
     let lorenz = [
         "lorenz", "--param", "s=10", "--param", "r=28", "--param", "b=8/3", "--eps", "1/1000", "--at",
         "8,8,27",

@@ -99,8 +99,9 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// Work on all columns: over threads where that is worth its cost, else at once. `work` is given the
-/// number of the first group, and what comes of neighbouring stretches is joined in their order.
+/// Work on all columns: over threads where that is worth its cost, else at once. `work` is given
+/// the number of the first group, and what comes of neighbouring stretches is joined in their
+/// order.
 pub(crate) fn divide<T, R, const N: usize>(
     first: usize,
     columns: Stretch<'_, T, N>,

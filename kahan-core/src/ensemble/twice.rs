@@ -1,7 +1,7 @@
 //! Two registers as one.
 //!
-//! In: a register type. Out: one of twice the lanes. Where each result waits for the one before, two
-//! such chains take the time of one.
+//! In: a register type. Out: one of twice the lanes. Where each result waits for the one before,
+//! two such chains take the time of one.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -29,8 +29,8 @@ pub enum Boundary {
 /// - `c`: their per-site parameters, in the same order.
 ///
 /// Where the chain wraps around, the same site may stand at several places of `x`; what the line
-/// writes for each place is then added. The lines are `#[inline(always)]`, without closures: inlined
-/// into a pass over lanes, they are compiled for its instructions.
+/// writes for each place is then added. The lines are `#[inline(always)]`, without closures:
+/// inlined into a pass over lanes, they are compiled for its instructions.
 pub trait Family<T: LatticeScalar>: Clone + Debug + Sync {
     /// The sizes, as one type.
     type Shape: Shape;

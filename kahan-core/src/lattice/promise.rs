@@ -1,10 +1,10 @@
 //! The step that promises a small backward error.
 //!
-//! In: a state and ε as given. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every
-//! unknown i, A(x,ε) and b(x,ε) exact at the floats as given and k the entries in its row of A; or
-//! why there is none. Residuals are computed in wider numbers that carry bounds on their own errors,
-//! in still wider ones where numbers are very small, and refine a step at most twice. With d = x̃ − x
-//! the residual b − A·x̃ is 2εf − A·d, and b is A·x + 2εf.
+//! In: a state and ε as given. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for
+//! every unknown i, A(x,ε) and b(x,ε) exact at the floats as given and k the entries in its row of
+//! A; or why there is none. Residuals are computed in wider numbers that carry bounds on their own
+//! errors, in still wider ones where numbers are very small, and refine a step at most twice. With
+//! d = x̃ − x the residual b − A·x̃ is 2εf − A·d, and b is A·x + 2εf.
 
 use core::cell::Cell;
 use std::vec;

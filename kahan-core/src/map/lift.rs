@@ -35,8 +35,8 @@ pub trait Lift<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// field are exact numbers, which every scalar rounds for itself.
     fn lift<U: Scalar>(&self, lift: impl Fn(&T) -> U) -> Self::Lifted<U>;
 
-    /// The tangent vector `v` at `x` carried to x̃, which is `y`: J(x)·v. `None` at a pole of an exact
-    /// scalar.
+    /// The tangent vector `v` at `x` carried to x̃, which is `y`: J(x)·v. `None` at a pole of an
+    /// exact scalar.
     ///
     /// The macro writes the solution of A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v where det A is zero at
     /// poles alone. Other maps differentiate their step, and have no need of `y`.

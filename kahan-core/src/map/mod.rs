@@ -124,8 +124,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// nothing is allocated. Only ε chooses between two forms, where a field has a faster one that
     /// divides by ε: that is used for |ε| from 2⁻⁶⁴ to 2⁶⁴ (`f32`: 2⁻¹⁶ to 2¹⁶), the other beyond.
     /// In more than eight variables a step eliminates along the couplings, in an order found while
-    /// compiling. A pivot that is smaller than an entry of its row and one of its column by more than
-    /// a factor of 16 sends that step to partial pivoting on the whole matrix.
+    /// compiling. A pivot that is smaller than an entry of its row and one of its column by more
+    /// than a factor of 16 sends that step to partial pivoting on the whole matrix.
     ///
     /// In a loop with one ε use [`at`](Self::at) or [`orbit`](Self::orbit): they compute what
     /// depends on ε and the parameters once, and give the same numbers bit for bit.
@@ -158,8 +158,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// more, the more variables a dense field has.
     ///
     /// In more than eight variables `Ok` holds finite numbers with a small componentwise backward
-    /// error instead, established as strictly after at most two refinements: with A and b exact at x,
-    /// ε and the parameters as given, and k the most entries in a row of A,
+    /// error instead, established as strictly after at most two refinements: with A and b exact at
+    /// x, ε and the parameters as given, and k the most entries in a row of A,
     ///
     ///   |A·x̃ − b|ᵢ ≤ (k + 8) u (|A|·|x̃| + |b|)ᵢ   for every i.
     ///

@@ -12,8 +12,8 @@ pub(super) const BURST: usize = 16;
 /// The observers of a group of trajectories: as many as there are, then none.
 pub type Observers<'a, O> = [Option<&'a mut O>; GROUP];
 
-/// Points of a group of trajectories: a column a variable, in an array where the number of variables
-/// is known while compiling.
+/// Points of a group of trajectories: a column a variable, in an array where the number of
+/// variables is known while compiling.
 pub trait Grouped<T>: Clone + AsRef<[Group<T>]> + AsMut<[Group<T>]> {
     /// A point of one of them.
     type Point: AsRef<[T]> + AsMut<[T]>;

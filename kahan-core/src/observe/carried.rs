@@ -155,12 +155,12 @@ impl<I: Indicator<K>, M: Tangent<T>, T: FloatScalar, const K: usize> Observer<T>
 
 /// Steps after which vectors are scaled that nobody looks at meanwhile.
 ///
-/// For a vector that was of moderate size to leave the range of an `f64` meanwhile, it has to grow or
-/// shrink by 2⁶⁰ at each of them; near a pole it does at one or two.
+/// For a vector that was of moderate size to leave the range of an `f64` meanwhile, it has to grow
+/// or shrink by 2⁶⁰ at each of them; near a pole it does at one or two.
 const PAUSE: u64 = 16;
 
-/// Whether vectors are looked at after each step: where that is asked for, and in `f32`, whose range
-/// they may leave at any.
+/// Whether vectors are looked at after each step: where that is asked for, and in `f32`, whose
+/// range they may leave at any.
 #[inline(always)]
 fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
     I::LOOKS_AT_EACH || size_of::<T>() <= size_of::<f32>()

@@ -7,8 +7,8 @@ use crate::FloatScalar;
 use super::growth::Size;
 use super::{Observer, Tangent};
 
-/// The mean of log |det ∂x̃/∂x| per unit of time: the rate at which volumes grow, and the sum of all
-/// Lyapunov exponents.
+/// The mean of log |det ∂x̃/∂x| per unit of time: the rate at which volumes grow, and the sum of
+/// all Lyapunov exponents.
 ///
 /// Cost: a determinant a step; the logarithm is taken once, of their product.
 #[derive(Clone, Debug)]

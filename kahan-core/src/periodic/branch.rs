@@ -25,8 +25,8 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// Those within the range, in the same order.
     pub turns: Vec<Turn>,
-    /// Whether it ended before the ends of the range: at a pole, where no cycle was found beyond, or
-    /// after twenty times as many steps as were asked for.
+    /// Whether it ended before the ends of the range: at a pole, where no cycle was found beyond,
+    /// or after twenty times as many steps as were asked for.
     pub is_cut: bool,
 }
 

@@ -1,8 +1,9 @@
 //! Periodic points: found, judged by their multipliers, and followed as ε or a parameter changes.
 //!
-//! In: a map with its derivative, and a point near a periodic one. Out: the points of the cycle, how
-//! nearly the map closes it, and the eigenvalues of its derivative. Newton's method takes all points
-//! of the cycle as unknowns, so that long cycles of unstable maps are found as well as short ones.
+//! In: a map with its derivative, and a point near a periodic one. Out: the points of the cycle,
+//! how nearly the map closes it, and the eigenvalues of its derivative. Newton's method takes all
+//! points of the cycle as unknowns, so that long cycles of unstable maps are found as well as short
+//! ones.
 //!
 //! ```
 //! use kahan_core::periodic::{Stability, periodic_point};

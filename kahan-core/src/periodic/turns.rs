@@ -85,8 +85,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Stride<'_, F> {
         turns
     }
 
-    /// Halves what lies between two posts, so many times at most, until each part holds one change at
-    /// most.
+    /// Halves what lies between two posts, so many times at most, until each part holds one change
+    /// at most.
     fn search(&self, [low, high]: [&Post; 2], halvings: &mut usize, turns: &mut Vec<Turn>) {
         /// Of the stride: what is nearer to each other happens at once.
         const AT_ONCE: f64 = 1e-12;

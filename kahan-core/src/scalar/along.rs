@@ -1,8 +1,8 @@
 //! Numbers along a line: a value and its slope, v + s·d with d² = 0.
 //!
 //! In: the closed form of a step. Out: its value and its derivative along one direction. They are
-//! dual numbers that know whether they have a slope, so that nothing is multiplied by the slope 0 of
-//! a constant: once a step is inlined, compilers know of each number whether it has one. Without
+//! dual numbers that know whether they have a slope, so that nothing is multiplied by the slope 0
+//! of a constant: once a step is inlined, compilers know of each number whether it has one. Without
 //! optimization operators are calls, as those of [dual numbers](super::dual) are.
 
 use num_traits::{One, Zero};

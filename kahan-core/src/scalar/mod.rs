@@ -108,8 +108,8 @@ pub trait Scalar:
         self - a * b
     }
 
-    /// The number as a constant of a step, which ε and the parameters fix: a number with a derivative
-    /// along the state has none as such.
+    /// The number as a constant of a step, which ε and the parameters fix: a number with a
+    /// derivative along the state has none as such.
     #[inline(always)]
     fn prepared(&self) -> Self {
         self.clone()

@@ -117,9 +117,9 @@ impl Scene {
     /// this is deterministic, so the choice run again from the same point errs by the same. What is
     /// known of it ends with the horizon, and with the point.
     ///
-    /// For [`Need::Integrals`] no composition is considered. ε‖f′‖∞ is at most 1 at the start, and less if the beginning of the
-    /// orbit then is not as large as it should be; the roundings of n steps are taken to be those
-    /// of a random walk.
+    /// For [`Need::Integrals`] no composition is considered. ε‖f′‖∞ is at most 1 at the start, and
+    /// less if the beginning of the orbit then is not as large as it should be; the roundings of n
+    /// steps are taken to be those of a random walk.
     ///
     /// # How good
     /// Seeded scenes of many fields, chaotic, stiff, escaping and beside equilibria, are chosen for

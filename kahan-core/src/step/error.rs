@@ -68,8 +68,8 @@ impl SingularStep {
         Self::new(0.0, eps)
     }
 
-    /// det A(x,ε) at the point, rounded to `f64`: 0 at an exact pole, not a number where it was not looked at or
-    /// overflows.
+    /// det A(x,ε) at the point, rounded to `f64`: 0 at an exact pole, not a number where it was not
+    /// looked at or overflows.
     pub fn determinant(&self) -> f64 {
         self.determinant
     }

@@ -28,8 +28,8 @@ pub trait PreparedStep<T: Scalar, const N: usize>: Clone {
     /// What one step costs; here, elimination in N variables.
     const COST: StepCost = StepCost::of_elimination(N);
 
-    /// Whether the step is straight-line code, which lanes run side by side; elimination chooses its
-    /// pivots by comparing, so it is none.
+    /// Whether the step is straight-line code, which lanes run side by side; elimination chooses
+    /// its pivots by comparing, so it is none.
     const HAS_LANES: bool = false;
 
     /// The increment at `x` before its last multiplication, or `None` at a pole of a scalar that

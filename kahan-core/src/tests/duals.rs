@@ -1,4 +1,5 @@
-//! Dual numbers, and those of one direction: the rules of differentiation, on numbers that floats hold exactly.
+//! Dual numbers, and those of one direction: the rules of differentiation, on numbers that floats
+//! hold exactly.
 
 use num_traits::{One, Zero};
 

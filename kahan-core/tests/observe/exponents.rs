@@ -45,9 +45,9 @@ fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     }
 }
 
-/// Vectors that grow by 2⁴⁰ in a step, or shrink by as much, and are scaled every 16 steps; here they
-/// are asked for 15 steps later. One that shrinks is what is left of itself and its increment: 13 bits
-/// of its digits.
+/// Vectors that grow by 2⁴⁰ in a step, or shrink by as much, and are scaled every 16 steps; here
+/// they are asked for 15 steps later. One that shrinks is what is left of itself and its increment:
+/// 13 bits of its digits.
 #[test]
 fn steep_growth_leaves_no_range() {
     let eps = 1.0 - 2_f64.powi(-39);

@@ -1,7 +1,8 @@
 //! Truncated power series in δ modulo a prime, with their slopes along a curve or surface.
 //!
 //! A series stands for a family of series, one for each point of the curve near a chosen one: row 0
-//! holds the coefficients at the chosen point, each further row their derivatives along one tangent.
+//! holds the coefficients at the chosen point, each further row their derivatives along one
+//! tangent.
 
 use crate::modulus::Modulus;
 

@@ -1,4 +1,5 @@
-//! A point of a curve, moved by δ and followed over ℚ(δ): what the modular search is checked against.
+//! A point of a curve, moved by δ and followed over ℚ(δ): what the modular search is checked
+//! against.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::RationalMap;

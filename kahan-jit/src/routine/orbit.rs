@@ -60,8 +60,8 @@ impl<T: Float> Orbit<T> {
         self.code.orbit(state, constants, steps);
     }
 
-    /// The state one step after another one. Entries are copied by the code itself: a copy before it
-    /// would read several at once of those that were just written one by one, and wait for them.
+    /// The state one step after another one. Entries are copied by the code itself: a copy before
+    /// it would read several at once of those that were just written one by one, and wait for them.
     ///
     /// # Panics
     /// If an array is too short, or `state` and `next` differ in length.

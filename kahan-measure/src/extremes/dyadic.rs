@@ -93,7 +93,8 @@ impl Dyadic {
         libm::ldexp(significand, binade.clamp(-5000, 5000) as i32)
     }
 
-    /// |self/divisor| as a float, to a relative 2⁻⁵⁰; infinite for a divisor 0 or beyond the floats, 0 below them.
+    /// |self/divisor| as a float, to a relative 2⁻⁵⁰; infinite for a divisor 0 or beyond the
+    /// floats, 0 below them.
     pub(crate) fn ratio(&self, divisor: &Self) -> f64 {
         if divisor.is_zero() {
             return f64::INFINITY;

@@ -1,9 +1,9 @@
 //! What a step costs on this machine: nanoseconds, for every scheme.
 //!
-//! A system is timed by its code, which is as fast as the library's own, from the scene's own point.
-//! Where there is no code, how fast a field is interpreted says nothing about how fast it will be;
-//! so E6 is timed in its place, and each time scaled by what the plans say the two steps cost. The
-//! ratios between orders are exact either way: an order is a number of stages.
+//! A system is timed by its code, which is as fast as the library's own, from the scene's own
+//! point. Where there is no code, how fast a field is interpreted says nothing about how fast it
+//! will be; so E6 is timed in its place, and each time scaled by what the plans say the two steps
+//! cost. The ratios between orders are exact either way: an order is a number of stages.
 
 use std::iter::once;
 

@@ -34,7 +34,8 @@ use study::Study;
 pub struct Subject<'a> {
     /// The system.
     pub system: &'a System,
-    /// Its name in the catalog, where it may have a closed solution; anything else for another field.
+    /// Its name in the catalog, where it may have a closed solution; anything else for another
+    /// field.
     pub command: &'a str,
     /// The parameters, in order.
     pub parameters: &'a [Rational],
@@ -73,8 +74,8 @@ pub struct Trade {
     pub certificate: Option<Certificate>,
     /// What those errors are relative to.
     pub scale: Option<f64>,
-    /// Whether prices were measured on this system's own steps, as code; else on E6's, and scaled by
-    /// the cost of the plans.
+    /// Whether prices were measured on this system's own steps, as code; else on E6's, and scaled
+    /// by the cost of the plans.
     pub is_code: bool,
     /// Schemes that there was no time for, and the ε from which on.
     pub skipped: Vec<(Scheme, f64)>,

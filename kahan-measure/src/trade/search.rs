@@ -209,8 +209,8 @@ impl Study<'_> {
         }
     }
 
-    /// Between the finest setting of a scheme that fails and what would be as dear as the best: steps
-    /// and their error.
+    /// Between the finest setting of a scheme that fails and what would be as dear as the best:
+    /// steps and their error.
     fn gap(&self, scheme: Scheme) -> Option<(u64, f64, f64)> {
         let dearest = self.least_cost() * self.scene.horizon() / self.clock.nanoseconds(scheme);
         if !dearest.is_finite() {

@@ -11,8 +11,8 @@ pub struct Structure {
     /// H, K, c and the tensors P and Q of Table 1 as definitions. Where those of the map are
     /// rational, H(ε), K(ε), P(ε) and Q(ε) of Tables 2, 3 and 4 follow, row 3 of Table 4 corrected.
     ///
-    /// A tensor is defined by its entries {x,y}, {y,z}, {z,x}: `P12`, `P23`, `P31`; an object of the
-    /// map has `_eps` behind its name.
+    /// A tensor is defined by its entries {x,y}, {y,z}, {z,x}: `P12`, `P23`, `P31`; an object of
+    /// the map has `_eps` behind its name.
     pub definitions: &'static str,
 }
 

@@ -56,7 +56,8 @@ mod tests {
 
     #[test]
     fn points_are_those_of_the_literature() {
-        // The first eight points of five dimensions, as the unscrambled sequence of SciPy gives them.
+        // The first eight points of five dimensions, as the unscrambled sequence of SciPy gives
+        // them.
         let expected: [[f64; 5]; 8] = [
             [0.0, 0.0, 0.0, 0.0, 0.0],
             [0.5, 0.5, 0.5, 0.5, 0.5],

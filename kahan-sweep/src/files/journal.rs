@@ -48,13 +48,14 @@ impl Journal {
         noted
     }
 
-    /// Notes rows, each from a first one on, on the disk when this returns. Where that fails, nothing
-    /// of what was noted before is lost, and it can be tried again.
+    /// Notes rows, each from a first one on, on the disk when this returns. Where that fails,
+    /// nothing of what was noted before is lost, and it can be tried again.
     pub(crate) fn note(&mut self, done: &[(u64, Rows)]) -> io::Result<()> {
         // Behind half a record none is found: after a failure there is another file.
         let mut file = match self.file.take() {
             Some(file) => file,
-            // Its name is random: processes on other machines, or in containers, may share a number.
+            // Its name is random: processes on other machines, or in containers, may share a
+            // number.
             None => fresh(&self.folder, BEGIN, END)?.keep()?.0,
         };
         for (first, rows) in done {
@@ -77,8 +78,8 @@ impl Journal {
     }
 }
 
-/// What tells records that belong together from others: the plan's hash, the version of this program
-/// and how it computes with floats.
+/// What tells records that belong together from others: the plan's hash, the version of this
+/// program and how it computes with floats.
 fn kind(hash: &str) -> [u8; 8] {
     let digest = Sha256::digest([hash, env!("CARGO_PKG_VERSION"), floats()].join("\n"));
     std::array::from_fn(|place| digest[place])

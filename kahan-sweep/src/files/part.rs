@@ -106,8 +106,8 @@ impl<'a> Part<'a> {
         File::open(folder).and_then(|folder| folder.sync_all()).or(Ok(()))
     }
 
-    /// The folder of what processes leave before the part is there. It is the part's own, as folders
-    /// of many parts take long to look through.
+    /// The folder of what processes leave before the part is there. It is the part's own, as
+    /// folders of many parts take long to look through.
     pub(super) fn under_way(&self) -> PathBuf {
         self.path.with_extension("under-way")
     }
@@ -276,7 +276,8 @@ impl Checksum {
         file.read_to_end(&mut footer)?;
         let key = keys::CHECKSUM.as_bytes();
         let key_at = footer.windows(key.len()).rposition(|window| window == key);
-        // Between a key and its value stand two bytes, of Thrift: which field this is, and its length.
+        // Between a key and its value stand two bytes, of Thrift: which field this is, and its
+        // length.
         let at = key_at.map(|at| at + key.len() + 2).filter(|at| at + NO_DIGITS.len() <= footer.len());
         let at = at.ok_or_else(|| broken("it has no checksum"))?;
         let digits = at..at + NO_DIGITS.len();

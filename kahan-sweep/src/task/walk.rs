@@ -41,8 +41,8 @@ impl<T> Seen<'_, T> {
 }
 
 impl Gait {
-    /// Follows orbits for at most so many steps each, as long as their numbers are finite, and shows
-    /// the points of every step.
+    /// Follows orbits for at most so many steps each, as long as their numbers are finite, and
+    /// shows the points of every step.
     pub(super) fn walk<T: Machine>(
         self,
         at: &MapAt<T>,

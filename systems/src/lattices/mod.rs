@@ -1,8 +1,8 @@
 //! Families: systems of any number of sites, for which a chain is made when the program runs.
 //!
-//! In: a family of equations a file, as a `kahan!` block with the sums that it keeps. Out: the types
-//! that the macro makes of them, and in [`ALL`] the blocks as text. Their integrals beyond sums are
-//! found at a given number of sites by `kahan discover --sites N`.
+//! In: a family of equations a file, as a `kahan!` block with the sums that it keeps. Out: the
+//! types that the macro makes of them, and in [`ALL`] the blocks as text. Their integrals beyond
+//! sums are found at a given number of sites by `kahan discover --sites N`.
 
 mod kdv;
 mod species;

@@ -7,8 +7,8 @@ use super::Real;
 
 /// Γ(x), the factorial (x − 1)! of a real number; not a number at the poles 0, −1, −2, …
 ///
-/// For `f64` by `libm`: at most 8 ulp on (−30, 171). For [`Precise`](super::Precise): relative error
-/// below 1e−72 for |x| ≤ 1000.
+/// For `f64` by `libm`: at most 8 ulp on (−30, 171). For [`Precise`](super::Precise): relative
+/// error below 1e−72 for |x| ≤ 1000.
 ///
 /// ```
 /// use kahan_systems::special::{Precise, Real, gamma};

@@ -18,8 +18,8 @@ pub struct Jacobi<T> {
 ///
 /// u is reduced by whole half periods 2K, then Landen's descending transformation lowers the
 /// modulus until sine and cosine serve; every sum in it is of positive numbers. In `f64` the errors
-/// are at most 8 units of 2⁻⁵² for
-/// |u| ≤ 2K and k ≤ 0.999, and 64 up to the last k below 1; a larger u adds the rounding of u itself.
+/// are at most 8 units of 2⁻⁵² for |u| ≤ 2K and k ≤ 0.999, and 64 up to the last k below 1; a
+/// larger u adds the rounding of u itself.
 /// (Measured beside it, the port of Cephes in `spec_math` 0.1 errs by 51 units, and by 10¹⁵ next to
 /// k = 1, where it has the wrong values.)
 ///

@@ -1,7 +1,7 @@
 //! Rotation numbers that are observed against those of the closed elliptic solutions.
 //!
-//! On an orbit of dE4, and so of the Euler top, v advances by 2δ a step. Of its functions sn, cn and
-//! dn the first two have the period 4K and change their signs, the last has 2K and keeps it.
+//! On an orbit of dE4, and so of the Euler top, v advances by 2δ a step. Of its functions sn, cn
+//! and dn the first two have the period 4K and change their signs, the last has 2K and keeps it.
 
 use kahan_core::observe::{Extrema, Extremes, Rotation};
 use kahan_core::prelude::*;

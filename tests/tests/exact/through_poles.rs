@@ -2,8 +2,8 @@
 //!
 //! 1. A rational point is taken on each curve that a map sends to infinity or blows down.
 //! 2. Its projective orbit is at infinity where the image of the curve is.
-//! 3. The point is moved by a tiny rational δ, and the ordinary exact orbit taken from there. Of its
-//!    coordinates, or quotients of them, the simplest rationals nearby are the projective orbit's.
+//! 3. The point is moved by a tiny rational δ, and the ordinary exact orbit taken from there. Of
+//!    its coordinates, or quotients of them, the simplest rationals nearby are the projective orbit's.
 //! 4. Over `f64` the same orbit, begun at a rounded point, is that of the exact numbers.
 
 use kahan_algebra::prime_field::SplitMix64;
@@ -138,12 +138,12 @@ fn follow_all(subject: &Subject, eps: &Rational) -> usize {
     followed
 }
 
-/// What a projective orbit over `f64` may be off, relative to its largest coordinate: ten bits of the
-/// 64 u that an ordinary step promises.
+/// What a projective orbit over `f64` may be off, relative to its largest coordinate: ten bits of
+/// the 64 u that an ordinary step promises.
 const BOUND: f64 = 65536.0 * f64::EPSILON / 2.0;
 
-/// The orbit in floats from the rounded point, which is near the curve and seldom on it, against the
-/// exact one from there.
+/// The orbit in floats from the rounded point, which is near the curve and seldom on it, against
+/// the exact one from there.
 fn floats_follow(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: &Q) {
     let exactly = |value: f64| Q::from_float(value).expect("finite");
     let floats: Interpreted<f64, N> = map.rounded();

@@ -2,8 +2,9 @@
 //!
 //! - Small steps, ε‖f′‖∞ ≤ 1e-3: each component is off by at most ½ ulp(x̃ᵢ) + 16 u·2ε·Σ|monomials
 //!   of fᵢ| with the larger of |xⱼ| and
-//!   |x̃ⱼ| for each variable. The half ulp is the one rounding of x + increment; the increment is a few roundings away from 2ε times the
-//!   polarised field between x and x̃, whose terms may cancel. With |xⱼ| alone it does not hold
+//!   |x̃ⱼ| for each variable. The half ulp is the one rounding of x + increment; the increment is a
+//!   few roundings away from 2ε times the polarised field between x and x̃, whose terms may cancel.
+//!   With |xⱼ| alone it does not hold
 //!   where one component is tiny beside others: what moves it is then of second order, ε²f′f, far
 //!   larger than its own fᵢ(x). E6 at ε ≈ 6.6e-5 from (2.9, 3.0e-9, 4.0e-7) is 53 times beyond:
 //!   there z̃ nearly cancels, and no sum of a rounded increment to z could do better.

@@ -1,5 +1,5 @@
-//! Over ℚ, with `==`: the defining equation and what follows from it, also where leading minors of A
-//! vanish in the order of elimination.
+//! Over ℚ, with `==`: the defining equation and what follows from it, also where leading minors of
+//! A vanish in the order of elimination.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;

@@ -1,8 +1,10 @@
-//! Every lattice against Kahan's map of the same field, written down a second time and solved densely.
+//! Every lattice against Kahan's map of the same field, written down a second time and solved
+//! densely.
 use kahan_bench_own_lattices::*;
 use kahan_core::prelude::*;
 
-/// (I - eps f'(x)) (y - x) = 2 eps f(x); the columns of f' by central differences, exact for a quadratic field.
+/// (I - eps f'(x)) (y - x) = 2 eps f(x); the columns of f' by central differences, exact for a
+/// quadratic field.
 fn kahan(f: &dyn Fn(&[f64]) -> Vec<f64>, x: &[f64], eps: f64) -> Vec<f64> {
     let n = x.len();
     let mut a = vec![vec![0.0; n + 1]; n];

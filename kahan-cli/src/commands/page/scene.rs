@@ -21,8 +21,8 @@ pub(super) struct Scene {
 const STEPS: u64 = 4000;
 /// The size, seen from the first point, beyond which an orbit is lost to a picture.
 const REACH: f64 = 1e3;
-/// Numbers that first points are made of: of small height, so that exact orbits can be followed, and
-/// different, so that no symmetry holds them.
+/// Numbers that first points are made of: of small height, so that exact orbits can be followed,
+/// and different, so that no symmetry holds them.
 const NUMBERS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
 /// Sizes that first points have, in the order in which they are tried.
 const SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];

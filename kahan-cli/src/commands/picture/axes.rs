@@ -25,8 +25,8 @@ impl Coordinate {
 }
 
 impl Subject<'_> {
-    /// The axes that were named; else all variables of up to three, or the first three; of a section
-    /// the first two without the last that its formula names.
+    /// The axes that were named; else all variables of up to three, or the first three; of a
+    /// section the first two without the last that its formula names.
     pub(super) fn coordinates(&self, plane: Option<&Formula>) -> Result<Vec<Coordinate>, Refusal> {
         let named: Result<Vec<Coordinate>, Refusal> =
             self.asked.axes.iter().map(|name| self.coordinate(name.trim())).collect();

@@ -1,4 +1,5 @@
-//! Orbits from many first points, in the plane or in space: all their points, or those of a section.
+//! Orbits from many first points, in the plane or in space: all their points, or those of a
+//! section.
 
 use kahan_algebra::interpret::Point;
 use kahan_core::observe::{Crossing, Direction, Observer, Section as Crossings};

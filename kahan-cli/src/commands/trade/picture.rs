@@ -23,8 +23,8 @@ impl Comparison<'_> {
         schemes.sort_by_key(|scheme| (scheme.order(), scheme.precision.name(), scheme.compensated));
         schemes.dedup();
         for scheme in schemes {
-            // One label an order, at the line of plain doubles; other scalars of the order share its
-            // colour.
+            // One label an order, at the line of plain doubles; other scalars of the order share
+            // its colour.
             let (label, mark) = match (scheme.precision, scheme.compensated) {
                 (Precision::Double, false) => (format!("order {}", scheme.order()), Mark::Both),
                 (Precision::DoubleDouble, false) => (format!("order {}, dd", scheme.order()), Mark::Both),

@@ -88,8 +88,8 @@ fn batches(plan: &Plan, group: usize, width: usize) -> impl Iterator<Item = (usi
     (0..lanes).step_by(width).map(move |k| (group * lanes + k, Parts { start: start + k * length, length }))
 }
 
-/// Whether two sets of so many rows of so many numbers fit sixteen registers, which are all that AVX2
-/// has.
+/// Whether two sets of so many rows of so many numbers fit sixteen registers, which are all that
+/// AVX2 has.
 const fn is_small(rows: usize, numbers: usize) -> bool {
     2 * rows * numbers <= 16
 }

@@ -39,8 +39,8 @@ fn levels() -> impl Iterator<Item = Level> {
     [Level::Baseline, Level::Avx2, Level::Avx512].into_iter().filter(|level| level.is_available())
 }
 
-/// The step in parts against the one elimination, in the ∞-norm and in units of u: A is dominated by
-/// its diagonal, so that either is off by no more than some roundings of x̃.
+/// The step in parts against the one elimination, in the ∞-norm and in units of u: A is dominated
+/// by its diagonal, so that either is off by no more than some roundings of x̃.
 fn agree<M: LatticeMap<f64>>(map: impl Fn(usize) -> M, sites: impl Iterator<Item = usize>, eps: f64) {
     for sites in sites {
         let x = state(sites * M::BLOCK);

@@ -1,9 +1,9 @@
 //! The step that promises a small backward error: what more than eight variables have.
 //!
 //! In: a point and ε as given. Out: a finite x̃ with |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ in
-//! every row i, A(x,ε) and b(x,ε) exact at the floats as given and k the most entries in a row of A;
-//! or why there is none. Elimination gives x̃, and residuals in wider numbers, which carry bounds on
-//! their own errors, refine it at most twice. Nothing is believed but such a bound.
+//! every row i, A(x,ε) and b(x,ε) exact at the floats as given and k the most entries in a row of
+//! A; or why there is none. Elimination gives x̃, and residuals in wider numbers, which carry
+//! bounds on their own errors, refine it at most twice. Nothing is believed but such a bound.
 //!
 //! With d = x̃ − x the residual b − A·x̃ is 2εf − A·d, whose terms are small with ε.
 
@@ -155,8 +155,8 @@ where
         [own, eliminated_determinant(&mut matrix)]
     }
 
-    /// x̃ with the promised backward error, if refinement with residuals by `rest` or in wide numbers
-    /// gets there; the least bound on the error that was reached goes to `least`.
+    /// x̃ with the promised backward error, if refinement with residuals by `rest` or in wide
+    /// numbers gets there; the least bound on the error that was reached goes to `least`.
     fn refined(
         &self,
         solution: impl Fn([T; N]) -> [T; N],
@@ -254,8 +254,8 @@ fn power(power: u32) -> f64 {
     crate::scalar::bounded::power_of_two(power.min(1000) as i32)
 }
 
-/// What |v| is at least: a little less than |v̂|, which pays for the roundings of sums of sizes too;
-/// nothing where the error is no small part of it.
+/// What |v| is at least: a little less than |v̂|, which pays for the roundings of sums of sizes
+/// too; nothing where the error is no small part of it.
 fn at_least<V: Working>(value: &Bounded<V>) -> V::Magnitude {
     let size = value.value().size();
     if V::Magnitude::of(64.0) * value.error() <= size {

@@ -1,9 +1,9 @@
 //! Formulas as tables in postfix order, which one loop runs.
 //!
 //! In: a table, parameters, a state. Out: the formulas' values, one after the other. Over numbers
-//! that carry bounds a straight line of a large field is more code than all the rest of a crate, and
-//! it is run seldom: there the table takes its place. A formula needs as many places on the stack as
-//! the macro allows it, which visits deep operands first.
+//! that carry bounds a straight line of a large field is more code than all the rest of a crate,
+//! and it is run seldom: there the table takes its place. A formula needs as many places on the
+//! stack as the macro allows it, which visits deep operands first.
 
 use crate::{Constant, Scalar};
 

@@ -120,8 +120,8 @@ impl Mul for Wide {
     }
 }
 
-/// |a/b − â/b̂| ≤ (r_a + |â/b̂|·r_b)/(|b̂| − r_b), where r_b is at most |b̂|/64; else nothing is known of the quotient. Undefined
-/// for a divisor that is zero.
+/// |a/b − â/b̂| ≤ (r_a + |â/b̂|·r_b)/(|b̂| − r_b), where r_b is at most |b̂|/64; else
+/// nothing is known of the quotient. Undefined for a divisor that is zero.
 impl Div for Wide {
     type Output = Self;
 

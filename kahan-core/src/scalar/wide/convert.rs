@@ -119,7 +119,8 @@ impl Wide {
         ((binade as u64) << stored) + integer + u64::from(is_up)
     }
 
-    /// |numerator| as n·2^e with 64 bits of n at least. Where more was left out n is odd, and rounds to fewer bits as the whole does.
+    /// |numerator| as n·2^e with 64 bits of n at least. Where more was left out n is odd,
+    /// and rounds to fewer bits as the whole does.
     fn odd_leading(&self) -> Option<(u128, i64)> {
         let row = self.row();
         let (size, place) = row.leading_pair()?;

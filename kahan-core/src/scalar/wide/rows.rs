@@ -113,7 +113,8 @@ impl Row {
         size_of(self.leading())
     }
 
-    /// |d·2⁶⁴ + d′| of the leading digit d and the one in the place below, which may be 0, and that place. `None` for zero.
+    /// |d·2⁶⁴ + d′| of the leading digit d and the one in the place below, which may be 0,
+    /// and that place. `None` for zero.
     pub(super) fn leading_pair(&self) -> Option<(u128, i64)> {
         let (&(place, first), rest) = self.digits().split_first()?;
         let second = rest.first().filter(|(next, _)| *next == place - 1).map_or(0, |(_, digit)| *digit);

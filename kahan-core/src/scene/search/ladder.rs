@@ -1,8 +1,8 @@
 //! Ladders: an order at more and more steps.
 //!
-//! In: a scheme and where to begin. Out: trials, until one serves, or costs more than a setting that
-//! does, or is sure to by the law error ∝ ε^order, or two rungs in a row gain nothing; and whether
-//! roundings were felt.
+//! In: a scheme and where to begin. Out: trials, until one serves, or costs more than a setting
+//! that does, or is sure to by the law error ∝ ε^order, or two rungs in a row gain nothing; and
+//! whether roundings were felt.
 
 use std::vec::Vec;
 

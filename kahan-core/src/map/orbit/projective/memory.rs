@@ -1,7 +1,7 @@
 //! Whether an ordinary step loses nothing: where it does not, an orbit goes on along a line.
 //!
-//! J = A(x,ε)⁻¹A(x̃,−ε) is the derivative of a step. Where A(x,ε) is nearly singular, x̃ is large or
-//! inaccurate; where A(x̃,−ε) is, the step brings many points to nearly one, and what told them
+//! J = A(x,ε)⁻¹A(x̃,−ε) is the derivative of a step. Where A(x,ε) is nearly singular, x̃ is large
+//! or inaccurate; where A(x̃,−ε) is, the step brings many points to nearly one, and what told them
 //! apart lies below the last digit of x̃.
 
 use nalgebra::SMatrix;

@@ -97,14 +97,14 @@ where
     /// Exact orbits are exact: lines are series in δ.
     ///
     /// Over floats points have the bits of [`KahanMap::orbit`](crate::KahanMap::orbit) as long as
-    /// A(x,ε) and A(x̃,−ε) are far from singular: no pivot is below a 1024th of its row or column, as
-    /// far as x̃ has digits to say so. Near a pole an ordinary orbit loses as many digits as it comes
-    /// near, first in large coordinates, then in those to which it comes back. Here such points and
-    /// those after them are computed in seventeen digits of 64 bits and each is rounded once, until a
-    /// rounding counts for no more than ten bits at the point from where it came; so ten bits are
-    /// what an orbit may lose on its way through a pole. A float that is near a pole and not at it has
-    /// a next point that is large and not infinite, unless that is beyond the range of the scalar. In
-    /// more than 32 variables the orbit takes ordinary steps only.
+    /// A(x,ε) and A(x̃,−ε) are far from singular: no pivot is below a 1024th of its row or column,
+    /// as far as x̃ has digits to say so. Near a pole an ordinary orbit loses as many digits as it
+    /// comes near, first in large coordinates, then in those to which it comes back. Here such
+    /// points and those after them are computed in seventeen digits of 64 bits and each is rounded
+    /// once, until a rounding counts for no more than ten bits at the point from where it came; so
+    /// ten bits are what an orbit may lose on its way through a pole. A float that is near a pole
+    /// and not at it has a next point that is large and not infinite, unless that is beyond the
+    /// range of the scalar. In more than 32 variables the orbit takes ordinary steps only.
     ///
     /// Cost: over floats, a step and the matrix A, with two of them and eliminations where |εf′| is
     /// not small; over exact scalars, a step and a determinant. Ordinary steps of floats allocate

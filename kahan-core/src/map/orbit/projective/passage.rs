@@ -18,8 +18,8 @@ use super::ThroughPoles;
 use super::germ::Germ;
 use super::point::ProjectivePoint;
 
-/// What δ multiplies, drawn at random: small numbers would often have a sum of 0, and lie in a plane
-/// that the map treats as no other.
+/// What δ multiplies, drawn at random: small numbers would often have a sum of 0, and lie in a
+/// plane that the map treats as no other.
 const SLOPES: [i64; 13] = [271, -314, 577, 618, -161, 803, -398, 874, -989, 484, -820, 459, -236];
 
 /// The i-th coordinate of a direction.

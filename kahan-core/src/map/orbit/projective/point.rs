@@ -4,8 +4,8 @@ use nalgebra::SVector;
 
 use crate::{Pivot, Scalar};
 
-/// A point \[X : W\] of projective space, which is x = X/W where W is not 0, and else at infinity in
-/// the direction X, or −X, which is the same point.
+/// A point \[X : W\] of projective space, which is x = X/W where W is not 0, and else at infinity
+/// in the direction X, or −X, which is the same point.
 ///
 /// It is kept with W = 1 or W = 0. At infinity the first of the largest coordinates is 1: the first
 /// that is within a part in 2²⁰ of the largest. So equal points have equal coordinates, up to

@@ -1,7 +1,7 @@
 //! The scalars over which orbits go through poles.
 //!
-//! In: a step. Out: whether it loses so little that an orbit takes it as it is, and the numbers to go
-//! on with where it does not.
+//! In: a step. Out: whether it loses so little that an orbit takes it as it is, and the numbers to
+//! go on with where it does not.
 
 use core::mem;
 
