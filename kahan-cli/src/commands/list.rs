@@ -22,8 +22,7 @@ pub(crate) struct List {
 
 impl List {
     /// The table, or `systems`: [{`name`, `type`, `title`, `variables`, `parameters`, `claims`}],
-    /// and
-    /// `families` likewise, with `arrays` in the place of `variables`.
+    /// and `families` likewise, with `arrays` in the place of `variables`.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let mut rows =
             vec![["name", "variables", "parameters", "claims", "title"].map(str::to_owned).to_vec()];

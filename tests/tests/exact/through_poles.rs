@@ -3,7 +3,8 @@
 //! 1. A rational point is taken on each curve that a map sends to infinity or blows down.
 //! 2. Its projective orbit is at infinity where the image of the curve is.
 //! 3. The point is moved by a tiny rational δ, and the ordinary exact orbit taken from there. Of
-//!    its coordinates, or quotients of them, the simplest rationals nearby are the projective orbit's.
+//!    its coordinates, or quotients of them, the simplest rationals nearby are those of the
+//!    projective orbit.
 //! 4. Over `f64` the same orbit, begun at a rounded point, is that of the exact numbers.
 
 use kahan_algebra::prime_field::SplitMix64;
