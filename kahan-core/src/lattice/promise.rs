@@ -14,6 +14,7 @@ use num_traits::Zero;
 
 use crate::Scalar;
 use crate::scalar::Size;
+use crate::scalar::bounded::backward_error;
 
 use super::scalar::Judge;
 use super::sites::Site;
@@ -46,7 +47,7 @@ struct Rows<J> {
 struct Rest<T> {
     /// b − A·x̃, rounded.
     residual: T,
-    /// The backward error in units of (k + 8)·u, at most; not a number where it is not known.
+    /// The backward error in units of (k + 8)·u, at most; infinite where it is not known.
     bound: f64,
 }
 
@@ -79,21 +80,20 @@ impl<T: LatticeScalar> Promise<T> {
         };
         let block = M::Shape::BLOCK;
         let largest = before.iter().chain(next).fold(self.largest, larger);
-        let mut worst = 0.0;
+        let mut worst = 0.0_f64;
         for i in 0..before.len() / block {
             near.site.rows(map, &near.constants, before, i, T::Near::given);
             for b in 0..block {
                 let mut rest = near.rest::<M, T>(b, before, next, largest);
-                if rest.bound.is_nan() || rest.bound > 1.0 {
+                if rest.bound > 1.0 {
                     far.site.rows(map, &far.constants, before, i, T::Far::given);
                     rest = far.rest::<M, T>(b, before, next, largest);
                 }
                 residual[i * block + b] = rest.residual;
-                // What is not a number is worse than any.
-                worst = if rest.bound <= worst { worst } else { rest.bound };
+                worst = rest.bound.max(worst);
             }
         }
-        if worst.is_nan() { f64::INFINITY } else { worst }
+        worst
     }
 }
 
@@ -125,16 +125,8 @@ impl<J: Scalar> Rows<J> {
         }
         let (residual, known) = rest.known();
         let (_, right) = right.known();
-        let (size, error) = (size + right.at_least(), known.size + known.error);
-        let is_allowed_for = largest < known.largest_input.min(right.largest_input);
-        let bound = if size.is_zero() && error.is_zero() {
-            0.0
-        } else if is_allowed_for {
-            f64::from(error / size) / ((entries as f64 + 8.0) * T::UNIT)
-        } else {
-            f64::NAN
-        };
-        Rest { residual, bound }
+        let error = backward_error(known, size, right, Size::from(largest));
+        Rest { residual, bound: error / ((entries as f64 + 8.0) * T::UNIT) }
     }
 }
 

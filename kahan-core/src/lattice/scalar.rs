@@ -1,9 +1,11 @@
 //! Which scalars chains are made of, and how each is solved for.
 
-use crate::ensemble::lanes::InLanes;
+#[cfg(feature = "exact")]
 use num_traits::Zero;
 
-use crate::scalar::bounded::{Bounded, Number, power_of_two};
+use crate::ensemble::lanes::InLanes;
+
+use crate::scalar::bounded::{Bounded, Known, Limit, Number};
 use crate::scalar::{Size, Wide};
 use crate::{Dd, Pivot, Scalar};
 
@@ -59,25 +61,7 @@ pub(super) trait Judge<T>: Scalar {
     fn given(number: &T) -> Self;
 
     /// The nearest number of T, and what is known of the value.
-    fn known(&self) -> (T, Known);
-}
-
-/// What is known of a value of a formula: a number, and how far it may be off.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Known {
-    pub(super) size: Size,
-    pub(super) error: Size,
-    /// No input may be larger, or underflow was not allowed for.
-    pub(super) largest_input: f64,
-}
-
-impl Known {
-    /// What the size is at least: a little less, which pays for the roundings of sums of sizes too;
-    /// nothing where the error is no small part of it.
-    pub(super) fn at_least(self) -> Size {
-        let is_certain = Size::from(64.0) * self.error <= self.size;
-        if is_certain { Size::from(62.0 / 64.0) * self.size } else { Size::zero() }
-    }
+    fn known(&self) -> (T, Known<Size>);
 }
 
 /// How numbers of a float become wider ones, and back.
@@ -88,11 +72,10 @@ macro_rules! judged_in {
                 Bounded::given($widen)
             }
 
-            fn known(&self) -> ($float, Known) {
+            fn known(&self) -> ($float, Known<Size>) {
                 let $value = self.value();
-                let largest_input = power_of_two(self.largest_input().min(1000) as i32);
-                let (size, error) = ($value.size().into(), self.error().into());
-                ($round, Known { size, error, largest_input })
+                let Known { size, error, largest_input } = Bounded::known(self);
+                ($round, Known { size: size.into(), error: error.into(), largest_input })
             }
         }
     };
@@ -169,8 +152,8 @@ impl Judge<Self> for num_rational::BigRational {
         number.clone()
     }
 
-    fn known(&self) -> (Self, Known) {
+    fn known(&self) -> (Self, Known<Size>) {
         let size = Size::from(self.approximate().abs());
-        (self.clone(), Known { size, error: Size::zero(), largest_input: f64::INFINITY })
+        (self.clone(), Known { size, error: Size::zero(), largest_input: Limit::ANY })
     }
 }

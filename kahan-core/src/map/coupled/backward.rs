@@ -15,7 +15,7 @@ use num_traits::{One, Zero};
 use crate::SingularStep;
 use crate::field::linear::{components, eliminated_determinant, solve_in_place, vector};
 use crate::map::stable::{Promised, Widened};
-use crate::scalar::bounded::{Bounded, Magnitude, Working};
+use crate::scalar::bounded::{Bounded, Working, backward_error};
 use crate::step::error::Reason;
 
 use super::formulas::Values;
@@ -225,42 +225,17 @@ where
             if i == j {
                 diagonal[i] -= entry;
             } else {
-                sizes[i] = sizes[i] + at_least(&entry) * next[j].value().size();
+                sizes[i] = sizes[i] + entry.known().at_least() * next[j].value().size();
             }
         }
-        let mut bound = V::Magnitude::zero();
-        let mut largest_input = u32::MAX;
+        let mut bound = 0.0_f64;
         let residual = from_fn(|i| {
             let residual = eps * left[i] - (next[i] - x[i]);
-            let own = at_least(&diagonal[i]) * next[i].value().size();
-            let size = sizes[i] + own + at_least(&(x[i] + eps * right[i]));
-            let error = residual.value().size() + residual.error();
-            if !(size.is_zero() && error.is_zero()) {
-                let quotient = error / size;
-                // What is not a number is worse than any.
-                bound = if quotient <= bound { bound } else { quotient };
-            }
-            largest_input = largest_input.min(residual.largest_input()).min(right[i].largest_input());
+            let own = diagonal[i].known().at_least() * next[i].value().size();
+            let right = (x[i] + eps * right[i]).known();
+            bound = bound.max(backward_error(residual.known(), sizes[i] + own, right, sum));
             round(residual.value())
         });
-        let is_allowed_for = V::Magnitude::of(power(largest_input)) > sum;
-        let bound = if is_allowed_for { bound.into() } else { f64::NAN };
-        Rest { residual, bound: if bound.is_nan() { f64::INFINITY } else { bound } }
-    }
-}
-
-/// 2^power, for as large a power as there is.
-fn power(power: u32) -> f64 {
-    crate::scalar::bounded::power_of_two(power.min(1000) as i32)
-}
-
-/// What |v| is at least: a little less than |v̂|, which pays for the roundings of sums of sizes
-/// too; nothing where the error is no small part of it.
-fn at_least<V: Working>(value: &Bounded<V>) -> V::Magnitude {
-    let size = value.value().size();
-    if V::Magnitude::of(64.0) * value.error() <= size {
-        V::Magnitude::of(62.0 / 64.0) * size
-    } else {
-        V::Magnitude::zero()
+        Rest { residual, bound }
     }
 }

@@ -8,7 +8,7 @@ use nalgebra::SVector;
 use num_traits::{One, Zero};
 
 use crate::field::linear::vector;
-use crate::scalar::bounded::{Bounded, Magnitude, Pair, Working, power_of_two, underflow};
+use crate::scalar::bounded::{Bounded, Limit, Magnitude, Pair, Working, underflow};
 use crate::{KahanMap, Lift, Pivot, PreparedStep, Quotients};
 
 /// A next state, and what the error of any of its components is at most, their own last roundings
@@ -16,9 +16,10 @@ use crate::{KahanMap, Lift, Pivot, PreparedStep, Quotients};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt<V: Working, const N: usize> {
     pub(super) next: [V; N],
+    /// In units u of V.
     error: V::Magnitude,
-    /// The binary exponent that no input may exceed, see [`Bounded::largest_input`].
-    largest_input: u32,
+    /// How large inputs may be, see [`Bounded::largest_input`].
+    largest_input: Limit,
 }
 
 impl<V: Working, const N: usize> Attempt<V, N> {
@@ -41,7 +42,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         };
         let state = SVector::from_fn(|i, _| given(&x[i]));
         let attempt = Self::by_step(&map.lift(given), &state, Bounded::<V, P>::given(embed(eps)))?;
-        (attempt.largest_input() > sum.get()).then_some(attempt)
+        attempt.largest_input.allows(sum.get()).then_some(attempt)
     }
 
     /// By the step of a map over bounded values.
@@ -72,14 +73,21 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         let [next] = values.added_to(&vector(from_fn(|i| x[i].value()))).data.0;
         let underflow = V::Magnitude::of(underflow::<V>(roundings));
         let magnitudes = numerators.map(|numerator| numerator.magnitude());
-        // An increment that is a quotient itself is a product with 1. Not by `map`: its closure
-        // would be too large for compilers to inline.
+        // An increment that is a quotient itself is a product with 1. Not by `map` and `chain`:
+        // their closures would be too large for compilers to inline.
         let mut weights = [V::Magnitude::zero(); N];
         for (weight, reciprocal) in weights.iter_mut().zip(&reciprocals) {
             *weight = match reciprocal {
                 Some(reciprocal) => reciprocal.weight(roundings),
                 None => Bounded::<V, P>::one().weight(roundings),
             };
+        }
+        let mut largest_input = Limit::ANY;
+        for (numerator, reciprocal) in numerators.iter().zip(&reciprocals) {
+            largest_input = largest_input.and(numerator.largest_input());
+            if let Some(reciprocal) = reciprocal {
+                largest_input = largest_input.and(reciprocal.largest_input());
+            }
         }
         Self {
             next,
@@ -90,11 +98,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
                 // One reciprocal: one product is the largest.
                 (largest::<V, N>(magnitudes) + underflow) * largest::<V, N>(weights)
             },
-            largest_input: numerators
-                .iter()
-                .chain(reciprocals.iter().flatten())
-                .map(Bounded::largest_input)
-                .fold(1000, u32::min),
+            largest_input,
         }
     }
 
@@ -109,15 +113,9 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         let quotients: [Bounded<V>; N] = from_fn(|i| numerators[i] * reciprocal);
         Some(Self {
             next: quotients.map(|quotient| quotient.value()),
-            error: largest::<V, N>(quotients.map(|quotient| quotient.error())),
-            largest_input: quotients.iter().map(Bounded::largest_input).fold(1000, u32::min),
+            error: largest::<V, N>(quotients.map(|quotient| quotient.error())) / V::Magnitude::of(V::UNIT),
+            largest_input: quotients.iter().map(Bounded::largest_input).fold(Limit::ANY, Limit::and),
         })
-    }
-
-    /// The size that no input may have, so that errors of underflow are allowed for.
-    #[inline(always)]
-    pub(super) fn largest_input(&self) -> V::Magnitude {
-        V::Magnitude::of(power_of_two(self.largest_input as i32))
     }
 
     /// Whether the error, with a rounding to `unit` besides, is less than `limit` times the largest
@@ -125,8 +123,9 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     #[inline(always)]
     pub(super) fn is_within(&self, limit: f64) -> bool {
         let largest = self.largest();
-        // A state of zeros without an error is one, too. What is not a number is never less.
-        V::Magnitude::of(limit - V::UNIT) * largest > self.error
+        // A state of zeros without an error is one, too. What is not a number is never less, and
+        // where a component overflows, so does the error.
+        V::Magnitude::of((limit - V::UNIT) / V::UNIT) * largest > self.error
             || (largest.is_zero() && self.error.is_zero())
     }
 
@@ -139,14 +138,15 @@ impl<V: Working, const N: usize> Attempt<V, N> {
         exactly: impl Fn(&T) -> V,
     ) -> Option<SVector<T, N>> {
         let rounded = self.next.map(round);
-        self.error = self.error + largest::<V, N>(from_fn(|i| (exactly(&rounded[i]) - self.next[i]).size()));
+        let changes = largest::<V, N>(from_fn(|i| (exactly(&rounded[i]) - self.next[i]).size()));
+        self.error = self.error + changes / V::Magnitude::of(V::UNIT);
         (rounded.iter().all(T::is_finite_number) && self.is_within(limit)).then(|| vector(rounded))
     }
 
     /// What the error is at most, as a multiple of the largest component; infinite where nothing is
     /// known.
     pub(super) fn bound(&self) -> f64 {
-        let bound: f64 = (self.error / self.largest()).into();
+        let bound = f64::from((self.error / self.largest()).into()) * V::UNIT;
         if bound.is_nan() { f64::INFINITY } else { bound }
     }
 

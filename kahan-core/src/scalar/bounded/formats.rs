@@ -5,27 +5,22 @@ use crate::Dd;
 use crate::scalar::tuning::{BITS_OF_DOUBLE_STEPS, BITS_OF_SINGLE_STEPS};
 use crate::scalar::{Size, Wide};
 
-use super::number::{Number, Range, power_of_two};
+use super::number::{Number, Range};
 use super::pair::Pair;
 use super::{Bounded, Working, operations};
 
-/// That of `f32`: 2¹⁰·2⁹⁹·η is the allowance for η = 2⁻¹⁴⁹. Narrow, but what it leaves out has only
-/// to be computed in `f64`.
-const SINGLE: Range = Range {
-    allowance: power_of_two(-40),
-    bits_of_products: 99,
-    bits_of_divisors: 4,
-    bits_of_steps: BITS_OF_SINGLE_STEPS,
-};
+/// The powers η of two that an operation is off by where it underflows, at most.
+const LOST_OF_SINGLES: i32 = -149;
+const LOST_OF_DOUBLES: i32 = -1074;
+/// Each of the float operations on pairs of doubles loses as much.
+const LOST_OF_PAIRS: i32 = -1070;
 
-/// That of `f64`, and of pairs of them: 2¹⁰·2⁸⁶⁰·η is far below the allowance for η = 2⁻¹⁰⁷⁰ and
-/// less.
-const DOUBLE: Range = Range {
-    allowance: power_of_two(-150),
-    bits_of_products: 860,
-    bits_of_divisors: 120,
-    bits_of_steps: BITS_OF_DOUBLE_STEPS,
-};
+/// That of `f32` is narrow, but what it leaves out has only to be computed in `f64`.
+const SINGLE: Range = Range::of(LOST_OF_SINGLES, -40, 4, BITS_OF_SINGLE_STEPS);
+
+/// The same allowance serves `f64` and pairs of them.
+const ALLOWANCE_OF_DOUBLES: i32 = -150;
+const BITS_OF_DOUBLE_DIVISORS: u32 = 120;
 
 impl Number for f32 {
     type Magnitude = f32;
@@ -45,7 +40,8 @@ impl Working for f32 {
 impl Number for f64 {
     type Magnitude = f64;
     const UNIT: f64 = f64::EPSILON / 2.0;
-    const RANGE: Range = DOUBLE;
+    const RANGE: Range =
+        Range::of(LOST_OF_DOUBLES, ALLOWANCE_OF_DOUBLES, BITS_OF_DOUBLE_DIVISORS, BITS_OF_DOUBLE_STEPS);
 
     #[inline(always)]
     fn size(&self) -> f64 {
@@ -61,7 +57,8 @@ impl Number for Dd {
     type Magnitude = f64;
     /// 16 u² of `f64`, at least the bound of each of its operations.
     const UNIT: f64 = f64::EPSILON * f64::EPSILON * 4.0;
-    const RANGE: Range = DOUBLE;
+    const RANGE: Range =
+        Range::of(LOST_OF_PAIRS, ALLOWANCE_OF_DOUBLES, BITS_OF_DOUBLE_DIVISORS, BITS_OF_DOUBLE_STEPS);
 
     #[inline(always)]
     fn size(&self) -> f64 {
@@ -76,9 +73,7 @@ impl Working for Dd {
 impl Number for Wide {
     type Magnitude = Size;
     const UNIT: f64 = f64::from_bits(((1023 + Wide::UNIT_EXPONENT) as u64) << 52);
-    /// No step over these divides by ε.
-    const RANGE: Range =
-        Range { allowance: 0.0, bits_of_products: 860, bits_of_divisors: 0, bits_of_steps: 0 };
+    const RANGE: Range = Range::UNLIMITED;
 
     fn size(&self) -> Size {
         Wide::size(self)

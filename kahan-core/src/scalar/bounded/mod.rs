@@ -21,16 +21,22 @@
 //! how far it may be off, and m and k follow from that.
 //!
 //! # Underflow
-//! An operation that underflows is off by η at most, and m with it. With all inputs at most 2ᴸ in
-//! size and all products of them at most 2ᴮ, such errors grow to no more than w·2ᴮ·η: a sum takes
-//! the larger w of its terms, its bit of B pays for the other, and a product adds 1 to those of its
-//! factors, so that 2¹⁰ is generous. As long as that is below the [allowance](number::Range), which
-//! every error contains, none is overlooked: [`Bounded::largest_input`] is the L that this leaves,
-//! and whoever makes the values compares. Quotients count as if every divisor were the least, which
-//! is checked, and errors are divided by it twice. What a step divides by ε is a constant that is
-//! at most 2 to the power [`bits_of_steps`](number::Range) times as large.
+//! A product, a quotient or a literal that underflows is off by η at most, and m with it. With all
+//! inputs at most 2ᴸ in size and all products of them at most 2ᴮ, such errors grow to no more than
+//! w·2ᴮ·η: a sum takes the larger w of its terms, and its bit of B pays for the other; a product
+//! and a quotient add 1 to those of both operands. As long as w is at most 2¹⁰ and 2¹⁰·2ᴮ·η is
+//! below the [allowance](number::Range), which every error contains, none is overlooked.
+//! Quotients count as if every divisor were the least, which is checked, and errors are divided by
+//! it twice. What a step divides by ε is a constant that is at most 2 to the power
+//! [`bits_of_steps`](number::Range) times as large.
+//!
+//! All of that is known while compiling, but for the inputs: [`Bounded::largest_input`] is what
+//! they may be, and whoever makes the values compares. Where operations and constants alone break
+//! a premise (k·u ≤ 1/10 among them), no input is small enough; where nothing underflows, any is.
 
 mod formats;
+mod known;
+mod limit;
 mod number;
 mod operators;
 #[cfg(target_arch = "x86_64")]
@@ -39,9 +45,10 @@ mod pair;
 mod rules;
 mod working;
 
-#[cfg(all(test, feature = "exact"))]
-pub(crate) use number::Range;
-pub(crate) use number::{Magnitude, Number, power_of_two};
+pub(crate) use known::{Known, backward_error};
+pub(crate) use limit::Limit;
+use number::MOST_UNDERFLOWS;
+pub(crate) use number::{Magnitude, Number, Range, power_of_two};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use packed::{PackedDouble, PackedSingle};
 pub(crate) use pair::{Both, Pair};
@@ -66,6 +73,8 @@ pub(crate) struct Bounded<V: Working, P: Pair<V> = Both<V>> {
     pair: P,
     /// k
     roundings: u32,
+    /// w
+    underflows: u32,
     /// How many inputs are multiplied in a term, and how many bits all else adds to its size.
     inputs: u32,
     bits: u32,
@@ -84,6 +93,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         Self {
             pair: Pair::new(value, value.size()),
             roundings: 0,
+            underflows: 0,
             inputs: 1,
             bits: 0,
             inverse: None,
@@ -91,26 +101,47 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         }
     }
 
-    /// A literal, known while compiling.
+    /// A literal, known while compiling; one that is rounded may underflow.
     #[inline(always)]
     pub(crate) fn literal(value: V, roundings: u32) -> Self {
         // The exponent of the next power of two.
         let bits = ((value.approximate().to_bits() >> 52 & 0x7ff) as u32).saturating_sub(1022);
-        Self { pair: Pair::new(value, value.size()), roundings, inputs: 0, bits, inverse: None, ratio: None }
-            .settled()
+        Self {
+            pair: Pair::new(value, value.size()),
+            roundings,
+            underflows: roundings,
+            inputs: 0,
+            bits,
+            inverse: None,
+            ratio: None,
+        }
+        .settled()
     }
 
-    /// The binary exponent that no input may exceed, so that underflow is allowed for.
+    /// How large inputs may be: the L of all premises.
     #[inline(always)]
-    pub(crate) fn largest_input(&self) -> u32 {
-        V::RANGE.bits_of_products.saturating_sub(self.bits) / self.inputs.max(1)
+    pub(crate) fn largest_input(&self) -> Limit {
+        let Range { allowance, bits_of_products, .. } = V::RANGE;
+        if allowance == 0.0 {
+            return Limit::ANY;
+        }
+        let most_roundings = const { (0.1 / V::UNIT) as u32 };
+        let is_broken = self.roundings > most_roundings
+            || self.underflows > MOST_UNDERFLOWS
+            || self.bits > bits_of_products;
+        if is_broken {
+            return Limit::NONE;
+        }
+        Limit::below((bits_of_products - self.bits) / self.inputs.max(1))
     }
 
-    /// A value of which nothing is known.
+    /// A value of which nothing is known. No input is small enough for what is made of it: a
+    /// magnitude alone would not do, as infinity times zero is not a number and compares with none.
     #[inline(always)]
     pub(crate) fn unknown(value: V) -> Self {
         let pair = Pair::new(value, V::Magnitude::of(f64::INFINITY));
-        Self { pair, roundings: 1, inputs: 0, bits: 0, inverse: None, ratio: None }
+        let bits = u32::MAX;
+        Self { pair, roundings: 1, underflows: 0, inputs: 0, bits, inverse: None, ratio: None }
     }
 
     /// −v̂
@@ -157,26 +188,34 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         V::Magnitude::of(SLACK * V::UNIT * f64::from(self.roundings))
     }
 
+    /// γₖ in units u.
+    #[inline(always)]
+    fn gamma_in_units(&self) -> V::Magnitude {
+        V::Magnitude::of(SLACK * f64::from(self.roundings))
+    }
+
     /// γₖ·m, and the allowance.
     #[inline(always)]
     pub(crate) fn error(&self) -> V::Magnitude {
         self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)
     }
 
-    /// w, with which the error of a product n̂·r̂ with this reciprocal r̂ is at most w times the
-    /// magnitude of n̂, which took `roundings`; the one of the product included.
+    /// The weight of this reciprocal r̂: the error of a product n̂·r̂ is at most so many units u
+    /// times the magnitude of n̂, which took `roundings`; the one of the product included.
     ///
     /// n̂r̂ − nr = (n̂ − n)·r̂ + n·(r̂ − r). Where one reciprocal serves all numerators, there is
-    /// one weight, if all are given the roundings of the worst.
+    /// one weight, if all are given the roundings of the worst. It is more than |r̂|, so that a
+    /// bound made of it overflows where the product does.
     #[inline(always)]
     pub(crate) fn weight(&self, roundings: u32) -> V::Magnitude {
-        let gamma = Self { roundings: roundings.saturating_add(1), ..*self }.gamma();
+        let gamma = Self { roundings: roundings.saturating_add(1), ..*self }.gamma_in_units();
+        let own = self.gamma_in_units();
+        let allowance = V::Magnitude::of(V::RANGE.allowance / V::UNIT);
         match self.ratio {
             Some(ratio) => {
-                let slack = V::Magnitude::of(SLACK) * self.gamma();
-                self.value().size() * (gamma + ratio * slack) + V::Magnitude::of(V::RANGE.allowance)
+                self.value().size() * (gamma + ratio * (V::Magnitude::of(SLACK) * own)) + allowance
             }
-            None => self.value().size() * gamma + self.error(),
+            None => self.value().size() * gamma + self.magnitude() * own + allowance,
         }
     }
 
@@ -188,8 +227,8 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
 }
 
 /// What underflowed in a numerator that took `roundings`, as a magnitude: times a
-/// [weight](Bounded::weight), which is at least the slack times γ times |r̂|, it is the allowance
-/// times |r̂|, at least.
+/// [weight](Bounded::weight) in units u, which is at least the slack times k times |r̂|, it is the
+/// allowance times |r̂|, at least.
 #[inline(always)]
 pub(crate) fn underflow<V: Working>(roundings: u32) -> f64 {
     V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))

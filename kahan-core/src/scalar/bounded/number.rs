@@ -48,7 +48,24 @@ pub(crate) struct Range {
     pub(crate) bits_of_steps: u32,
 }
 
+/// The power of two up to which operations of a formula may underflow, one after the other: w.
+const POWER_OF_UNDERFLOWS: i32 = 10;
+
+/// The largest w that the allowance of a format is made for.
+pub(crate) const MOST_UNDERFLOWS: u32 = 1 << POWER_OF_UNDERFLOWS;
+
 impl Range {
+    /// Nothing underflows, and no step is divided by ε.
+    pub(crate) const UNLIMITED: Self =
+        Self { allowance: 0.0, bits_of_products: u32::MAX, bits_of_divisors: 0, bits_of_steps: 0 };
+
+    /// Where an operation that underflows is off by 2^eta at most, and 2^allowance is allowed for
+    /// all of them: B is what w·2ᴮ·η leaves.
+    pub(crate) const fn of(eta: i32, allowance: i32, bits_of_divisors: u32, bits_of_steps: u32) -> Self {
+        let bits_of_products = (allowance - eta - POWER_OF_UNDERFLOWS) as u32;
+        Self { allowance: power_of_two(allowance), bits_of_products, bits_of_divisors, bits_of_steps }
+    }
+
     /// The least divisor; 0 where nothing underflows.
     #[inline(always)]
     pub(crate) const fn least_divisor(&self) -> f64 {

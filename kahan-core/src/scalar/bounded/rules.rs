@@ -32,6 +32,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         Self {
             pair,
             roundings: self.roundings.max(other.roundings).saturating_add(1),
+            underflows: self.underflows.max(other.underflows),
             inputs: self.inputs.max(other.inputs),
             bits: self.bits.max(other.bits).saturating_add(1),
             inverse: None,
@@ -46,6 +47,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         Self {
             pair,
             roundings: self.roundings.saturating_add(other.roundings).saturating_add(1),
+            underflows: self.underflows.saturating_add(other.underflows).saturating_add(1),
             inputs: self.inputs.saturating_add(other.inputs),
             bits: self.bits.saturating_add(other.bits),
             inverse: None,
@@ -96,6 +98,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         let quotient = Self {
             pair: Pair::new(value, magnitude),
             roundings: self.roundings.max(divisor.roundings).saturating_add(1),
+            underflows: self.underflows.saturating_add(divisor.underflows).saturating_add(1),
             inputs: self.inputs.saturating_add(divisor.inputs),
             bits: self.bits.saturating_add(divisor.bits).saturating_add(2 * V::RANGE.bits_of_divisors),
             inverse,
@@ -112,6 +115,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         Self {
             pair: Pair::new(value, value.size()),
             roundings: self.roundings.saturating_add(eps.roundings).saturating_add(1),
+            underflows: self.underflows.saturating_add(1),
             inputs: self.inputs,
             bits: self.bits.saturating_add(V::RANGE.bits_of_steps),
             inverse: None,

@@ -3,7 +3,7 @@
 
 use num_traits::One;
 
-use super::worst::{Beside, Q, off_by, two_to};
+use super::worst::{Beside, Q, Worst, off_by, two_to};
 use crate::scalar::bounded::{Bounded, SLACK};
 use crate::scalar::bounded::{Magnitude, Number};
 
@@ -183,7 +183,7 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
                 (numerator.clone(), reciprocal.clone(), numerator.times(&reciprocal))
             });
             let weight = reciprocal.bounded.weight(numerator.bounded.roundings());
-            let bound = f64::of(weight) * numerator.bounded.magnitude();
+            let bound = f64::of(weight) * numerator.bounded.magnitude() * Worst::<FINE>::UNIT;
             let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
             // n + 1 for the numerator and the product, and (d + 1)·2 for a reciprocal that errs by
             // d + 1.
@@ -200,7 +200,8 @@ fn a_weight_of_an_exact_number_counts_the_product() {
     for n in [0, 5] {
         let (numerator, factor) = (rounded_up::<FINE>(n), Beside::given(0.75));
         let product = off_by(UP, || numerator.times(&factor));
-        let bound = factor.bounded.weight(numerator.bounded.roundings()) * numerator.bounded.magnitude();
+        let weight = factor.bounded.weight(numerator.bounded.roundings());
+        let bound = weight * numerator.bounded.magnitude() * Worst::<FINE>::UNIT;
         let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
         assert!((ALL..=1.0).contains(&part), "{part} of the bound");
     }

@@ -19,10 +19,9 @@ fn assert_allowed(value: &Value) {
     assert!(error.is_positive() && value.part() <= 1.0, "{} of the bound: {value:?}", value.part());
 }
 
-/// The largest input that a formula allows, a power of two; the formula is made with inputs of 1 to
-/// ask it.
+/// The largest input that a formula allows; the formula is made with inputs of 1 to ask it.
 fn largest_input(formula: impl Fn(&Value) -> Value) -> f64 {
-    power_of_two(formula(&Value::given(1.0)).bounded.largest_input() as i32)
+    formula(&Value::given(1.0)).bounded.largest_input().size()
 }
 
 #[test]
@@ -54,10 +53,10 @@ fn sums_and_constants_take_their_bits() {
         let tiny = Value::given(0.0).times(&Value::given(0.0));
         off_by((0, 0), || (0..18).fold(tiny.times(x), |sum, _| sum.plus(&sum)))
     };
-    let bits = formula(&Value::given(1.0)).bounded.largest_input();
+    let largest = largest_input(formula);
     // A sum of sums is worth one bit each.
-    assert!(bits <= 2);
-    assert_allowed(&off_by(TINY, || formula(&Value::given(power_of_two(bits as i32)))));
+    assert!(largest <= 4.0);
+    assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 
     let formula = |x: &Value| {
         let tiny = Value::given(0.0).times(&Value::given(0.0));
@@ -79,14 +78,17 @@ fn quotients_take_the_bits_of_divisors_twice() {
         let first = Value::given(0.0).times(&Value::given(0.0)).times(x);
         first.over(&divisor(least)).and_then(|v| v.over(&divisor(least))).expect("a quotient")
     };
-    let bits = formula(&Value::given(1.0)).bounded.largest_input();
-    assert!(bits <= (20 - 16) / 2, "{bits}");
-    assert_allowed(&off_by(TINY, || formula(&Value::given(power_of_two(bits as i32)))));
+    // An input of the numerator and the two of the divisors.
+    let largest = largest_input(formula);
+    assert!(largest <= power_of_two((20 - 16) / 2), "{largest}");
+    assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
     // v̂·(b̂ − b)/b̂ with a v̂ of 1/b̂.
-    let formula = |x: &Value| Value::given(1.0).times(x).over(&Value::given(least).plus(&Value::given(0.0)));
-    let largest =
-        power_of_two(formula(&Value::given(1.0)).expect("a quotient").bounded.largest_input() as i32);
-    assert_allowed(&off_by(TINY, || formula(&Value::given(largest)).expect("a quotient")));
+    let formula = |x: &Value| {
+        let divisor = Value::given(least).plus(&Value::given(0.0));
+        Value::given(1.0).times(x).over(&divisor).expect("a quotient")
+    };
+    let largest = largest_input(formula);
+    assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
     // Below the least divisor there is no quotient.
     assert!(Value::given(1.0).over(&Value::given(least / 1.02)).is_none());
 }
@@ -106,6 +108,157 @@ fn steps_divided_by_eps_take_the_bits_of_steps() {
     assert_allowed(&off_by(TINY, || formula(&Value::given(largest))));
 }
 
+/// Premises that constants and operations alone can break: then no input is small enough. Each is
+/// one that the bound needs: a little beyond it, the true error is more than is said.
+mod premises {
+    use super::super::worst::{Beside, Worst, off_by};
+    use super::TINY;
+    use crate::scalar::bounded::{Bounded, Limit, Number, power_of_two};
+    use crate::{Constant, Scalar};
+
+    const MOST_UNDERFLOWS: u32 = 1024;
+
+    /// So fine that nothing but underflow makes an error.
+    const FINEST: i32 = 120;
+    type Value = Beside<FINEST>;
+
+    /// Doubles a value so many times, which takes a bit each.
+    fn doubled(value: &Value, times: u32) -> Value {
+        off_by((0, 0), || (0..times).fold(value.clone(), |sum, _| sum.plus(&sum)))
+    }
+
+    #[test]
+    fn no_product_is_larger_than_all_products_may_be() {
+        let bits = Worst::<FINEST>::RANGE.bits_of_products;
+        // The literal 2 is below 2², and each doubling adds a bit.
+        let large = |doublings: u32| doubled(&Value::literal(2, 1), doublings);
+        assert_eq!(large(bits - 2).bounded.largest_input(), Limit::below(0));
+        assert_eq!(large(bits - 1).bounded.largest_input(), Limit::NONE);
+        assert_eq!(large(bits + 40).bounded.largest_input(), Limit::NONE);
+        let lost = |doublings: u32| {
+            let large = large(doublings);
+            let tiny = off_by(TINY, || Value::given(0.0).times(&Value::given(0.0)));
+            off_by(TINY, || tiny.times(&large))
+        };
+        let (within, beyond) = (lost(bits - 2), lost(bits + 12));
+        assert!(within.bounded.largest_input() != Limit::NONE && within.part() <= 1.0);
+        assert!(beyond.bounded.largest_input() == Limit::NONE && beyond.part() > 1.0);
+    }
+
+    #[test]
+    fn no_more_operations_underflow_than_the_allowance_is_made_for() {
+        // ½ is below 2⁰: factors of it add no bits.
+        let half = |roundings| Bounded::<Worst<FINEST>>::literal(Worst::of_float(0.5), roundings);
+        let product = |count: u32, roundings: u32| {
+            (0..count).fold(half(0), |product, _| product * half(roundings)).largest_input()
+        };
+        assert_eq!(product(MOST_UNDERFLOWS, 0), Limit::below(20));
+        assert_eq!(product(MOST_UNDERFLOWS + 1, 0), Limit::NONE);
+        // A literal that is rounded may underflow as well.
+        assert_eq!(product(MOST_UNDERFLOWS / 2, 1), Limit::below(20));
+        assert_eq!(product(MOST_UNDERFLOWS / 2 + 1, 1), Limit::NONE);
+        // A sum has those of the worse term, and one bit for the other; a quotient has those of
+        // both operands, and one of its own.
+        let halves = |count: u32| (0..count).fold(half(0), |product, _| product * half(0));
+        let sum = (0..5).fold(half(0), |sum, _| sum + halves(MOST_UNDERFLOWS));
+        assert_eq!(sum.largest_input(), Limit::below(20 - 5));
+        let quotient = |count: u32| {
+            let divisor = halves(count) + half(0);
+            halves(count).quotient(divisor).expect("a divisor of a half").largest_input()
+        };
+        assert_eq!(quotient(MOST_UNDERFLOWS / 2 - 1), Limit::below(20 - 9));
+        assert_eq!(quotient(MOST_UNDERFLOWS / 2), Limit::NONE);
+    }
+
+    /// (1+u)ᵏ − 1 beside 1.0625·k·u, where u is coarse.
+    #[test]
+    fn no_more_roundings_are_counted_than_the_slack_pays_for() {
+        const COARSE: i32 = 10;
+        let one = Beside::<COARSE>::given(1.0);
+        let rounded = |k: u32| off_by((1, 0), || (0..k).fold(one.clone(), |product, _| product.times(&one)));
+        // 102 of 2⁻¹⁰ are a tenth.
+        let (within, beyond) = (rounded(102), rounded(103));
+        assert!(within.part() <= 1.0 && within.bounded.roundings() == 102);
+        assert_ne!(within.bounded.largest_input(), Limit::NONE);
+        assert_eq!(beyond.bounded.largest_input(), Limit::NONE);
+        assert!(rounded(150).part() > 1.0);
+    }
+
+    /// A divisor counts with its own inputs: errors of underflow in it grow with them.
+    #[test]
+    fn a_quotient_has_the_inputs_of_its_divisor() {
+        let input = || Bounded::<Worst<FINEST>>::given(Worst::of_float(1.0));
+        let quotient = |divisor: Bounded<Worst<FINEST>>| input().quotient(divisor).expect("a divisor of 1");
+        // Of 20 bits, a quotient takes twice the 4 of the least divisor.
+        assert_eq!(quotient(input()).largest_input(), Limit::below((20 - 8) / 2));
+        assert_eq!(quotient(input() * input() * input()).largest_input(), Limit::below((20 - 8) / 4));
+        // v̂·(b̂ − b)/b̂ with b = x·(0·0)·x + ¼: where the inputs of b count for nothing, 2¹⁰
+        // passes, and the error of b is 2²⁰·η.
+        let size = power_of_two(10);
+        let formula = |x: f64| {
+            let lost = off_by(TINY, || Beside::<FINEST>::given(0.0).times(&Beside::given(0.0)));
+            let lost = off_by((0, 0), || lost.times(&Beside::given(x)).times(&Beside::given(x)));
+            let divisor = off_by((0, 0), || Beside::<FINEST>::given(0.125).plus(&lost));
+            off_by((0, 0), || Beside::<FINEST>::given(x).over(&divisor)).expect("a divisor of an eighth")
+        };
+        assert!(!formula(1.0).bounded.largest_input().allows(size));
+        assert!(formula(size).part() > 1.0);
+    }
+
+    /// What nothing is known of stays unknown: ∞·0 is not a number, and compares with none.
+    #[test]
+    fn nothing_is_allowed_of_an_unknown_value() {
+        let unknown = || Bounded::<f64>::given(1.0) / Bounded::given(0.0);
+        let zero = || Bounded::<f64>::given(0.0);
+        for value in [unknown(), unknown() * zero(), zero() * unknown() + Bounded::given(1.0), -unknown()] {
+            assert_eq!(value.largest_input(), Limit::NONE);
+        }
+    }
+
+    /// What a format holds no more of: an infinite literal has more bits than there are, and one
+    /// that underflows errs by no more than is said.
+    #[test]
+    fn literals_at_the_ends_of_a_range_are_bounded() {
+        let of = |single: f32, double: f64, limbs: (&[u64], &[u64])| {
+            let constant = Constant::exact(false, limbs.0, limbs.1, single, double, 0.0);
+            (Bounded::<f32>::constant(&constant), Bounded::<f64>::constant(&constant))
+        };
+        // 2²⁰⁰ and 2⁻²⁰⁰.
+        let (single, double) = of(f32::INFINITY, 200_f64.exp2(), (&[0, 0, 0, 256], &[1]));
+        assert_eq!((single.largest_input(), double.largest_input()), (Limit::NONE, Limit::below(914 - 201)));
+        let (single, double) = of(0.0, (-200_f64).exp2(), (&[1], &[0, 0, 0, 256]));
+        assert!(f64::from(single.error()) >= (-200_f64).exp2() && double.roundings() == 1);
+        assert_ne!(single.largest_input(), Limit::NONE);
+    }
+
+    /// Only an ε within its bits is divided by as a constant.
+    #[test]
+    fn an_eps_beyond_its_bits_is_a_divisor_as_any() {
+        let bits = Worst::<FINEST>::RANGE.bits_of_steps as i32;
+        let over = |eps: f64| Value::literal(1, 1).bounded / Bounded::given(Worst::of_float(eps));
+        for sign in [1.0, -1.0] {
+            for power in [bits, -bits] {
+                assert_eq!(over(sign * power_of_two(power)).largest_input(), Limit::below(20 - 1 - 6));
+            }
+            // Larger, it counts as any input; smaller, it may be no divisor at all.
+            assert_eq!(over(sign * power_of_two(bits + 1)).largest_input(), Limit::below(20 - 1 - 8));
+            assert_eq!(over(sign * power_of_two(-bits - 1)).largest_input(), Limit::NONE);
+        }
+    }
+
+    /// 2¹⁰·2ᴮ·η is the allowance, with an η that is no less than what operations lose.
+    #[test]
+    fn allowances_are_those_of_their_formats() {
+        fn eta<V: Number>() -> f64 {
+            V::RANGE.allowance / (f64::from(MOST_UNDERFLOWS) * power_of_two(V::RANGE.bits_of_products as i32))
+        }
+        // A float loses half of its least number. What is stated of pairs is tested with them.
+        assert_eq!(eta::<f32>(), f64::from(f32::from_bits(1)));
+        assert_eq!(eta::<f64>(), f64::from_bits(1));
+        assert_eq!(eta::<crate::Dd>(), f64::from_bits(16));
+    }
+}
+
 /// A numerator of 0 that underflowed, times a reciprocal: nothing but the allowance speaks of its
 /// error.
 #[test]
@@ -119,14 +272,14 @@ fn a_weight_allows_for_underflow_in_numerator_and_reciprocal() {
     let roundings = numerator.bounded.roundings();
     let magnitude = numerator.bounded.magnitude();
     let weight = reciprocal.bounded.weight(roundings);
-    let bound = (magnitude + underflow::<Worst<FINE>>(roundings)) * weight;
+    let bound = (magnitude + underflow::<Worst<FINE>>(roundings)) * weight * Worst::<FINE>::UNIT;
     assert!(as_float(product.error()) <= bound);
     // The reciprocal's own: an increment of 0 times η, where r̂ is 0 beside it.
     let (reciprocal, product) = off_by(TINY, || {
         let reciprocal = Value::given(0.0).over(&Value::given(1.0)).expect("a quotient");
         (reciprocal.clone(), Value::given(1.0).times(&reciprocal))
     });
-    assert!(as_float(product.error()) <= reciprocal.bounded.weight(0));
+    assert!(as_float(product.error()) <= reciprocal.bounded.weight(0) * Worst::<FINE>::UNIT);
 }
 
 /// A reciprocal of a whole constant, which is finer than what its divisor lost below the range.
@@ -140,7 +293,8 @@ fn a_weight_of_a_chain_allows_for_underflow() {
     });
     let product = Finest::given(1.0).times(&reciprocal);
     let error = product.error().to_f64().expect("a number");
-    assert!(error <= reciprocal.bounded.weight(0) && error > 16.0 * Worst::<FINEST>::UNIT);
+    let bound = reciprocal.bounded.weight(0) * Worst::<FINEST>::UNIT;
+    assert!(error <= bound && error > 16.0 * Worst::<FINEST>::UNIT);
 }
 
 /// The same with the machine's floats: the least numbers, carried as far as their ranges allow.
@@ -154,7 +308,7 @@ macro_rules! floats_at_the_end_of_their_range {
                     let tiny = Bounded::<$float>::given(a) * Bounded::given(b);
                     (0..count).fold(tiny, |product, _| product * Bounded::given(x))
                 };
-                let x = 2.0_f64.powi(formula(1.0, 1.0, 1.0).largest_input() as i32) as $float;
+                let x = formula(1.0, 1.0, 1.0).largest_input().size() as $float;
                 // Half of the least number, which is lost.
                 let (a, b) = ($least, 0.5);
                 let value = formula(a, b, x);

@@ -91,12 +91,7 @@ impl<const BITS: i32> Number for Worst<BITS> {
     type Magnitude = f64;
     const UNIT: f64 = power_of_two(-BITS);
     /// 2¹⁰·2²⁰·η.
-    const RANGE: Range = Range {
-        allowance: power_of_two(10 + 20 + ETA),
-        bits_of_products: 20,
-        bits_of_divisors: 4,
-        bits_of_steps: 6,
-    };
+    const RANGE: Range = Range::of(ETA, 10 + 20 + ETA, 4, 6);
 
     fn size(&self) -> f64 {
         self.0.abs().to_f64().expect("a number of ordinary size")
