@@ -5,12 +5,16 @@
 //! there is no flag where the condition number is below 1e12 (f32: 1e4) and the format holds the
 //! result.
 
-use kahan_algebra::check::check;
+use kahan_algebra::check::{check, check_family};
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::parse;
+use kahan_algebra::system::System;
 use kahan_core::prelude::*;
-use kahan_measure::extremes::{Cell, Place, Regime, Subject, Tally, standard, survey};
+use kahan_measure::extremes::{
+    Cell, Compiled, Number, Place, Regime, Subject, Tally, standard, survey, survey_each, total_of_each,
+};
+use kahan_measure::random_fields::{OddField, odd, odd_chain, odd_of_many};
 use kahan_systems::E2;
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::SYSTEMS;
@@ -24,6 +28,20 @@ fn subject(entry: &Entry) -> Subject {
     assert!(diagnostics.finish().is_empty(), "{}", entry.command);
     let parameters = vec![None; system.field.symbols.parameters.len()];
     Subject::new(entry.command, &system, parameters).expect("the catalog is defined everywhere, and small")
+}
+
+fn drawn(field: &OddField) -> System {
+    let mut diagnostics = Diagnostics::default();
+    let system = check(parse(&lex(&field.block()).tokens, &mut diagnostics), &mut diagnostics);
+    assert!(diagnostics.finish().is_empty(), "{}", field.block());
+    system
+}
+
+fn odd_subject(number: usize) -> Subject {
+    let field = odd(1, number);
+    let system = drawn(&field);
+    let parameters = vec![None; system.field.symbols.parameters.len()];
+    Subject::new(&field.name, &system, parameters).expect("up to eight variables").of_odd_temper()
 }
 
 fn everything() -> Vec<Subject> {
@@ -93,4 +111,37 @@ fn the_number_of_threads_changes_nothing() {
     let one = survey(&subjects, 400, 5, Some(1), &|_| ());
     assert_eq!(one, survey(&subjects, 400, 5, Some(3), &|_| ()));
     assert_ne!(one, survey(&subjects, 400, 6, Some(1), &|_| ()));
+}
+
+/// Fields of every number of variables, closed forms beyond the budget among them.
+#[test]
+fn what_is_drawn_is_judged() {
+    let tally = survey_each(24, &odd_subject, 16, 3, None, &|_| ());
+    let stable = sum(&tally, |place| place.1 == "stable", |cell| cell.trials);
+    assert_eq!(stable, total_of_each(24, 16));
+}
+
+#[test]
+fn fields_of_many_variables_and_chains_can_be_drawn_and_judged() {
+    let of_chain = |number| {
+        let field = odd_chain(1, number);
+        let mut diagnostics = Diagnostics::default();
+        let block = parse(&lex(&field.block()).tokens, &mut diagnostics);
+        let family = check_family(&block, &mut diagnostics);
+        assert!(diagnostics.finish().is_empty(), "{}", field.block());
+        Compiled::of_chain(&field.name, &family.expect("a chain"), field.sites.expect("a chain"))
+    };
+    let of_many = |number| Compiled::new("Many", &drawn(&odd_of_many(1, number)));
+    for field in (0..6).map(of_chain).chain((0..3).map(of_many)) {
+        let mut tally = Tally::default();
+        for (number, words) in [(Number::F32, 1), (Number::F64, 1), (Number::Dd, 2)] {
+            for index in 0..Compiled::count(8) {
+                let inputs = field.inputs(number, 8, 5, index);
+                assert_eq!(inputs, field.inputs(number, 8, 5, index));
+                assert_eq!(inputs.len() % words, 0);
+                field.judge(number, 8, 5, index, None, &mut tally);
+            }
+        }
+        assert_eq!(sum(&tally, |_| true, |cell| cell.flagged), 3 * Compiled::count(8));
+    }
 }

@@ -5,8 +5,8 @@ mod report;
 use std::time::Instant;
 
 use clap::Args;
-use kahan_measure::extremes::{Subject, Unjudged, standard, survey, total};
-use kahan_measure::random_fields::{RandomField, numbered};
+use kahan_measure::extremes::{CannotRun, Subject, standard, survey, survey_each, total, total_of_each};
+use kahan_measure::random_fields::{OddField, RandomField, numbered, odd};
 
 use crate::printing::{Answer, Progress, Refusal};
 use crate::reading::{Block, Source, whole};
@@ -49,10 +49,22 @@ pub(crate) struct Extremes {
     /// Besides, so many random fields of two to six variables, which the seed draws, too.
     ///
     /// Sparse ones, with constant and linear terms, with parameters and divisors of them, and dense
-    /// ones; interpreted, and listed below the table. Fields without a closed form within the
-    /// budget of terms are left out and drawn again.
+    /// ones; interpreted, and listed below the table. They share the trials with the systems.
     #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = fields)]
     random_fields: usize,
+
+    /// Besides, so many random fields of odd tempers, of one to eight variables in turn.
+    ///
+    /// Their literals lie anywhere from 2^-1070 to 2^1020, coefficients nearly cancel, parameters
+    /// and their differences are divisors; parameters are drawn from the whole range of the scalar.
+    /// Each has trials of its own.
+    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = fields)]
+    odd_fields: usize,
+
+    /// The number of trials of each scalar that each field of odd temper has; every twentieth field
+    /// has ten times as many.
+    #[arg(long, value_name = "N", default_value = "300", allow_hyphen_values = true, value_parser = trials)]
+    odd_trials: u64,
 
     /// Another seed draws other points; the same seed draws the same, on any number of threads.
     #[arg(long, value_name = "S", default_value = "1", allow_hyphen_values = true, value_parser = seed)]
@@ -96,12 +108,17 @@ impl Extremes {
         let mut subjects = self.subjects()?;
         let fields = self.random_fields(&mut subjects)?;
         let clock = Instant::now();
-        let progress = Progress::new(total(self.trials), "trials");
-        let tally = survey(&subjects, self.trials, self.seed, None, &|done| progress.advance(done));
+        let trials = total(self.trials) + total_of_each(self.odd_fields, self.odd_trials);
+        let progress = Progress::new(trials, "trials");
+        let advance = |done| progress.advance(done);
+        let mut tally = survey(&subjects, self.trials, self.seed, None, &advance);
+        let of_number = |number| odd_subject(&odd(self.seed, number));
+        tally.add(survey_each(self.odd_fields, &of_number, self.odd_trials, self.seed, None, &advance));
         progress.finish();
         let report = Report {
             subjects: &subjects,
             fields: &fields,
+            odd_fields: self.odd_fields,
             tally: &tally,
             trials: self.trials,
             seed: self.seed,
@@ -124,22 +141,12 @@ impl Extremes {
         blocks.iter().map(|block| self.subject(block)).collect()
     }
 
-    /// Adds the random fields that can be judged to the subjects.
+    /// Adds the random fields to the subjects.
     fn random_fields(&self, subjects: &mut Vec<Subject>) -> Result<Vec<RandomField>, Refusal> {
-        let (mut fields, mut number) = (Vec::new(), 0);
-        while fields.len() < self.random_fields {
-            let field = numbered(self.seed, number);
-            number += 1;
-            let system = Block::of_text(field.block(), field.name.clone()).unproved_system()?;
-            let parameters = vec![None; system.field.symbols.parameters.len()];
-            match Subject::new(&field.name, &system, parameters) {
-                Ok(subject) => {
-                    subjects.push(subject);
-                    fields.push(field);
-                }
-                Err(Unjudged::BeyondBudget) => {}
-                Err(why @ Unjudged::CannotRun(_)) => return Err(cannot_judge(&field.name, &why)),
-            }
+        let fields: Vec<RandomField> =
+            (0..self.random_fields).map(|number| numbered(self.seed, number)).collect();
+        for field in &fields {
+            subjects.push(drawn(&field.name, field.block())?);
         }
         Ok(fields)
     }
@@ -152,11 +159,18 @@ impl Extremes {
     }
 }
 
-fn cannot_judge(name: &str, why: &Unjudged) -> Refusal {
-    Refusal::new(match why {
-        Unjudged::CannotRun(why) => format!("{name} cannot be judged: {why}"),
-        Unjudged::BeyondBudget => format!(
-            "the closed form of {name} is beyond the budget of terms, so that there is no exact map to judge by"
-        ),
-    })
+/// A field that was drawn, all of its parameters to be drawn for each trial.
+fn drawn(name: &str, block: String) -> Result<Subject, Refusal> {
+    let system = Block::of_text(block, name.to_owned()).unproved_system()?;
+    let parameters = vec![None; system.field.symbols.parameters.len()];
+    Subject::new(name, &system, parameters).map_err(|why| cannot_judge(name, &why))
+}
+
+fn odd_subject(field: &OddField) -> Subject {
+    let subject = drawn(&field.name, field.block());
+    subject.unwrap_or_else(|why| panic!("{}: {why:?}", field.block())).of_odd_temper()
+}
+
+fn cannot_judge(name: &str, why: &CannotRun) -> Refusal {
+    Refusal::new(format!("{name} cannot be judged: {why}"))
 }

@@ -76,6 +76,37 @@ impl Dyadic {
         if self.exponent < 0 { (self.integer.clone(), power).into() } else { (&self.integer * power).into() }
     }
 
+    /// The leading `bits` bits, and the exponent of a unit that the rest is less than; `None` where
+    /// there is no rest.
+    pub(crate) fn cut(&self, bits: u64) -> Option<(Self, i64)> {
+        let excess = self.integer.bits().saturating_sub(bits);
+        (excess > 0).then(|| {
+            let exponent = self.exponent + excess as i64;
+            // Towards 0: a shift of a negative number would round down.
+            let magnitude = BigInt::from(self.integer.magnitude() >> excess);
+            let integer = if self.is_negative() { -magnitude } else { magnitude };
+            (Self { integer, exponent }, exponent)
+        })
+    }
+
+    /// self/divisor to `bits` bits at least, and the exponent of a unit that the error is less than.
+    pub(crate) fn quotient(&self, divisor: &Self, bits: u64) -> (Self, i64) {
+        let shift = (bits + divisor.integer.bits()).saturating_sub(self.integer.bits()) + 1;
+        let exponent = self.exponent - divisor.exponent - shift as i64;
+        (Self { integer: (&self.integer << shift) / &divisor.integer, exponent }, exponent)
+    }
+
+    /// self/divisor, where that is n·2^k.
+    pub(crate) fn exact_quotient(&self, divisor: &Self) -> Self {
+        let zeros = divisor.integer.trailing_zeros().unwrap_or(0);
+        let odd = &divisor.integer >> zeros;
+        let quotient = &self.integer / odd;
+        let exponent = self.exponent - divisor.exponent - zeros as i64;
+        // Few bits stay few.
+        let zeros = quotient.trailing_zeros().unwrap_or(0);
+        Self { integer: quotient >> zeros, exponent: exponent + zeros as i64 }
+    }
+
     /// A float near self and its binade: self = significand·2^binade with 1 ≤ |significand| < 2,
     /// cut off after 53 bits; 0 for 0.
     pub(crate) fn leading(&self) -> (f64, i64) {

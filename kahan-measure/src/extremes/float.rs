@@ -17,6 +17,8 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     const WIDER_TIER: Option<&'static str> = None;
     /// The unit u of the promise is 2^−PRECISION.
     const PRECISION: i64;
+    /// The floats that a number is made of.
+    const WORDS: usize = 1;
     /// How many bits are drawn: all that a number can have.
     const BITS: i64;
     /// The binade of the least number that has all of its bits.
@@ -33,6 +35,12 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
 
     /// The nearest number.
     fn of(value: f64) -> Self;
+
+    /// Its bits, a word for each float that it is made of.
+    fn bits(self) -> Vec<u64>;
+
+    /// The number with these bits.
+    fn of_bits(bits: &[u64]) -> Self;
 
     /// The exact value; `None` if it is not finite.
     fn exact(self) -> Option<Dyadic> {
@@ -73,6 +81,14 @@ impl Float for f64 {
     fn of(value: f64) -> Self {
         value
     }
+
+    fn bits(self) -> Vec<u64> {
+        vec![self.to_bits()]
+    }
+
+    fn of_bits(bits: &[u64]) -> Self {
+        Self::from_bits(bits[0])
+    }
 }
 
 impl Float for f32 {
@@ -91,6 +107,14 @@ impl Float for f32 {
         value as Self
     }
 
+    fn bits(self) -> Vec<u64> {
+        vec![self.to_bits().into()]
+    }
+
+    fn of_bits(bits: &[u64]) -> Self {
+        Self::from_bits(bits[0] as u32)
+    }
+
     fn wider_step<M, const N: usize>(map: M, x: &SVector<Self, N>, eps: Self) -> Option<SVector<Self, N>>
     where
         M: Lift<Self, N>,
@@ -102,6 +126,7 @@ impl Float for f32 {
 impl Float for Dd {
     const NAME: &'static str = "dd";
     const STEP_TIER: &'static str = "accurate";
+    const WORDS: usize = 2;
     /// That of the promise; an operation is within it.
     const PRECISION: i64 = 102;
     const BITS: i64 = 106;
@@ -114,6 +139,14 @@ impl Float for Dd {
 
     fn of(value: f64) -> Self {
         value.into()
+    }
+
+    fn bits(self) -> Vec<u64> {
+        vec![self.high().to_bits(), self.low().to_bits()]
+    }
+
+    fn of_bits(bits: &[u64]) -> Self {
+        Self::new(f64::from_bits(bits[0]), f64::from_bits(bits[1]))
     }
 
     fn near(value: &Dyadic) -> Self {

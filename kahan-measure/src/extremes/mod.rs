@@ -6,7 +6,11 @@
 //! step and its verdict. What a trial draws depends on the seed and its index only: the result is
 //! the same for every number of threads.
 
+mod ball;
+mod compiled;
 mod dyadic;
+mod elimination;
+mod equation;
 mod float;
 mod judge;
 mod points;
@@ -23,29 +27,38 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
+use kahan_runtime::interpreted::{LARGEST_DIMENSION, UnsupportedDimension};
 use kahan_runtime::threads::for_each;
+use kahan_runtime::{Field, Map};
 
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::SYSTEMS;
 use kahan_systems::volterra;
 
-use crate::map::{Map, read};
-
 use judge::Judge;
 use trial::Ready;
 
 pub use crate::map::CannotRun;
+pub use compiled::{Compiled, Number};
 pub use regime::Regime;
-pub use tally::{Cell, Failure, Place, Tally};
+pub use tally::{Broken, Cell, Failure, Place, Tally};
 
 /// A system whose steps are judged.
 #[derive(Debug)]
 pub struct Subject {
+    target: Target,
+    map: Map,
+}
+
+/// A system as points are drawn for it and results are judged.
+#[derive(Debug)]
+struct Target {
     name: String,
     /// The values of parameters that are given; the others are drawn.
     parameters: Vec<Option<Rational>>,
+    /// Whether they are drawn from the whole range.
+    is_odd: bool,
     judge: Judge,
-    map: Map,
 }
 
 /// What is judged where no system is named: the paper's systems, and the lattice of three sites,
@@ -54,38 +67,46 @@ pub fn standard() -> impl Iterator<Item = &'static Entry> {
     SYSTEMS.iter().chain([&volterra::ENTRY])
 }
 
-/// Why the steps of a system cannot be judged.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Unjudged {
-    /// It cannot be run.
-    CannotRun(CannotRun),
-    /// Its closed form is beyond the budget of terms, so no exact map to compare with.
-    BeyondBudget,
-}
-
 impl Subject {
     /// A system under a name, with a value or none for each parameter.
     ///
     /// # Errors
-    /// Where the map is too large to be reduced or to be run, or divides by zero at the given
-    /// parameters.
-    pub fn new(name: &str, system: &System, parameters: Vec<Option<Rational>>) -> Result<Self, Unjudged> {
-        let judge = Judge::of(system).ok_or(Unjudged::BeyondBudget)?;
-        let values: Vec<BigRational> = (1..).zip(&parameters).map(value_or_any).collect();
-        let (_, map) = read(system, &values).map_err(Unjudged::CannotRun)?;
-        Ok(Self { name: name.to_owned(), parameters, judge, map })
+    /// Where the map has too many variables to be run, or divides by zero at the given parameters.
+    pub fn new(name: &str, system: &System, parameters: Vec<Option<Rational>>) -> Result<Self, CannotRun> {
+        let variables = system.field.dimension();
+        if variables > LARGEST_DIMENSION {
+            return Err(CannotRun::Dimension(UnsupportedDimension(variables)));
+        }
+        let names = &system.field.symbols.parameters;
+        let values = (1..).zip(&parameters).map(value_or_any);
+        let map = Field::of(system).with(names.iter().zip(values)).map_err(CannotRun::Parameters)?;
+        Ok(Self { target: Target::new(name, parameters, Judge::of(system)), map })
+    }
+
+    /// The same, its parameters drawn from the whole range, and its ε, for many points, so that
+    /// ‖εf′‖∞ is of ordinary size.
+    #[must_use]
+    pub fn of_odd_temper(mut self) -> Self {
+        self.target.is_odd = true;
+        self
     }
 
     /// Its name.
     #[must_use]
     pub fn name(&self) -> &str {
-        &self.name
+        &self.target.name
     }
 
     /// Whether det A vanishes somewhere that the reduced map has a value.
     #[must_use]
     pub fn has_removable_poles(&self) -> bool {
-        !self.judge.removable_poles.is_empty()
+        self.target.judge.has_removable_poles()
+    }
+}
+
+impl Target {
+    fn new(name: &str, parameters: Vec<Option<Rational>>, judge: Judge) -> Self {
+        Self { name: name.to_owned(), parameters, is_odd: false, judge }
     }
 }
 
@@ -131,6 +152,37 @@ pub fn total(trials: u64) -> u64 {
     3 * trial::with_special_inputs(trials)
 }
 
+/// So many trials of `f32`, `f64` and `Dd` of each of `count` subjects alone, with ten times as many
+/// of every twentieth; the k-th is made when it is its turn.
+///
+/// `threads` and `progress` as for [`survey`].
+pub fn survey_each(
+    count: usize,
+    subject: &(dyn Fn(usize) -> Subject + Sync),
+    trials: u64,
+    seed: u64,
+    threads: Option<usize>,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Tally {
+    let all = Mutex::new(Tally::default());
+    for_each(count, threads, &|k| {
+        let subject = [subject(k)];
+        let own = if k % 20 == 19 { 10 * trials } else { trials };
+        // Streams of fields have nothing in common.
+        let seed = seed.wrapping_add((k as u64 + 1) << 32);
+        let tally = survey(&subject, own, seed, Some(1), progress);
+        all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
+    });
+    all.into_inner().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The number of trials that [`survey_each`] makes in all.
+#[must_use]
+pub fn total_of_each(count: usize, trials: u64) -> u64 {
+    let more = (count / 20) as u64;
+    (count as u64 - more) * total(trials) + more * total(10 * trials)
+}
+
 /// All trials of one scalar, in blocks that threads take as they come free.
 fn of_scalar<T: float::Float>(
     ready: &Ready<'_, T>,
@@ -138,7 +190,7 @@ fn of_scalar<T: float::Float>(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Tally {
     const BLOCK: usize = 64;
-    let trials = usize::try_from(ready.trials()).unwrap_or(usize::MAX);
+    let trials = usize::try_from(ready.count()).expect("no more trials than a machine makes");
     let all = Mutex::new(Tally::default());
     for_each(trials.div_ceil(BLOCK), threads, &|block| {
         let (start, mut tally) = (block * BLOCK, Tally::default());

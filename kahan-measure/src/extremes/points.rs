@@ -8,8 +8,7 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::dyadic::Dyadic;
 use super::float::Float;
-use super::judge::Judge;
-use super::polynomial::Univariate;
+use super::judge::{Judge, Zeros};
 use super::regime::Regime;
 use super::roots::root;
 
@@ -45,6 +44,8 @@ impl<T: Float> Inputs<T> {
 pub(crate) struct Points<'a, T> {
     pub(crate) judge: &'a Judge,
     pub(crate) fixed: &'a [Option<T>],
+    /// Whether parameters are drawn from the whole range, and steps often fit the field.
+    pub(crate) is_odd: bool,
     pub(crate) random: SplitMix64,
 }
 
@@ -54,35 +55,46 @@ impl<T: Float> Points<'_, T> {
         match regime {
             Regime::Ordinary => self.ordinary(),
             Regime::MixedMagnitudes => self.mixed(),
-            Regime::NearPole => self.beside(&self.judge.poles, regime),
-            Regime::NearRemovablePole => self.beside(&self.judge.removable_poles, regime),
+            Regime::NearPole => self.beside(false, regime),
+            Regime::NearRemovablePole => self.beside(true, regime),
             Regime::Subnormal => self.altered(regime, |points| {
                 let binade = points.between(T::LEAST_BINADE - T::BITS + 1, T::LEAST_BINADE - 1);
                 points.float(binade)
             }),
             Regime::LargeSteps => {
-                // ‖εf′‖∞ in place of ε, which is found from it.
-                let binade = self.between(0, 9);
-                Inputs { regime, eps: self.float(binade), ..self.ordinary() }
+                let inputs = Inputs { regime, ..self.ordinary() };
+                self.with_size(inputs, 0, 9)
             }
             Regime::NotFinite => self.altered(regime, |points| T::not_finite(points.random.next_u64())),
         }
     }
 
     fn ordinary(&mut self) -> Inputs<T> {
-        self.scaled(0)
+        let inputs = self.scaled(0);
+        if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -20, -1) } else { inputs }
+    }
+
+    /// The same with an ε for which ‖εf′‖∞ is from 2^low to 2^high, as nearly as that matters.
+    fn with_size(&mut self, mut inputs: Inputs<T>, low: i64, high: i64) -> Inputs<T> {
+        let binade = self.between(low, high);
+        let size: T = self.float(binade);
+        let slope = inputs.exact().map_or(0.0, |point| self.judge.equation.at(&point).slope());
+        let eps = size.exact().map_or(0.0, |size| size.near_f64()) / slope;
+        inputs.eps = Dyadic::of(eps).map_or(size, |eps| T::near(&eps));
+        inputs
     }
 
     /// An ordinary point times 2^binade, with the step divided by it: the same point of a
     /// homogeneous field.
     fn scaled(&mut self, binade: i64) -> Inputs<T> {
-        let sizes: Vec<i64> = (0..self.judge.dimension()).map(|_| binade + self.between(-5, 1)).collect();
+        let sizes: Vec<i64> =
+            (0..self.judge.equation.dimension()).map(|_| binade + self.between(-5, 1)).collect();
         let eps = self.between(-10, -1) - binade;
         self.inputs(Regime::Ordinary, &sizes, eps)
     }
 
     fn mixed(&mut self) -> Inputs<T> {
-        let n = self.judge.dimension();
+        let n = self.judge.equation.dimension();
         let limit = T::STATE_BINADES;
         let kind = self.random.below(4);
         if kind == 0 {
@@ -106,19 +118,21 @@ impl<T: Float> Points<'_, T> {
                 (sizes, self.between(-T::EPS_BINADES, T::EPS_BINADES))
             }
         };
-        self.inputs(Regime::MixedMagnitudes, &sizes, eps)
+        let inputs = self.inputs(Regime::MixedMagnitudes, &sizes, eps);
+        if self.is_odd && self.random.below(2) == 0 { self.with_size(inputs, -60, 10) } else { inputs }
     }
 
-    /// A point on a zero of one of the polynomials, moved off it by a relative 2^−k.
-    fn beside(&mut self, polynomials: &[Univariate], regime: Regime) -> Inputs<T> {
+    /// A point on a pole, or on a removable one, moved off it by a relative 2^−k.
+    fn beside(&mut self, is_removable: bool, regime: Regime) -> Inputs<T> {
         const ATTEMPTS: usize = 12;
         for _ in 0..ATTEMPTS {
             let mut inputs = if self.random.below(2) == 0 { self.ordinary() } else { self.mixed() };
-            let Some(point) = inputs.exact().filter(|_| !polynomials.is_empty()) else { break };
-            let one = &polynomials[self.random.below(polynomials.len() as u64) as usize];
-            let coefficients = one.at(&self.judge.powers(&point));
+            let Some(point) = inputs.exact() else { break };
+            let Some(zeros) = self.judge.zeros(is_removable, &point, &mut self.random) else { continue };
+            let Zeros { variable, coefficients } = zeros;
             let Some(zero) = root(&coefficients, T::BITS, &mut self.random) else { continue };
-            let limit = if one.variable == self.judge.epsilon() { T::EPS_BINADES } else { T::STATE_BINADES };
+            let is_eps = variable == self.judge.equation.epsilon();
+            let limit = if is_eps { T::EPS_BINADES } else { T::STATE_BINADES };
             if zero.binade().is_none_or(|binade| binade.abs() > limit) {
                 continue;
             }
@@ -126,7 +140,7 @@ impl<T: Float> Points<'_, T> {
             let k = self.between(0, T::BITS + 6);
             let offset = zero.clone().scaled(-k);
             let moved = if self.random.below(2) == 0 { &zero + &offset } else { &zero - &offset };
-            inputs.set(one.variable, T::near(&moved));
+            inputs.set(variable, T::near(&moved));
             return Inputs { regime, ..inputs };
         }
         self.mixed()
@@ -136,7 +150,7 @@ impl<T: Float> Points<'_, T> {
     /// that are not given.
     fn altered(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
-        let (n, epsilon) = (self.judge.dimension(), self.judge.epsilon());
+        let (n, epsilon) = (self.judge.equation.dimension(), self.judge.equation.epsilon());
         let drawn = (n..epsilon).filter(|variable| self.fixed[variable - n].is_none());
         let choices: Vec<usize> = (0..n).chain([epsilon]).chain(drawn).collect();
         for _ in 0..=self.random.below(2) {
@@ -156,7 +170,14 @@ impl<T: Float> Points<'_, T> {
         };
         let x = sizes.iter().map(|&binade| state(self, binade)).collect();
         let eps = self.float(eps.clamp(-T::EPS_BINADES, T::EPS_BINADES));
+        Inputs { parameters: self.parameters(regime), x, eps, regime }
+    }
+
+    fn parameters(&mut self, regime: Regime) -> Vec<T> {
         let fixed = self.fixed;
+        if self.is_odd {
+            return self.odd_parameters();
+        }
         let is_any = !fixed.is_empty() && regime == Regime::MixedMagnitudes && self.random.below(8) == 0;
         let (least, most) = if is_any { (-T::STATE_BINADES, T::STATE_BINADES) } else { (-3, 1) };
         let parameter = |given: &Option<T>| {
@@ -165,7 +186,31 @@ impl<T: Float> Points<'_, T> {
                 self.float(binade)
             })
         };
-        Inputs { parameters: fixed.iter().map(parameter).collect(), x, eps, regime }
+        fixed.iter().map(parameter).collect()
+    }
+
+    /// Each of any size, of ordinary size, or near the one before it.
+    fn odd_parameters(&mut self) -> Vec<T> {
+        let mut drawn: Vec<T> = Vec::new();
+        for given in self.fixed {
+            let parameter = given.unwrap_or_else(|| match (self.random.below(4), drawn.last()) {
+                (0, Some(before)) => {
+                    let k = self.between(T::BITS / 4, T::BITS);
+                    let before = before.exact().unwrap_or_else(Dyadic::zero);
+                    T::near(&(&before + &before.clone().scaled(-k)))
+                }
+                (0 | 1, _) => {
+                    let binade = self.between(-3, 1);
+                    self.float(binade)
+                }
+                _ => {
+                    let binade = self.between(T::LEAST_BINADE - 48.min(T::BITS - 2), T::GREATEST_BINADE - 3);
+                    self.float(binade)
+                }
+            });
+            drawn.push(parameter);
+        }
+        drawn
     }
 
     /// A float in a binade, of either sign, with all bits or with few.

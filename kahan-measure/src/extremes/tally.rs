@@ -2,6 +2,7 @@
 //! order.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use super::regime::Regime;
 
@@ -44,6 +45,19 @@ pub struct Tally {
     /// The first failures of the stable tier: silently wrong, then flagged without right, each by
     /// its index.
     pub failures: Vec<Failure>,
+    /// The systems whose stable tier broke its promise, with the first failure of each.
+    pub broken: BTreeMap<String, Broken>,
+}
+
+/// How often a system broke the promise.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Broken {
+    /// How often it was silently wrong.
+    pub silently_wrong: u64,
+    /// How often it was flagged without right.
+    pub unjustified: u64,
+    /// The first failure.
+    pub first: Failure,
 }
 
 /// As many failures of each kind are shown.
@@ -54,7 +68,29 @@ impl Tally {
         self.cells.entry(place).or_default()
     }
 
-    pub(crate) fn fail(&mut self, failure: Failure) {
+    pub(crate) fn fail(&mut self, name: &str, failure: Failure) {
+        let (silently_wrong, unjustified) = (u64::from(!failure.is_flag), u64::from(failure.is_flag));
+        let broken = Broken { silently_wrong, unjustified, first: failure.clone() };
+        self.note_broken(name.to_owned(), broken);
+        self.show(failure);
+    }
+
+    fn note_broken(&mut self, name: String, more: Broken) {
+        match self.broken.entry(name) {
+            Entry::Vacant(place) => drop(place.insert(more)),
+            Entry::Occupied(mut place) => {
+                let known = place.get_mut();
+                known.silently_wrong += more.silently_wrong;
+                known.unjustified += more.unjustified;
+                if more.first < known.first {
+                    known.first = more.first;
+                }
+            }
+        }
+    }
+
+    /// Keeps the failure if it is one of the first.
+    fn show(&mut self, failure: Failure) {
         let at = self.failures.partition_point(|known| *known <= failure);
         let is_flag = failure.is_flag;
         self.failures.insert(at, failure);
@@ -65,7 +101,8 @@ impl Tally {
         }
     }
 
-    pub(crate) fn add(&mut self, other: Self) {
+    /// Adds the counts and failures of another.
+    pub fn add(&mut self, other: Self) {
         for (place, theirs) in other.cells {
             let cell = self.cell(place);
             cell.trials += theirs.trials;
@@ -74,9 +111,8 @@ impl Tally {
             cell.silently_wrong += theirs.silently_wrong;
             cell.note_error(theirs.max_error_u);
         }
-        for failure in other.failures {
-            self.fail(failure);
-        }
+        other.failures.into_iter().for_each(|failure| self.show(failure));
+        other.broken.into_iter().for_each(|(name, more)| self.note_broken(name, more));
     }
 }
 

@@ -2,30 +2,48 @@
 
 use kahan_algebra::prime_field::SplitMix64;
 
-use super::Subject;
 use super::dyadic::Dyadic;
 use super::float::Float;
 use super::judge::Exact;
 use super::points::{Inputs, Points};
 use super::regime::Regime;
-use super::steps::Steps;
+use super::steps::{Steps, steps};
 use super::tally::{Cell, Failure, Tally};
+use super::{Subject, Target};
 
-/// The trials of one scalar, ready to be run in any order.
-pub(super) struct Ready<'a, T> {
-    subjects: Vec<Runner<'a, T>>,
-    /// The subjects that have poles and removable poles.
+/// The trials of one scalar, ready to be drawn in any order.
+pub(super) struct Trials<'a, T> {
+    targets: Vec<&'a Target>,
+    /// The parameters that are given, of each.
+    fixed: Vec<Vec<Option<T>>>,
+    /// The targets that have poles and removable poles.
     with_poles: Vec<usize>,
     with_removable_poles: Vec<usize>,
     strata: u64,
     seed: u64,
 }
 
-/// A subject with its steps over one scalar.
-struct Runner<'a, T> {
-    subject: &'a Subject,
-    steps: Steps<T>,
-    fixed: Vec<Option<T>>,
+/// The trials of one scalar with the steps that they try.
+pub(super) struct Ready<'a, T> {
+    trials: Trials<'a, T>,
+    steps: Vec<Box<dyn Steps<T>>>,
+}
+
+/// What a step is given, and what the exact map says of it.
+pub(super) struct Trial<'a, T> {
+    index: u64,
+    target: &'a Target,
+    /// The place of the target.
+    place: usize,
+    inputs: Inputs<T>,
+    /// `None` where the inputs are not finite.
+    known: Option<Known>,
+}
+
+/// Finite inputs and the exact step, which is `None` at a pole.
+struct Known {
+    point: Vec<Dyadic>,
+    exact: Option<Exact>,
 }
 
 /// The trials of one scalar, those with special inputs included.
@@ -41,59 +59,76 @@ fn special(trials: u64) -> u64 {
 
 impl<'a, T: Float> Ready<'a, T> {
     pub(super) fn new(subjects: &'a [Subject], trials: u64, seed: u64) -> Self {
-        let runner = |subject: &'a Subject| {
-            let fixed = subject.parameters.iter().map(|value| value.as_ref().map(rounded)).collect();
-            Runner { subject, steps: Steps::of(&subject.map), fixed }
-        };
-        let subjects: Vec<Runner<'a, T>> = subjects.iter().map(runner).collect();
-        let indices = |has: fn(&Subject) -> bool| {
-            (0..subjects.len()).filter(|&i| has(subjects[i].subject)).collect::<Vec<_>>()
+        let steps = |subject: &Subject| steps(&subject.map).expect("a subject has no more variables");
+        Self {
+            steps: subjects.iter().map(steps).collect(),
+            trials: Trials::new(subjects.iter().map(|subject| &subject.target).collect(), trials, seed),
+        }
+    }
+
+    /// How many trials there are.
+    pub(super) fn count(&self) -> u64 {
+        with_special_inputs(self.trials.strata)
+    }
+
+    /// The trial with this index.
+    pub(super) fn run(&self, index: u64, tally: &mut Tally) {
+        let trial = self.trials.draw(index);
+        let steps = &self.steps[trial.place];
+        let Inputs { parameters, x, eps, regime } = &trial.inputs;
+        let mut count = |tier, next: &[T]| trial.count_plain(tally.cell((*regime, tier, T::NAME)), next);
+        count(T::STEP_TIER, &steps.step(parameters, x, *eps));
+        if let Some(tier) = T::WIDER_TIER
+            && let Some(next) = steps.wider_step(parameters, x, *eps)
+        {
+            count(tier, &next);
+        }
+        if *regime == Regime::LargeSteps
+            && let Some(next) = steps.eliminated(parameters, x, *eps)
+        {
+            count("lu", &next);
+        }
+        trial.count_stable(steps.try_step(parameters, x, *eps), tally);
+    }
+}
+
+impl<'a, T: Float> Trials<'a, T> {
+    pub(super) fn new(targets: Vec<&'a Target>, trials: u64, seed: u64) -> Self {
+        let indices =
+            |has: fn(&Target) -> bool| (0..targets.len()).filter(|&i| has(targets[i])).collect::<Vec<_>>();
+        let fixed = |target: &&Target| {
+            target.parameters.iter().map(|value| value.as_ref().map(rounded)).collect::<Vec<_>>()
         };
         Self {
-            with_poles: indices(|subject| !subject.judge.poles.is_empty()),
-            with_removable_poles: indices(Subject::has_removable_poles),
-            subjects,
+            with_poles: indices(|target| target.judge.has_poles()),
+            with_removable_poles: indices(|target| target.judge.has_removable_poles()),
+            fixed: targets.iter().map(fixed).collect(),
+            targets,
             strata: trials,
             seed,
         }
     }
 
-    /// How many trials there are.
-    pub(super) fn trials(&self) -> u64 {
-        with_special_inputs(self.strata)
+    /// The trial with this index, and what the exact map says of it.
+    pub(super) fn draw(&self, index: u64) -> Trial<'a, T> {
+        let (place, inputs) = self.inputs(index);
+        let target = self.targets[place];
+        let known = inputs.exact().map(|point| Known { exact: target.judge.step(&point), point });
+        Trial { index, target, place, inputs, known }
     }
 
-    /// The trial with this index.
-    pub(super) fn run(&self, index: u64, tally: &mut Tally) {
-        let (regime, runner) = self.stratum(index);
+    /// The place of the target of a trial, and what its step is given.
+    pub(super) fn inputs(&self, index: u64) -> (usize, Inputs<T>) {
+        let (regime, place) = self.stratum(index);
         // Neighbouring seeds give streams that have nothing in common.
         let seed = SplitMix64::new(self.seed ^ index.wrapping_mul(0xd134_2543_de82_ef95)).next_u64();
-        let judge = &runner.subject.judge;
-        let mut points = Points { judge, fixed: &runner.fixed, random: SplitMix64::new(seed) };
-        let mut inputs = points.draw(regime);
-        if inputs.regime == Regime::LargeSteps {
-            inputs.eps = runner.eps_of_size(&inputs);
-        }
-        let exact = inputs.exact().map(|point| judge.step(judge.powers(&point)));
-        let Inputs { parameters, x, eps, regime } = &inputs;
-        let next = runner.steps.step(parameters, x, *eps);
-        count_plain(tally.cell((*regime, T::STEP_TIER, T::NAME)), &next, exact.as_ref());
-        if let Some(tier) = T::WIDER_TIER
-            && let Some(next) = runner.steps.wider_step(parameters, x, *eps)
-        {
-            count_plain(tally.cell((*regime, tier, T::NAME)), &next, exact.as_ref());
-        }
-        if *regime == Regime::LargeSteps
-            && let Some(next) = runner.steps.eliminated(parameters, x, *eps)
-        {
-            count_plain(tally.cell((*regime, "lu", T::NAME)), &next, exact.as_ref());
-        }
-        runner.stable(index, &inputs, exact.as_ref(), tally);
+        let (random, Target { judge, is_odd, .. }) = (SplitMix64::new(seed), self.targets[place]);
+        (place, Points { judge, fixed: &self.fixed[place], is_odd: *is_odd, random }.draw(regime))
     }
 
-    /// The regime and the subject of a trial: regimes in turn, and within each the subjects that it
+    /// The regime and the target of a trial: regimes in turn, and within each the targets that it
     /// has, in turn.
-    fn stratum(&self, index: u64) -> (Regime, &Runner<'a, T>) {
+    fn stratum(&self, index: u64) -> (Regime, usize) {
         let (regime, turn) = match index.checked_sub(self.strata) {
             Some(special) => {
                 let special_regimes = [Regime::Subnormal, Regime::NotFinite, Regime::LargeSteps];
@@ -101,7 +136,8 @@ impl<'a, T: Float> Ready<'a, T> {
             }
             None => (Regime::ALL[(index % 4) as usize], index / 4),
         };
-        let in_turn = |of: &[usize]| &self.subjects[of[(turn % of.len() as u64) as usize]];
+        let in_turn = |of: &[usize]| of[(turn % of.len() as u64) as usize];
+        let any = (turn % self.targets.len() as u64) as usize;
         match regime {
             Regime::NearRemovablePole if !self.with_removable_poles.is_empty() => {
                 (regime, in_turn(&self.with_removable_poles))
@@ -109,62 +145,44 @@ impl<'a, T: Float> Ready<'a, T> {
             Regime::NearPole | Regime::NearRemovablePole if !self.with_poles.is_empty() => {
                 (Regime::NearPole, in_turn(&self.with_poles))
             }
-            Regime::NearPole | Regime::NearRemovablePole => (Regime::MixedMagnitudes, self.any(turn)),
-            _ => (regime, self.any(turn)),
+            Regime::NearPole | Regime::NearRemovablePole => (Regime::MixedMagnitudes, any),
+            _ => (regime, any),
         }
-    }
-
-    fn any(&self, turn: u64) -> &Runner<'a, T> {
-        &self.subjects[(turn % self.subjects.len() as u64) as usize]
     }
 }
 
-/// What the exact map says of the inputs: nothing where they are not finite, a pole, or a value.
-type Known<'a> = Option<&'a Option<Exact>>;
-
-/// A step without a promise: wrong is a finite result that is off by more than 1e-3, or where there
-/// is none.
-fn count_plain<T: Float>(cell: &mut Cell, next: &[T], known: Known<'_>) {
-    cell.trials += 1;
-    match (exact_values(next), known) {
-        (None, _) => cell.flagged += 1,
-        (Some(next), Some(Some(exact))) => {
-            let verdict = exact.judge::<T>(&next);
-            cell.note_error(Some(verdict.error_u));
-            cell.silently_wrong += u64::from(!verdict.is_rough);
+impl<T: Float> Trial<'_, T> {
+    /// A step without a promise: wrong is a finite result that is off by more than 1e-3, or where
+    /// there is none.
+    fn count_plain(&self, cell: &mut Cell, next: &[T]) {
+        cell.trials += 1;
+        match (exact_values(next), &self.known) {
+            (None, _) => cell.flagged += 1,
+            (Some(next), Some(Known { exact: Some(exact), .. })) => {
+                let verdict = exact.judge::<T>(&next);
+                cell.note_error(Some(verdict.error_u));
+                cell.silently_wrong += u64::from(!verdict.is_rough);
+            }
+            _ => cell.silently_wrong += 1,
         }
-        _ => cell.silently_wrong += 1,
-    }
-}
-
-impl<T: Float> Runner<'_, T> {
-    /// The ε for which ‖εf′‖∞ is what stands in its place, as nearly as that matters.
-    fn eps_of_size(&self, inputs: &Inputs<T>) -> T {
-        let Inputs { parameters, x, eps: size, .. } = inputs;
-        let float = |value: &T| value.exact().map_or(0.0, |value| value.near_f64());
-        let slopes = self.steps.slopes(parameters, x);
-        let rows = slopes.chunks(x.len()).map(|row| row.iter().map(|slope| float(slope).abs()).sum());
-        let eps = float(size) / rows.fold(0.0, f64::max);
-        Dyadic::of(eps).map_or(*size, |eps| T::near(&eps))
     }
 
     /// `try_step`: wrong is an `Ok` outside the promise, or where there is no value.
-    fn stable(&self, index: u64, inputs: &Inputs<T>, known: Known<'_>, tally: &mut Tally) {
-        let place = (inputs.regime, "stable", T::NAME);
-        let next = self.steps.try_step(&inputs.parameters, &inputs.x, inputs.eps);
+    pub(super) fn count_stable(&self, next: Option<Vec<T>>, tally: &mut Tally) {
+        let Self { inputs, known, target, .. } = self;
         let mut complaint = None;
-        let cell = tally.cell(place);
+        let cell = tally.cell((inputs.regime, "stable", T::NAME));
         cell.trials += 1;
         match next {
             None => {
                 cell.flagged += 1;
-                if let Some(condition) = self.forbidden_flag(known) {
+                if let Some(condition) = self.forbidden_flag() {
                     cell.unjustified += 1;
                     complaint = Some((true, format!("is flagged at a condition number of {condition:.1e}")));
                 }
             }
             Some(next) => match (exact_values(&next), known) {
-                (Some(next), Some(Some(exact))) => {
+                (Some(next), Some(Known { exact: Some(exact), .. })) => {
                     let verdict = exact.judge::<T>(&next);
                     cell.note_error(Some(verdict.error_u));
                     if !verdict.keeps_promise {
@@ -185,20 +203,18 @@ impl<T: Float> Runner<'_, T> {
         }
         if let Some((is_flag, complaint)) = complaint {
             let Inputs { parameters, x, eps, .. } = inputs;
-            let (name, scalar) = (self.subject.name(), T::NAME);
+            let (name, scalar) = (&target.name, T::NAME);
             let parameters =
                 if parameters.is_empty() { String::new() } else { format!(", parameters {parameters:?}") };
             let text = format!("{name} in {scalar} at {x:?}, eps {eps:?}{parameters}: try_step {complaint}");
-            tally.fail(Failure { is_flag, index, text });
+            tally.fail(name, Failure { is_flag, index: self.index, text });
         }
     }
 
     /// The condition number at which a flag breaks the promise; `None` where a flag is right.
-    fn forbidden_flag(&self, known: Known<'_>) -> Option<f64> {
-        let exact = known?.as_ref()?;
-        let limit = T::FLAG_CONDITION?;
-        let condition = exact.fits::<T>().then(|| self.subject.judge.condition(exact))?;
-        (condition < limit).then_some(condition)
+    fn forbidden_flag(&self) -> Option<f64> {
+        let Known { point, exact } = self.known.as_ref()?;
+        self.target.judge.forbidden_flag::<T>(point, exact.as_ref()?, T::FLAG_CONDITION?)
     }
 }
 

@@ -7,6 +7,7 @@
 //! polynomials).
 
 mod draw;
+mod odd;
 mod tree;
 
 use kahan_algebra::prime_field::SplitMix64;
@@ -14,6 +15,7 @@ use kahan_core::num_rational::BigRational;
 
 use Tree::{Name, Product, Sum};
 use draw::{AWKWARD, DIMENSIONS, Draw, PLAIN};
+pub use odd::{OddField, odd, odd_chain, odd_of_many};
 pub use tree::Tree;
 use tree::{literal, negated, power, quotient};
 

@@ -1,7 +1,9 @@
 //! What was found at the extremes, as a table or as an object.
 
-use kahan_measure::extremes::{Cell, Place, Subject, Tally};
-use kahan_measure::random_fields::RandomField;
+use std::collections::BTreeMap;
+
+use kahan_measure::extremes::{Broken, Cell, Place, Subject, Tally};
+use kahan_measure::random_fields::{RandomField, odd};
 use serde_json::{Value, json};
 
 use crate::printing::layout::{labelled, table};
@@ -13,6 +15,8 @@ const LABELS: usize = 15;
 pub(super) struct Report<'a> {
     pub(super) subjects: &'a [Subject],
     pub(super) fields: &'a [RandomField],
+    /// How many fields of odd tempers there are.
+    pub(super) odd_fields: usize,
     pub(super) tally: &'a Tally,
     pub(super) trials: u64,
     pub(super) seed: u64,
@@ -38,10 +42,18 @@ impl Report<'_> {
             "system": if let [subject] = self.subjects { subject.name() } else { "catalog" },
             "systems": self.subjects.iter().map(Subject::name).collect::<Value>(),
             "random_fields": self.fields.iter().map(|field| json!([field.name, field.equations()])).collect::<Value>(),
+            "odd_fields": self.odd_fields,
             "trials": self.trials,
             "seed": self.seed,
             "seconds": self.seconds,
             "cells": cells.collect::<Value>(),
+            "broken": self.broken().into_iter().map(|(name, text, broken)| json!({
+                "name": name,
+                "text": text,
+                "silently_wrong": broken.silently_wrong,
+                "unjustified_flags": broken.unjustified,
+                "first": broken.first.text,
+            })).collect::<Value>(),
             "failures": self.tally.failures.iter().map(|failure| failure.text.as_str()).collect::<Value>(),
         })
     }
@@ -71,8 +83,32 @@ impl Report<'_> {
             if removable.is_empty() { "none; their quarter went to the poles" } else { &removable };
         lines.extend(labelled("removable poles", removable, LABELS));
         lines.extend(self.fields.iter().map(|field| format!("{}: {}", field.name, field.equations())));
+        if self.odd_fields > 0 {
+            lines.push(format!(
+                "besides {} random fields of odd tempers, all of them judged",
+                self.odd_fields
+            ));
+        }
+        for (name, text, broken) in self.broken() {
+            let (wrong, flags) = (broken.silently_wrong, broken.unjustified);
+            lines.push(format!("{name}, {wrong} silently wrong, {flags} flagged without right: {text}"));
+            lines.push(format!("  {}", broken.first.text));
+        }
         lines.push(format!("seed {}, {:.1} seconds", self.seed, self.seconds));
         lines.join("\n") + "\n"
+    }
+
+    /// The systems that broke the promise, with their equations where they were drawn.
+    fn broken(&self) -> Vec<(&str, String, &Broken)> {
+        let odd: BTreeMap<String, String> = (0..self.odd_fields)
+            .map(|number| odd(self.seed, number))
+            .map(|field| (field.name, field.equations))
+            .collect();
+        let text = |name: &str| {
+            let ordinary = || self.fields.iter().find(|field| field.name == name).map(RandomField::equations);
+            odd.get(name).cloned().or_else(ordinary).unwrap_or_default()
+        };
+        self.tally.broken.iter().map(|(name, broken)| (name.as_str(), text(name), broken)).collect()
     }
 
     /// What the stable tier did against its promise.

@@ -1,0 +1,301 @@
+//! Fields of odd tempers: what breaks bounds that were thought of at ordinary numbers.
+//!
+//! In: seeds. Out: the text of fields of 1 to 8 variables, of 9 to 40, and of chains. Literals lie
+//! anywhere from 2^-1070 to 2^1020, with few bits or with all; coefficients nearly cancel;
+//! parameters and their differences are divisors. Nothing here knows how a step is judged.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+/// A field as text.
+#[derive(Clone, Debug)]
+pub struct OddField {
+    /// The type's name.
+    pub name: String,
+    /// What is special about it.
+    pub kind: &'static str,
+    /// Its equations, one after the other; of a chain those of one site, in `for i in … { … }`.
+    pub equations: String,
+    /// The parameters that the field has.
+    pub parameters: Vec<String>,
+    /// Those that each site has.
+    pub site_parameters: Vec<String>,
+    /// The number of variables, or of arrays.
+    pub variables: usize,
+    /// The number of sites of a chain.
+    pub sites: Option<usize>,
+}
+
+impl OddField {
+    /// The block in the language of `kahan!`.
+    #[must_use]
+    pub fn block(&self) -> String {
+        let site = self.site_parameters.iter();
+        let parameters: Vec<&str> = self.parameters.iter().chain(site).map(String::as_str).collect();
+        let header = match parameters.as_slice() {
+            [] => format!("pub struct {};", self.name),
+            parameters => format!("pub struct {} {{ {} }}", self.name, parameters.join(", ")),
+        };
+        format!("{header} {}", self.equations)
+    }
+}
+
+/// The field of a seed with this number, of 1 to 8 variables in turn.
+#[must_use]
+pub fn odd(seed: u64, number: usize) -> OddField {
+    plain(seed, number, "Odd", 1 + number % 8)
+}
+
+/// The field of a seed with this number, of 9 to 40 variables in turn.
+#[must_use]
+pub fn odd_of_many(seed: u64, number: usize) -> OddField {
+    plain(seed, number, "Many", 9 + number * 5 % 32)
+}
+
+/// The chain of a seed with this number: periodic and open ones in turn, of one to three arrays.
+#[must_use]
+pub fn odd_chain(seed: u64, number: usize) -> OddField {
+    let mut draw = Draw::new(seed, "Chain", number);
+    let (arrays, reach) = (1 + number % 3, 1 + draw.below(2) as i64);
+    // Long enough to be cut into parts, now and then.
+    let sites = if number % 25 == 24 { 520 + draw.below(300) } else { 1 + draw.below(36 / arrays) };
+    draw.states = (0..arrays).map(|k| ["x", "y", "z"][k].to_owned()).collect();
+    draw.offsets = reach;
+    draw.take_parameters();
+    // The first is one of the chain, the others each site has.
+    draw.parameters.iter_mut().skip(1).for_each(|name| name.push_str("[i]"));
+    let names = draw.states.clone();
+    let equations: Vec<String> = names.iter().map(|name| format!("{name}[i]dot = {};", draw.sum())).collect();
+    let boundary = if number / 3 % 2 == 0 { "periodic" } else { "open" };
+    let equations = format!("for i in {boundary} {{ {} }}", equations.join(" "));
+    draw.finish(format!("Chain{number}"), equations, arrays, Some(sites))
+}
+
+fn plain(seed: u64, number: usize, title: &str, variables: usize) -> OddField {
+    let mut draw = Draw::new(seed, title, number);
+    draw.states = (1..=variables).map(|k| format!("x{k}")).collect();
+    draw.take_parameters();
+    // In every number of variables in turn.
+    let is_dense = title == "Odd" && number % 15 == 14;
+    let equations: Vec<String> = (0..variables)
+        .map(|k| format!("x{}dot = {};", k + 1, if is_dense { draw.dense() } else { draw.sum() }))
+        .collect();
+    draw.finish(format!("{title}{number}"), equations.join(" "), variables, None)
+}
+
+/// What the field of a number is about.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Literals,
+    Cancelling,
+    Divisors,
+    All,
+}
+
+struct Draw {
+    random: SplitMix64,
+    kind: Kind,
+    states: Vec<String>,
+    parameters: Vec<String>,
+    /// The largest offset of a neighbour, of a chain.
+    offsets: i64,
+    /// The coefficient that the next one may nearly be: an integer and the exponent of its unit.
+    last: (u64, i64),
+}
+
+impl Draw {
+    fn new(seed: u64, title: &str, number: usize) -> Self {
+        let random = SplitMix64::from_bytes(format!("{title} {seed} {number}").as_bytes());
+        // Eight numbers of variables in turn, so that every kind comes with each.
+        let kind = [Kind::Literals, Kind::Cancelling, Kind::Divisors, Kind::All][number / 8 % 4];
+        Self { random, kind, states: Vec::new(), parameters: Vec::new(), offsets: 0, last: (3, 0) }
+    }
+
+    fn below(&mut self, bound: usize) -> usize {
+        self.random.below(bound as u64) as usize
+    }
+
+    fn between(&mut self, low: i64, high: i64) -> i64 {
+        low + self.random.below((high - low + 1) as u64) as i64
+    }
+
+    fn take_parameters(&mut self) {
+        let names: &[&str] = match self.kind {
+            Kind::Literals | Kind::Cancelling => &[],
+            Kind::Divisors => &["p", "q", "r"],
+            Kind::All => &["p", "q"],
+        };
+        self.parameters = names.iter().map(|name| (*name).to_owned()).collect();
+    }
+
+    /// An integer times a power of two, as one may write it.
+    fn written((integer, exponent): (u64, i64)) -> String {
+        match exponent {
+            0 => integer.to_string(),
+            1.. if integer == 1 => format!("2^{exponent}"),
+            1.. => format!("{integer}*2^{exponent}"),
+            _ => format!("{integer}/2^{}", -exponent),
+        }
+    }
+
+    /// A literal of a size from 2^-1070 to 2^1020, or, one time in three, of ordinary size.
+    fn literal(&mut self) -> String {
+        let is_ordinary = self.kind == Kind::Cancelling && self.below(3) > 0 || self.below(3) == 0;
+        let binade = if is_ordinary { self.between(-4, 4) } else { self.between(-1070, 1019) };
+        match self.below(8) {
+            // A number in decimals, with as many digits as one may think of.
+            0 => {
+                let power = binade * 301 / 1000;
+                let digits = self.random.next_u64() >> self.below(60);
+                format!("{}.{}e{power}", 1 + self.below(9), digits)
+            }
+            1..=3 => {
+                let integer = 1 + 2 * self.below(8) as u64;
+                self.noted(integer, binade - i64::from(integer.ilog2()))
+            }
+            _ => {
+                let integer = self.random.next_u64() >> 11 | 1 << 52;
+                self.noted(integer, binade - 52)
+            }
+        }
+    }
+
+    fn noted(&mut self, integer: u64, exponent: i64) -> String {
+        self.last = (integer, exponent);
+        Self::written(self.last)
+    }
+
+    /// The last coefficient, or one some units beside it.
+    fn near_last(&mut self) -> String {
+        let (integer, exponent) = self.last;
+        // With room below for a part of an ulp.
+        let room = 10;
+        let units = self.between(-40, 40);
+        let moved = (i128::from(integer) << room) + i128::from(units << self.below(10));
+        if moved <= 0 || self.below(3) == 0 {
+            return Self::written(self.last);
+        }
+        // Whole, with the power of two below the bar or above it.
+        match exponent - room {
+            0 => moved.to_string(),
+            e if e > 0 => format!("{moved}*2^{e}"),
+            e => format!("{moved}/2^{}", -e),
+        }
+    }
+
+    /// A divisor, free of states.
+    fn divisor(&mut self) -> String {
+        let (p, q) = (self.parameter(), self.parameter());
+        match self.below(6) {
+            0 => p,
+            1 | 2 if p != q => format!("({p} - {q})"),
+            3 => format!("({p} + {})", self.literal()),
+            4 if p != q => format!("({p}*{q} - {})", self.literal()),
+            5 => format!("({p} - {q} + {p}*{q})"),
+            _ => format!("(1 + {p}^2)"),
+        }
+    }
+
+    fn parameter(&mut self) -> String {
+        self.parameters[self.random.below(self.parameters.len() as u64) as usize].clone()
+    }
+
+    fn coefficient(&mut self) -> String {
+        let has_parameters = !self.parameters.is_empty();
+        match self.below(6) {
+            0 | 1 if has_parameters => format!("1/{}", self.divisor()),
+            2 if has_parameters => format!("{}/{}", self.parameter(), self.divisor()),
+            3 if has_parameters => {
+                let (p, q) = (self.parameter(), self.parameter());
+                if p == q { format!("{p}*{}", self.literal()) } else { format!("({p} - {q})") }
+            }
+            0..=2 if self.kind != Kind::Literals => self.near_last(),
+            _ => self.literal(),
+        }
+    }
+
+    fn state(&mut self) -> String {
+        let name = self.states[self.random.below(self.states.len() as u64) as usize].clone();
+        match (self.offsets, self.between(-self.offsets, self.offsets)) {
+            (0, _) => name,
+            (_, 0) => format!("{name}[i]"),
+            (_, offset) => format!("{name}[i{offset:+}]"),
+        }
+    }
+
+    fn term(&mut self) -> String {
+        let (coefficient, x, y) = (self.coefficient(), self.state(), self.state());
+        match self.below(9) {
+            0 => coefficient,
+            1 | 2 => format!("{coefficient}*{x}"),
+            3 if self.kind != Kind::Literals && x != y => {
+                let near = self.near_last();
+                format!("({coefficient}*{x} - {near}*{y})*({x} - {y})")
+            }
+            4 if self.kind != Kind::Literals && x != y => {
+                let near = self.near_last();
+                format!("{coefficient}*{x}*{y} - {near}*{x}^2")
+            }
+            _ => format!("{coefficient}*{x}*{y}"),
+        }
+    }
+
+    /// One to three terms.
+    fn sum(&mut self) -> String {
+        let terms: Vec<String> = (0..=self.below(3)).map(|_| self.term()).collect();
+        self.joined(&terms)
+    }
+
+    /// Every monomial.
+    fn dense(&mut self) -> String {
+        let states = self.states.clone();
+        let mut terms = vec![self.coefficient()];
+        for (k, x) in states.iter().enumerate() {
+            terms.push(format!("{}*{x}", self.coefficient()));
+            terms.extend(states[k..].iter().map(|y| format!("{}*{x}*{y}", self.coefficient())));
+        }
+        self.joined(&terms)
+    }
+
+    fn joined(&mut self, terms: &[String]) -> String {
+        let mut text = String::new();
+        for (k, term) in terms.iter().enumerate() {
+            let is_negative = self.below(2) == 0;
+            text += match (k, is_negative) {
+                (0, false) => "",
+                (0, true) => "-",
+                (_, false) => " + ",
+                (_, true) => " - ",
+            };
+            text += term;
+        }
+        text
+    }
+
+    /// The field, whose parameters are those that its equations use.
+    fn finish(self, name: String, equations: String, variables: usize, sites: Option<usize>) -> OddField {
+        let is_part = |c: char| c.is_ascii_alphanumeric();
+        let words: Vec<&str> = equations.split(|c| !is_part(c)).collect();
+        let (sites_own, own): (Vec<&str>, Vec<&str>) = self
+            .parameters
+            .iter()
+            .map(|name| (name.trim_end_matches("[i]"), name.ends_with("[i]")))
+            .filter(|(name, _)| words.contains(name))
+            .fold((Vec::new(), Vec::new()), |(mut sites_own, mut own), (name, is_of_site)| {
+                if is_of_site {
+                    sites_own.push(name)
+                } else {
+                    own.push(name)
+                }
+                (sites_own, own)
+            });
+        let kind = match self.kind {
+            Kind::Literals => "literals of any size",
+            Kind::Cancelling => "coefficients that nearly cancel",
+            Kind::Divisors => "parameters as divisors",
+            Kind::All => "literals, near cancellation and divisors",
+        };
+        let [parameters, site_parameters] =
+            [own, sites_own].map(|names| names.into_iter().map(str::to_owned).collect());
+        OddField { name, kind, equations, parameters, site_parameters, variables, sites }
+    }
+}
