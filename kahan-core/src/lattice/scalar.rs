@@ -1,11 +1,13 @@
 //! Which scalars chains are made of, and how each is solved for.
 
 #[cfg(feature = "exact")]
+#[cfg(feature = "exact")]
 use num_traits::Zero;
 
 use crate::ensemble::lanes::InLanes;
-
-use crate::scalar::bounded::{Bounded, Known, Limit, Number};
+#[cfg(feature = "exact")]
+use crate::scalar::bounded::Limit;
+use crate::scalar::bounded::{Bounded, Known, Number};
 use crate::scalar::{Size, Wide};
 use crate::{Dd, Pivot, Scalar};
 

@@ -6,7 +6,7 @@
 //! rounded division, long ones by whoever wrote the data, since neither digits nor limbs are
 //! divided here.
 
-use super::wide::Wide;
+use super::wide::Digits;
 
 /// An exact rational number p/q that every [`Scalar`](crate::Scalar) can be built from; its digits
 /// are borrowed, as a rule from the program's static data.
@@ -111,11 +111,11 @@ impl<'a> Constant<'a> {
     }
 
     /// The number: exact but for numerators and denominators of very many bits.
-    pub(crate) fn to_wide(self) -> Wide {
+    pub(crate) fn to_digits<const D: usize, const M: usize>(self) -> Digits<D, M> {
         match self.0 {
-            Form::Integer(n) => Wide::from(n),
-            Form::Ratio(p, q) => Wide::from(p) / Wide::from(q),
-            Form::Long(long) => Wide::from_ratio(long.negative, long.numerator, long.denominator),
+            Form::Integer(n) => Digits::from(n),
+            Form::Ratio(p, q) => Digits::from(p) / Digits::from(q),
+            Form::Long(long) => Digits::from_ratio(long.negative, long.numerator, long.denominator),
         }
     }
 

@@ -11,6 +11,7 @@
 //! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64` | cancellation: near poles, large ε |
 //! | 3 | 17 digits of 64 bits, wherever these lie | overflow, underflow, extreme cancellation, by the increment form |
 //! | 4 | the same | the form N/D, where increments cancel against the state |
+//! | 5 | 256 digits, with `std` | elimination on A(x,ε), where terms of the other forms are too far apart |
 
 mod attempt;
 mod rungs;

@@ -10,10 +10,16 @@ use core::iter::once_with;
 use nalgebra::SVector;
 use num_traits::Zero;
 
+#[cfg(feature = "std")]
+use crate::QuadraticField;
+#[cfg(feature = "std")]
+use crate::field::linear::increment_by_elimination;
 use crate::field::linear::vector;
 use crate::scalar::Wide;
 use crate::scalar::bounded::{Both, Bounded};
 use crate::scalar::tuning::{divides_by_eps, may_divide_by};
+#[cfg(feature = "std")]
+use crate::scalar::{Long, Size, level_row};
 use crate::step::error::Reason;
 use crate::{KahanMap, Lift, PreparedStep, SingularStep};
 
@@ -195,9 +201,67 @@ where
     } else if is_exactly_zero(&denominator) {
         Reason::Pole
     } else {
-        Reason::Digits(Wide::MOST_DIGITS)
+        match by_elimination(map, &x, &eps, next) {
+            None => return None,
+            Some(reason) => reason,
+        }
     };
     report(reason, rounded(&determinant), bound)
+}
+
+/// The last rung: the equation A(x,ε)·(x̃ − x) = 2ε·f(x) itself, solved over numbers of many digits;
+/// x̃ goes to `next`, or it says why there is none.
+///
+/// No formula that was expanded or reduced is in its way, whose terms may be larger than all
+/// digits; and it needs of the map no more than A and f.
+#[cfg(feature = "std")]
+#[inline(never)]
+fn by_elimination<T, M, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+    next: &mut SVector<T, N>,
+) -> Option<Reason>
+where
+    T: Promised,
+    M: Lift<T, N>,
+{
+    let long = |number: &T| Long::from(number.widen());
+    let (map, state, eps) = (map.lift(long), SVector::from_fn(|i, _| long(&x[i])), long(eps));
+    let (mut matrix, mut velocity) = (map.matrix(&state, eps.clone()), map.field(&state));
+    for i in 0..N {
+        level_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);
+    }
+    let open = Some(Reason::Digits(Long::MOST_DIGITS));
+    let Some(increment) = increment_by_elimination(matrix, velocity, &eps) else { return open };
+    let exact: [Long; N] = from_fn(|i| state[i].clone() + increment[i].clone());
+    let rounded: [T; N] = from_fn(|i| T::narrow(exact[i].leading()));
+    let largest = |sizes: [Size; N]| {
+        let larger = |one: Size, other: Size| if other > one || other.is_unknown() { other } else { one };
+        sizes.into_iter().fold(Size::zero(), larger)
+    };
+    let is_known =
+        exact.iter().all(|number| number.leading().radius() * Size::from(1e40) <= number.at_most());
+    if !rounded.iter().all(T::is_finite_number) {
+        return if is_known { Some(Reason::BeyondRange) } else { open };
+    }
+    let error = largest(from_fn(|i| (exact[i].clone() - long(&rounded[i])).at_most()));
+    if error <= Size::from(PROMISE * T::UNIT) * largest(rounded.map(|number| number.widen().size())) {
+        *next = vector(rounded);
+        return None;
+    }
+    if is_known { Some(Reason::BeyondRange) } else { open }
+}
+
+/// Without a heap the digits of the last numbers are all that there are.
+#[cfg(not(feature = "std"))]
+fn by_elimination<T, M, const N: usize>(
+    _map: &M,
+    _x: &SVector<T, N>,
+    _eps: &T,
+    _next: &mut SVector<T, N>,
+) -> Option<Reason> {
+    Some(Reason::Digits(Wide::MOST_DIGITS))
 }
 
 /// What the last rungs compute with. Each of its functions is called: it is the same for every

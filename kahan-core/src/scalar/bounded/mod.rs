@@ -45,7 +45,9 @@ mod pair;
 mod rules;
 mod working;
 
-pub(crate) use known::{Known, backward_error};
+#[cfg(feature = "std")]
+pub(crate) use known::Known;
+pub(crate) use known::backward_error;
 pub(crate) use limit::Limit;
 use number::MOST_UNDERFLOWS;
 pub(crate) use number::{Magnitude, Number, Range, power_of_two};

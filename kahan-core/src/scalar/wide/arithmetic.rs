@@ -1,4 +1,4 @@
-//! The four operations on [`Wide`], and what follows from them.
+//! The four operations on [`Digits`], and what follows from them.
 //!
 //! Each is exact until digits are cut off, and what is cut off goes into the radius beside what the
 //! operands' radii grow to.
@@ -9,7 +9,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{One, Zero};
 
 use super::rows::Row;
-use super::{Size, Wide};
+use super::{Digits, Size};
 use crate::scalar::assignments;
 
 /// The greatest common divisor.
@@ -20,9 +20,9 @@ fn common(mut a: u64, mut b: u64) -> u64 {
     a
 }
 
-impl Wide {
+impl<const D: usize, const M: usize> Digits<D, M> {
     /// Two numbers as rows over one denominator, if that has room.
-    fn over_one_denominator(&self, other: &Self) -> Option<(Row, Row, u64)> {
+    fn over_one_denominator(&self, other: &Self) -> Option<(Row<M>, Row<M>, u64)> {
         if self.denominator == other.denominator {
             return Some((self.row(), other.row(), self.denominator));
         }
@@ -50,7 +50,7 @@ impl Wide {
         if self.denominator == 1 {
             return *self;
         }
-        let quotient = ratio(&self.row(), &integer(self.denominator));
+        let quotient: Self = ratio(&self.row(), &integer(self.denominator));
         Self { radius: quotient.radius + self.radius, ..quotient }
     }
 
@@ -69,17 +69,17 @@ impl Wide {
 }
 
 /// a/b for a divisor other than zero, with what the division leaves as the radius.
-fn ratio(a: &Row, b: &Row) -> Wide {
+fn ratio<const D: usize, const M: usize>(a: &Row<M>, b: &Row<M>) -> Digits<D, M> {
     let (quotient, rest) = a.divided(b);
-    Wide::of(&quotient, 1, (rest.size() + rest.without(usize::MAX)) / b.size())
+    Digits::of(&quotient, 1, (rest.size() + rest.without(usize::MAX)) / b.size())
 }
 
 /// A natural number as a row.
-fn integer(n: u64) -> Row {
+fn integer<const M: usize>(n: u64) -> Row<M> {
     Row::of_limbs(false, &[n])
 }
 
-impl Neg for Wide {
+impl<const D: usize, const M: usize> Neg for Digits<D, M> {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -87,7 +87,7 @@ impl Neg for Wide {
     }
 }
 
-impl Add for Wide {
+impl<const D: usize, const M: usize> Add for Digits<D, M> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -95,7 +95,7 @@ impl Add for Wide {
     }
 }
 
-impl Sub for Wide {
+impl<const D: usize, const M: usize> Sub for Digits<D, M> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -104,7 +104,7 @@ impl Sub for Wide {
 }
 
 /// |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b. Zero times undefined is undefined.
-impl Mul for Wide {
+impl<const D: usize, const M: usize> Mul for Digits<D, M> {
     type Output = Self;
 
     #[inline(never)]
@@ -122,7 +122,7 @@ impl Mul for Wide {
 
 /// |a/b − â/b̂| ≤ (r_a + |â/b̂|·r_b)/(|b̂| − r_b), where r_b is at most |b̂|/64; else
 /// nothing is known of the quotient. Undefined for a divisor that is zero.
-impl Div for Wide {
+impl<const D: usize, const M: usize> Div for Digits<D, M> {
     type Output = Self;
 
     #[inline(never)]
@@ -144,7 +144,7 @@ impl Div for Wide {
     }
 }
 
-impl Wide {
+impl<const D: usize, const M: usize> Digits<D, M> {
     /// â/b̂ for a divisor of few bits, which becomes a factor of the denominator.
     fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         let (is_negative, odd, exponent) = divisor.short()?;
@@ -170,16 +170,16 @@ impl Wide {
 }
 
 /// Undefined equals nothing, itself included.
-impl PartialEq for Wide {
+impl<const D: usize, const M: usize> PartialEq for Digits<D, M> {
     fn eq(&self, other: &Self) -> bool {
         let difference = *self - *other;
         difference.is_defined() && difference.is_zero()
     }
 }
 
-assignments!([] Wide);
+assignments!([const D: usize, const M: usize] Digits<D, M>);
 
-impl Zero for Wide {
+impl<const D: usize, const M: usize> Zero for Digits<D, M> {
     fn zero() -> Self {
         Self::ZERO
     }
@@ -189,7 +189,7 @@ impl Zero for Wide {
     }
 }
 
-impl One for Wide {
+impl<const D: usize, const M: usize> One for Digits<D, M> {
     fn one() -> Self {
         Self::from(1_i64)
     }

@@ -1,4 +1,4 @@
-//! Into [`Wide`] and out of it: floats, pairs of floats, integers, ratios.
+//! Into [`Digits`] and out of it: floats, pairs of floats, integers, ratios.
 //!
 //! What comes from a float or an integer is exact. What goes to a float is correctly rounded, ties
 //! to even, through the subnormal range; beyond the largest float it is infinite, and undefined is
@@ -7,7 +7,7 @@
 use num_traits::Zero;
 
 use super::rows::{Row, significand};
-use super::{Size, Wide};
+use super::{Digits, Size};
 
 /// A format of IEEE 754 that fits 64 bits.
 struct Format {
@@ -20,13 +20,13 @@ struct Format {
 const DOUBLE: Format = Format { precision: 53, lowest: -1022 };
 const SINGLE: Format = Format { precision: 24, lowest: -126 };
 
-impl From<i64> for Wide {
+impl<const D: usize, const M: usize> From<i64> for Digits<D, M> {
     fn from(n: i64) -> Self {
         Self::of(&Row::of_significand(n, 0), 1, Size::zero())
     }
 }
 
-impl From<f64> for Wide {
+impl<const D: usize, const M: usize> From<f64> for Digits<D, M> {
     fn from(x: f64) -> Self {
         if !x.is_finite() {
             return Self::UNDEFINED;
@@ -36,13 +36,13 @@ impl From<f64> for Wide {
     }
 }
 
-impl From<f32> for Wide {
+impl<const D: usize, const M: usize> From<f32> for Digits<D, M> {
     fn from(x: f32) -> Self {
         Self::from(f64::from(x))
     }
 }
 
-impl Wide {
+impl<const D: usize, const M: usize> Digits<D, M> {
     /// high + low
     pub(crate) fn from_double_double(high: f64, low: f64) -> Self {
         Self::from(high) + Self::from(low)

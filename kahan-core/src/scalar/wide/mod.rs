@@ -3,7 +3,7 @@
 //!
 //! In: floats, constants, and the generated step that runs over any [`Scalar`](crate::Scalar). Out:
 //! the same step with a bound on the error of each of its values. A number is a [row](rows) of at
-//! most [`DIGITS`] digits to the base 2⁶⁴ over a denominator of 64 bits. Digits that are zero take
+//! most D digits to the base 2⁶⁴ over a denominator of 64 bits. Digits that are zero take
 //! no room: (2¹⁰⁰⁰ + 1)² − 2²⁰⁰⁰ has all of its bits, however far apart they lie, and sums and
 //! products of fractions as a field is written with, 1/3 or 2/7, are exact. Where digits run out,
 //! the lowest are cut off, and a *radius* says how far the number may be from the value of its
@@ -24,6 +24,8 @@
 
 mod arithmetic;
 mod convert;
+#[cfg(feature = "std")]
+mod long;
 mod rows;
 mod scalar;
 mod size;
@@ -33,25 +35,28 @@ mod tests;
 
 use num_traits::Zero;
 
+#[cfg(feature = "std")]
+pub(crate) use long::{Long, level_row};
 pub(crate) use size::Size;
 
 use rows::{Row, leading, size_of};
 
-/// The most digits of 64 bits that a number has.
-pub(crate) const DIGITS: usize = 17;
+/// What judges a step: numbers of 17 digits of 64 bits.
+pub(crate) type Wide = Digits<17, 40>;
 
 /// Where the leading digit may be.
 const FARTHEST: u64 = 1 << 40;
 
-/// A number of [`DIGITS`] digits of 64 bits, and how far it may be from what it stands for.
+/// A number of at most D digits of 64 bits, and how far it may be from what it stands for; M = 2D + 6
+/// is how many digits its sums and products have before the lowest are cut off.
 ///
 /// It is the sum of digit·2^(64·(place − below)), over the denominator. Beside what its operands'
 /// radii grow to, the radius of a sum, difference, product or quotient is at most
 /// 2^[`UNIT_EXPONENT`](Wide::UNIT_EXPONENT) of it, and 0 where nothing was cut off.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(not(feature = "std"), allow(unreachable_pub, reason = "`ThroughPoles` names it, with `std`"))]
-pub struct Wide {
-    digits: [i64; DIGITS],
+pub struct Digits<const D: usize, const M: usize> {
+    digits: [i64; D],
     /// The place of the leading digit.
     place: i64,
     /// 1 for zero.
@@ -59,32 +64,35 @@ pub struct Wide {
     /// Not a number where this is undefined.
     radius: Size,
     /// How many places below the leading digit each one is.
-    below: [u16; DIGITS],
+    below: [u16; D],
     /// How many digits there are; none is zero.
-    count: u8,
+    count: u16,
 }
 
-impl Wide {
-    /// [`DIGITS`], for reports.
-    pub(crate) const MOST_DIGITS: usize = DIGITS;
+impl<const D: usize, const M: usize> Digits<D, M> {
+    /// D, for reports.
+    pub(crate) const MOST_DIGITS: usize = {
+        assert!(M == 2 * D + 6);
+        D
+    };
 
-    /// Each operation cuts off at most 2^UNIT_EXPONENT of its result: 17 digits are at least
-    /// 2⁶⁴·¹⁶⁻¹ units of the last.
-    pub(crate) const UNIT_EXPONENT: i64 = -(64 * (DIGITS as i64 - 1) - 2);
+    /// Each operation cuts off at most 2^UNIT_EXPONENT of its result: D digits are at least
+    /// 2⁶⁴⁽ᴰ⁻¹⁾⁻¹ units of the last.
+    pub(crate) const UNIT_EXPONENT: i64 = -(64 * (Self::MOST_DIGITS as i64 - 1) - 2);
 
     const ZERO: Self = Self {
-        digits: [0; DIGITS],
+        digits: [0; D],
         place: 0,
         denominator: 1,
         radius: Size { exponent: 0, mantissa: 0.0 },
-        below: [0; DIGITS],
+        below: [0; D],
         count: 0,
     };
 
     const UNDEFINED: Self = Self { radius: Size { exponent: 0, mantissa: f64::NAN }, ..Self::ZERO };
 
     /// The leading digits of row/denominator, with this radius and what is cut off.
-    fn of(row: &Row, denominator: u64, radius: Size) -> Self {
+    fn of(row: &Row<M>, denominator: u64, radius: Size) -> Self {
         let Some(&(place, _)) = row.digits().first() else {
             return Self { radius: radius + row.without(0) / Size::from(denominator as f64), ..Self::ZERO };
         };
@@ -93,20 +101,34 @@ impl Wide {
         }
         let mut number = Self { place, denominator, ..Self::ZERO };
         let mut count = 0;
-        for &(at, digit) in row.digits().iter().take(DIGITS) {
+        for &(at, digit) in row.digits().iter().take(D) {
             let Ok(below) = u16::try_from(place - at) else { break };
             (number.digits[count], number.below[count]) = (digit, below);
             count += 1;
         }
         let cut = row.without(count);
         let cut = if cut.is_zero() { cut } else { cut / Size::from(denominator as f64) };
-        Self { count: count as u8, radius: radius + cut, ..number }
+        Self { count: count as u16, radius: radius + cut, ..number }
     }
 
     /// The numerator.
-    fn row(&self) -> Row {
+    fn row(&self) -> Row<M> {
         let digits = self.digits.iter().zip(&self.below).take(usize::from(self.count));
         Row::of_digits(digits.map(|(digit, below)| (self.place - i64::from(*below), *digit)))
+    }
+
+    /// The same number with room for more digits, or the leading ones of it with room for fewer.
+    #[cfg(feature = "std")]
+    fn with_digits<const E: usize, const K: usize>(&self) -> Digits<E, K> {
+        let digits = self.digits.iter().zip(&self.below).take(usize::from(self.count));
+        let row = Row::of_digits(digits.map(|(digit, below)| (self.place - i64::from(*below), *digit)));
+        Digits::of(&row, self.denominator, self.radius)
+    }
+
+    /// 2^power
+    #[cfg(feature = "std")]
+    fn power_of_two(power: i64) -> Self {
+        Self::of(&Row::of_significand(1, power), 1, Size { exponent: 0, mantissa: 0.0 })
     }
 
     /// How far the value of the formula may be from this: 0 where nothing was cut off, in it or in

@@ -6,20 +6,13 @@
 //! leading digit. What a row has no room for is cut off at its low end, and the row says how much
 //! that is at most.
 
-use super::{DIGITS, Size};
+use super::Size;
 
-/// The digits of a row: those of an exact sum of two numbers with a common denominator, or of a
-/// product's leading half.
-const MOST: usize = 2 * DIGITS + 6;
-
-/// Each round of a division leaves less than 2⁻⁴⁸ of the remainder; so many leave less than the
-/// unit of a number.
-const ROUNDS: usize = 64 * (DIGITS + 1) / 48 + 1;
-
-/// Digits with their places, the leading one first; none is zero.
+/// At most M digits with their places, the leading one first; none is zero. They are those of an
+/// exact sum of two numbers with a common denominator, or of a product's leading half.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
-    digits: [(i64, i64); MOST],
+pub(super) struct Row<const M: usize> {
+    digits: [(i64, i64); M],
     /// Where the leading one stands: a row is made from its low end.
     start: usize,
     /// At most so much was cut off.
@@ -32,9 +25,13 @@ fn from_here_on((place, digit): (i64, i64)) -> Size {
     Size::from(digit.unsigned_abs() as f64 * (1.0 + 4.0 * f64::EPSILON) + 1.0).scaled(64 * place)
 }
 
-impl Row {
+impl<const M: usize> Row<M> {
+    /// Each round of a division leaves less than 2⁻⁴⁸ of the remainder; so many leave less than the
+    /// unit of a number, which has half of the digits of a row.
+    const ROUNDS: usize = 64 * (M / 2 - 2) / 48 + 1;
+
     pub(super) const EMPTY: Self =
-        Self { digits: [(0, 0); MOST], start: MOST, cut: Size { exponent: 0, mantissa: 0.0 } };
+        Self { digits: [(0, 0); M], start: M, cut: Size { exponent: 0, mantissa: 0.0 } };
 
     /// Puts a sum of digits at a place above all others; what is carried to the next one.
     fn settle(&mut self, place: i64, total: i128) -> i128 {
@@ -48,8 +45,8 @@ impl Row {
     /// Puts a digit before the others. If there is no room, the last one is cut off.
     fn lead(&mut self, digit: (i64, i64)) {
         if self.start == 0 {
-            self.cut = self.cut + from_here_on(self.digits[MOST - 1]);
-            self.digits.copy_within(..MOST - 1, 1);
+            self.cut = self.cut + from_here_on(self.digits[M - 1]);
+            self.digits.copy_within(..M - 1, 1);
             self.start = 1;
         }
         self.start -= 1;
@@ -77,7 +74,7 @@ impl Row {
         row
     }
 
-    /// At most [`DIGITS`] digits that are a number's.
+    /// The digits of a number.
     pub(super) fn of_digits(digits: impl DoubleEndedIterator<Item = (i64, i64)>) -> Self {
         let mut row = Self::EMPTY;
         digits.rev().for_each(|digit| row.lead(digit));
@@ -183,7 +180,7 @@ impl Row {
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
         let (below, down) = divisor.leading();
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
-        for _ in 0..ROUNDS {
+        for _ in 0..Self::ROUNDS {
             if rest.sign() == 0 {
                 break;
             }

@@ -1,4 +1,4 @@
-//! [`Wide`] as a scalar: the generated step runs over it as over a float.
+//! [`Digits`] as a scalar: the generated step runs over it as over a float.
 //!
 //! Zero has no reciprocal, so a pole that is met exactly ends the step instead of passing on an
 //! undefined number.
@@ -7,12 +7,12 @@ use core::cmp::Ordering;
 
 use num_traits::{One, Zero};
 
-use super::Wide;
+use super::Digits;
 use crate::{Constant, Scalar};
 
-impl Scalar for Wide {
+impl<const D: usize, const M: usize> Scalar for Digits<D, M> {
     fn constant(c: &Constant<'_>) -> Self {
-        c.to_wide()
+        c.to_digits()
     }
 
     fn reciprocal(&self) -> Option<Self> {

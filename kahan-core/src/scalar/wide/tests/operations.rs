@@ -2,7 +2,7 @@
 
 use num_traits::{One, Zero};
 
-use super::super::{DIGITS, Size};
+use super::super::Size;
 use super::{Dyadic, Random, Wide};
 use crate::Scalar;
 
@@ -64,7 +64,7 @@ fn digits_lie_where_they_are_needed() {
     let mut random = Random(4);
     for _ in 0..1000 {
         let part = |k: i64, digit: u64| Wide::from((digit >> 2) as i64 | 1).scaled(64 * (7 * k - 50));
-        let parts: [Wide; DIGITS] = core::array::from_fn(|k| part(k as i64, random.bits()));
+        let parts: [Wide; Wide::MOST_DIGITS] = core::array::from_fn(|k| part(k as i64, random.bits()));
         let sum = parts.iter().fold(Wide::zero(), |sum, part| sum + *part);
         assert!(sum.radius().is_zero());
         let rest = parts[1..].iter().fold(sum, |rest, part| rest - *part);
@@ -151,7 +151,7 @@ fn dividing_an_exact_product_gives_the_factor_back() {
     let mut seen = 0;
     while seen < 1000 {
         let [a, b] = random.pair().map(|number| Wide {
-            count: number.count.min(DIGITS as u8 / 2 - 1),
+            count: number.count.min(Wide::MOST_DIGITS as u16 / 2 - 1),
             radius: Size::zero(),
             ..number
         });
