@@ -1,0 +1,298 @@
+//! Random fields of odd tempers as a user compiles them, each step judged by exact arithmetic.
+//!
+//! `cargo test --release -p kahan-measure --test compiled_extremes -- --ignored --nocapture` writes a
+//! crate into the target folder, with `kahan-core` as its one dependency: forty fields of 1 to 8
+//! variables, twelve of 9 to 40, and eight chains. It builds it, has it try each step
+//! on seeded points in `f32`, `f64` and `Dd`, and judges what it returned: points and results pass
+//! through files as bits, so that the crate knows no judge. `KAHAN_ODD=0,200,100` in the
+//! environment takes so many fields of each kind, some fifty to a crate, and `KAHAN_ODD_TRIALS`
+//! other than 300 trials of each; every twentieth field has ten times as many.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+use std::{env, fs};
+
+use kahan_algebra::check::{check, check_family};
+use kahan_algebra::diagnostics::Diagnostics;
+use kahan_algebra::lexer::lex;
+use kahan_algebra::parse::parse;
+use kahan_measure::extremes::{Cell, Compiled, Number, Tally};
+use kahan_measure::random_fields::{OddField, odd, odd_chain, odd_of_many};
+use kahan_runtime::threads::for_each;
+
+const SEED: u64 = 1;
+/// So many fields are compiled in one crate.
+const IN_ONE_CRATE: usize = 50;
+const NUMBERS: [(Number, &str, usize); 3] =
+    [(Number::F32, "f32", 1), (Number::F64, "f64", 1), (Number::Dd, "Dd", 2)];
+
+/// A field, what judges it, and the trials that it has of each number.
+struct Tried {
+    field: OddField,
+    judged: Compiled,
+    trials: u64,
+}
+
+impl Tried {
+    fn of(field: OddField, trials: u64) -> Self {
+        let mut diagnostics = Diagnostics::default();
+        let block = parse(&lex(&field.block()).tokens, &mut diagnostics);
+        let judged = match field.sites {
+            Some(sites) => {
+                let family = check_family(&block, &mut diagnostics).expect("a chain has a family");
+                Compiled::of_chain(&field.name, &family, sites)
+            }
+            None => Compiled::new(&field.name, &check(block, &mut diagnostics)),
+        };
+        assert!(diagnostics.finish().is_empty(), "{}", field.block());
+        Self { field, judged, trials }
+    }
+
+    fn count(&self) -> u64 {
+        Compiled::count(self.trials)
+    }
+
+    /// The numbers of a state.
+    fn state(&self) -> usize {
+        self.field.variables * self.field.sites.unwrap_or(1)
+    }
+
+    /// The module of the crate: its block, and a function that tries every step.
+    fn module(&self) -> String {
+        let OddField { name, parameters, site_parameters, sites, variables, .. } = &self.field;
+        let mut given: Vec<String> =
+            parameters.iter().enumerate().map(|(k, name)| format!("{name}: p[{k}]")).collect();
+        let sites_own = site_parameters.iter().enumerate().map(|(k, name)| {
+            let sites = sites.expect("a chain has sites");
+            let from = parameters.len() + k * sites;
+            format!("{name}: p[{from}..{}].to_vec()", from + sites)
+        });
+        given.extend(sites_own);
+        let value =
+            if given.is_empty() { name.clone() } else { format!("{name} {{ {} }}", given.join(", ")) };
+        let numbers = parameters.len() + site_parameters.len() * sites.unwrap_or(0);
+        let tried = match sites {
+            Some(sites) => format!(
+                "let mut next: Vec<T> = input.take({});
+                 let eps = input.take(1)[0];
+                 // Where there is no map, there is no step.
+                 let tried = {value}.at(eps, {sites}).ok().and_then(|mut map| map.try_step(&mut next).ok());
+                 output.put(tried.map(|()| next));",
+                self.state()
+            ),
+            None => format!(
+                "let x: Vec<T> = input.take({variables});
+                 let x = SVector::<T, {variables}>::from_fn(|i, _| x[i]);
+                 let eps = input.take(1)[0];
+                 output.put({value}.try_step(&x, eps).ok().map(|next| next.iter().copied().collect()));"
+            ),
+        };
+        format!(
+            "mod {module} {{
+             use kahan_core::prelude::*;
+             kahan! {{ {block} }}
+             pub fn tries<T: crate::Number>(input: &mut crate::Input, output: &mut crate::Output) {{
+                 for _ in 0..{count} {{
+                     let p: Vec<T> = input.take({numbers});
+                     let _ = &p;
+                     {tried}
+                 }}
+             }} }}\n",
+            module = name.to_lowercase(),
+            block = self.field.block(),
+            count = self.count(),
+        )
+    }
+}
+
+/// What the crate needs besides its fields.
+const FRAME: &str = "
+#![allow(unused_imports, clippy::all)]
+use kahan_core::prelude::*;
+use kahan_core::LatticeScalar;
+
+pub trait Number: Pivot + LatticeScalar + Copy {
+    const WORDS: usize;
+    fn of(words: &[u64]) -> Self;
+    fn words(self, to: &mut Vec<u64>);
+}
+
+impl Number for f32 {
+    const WORDS: usize = 1;
+    fn of(words: &[u64]) -> Self { f32::from_bits(words[0] as u32) }
+    fn words(self, to: &mut Vec<u64>) { to.push(self.to_bits().into()); }
+}
+
+impl Number for f64 {
+    const WORDS: usize = 1;
+    fn of(words: &[u64]) -> Self { f64::from_bits(words[0]) }
+    fn words(self, to: &mut Vec<u64>) { to.push(self.to_bits()); }
+}
+
+impl Number for Dd {
+    const WORDS: usize = 2;
+    fn of(words: &[u64]) -> Self { Dd::new(f64::from_bits(words[0]), f64::from_bits(words[1])) }
+    fn words(self, to: &mut Vec<u64>) { to.extend([self.high().to_bits(), self.low().to_bits()]); }
+}
+
+pub struct Input { words: Vec<u64>, at: usize }
+
+impl Input {
+    fn take<T: Number>(&mut self, count: usize) -> Vec<T> {
+        let from = self.at;
+        self.at += count * T::WORDS;
+        self.words[from..self.at].chunks(T::WORDS).map(T::of).collect()
+    }
+}
+
+pub struct Output(Vec<u64>);
+
+impl Output {
+    fn put<T: Number>(&mut self, next: Option<Vec<T>>) {
+        self.0.push(u64::from(next.is_some()));
+        next.into_iter().flatten().for_each(|number| number.words(&mut self.0));
+    }
+}
+
+fn main() {
+    let [input, output] = [1, 2].map(|k| std::env::args().nth(k).unwrap());
+    let words = std::fs::read(input).unwrap();
+    let words = words.chunks(8).map(|word| u64::from_le_bytes(word.try_into().unwrap())).collect();
+    let (mut from, mut to) = (Input { words, at: 0 }, Output(Vec::new()));
+    every(&mut from, &mut to);
+    assert_eq!(from.at, from.words.len());
+    std::fs::write(output, to.0.into_iter().flat_map(u64::to_le_bytes).collect::<Vec<u8>>()).unwrap();
+}
+";
+
+fn program(fields: &[Tried]) -> String {
+    let mut text = FRAME.to_owned();
+    let mut calls = String::new();
+    for tried in fields {
+        text += &tried.module();
+        for (_, number, _) in NUMBERS {
+            let module = tried.field.name.to_lowercase();
+            writeln!(calls, "    {module}::tries::<{number}>(from, to);").expect("a text takes more");
+        }
+    }
+    text + &format!("fn every(from: &mut Input, to: &mut Output) {{\n{calls}}}\n")
+}
+
+/// The workspace.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace").to_owned()
+}
+
+/// Builds the crate of these fields as a user does, but for the level of optimisation, which changes
+/// no bits: at the highest sixty fields take minutes more. Its program.
+fn build(fields: &[Tried]) -> PathBuf {
+    let folder = root().join("target").join("compiled_extremes");
+    fs::create_dir_all(folder.join("src")).expect("a folder can be made");
+    let manifest = format!(
+        "[package]\nname = \"odd-fields\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\nkahan-core = {{ path = {:?} }}\n\n\
+         [workspace]\n\n[profile.release]\nopt-level = 1\n",
+        root().join("kahan-core")
+    );
+    fs::write(folder.join("Cargo.toml"), manifest).expect("a file can be written");
+    fs::copy(root().join("Cargo.lock"), folder.join("Cargo.lock")).expect("the workspace has a lock file");
+    fs::write(folder.join("src/main.rs"), program(fields)).expect("a file can be written");
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["build", "--release", "--offline", "--quiet"]).current_dir(&folder);
+    cargo.env("CARGO_TARGET_DIR", folder.join("target")).env_remove("RUSTFLAGS");
+    assert!(cargo.status().expect("cargo runs").success(), "the crate of the fields does not compile");
+    folder.join("target/release/odd-fields")
+}
+
+/// The words of every trial, field by field, number by number.
+fn inputs(fields: &[Tried]) -> Vec<u8> {
+    let of_fields: Vec<Mutex<Vec<u8>>> = fields.iter().map(|_| Mutex::default()).collect();
+    for_each(fields.len(), None, &|k| {
+        let Tried { judged, trials, .. } = &fields[k];
+        let numbers = NUMBERS.iter().flat_map(|(number, ..)| {
+            (0..fields[k].count()).flat_map(|index| judged.inputs(*number, *trials, SEED, index))
+        });
+        let words = numbers.flat_map(u64::to_le_bytes).collect();
+        *of_fields[k].lock().expect("no thread panics in here") = words;
+    });
+    of_fields.into_iter().flat_map(|words| words.into_inner().expect("no thread panics in here")).collect()
+}
+
+/// Judges the words that the program wrote.
+fn judge(fields: &[Tried], results: &[u64]) -> Tally {
+    // Where the trials of a field begin.
+    let mut starts = Vec::new();
+    let mut at = 0;
+    for tried in fields {
+        starts.push(at);
+        for (_, _, words) in NUMBERS {
+            for _ in 0..tried.count() {
+                at += 1 + results[at] as usize * tried.state() * words;
+            }
+        }
+    }
+    assert_eq!(at, results.len(), "the program wrote a result for each trial");
+    let all = Mutex::new(Tally::default());
+    for_each(fields.len(), None, &|k| {
+        let (tried, mut at, mut tally) = (&fields[k], starts[k], Tally::default());
+        for (number, _, words) in NUMBERS {
+            for index in 0..tried.count() {
+                let size = results[at] as usize * tried.state() * words;
+                let next = (results[at] == 1).then(|| &results[at + 1..at + 1 + size]);
+                tried.judged.judge(number, tried.trials, SEED, index, next, &mut tally);
+                at += 1 + size;
+            }
+        }
+        all.lock().expect("no thread panics in here").add(tally);
+    });
+    all.into_inner().expect("no thread panics in here")
+}
+
+fn try_all(fields: &[Tried]) -> Tally {
+    let program = build(fields);
+    let [from, to] = ["inputs", "results"].map(|name| program.with_file_name(name));
+    fs::write(&from, inputs(fields)).expect("a file can be written");
+    let status = Command::new(&program).args([&from, &to]).status().expect("the program runs");
+    assert!(status.success(), "a step that promises panics");
+    let results = fs::read(&to).expect("the program wrote its results");
+    let word = |bytes: &[u8]| u64::from_le_bytes(bytes.try_into().expect("eight bytes"));
+    let results: Vec<u64> = results.chunks(8).map(word).collect();
+    judge(fields, &results)
+}
+
+#[test]
+#[ignore = "compiles a crate of sixty fields in three numbers"]
+fn compiled_fields_of_odd_tempers_keep_their_promise() {
+    let counts = env::var("KAHAN_ODD").unwrap_or_else(|_| "40,12,8".to_owned());
+    let counts: Vec<usize> = counts.split(',').map(|count| count.parse().expect("a number")).collect();
+    let &[plain, many, chains] = counts.as_slice() else { panic!("KAHAN_ODD is three numbers") };
+    let trials = env::var("KAHAN_ODD_TRIALS").map_or(300, |trials| trials.parse().expect("a number"));
+    let fields = (0..plain).map(|k| odd(SEED, k));
+    let fields = fields.chain((0..many).map(|k| odd_of_many(SEED, k)));
+    let fields = fields.chain((0..chains).map(|k| odd_chain(SEED, k)));
+    let own = |k| if k % 20 == 19 { 10 * trials } else { trials };
+    let fields: Vec<Tried> = fields.enumerate().map(|(k, field)| Tried::of(field, own(k))).collect();
+    let mut tally = Tally::default();
+    for part in fields.chunks(IN_ONE_CRATE) {
+        tally.add(try_all(part));
+    }
+    let sum = |of: fn(&Cell) -> u64| tally.cells.values().map(of).sum::<u64>();
+    let drawn = 3 * fields.iter().map(Tried::count).sum::<u64>();
+    let (judged, flagged) = (sum(|cell| cell.trials), sum(|cell| cell.flagged));
+    let (wrong, unjustified) = (sum(|cell| cell.silently_wrong), sum(|cell| cell.unjustified));
+    println!("{} fields, {drawn} trials drawn, {judged} judged, {flagged} flagged", fields.len());
+    println!("{wrong} silently wrong, {unjustified} flagged without right");
+    for (name, broken) in &tally.broken {
+        let field =
+            fields.iter().find(|tried| tried.field.name == *name).expect("its name is that of a field");
+        println!(
+            "{name}, {} silently wrong, {} flagged without right: {}",
+            broken.silently_wrong,
+            broken.unjustified,
+            field.field.block()
+        );
+        println!("  {}", broken.first.text);
+    }
+    assert_eq!((drawn, wrong, unjustified), (judged, 0, 0));
+}
