@@ -113,6 +113,17 @@ fn the_number_of_threads_changes_nothing() {
     assert_ne!(one, survey(&subjects, 400, 6, Some(1), &|_| ()));
 }
 
+/// Dense ones with divisors among them.
+#[test]
+fn fields_of_odd_tempers_are_in_the_language() {
+    for seed in 1..=3 {
+        for number in (0..64).chain([244, 279, 314, 349, 384]) {
+            drawn(&odd(seed, number));
+        }
+        (0..12).for_each(|number| drop(drawn(&odd_of_many(seed, number))));
+    }
+}
+
 /// Fields of every number of variables, closed forms beyond the budget among them.
 #[test]
 fn what_is_drawn_is_judged() {

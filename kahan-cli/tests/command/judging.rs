@@ -67,6 +67,23 @@ fn random_fields_are_drawn_by_the_seed_and_told() {
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
+/// Closed forms beyond the budget of terms among them: none is left out.
+#[test]
+fn every_field_of_odd_temper_is_judged() {
+    let trials = ["--trials", "8", "--odd-fields", "20", "--odd-trials", "4"];
+    let output = kahan(&[&["extremes", "e3"], &trials[..], &["--json"]].concat());
+    let object: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
+    assert_eq!(object["odd_fields"], 20);
+    let cells = object["cells"].as_array().expect("a list");
+    let stable = cells.iter().filter(|cell| cell["tier"] == "stable");
+    let judged: u64 = stable.map(|cell| cell["trials"].as_u64().expect("a count")).sum();
+    // In three scalars, with 24 special inputs each; the twentieth field has ten times as many.
+    assert_eq!(judged, 3 * (8 + 24 + 19 * (4 + 24) + (40 + 24)));
+    let broken = object["broken"].as_array().expect("a list");
+    assert_eq!(output.status.code(), Some(i32::from(!broken.is_empty())));
+    assert!(broken.iter().all(|field| field["text"].as_str().is_some_and(|text| text.contains("dot = "))));
+}
+
 /// h = ±1 cancels the leading terms of det A; two steps of this sample were once flagged.
 #[test]
 fn a_field_whose_leading_terms_cancel_is_not_flagged() {

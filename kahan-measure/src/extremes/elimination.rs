@@ -86,10 +86,9 @@ impl Matrix {
             solutions[k] = (0..columns)
                 .map(|column| {
                     let mut left = self.rows[k][n + column].clone();
-                    for j in k + 1..n {
-                        let entry = &self.rows[k][j];
+                    for (entry, solution) in self.rows[k][..n].iter().zip(&solutions).skip(k + 1) {
                         if !entry.is_zero() {
-                            left = left.minus(&entry.times(&solutions[j][column], bits), bits);
+                            left = left.minus(&entry.times(&solution[column], bits), bits);
                         }
                     }
                     left.over(&self.rows[k][k], bits)

@@ -65,7 +65,7 @@ pub fn odd_chain(seed: u64, number: usize) -> OddField {
     draw.parameters.iter_mut().skip(1).for_each(|name| name.push_str("[i]"));
     let names = draw.states.clone();
     let equations: Vec<String> = names.iter().map(|name| format!("{name}[i]dot = {};", draw.sum())).collect();
-    let boundary = if number / 3 % 2 == 0 { "periodic" } else { "open" };
+    let boundary = if (number / 3).is_multiple_of(2) { "periodic" } else { "open" };
     let equations = format!("for i in {boundary} {{ {} }}", equations.join(" "));
     draw.finish(format!("Chain{number}"), equations, arrays, Some(sites))
 }
@@ -75,7 +75,7 @@ fn plain(seed: u64, number: usize, title: &str, variables: usize) -> OddField {
     draw.states = (1..=variables).map(|k| format!("x{k}")).collect();
     draw.take_parameters();
     // In every number of variables in turn.
-    let is_dense = title == "Odd" && number % 15 == 14;
+    let is_dense = title == "Odd" && number % 35 == 34;
     let equations: Vec<String> = (0..variables)
         .map(|k| format!("x{}dot = {};", k + 1, if is_dense { draw.dense() } else { draw.sum() }))
         .collect();
@@ -96,6 +96,7 @@ struct Draw {
     kind: Kind,
     states: Vec<String>,
     parameters: Vec<String>,
+    divisors: Vec<String>,
     /// The largest offset of a neighbour, of a chain.
     offsets: i64,
     /// The coefficient that the next one may nearly be: an integer and the exponent of its unit.
@@ -107,7 +108,8 @@ impl Draw {
         let random = SplitMix64::from_bytes(format!("{title} {seed} {number}").as_bytes());
         // Eight numbers of variables in turn, so that every kind comes with each.
         let kind = [Kind::Literals, Kind::Cancelling, Kind::Divisors, Kind::All][number / 8 % 4];
-        Self { random, kind, states: Vec::new(), parameters: Vec::new(), offsets: 0, last: (3, 0) }
+        let (states, parameters, divisors) = (Vec::new(), Vec::new(), Vec::new());
+        Self { random, kind, states, parameters, divisors, offsets: 0, last: (3, 0) }
     }
 
     fn below(&mut self, bound: usize) -> usize {
@@ -182,8 +184,18 @@ impl Draw {
         }
     }
 
-    /// A divisor, free of states.
+    /// A divisor, free of states: one of three, as fields with many of them have long expansions.
     fn divisor(&mut self) -> String {
+        const MOST: usize = 3;
+        if self.divisors.len() < MOST {
+            let divisor = self.new_divisor();
+            self.divisors.push(divisor);
+        }
+        let chosen = self.below(self.divisors.len());
+        self.divisors[chosen].clone()
+    }
+
+    fn new_divisor(&mut self) -> String {
         let (p, q) = (self.parameter(), self.parameter());
         match self.below(6) {
             0 => p,
@@ -275,27 +287,18 @@ impl Draw {
     fn finish(self, name: String, equations: String, variables: usize, sites: Option<usize>) -> OddField {
         let is_part = |c: char| c.is_ascii_alphanumeric();
         let words: Vec<&str> = equations.split(|c| !is_part(c)).collect();
-        let (sites_own, own): (Vec<&str>, Vec<&str>) = self
-            .parameters
-            .iter()
-            .map(|name| (name.trim_end_matches("[i]"), name.ends_with("[i]")))
-            .filter(|(name, _)| words.contains(name))
-            .fold((Vec::new(), Vec::new()), |(mut sites_own, mut own), (name, is_of_site)| {
-                if is_of_site {
-                    sites_own.push(name)
-                } else {
-                    own.push(name)
-                }
-                (sites_own, own)
-            });
+        let named = |is_of_site: bool| -> Vec<String> {
+            let own = self.parameters.iter().filter(|name| name.ends_with("[i]") == is_of_site);
+            let names = own.map(|name| name.trim_end_matches("[i]")).filter(|name| words.contains(name));
+            names.map(str::to_owned).collect()
+        };
+        let (parameters, site_parameters) = (named(false), named(true));
         let kind = match self.kind {
             Kind::Literals => "literals of any size",
             Kind::Cancelling => "coefficients that nearly cancel",
             Kind::Divisors => "parameters as divisors",
             Kind::All => "literals, near cancellation and divisors",
         };
-        let [parameters, site_parameters] =
-            [own, sites_own].map(|names| names.into_iter().map(str::to_owned).collect());
         OddField { name, kind, equations, parameters, site_parameters, variables, sites }
     }
 }

@@ -84,7 +84,7 @@ impl Balls {
     }
 
     pub(super) fn fits<T: Float>(&self) -> bool {
-        self.answer(|next, _| fit::<T>(next), |fraction| fraction.fits::<T>())
+        self.answer(|next, _| fit::<T>(next), Fraction::fits::<T>)
     }
 }
 
