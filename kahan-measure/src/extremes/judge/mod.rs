@@ -18,7 +18,7 @@ use kahan_algebra::system::System;
 use kahan_runtime::interpreted::LARGEST_DIMENSION;
 
 use super::dyadic::Dyadic;
-use super::equation::{AtPoint, Equation};
+use super::equation::Equation;
 use super::float::Float;
 
 use balls::Balls;
@@ -86,22 +86,25 @@ impl Judge {
         Self { kind: Kind::Balls, ..self }
     }
 
-    /// The exact step; `None` at a pole, and where the field divides by zero.
+    /// The exact step; `None` at a pole.
+    ///
+    /// The map is reduced before parameters get values. So it may have a value where the field
+    /// divides by zero: the one that it tends to as the parameters do, which solves the equations
+    /// multiplied by their divisors. A residual has no such meaning, and there is no step then.
     pub(super) fn step(&self, point: &[Dyadic]) -> Option<Exact> {
+        let equation = || self.equation.at(point);
         match &self.kind {
             Kind::Reduced(reduced) => reduced.step(point).map(Exact::Fraction),
-            Kind::Balls => Balls::of(self.defined(point)?),
-            Kind::Residual(rows) => Some(Exact::Residual(Residual::of(self.defined(point)?, *rows))),
+            Kind::Balls => Balls::of(equation()),
+            Kind::Residual(rows) => {
+                let equation = equation();
+                equation.is_defined().then(|| Exact::Residual(Residual::of(equation, *rows)))
+            }
         }
     }
 
-    fn defined(&self, point: &[Dyadic]) -> Option<AtPoint> {
-        let equation = self.equation.at(point);
-        equation.is_defined().then_some(equation)
-    }
-
-    /// The condition number of the step in (x, ε) where a flag is not right: where x̃ is a number
-    /// that the format holds, and the condition number is below `limit`.
+    /// The condition number of the step in (x, ε) where a flag is not right: where the field has a
+    /// value, x̃ is a number that the format holds, and the condition number is below `limit`.
     pub(super) fn forbidden_flag<T: Float>(
         &self,
         point: &[Dyadic],
@@ -113,7 +116,7 @@ impl Judge {
             Exact::Balls(balls) => balls.fits::<T>(),
             Exact::Residual(residual) => residual.fits::<T>(),
         };
-        if !fits {
+        if !fits || !self.equation.at(point).is_defined() {
             return None;
         }
         let condition = self.condition(point, exact);
