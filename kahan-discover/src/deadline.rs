@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 /// A time after which nothing is begun, and which remembers whether something was left out for it:
 /// a sentence about what was not found may only be written where nothing was.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Deadline {
     end: Option<Instant>,
     has_stopped: Cell<bool>,

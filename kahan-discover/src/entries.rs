@@ -57,8 +57,15 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     if width > reach.coefficients || !is_new {
         return;
     }
+    // Of each orbit only the relations whose entries are looked at are kept: all relations of all
+    // orbits might not fit into the memory.
+    let keep_looked_at = |relations: &mut Relations| {
+        relations.vectors.retain(|vector| places.iter().any(|&(leading, _)| leading == vector.free));
+    };
+    orbits.iter_mut().for_each(keep_looked_at);
     while orbits.len() < width + SPARE {
-        let Some(relations) = random_relations(map, &monomials, search.random, deadline) else { return };
+        let Some(mut relations) = random_relations(map, &monomials, search.random, deadline) else { return };
+        keep_looked_at(&mut relations);
         orbits.push(relations);
     }
     let values: Vec<Vec<u64>> = orbits.iter().map(|orbit| unknown.values(modulus, &orbit.start)).collect();

@@ -5,6 +5,8 @@ use kahan_algebra::poly::{Budget, Polynomial, Variable, gcd_within};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::render::Notation;
+use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::upper_index;
 
 use crate::deadline::Deadline;
@@ -15,7 +17,7 @@ use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
-use crate::setting::Setting;
+use crate::setting::{Draw, Setting};
 use crate::space::{combination, over_common};
 use crate::stepping::Stepping;
 
@@ -179,6 +181,75 @@ fn potential(
 }
 
 impl Hamiltonian {
+    /// Whether f = K∇H, by expansion over ℚ. Then the theorem of Celledoni, McLachlan, Owren and
+    /// Quispel proves that H̃ is an integral of the map.
+    #[must_use]
+    pub fn holds(&self, field: &Field) -> bool {
+        let slopes: Vec<RationalFunction> =
+            (0..field.dimension()).map(|i| self.hamiltonian.derivative(field.symbols.state(i))).collect();
+        self.tensor.iter().zip(&field.components).all(|(row, component)| {
+            let products = row.iter().zip(&slopes).map(|(entry, slope)| entry * slope);
+            let value = products.fold(RationalFunction::zero(), |sum, product| &sum + &product);
+            RationalFunction::new(component.numerator.clone(), component.denominator.clone())
+                .is_some_and(|component| (&value - &component).is_zero())
+        })
+    }
+
+    /// H̃ in its compact form H + (x̃ − x)·∇H/3, which is another writing of the one in
+    /// [`modified`](Self::modified), since x̃ − x = 2ε (I − ε f′)⁻¹ f; x̃ is written `x~` in text.
+    #[must_use]
+    pub fn compact(&self, symbols: &Symbols, notation: Notation) -> String {
+        let written = |function: &RationalFunction| {
+            let above = notation.polynomial(symbols, function.numerator());
+            match function.as_polynomial() {
+                Some(_) => above,
+                None => notation.quotient(&above, &notation.polynomial(symbols, function.denominator())),
+            }
+        };
+        let term = |(i, state): (usize, &String)| {
+            let slope = self.hamiltonian.derivative(symbols.state(i));
+            let (name, slope) = (notation.name(state), (!slope.is_zero()).then(|| written(&slope))?);
+            Some(match notation {
+                Notation::Text => format!("({name}~ - {name})*({slope})"),
+                Notation::Latex => format!("(\\widetilde{{{name}}} - {name}) ({slope})"),
+            })
+        };
+        let moved: Vec<String> = symbols.states.iter().enumerate().filter_map(term).collect();
+        let (start, moved) = (written(&self.hamiltonian), moved.join(" + "));
+        match notation {
+            Notation::Text => format!("{start} + ({moved})/3"),
+            Notation::Latex => format!("{start} + \\frac{{1}}{{3}} ({moved})"),
+        }
+    }
+
+    /// ∇H̃ at a point of a drawn map, up to a factor: H̃ = H + (x̃ − x)·∇H/3, differentiated.
+    #[must_use]
+    pub fn modified_gradient(&self, setting: &Setting, draw: &Draw, here: &[u64]) -> Option<Vec<u64>> {
+        let modulus = draw.map.modulus();
+        let n = setting.dimension();
+        let there = draw.map.next(here)?;
+        let jacobian = draw.map.jacobian(here, &there)?;
+        let symbols = setting.family().symbols();
+        // The denominator of H is free of states: a factor.
+        let potential = self.hamiltonian.numerator();
+        let first: Vec<Polynomial> = (0..n).map(|i| potential.derivative(symbols.state(i))).collect();
+        let slopes: Vec<u64> =
+            first.iter().map(|slope| setting.evaluate(slope, draw, here)).collect::<Option<_>>()?;
+        let third = modulus.inverse(modulus.integer(3))?;
+        (0..n)
+            .map(|j| {
+                let mut moved = modulus.opposite(slopes[j]);
+                for i in 0..n {
+                    let second = setting.evaluate(&first[i].derivative(symbols.state(j)), draw, here)?;
+                    let distance = modulus.minus(there[i], here[i]);
+                    moved = modulus.plus(moved, modulus.times(second, distance));
+                    moved = modulus.plus(moved, modulus.times(slopes[i], jacobian[i][j]));
+                }
+                Some(modulus.plus(slopes[j], modulus.times(third, moved)))
+            })
+            .collect()
+    }
+
     /// H̃ = H + (h/3) ∇Hᵀ (I − (h/2) f′)⁻¹ f with h = 2ε, an integral of the map (Celledoni,
     /// McLachlan, Owren, Quispel, "Geometric properties of Kahan's method", 2013), as numerator and
     /// denominator up to a factor free of states. `None` where ε makes det A vanish, or beyond 1500

@@ -43,6 +43,10 @@ const MOST_QUADRATIC_MONOMIALS: usize = 900;
 /// The highest degree, unless one is asked for.
 const HIGHEST_DEGREE: u32 = 10;
 
+/// The most monomials that are looked at, whatever the time: the relations on one orbit take their
+/// square in numbers of eight bytes several times over, and their cube in products.
+pub const MOST_MONOMIALS_AT_ALL: usize = 4000;
+
 /// How often a start is drawn again when its orbit ends at a pole.
 const MOST_DRAWS: usize = 8;
 
@@ -99,6 +103,29 @@ impl Hilbert {
             }
         }
         found
+    }
+
+    /// Looks at one orbit up to a higher degree. Its ranks are those of a generic orbit or lower, so
+    /// that one orbit on which no integral is added shows that none is; where some are added, all
+    /// four orbits are looked at. `None` as for [`of`](Self::of).
+    ///
+    /// Cost: N² h products where nothing is added.
+    pub fn further(
+        &self,
+        setting: &Setting,
+        degree: u32,
+        random: &mut SplitMix64,
+        deadline: &Deadline,
+    ) -> Option<Self> {
+        let monomials = Monomials::new(setting.dimension(), degree);
+        let modulus = Modulus::mersenne_61();
+        let map = setting.draw(modulus, random)?.map;
+        let relations = random_relations(&map, &monomials, random, deadline)?;
+        let found = Hilbert::from_relations(&relations, &modulus, &monomials);
+        if found.integrals <= self.integrals {
+            return Some(Hilbert { agree: self.agree, ..found });
+        }
+        Self::of(setting, degree, random, deadline)
     }
 
     /// What one orbit shows.

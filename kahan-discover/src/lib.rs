@@ -13,7 +13,7 @@
 //!
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`] (the tools);
 //! [`stepping`], [`family`], [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`],
-//! [`growth`]; [`relations`], [`hilbert`], [`basis`]; [`lift`], [`weights`], [`grading`], [`space`]
+//! [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`lift`], [`weights`], [`grading`], [`space`]
 //! (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`],
 //! [`independent`], `reduction`, `collector`, [`integrals`]; [`darboux`], `brackets`;
 //! [`structure`], [`determinant`], [`hamiltonian`]; [`composition`]; `writing`, [`claims`],
@@ -32,6 +32,7 @@
 
 pub mod basis;
 mod brackets;
+pub mod ceiling;
 pub mod chart;
 pub mod claims;
 mod collector;
@@ -80,6 +81,7 @@ mod words;
 mod writing;
 
 pub use basis::Basis;
+pub use ceiling::Ceiling;
 pub use deadline::Deadline;
 pub use poles::{Poles, poles};
 pub use report::{DiscoverError, Options, Report, Stage};

@@ -124,6 +124,15 @@ impl ModularMap {
         (values, slopes)
     }
 
+    /// The terms of f, component by component.
+    pub(crate) fn components(&self) -> Vec<Vec<Term>> {
+        let mut components = vec![Vec::new(); self.dimension];
+        for term in &self.terms {
+            components[term.component].push(*term);
+        }
+        components
+    }
+
     /// The matrix (A | f), row by row.
     fn extended_matrix(&self, point: &[u64], eps: u64) -> Vec<u64> {
         let (modulus, n) = (&self.modulus, self.dimension);

@@ -36,7 +36,8 @@ impl Modulus {
         Self::of(PrimeField::random(random))
     }
 
-    fn of(plain: PrimeField) -> Self {
+    /// A field with this odd prime.
+    pub(crate) fn of(plain: PrimeField) -> Self {
         let prime = plain.prime();
         // Newton's iteration doubles the correct bits of 1/p modulo a power of two; p itself is
         // right to three.

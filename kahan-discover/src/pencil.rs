@@ -94,7 +94,9 @@ impl Pencil {
             entries.iter().map(|entry| entry.numerator.len() + entry.denominator.len()).max()? + SPARE;
         let mut orbits = Vec::with_capacity(wanted);
         for _ in 0..wanted {
-            orbits.push(random_relations(map, &relation_monomials, random, deadline)?);
+            let mut relations = random_relations(map, &relation_monomials, random, deadline)?;
+            relations.vectors.retain(|vector| entries.iter().any(|entry| entry.leading == vector.free));
+            orbits.push(relations);
         }
         let values: Vec<Vec<u64>> =
             orbits.iter().map(|orbit| monomials.values(&modulus, &orbit.start)).collect();

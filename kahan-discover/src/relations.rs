@@ -62,9 +62,15 @@ impl Relations {
     /// closure, as far as the relations up to this degree define it.
     #[must_use]
     pub fn codimension(&self, modulus: &Modulus, monomials: &Monomials) -> usize {
+        self.normals(modulus, monomials).len()
+    }
+
+    /// A basis of the space that the gradients of all relations span at the start.
+    #[must_use]
+    pub fn normals(&self, modulus: &Modulus, monomials: &Monomials) -> Vec<Vec<u64>> {
         let gradients = monomial_gradients(modulus, monomials, &self.start);
         let rows = self.vectors.iter().map(|vector| gradient(modulus, &gradients, &vector.entries)).collect();
-        Echelon::of(modulus, rows, monomials.variables()).rank()
+        Echelon::of(modulus, rows, monomials.variables()).rows
     }
 }
 

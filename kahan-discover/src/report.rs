@@ -5,6 +5,7 @@ use std::fmt;
 use kahan_algebra::rational::Rational;
 
 use crate::basis::Basis;
+use crate::ceiling::Ceiling;
 use crate::claims::Formula;
 use crate::composition::Survivors;
 use crate::growth::GrowthVerdict;
@@ -17,8 +18,9 @@ pub struct Options {
     pub eps: Option<Rational>,
     /// The parameters that are fixed, by name; the others are generic.
     pub parameters: Vec<(String, Rational)>,
-    /// The degree up to which relations are looked for; chosen by the number of variables
-    /// otherwise.
+    /// The degree up to which relations are looked for. Otherwise the number of variables chooses
+    /// one, and the search goes on to higher degrees while something may be missing and there is
+    /// time: what is found then depends on the machine's speed, all else does not.
     pub degree: Option<u32>,
     /// The number of iterates whose degrees are taken, at most.
     pub iterates: usize,
@@ -60,6 +62,8 @@ pub enum Stage {
     Densities,
     /// The composed map.
     Composition,
+    /// Relations of a degree beyond the one that the number of variables chose.
+    Further(u32),
 }
 
 impl fmt::Display for Stage {
@@ -72,6 +76,7 @@ impl fmt::Display for Stage {
             Stage::Integrals => "formulas of integrals",
             Stage::Densities => "invariant densities",
             Stage::Composition => "what survives composition",
+            Stage::Further(degree) => return write!(f, "relations of degree {degree} on orbits"),
         })
     }
 }
@@ -113,8 +118,58 @@ pub struct HamiltonianReport {
     pub tensor: Vec<Vec<String>>,
     /// H
     pub hamiltonian: String,
-    /// Whether the modified Hamiltonian is among the integrals of the report, proved.
+    /// Whether the modified Hamiltonian was written out and proved as a claim.
     pub modified_is_proved: bool,
+    /// The modified Hamiltonian H + (x̃ − x)·∇H/3 as text, `x~` being the image of x.
+    pub modified: String,
+    /// The same in LaTeX.
+    pub modified_latex: String,
+    /// How it is to be given, beside or instead of formulas.
+    pub place: ModifiedPlace,
+}
+
+/// How the modified Hamiltonian is to be given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModifiedPlace {
+    /// Not at all: formulas and bases say what it says.
+    Implied,
+    /// In its compact form, and none of the formulas says it.
+    Alone,
+    /// In its compact form in place of one of the formulas, which is longer by far; with it, the
+    /// others are as many independent integrals.
+    InsteadOf(usize),
+}
+
+/// What ended the search for integrals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bound {
+    /// No more integrals are possible: with one more every orbit would be finite, or each already
+    /// is.
+    Orbits,
+    /// No more are possible by the [`Ceiling`].
+    Ceiling,
+    /// The degree that was asked for.
+    Degree,
+    /// The time.
+    Time,
+    /// The number of monomials, which the memory bounds.
+    Size,
+    /// No orbit was found that does not end at a pole.
+    Poles,
+}
+
+impl Bound {
+    /// In one word.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Bound::Orbits | Bound::Ceiling => "complete",
+            Bound::Degree => "degree",
+            Bound::Time => "time",
+            Bound::Size => "size",
+            Bound::Poles => "poles",
+        }
+    }
 }
 
 /// What was found of a field.
@@ -130,6 +185,13 @@ pub struct Report {
     pub growth: GrowthVerdict,
     /// The Hilbert function of a generic orbit; absent where every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,
+    /// The number of independent algebraic integrals that orbits show or that are proved: the
+    /// formulas, those in bases, the modified Hamiltonian, and those that have no formula here.
+    pub independent: usize,
+    /// How many there can be at most, as far as the fixed points of the map tell.
+    pub ceiling: Option<Ceiling>,
+    /// What ended the search for integrals.
+    pub bound: Bound,
     /// The integrals of the map, independent and proved.
     pub integrals: Vec<Formula>,
     /// Hirota–Kimura bases for the integrals that have no formula here, the shortest first.
@@ -154,12 +216,40 @@ pub struct Report {
 }
 
 impl Report {
-    /// The number of independent algebraic integrals: those that orbits show up to the degree
-    /// looked at, or those that are proved, where these are more (a modified Hamiltonian may have a
-    /// higher degree).
+    /// The number of independent algebraic integrals that orbits show or that are proved (a
+    /// modified Hamiltonian may have a higher degree than the relations looked at).
     #[must_use]
     pub fn independent_integrals(&self) -> usize {
-        self.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals).max(self.integrals.len())
+        self.independent
+    }
+
+    /// How many of them bases give.
+    #[must_use]
+    pub fn integrals_in_bases(&self) -> usize {
+        self.bases.iter().map(|basis| basis.integrals.len()).sum()
+    }
+
+    /// The modified Hamiltonian, where it is to be given in its compact form.
+    #[must_use]
+    pub fn compact(&self) -> Option<&HamiltonianReport> {
+        self.structure.hamiltonian.as_ref().filter(|found| found.place != ModifiedPlace::Implied)
+    }
+
+    /// The formula, by its index, in whose place the compact form of the modified Hamiltonian is to
+    /// be given.
+    #[must_use]
+    pub fn replaced(&self) -> Option<usize> {
+        match self.structure.hamiltonian.as_ref()?.place {
+            ModifiedPlace::InsteadOf(index) => Some(index),
+            _ => None,
+        }
+    }
+
+    /// How many of the independent integrals have no formula, and no basis gives them.
+    #[must_use]
+    pub fn not_reached(&self) -> usize {
+        let alone = self.compact().is_some_and(|found| found.place == ModifiedPlace::Alone);
+        self.independent.saturating_sub(self.integrals.len() + self.integrals_in_bases() + usize::from(alone))
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::time::Instant;
 
+use kahan_algebra::field::Field;
+use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -9,23 +11,31 @@ use kahan_algebra::render::Notation;
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::System;
 
-use crate::basis::{candidates, completing, prove};
+use crate::basis::{Basis, candidates, completing, prove};
 use crate::brackets::brackets;
+use crate::ceiling::{Ceiling, FEW_TRIALS, MANY_TRIALS, ceiling};
 use crate::claims::{Claims, Formula};
-use crate::composition::survivors;
+use crate::composition::{Survivors, survivors};
 use crate::deadline::Deadline;
 use crate::degrees::{DegreeLimits, degrees};
 use crate::densities::densities;
 use crate::growth::GrowthVerdict;
-use crate::hamiltonian::hamiltonian;
-use crate::hilbert::{Hilbert, default_degree};
+use crate::hamiltonian::{Hamiltonian, hamiltonian};
+use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL, default_degree};
 use crate::independent::{Independent, quotient_gradient};
 use crate::integrals::{Aims, integrals};
+use crate::matrix::Echelon;
 use crate::modulus::Modulus;
-use crate::report::{DiscoverError, HamiltonianReport, Options, Report, Stage, StructureReport};
+use crate::monomials::Monomials;
+use crate::relations::Relations;
+use crate::report::{
+    Bound, DensitySearch, DiscoverError, HamiltonianReport, ModifiedPlace, Options, Report, Stage,
+    StructureReport,
+};
 use crate::search::Reach;
-use crate::setting::Setting;
+use crate::setting::{DrawnStep, Setting};
 use crate::space::tidy;
+use crate::stepping::Stepping;
 use crate::structure::{FlowIntegrals, divergence, flow_integrals, is_even};
 use crate::words::sentences;
 use crate::writing::factors_of;
@@ -33,11 +43,20 @@ use crate::writing::factors_of;
 /// A formula of more characters is left to a basis, where there is one.
 const MOST_CHARACTERS: usize = 4000;
 
+/// A formula of more characters is given by the compact form of the modified Hamiltonian, where
+/// that says the same and is shorter by far.
+const LONG: usize = 1000;
+
+/// What is shorter by this factor is shorter by far.
+const FAR_SHORTER: usize = 4;
+
 /// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked
 /// at, so that nothing is found but from the equations; `progress` is told of every stage as it
 /// begins.
 ///
-/// Equal fields and options give equal results, unless time runs out.
+/// Equal fields and options give equal results, unless time runs out. Where no degree is given,
+/// the search goes on to higher degrees while something may be missing and there is time, and
+/// [`Report::bound`] says what ended it; what lower degrees show is the same on every machine.
 ///
 /// # Errors
 /// Where there is no map to look at: see [`DiscoverError`].
@@ -48,7 +67,7 @@ pub fn discover(
 ) -> Result<Report, DiscoverError> {
     let start = Instant::now();
     // Until when each stage may go on.
-    let [for_flow, for_degrees, for_orbits, for_structure, for_integrals, for_densities, for_composition] =
+    let [for_flow, for_degrees, for_orbits, for_structure, for_integrals, for_densities, end] =
         [0.1, 0.25, 0.42, 0.5, 0.85, 0.95, 1.0].map(|share| Deadline::after(start, options.seconds * share));
     let fixed = specialised(system, &options.parameters)?;
     let symbols = &fixed.field.symbols;
@@ -85,93 +104,359 @@ pub fn discover(
     progress(Stage::Structure);
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
     let mut structure = structure(&setting, &fixed, &of_flow, random);
-    let hamiltonian = hamiltonian(&setting, random, &for_structure);
-
-    progress(Stage::Integrals);
-    let place = draw.step(random).ok_or(DiscoverError::NoMap)?;
-    let shown = hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
-    let candidates = hilbert
-        .as_ref()
-        .filter(|_| shown > 0)
-        .and_then(|hilbert| hilbert.defining_degree(&place.draw.map, random, &for_integrals))
-        .map_or_else(Vec::new, |degree| candidates(&setting, degree, random, &for_integrals));
-    // Where bases say all, formulas are worth looking for only where they are short.
-    let in_bases = completing(&candidates, shown, &place, Vec::new(), &for_integrals);
-    let are_enough = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>() >= shown;
-    let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
+    let hamiltonian = hamiltonian(&setting, random, &for_structure).filter(|found| found.holds(&fixed.field));
     let modified = hamiltonian.as_ref().and_then(|found| {
         let (above, below) = found.modified(&setting, &fixed.field)?;
         Some((tidy(symbols, &above), tidy(symbols, &below)))
     });
+    let place = draw.step(random).ok_or(DiscoverError::NoMap)?;
     let kept = of_flow.kept(&setting, random);
     structure.kept = kept.len();
-    let aims = Aims { kept, hilbert: hilbert.as_ref(), known: modified.as_ref(), reach };
-    let mut integrals = integrals(&setting, &claims, &aims, random, &for_integrals);
-    if let Some(found) = &hamiltonian {
-        let proved = modified.as_ref().is_some_and(|(above, below)| {
-            let is_listed = |known: &Formula| known.numerator == *above && known.denominator == *below;
-            if integrals.iter().any(is_listed) {
-                return true;
-            }
-            let formula =
-                claims.integral(symbols, integrals.len() + 1, above, below, &factors_of(&integrals));
-            let is_proved = formula.is_some();
-            add_if_independent(&setting, &mut integrals, formula, random);
-            is_proved
-        });
-        structure.hamiltonian = Some(HamiltonianReport {
-            tensor: found.tensor.iter().map(|row| row.iter().map(|k| text(symbols, k)).collect()).collect(),
-            hamiltonian: text(symbols, &found.hamiltonian),
-            modified_is_proved: proved,
-        });
-    }
 
-    // What a basis says in a line need not fill a page.
-    let is_short = |formula: &&Formula| !are_enough || formula.text.len() <= MOST_CHARACTERS;
-    let all_integrals = integrals;
-    let integrals: Vec<Formula> = all_integrals.iter().filter(is_short).cloned().collect();
-    let known = integrals.iter().filter_map(|formula| {
-        quotient_gradient(&setting, &place.draw, &place.here, &formula.numerator, &formula.denominator)
-    });
-    let mut bases = completing(&candidates, shown, &place, known.collect(), &for_densities);
-    for basis in &mut bases {
-        basis.proof = prove(basis, &setting, &fixed.field, random, &for_densities);
-    }
+    let search = Search {
+        setting: &setting,
+        field: &fixed.field,
+        claims: &claims,
+        hamiltonian: hamiltonian.as_ref(),
+        modified: modified.as_ref(),
+        kept: &kept,
+        is_even: structure.is_even,
+        place: &place,
+    };
+    let until = Until { integrals: for_integrals, densities: for_densities, end: end.clone() };
+    let mut found = search.found(hilbert.as_ref(), None, random, &until, progress);
+    let mut is_stopped =
+        [&for_flow, &for_degrees, &for_orbits, &for_structure].iter().any(|deadline| deadline.has_stopped())
+            || until.has_stopped();
 
-    progress(Stage::Densities);
-    let (densities, density_search) =
-        densities(&setting, &claims, &all_integrals, &fixed.field, structure.is_even, random, &for_densities);
-    let brackets = match densities.first() {
-        Some(density) => brackets(&claims, symbols, &integrals, density, &for_densities),
-        None => Vec::new(),
+    let n = setting.dimension();
+    let is_open = |hilbert: &Hilbert| complete(hilbert, n, found.independent, None).is_none();
+    let trials = if options.degree.is_some() { FEW_TRIALS } else { MANY_TRIALS };
+    let ceiling = hilbert
+        .as_ref()
+        .filter(|hilbert| is_open(hilbert))
+        .and_then(|_| ceiling(&setting, found.independent, trials, &mut random.clone(), &end));
+    let bound = loop {
+        let Some(known) = &hilbert else {
+            break if is_stopped { Bound::Time } else { Bound::Poles };
+        };
+        if let Some(complete) = complete(known, n, found.independent, ceiling.as_ref()) {
+            break complete;
+        }
+        if options.degree.is_some() {
+            break if known.degree() < degree { Bound::Time } else { Bound::Degree };
+        }
+        let degree = known.degree() + 1;
+        if Monomials::count(n, degree) > MOST_MONOMIALS_AT_ALL {
+            break Bound::Size;
+        }
+        progress(Stage::Further(degree));
+        let Some(further) = known.further(&setting, degree, random, &end) else {
+            break if end.has_stopped() { Bound::Time } else { Bound::Poles };
+        };
+        let are_more = further.integrals > known.integrals;
+        hilbert = Some(further);
+        if are_more {
+            let until = Until::shares_of_the_rest(start, options.seconds);
+            let next = search.found(hilbert.as_ref(), Some(&found), random, &until, progress);
+            is_stopped |= until.has_stopped();
+            // Where the time ran out the formulas before may be more.
+            found = if next.said() < found.said() {
+                Found { independent: next.independent, ..found }
+            } else {
+                next
+            };
+        }
     };
 
-    progress(Stage::Composition);
-    let survivors = hilbert
-        .as_ref()
-        .filter(|hilbert| hilbert.integrals > 0)
-        .and_then(|hilbert| survivors(&setting, &integrals, hilbert.degree(), random, &for_composition));
-    let deadlines =
-        [for_flow, for_degrees, for_orbits, for_structure, for_integrals, for_densities, for_composition];
+    structure.hamiltonian = hamiltonian.as_ref().map(|hamiltonian| HamiltonianReport {
+        tensor: hamiltonian.tensor.iter().map(|row| row.iter().map(|k| text(symbols, k)).collect()).collect(),
+        hamiltonian: text(symbols, &hamiltonian.hamiltonian),
+        modified_is_proved: found.modified_is_proved,
+        modified: hamiltonian.compact(symbols, Notation::Text),
+        modified_latex: hamiltonian.compact(symbols, Notation::Latex),
+        place: found.modified_place,
+    });
     let mut report = Report {
         variables: symbols.states.clone(),
         parameters: symbols.parameters.clone(),
         growth: GrowthVerdict::of(&degrees),
         degrees,
         hilbert,
-        integrals,
-        bases,
-        densities,
-        brackets,
-        density_search,
+        independent: found.independent,
+        ceiling,
+        bound,
+        integrals: found.integrals,
+        bases: found.bases,
+        densities: found.densities,
+        brackets: found.brackets,
+        density_search: found.density_search,
         own_density: claims.own_density().map(str::to_owned),
         structure,
-        survivors,
-        out_of_time: deadlines.iter().any(Deadline::has_stopped),
+        survivors: found.survivors,
+        out_of_time: is_stopped || bound == Bound::Time,
         sentences: Vec::new(),
     };
-    report.sentences = sentences(&report);
+    report.sentences = sentences(&report, is_stopped);
     Ok(report)
+}
+
+/// Whether no more integrals are possible than are known, and why.
+fn complete(hilbert: &Hilbert, n: usize, known: usize, ceiling: Option<&Ceiling>) -> Option<Bound> {
+    // With n independent integrals an orbit is a finite set. Where ε is generic it is none: the map
+    // would have a finite order N, but its N-th iterate is x + 2Nε f(x) + O(ε²).
+    let most = if hilbert.period.is_some() { n } else { n - 1 };
+    if known >= most {
+        return Some(Bound::Orbits);
+    }
+    ceiling.filter(|ceiling| known >= ceiling.integrals).map(|_| Bound::Ceiling)
+}
+
+/// Until when the stages that look for formulas may go on.
+struct Until {
+    integrals: Deadline,
+    densities: Deadline,
+    end: Deadline,
+}
+
+impl Until {
+    /// As much of the time that is left as each had of the whole after the stages before.
+    fn shares_of_the_rest(start: Instant, seconds: f64) -> Self {
+        let gone = start.elapsed().as_secs_f64();
+        let after = |share: f64| {
+            Deadline::after(start, if gone < seconds { gone + share * (seconds - gone) } else { 0.0 })
+        };
+        Until { integrals: after(0.7), densities: after(0.9), end: after(1.0) }
+    }
+
+    fn has_stopped(&self) -> bool {
+        [&self.integrals, &self.densities, &self.end].iter().any(|deadline| deadline.has_stopped())
+    }
+}
+
+/// What formulas are looked for with.
+struct Search<'a> {
+    setting: &'a Setting,
+    field: &'a Field,
+    claims: &'a Claims<'a>,
+    hamiltonian: Option<&'a Hamiltonian>,
+    /// The modified Hamiltonian written out, where it is not too long.
+    modified: Option<&'a (Polynomial, Polynomial)>,
+    /// Integrals of the flow that the map keeps.
+    kept: &'a [Polynomial],
+    is_even: bool,
+    /// Where independence is seen.
+    place: &'a DrawnStep,
+}
+
+/// What was found with the relations of some degree.
+struct Found {
+    integrals: Vec<Formula>,
+    bases: Vec<Basis>,
+    /// How many independent integrals there are, with those that only orbits show.
+    independent: usize,
+    modified_is_proved: bool,
+    modified_place: ModifiedPlace,
+    densities: Vec<Formula>,
+    density_search: DensitySearch,
+    brackets: Vec<String>,
+    survivors: Option<Survivors>,
+}
+
+impl Found {
+    /// How many integrals have a formula, a compact form, or stand in a basis.
+    fn said(&self) -> usize {
+        let in_bases: usize = self.bases.iter().map(|basis| basis.integrals.len()).sum();
+        self.integrals.len() + in_bases + usize::from(self.modified_place == ModifiedPlace::Alone)
+    }
+}
+
+impl Search<'_> {
+    /// Looks for formulas, bases, densities and brackets; a density that was found `before` is not
+    /// looked for again.
+    fn found(
+        &self,
+        hilbert: Option<&Hilbert>,
+        before: Option<&Found>,
+        random: &mut SplitMix64,
+        until: &Until,
+        progress: &mut dyn FnMut(Stage),
+    ) -> Found {
+        let setting = self.setting;
+        let symbols = &self.field.symbols;
+        progress(Stage::Integrals);
+        let shown = hilbert.map_or(0, |hilbert| hilbert.integrals);
+        let defining = hilbert
+            .filter(|_| shown > 0)
+            .and_then(|hilbert| hilbert.defining_degree(&self.place.draw.map, random, &until.integrals));
+        let candidates =
+            defining.map_or_else(Vec::new, |degree| candidates(setting, degree, random, &until.integrals));
+        // Where bases say all, formulas are worth looking for only where they are short.
+        let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
+        let are_enough = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>() >= shown;
+        let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
+        let aims = Aims { kept: self.kept.to_vec(), hilbert, known: self.modified, reach };
+        let mut all_integrals = integrals(setting, self.claims, &aims, random, &until.integrals);
+        let modified_is_proved = self.add_modified(&mut all_integrals, random);
+
+        let own = self
+            .hamiltonian
+            .and_then(|found| found.modified_gradient(setting, &self.place.draw, &self.place.here));
+        let mut gradients: Vec<Vec<u64>> =
+            all_integrals.iter().filter_map(|formula| self.gradient(formula)).collect();
+        gradients.extend(own.clone());
+        gradients.extend(defining.map_or_else(Vec::new, |degree| self.normals(degree, &until.integrals)));
+        let independent = self.rank(&gradients).max(shown);
+
+        // What a basis says in a line need not fill a page; what none says stays, however long, and
+        // so does the modified Hamiltonian, which has a compact form.
+        let is_short = |formula: &Formula| !are_enough || formula.text.len() <= MOST_CHARACTERS;
+        let (mut integrals, long): (Vec<Formula>, Vec<Formula>) =
+            all_integrals.iter().cloned().partition(is_short);
+        let mut gradients: Vec<Vec<u64>> =
+            integrals.iter().filter_map(|formula| self.gradient(formula)).collect();
+        let mut add = |gradients: &mut Vec<Vec<u64>>, formula: Formula| {
+            let gradient = self.gradient(&formula);
+            if gradient.is_some_and(|gradient| self.extends(gradients, gradient)) {
+                integrals.push(formula);
+            }
+        };
+        let says_the_same = |formula: &Formula| {
+            let rows = gradients.iter().cloned().chain(own.clone()).chain(self.gradient(formula));
+            own.is_some() && self.rank(&rows.collect::<Vec<_>>()) == gradients.len() + 1
+        };
+        let (same, long): (Vec<Formula>, Vec<Formula>) = long.into_iter().partition(says_the_same);
+        for formula in same {
+            add(&mut gradients, formula);
+        }
+        if let Some(own) = &own {
+            self.extends(&mut gradients, own.clone());
+        }
+        let mut bases = completing(&candidates, independent, self.place, &mut gradients, &until.densities);
+        for basis in &mut bases {
+            basis.join(setting, random);
+            basis.proof = prove(basis, setting, self.field, random, &until.densities);
+        }
+        for formula in long {
+            add(&mut gradients, formula);
+        }
+        let modified_place = self.modified_place(&integrals, &bases, own.as_ref());
+
+        progress(Stage::Densities);
+        let (densities, density_search) = match before.filter(|before| !before.densities.is_empty()) {
+            Some(before) => (before.densities.clone(), before.density_search),
+            None => densities(
+                setting,
+                self.claims,
+                &all_integrals,
+                self.field,
+                self.is_even,
+                random,
+                &until.densities,
+            ),
+        };
+        let brackets = match densities.first() {
+            Some(density) => brackets(self.claims, symbols, &integrals, density, &until.densities),
+            None => Vec::new(),
+        };
+
+        progress(Stage::Composition);
+        let survivors = hilbert
+            .filter(|hilbert| hilbert.integrals > 0)
+            .and_then(|hilbert| survivors(setting, &integrals, hilbert.degree(), random, &until.end));
+        Found {
+            integrals,
+            bases,
+            independent,
+            modified_is_proved,
+            modified_place,
+            densities,
+            density_search,
+            brackets,
+            survivors,
+        }
+    }
+
+    /// Adds the modified Hamiltonian where it is proved and independent of the others; whether it
+    /// is proved.
+    fn add_modified(&self, integrals: &mut Vec<Formula>, random: &mut SplitMix64) -> bool {
+        let Some((above, below)) = self.modified else { return false };
+        let is_listed = |known: &Formula| known.numerator == *above && known.denominator == *below;
+        if integrals.iter().any(is_listed) {
+            return true;
+        }
+        let symbols = &self.field.symbols;
+        let formula =
+            self.claims.integral(symbols, integrals.len() + 1, above, below, &factors_of(integrals));
+        let is_proved = formula.is_some();
+        add_if_independent(self.setting, integrals, formula, random);
+        is_proved
+    }
+
+    /// The gradient of a formula, up to a factor.
+    fn gradient(&self, formula: &Formula) -> Option<Vec<u64>> {
+        let DrawnStep { draw, here, .. } = self.place;
+        quotient_gradient(self.setting, draw, here, &formula.numerator, &formula.denominator)
+    }
+
+    fn rank(&self, gradients: &[Vec<u64>]) -> usize {
+        let modulus = self.place.draw.map.modulus();
+        Echelon::of(modulus, gradients.to_vec(), self.setting.dimension()).rank()
+    }
+
+    /// Adds a gradient that is independent of those before; whether it is.
+    fn extends(&self, gradients: &mut Vec<Vec<u64>>, gradient: Vec<u64>) -> bool {
+        gradients.push(gradient);
+        let is_independent = self.rank(gradients) == gradients.len();
+        if !is_independent {
+            gradients.pop();
+        }
+        is_independent
+    }
+
+    /// What the relations up to a degree on the orbit of the place say of gradients there; nothing
+    /// where the time is over.
+    fn normals(&self, degree: u32, deadline: &Deadline) -> Vec<Vec<u64>> {
+        let DrawnStep { draw, here, .. } = self.place;
+        let monomials = Monomials::new(self.setting.dimension(), degree);
+        Relations::on_orbit(&draw.map, here.clone(), &monomials, deadline)
+            .map_or_else(Vec::new, |relations| relations.normals(draw.map.modulus(), &monomials))
+    }
+
+    /// How the modified Hamiltonian, whose gradient is `own`, is to be given beside these.
+    fn modified_place(
+        &self,
+        integrals: &[Formula],
+        bases: &[Basis],
+        own: Option<&Vec<u64>>,
+    ) -> ModifiedPlace {
+        let (Some(own), Some(found)) = (own, self.hamiltonian) else { return ModifiedPlace::Implied };
+        let map = &self.place.draw.map;
+        let in_bases = bases.iter().filter_map(|basis| basis.gradients(map, &self.place.here)).flatten();
+        let in_bases: Vec<Vec<u64>> = in_bases.collect();
+        // The rank of all formulas but one, of the bases, and perhaps of H̃.
+        let rank = |but: Option<usize>, with_own: bool| {
+            let kept = (0..integrals.len()).filter(|&index| Some(index) != but);
+            let rows = kept.filter_map(|index| self.gradient(&integrals[index]));
+            let rows: Vec<Vec<u64>> =
+                rows.chain(in_bases.clone()).chain(with_own.then(|| own.clone())).collect();
+            self.rank(&rows)
+        };
+        let all = rank(None, false);
+        if rank(None, true) > all {
+            return ModifiedPlace::Alone;
+        }
+        let compact = found.compact(&self.field.symbols, Notation::Text).len();
+        let long = |index: &usize| {
+            let length = integrals[*index].text.len();
+            length > LONG && length > FAR_SHORTER * compact
+        };
+        let replaced = (0..integrals.len()).filter(long).filter(|&index| rank(Some(index), true) == all);
+        match replaced.max_by_key(|&index| integrals[index].text.len()) {
+            Some(index) => ModifiedPlace::InsteadOf(index),
+            None => ModifiedPlace::Implied,
+        }
+    }
 }
 
 /// The system at the values given, and without claims.

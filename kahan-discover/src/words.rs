@@ -2,8 +2,11 @@
 
 mod structure;
 
+use kahan_algebra::render::Notation;
+
 use crate::basis::Basis;
-use crate::report::Report;
+use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL};
+use crate::report::{Bound, ModifiedPlace, Report};
 
 use structure::structure;
 
@@ -17,8 +20,9 @@ fn counted(count: usize, what: &str) -> String {
     }
 }
 
-/// All sentences of a report.
-pub(crate) fn sentences(report: &Report) -> Vec<String> {
+/// All sentences of a report; `is_stopped` says whether a stage before the search of higher degrees
+/// ran out of time.
+pub(crate) fn sentences(report: &Report, is_stopped: bool) -> Vec<String> {
     let mut sentences = Vec::new();
     sentences.push(degrees(report));
     sentences.extend(orbits(report));
@@ -27,7 +31,9 @@ pub(crate) fn sentences(report: &Report) -> Vec<String> {
     sentences.extend(own_density(report));
     sentences.extend(structure(report));
     sentences.extend(composition(report));
-    if report.out_of_time {
+    sentences.extend(ceiling(report));
+    sentences.extend(bound(report, is_stopped));
+    if is_stopped {
         sentences
             .push("The time ran out before everything was tried: more seconds may show more.".to_owned());
     }
@@ -44,6 +50,63 @@ fn degrees(report: &Report) -> String {
         entropy => format!(", algebraic entropy about {entropy:.4}"),
     };
     format!("The degrees of the iterates grow as follows: {}{entropy} ({}).", growth.growth, growth.evidence)
+}
+
+/// What the fixed points say of the number of integrals.
+fn ceiling(report: &Report) -> Option<String> {
+    let ceiling = report.ceiling.as_ref()?;
+    let n = report.variables.len();
+    // With n - 1 the orbits say as much.
+    if ceiling.integrals >= n || report.bound == Bound::Orbits {
+        return None;
+    }
+    let most = match ceiling.integrals {
+        0 => "no algebraic integral of any degree exists".to_owned(),
+        count => format!("at most {} can exist, of whatever degree", counted(count, "independent integral")),
+    };
+    let squares = match n - ceiling.integrals {
+        1 => "an eigenvalue that is not 0".to_owned(),
+        count => format!("{count} eigenvalues that are not 0 and have different squares"),
+    };
+    let listed = |names: &[String], values: &[u64]| {
+        let pairs = names.iter().zip(values).map(|(name, value)| format!("{name} = {value}"));
+        pairs.collect::<Vec<_>>().join(", ")
+    };
+    let parameters = match &ceiling.parameters[..] {
+        [] => String::new(),
+        values => format!(" and {}", listed(&report.parameters, values)),
+    };
+    Some(format!(
+        "For generic eps {most}, proved: modulo {} the field vanishes at {}{parameters}, where its Jacobian has {squares}.",
+        ceiling.prime,
+        listed(&report.variables, &ceiling.zero),
+    ))
+}
+
+/// What ended the search for integrals.
+fn bound(report: &Report, is_stopped: bool) -> Option<String> {
+    let degree = report.hilbert.as_ref().map_or(0, Hilbert::degree);
+    match report.bound {
+        Bound::Orbits if report.independent == report.variables.len() => None,
+        Bound::Orbits => Some(format!(
+            "With {} every orbit would close: nothing can be missing, and the search ended.",
+            if report.independent == 0 { "an integral" } else { "one more independent integral" }
+        )),
+        Bound::Ceiling => Some("So nothing can be missing, and the search ended.".to_owned()),
+        Bound::Degree => Some(format!(
+            "The degree that was given, {degree}, ended the search: higher ones may show more integrals."
+        )),
+        // What the stages before left out is said once.
+        Bound::Time if is_stopped => None,
+        Bound::Time => Some(format!(
+            "The time ended the search beyond degree {degree}: more seconds go on to higher degrees, which may show more integrals."
+        )),
+        Bound::Size => Some(format!(
+            "The size ended the search: relations of degree {} would take more than {MOST_MONOMIALS_AT_ALL} monomials.",
+            degree + 1
+        )),
+        Bound::Poles => None,
+    }
 }
 
 fn orbits(report: &Report) -> Vec<String> {
@@ -72,7 +135,12 @@ fn orbits(report: &Report) -> Vec<String> {
     let degree = hilbert.degree();
     sentences.push(if hilbert.is_full() {
         format!(
-            "No algebraic integral shows: none of degree ≤ {degree}, {from}. This bounds the degree and does not prove that there is none."
+            "No algebraic integral shows: none of degree ≤ {degree}, {from}.{}",
+            match report.bound {
+                // That there is none is proved then.
+                Bound::Orbits | Bound::Ceiling if report.independent == 0 => "",
+                _ => " This bounds the degree and does not prove that there is none.",
+            }
         )
     } else {
         format!(
@@ -97,7 +165,8 @@ const MOST_CHARACTERS: usize = 200;
 fn formulas(report: &Report) -> Vec<String> {
     let shown = report.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
     let formulas = report.integrals.len();
-    let in_bases: usize = report.bases.iter().map(|basis| basis.integrals.len()).sum();
+    let in_bases = report.integrals_in_bases();
+    let is_alone = report.compact().is_some_and(|found| found.place == ModifiedPlace::Alone);
     let mut sentences = Vec::new();
     if formulas > 0 {
         sentences.push(format!(
@@ -106,20 +175,31 @@ fn formulas(report: &Report) -> Vec<String> {
                 1 => "A formula of one integral stands".to_owned(),
                 _ => format!("Formulas of {formulas} independent integrals stand"),
             },
-            if formulas > shown {
-                let more = formulas - shown;
-                let are = if more == 1 { "one is".to_owned() } else { format!("{more} are") };
-                format!("; {are} of a higher degree than the relations looked at")
-            } else {
-                String::new()
+            match report.independent.saturating_sub(shown + usize::from(is_alone)) {
+                0 => String::new(),
+                1 => "; one is of a higher degree than the relations looked at".to_owned(),
+                more => format!("; {more} are of a higher degree than the relations looked at"),
             }
+        ));
+    }
+    if is_alone {
+        sentences.push(
+            "One more integral, the modified Hamiltonian, stands below in its compact form.".to_owned(),
+        );
+    }
+    if let Some(index) = report.replaced() {
+        let replaced = &report.integrals[index];
+        sentences.push(format!(
+            "In place of {}, a line of {} characters that `--macro` and `--json` write, the modified Hamiltonian stands in its compact form.",
+            replaced.name().unwrap_or_default(),
+            replaced.text.len()
         ));
     }
     if in_bases > 0 {
         let list = |basis: &Basis| {
-            let monomials = basis.monomial_texts(&report.variables);
-            let text = monomials.join(", ");
-            if text.len() <= MOST_CHARACTERS { text } else { format!("{} monomials", monomials.len()) }
+            let terms = basis.term_texts(&report.variables, Notation::Text);
+            let text = terms.join(", ");
+            if text.len() <= MOST_CHARACTERS { text } else { format!("{} terms", terms.len()) }
         };
         let lists: Vec<String> = report.bases.iter().map(list).collect();
         let proof = match report.bases.iter().all(|basis| basis.proof.is_some()) {
@@ -135,7 +215,7 @@ fn formulas(report: &Report) -> Vec<String> {
             lists.join("; and so do ")
         ));
     }
-    let missing = shown.saturating_sub(formulas + in_bases);
+    let missing = report.not_reached();
     if missing > 0 {
         sentences.push(format!(
             "{} not reached.",

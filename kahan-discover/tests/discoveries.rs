@@ -4,6 +4,8 @@
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::{lexer, read};
+use kahan_discover::hilbert::default_degree;
+use kahan_discover::report::{Bound, ModifiedPlace};
 use kahan_discover::{DiscoverError, Options, Report, discover};
 
 mod support;
@@ -14,7 +16,15 @@ fn options() -> Options {
     Options { iterates: 8, iterate_degree: 100, seconds: 3600.0, ..Options::default() }
 }
 
+/// The report up to the degree that is given, else the usual one: tests do not wait for higher
+/// ones.
 fn report(text: &str, options: &Options) -> Report {
+    let usual = default_degree(system(text).field.dimension());
+    searched(text, &Options { degree: options.degree.or(Some(usual)), ..options.clone() })
+}
+
+/// The report of a search that goes on to higher degrees where no degree is given.
+fn searched(text: &str, options: &Options) -> Report {
     discover(&system(text), options, &mut |_| {}).expect("there is a map")
 }
 
@@ -255,6 +265,102 @@ fn the_modified_hamiltonian_of_a_map_too_long_to_write_is_written() {
     assert_eq!(report.hilbert.as_ref().unwrap().integrals, 1);
     assert_eq!(report.integrals.iter().map(|formula| formula.degree).collect::<Vec<_>>(), [1, 7]);
     check_lines(chain, &report);
+}
+
+/// What is proved counts, also where a basis says all that orbits show, and the count is what is
+/// printed.
+#[test]
+fn a_modified_hamiltonian_beyond_the_degree_looked_at_counts() {
+    // Noumi and Yamada's chain; the constants make its degrees grow exponentially.
+    let chain = |last: &str| {
+        format!(
+            "adot = a*(b - c + d - e) + 3/7; bdot = b*(c - d + e - a) + 1/5; cdot = c*(d - e + a - b) + 2/3;
+             ddot = d*(e - a + b - c) - 1/2; edot = e*(a - b + c - d) - {last};"
+        )
+    };
+    let text = chain("167/210");
+    let found = report(&text, &options());
+    assert_eq!(found.hilbert.as_ref().map(|hilbert| hilbert.integrals), Some(1));
+    assert_eq!((found.independent_integrals(), found.integrals.len(), found.not_reached()), (2, 2, 0));
+    let hamiltonian = found.structure.hamiltonian.as_ref().expect("f = K grad H");
+    // Its line has thousands of characters, and the compact form some hundreds.
+    assert_eq!((hamiltonian.modified_is_proved, hamiltonian.place), (true, ModifiedPlace::InsteadOf(1)));
+    assert!(hamiltonian.modified.len() * 4 < found.integrals[1].text.len(), "{}", hamiltonian.modified);
+    check_lines(&text, &found);
+    // Where the constants do not cancel in the sum there is no Hamiltonian structure.
+    let found = report(&chain("1"), &options());
+    assert_eq!((found.independent_integrals(), found.structure.hamiltonian.is_none()), (0, true));
+}
+
+/// In seven sites the modified Hamiltonian is too long to be written out; it counts all the same.
+#[test]
+fn a_modified_hamiltonian_too_long_to_be_written_counts() {
+    let names = ["a", "b", "c", "d", "e", "f", "g"];
+    let equation = |i: usize| {
+        let at = |k: usize| names[(i + k) % 7];
+        let sum = format!("{} - {} + {} - {} + {} - {}", at(1), at(2), at(3), at(4), at(5), at(6));
+        format!("{0}dot = {0}*({sum}) + {1};", names[i], [1, -2, 3, -4, 5, -6, 3][i])
+    };
+    let text: String = (0..7).map(equation).collect();
+    let found = report(&text, &options());
+    let hamiltonian = found.structure.hamiltonian.as_ref().expect("f = K grad H");
+    assert_eq!((hamiltonian.modified_is_proved, hamiltonian.place), (false, ModifiedPlace::Alone));
+    assert_eq!((found.independent_integrals(), found.integrals.len(), found.not_reached()), (2, 1, 0));
+}
+
+/// Five sites of Bogoyavlenskij and Itoh's chain show one integral in the usual degree, 4. In degree
+/// 5 there is a second one beside the modified Hamiltonian, and a fixed point of the map says that
+/// these three are all.
+#[test]
+fn degrees_go_on_until_nothing_can_be_missing() {
+    let chain = "adot = a*(b + c - d - e); bdot = b*(c + d - e - a); cdot = c*(d + e - a - b);
+        ddot = d*(e + a - b - c); edot = e*(a + b - c - d);";
+    let found = searched(chain, &options());
+    assert_eq!((found.independent_integrals(), found.not_reached(), found.bound), (3, 0, Bound::Ceiling));
+    assert_eq!((found.hilbert.as_ref().map(|hilbert| hilbert.degree()), found.out_of_time), (Some(5), false));
+    assert!(found.ceiling.as_ref().is_some_and(|ceiling| ceiling.integrals == 3));
+    check_lines(chain, &found);
+    // A degree that is given stays.
+    let found = searched(chain, &Options { degree: Some(3), ..options() });
+    assert_eq!(found.hilbert.as_ref().map(|hilbert| hilbert.degree()), Some(3));
+    assert!(found.sentences.iter().any(|said| said.contains("degree that was given, 3, ended the search")));
+}
+
+/// What ends a search without a degree, long before an hour is over.
+#[test]
+fn searches_end_where_nothing_can_be_missing() {
+    let cases = [
+        (LORENZ, 0, Bound::Ceiling),
+        ("xdot = x^2 + y*z + 1; ydot = x*y - z^2; zdot = y^2 + 3*x;", 0, Bound::Ceiling),
+        ("xdot = 2*x; ydot = -3*y; zdot = 5*z;", 0, Bound::Ceiling),
+        ("xdot = x^2 - 1;", 0, Bound::Orbits),
+        (EULER, 2, Bound::Orbits),
+        ("xdot = 0; ydot = 0;", 2, Bound::Orbits),
+        (
+            "m1dot = (w3 - w2)*p2*p3; m2dot = (w1 - w3)*p3*p1; m3dot = (w2 - w1)*p1*p2;
+             p1dot = p2*m3 - p3*m2; p2dot = p3*m1 - p1*m3; p3dot = p1*m2 - p2*m1;",
+            4,
+            Bound::Ceiling,
+        ),
+    ];
+    for (text, integrals, bound) in cases {
+        let found = searched(text, &options());
+        assert_eq!((found.independent_integrals(), found.not_reached()), (integrals, 0), "{text}");
+        assert_eq!((found.bound, found.out_of_time), (bound, false), "{text}");
+        let all = found.sentences.join(" ");
+        assert!(all.contains("othing can be missing") || all.contains("the identity"), "{text}: {all}");
+    }
+}
+
+/// Lotka and Volterra's map may keep something of any degree, for all that is known.
+#[test]
+fn the_time_ends_a_search_where_something_may_be_missing() {
+    let found = searched(LOTKA_VOLTERRA, &Options { seconds: 1.0, ..options() });
+    assert_eq!((found.independent_integrals(), found.bound, found.out_of_time), (0, Bound::Time, true));
+    let usual = report(LOTKA_VOLTERRA, &options());
+    let [longer, shorter] = [&found, &usual].map(|report| &report.hilbert.as_ref().unwrap().values);
+    assert!(longer.starts_with(shorter));
+    assert!(found.sentences.iter().any(|said| said.contains("time ended the search")));
 }
 
 #[test]

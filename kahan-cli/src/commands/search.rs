@@ -3,6 +3,7 @@
 use clap::Args;
 use kahan_algebra::system::System;
 use kahan_discover::DiscoverError;
+use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
 use kahan_discover::monomials::Monomials;
 
 use crate::printing::Refusal;
@@ -21,14 +22,16 @@ pub(crate) struct Search {
     /// The degree up to which relations on orbits are looked for.
     ///
     /// Where it is not given, the number of variables chooses: as high as some 200 monomials allow,
-    /// in `scan` some 80.
+    /// in `scan` some 80; and `discover` goes on to higher degrees while integrals may be missing
+    /// and there is time.
     #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = degree)]
     degree: Option<u32>,
 
     /// The time that the search may take.
     ///
     /// Each stage has its share, orbits and their relations up to two fifths. What is not finished
-    /// then is left out, and the answer says so.
+    /// then is left out, and the answer says so. `discover` takes all of it only where integrals may
+    /// be missing; --degree ends it earlier, with the same answer on every machine.
     #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
     pub(crate) seconds: f64,
 
@@ -42,21 +45,18 @@ fn degree(text: &str) -> Result<u32, String> {
     whole(text, 1, u32::MAX)
 }
 
-/// More monomials take minutes and gigabytes.
-const MOST_MONOMIALS: usize = 2000;
-
 impl Search {
     /// The degree that was asked for, if relations of that degree are within reach.
     pub(crate) fn degree_for(&self, system: &System) -> Result<Option<u32>, Refusal> {
         let variables = system.field.dimension();
-        let is_within = |degree: u32| Monomials::count(variables, degree) <= MOST_MONOMIALS;
+        let is_within = |degree: u32| Monomials::count(variables, degree) <= MOST_MONOMIALS_AT_ALL;
         let Some(asked) = self.degree.filter(|&asked| !is_within(asked)) else { return Ok(self.degree) };
         let way_out = match (1..asked).take_while(|&lower| is_within(lower)).last() {
             Some(highest) => format!("ask for at most {highest}"),
             None => "leave --degree out".to_owned(),
         };
         Err(Refusal::new(format!(
-            "--degree: {variables} variables have more than {MOST_MONOMIALS} monomials of degree {asked} or less; {way_out}"
+            "--degree: {variables} variables have more than {MOST_MONOMIALS_AT_ALL} monomials of degree {asked} or less; {way_out}"
         )))
     }
 }

@@ -7,7 +7,7 @@ use std::fmt;
 use kahan_algebra::rational::Rational;
 use nalgebra::{DMatrix, DVector};
 
-use super::Basis;
+use super::{Basis, Term};
 use crate::weights::reduce;
 
 /// The coefficients of a basis in floats.
@@ -80,12 +80,17 @@ impl Basis {
                 (0..exponent).fold(product, |product, _| &product * x)
             })
         };
-        let others = self.others();
+        let sum = |term: &Term, point: &[Rational]| {
+            term.iter().fold(Rational::zero(), |sum, &(place, factor)| {
+                &sum + &(&Rational::from(factor) * &value(&self.monomials[place], point))
+            })
+        };
+        let (unit, others) = self.unit_and_others();
         let mut rows: Vec<Vec<Rational>> = orbit[..self.points()]
             .iter()
             .map(|point| {
-                let own = others.iter().map(|&place| value(&self.monomials[place], point));
-                own.chain([-&value(&self.monomials[self.unit], point)]).collect()
+                let own = others.iter().map(|term| sum(term, point));
+                own.chain([-&sum(unit, point)]).collect()
             })
             .collect();
         let width = others.len() + 1;
@@ -93,8 +98,11 @@ impl Basis {
             return Err(BasisError::Undetermined);
         }
         let mut coefficients = vec![Rational::one(); self.monomials.len()];
-        for (&place, row) in others.iter().zip(&rows) {
-            coefficients[place] = row[others.len()].clone();
+        let values = rows.iter().map(|row| row[others.len()].clone());
+        for (term, value) in others.iter().zip(values).chain([(&unit, Rational::one())]) {
+            for &(place, factor) in *term {
+                coefficients[place] = &Rational::from(factor) * &value;
+            }
         }
         Ok(coefficients)
     }
@@ -109,11 +117,13 @@ impl Basis {
         let value = |exponents: &[u32], point: &[f64]| {
             exponents.iter().zip(point).map(|(&exponent, x)| x.powi(exponent as i32)).product::<f64>()
         };
-        let others = self.others();
-        let mut matrix = DMatrix::from_fn(orbit.len(), others.len(), |row, column| {
-            value(&self.monomials[others[column]], &orbit[row])
-        });
-        let unit = DVector::from_fn(orbit.len(), |row, _| -value(&self.monomials[self.unit], &orbit[row]));
+        let sum = |term: &Term, point: &[f64]| -> f64 {
+            term.iter().map(|&(place, factor)| factor as f64 * value(&self.monomials[place], point)).sum()
+        };
+        let (own, others) = self.unit_and_others();
+        let mut matrix =
+            DMatrix::from_fn(orbit.len(), others.len(), |row, column| sum(others[column], &orbit[row]));
+        let unit = DVector::from_fn(orbit.len(), |row, _| -sum(own, &orbit[row]));
         if !matrix.iter().chain(unit.iter()).all(|entry| entry.is_finite()) {
             return Err(BasisError::NotFinite);
         }
@@ -136,15 +146,20 @@ impl Basis {
         let right = factors.q().tr_mul(&unit);
         let solution = factors.r().solve_upper_triangular(&right).ok_or(BasisError::Undetermined)?;
         let mut coefficients = vec![1.0; self.monomials.len()];
-        for ((&place, value), scale) in others.iter().zip(solution.iter()).zip(&scales) {
-            coefficients[place] = value / scale;
+        let values = solution.iter().zip(&scales).map(|(value, scale)| value / scale);
+        for (term, value) in others.iter().zip(values).chain([(&own, 1.0)]) {
+            for &(place, factor) in *term {
+                coefficients[place] = factor as f64 * value;
+            }
         }
         Ok(BasisValues { coefficients, condition })
     }
 
-    /// The places but that of the unit.
-    fn others(&self) -> Vec<usize> {
-        (0..self.monomials.len()).filter(|&place| place != self.unit).collect()
+    /// The term of the unit, and all others.
+    fn unit_and_others(&self) -> (&Term, Vec<&Term>) {
+        let is_unit = |term: &&Term| term.iter().any(|&(place, _)| place == self.unit);
+        let (unit, others): (Vec<_>, Vec<_>) = self.terms.iter().partition(is_unit);
+        (unit.first().copied().expect("every monomial stands in a term"), others)
     }
 
     fn check<T>(&self, orbit: &[Vec<T>]) -> Result<(), BasisError> {

@@ -16,9 +16,11 @@ mod proof;
 mod tests;
 
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::render::Notation;
 
 use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
+use crate::map::ModularMap;
 use crate::matrix::{Echelon, NullVector};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
@@ -29,10 +31,15 @@ use crate::stepping::Stepping;
 pub use evaluate::{BasisError, BasisValues};
 pub use proof::prove;
 
+/// A sum of monomials: their places, ascending, and the factor of each. The first factor is 1; the
+/// coefficient of a monomial in the relation is its factor times that of the first.
+pub type Term = Vec<(usize, i64)>;
+
 /// Monomials m₀, …, m_r with one relation Σ cₖ mₖ(x) = 0 along every orbit; the cₖ differ from
 /// orbit to orbit.
 ///
-/// Normalised by c_b = 1, b the place of the unit, each cₖ is an integral of the map.
+/// Normalised by c_b = 1, b the place of the unit, each cₖ is an integral of the map. Monomials
+/// whose coefficients are everywhere the same, up to a small whole factor, are joined to one term.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -40,18 +47,25 @@ pub use proof::prove;
 ///
 /// // Orbits of ẋ = y, ẏ = −x lie on circles 1 + c₁ y² + c₂ x² = 0; two points determine c₁ = c₂ = −1/25.
 /// let monomials = vec![vec![0, 0], vec![0, 2], vec![2, 0]];
-/// let basis = Basis { monomials, unit: 0, integrals: vec![1], proof: None };
+/// let terms = vec![vec![(0, 1)], vec![(1, 1)], vec![(2, 1)]];
+/// let basis = Basis { monomials, terms, unit: 0, integrals: vec![1], proof: None };
 /// let found = basis.evaluate(&[vec![5.0, 0.0], vec![3.0, 4.0]])?;
 /// assert!((found.coefficients[1] + 0.04).abs() <= found.condition * f64::EPSILON);
 ///
 /// let orbit = [[5, 0], [3, 4]].map(|point| point.map(Rational::from).to_vec());
 /// assert_eq!(basis.evaluate_exact(&orbit)?[1], Rational::new(-1, 25));
+///
+/// // Joined to 1 + c₁ (y² + x²) = 0, one point is enough.
+/// let joined = Basis { terms: vec![vec![(0, 1)], vec![(1, 1), (2, 1)]], ..basis };
+/// assert_eq!(joined.evaluate_exact(&orbit[1..])?[2], Rational::new(-1, 25));
 /// # Ok::<(), kahan_discover::basis::BasisError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Basis {
     /// The exponents of the states in each monomial, ascending by degree.
     pub monomials: Vec<Vec<u32>>,
+    /// The terms of the relation.
+    pub terms: Vec<Term>,
     /// The place of the monomial whose coefficient is 1.
     pub unit: usize,
     /// The places of coefficients that are functionally independent integrals, of each other and of
@@ -67,50 +81,170 @@ impl Basis {
     /// The monomials in the language of `kahan!`, for states of these names.
     #[must_use]
     pub fn monomial_texts(&self, states: &[String]) -> Vec<String> {
-        self.monomials.iter().map(|exponents| monomial_text(states, exponents)).collect()
+        self.monomials.iter().map(|exponents| monomial_text(states, exponents, Notation::Text)).collect()
+    }
+
+    /// The terms in a notation, for states of these names: sums of monomials.
+    #[must_use]
+    pub fn term_texts(&self, states: &[String], notation: Notation) -> Vec<String> {
+        let text = |term: &Term| {
+            let mut text = String::new();
+            // From the highest monomial on, as formulas are written, unless that is subtracted.
+            let mut places = term.clone();
+            if places.last().is_some_and(|&(_, factor)| factor > 0) {
+                places.reverse();
+            }
+            for (place, factor) in places {
+                let sign = match (text.is_empty(), factor < 0) {
+                    (true, false) => "",
+                    (true, true) => "-",
+                    (false, false) => " + ",
+                    (false, true) => " - ",
+                };
+                let size = factor.unsigned_abs();
+                let times = if notation == Notation::Text { "*" } else { " " };
+                let factor = if size == 1 { String::new() } else { format!("{size}{times}") };
+                text += &format!("{sign}{factor}{}", monomial_text(states, &self.monomials[place], notation));
+            }
+            text
+        };
+        self.terms.iter().map(text).collect()
+    }
+
+    /// The relation in a notation: `c0 + c1*(x^2 + y^2) = 0`, its coefficients numbered by term.
+    #[must_use]
+    pub fn relation(&self, states: &[String], notation: Notation) -> String {
+        let texts = self.term_texts(states, notation).into_iter();
+        let summand = |(number, text): (usize, String)| {
+            let text = if self.terms[number].len() > 1 { format!("({text})") } else { text };
+            match (notation, text.as_str()) {
+                (Notation::Text, "1") => format!("c{number}"),
+                (Notation::Text, _) => format!("c{number}*{text}"),
+                (Notation::Latex, "1") => format!("c_{{{number}}}"),
+                (Notation::Latex, _) => format!("c_{{{number}}} {text}"),
+            }
+        };
+        let summands: Vec<String> = texts.enumerate().map(summand).collect();
+        format!("{} = 0", summands.join(" + "))
+    }
+
+    /// The number of the term in which a monomial stands.
+    #[must_use]
+    pub fn term_of(&self, place: usize) -> Option<usize> {
+        self.terms.iter().position(|term| term.iter().any(|&(own, _)| own == place))
+    }
+
+    /// The quotients of coefficients that are its independent integrals, as they are numbered in
+    /// [`relation`](Self::relation): above and below.
+    #[must_use]
+    pub fn quotients(&self) -> Vec<(usize, usize)> {
+        let unit = self.term_of(self.unit);
+        let quotients = self.integrals.iter().filter_map(|&place| Some((self.term_of(place)?, unit?)));
+        quotients.collect()
+    }
+
+    /// Joins monomials whose coefficients are multiples of each other on several orbits of several
+    /// maps of the family.
+    pub(crate) fn join(&mut self, setting: &Setting, random: &mut SplitMix64) {
+        let mut drawn: Vec<(Modulus, Vec<u64>)> = Vec::new();
+        for modulus in [Modulus::mersenne_61(), Modulus::random(random), Modulus::random(random)] {
+            let found = setting.draw(modulus, random).and_then(|draw| {
+                let start = draw.map.point(random);
+                self.coefficients(&draw.map, &start)
+            });
+            let Some(coefficients) = found else { return };
+            drawn.push((modulus, coefficients));
+        }
+        // By how much the coefficient at one place is a multiple of that at another.
+        let factor = |of: usize, at: usize| {
+            (1..=LARGEST_FACTOR).flat_map(|size| [size, -size]).find(|&factor| {
+                drawn.iter().all(|(modulus, coefficients)| {
+                    let size = modulus.integer(factor.unsigned_abs());
+                    let signed = if factor < 0 { modulus.opposite(size) } else { size };
+                    coefficients[at] == modulus.times(signed, coefficients[of])
+                })
+            })
+        };
+        let mut terms: Vec<Term> = Vec::new();
+        for place in 0..self.monomials.len() {
+            let known = terms.iter_mut().find_map(|term| Some((factor(term[0].0, place)?, term)));
+            match known {
+                Some((factor, term)) => term.push((place, factor)),
+                None => terms.push(vec![(place, 1)]),
+            }
+        }
+        self.terms = terms;
+    }
+
+    /// The coefficients along the orbit of a point, up to a common factor; `None` where the
+    /// relation is not the only one, or the orbit ends at a pole.
+    fn coefficients(&self, map: &ModularMap, start: &[u64]) -> Option<Vec<u64>> {
+        let modulus = map.modulus();
+        let orbit = map.orbit(start.to_vec(), self.monomials.len());
+        let values = |point: &Vec<u64>| {
+            self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
+        };
+        let rows = orbit.iter().map(values).collect();
+        let null = Echelon::of(modulus, rows, self.monomials.len()).null_space(modulus);
+        let [only] = &null[..] else { return None };
+        Some(only.entries.clone())
+    }
+
+    /// The gradients of the integrals that it gives, at a point; `None` as for a point whose orbit
+    /// ends at a pole.
+    pub(crate) fn gradients(&self, map: &ModularMap, start: &[u64]) -> Option<Vec<Vec<u64>>> {
+        let all = gradients::of_coefficients(self, map, start)?;
+        Some(self.integrals.iter().map(|&place| all[place].clone()).collect())
     }
 
     /// The number of consecutive points of an orbit that determine the coefficients: one less than
-    /// there are monomials.
+    /// there are terms.
     #[must_use]
     pub fn points(&self) -> usize {
-        self.monomials.len() - 1
+        self.terms.len() - 1
     }
 }
 
-fn monomial_text(states: &[String], exponents: &[u32]) -> String {
-    let power = |(name, exponent): (&String, &u32)| match exponent {
-        0 => None,
-        1 => Some(name.clone()),
-        _ => Some(format!("{name}^{exponent}")),
+/// Coefficients are joined whose quotient is a whole number up to this size.
+const LARGEST_FACTOR: i64 = 4;
+
+fn monomial_text(states: &[String], exponents: &[u32], notation: Notation) -> String {
+    let power = |(name, exponent): (&String, &u32)| match (exponent, notation) {
+        (0, _) => None,
+        (1, _) => Some(notation.name(name)),
+        (_, Notation::Text) => Some(format!("{name}^{exponent}")),
+        (_, Notation::Latex) => Some(format!("{}^{{{exponent}}}", notation.name(name))),
     };
     let powers: Vec<String> = states.iter().zip(exponents).filter_map(power).collect();
-    if powers.is_empty() { "1".to_owned() } else { powers.join("*") }
+    match powers.is_empty() {
+        true => "1".to_owned(),
+        false => powers.join(if notation == Notation::Text { "*" } else { " " }),
+    }
 }
 
 /// Of bases found by [`candidates`] those that give, together with integrals whose gradients at
-/// `place` are `known`, as many independent integrals as are `wanted`, the shortest first, and none
-/// that brings nothing; fewer where they give fewer.
+/// `place` are `gradients`, as many independent integrals as are `wanted`, the shortest first, and
+/// none that brings nothing; fewer where they give fewer. The gradients of what they give are added
+/// to `gradients`.
 pub(crate) fn completing(
     candidates: &[Basis],
     wanted: usize,
     place: &DrawnStep,
-    known: Vec<Vec<u64>>,
+    gradients: &mut Vec<Vec<u64>>,
     deadline: &Deadline,
 ) -> Vec<Basis> {
     let mut found = Vec::new();
-    let mut gradients = known;
     let map = &place.draw.map;
     let rank = |rows: &[Vec<u64>]| Echelon::of(map.modulus(), rows.to_vec(), map.dimension()).rank();
     for candidate in candidates {
-        if rank(&gradients) >= wanted || deadline.passed() {
+        if rank(gradients) >= wanted || deadline.passed() {
             break;
         }
         let Some(own) = gradients::of_coefficients(candidate, map, &place.here) else { continue };
         let mut integrals = Vec::new();
         for (coefficient, gradient) in own.into_iter().enumerate() {
             gradients.push(gradient);
-            if rank(&gradients) == gradients.len() {
+            if rank(gradients) == gradients.len() {
                 integrals.push(coefficient);
             } else {
                 gradients.pop();
@@ -147,7 +281,8 @@ pub(crate) fn candidates(
         if deadline.passed() {
             break;
         }
-        for vector in reduced_in(draw.map.modulus(), &relations, &order) {
+        let Some(vectors) = reduced_in(draw.map.modulus(), &relations, &order, deadline) else { break };
+        for vector in vectors {
             let support: Vec<usize> =
                 (0..monomials.len()).filter(|&index| vector.entries[index] != 0).collect();
             let Some(candidate) = of_support(&monomials, &support) else { continue };
@@ -183,12 +318,17 @@ fn orders(monomials: &Monomials, n: usize) -> Vec<Vec<usize>> {
 }
 
 /// The relations, each with its highest monomial in this order expressed by others that lead no
-/// relation.
-fn reduced_in(modulus: &Modulus, relations: &Relations, order: &[usize]) -> Vec<NullVector> {
+/// relation; `None` if the deadline passes.
+fn reduced_in(
+    modulus: &Modulus,
+    relations: &Relations,
+    order: &[usize],
+    deadline: &Deadline,
+) -> Option<Vec<NullVector>> {
     // The highest monomials are to lead, so they stand first.
     let permuted = |vector: &NullVector| order.iter().rev().map(|&index| vector.entries[index]).collect();
     let rows = relations.vectors.iter().map(permuted).collect();
-    let echelon = Echelon::of(modulus, rows, order.len());
+    let echelon = Echelon::within(modulus, rows, order.len(), deadline)?;
     let restored = |(row, &pivot): (&Vec<u64>, &usize)| {
         let mut entries = vec![0; order.len()];
         for (&index, &value) in order.iter().rev().zip(row) {
@@ -196,7 +336,7 @@ fn reduced_in(modulus: &Modulus, relations: &Relations, order: &[usize]) -> Vec<
         }
         NullVector { free: order[order.len() - 1 - pivot], entries }
     };
-    echelon.rows.iter().zip(&echelon.pivots).map(restored).collect()
+    Some(echelon.rows.iter().zip(&echelon.pivots).map(restored).collect())
 }
 
 /// The candidate on these monomials, what divides all of them left out; the constant, else the
@@ -211,6 +351,7 @@ fn of_support(monomials: &Monomials, support: &[usize]) -> Option<Basis> {
     let is_multiple = (0..n).any(|state| exponents.iter().all(|own| own[state] > 0));
     (!is_multiple).then(|| Basis {
         monomials: exponents.into_iter().map(<[u32]>::to_vec).collect(),
+        terms: (0..support.len()).map(|place| vec![(place, 1)]).collect(),
         unit: 0,
         integrals: Vec::new(),
         proof: None,

@@ -1,6 +1,6 @@
-//! That the monomials of a basis have one relation along every orbit.
+//! That the terms of a basis have one relation along every orbit.
 //!
-//! Of r + 1 monomials at r + 1 consecutive points the determinant must vanish identically, while at
+//! Of r + 1 terms at r + 1 consecutive points the determinant must vanish identically, while at
 //! r points they are independent. As the map is birational, r points further on are as generic as
 //! the first r, so all of an orbit has the relation of its first r points. The determinant is a
 //! rational function of states, parameters and ε; its degree and the size of its coefficients are
@@ -19,7 +19,7 @@ use crate::modulus::Modulus;
 use crate::setting::Setting;
 use crate::stepping::Stepping;
 
-use super::Basis;
+use super::{Basis, Term};
 
 /// More points than this are not taken.
 const MOST_POINTS: u32 = 64;
@@ -57,7 +57,7 @@ fn holds_somewhere(basis: &Basis, setting: &Setting, random: &mut SplitMix64) ->
         }
         let orbit = backward[1..].iter().rev().chain(&forward);
         let rows: Vec<Vec<u64>> = orbit.map(|point| basis.values(&modulus, point)).collect();
-        let width = basis.monomials.len();
+        let width = basis.terms.len();
         let fewer = Echelon::of(&modulus, rows[1..].to_vec(), width).rank();
         // Fewer than r independent rows at one point say nothing of the others.
         if fewer < width - 1 {
@@ -70,14 +70,20 @@ fn holds_somewhere(basis: &Basis, setting: &Setting, random: &mut SplitMix64) ->
 
 /// How many of the points stand before the start, and how many after it.
 fn halves(basis: &Basis) -> (usize, usize) {
-    let steps = basis.monomials.len() - 1;
+    let steps = basis.points();
     (steps / 2, steps - steps / 2)
 }
 
 impl Basis {
-    /// The values of the monomials at a point.
+    /// The values of the terms at a point.
     pub(super) fn values(&self, modulus: &Modulus, point: &[u64]) -> Vec<u64> {
-        self.monomials.iter().map(|exponents| modulus.monomial(exponents, point)).collect()
+        let summand = |&(place, factor): &(usize, i64)| {
+            let size = modulus.integer(factor.unsigned_abs());
+            let value = modulus.times(size, modulus.monomial(&self.monomials[place], point));
+            if factor < 0 { modulus.opposite(value) } else { value }
+        };
+        let value = |term: &Term| term.iter().map(summand).fold(0, |sum, value| modulus.plus(sum, value));
+        self.terms.iter().map(value).collect()
     }
 }
 
@@ -93,9 +99,12 @@ struct Bound {
 fn determinant_size(basis: &Basis, field: &Field, eps: Option<&Rational>) -> Option<Bound> {
     let (before, after) = halves(basis);
     let highest = basis.monomials.iter().map(|exponents| exponents.iter().sum::<u32>()).max()?;
-    let size = basis.monomials.len() as u64;
-    // One more bit a row for each doubling of their number bounds the number of products.
-    let mut total = Bound { degree: 0, bits: size * u64::from(size.ilog2() + 1) };
+    let size = basis.terms.len() as u64;
+    let factors: u64 = basis.terms.iter().flatten().map(|&(_, factor)| factor.unsigned_abs()).sum();
+    // One more bit a row for each doubling of their number, and of the sum of the factors in front
+    // of monomials, bounds the number of products.
+    let bits = u64::from(size.ilog2() + 1) + u64::from(factors.ilog2() + 1);
+    let mut total = Bound { degree: 0, bits: size * bits };
     for steps in [before, after] {
         let mut point = Bound { degree: 1, bits: 0 };
         for _ in 0..steps {

@@ -22,7 +22,7 @@ fn found(text: &str, degree: u32, wanted: usize) -> (Setting, Field, Vec<Basis>)
     let draw = setting.draw(Modulus::mersenne_61(), &mut random).unwrap();
     let place = draw.step(&mut random).unwrap();
     let all = candidates(&setting, degree, &mut random, &Deadline::never());
-    let bases = completing(&all, wanted, &place, Vec::new(), &Deadline::never());
+    let bases = completing(&all, wanted, &place, &mut Vec::new(), &Deadline::never());
     (setting, field, bases)
 }
 
@@ -43,10 +43,12 @@ fn what_is_no_basis_is_not_proved() {
     // One monomial less has no relation, and two bases together have two.
     let mut less = bases[0].clone();
     less.monomials.truncate(3);
+    less.terms.truncate(3);
     let mut joined = bases[0].clone();
     joined.monomials.extend(bases[1].monomials.clone());
     joined.monomials.sort();
     joined.monomials.dedup();
+    joined.terms = (0..joined.monomials.len()).map(|place| vec![(place, 1)]).collect();
     for other in [less, joined] {
         assert_eq!(prove(&other, &setting, &field, &mut SplitMix64::new(3), &Deadline::never()), None);
     }
@@ -123,4 +125,29 @@ fn gradients_are_those_of_the_coefficients() {
         }
         assert!(Echelon::of(&modulus, here, 6).rank() >= basis.integrals.len());
     }
+}
+
+/// Kirchhoff's case with two equal moments: the body turns about its axis without a change.
+#[test]
+fn monomials_with_equal_coefficients_are_joined() {
+    let kirchhoff =
+        "m1dot = (a3 - a1)*m2*m3 + (b3 - b1)*p2*p3; m2dot = (a1 - a3)*m1*m3 + (b1 - b3)*p1*p3; m3dot = 0;
+        p1dot = a3*p2*m3 - a1*p3*m2; p2dot = a1*p3*m1 - a3*p1*m3; p3dot = a1*(p1*m2 - p2*m1);";
+    let (setting, field, bases) = found(kirchhoff, 2, 4);
+    let states = &field.symbols.states;
+    let mut texts = Vec::new();
+    for mut basis in bases {
+        let before = (basis.points(), basis.monomials.clone());
+        basis.join(&setting, &mut SplitMix64::new(2));
+        assert!(basis.points() <= before.0 && basis.monomials == before.1);
+        assert!(prove(&basis, &setting, &field, &mut SplitMix64::new(3), &Deadline::never()).is_some());
+        // Joined with another factor it has no relation with so few terms.
+        if let Some(term) = basis.terms.iter().position(|term| term.len() > 1) {
+            let mut wrong = basis.clone();
+            wrong.terms[term][1].1 += 1;
+            assert_eq!(prove(&wrong, &setting, &field, &mut SplitMix64::new(3), &Deadline::never()), None);
+        }
+        texts.extend(basis.term_texts(states, Notation::Text));
+    }
+    assert!(texts.iter().any(|text| text == "m1^2 + m2^2"), "{texts:?}");
 }

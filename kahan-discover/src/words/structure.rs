@@ -20,7 +20,7 @@ pub(super) fn structure(report: &Report) -> Vec<String> {
             if hamiltonian.modified_is_proved {
                 "proved"
             } else {
-                "by a theorem (Celledoni, McLachlan, Owren, Quispel 2013): its formula is too long to be written"
+                "by a theorem (Celledoni, McLachlan, Owren, Quispel 2013)"
             }
         ),
         None if structure.linear_integrals.len() == report.variables.len() => {

@@ -1,6 +1,7 @@
 //! Exact questions: how the heights of an orbit grow, and what a map preserves.
 
 use kahan_algebra::rational::Rational;
+use kahan_discover::hilbert::default_degree;
 use kahan_discover::{Options, discover};
 use kahan_runtime::heights::{Bounds, HeightsOrbit, Survey};
 
@@ -107,7 +108,8 @@ impl Search {
         let options = Options {
             eps: Some(point.eps.clone()),
             parameters: names.zip(point.parameters.iter().cloned()).collect(),
-            degree: self.degree,
+            // Without a degree the time would decide where the search ends.
+            degree: Some(self.degree.unwrap_or_else(|| default_degree(plan.system().field.dimension()))),
             seconds: SECONDS,
             ..Options::default()
         };

@@ -5,6 +5,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};
 use kahan_core::Named;
+use kahan_discover::hilbert::default_degree;
 use kahan_discover::{Options, discover};
 use kahan_systems::entry::block_range;
 
@@ -36,8 +37,10 @@ fn check(map: &impl Named, file: &str, eps: Option<Rational>) {
     let (lines, equations) = parts(file);
     let system = read(&lexer::lex(&equations).tokens).system;
     assert_eq!(system.field.symbols.states, map.variables());
-    // No deadline: slow machines find the same.
-    let options = Options { eps, iterates: 6, iterate_degree: 50, seconds: 1e9, ..Options::default() };
+    // A degree and no deadline: slow machines find the same.
+    let degree = Some(default_degree(map.variables().len()));
+    let options =
+        Options { eps, degree, iterates: 6, iterate_degree: 50, seconds: 1e9, ..Options::default() };
     let report = discover(&system, &options, &mut |_| {}).expect("there is a map");
     assert_eq!(report.integrals.len(), report.independent_integrals(), "{equations}");
     let formulas = report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str());
