@@ -13,7 +13,7 @@ use kahan_discover::{Options, discover};
 use super::search::{Search, refused};
 use crate::printing::{Answer, Progress, Refusal, Sink};
 use crate::reading::number;
-pub(super) use discovery::Discovery;
+pub(super) use discovery::{Discovery, evaluation};
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
 /// densities and Poisson brackets, structure, growth.
@@ -22,8 +22,8 @@ pub(super) use discovery::Discovery;
 /// stand last, as lines of the language of `kahan!`, each of them proved; what stands behind `when`
 /// is fixed. An integral whose formula would fill pages is given by a Hirota-Kimura basis:
 /// monomials with one linear relation along every orbit, whose coefficients are integrals. Where
-/// nothing is found, a sentence says up to which degree it was looked for. Claims that the field
-/// brings along are not looked at.
+/// integrals may be missing, the search goes on to higher degrees until the time is up, and a
+/// sentence says what ended it. Claims that the field brings along are not looked at.
 ///
 /// The JSON object holds hilbert, independent_integrals, degrees, growth, entropy,
 /// linear_integrals, integrals, densities, brackets, bases, hamiltonian and more. `hilbert` says
@@ -55,7 +55,8 @@ Examples:
   kahan discover e9 --param xi=-1 --json
   kahan discover lagrange --macro --out lagrange.rs
   kahan discover euler --latex
-  kahan discover lorenz --degree 12";
+  kahan discover henon-heiles --degree 7
+  kahan discover --field 'for i in periodic { x[i]dot = x[i]*(x[i+1] + x[i+2] - x[i-1] - x[i-2]); }' --sites 5";
 
 impl Discover {
     /// The report.
@@ -67,7 +68,8 @@ impl Discover {
         } else if self.latex {
             Answer::verbatim(discovery.latex()?)
         } else if self.as_macro {
-            Answer::verbatim(folded(&macro_block(&discovery.claimed()?), SOURCE_WIDTH))
+            let block = folded(&macro_block(&discovery.claimed()?), SOURCE_WIDTH);
+            Answer::verbatim(discovery.comments(SOURCE_WIDTH) + &block)
         } else {
             Answer::text(discovery.text())
         };

@@ -144,7 +144,7 @@ fn chapters(subject: &Subject<'_>, block: &Block, system: &System) -> Vec<Chapte
     type Make<'a> = Box<dyn Fn() -> Markup + 'a>;
     let parts: [(&str, &str, Make<'_>); 7] = [
         ("formulas", "Formulas", Box::new(|| findings::formulas(subject, block, system))),
-        ("found", "What the map preserves", Box::new(|| findings::found(subject))),
+        ("found", "What the map preserves", Box::new(|| findings::found(subject, system.field.dimension()))),
         ("growth", "Singularities and heights", Box::new(|| subject.growth())),
         ("orbits", "Orbits", Box::new(|| subject.orbits())),
         ("dynamics", "Exponents and rotation", Box::new(|| subject.dynamics())),

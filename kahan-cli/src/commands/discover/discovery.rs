@@ -1,7 +1,7 @@
 //! What `kahan discover` found, as JSON, as text, as LaTeX, and as a block of the macro.
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Formulas, Notation, PAGE_WIDTH, latex_equation};
+use kahan_algebra::render::{Formulas, Notation, PAGE_WIDTH, latex_equation, lines as breakable};
 use kahan_algebra::system::System;
 use kahan_discover::Report;
 use kahan_discover::basis::Basis;
@@ -42,6 +42,8 @@ impl Discovery {
             "hilbert": hilbert.map_or_else(Vec::new, |hilbert| hilbert.values.clone()),
             "monomials": hilbert.map_or_else(Vec::new, |hilbert| hilbert.full.clone()),
             "independent_integrals": report.independent_integrals(),
+            "most_integrals": report.ceiling.as_ref().map(|ceiling| ceiling.integrals),
+            "bounded_by": report.bound.word(),
             "degrees": report.degrees,
             "growth": report.growth.growth.word(),
             "entropy": report.growth.growth.entropy(),
@@ -90,7 +92,15 @@ impl Discovery {
             lines.push("K =".to_owned());
             lines.extend(matrix(&hamiltonian.tensor, '[', ']').iter().map(|row| format!("  {row}")));
         }
-        let claims = self.claims();
+        if let Some(hamiltonian) = report.compact() {
+            lines.push(String::new());
+            lines.push(self.modified(hamiltonian));
+        }
+        for basis in self.bases() {
+            lines.push(String::new());
+            lines.extend(basis);
+        }
+        let claims = self.claims(self.report.replaced());
         if !claims.is_empty() {
             lines.push(String::new());
             lines.extend(claims.iter().map(|claim| (*claim).to_owned()));
@@ -98,26 +108,87 @@ impl Discovery {
         lines.join("\n") + "\n"
     }
 
-    /// The claims as text.
-    fn claims(&self) -> Vec<&str> {
+    /// The modified Hamiltonian in its compact form.
+    fn modified(&self, hamiltonian: &HamiltonianReport) -> String {
+        let [states, images] = self.states_and_images(Notation::Text);
+        format!("H~ = {}, where {images} is the image of {states}{}", hamiltonian.modified, self.condition())
+    }
+
+    /// `, when a = 1, eps = 1/2`, or empty.
+    fn condition(&self) -> String {
+        let parameters = self.fixed.iter().map(|(name, value)| format!("{name} = {value}"));
+        let fixed: Vec<String> =
+            parameters.chain(self.eps.as_ref().map(|eps| format!("eps = {eps}"))).collect();
+        if fixed.is_empty() { String::new() } else { format!(", when {}", fixed.join(", ")) }
+    }
+
+    /// Every basis: its relation, and how it is evaluated.
+    fn bases(&self) -> impl Iterator<Item = [String; 2]> {
+        let variables = &self.report.variables;
+        self.report.bases.iter().enumerate().map(|(number, basis)| {
+            let relation = basis.relation(variables, Notation::Text);
+            [
+                format!("basis {}{}: {relation}", number + 1, self.condition()),
+                evaluation(basis, Notation::Text),
+            ]
+        })
+    }
+
+    /// What a block cannot claim, as comments before it.
+    pub(super) fn comments(&self, width: usize) -> String {
+        let alone = self.report.compact().filter(|_| self.report.replaced().is_none());
+        let modified = alone.map(|hamiltonian| self.modified(hamiltonian));
+        let texts = modified.into_iter().chain(self.bases().flatten());
+        let comment = |text: String| -> String {
+            let rows = breakable(&text, width.saturating_sub(3));
+            rows.iter().map(|row| format!("// {row}\n")).collect()
+        };
+        texts.map(comment).collect()
+    }
+
+    /// The claims as text, but for one integral.
+    fn claims(&self, but: Option<usize>) -> Vec<&str> {
         let report = &self.report;
-        let formulas = report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str());
+        let integrals = (0..report.integrals.len()).filter(|&index| Some(index) != but);
+        let integrals = integrals.map(|index| &report.integrals[index]);
+        let formulas = integrals.chain(&report.densities).map(|formula| formula.text.as_str());
         formulas.chain(report.brackets.iter().map(String::as_str)).collect()
     }
 
-    /// The field with what was found as its claims.
-    pub(in super::super) fn claimed(&self) -> Result<System, Refusal> {
+    /// A point and its image, as vectors.
+    pub(in super::super) fn states_and_images(&self, notation: Notation) -> [String; 2] {
+        let names = || self.report.variables.iter().map(|state| notation.name(state));
+        let image = |name: String| match notation {
+            Notation::Text => format!("{name}~"),
+            Notation::Latex => format!("\\widetilde{{{name}}}"),
+        };
+        let vector = |entries: Vec<String>| format!("({})", entries.join(", "));
+        [vector(names().collect()), vector(names().map(image).collect())]
+    }
+
+    /// The field with what is to be read as its claims: an integral that the compact form of the
+    /// modified Hamiltonian replaces is left out.
+    pub(in super::super) fn readable(&self) -> Result<System, Refusal> {
+        self.with_claims(self.report.replaced())
+    }
+
+    /// The field with all that was found as its claims.
+    pub(super) fn claimed(&self) -> Result<System, Refusal> {
+        self.with_claims(None)
+    }
+
+    fn with_claims(&self, but: Option<usize>) -> Result<System, Refusal> {
         let symbols = &self.system.field.symbols;
         let values = Formulas { field: &self.system.field, map: None, notation: Notation::Text }.field();
         let equations =
             symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};"));
-        let text: Vec<String> = equations.chain(self.claims().into_iter().map(str::to_owned)).collect();
+        let text: Vec<String> = equations.chain(self.claims(but).into_iter().map(str::to_owned)).collect();
         let claimed = Block::of_text(text.join("\n"), self.name.clone()).unproved_system()?;
         Ok(System { header: self.system.header.clone(), ..claimed })
     }
 
     pub(super) fn latex(&self) -> Result<String, Refusal> {
-        let system = self.claimed()?;
+        let system = self.readable()?;
         let notation = Notation::Latex;
         let mut page = Page::default();
         page.line(&format!("% {}", self.name));
@@ -129,6 +200,20 @@ impl Discovery {
         ));
         for claim in &system.claims {
             page.claim(&system, claim, None);
+        }
+        if let Some(hamiltonian) = self.report.compact() {
+            page.line(&format!("% modified Hamiltonian{}", self.condition()));
+            let equation = latex_equation("\\widetilde{H}", &hamiltonian.modified_latex, PAGE_WIDTH);
+            let [states, images] = self.states_and_images(notation);
+            let image = format!("&\\text{{where }} {images} \\text{{ is the image of }} {states}");
+            page.display(&aligned(vec![equation, image]));
+        }
+        for (number, basis) in self.report.bases.iter().enumerate() {
+            page.line(&format!("% Hirota-Kimura basis {}{}", number + 1, self.condition()));
+            let relation = basis.relation(&self.report.variables, notation);
+            let left = relation.strip_suffix(" = 0").unwrap_or(&relation);
+            page.display(&aligned(vec![latex_equation("0", left, PAGE_WIDTH)]));
+            page.line(&evaluation(basis, notation));
         }
         Ok(page.text)
     }
@@ -176,7 +261,34 @@ impl Discovery {
 const KEY_WIDTH: usize = 21;
 
 fn hamiltonian_object(found: &HamiltonianReport) -> Value {
-    json!({ "K": found.tensor, "H": found.hamiltonian, "modified_is_proved": found.modified_is_proved })
+    json!({
+        "K": found.tensor,
+        "H": found.hamiltonian,
+        "modified_is_proved": found.modified_is_proved,
+        // At any point x and its image x~.
+        "modified": found.modified,
+    })
+}
+
+/// Which coefficients of a basis are integrals, and how they are found from an orbit.
+pub(in super::super) fn evaluation(basis: &Basis, notation: Notation) -> String {
+    let quotient = |(above, below): (usize, usize)| match notation {
+        Notation::Text => format!("c{above}/c{below}"),
+        Notation::Latex => format!("$c_{{{above}}}/c_{{{below}}}$"),
+    };
+    let quotients: Vec<String> = basis.quotients().into_iter().map(quotient).collect();
+    let are = match quotients.len() {
+        1 => "is an integral",
+        _ => "are independent integrals",
+    };
+    let points = match basis.points() {
+        1 => "one point".to_owned(),
+        points => format!("{points} consecutive points"),
+    };
+    format!(
+        "{} {are}: along an orbit the coefficients are constant, and the linear equations at {points} of it determine their quotients.",
+        quotients.join(", ")
+    )
 }
 
 /// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an
@@ -189,6 +301,9 @@ fn basis_object(basis: &Basis, variables: &[String]) -> Value {
     json!({
         "monomials": monomials,
         "integrals": quotients,
+        // Sums of monomials whose coefficients are equal.
+        "terms": basis.term_texts(variables, Notation::Text),
+        "points": basis.points(),
         "outcome": if basis.proof.is_some() { "proved-mod-p" } else { "seen" },
     })
 }

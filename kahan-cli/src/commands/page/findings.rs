@@ -1,12 +1,13 @@
 //! The formulas of a page: what is derived from the field, what is claimed of it, and what
 //! `kahan discover` found.
 
-use kahan_algebra::render::{condition_text, latex_matrix};
+use kahan_algebra::render::{Notation, condition_text, latex_matrix};
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
+use kahan_discover::hilbert::default_degree;
 use maud::{Markup, html};
 
-use super::super::discover::{Discover, Discovery};
+use super::super::discover::{Discover, Discovery, evaluation};
 use super::figures::{Subject, command};
 use super::line::Line;
 use crate::document::{LINE, derived, display, readable, rows, statements};
@@ -44,11 +45,14 @@ pub(super) fn formulas(subject: &Subject<'_>, block: &Block, system: &System) ->
 }
 
 /// What the map preserves, found from the equations alone.
-pub(super) fn found(subject: &Subject<'_>) -> Markup {
-    let line = Line::new("discover", subject.generic).with("--seconds", subject.share(SHARE));
+pub(super) fn found(subject: &Subject<'_>, dimension: usize) -> Markup {
+    // With a degree the search ends where that is looked at, and every page says the same.
+    let line = Line::new("discover", subject.generic)
+        .with("--degree", default_degree(dimension))
+        .with("--seconds", subject.share(SHARE));
     let discovery = line.read().and_then(|discover: Discover| discover.discovery());
     html! {
-        @match discovery.and_then(|discovery| Ok((discovery.claimed()?, discovery))) {
+        @match discovery.and_then(|discovery| Ok((discovery.readable()?, discovery))) {
             Ok((claimed, discovery)) => (findings(&claimed, &discovery)),
             Err(refusal) => p.missing { "Left out: " (refusal.message()) },
         }
@@ -62,15 +66,25 @@ fn findings(claimed: &System, discovery: &Discovery) -> Markup {
     let numbers: Vec<Vec<String>> =
         [["what", "found"].map(str::to_owned).to_vec()].into_iter().chain(numbers).collect();
     html! {
-        @if claimed.claims.is_empty() {
+        @if claimed.claims.is_empty() && report.bases.is_empty() && report.compact().is_none() {
             p { "No integral, density or bracket was found." }
-        } @else {
+        } @else if !claimed.claims.is_empty() {
             p { "Each formula was proved when this page was written." }
             @for claim in &claimed.claims { (stated(claimed, claim, None)) }
         }
         @if let Some(hamiltonian) = &report.structure.hamiltonian {
             p { "The flow is Hamiltonian: f = K ∇H with a constant antisymmetric K." }
             (display(&format!("K = {}", latex_matrix("pmatrix", &hamiltonian.tensor, LINE)), LINE))
+        }
+        @if let Some(hamiltonian) = report.compact() {
+            @let [states, images] = discovery.states_and_images(Notation::Text);
+            p { "The modified Hamiltonian, where " (readable(&images)) " is the image of " (readable(&states)) ":" }
+            (display(&format!("\\widetilde{{H}} = {}", hamiltonian.modified_latex), LINE))
+        }
+        @for basis in &report.bases {
+            p { "A Hirota–Kimura basis, " @if basis.proof.is_none() { "as seen modulo primes" } @else { "proved" } ":" }
+            (display(&basis.relation(&report.variables, Notation::Latex), LINE))
+            p { (readable(&evaluation(basis, Notation::Text))) }
         }
         ul { @for sentence in &report.sentences { li { (readable(sentence)) } } }
         (rows("Numbers of the search", &numbers))
