@@ -193,6 +193,16 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                 }
             }
         }
+        if let Some(next) = T::eliminated(&self.map, &self.eps, &self.promise.before)
+            && next.iter().all(T::is_finite_number)
+        {
+            state.clone_from_slice(&next);
+            let bound = self.promise.bound(&self.map, state);
+            if bound <= 1.0 {
+                return Ok(());
+            }
+            least = bound.min(least);
+        }
         failed(Reason::Refined, least * T::UNIT)
     }
 

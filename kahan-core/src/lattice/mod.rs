@@ -9,6 +9,7 @@ mod at;
 
 mod error;
 mod family;
+mod far;
 mod folded;
 mod map;
 mod parts;

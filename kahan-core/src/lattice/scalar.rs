@@ -1,10 +1,13 @@
 //! Which scalars chains are made of, and how each is solved for.
 
+use std::vec::Vec;
+
 #[cfg(feature = "exact")]
 #[cfg(feature = "exact")]
 use num_traits::Zero;
 
 use crate::ensemble::lanes::InLanes;
+use crate::map::Promised;
 #[cfg(feature = "exact")]
 use crate::scalar::bounded::Limit;
 use crate::scalar::bounded::{Bounded, Known, Number};
@@ -12,6 +15,7 @@ use crate::scalar::{Size, Wide};
 use crate::{Dd, Pivot, Scalar};
 
 use super::LatticeMap;
+use super::far::eliminated;
 use super::parts::InParts;
 use super::sites::Site;
 
@@ -40,6 +44,15 @@ pub(super) trait Solved: Sized {
 
     /// How many parts of a chain are eliminated side by side; none for scalars without lanes.
     const PARTS: Option<usize> = None;
+
+    /// x̃ by elimination over numbers of many digits; none of an exact scalar, whose steps are exact,
+    /// and of very long chains.
+    fn eliminated<M: LatticeMap<Self>>(_map: &M, _eps: &Self, _x: &[Self]) -> Option<Vec<Self>>
+    where
+        Self: LatticeScalar,
+    {
+        None
+    }
 
     /// One step in parts, if they can vouch for it; otherwise the state stays as it is.
     fn step_in_parts<M: LatticeMap<Self>>(
@@ -84,13 +97,10 @@ macro_rules! judged_in {
 }
 
 judged_in!(f32, f64: |number| (*number).into(), |value| value as f32);
-judged_in!(f32, Wide: |number| Wide::from(*number), |value| value.to_f32());
+judged_in!(f32, Wide: |number| number.widen(), |value| f32::narrow(value));
 judged_in!(f64, Dd: |number| (*number).into(), |value| value.into());
-judged_in!(f64, Wide: |number| Wide::from(*number), |value| value.to_f64());
-judged_in!(Dd, Wide: |number| Wide::from_double_double(number.high(), number.low()), |value| {
-    let (high, low) = value.to_double_double();
-    Dd::new(high, low)
-});
+judged_in!(f64, Wide: |number| number.widen(), |value| f64::narrow(value));
+judged_in!(Dd, Wide: |number| number.widen(), |value| Dd::narrow(value));
 
 /// A float, judged in a wider one; what stands in brackets is how its chains are solved.
 macro_rules! implement_for_float {
@@ -122,6 +132,10 @@ macro_rules! implement_for_float {
             type Far = Bounded<Wide>;
 
             const UNIT: f64 = <Self as Number>::UNIT;
+
+            fn eliminated<M: LatticeMap<Self>>(map: &M, eps: &Self, x: &[Self]) -> Option<Vec<Self>> {
+                eliminated(map, eps, x, Self::widen, Self::narrow)
+            }
 
             $($in_parts)*
         }

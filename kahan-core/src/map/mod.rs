@@ -38,6 +38,8 @@ pub use orbit::{Accumulation, Compensated, Method, Orbit, Rounded, Scaled, Singl
 #[cfg(feature = "std")]
 pub use orbit::{Projective, ProjectivePoint, ThroughPoles};
 pub use pivot::Pivot;
+#[cfg(feature = "std")]
+pub(crate) use stable::Promised;
 pub use tangent::TangentAt;
 #[cfg(feature = "std")]
 pub(crate) use tangent::carry_to;

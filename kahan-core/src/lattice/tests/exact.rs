@@ -127,6 +127,33 @@ fn promises_hold_for_the_smallest_numbers() {
     assert!(residual <= rational(11.0 * f64::EPSILON / 2.0), "{:e}", residual.approximate());
 }
 
+/// Numbers whose squares leave the range, so that no elimination over floats has a value.
+#[test]
+fn promises_hold_for_the_largest_numbers() {
+    let size = 1010_f64.exp2();
+    let eps = (-1012_f64).exp2();
+    for sites in [4, 40, 300] {
+        let x: Vec<f64> = (0..sites).map(|i| size * (1.0 + 0.375 * (i * i % 5) as f64)).collect();
+        let mut next = x.clone();
+        Volterra::<true>.at(eps, sites).expect("sites").try_step(&mut next).expect("no pole");
+        let [x, next] = [x, next].map(|state| state.into_iter().map(rational).collect::<Vec<_>>());
+        let residual = Volterra::<true>.at(rational(eps), sites).expect("sites").residual(&x, &next);
+        assert!(residual <= rational(11.0 * f64::EPSILON / 2.0), "{:e}", residual.approximate());
+    }
+}
+
+/// A row of which nothing is known is not forgotten when the next one is fine.
+#[test]
+fn one_site_that_is_no_number_refuses_the_step() {
+    for site in 0..5 {
+        let dispersion: Vec<f64> = (0..5).map(|i| if i == site { f64::NAN } else { 0.5 }).collect();
+        let map = Kdv::<_, false> { inverse: 1.5, dispersion };
+        let mut x = [0.5, 0.25, 0.125, 0.75, 0.625];
+        assert!(map.at(0.0625, 5).expect("sites").try_step(&mut x).is_err(), "site {site}");
+        assert_eq!(x, [0.5, 0.25, 0.125, 0.75, 0.625]);
+    }
+}
+
 #[test]
 fn a_ring_of_one_or_two_volterra_sites_stands_still() {
     for sites in 1..=2 {

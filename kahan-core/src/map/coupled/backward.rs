@@ -16,6 +16,8 @@ use crate::SingularStep;
 use crate::field::linear::{components, eliminated_determinant, solve_in_place, vector};
 use crate::map::stable::{Promised, Widened};
 use crate::scalar::bounded::{Bounded, Working, backward_error};
+#[cfg(feature = "std")]
+use crate::scalar::{Long, level_row};
 use crate::step::error::Reason;
 
 use super::formulas::Values;
@@ -71,6 +73,11 @@ where
     K: CoupledField<N, P, M, S>,
     T: Promised,
 {
+    /// What the backward error may be.
+    fn promise() -> f64 {
+        (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT
+    }
+
     /// Elimination along the couplings, and if that does not do, by partial pivoting; either with
     /// residuals by `rest`, and if that does not tell, in wide numbers, in which nothing overflows.
     fn promised(&self, rest: impl Fn(&[T; N]) -> Rest<T, N>) -> Result<SVector<T, N>, SingularStep> {
@@ -115,9 +122,44 @@ where
         if let Some(next) = self.refined(solution, rest, least) {
             return Ok(next);
         }
+        #[cfg(feature = "std")]
+        if let Some(next) = self.by_elimination().filter(|next| next.iter().all(T::is_finite_number)) {
+            let Rest { bound, .. } = self.rest_in_wide(&next);
+            *least = bound.min(*least);
+            if bound <= Self::promise() {
+                return Ok(vector(next));
+            }
+        }
         let [determinant, scaled] = self.determinants();
         let reason = if scaled.is_zero() { Reason::Pole } else { Reason::Refined };
         Err(SingularStep::because(reason, determinant.approximate(), *least, self.step.eps.approximate()))
+    }
+
+    /// x̃ by elimination over numbers of many digits, where entries or pivots leave the range of the
+    /// scalar.
+    #[cfg(feature = "std")]
+    #[inline(never)]
+    fn by_elimination(&self) -> Option<[T; N]> {
+        let long = |number: &T| Long::from(number.widen());
+        let (eps, parameters) =
+            (long(&self.step.eps), from_fn::<_, P, _>(|k| long(&self.step.parameters[k])));
+        let x: [Long; N] = from_fn(|i| long(&self.x[i]));
+        let mut velocity = vector(from_fn::<_, N, _>(|_| Long::zero()));
+        for (entry, component) in velocity.iter_mut().zip(Values::of(K::FIELD, &parameters, &x)) {
+            *entry = component;
+        }
+        let mut matrix: SMatrix<Long, N, N> = zeros();
+        for ((i, j), slope) in K::COUPLINGS.pairs().zip(Values::of(K::SLOPES, &parameters, &x)) {
+            matrix[(i, j)] = -(eps.clone() * slope);
+        }
+        for i in 0..N {
+            matrix[(i, i)] += Long::one();
+            level_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);
+        }
+        solve_in_place(&mut matrix, &mut velocity)?;
+        let time_step = eps.clone() + eps;
+        let next = |i: usize| x[i].clone() + time_step.clone() * velocity[i].clone();
+        Some(from_fn(|i| T::narrow(next(i).leading())))
     }
 
     /// A(x,ε) with rows of one size, and what they are multiplied by: an entry that is alone in its
@@ -163,7 +205,7 @@ where
         rest: impl Fn(&[T; N]) -> Rest<T, N>,
         least: &mut f64,
     ) -> Option<SVector<T, N>> {
-        let promise = (K::COUPLINGS.widest_row() as f64 + 8.0) * T::UNIT;
+        let promise = Self::promise();
         let time_step = self.step.eps + self.step.eps;
         let velocity = solution(K::field(&self.step.parameters, self.x));
         let first: [T; N] = from_fn(|i| self.x[i] + time_step * velocity[i]);

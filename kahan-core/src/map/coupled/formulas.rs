@@ -5,6 +5,8 @@
 //! and it is run seldom: there the table takes its place. A formula needs as many places on the
 //! stack as the macro allows it, which visits deep operands first.
 
+use core::array::from_fn;
+
 use crate::{Constant, Scalar};
 
 /// The most values that a formula has on the stack at once.
@@ -50,26 +52,26 @@ impl<'a, T> Values<'a, T> {
     }
 }
 
-impl<T: Scalar + Copy> Iterator for Values<'_, T> {
+impl<T: Scalar> Iterator for Values<'_, T> {
     type Item = T;
 
     #[inline(never)]
     fn next(&mut self) -> Option<T> {
-        let mut stack = [T::zero(); DEEPEST];
+        let mut stack: [T; DEEPEST] = from_fn(|_| T::zero());
         let mut height = 0;
         for step in self.rest.by_ref() {
             let value = match *step {
-                Postfix::State(k) => self.x[usize::from(k)],
-                Postfix::Parameter(k) => self.parameters[usize::from(k)],
+                Postfix::State(k) => self.x[usize::from(k)].clone(),
+                Postfix::Parameter(k) => self.parameters[usize::from(k)].clone(),
                 Postfix::Number(ref number) => T::constant(number),
-                Postfix::Done => return Some(stack[0]),
+                Postfix::Done => return Some(stack[0].clone()),
                 Postfix::Negate => {
                     height -= 1;
-                    -stack[height]
+                    -stack[height].clone()
                 }
                 _ => {
                     height -= 2;
-                    let (a, b) = (stack[height], stack[height + 1]);
+                    let (a, b) = (stack[height].clone(), stack[height + 1].clone());
                     match step {
                         Postfix::Add => a + b,
                         Postfix::Subtract => a - b,

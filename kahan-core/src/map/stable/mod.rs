@@ -20,4 +20,5 @@ mod scalars;
 mod tests;
 
 pub(super) use rungs::{beyond, higher, in_next_wider, in_own_precision, in_wide};
-pub(super) use scalars::{Promised, Widened};
+pub(crate) use scalars::Promised;
+pub(super) use scalars::Widened;

@@ -49,3 +49,43 @@ pub(crate) fn backward_error<G: Magnitude>(
     // What is not a number compares with none.
     if limit.allows(largest) && error >= 0.0 { error } else { f64::INFINITY }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Known, backward_error};
+    use crate::scalar::bounded::Limit;
+
+    fn known(size: f64, error: f64) -> Known<f64> {
+        Known { size, error, largest_input: Limit::below(10) }
+    }
+
+    #[test]
+    fn a_backward_error_is_that_of_the_worst_residual_beside_the_least_right_hand_side() {
+        // (3 + 1)/(2 + 6·62/64)
+        let expected = 4.0 / (2.0 + 6.0 * 62.0 / 64.0);
+        assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.0), 1.0), expected);
+        // A right-hand side that may be zero counts for nothing.
+        assert_eq!(backward_error(known(3.0, 1.0), 2.0, known(6.0, 0.1), 1.0), 2.0);
+        assert_eq!(backward_error(known(0.0, 0.0), 0.0, known(0.0, 0.0), 1.0), 0.0);
+    }
+
+    #[test]
+    fn nothing_is_known_where_a_premise_is_broken() {
+        let fine = known(1.0, 0.0);
+        assert_eq!(backward_error(fine, 1.0, fine, 1023.0), 1.0 / (1.0 + 62.0 / 64.0));
+        // Inputs of 2¹⁰ are no longer allowed for, in either of the two.
+        assert_eq!(backward_error(fine, 1.0, fine, 1024.0), f64::INFINITY);
+        let refused = Known { largest_input: Limit::NONE, ..fine };
+        assert_eq!(backward_error(refused, 1.0, fine, 0.0), f64::INFINITY);
+        assert_eq!(backward_error(fine, 1.0, refused, 0.0), f64::INFINITY);
+        let any = Known { largest_input: Limit::ANY, ..fine };
+        assert!(backward_error(any, 1.0, any, 1e300).is_finite());
+        // What is not a number compares with none, and an inquiry into it is no proof.
+        for not_a_number in [known(f64::NAN, 0.0), known(1.0, f64::NAN)] {
+            assert_eq!(backward_error(not_a_number, 1.0, fine, 1.0), f64::INFINITY);
+        }
+        assert_eq!(backward_error(fine, f64::NAN, fine, 1.0), f64::INFINITY);
+        assert_eq!(backward_error(fine, 1.0, fine, f64::NAN), f64::INFINITY);
+        assert_eq!(backward_error(known(1.0, 0.0), 0.0, known(0.0, 0.0), 1.0), f64::INFINITY);
+    }
+}

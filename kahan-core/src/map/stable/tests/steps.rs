@@ -253,10 +253,60 @@ fn what_cancels_at_a_parameter_is_answered_at_every_size() {
     }
 }
 
+/// Terms so far apart that expanded forms need more than 17 digits, while the step is well
+/// determined by its equation: elimination answers.
+#[cfg(feature = "std")]
+#[test]
+fn what_is_well_determined_is_answered_however_far_apart_its_terms_are() {
+    crate::kahan! {
+        struct Apart;
+        xdot = 6.56e-1*y*z;
+        ydot = 5670664788756226/2^475*z*w - 7666568224479733*2^142*x*w - 2^691*x*z;
+        zdot = -11*2^633*w*x + 1.2033372214795e-127*w*y;
+        wdot = 6199542747639997/2^360*x*x - 3*2^360*w*z - 4.30783*z;
+    }
+    let eps = -3.0061345059505065e110;
+    let x = [8.705797018655056e18, 1.3604808388164863e126, -6.717876107567089e-139, 1.60544903119305e106];
+    let exact = Apart.step(&SVector::from(x).map(|x| Q::from_float(x).unwrap()), Q::from_float(eps).unwrap());
+    assert_answered(Apart.try_step(&SVector::from(x), eps), &exact, 0.0, eps);
+}
+
+crate::kahan! {
+    /// A ring of nine sites, whose step is solved along its couplings.
+    struct Ring { h }
+    adot = a*(b - i); bdot = b*(c - a); cdot = c*(d - b); ddot = d*(e - c); edot = h*e*(f - d);
+    fdot = f*(g - e); gdot = g*(k - f); kdot = k*(i - g); idot = i*(a - k);
+}
+
+/// The backward error of many variables at every size: where constants and inputs are beyond what
+/// pairs of doubles are allowed, and where elimination in doubles overflows.
+#[test]
+fn many_variables_are_promised_at_every_size() {
+    let rational = |x: f64| Q::from_float(x).unwrap();
+    let exact = Ring { h: rational(0.75) };
+    for power in [-1000, -280, 0, 280, 700, 1000] {
+        let unit = power_of_two(power);
+        let x: SVector<f64, 9> = SVector::from_fn(|i, _| unit * (1.0 + 0.375 * (i * i % 5) as f64));
+        let eps = power_of_two(-4) / unit;
+        let next = Ring { h: 0.75 }.try_step(&x, eps).unwrap_or_else(|why| panic!("{why} at 2^{power}"));
+        let (x, next, eps) = (x.map(rational), next.map(rational), rational(eps));
+        let (matrix, right) = (exact.matrix(&x, eps.clone()), exact.rhs(&x, eps));
+        for i in 0..9 {
+            let products = (0..9).map(|j| &matrix[(i, j)] * &next[j]);
+            let (mut rest, mut size) = (-right[i].clone(), right[i].abs());
+            for product in products {
+                size += product.abs();
+                rest += product;
+            }
+            assert!(rest.abs() <= Q::from_integer(11.into()) * two_to(-53) * size, "row {i} at 2^{power}");
+        }
+    }
+}
+
 #[track_caller]
-fn assert_answered(
-    next: Result<SVector<f64, 3>, crate::SingularStep>,
-    exact: &SVector<Q, 3>,
+fn assert_answered<const N: usize>(
+    next: Result<SVector<f64, N>, crate::SingularStep>,
+    exact: &SVector<Q, N>,
     h: f64,
     eps: f64,
 ) {

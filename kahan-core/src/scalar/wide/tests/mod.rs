@@ -6,6 +6,8 @@
 
 mod conversions;
 mod literals;
+#[cfg(feature = "std")]
+mod long;
 mod operations;
 mod sizes;
 

@@ -1,0 +1,52 @@
+//! The step of a chain whose entries or pivots leave the range of its scalar.
+//!
+//! In: a state and ε. Out: x̃, by one elimination over numbers of many digits; it is judged as any
+//! other.
+
+use std::vec::Vec;
+
+use crate::scalar::{Long, Wide, level_row};
+
+use super::folded::Folded;
+use super::sites::Site;
+use super::{Boundary, LatticeMap, LatticeScalar, Shape};
+
+/// Each unknown takes some kilobytes: longer chains are not tried.
+const MOST_UNKNOWNS: usize = 1 << 12;
+
+/// x̃, each number taken to wide ones and back by these.
+pub(super) fn eliminated<M, T>(
+    map: &M,
+    eps: &T,
+    x: &[T],
+    widen: impl Fn(&T) -> Wide + Copy,
+    narrow: impl Fn(Wide) -> T,
+) -> Option<Vec<T>>
+where
+    T: LatticeScalar,
+    M: LatticeMap<T>,
+{
+    if x.len() > MOST_UNKNOWNS {
+        return None;
+    }
+    let long = |number: &T| Long::from(widen(number));
+    let eps = long(eps);
+    let constants = map.constants(eps.clone(), long)?;
+    let (block, sites) = (M::Shape::BLOCK, x.len() / M::Shape::BLOCK);
+    let is_ring = M::BOUNDARY == Boundary::Periodic;
+    let mut site = Site::of::<M::Shape>();
+    let mut folded = Folded::rarely(x.len(), is_ring, M::Shape::LOWER, M::Shape::UPPER);
+    let velocity = folded.solve(|unknown, row| {
+        let (i, b) = (unknown / block, unknown % block);
+        site.rows(map, &constants, x, i, long);
+        let mut right = site.f(b).clone();
+        let mut entries: Vec<(usize, Long)> = site.row::<M::Shape>(M::BOUNDARY, sites, b).collect();
+        level_row(entries.iter_mut().map(|(_, entry)| entry), &mut right);
+        row.add_right(right);
+        entries.into_iter().for_each(|(column, entry)| row.add(column, entry));
+    })?;
+    let time_step = eps.clone() + eps;
+    let next =
+        |(x, velocity): (&T, &Long)| narrow((long(x) + time_step.clone() * velocity.clone()).leading());
+    Some(x.iter().zip(velocity).map(next).collect())
+}

@@ -1,0 +1,82 @@
+//! Numbers on the heap beside rationals.
+
+use std::vec::Vec;
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use crate::scalar::wide::{Long, level_row};
+use crate::scalar::{Size, Wide};
+use crate::{Constant, Scalar};
+
+type Q = BigRational;
+
+/// What is exact in both: floats of very different sizes.
+fn floats() -> Vec<f64> {
+    let sizes = [-300, -20, 0, 3, 40, 290];
+    sizes.iter().flat_map(|size| [1.1, -0.7].map(|x| x * f64::from(*size).exp2())).chain([0.0]).collect()
+}
+
+fn long(x: f64) -> Long {
+    Long::from(Wide::from(x))
+}
+
+fn rational(x: f64) -> Q {
+    Q::from_float(x).expect("finite")
+}
+
+/// Sums, differences and products cut nothing off while there is room, and the leading digits of a
+/// result are its own.
+#[test]
+fn sums_and_products_are_exact() {
+    let all = floats();
+    for (&a, &b) in all.iter().flat_map(|a| all.iter().map(move |b| (a, b))) {
+        for &c in &all {
+            let value = long(a) * long(b) + long(c) - long(b);
+            let exact = rational(a) * rational(b) + rational(c) - rational(b);
+            assert_eq!(value.at_most().is_zero(), exact.is_zero());
+            assert!(value.leading().radius().is_zero());
+            let nearest = value.leading().to_f64();
+            let error = (rational(nearest) - &exact).abs();
+            assert!(error <= exact.abs() * rational(f64::EPSILON / 2.0), "{a:e} {b:e} {c:e}");
+            assert!((value.clone() - value).is_zero());
+        }
+    }
+}
+
+/// A quotient knows what it cut off, which is far below a unit of any float; of zero there is none.
+#[test]
+fn quotients_know_their_digits() {
+    let third = Long::one().quotient(long(3.0)).expect("a quotient");
+    let rest = third.clone() * long(3.0) - Long::one();
+    assert!(rest.is_zero());
+    // A divisor of many digits leaves a remainder.
+    let divisor = long(1e300) + long(3e-300);
+    let quotient = Long::one().quotient(divisor.clone()).expect("a quotient");
+    let rest = (quotient * divisor - Long::one()).at_most();
+    assert!(!rest.is_zero() && rest < Size::from(1.0).scaled(-16_000));
+    assert!(Long::one().quotient(Long::zero()).is_none());
+    let undefined = Long::one() / Long::zero();
+    assert!((Long::zero() * undefined.clone()).at_most().is_unknown());
+    assert!((undefined + long(1.0)).at_most().is_unknown());
+}
+
+#[test]
+fn constants_and_pivots_are_those_of_the_numbers() {
+    let seventh = Long::constant(&Constant::ratio(1, 7));
+    assert!((seventh * long(7.0) - Long::one()).is_zero());
+    assert!(long(-3.0).is_better_pivot(&long(2.0)) && !Long::zero().is_better_pivot(&long(1e-300)));
+    assert_eq!((-long(0.75)).approximate(), -0.75);
+}
+
+/// A row and its right-hand side are multiplied by one power of two.
+#[test]
+fn a_levelled_row_is_the_same_equation() {
+    let (mut row, mut right) = ([long(3e200), long(-5e-300), Long::zero()], long(7e100));
+    level_row(row.iter_mut(), &mut right);
+    let largest = row[0].at_most();
+    assert!(largest >= Size::from(1.0) && largest <= Size::from(2.0 + 1e-9));
+    let ratio = |a: &Long, b: f64| a.clone() / long(b);
+    assert!((ratio(&row[0], 3e200) - ratio(&right, 7e100)).is_zero());
+    assert!((ratio(&row[1], -5e-300) - ratio(&right, 7e100)).is_zero() && row[2].is_zero());
+}
