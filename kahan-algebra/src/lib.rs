@@ -41,7 +41,7 @@ pub use derived::{Derived, derive};
 
 use diagnostics::{Diagnostic, Diagnostics};
 use family::Family;
-use prime_field::SplitMix64;
+use prime_field::Shake256;
 use system::System;
 use token::Token;
 
@@ -76,9 +76,10 @@ pub fn read(tokens: &[Token]) -> Reading {
     Reading { system, family: None, diagnostics: diagnostics.finish() }
 }
 
-/// The seed of the prover's points: a hash of the block's text, so that builds are reproducible.
+/// The seed of the prover's points: a hash of the block's text, so that builds are reproducible, and
+/// one that nobody can steer, so that no claim can be written for the points it is tested at.
 #[must_use]
-pub fn seed(tokens: &[Token]) -> u64 {
+pub fn seed(tokens: &[Token]) -> [u8; 32] {
     let text: Vec<&str> = tokens.iter().map(|token| token.text.as_str()).collect();
-    SplitMix64::from_bytes(text.join(" ").as_bytes()).next_u64()
+    Shake256::new(text.join(" ").as_bytes()).next_seed()
 }

@@ -5,12 +5,15 @@
 //! not guessed, and equal seeds give equal primes and points on every machine. Absent on purpose:
 //! Montgomery form; one `u128` remainder is fast enough here.
 
+mod random;
 #[cfg(test)]
 mod tests;
 
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
+
+pub use random::{Random, Shake256, SplitMix64};
 
 use crate::rational::Rational;
 
@@ -30,7 +33,7 @@ impl PrimeField {
     }
 
     /// A field with a uniformly drawn prime of 61 bits.
-    pub fn random(rng: &mut SplitMix64) -> Self {
+    pub fn random(rng: &mut dyn Random) -> Self {
         Self { prime: random_prime_61(rng) }
     }
 
@@ -102,7 +105,7 @@ impl PrimeField {
     }
 
     /// A uniformly drawn element.
-    pub fn sample(self, rng: &mut SplitMix64) -> u64 {
+    pub fn sample(self, rng: &mut dyn Random) -> u64 {
         rng.below(self.prime)
     }
 }
@@ -169,57 +172,11 @@ fn is_strong_probable_prime(n: u64, base: u64) -> bool {
 
 /// A prime drawn uniformly among those between 2^60 and 2^61, about 42 odd numbers tried on
 /// average.
-pub fn random_prime_61(rng: &mut SplitMix64) -> u64 {
+pub fn random_prime_61(rng: &mut dyn Random) -> u64 {
     loop {
         let candidate = (1 << 60) | (rng.next_u64() >> 4) | 1;
         if is_prime_u64(candidate) {
             return candidate;
-        }
-    }
-}
-
-/// A small reproducible generator: SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom
-/// number generators", OOPSLA 2014). Not for secrets.
-#[derive(Clone, Debug)]
-pub struct SplitMix64 {
-    state: u64,
-}
-
-impl SplitMix64 {
-    /// The stream of a seed.
-    pub fn new(seed: u64) -> Self {
-        Self { state: seed }
-    }
-
-    /// The stream of a text, seeded by its FNV-1a hash of 64 bits.
-    pub fn from_bytes(bytes: &[u8]) -> Self {
-        let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-        for byte in bytes {
-            hash = (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-        Self::new(hash)
-    }
-
-    /// The next 64 bits.
-    pub fn next_u64(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// A uniformly drawn number below `bound`.
-    ///
-    /// # Panics
-    /// If `bound` is zero.
-    pub fn below(&mut self, bound: u64) -> u64 {
-        let accepted = u64::MAX - u64::MAX % bound;
-        loop {
-            let draw = self.next_u64();
-            if draw < accepted {
-                return draw % bound;
-            }
         }
     }
 }

@@ -5,7 +5,7 @@
 //! integral less.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
-use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::prime_field::{Random, SplitMix64};
 
 use crate::chart::Chart;
 use crate::collector::Collector;
@@ -90,7 +90,7 @@ impl Stepping for ConstrainedMap<'_> {
     }
 
     /// A random point with P − cQ = 0, solved for the coordinate in which that is linear.
-    fn point(&self, random: &mut SplitMix64) -> Vec<u64> {
+    fn point(&self, random: &mut dyn Random) -> Vec<u64> {
         let modulus = *self.modulus();
         loop {
             let mut point: Vec<u64> = (0..self.dimension()).map(|_| modulus.sample(random)).collect();

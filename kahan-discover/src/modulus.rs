@@ -6,7 +6,7 @@
 //! residues are below p, so equal residues are equal numbers. Conversions back to ℚ
 //! ([`rational_from_residue`]) are guesses that a proof confirms.
 
-use kahan_algebra::prime_field::{PrimeField, SplitMix64};
+use kahan_algebra::prime_field::{PrimeField, Random};
 use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -32,7 +32,7 @@ impl Modulus {
     }
 
     /// A field with a uniformly drawn prime of 61 bits.
-    pub fn random(random: &mut SplitMix64) -> Self {
+    pub fn random(random: &mut dyn Random) -> Self {
         Self::of(PrimeField::random(random))
     }
 
@@ -166,7 +166,7 @@ impl Modulus {
     }
 
     /// A uniformly drawn element.
-    pub fn sample(&self, random: &mut SplitMix64) -> u64 {
+    pub fn sample(&self, random: &mut dyn Random) -> u64 {
         random.below(self.prime)
     }
 }
@@ -195,6 +195,8 @@ pub fn rational_from_residue(r: &BigInt, m: &BigInt) -> Option<Rational> {
 
 #[cfg(test)]
 mod tests {
+    use kahan_algebra::prime_field::SplitMix64;
+
     use super::*;
 
     #[test]

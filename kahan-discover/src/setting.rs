@@ -2,7 +2,7 @@
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
-use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::prime_field::{Random, SplitMix64};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
 
@@ -137,7 +137,7 @@ impl Setting {
 
     /// The map at random values of the unknowns, at which a random point has an image; `None` if 16
     /// draws bring none.
-    pub fn draw(&self, modulus: Modulus, random: &mut SplitMix64) -> Option<Draw> {
+    pub fn draw(&self, modulus: Modulus, random: &mut dyn Random) -> Option<Draw> {
         (0..MOST_DRAWS).find_map(|_| {
             let unknowns: Vec<u64> = (0..self.unknowns()).map(|_| modulus.sample(random)).collect();
             let map = self.at(modulus, &unknowns)?;

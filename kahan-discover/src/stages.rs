@@ -335,7 +335,7 @@ impl Search<'_> {
         let mut bases = completing(&candidates, independent, self.place, &mut gradients, &until.densities);
         for basis in &mut bases {
             basis.join(setting, random);
-            basis.proof = prove(basis, setting, self.field, random, &until.densities);
+            basis.proof = prove(basis, setting, self.field, &until.densities);
         }
         for formula in long {
             add(&mut gradients, formula);

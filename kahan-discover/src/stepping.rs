@@ -1,7 +1,7 @@
 //! What every search asks of a map modulo a prime: the map itself, on a leaf of it, or composed
 //! with itself.
 
-use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::prime_field::Random;
 
 use crate::modulus::Modulus;
 
@@ -23,7 +23,7 @@ pub trait Stepping {
     }
 
     /// A uniformly drawn point.
-    fn point(&self, random: &mut SplitMix64) -> Vec<u64> {
+    fn point(&self, random: &mut dyn Random) -> Vec<u64> {
         (0..self.dimension()).map(|_| self.modulus().sample(random)).collect()
     }
 

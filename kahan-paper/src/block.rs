@@ -18,7 +18,7 @@ use super::formula::mutations;
 /// Decides one claim of a system, and says on what the decision rests. Costs milliseconds, a second
 /// at worst.
 #[must_use]
-pub fn establish_block_claim(system: &System, claim: &Claim, seed: u64) -> (Outcome, String) {
+pub fn establish_block_claim(system: &System, claim: &Claim, seed: [u8; 32]) -> (Outcome, String) {
     let alone = System { claims: vec![claim.clone()], ..system.clone() };
     let failed = |why: &str| (Outcome::Failed, why.to_owned());
     let points = match prove_all(&alone, seed).pop().flatten() {

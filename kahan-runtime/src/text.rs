@@ -87,7 +87,7 @@ impl FieldText {
 
     /// The seed of the macro's proof.
     #[must_use]
-    pub fn seed(&self) -> u64 {
+    pub fn seed(&self) -> [u8; 32] {
         kahan_algebra::seed(&self.lexed.tokens)
     }
 

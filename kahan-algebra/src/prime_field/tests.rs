@@ -1,6 +1,6 @@
 use num_bigint::BigInt;
 
-use super::{PrimeField, SplitMix64, is_prime_u64, random_prime_61};
+use super::{PrimeField, Random, Shake256, SplitMix64, is_prime_u64, random_prime_61};
 use crate::rational::Rational;
 
 #[test]
@@ -77,6 +77,19 @@ fn the_generators_match_their_published_vectors() {
     assert_eq!([rng.next_u64(), rng.next_u64()], [0xe220_a839_7b1d_cdaf, 0x6e78_9e6a_a1b9_65f4]);
     // FNV-1a of 64 bits: the hash of "a" is the seed of the stream.
     assert_eq!(SplitMix64::from_bytes(b"a").next_u64(), SplitMix64::new(0xaf63_dc4c_8601_ec8c).next_u64());
+    // What Python's `hashlib.shake_256` gives: no text; a text that leaves no room, one byte and a
+    // whole block for the padding; and digests beyond the first block.
+    let words = |text: &[u8], from: usize| {
+        let mut stream = Shake256::new(text);
+        let mut words = std::iter::repeat_with(|| stream.next_u64()).skip(from);
+        [(); 2].map(|()| words.next().expect("the digest has no end"))
+    };
+    assert_eq!(words(b"", 0), [0x138d_a80b_2bdd_b946, 0x24eb_3e74_eb3f_3b23]);
+    assert_eq!(words(b"abc", 0), [0x77a8_6013_6066_3348, 0x4d11_c40c_0863_681c]);
+    assert_eq!(words(b"abc", 16), [0x29cc_a771_ecd7_a2e8, 0x581a_ffee_10a6_0ecf]);
+    assert_eq!(words(&[b'a'; 135], 0), [0xb667_e5e1_ec91_b955, 0x01d2_4d44_14c7_c2e7]);
+    assert_eq!(words(&[b'a'; 136], 0), [0x82f6_a1f0_085a_cc8f, 0x046e_d1e8_4ef6_9c7c]);
+    assert_eq!(words(&[b'a'; 300], 0), [0x37e4_18ca_3843_2e54, 0x8f15_b6a2_0743_8376]);
     let mut counts = [0; 5];
     for _ in 0..1000 {
         counts[usize::try_from(rng.below(5)).unwrap()] += 1;

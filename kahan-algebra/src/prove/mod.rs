@@ -19,7 +19,7 @@ pub use refute::Refutation;
 pub use sizes::{ERROR_EXPONENT, points_needed};
 
 use crate::diagnostics::{Diagnostics, Kind};
-use crate::prime_field::SplitMix64;
+use crate::prime_field::Shake256;
 use crate::render::condition_text;
 use crate::syntax::ClaimKind;
 use crate::system::{Claim, Condition, System};
@@ -45,12 +45,12 @@ pub enum Verdict {
 
 /// Decides every claim of a system that was understood, in order; the others give `None`.
 #[must_use]
-pub fn prove_all(system: &System, seed: u64) -> Vec<Option<Verdict>> {
+pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Option<Verdict>> {
     if system.claims.is_empty() || system.field.dimension() == 0 {
         return vec![None; system.claims.len()];
     }
     let scheme = Scheme::of(&system.field);
-    let mut random = SplitMix64::new(seed);
+    let mut random = Shake256::new(&seed);
     // Claims on the same specialisation share their points.
     let mut groups: Vec<(&[Condition], Samples)> = Vec::new();
     let mut verdicts = Vec::new();
@@ -61,7 +61,7 @@ pub fn prove_all(system: &System, seed: u64) -> Vec<Option<Verdict>> {
         }
         let known = groups.iter().position(|(conditions, _)| are_equal(conditions, &claim.conditions));
         let group = known.unwrap_or_else(|| {
-            groups.push((&claim.conditions, Samples::new(random.next_u64())));
+            groups.push((&claim.conditions, Samples::new(random.next_seed())));
             groups.len() - 1
         });
         verdicts.push(Some(modular::decide(&scheme, claim, &mut groups[group].1)));
@@ -78,7 +78,7 @@ fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
 }
 
 /// Reports the claims that do not hold.
-pub fn check_claims(system: &System, seed: u64, diagnostics: &mut Diagnostics) {
+pub fn check_claims(system: &System, seed: [u8; 32], diagnostics: &mut Diagnostics) {
     for (claim, verdict) in system.claims.iter().zip(prove_all(system, seed)) {
         if let Some(verdict) = verdict {
             report(system, claim, &verdict, diagnostics);

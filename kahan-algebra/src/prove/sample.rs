@@ -5,7 +5,7 @@ use crate::field::Field;
 use crate::kahan::scaled_matrix;
 use crate::plan::{Plan, PlanBuilder};
 use crate::poly::Variable;
-use crate::prime_field::{PrimeField, SplitMix64};
+use crate::prime_field::{PrimeField, Random, Shake256};
 use crate::rational::Rational;
 use crate::symbols::Symbols;
 use crate::system::Condition;
@@ -90,14 +90,14 @@ pub(super) const MOST_DRAWS: usize = 16;
 
 /// The random points of one specialisation, drawn as they are asked for.
 pub(super) struct Samples {
-    random: SplitMix64,
+    random: Shake256,
     modular: Vec<(Modular, Sample<u64>)>,
     exact: Vec<Sample<Rational>>,
 }
 
 impl Samples {
-    pub(super) fn new(seed: u64) -> Self {
-        Samples { random: SplitMix64::new(seed), modular: Vec::new(), exact: Vec::new() }
+    pub(super) fn new(seed: [u8; 32]) -> Self {
+        Samples { random: Shake256::new(&seed), modular: Vec::new(), exact: Vec::new() }
     }
 
     /// The point `index` modulo a prime of its own; `None` if no step could be taken in
@@ -162,7 +162,7 @@ pub(super) fn small_point(
     scheme: &Scheme,
     conditions: &[Condition],
     height: u64,
-    random: &mut SplitMix64,
+    random: &mut dyn Random,
 ) -> Option<Vec<Rational>> {
     let states = scheme.dimension();
     let mut here: Vec<Rational> = (0..scheme.variables)

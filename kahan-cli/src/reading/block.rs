@@ -100,7 +100,7 @@ impl Block {
     }
 
     /// The seed of the macro's proof.
-    pub(crate) fn seed(&self) -> u64 {
+    pub(crate) fn seed(&self) -> [u8; 32] {
         self.text.seed()
     }
 

@@ -9,7 +9,7 @@
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
-use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::prime_field::{Random, Shake256};
 use kahan_algebra::prove::points_needed;
 use kahan_algebra::rational::Rational;
 
@@ -30,21 +30,16 @@ const MOST_DRAWS: usize = 16;
 /// The number of points modulo random primes that prove the basis with an error below 2⁻¹⁰⁰, all of
 /// them passed; `None` where the relation fails at one, the degrees are too high for 61-bit
 /// primes, or the deadline passes.
-pub fn prove(
-    basis: &Basis,
-    setting: &Setting,
-    field: &Field,
-    random: &mut SplitMix64,
-    deadline: &Deadline,
-) -> Option<u32> {
+pub fn prove(basis: &Basis, setting: &Setting, field: &Field, deadline: &Deadline) -> Option<u32> {
     let size = determinant_size(basis, field, setting.eps())?;
     let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
-    (0..points).all(|_| !deadline.passed() && holds_somewhere(basis, setting, random)).then_some(points)
+    let mut random = Shake256::new(format!("{field:?} {:?} {:?}", setting.eps(), basis.monomials).as_bytes());
+    (0..points).all(|_| !deadline.passed() && holds_somewhere(basis, setting, &mut random)).then_some(points)
 }
 
 /// Whether r + 1 points have a relation and r of them none other, at a random point modulo a random
 /// prime.
-fn holds_somewhere(basis: &Basis, setting: &Setting, random: &mut SplitMix64) -> bool {
+fn holds_somewhere(basis: &Basis, setting: &Setting, random: &mut dyn Random) -> bool {
     for _ in 0..MOST_DRAWS {
         let modulus = Modulus::random(random);
         let Some(draw) = setting.draw(modulus, random) else { continue };

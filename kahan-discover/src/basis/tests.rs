@@ -33,7 +33,7 @@ fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
     // The shortest is that of Petrera, Pfadler and Suris.
     assert_eq!(bases[0].monomial_texts(&field.symbols.states), ["1", "p3^2", "p2^2", "p1^2"]);
     for basis in &bases {
-        assert!(prove(basis, &setting, &field, &mut SplitMix64::new(3), &Deadline::never()).is_some());
+        assert!(prove(basis, &setting, &field, &Deadline::never()).is_some());
     }
 }
 
@@ -50,7 +50,7 @@ fn what_is_no_basis_is_not_proved() {
     joined.monomials.dedup();
     joined.terms = (0..joined.monomials.len()).map(|place| vec![(place, 1)]).collect();
     for other in [less, joined] {
-        assert_eq!(prove(&other, &setting, &field, &mut SplitMix64::new(3), &Deadline::never()), None);
+        assert_eq!(prove(&other, &setting, &field, &Deadline::never()), None);
     }
 }
 
@@ -140,12 +140,12 @@ fn monomials_with_equal_coefficients_are_joined() {
         let before = (basis.points(), basis.monomials.clone());
         basis.join(&setting, &mut SplitMix64::new(2));
         assert!(basis.points() <= before.0 && basis.monomials == before.1);
-        assert!(prove(&basis, &setting, &field, &mut SplitMix64::new(3), &Deadline::never()).is_some());
+        assert!(prove(&basis, &setting, &field, &Deadline::never()).is_some());
         // Joined with another factor it has no relation with so few terms.
         if let Some(term) = basis.terms.iter().position(|term| term.len() > 1) {
             let mut wrong = basis.clone();
             wrong.terms[term][1].1 += 1;
-            assert_eq!(prove(&wrong, &setting, &field, &mut SplitMix64::new(3), &Deadline::never()), None);
+            assert_eq!(prove(&wrong, &setting, &field, &Deadline::never()), None);
         }
         texts.extend(basis.term_texts(states, Notation::Text));
     }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Function, Functions, Modular, Size, Sizes};
 use kahan_algebra::poly::{Budget, Polynomial, Variable};
-use kahan_algebra::prime_field::{PrimeField, SplitMix64};
+use kahan_algebra::prime_field::{PrimeField, Random, Shake256};
 use kahan_algebra::prove::points_needed;
 use kahan_algebra::rational::Rational;
 
@@ -28,7 +28,8 @@ type Point = BTreeMap<String, Rational>;
 impl Identity<'_> {
     pub(super) fn rational(&self, left: &Formula, right: &Formula) -> Result<Evidence, String> {
         let names = self.names([left, right]);
-        let mut random = SplitMix64::new(self.seed);
+        // Of the formulas themselves, so that none is written for the points it is tested at.
+        let mut random = Shake256::new(format!("{left:?} {:?} {right:?}", self.relation).as_bytes());
         let sizes = names.iter().map(|name| (name.clone(), Size::variable())).collect();
         let points = match self.sides(&Sizes, left, right, sizes).map_err(|trouble| words(&trouble)) {
             Ok([left, right]) => {
@@ -64,7 +65,7 @@ impl Identity<'_> {
         left: &Formula,
         right: &Formula,
         names: &[String],
-        random: &mut SplitMix64,
+        random: &mut dyn Random,
     ) -> Result<(u64, u64), String> {
         let mut trouble = Trouble::Undefined;
         for _ in 0..MOST_DRAWS {
@@ -100,7 +101,7 @@ impl Identity<'_> {
         left: &Formula,
         right: &Formula,
         names: &[String],
-        random: &mut SplitMix64,
+        random: &mut dyn Random,
     ) -> Result<Evidence, String> {
         for _ in 0..EXACT_POINTS {
             let [left, right] = self.exact_point(left, right, names, random)?.1;
@@ -117,7 +118,7 @@ impl Identity<'_> {
         left: &Formula,
         right: &Formula,
         names: &[String],
-        random: &mut SplitMix64,
+        random: &mut dyn Random,
     ) -> Result<(Point, [Rational; 2]), String> {
         for _ in 0..MOST_DRAWS {
             let mut small = || Rational::new(1 + random.below(5) as i64, 1 + random.below(5) as i64);
@@ -130,7 +131,7 @@ impl Identity<'_> {
     }
 
     /// An exact point at which both sides differ, in words.
-    fn refutation(&self, left: u64, right: u64, names: &[String], random: &mut SplitMix64) -> String {
+    fn refutation(&self, left: u64, right: u64, names: &[String], random: &mut dyn Random) -> String {
         if let (Some(a), Some(b)) = (rationalise(self.left), rationalise(self.right)) {
             for _ in 0..MOST_DRAWS {
                 if let Ok((point, [left, right])) = self.exact_point(&a, &b, names, random)
