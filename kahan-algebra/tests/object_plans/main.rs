@@ -2,6 +2,7 @@
 //! formula that defines it, which sees the text of the block and nothing that is derived from it.
 //! The listing of a step is read back and computed line by line.
 
+mod digits;
 mod written;
 
 use std::collections::BTreeMap;

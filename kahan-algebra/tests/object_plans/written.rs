@@ -3,7 +3,7 @@
 //!
 //! In: the text of a block. Out: the values of its equations and claims, in any arithmetic.
 
-use kahan_algebra::arithmetic::Arithmetic;
+use kahan_algebra::arithmetic::{Arithmetic, Dual};
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::interpret::Point;
 use kahan_algebra::lexer::lex;
@@ -37,6 +37,25 @@ impl Written {
         equations
             .map(|equation| self.value(arithmetic, equation.value.as_ref().expect("it was read"), point))
             .collect()
+    }
+
+    /// f′(x), row by row: the text differentiated by the rules for sums, products and quotients.
+    pub(crate) fn field_jacobian<A: Arithmetic>(
+        &self,
+        arithmetic: &A,
+        point: &Point<A::Value>,
+    ) -> Option<Vec<Vec<A::Value>>> {
+        let n = point.state.len();
+        let dual = Dual { base: arithmetic, directions: n };
+        let zero = arithmetic.constant(&Rational::zero())?;
+        let states = point.state.iter().enumerate().map(|(i, value)| dual.coordinate(value.clone(), i));
+        let lifted = Point {
+            state: states.collect::<Option<_>>()?,
+            parameters: point.parameters.iter().map(|value| dual.fixed(value.clone())).collect(),
+            eps: dual.fixed(point.eps.clone()),
+        };
+        let rows = self.field(&dual, &lifted)?.into_iter().map(|component| component.gradient);
+        Some(rows.map(|row| if row.is_empty() { vec![zero.clone(); n] } else { row }).collect())
     }
 
     /// The claims of one kind that hold for all parameters, by name: a function's value, or the
