@@ -189,6 +189,7 @@ fn products_and_powers_keep_to_their_budget() {
 #[test]
 fn the_gcd_of_multiples_is_the_common_factor_times_the_rest() {
     let mut rng = SplitMix64::new(9);
+    let mut compared = 0;
     for round in 0..60 {
         let variables = 1 + round % 3;
         let [a, b, g] = [3, 4, 3].map(|terms| random(&mut rng, variables, terms));
@@ -202,7 +203,9 @@ fn the_gcd_of_multiples_is_the_common_factor_times_the_rest() {
         assert!(common.checked_div(&g).is_some(), "gcd({left:?}, {right:?}) = {common:?}");
         assert!(gcd(&p, &q).is_one());
         assert_eq!(gcd(&right, &left), common);
+        compared += 1;
     }
+    assert!(compared > 50, "{compared}");
 }
 
 #[test]

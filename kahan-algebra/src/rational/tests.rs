@@ -178,6 +178,7 @@ fn rounding_agrees_with_the_standard_library() {
 fn halfway_cases_go_to_even_and_the_slightest_excess_goes_up() {
     let tiny = Rational::new(1, 2).pow(3000).unwrap();
     let mut state = 7_u64;
+    let mut finite = 0;
     for _ in 0..300 {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let low = f64::from_bits(state >> 1 & !(1 << 62) | (state & (1 << 61)) << 1);
@@ -189,7 +190,9 @@ fn halfway_cases_go_to_even_and_the_slightest_excess_goes_up() {
         assert_eq!((&middle + &(&tiny * &a)).to_f64(), high);
         assert_eq!((&middle - &(&tiny * &a)).to_f64(), low);
         assert_eq!(a.to_f64(), low);
+        finite += 1;
     }
+    assert!(finite > 290, "{finite} floats");
 }
 
 #[test]

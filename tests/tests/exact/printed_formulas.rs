@@ -119,6 +119,7 @@ fn the_difference_equations_hold_along_the_step() {
         };
         let residuals: Vec<Expression> = symbols.states.iter().map(residual).collect();
         let mut rationals = Rationals::seeded(302);
+        let mut compared = 0;
         for _ in 0..5 {
             let (x, eps) = (rationals.point(n), rationals.nonzero());
             for back_end in subject.back_ends() {
@@ -132,9 +133,11 @@ fn the_difference_equations_hold_along_the_step() {
                         back_end.label(),
                         shown(&x)
                     );
+                    compared += 1;
                 }
             }
         }
+        assert!(compared >= 6 * n, "{name}: {compared} residuals");
     }
 }
 
@@ -246,6 +249,7 @@ fn lotka_volterra_at_eps_one_is_the_recurrence_of_section_1() {
     let subject = named("lv");
     let recurrence = Expression::new(&["x", "X", "Y"], "Y*X - x*(2 - x)");
     let mut rationals = Rationals::seeded(305);
+    let mut compared = 0;
     for _ in 0..5 {
         let x = rationals.point(2);
         for back_end in subject.back_ends() {
@@ -255,6 +259,8 @@ fn lotka_volterra_at_eps_one_is_the_recurrence_of_section_1() {
             assert_eq!(next[1], x[0], "{}", back_end.label());
             let values = [x[0].clone(), next[0].clone(), x[1].clone()];
             assert_eq!(recurrence.at(&values, &q(1, 1)), Some(q(0, 1)), "{}", back_end.label());
+            compared += 1;
         }
     }
+    assert!(compared >= 6, "{compared} steps");
 }
