@@ -93,11 +93,13 @@ fn sums_of_twenty_thousand_terms_are_read() {
 #[test]
 fn limits_are_errors_at_their_place() {
     let nested = format!("xdot = {}x{};", "(".repeat(5_000), ")".repeat(5_000));
+    let many: String = (0..=10_000).map(|i| format!("x{i}dot = 1;")).collect();
     let cases = [
         ("xdot = x^1000000000;", Kind::Degree),
         ("xdot = (x + y + z)^5000; ydot = x; zdot = x;", Kind::Degree),
         ("xdot = (x + y)^5000; ydot = x;", Kind::Degree),
         (nested.as_str(), Kind::TooLarge),
+        (many.as_str(), Kind::TooLarge),
         ("xdot = 1e5000*x;", Kind::TooLarge),
         ("xdot = a^65*x;", Kind::TooLarge),
         ("xdot = 2^1000000000*x;", Kind::TooLarge),

@@ -27,6 +27,9 @@ use names::Scope;
 pub use family::check_family;
 pub use spelling::nearest;
 
+/// The most equations of a block: 16 bits number its states, a second copy of them, and parameters.
+const MOST_EQUATIONS: usize = 10_000;
+
 /// The mistake of a family where a plain system is wanted.
 #[must_use]
 pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
@@ -43,6 +46,15 @@ pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
 pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
     if let Some(head) = &block.family {
         diagnostics.push(number_of_sites_wanted(head.span));
+        return System::without_field(block.header);
+    }
+    if let Some(equation) = block.equations.get(MOST_EQUATIONS) {
+        diagnostics.report(
+            Kind::TooLarge,
+            equation.state.span,
+            format!("the block has more than {MOST_EQUATIONS} equations"),
+            "write the equations of many sites once, as in `for i in periodic { x[i]dot = x[i+1]; }`",
+        );
         return System::without_field(block.header);
     }
     if block.equations.is_empty() && diagnostics.is_empty() {
