@@ -96,3 +96,20 @@ fn the_generators_match_their_published_vectors() {
     }
     assert!(counts.iter().all(|count| (150..250).contains(count)), "{counts:?}");
 }
+
+#[test]
+fn the_points_of_a_proof_depend_on_each_bit_of_their_seed() {
+    let primes = (0..=256).map(|bit| {
+        let mut seed = [0; 32];
+        if let Some(byte) = seed.get_mut(bit / 8) {
+            *byte = 1 << (bit % 8);
+        }
+        random_prime_61(&mut Shake256::new(&seed))
+    });
+    let distinct: std::collections::BTreeSet<u64> = primes.collect();
+    assert_eq!(distinct.len(), 257);
+    // As the seed of a block's proof depends on each word of it.
+    let seed = |text: &str| crate::seed(&crate::lexer::lex(text).tokens);
+    assert_ne!(seed("xdot = x;"), seed("xdot = y;"));
+    assert_eq!(seed("xdot = x;"), seed("xdot  =x ;"));
+}
