@@ -132,7 +132,8 @@ impl Relations {
         if factor.as_constant().is_some() {
             return Ok(());
         }
-        let other = own.div_within(&factor, &mut self.budget)?.unwrap_or_default();
+        let other =
+            own.div_within(&factor, &mut self.budget)?.expect("a factor of both coefficients divides");
         Err(Obstacle::Product(other.primitive_part(), factor))
     }
 
@@ -220,6 +221,6 @@ fn without(
         if common.as_constant().is_some() {
             return Ok(polynomial);
         }
-        polynomial = polynomial.div_within(&common, budget)?.unwrap_or_default();
+        polynomial = polynomial.div_within(&common, budget)?.expect("a common divisor divides");
     }
 }

@@ -111,7 +111,9 @@ impl Specialisation<'_> {
         let mut builder = PlanBuilder::default();
         let outputs = builder.include_mapped(&claim.plan, |builder, variable| {
             match self.relations.value(variable).and_then(RationalFunction::as_polynomial) {
-                Some(value) => builder.constant(&value.as_constant().unwrap_or_default()),
+                Some(value) => {
+                    builder.constant(&value.as_constant().expect("a parameter is fixed at a number"))
+                }
                 None => builder.input(self.renamed(variable)),
             }
         });

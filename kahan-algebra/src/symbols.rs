@@ -43,7 +43,7 @@ impl Symbols {
             Symbol::Epsilon => states + parameters,
             Symbol::SecondState(i) => states + parameters + 1 + i,
         };
-        Variable(u16::try_from(index).unwrap_or(u16::MAX))
+        Variable(u16::try_from(index).expect("a block has fewer names than 16 bits can number"))
     }
 
     /// The variable of state `i`.

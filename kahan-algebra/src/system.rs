@@ -65,10 +65,10 @@ impl Condition {
         relations: &Relations,
     ) -> Vec<Condition> {
         let condition = |(written, variable, added): (syntax::Condition, Variable, Range<usize>)| {
-            let value = relations.value(variable).cloned()?;
-            Some(Condition { written, variable, value, nonzero: relations.nonzero()[added].to_vec() })
+            let value = relations.value(variable).expect("a relation was solved for it").clone();
+            Condition { written, variable, value, nonzero: relations.nonzero()[added].to_vec() }
         };
-        solved.into_iter().filter_map(condition).collect()
+        solved.into_iter().map(condition).collect()
     }
 
     /// `NAME = value`, written nowhere in particular.

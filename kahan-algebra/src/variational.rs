@@ -29,7 +29,7 @@ impl System {
             let denominator = renamed(&component.denominator);
             let common = gcd(&sum, &denominator);
             let [numerator, denominator] =
-                [sum, denominator].map(|of| of.checked_div(&common).unwrap_or_else(|| of.clone()));
+                [sum, denominator].map(|of| of.checked_div(&common).expect("a common divisor divides"));
             Component { numerator, denominator }
         };
         let moved = |component: &Component| Component {

@@ -144,7 +144,8 @@ impl Collector<'_> {
             let (value, entries) = entries.split_last()?;
             let map = chart.leaf.map_at(setting.at(modulus, generic)?, entries, random)?;
             constraint.on(map, *value, |variable| {
-                names.unknowns.iter().position(|known| *known == variable).map_or(0, |place| unknowns[place])
+                let place = names.unknowns.iter().position(|known| *known == variable);
+                unknowns[place.expect("the integral's other variables are unknowns")]
             })
         };
         let modulus = *draw.map.modulus();

@@ -123,7 +123,7 @@ fn tensors(map: &ModularMap, random: &mut SplitMix64) -> Vec<Vec<u64>> {
             rows.push(row);
         }
     }
-    Echelon::null_vectors(modulus, rows, places.len(), &Deadline::never()).unwrap_or_default()
+    Echelon::null_vectors(modulus, rows, places.len(), &Deadline::never()).expect("there is no deadline")
 }
 
 /// Choice 0 is the sum of the basis, choice k its element k − 1.

@@ -185,7 +185,8 @@ pub fn confirms(
     let mut lifter = Lifter { oracle, unknowns: variables.len(), random, deadline };
     lifter.sample(modulus).is_some_and(|(point, values)| {
         let value = |variable: Variable| {
-            variables.iter().position(|known| *known == variable).map_or(0, |place| point[place])
+            let place = variables.iter().position(|known| *known == variable);
+            point[place.expect("functions are of these variables")]
         };
         functions.iter().zip(&values).all(|(function, expected)| {
             let above = evaluate(&modulus, function.numerator(), value);

@@ -53,7 +53,7 @@ impl Echelon {
             let rank = pivots.len();
             let Some(found) = (rank..rows.len()).find(|&row| rows[row][column] != 0) else { continue };
             rows.swap(rank, found);
-            let inverse = modulus.inverse(rows[rank][column]).unwrap_or_default();
+            let inverse = modulus.inverse(rows[rank][column]).expect("a pivot is not zero");
             for entry in &mut rows[rank][column..] {
                 *entry = modulus.times(*entry, inverse);
             }

@@ -28,7 +28,7 @@ pub(crate) fn reduced(
     let (mut numerator, mut denominator) = (numerator, denominator);
     while let Some((above, below)) = without_factor(setting, step, factors, &numerator, &denominator) {
         let common = gcd(&above, &below);
-        let lowest = |side: &Polynomial| side.checked_div(&common).unwrap_or_else(|| side.clone());
+        let lowest = |side: &Polynomial| side.checked_div(&common).expect("a common divisor divides");
         (numerator, denominator) = (tidy(symbols, &lowest(&above)), tidy(symbols, &lowest(&below)));
     }
     (numerator, denominator)

@@ -176,10 +176,11 @@ pub fn cleared(
 pub(crate) fn over_common(functions: &[RationalFunction]) -> (Vec<Polynomial>, Polynomial) {
     let common = functions.iter().fold(Polynomial::one(), |common, function| {
         let shared = gcd(&common, function.denominator());
-        &common * &function.denominator().checked_div(&shared).unwrap_or_else(Polynomial::one)
+        &common * &function.denominator().checked_div(&shared).expect("a common divisor divides")
     });
     let numerator = |function: &RationalFunction| {
-        function.numerator() * &common.checked_div(function.denominator()).unwrap_or_else(Polynomial::one)
+        function.numerator()
+            * &common.checked_div(function.denominator()).expect("a common multiple is one of each")
     };
     (functions.iter().map(numerator).collect(), common)
 }

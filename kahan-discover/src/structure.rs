@@ -23,7 +23,7 @@ pub fn divergence(field: &Field) -> RationalFunction {
     field.components.iter().enumerate().fold(RationalFunction::zero(), |sum, (i, component)| {
         let slope = component.numerator.derivative(field.symbols.state(i));
         let term = RationalFunction::new(slope, component.denominator.clone());
-        &sum + &term.unwrap_or_else(RationalFunction::zero)
+        &sum + &term.expect("a divisor of the field is not zero")
     })
 }
 

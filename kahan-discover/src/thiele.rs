@@ -29,7 +29,7 @@ pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Dead
         }
         // A value may come twice by accident; that point then says nothing.
         let mut kept = differences.iter().map(|&difference| difference != 0);
-        points.retain(|_| kept.next().unwrap_or(false));
+        points.retain(|_| kept.next().expect("one for each point"));
         differences.retain(|&difference| difference != 0);
         if !modulus.invert_all(&mut differences) {
             return None;

@@ -263,7 +263,7 @@ fn own_density(report: &Report) -> Option<String> {
 
 fn composition(report: &Report) -> Option<String> {
     let survivors = report.survivors.as_ref()?;
-    let name = |index: usize| report.integrals[index].name().unwrap_or_default();
+    let name = |index: usize| report.integrals[index].name().expect("a claim has a name");
     let kept = (0..report.integrals.len())
         .filter(|&index| survivors.formulas[index])
         .map(|index| name(index).to_owned());

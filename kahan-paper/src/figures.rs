@@ -167,7 +167,8 @@ impl Measurement {
         let value = match name {
             "h" => heights[index(0)?],
             "digits" => {
-                let column = self.variables.iter().position(|known| known == variable).unwrap_or(0);
+                let column = self.variables.iter().position(|known| known == variable);
+                let column = column.expect("its heights are known");
                 return Ok(i64::try_from(self.survey.heights[index(0)?].digits[column])
                     .ok()
                     .map(Rational::from));

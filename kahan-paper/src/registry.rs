@@ -234,7 +234,7 @@ fn measured(evidence: &Evidence, figure: &Figure) -> (Outcome, String) {
     let detail = format!("measured on the exact orbit {} of {} iterates", figure.name, figure.steps);
     match evidence {
         Evidence::Numerical(decimals) => (Outcome::Numerical(*decimals), detail),
-        _ => (Outcome::Exact(u32::try_from(figure.steps).unwrap_or(u32::MAX)), detail),
+        _ => (Outcome::Exact(u32::try_from(figure.steps).expect("an orbit of a figure is short")), detail),
     }
 }
 

@@ -124,7 +124,7 @@ impl Expander<'_> {
                 next = Expansion { numerator: next.denominator, denominator: next.numerator };
             }
             if let Some(divisor) = next.denominator.as_constant() {
-                let inverse = divisor.recip().unwrap_or_default();
+                let inverse = divisor.recip().expect("a denominator is not zero");
                 next = Expansion::polynomial(next.numerator.scale(&inverse));
             }
             product = Expansion {
@@ -209,7 +209,7 @@ impl Expander<'_> {
 
     /// 0, 1 or −1 to any power; 0^0 is 1.
     fn trivial_power(&self, base: &Expansion, exponent: i64) -> Expansion {
-        let value = base.as_constant().unwrap_or_default();
+        let value = base.as_constant().expect("the base is 0, 1 or −1");
         let one = exponent == 0 || (value.is_negative() && exponent % 2 == 0);
         Expansion::polynomial(Polynomial::constant(if one { Rational::one() } else { value }))
     }

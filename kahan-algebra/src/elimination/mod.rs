@@ -155,7 +155,9 @@ impl Couplings {
         let operations =
             of_slopes.operations() + of_field.operations() + scaled + 2 * self.products() + 3 * n;
         let chain = of_slopes.chain.max(of_field.chain) as usize + self.chain();
-        let count = |number: usize| u32::try_from(number).unwrap_or(u32::MAX);
+        let count = |number: usize| {
+            u32::try_from(number).expect("fields that are eliminated have a most of variables")
+        };
         StepCost { operations: count(operations), divisions: count(n), chain: count(chain) }
     }
 

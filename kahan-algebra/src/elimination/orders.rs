@@ -10,7 +10,7 @@ pub(super) fn cheapest(graph: &Graph, block: &[usize]) -> Vec<usize> {
     let proposals =
         [as_written(block.len()), folded(block.len()), in_bands(&neighbours), by_degree(&neighbours)];
     let named = proposals.map(|order| order.into_iter().map(|place| block[place]).collect::<Vec<usize>>());
-    named.into_iter().min_by_key(|order| graph.price(order)).unwrap_or_default()
+    named.into_iter().min_by_key(|order| graph.price(order)).expect("four orders are proposed")
 }
 
 /// Best where a variable acts on the next few only.

@@ -176,7 +176,7 @@ impl Writer<'_> {
         for (coefficient, values) in self.by_coefficient(above) {
             let common = gcd(&coefficient, inside);
             let [coefficient, inside] =
-                [&coefficient, inside].map(|of| of.checked_div(&common).unwrap_or_else(|| of.clone()));
+                [&coefficient, inside].map(|of| of.checked_div(&common).expect("a common divisor divides"));
             let mut factor = self.polynomial(&coefficient.scale(&values.content()));
             if let Some(eps) = eps {
                 factor = self.builder.multiply(factor, eps);

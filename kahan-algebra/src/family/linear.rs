@@ -25,7 +25,7 @@ impl Equations {
         let Some(place) = coefficients.iter().position(|value| !value.is_zero()) else {
             return right.is_zero();
         };
-        let inverse = coefficients[place].recip().unwrap_or_else(RationalFunction::one);
+        let inverse = coefficients[place].recip().expect("it is not zero");
         coefficients.iter_mut().for_each(|value| *value = &*value * &inverse);
         right = &right * &inverse;
         for (_, row, row_right) in &mut self.rows {

@@ -107,9 +107,9 @@ impl Reduced {
         let common_factor = gcd_all_within(&all, budget)?;
         let mut lowered = Vec::with_capacity(increments.len());
         for increment in &increments {
-            lowered.push(increment.div_within(&common_factor, budget)?.unwrap_or_default());
+            lowered.push(increment.div_within(&common_factor, budget)?.expect("a common divisor divides"));
         }
-        let denominator = denominator.div_within(&common_factor, budget)?.unwrap_or_default();
+        let denominator = denominator.div_within(&common_factor, budget)?.expect("a common divisor divides");
         // With constant term 1 the denominator rounds best near ε = 0, where it is 1.
         let constant = denominator.coefficient(&crate::poly::Monomial::one());
         let scale = constant.recip().unwrap_or_else(Rational::one);

@@ -1,6 +1,6 @@
 //! Items: `const`, equations, and where a claim begins.
 
-use crate::diagnostics::{Diagnostic, Kind};
+use crate::diagnostics::Kind;
 use crate::syntax::{Block, ClaimKind, Constant, Equation, Name};
 use crate::table::distinct;
 use crate::token::{Span, TokenKind};
@@ -106,7 +106,7 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
     let text = left.text.clone();
     if cursor.peek(0).is_some_and(|next| matches!(next.kind, TokenKind::Unreadable { .. })) {
         block.misspelt_states.push(left);
-        return Err(cursor.unreadable().unwrap_or_else(|| Diagnostic::new(Kind::Syntax, span, "", "")));
+        return Err(cursor.unreadable().expect("the next token is unreadable"));
     }
     let help = if cursor.is_punctuation(0, '=') {
         format!("write `{}dot = …`", meant(&text))

@@ -67,7 +67,7 @@ fn decimal(digits: &str, scale: i64) -> Rational {
     if let (Ok(value), 0) = (digits.parse::<i64>(), scale) {
         return Rational::from(value);
     }
-    let digits = BigInt::from_str_radix(digits, 10).unwrap_or_default();
+    let digits = BigInt::from_str_radix(digits, 10).expect("a literal has digits");
     let power = num_traits::pow(BigInt::from(10), scale.unsigned_abs() as usize);
     let value = if scale < 0 {
         num_rational::BigRational::new(digits, power)

@@ -33,11 +33,12 @@ impl<'a> FactoredMap<'a> {
         let mut over_base = factored(&all).into_iter();
         let zero =
             || Factored { coefficient: Rational::zero(), monomial: Monomial::one(), factors: Vec::new() };
-        let denominator = over_base.next().unwrap_or_else(zero);
+        let mut next = || over_base.next().expect("one for each polynomial");
+        let denominator = next();
         let numerators = reduced
             .increments
             .iter()
-            .map(|increment| if increment.is_zero() { zero() } else { over_base.next().unwrap_or_else(zero) })
+            .map(|increment| if increment.is_zero() { zero() } else { next() })
             .collect();
         FactoredMap { field, map, numerators, denominator }
     }

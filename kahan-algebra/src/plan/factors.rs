@@ -74,11 +74,11 @@ fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
 
 /// Without coefficient and monomial, the leading coefficient positive.
 fn core(polynomial: &Polynomial) -> Polynomial {
-    polynomial.div_monomial(&polynomial.monomial_content()).unwrap_or_default().primitive_part()
+    polynomial.div_monomial(&polynomial.monomial_content()).expect("all terms have it").primitive_part()
 }
 
 fn split_off(polynomial: &Polynomial, factor: Polynomial) -> [Polynomial; 2] {
-    let quotient = polynomial.checked_div(&factor).unwrap_or_else(Polynomial::one);
+    let quotient = polynomial.checked_div(&factor).expect("a factor divides");
     [core(&quotient), core(&factor)]
 }
 
@@ -127,7 +127,7 @@ fn quadratic_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Poly
 
 fn over_base(polynomial: &Polynomial, base: &[Polynomial]) -> Factored {
     let monomial = polynomial.monomial_content();
-    let mut rest = polynomial.div_monomial(&monomial).unwrap_or_default();
+    let mut rest = polynomial.div_monomial(&monomial).expect("all terms have it");
     let mut factors = Vec::new();
     for factor in base {
         let mut exponent = 0;

@@ -34,7 +34,7 @@ impl PlanBuilder {
     }
 
     fn scaled_by_monomial(&mut self, polynomial: &Polynomial, common: &Monomial) -> Node {
-        let quotient = polynomial.div_monomial(common).unwrap_or_default();
+        let quotient = polynomial.div_monomial(common).expect("all terms have it in common");
         let inner = self.polynomial(&quotient);
         let mut product: Option<Node> = None;
         for &(variable, exponent) in common.powers() {

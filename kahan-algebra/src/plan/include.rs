@@ -54,6 +54,6 @@ impl PlanBuilder {
             renamed.push(self.include_node(plan, operand));
         }
         let mut renamed = renamed.into_iter();
-        self.intern(operation.with_operands(|operand| renamed.next().unwrap_or(operand)))
+        self.intern(operation.with_operands(|_| renamed.next().expect("one for each operand")))
     }
 }

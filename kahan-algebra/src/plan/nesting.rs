@@ -169,7 +169,7 @@ impl Nesting {
     fn nested(&self, polynomial: &Polynomial, variable: Variable) -> Estimate {
         let (quotient, rest) = super::horner::split(polynomial, variable);
         let common = quotient.monomial_content();
-        let inner = quotient.div_monomial(&common).unwrap_or_default();
+        let inner = quotient.div_monomial(&common).expect("all terms have it");
         let monomial = common.mul(&Monomial::variable(variable));
         let content = inner.content();
         let (content, inner) =
@@ -202,8 +202,8 @@ fn multiplied(ready: Vec<u32>) -> u32 {
 fn combined(ready: Vec<u32>, latency: u32) -> u32 {
     let mut ready = sorted_by_key(ready, |&at| Reverse(at));
     while ready.len() > 1 {
-        let (a, b) = (ready.pop().unwrap_or(0), ready.pop().unwrap_or(0));
-        let sum = a.max(b) + latency;
+        let mut earliest = || ready.pop().expect("two are left");
+        let sum = earliest().max(earliest()) + latency;
         let place = ready.partition_point(|&at| at >= sum);
         ready.insert(place, sum);
     }

@@ -87,7 +87,7 @@ impl Products {
             |writer, place| with_power_at(writer, &product, power, *place),
             |list| list.nodes.len(),
         );
-        self.lists.extend(list);
+        self.lists.push(list);
     }
 
     /// Multiplies: pairs of factors that several products contain first.

@@ -48,7 +48,7 @@ impl Scaling {
     }
 
     pub(super) fn states(&self) -> u16 {
-        u16::try_from(self.states).unwrap_or(u16::MAX)
+        u16::try_from(self.states).expect("straight lines have few states")
     }
 
     pub(super) fn epsilon(&self) -> Variable {
@@ -57,7 +57,7 @@ impl Scaling {
 
     /// The variable of the k-th coefficient that was gathered.
     pub(super) fn coefficient(&self, k: usize) -> Variable {
-        Variable(COEFFICIENTS + u16::try_from(k).unwrap_or(0))
+        Variable(COEFFICIENTS + u16::try_from(k).expect("few coefficients are gathered"))
     }
 
     /// εv for a state or parameter v.
@@ -83,7 +83,7 @@ impl Scaling {
 
     fn offset(&self) -> u16 {
         // States, parameters, ε and the second states come before.
-        u16::try_from(2 * self.states + self.parameters + 1).unwrap_or(u16::MAX)
+        u16::try_from(2 * self.states + self.parameters + 1).expect("symbols are numbered by 16 bits")
     }
 
     /// Every way to scale the terms that the orders of preference allow, without repetition: where
@@ -116,7 +116,8 @@ impl Scaling {
         let mut powers_of_eps = monomial.exponent(self.epsilon);
         let mut result = Monomial::power(INVERSE_STEP, monomial.exponent(INVERSE_STEP));
         let is_state = |variable: Variable| usize::from(variable.0) < self.states;
-        let states = plain.iter().rev().map(|&i| Variable(u16::try_from(i).unwrap_or(u16::MAX)));
+        let states =
+            plain.iter().rev().map(|&i| Variable(u16::try_from(i).expect("states are numbered by 16 bits")));
         let parameters = monomial
             .powers()
             .iter()
@@ -175,7 +176,7 @@ pub(super) fn scalings(field: &Field) -> Vec<Scaling> {
 pub(super) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Variable) -> Polynomial {
     let divided = polynomial.terms().map(|(monomial, coefficient)| {
         let cancelled = monomial.exponent(epsilon).min(power);
-        let rest = monomial.div(&Monomial::power(epsilon, cancelled)).unwrap_or_else(Monomial::one);
+        let rest = monomial.div(&Monomial::power(epsilon, cancelled)).expect("it has so many powers of ε");
         // 1/ε is 2h.
         let scale = Rational::from(1 << (power - cancelled));
         (rest.mul(&Monomial::power(INVERSE_STEP, power - cancelled)), coefficient * &scale)

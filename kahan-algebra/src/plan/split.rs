@@ -74,12 +74,16 @@ impl Plan {
                 });
             }
             if !fixed[index] {
-                let operation = operation.with_operands(|operand| renamed[operand.0].unwrap_or(operand));
+                let operation = operation
+                    .with_operands(|operand| renamed[operand.0].expect("operands come before their uses"));
                 renamed[index] = Some(kernel.intern(operation));
             }
         }
-        let outputs: Vec<Node> =
-            self.outputs.iter().map(|output| renamed[output.0].unwrap_or(*output)).collect();
+        let outputs: Vec<Node> = self
+            .outputs
+            .iter()
+            .map(|output| renamed[output.0].expect("each output is in the kernel, or prepared"))
+            .collect();
         let mut constants = PlanBuilder::default();
         let all = constants.include_all(self);
         let prepared: Vec<Node> = prepared.iter().map(|node| all[node.0]).collect();

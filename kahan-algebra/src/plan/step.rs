@@ -100,11 +100,11 @@ impl StepPlan {
     /// What the step costs, as generated code says it.
     #[must_use]
     pub fn cost(&self) -> StepCost {
-        let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+        let count = |n: u64| u32::try_from(n).expect("plans have a budget of terms");
         StepCost {
-            operations: count(self.operations()),
-            divisions: count(self.kernel.cost().divisions),
-            chain: u32::try_from(self.cycles()).unwrap_or(u32::MAX),
+            operations: count(self.operations() as u64),
+            divisions: count(self.kernel.cost().divisions as u64),
+            chain: count(self.cycles()),
         }
     }
 

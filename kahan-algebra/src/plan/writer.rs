@@ -173,14 +173,13 @@ impl Writer {
             return self.term(&common, &content, None);
         }
         if !common.is_one() || !content.is_one() {
-            let inner = polynomial.div_monomial(&common).unwrap_or_default().primitive_part();
+            let inner = polynomial.div_monomial(&common).expect("all terms have it").primitive_part();
             if goal == Goal::Few && inner.len() <= SHARED && self.has_constant(&common) {
                 let write = |writer: &mut Self, is_product: &bool| match is_product {
                     true => writer.multiple(&common, &content, &inner, goal),
                     false => writer.write_flat(polynomial),
                 };
-                let written = self.cheapest(&[true, false], write, |_| 0);
-                return written.unwrap_or_else(|| Signed::plus(self.draft.zero()));
+                return self.cheapest(&[true, false], write, |_| 0);
             }
             return self.multiple(&common, &content, &inner, goal);
         }

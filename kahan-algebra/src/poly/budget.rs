@@ -9,7 +9,6 @@ use std::error::Error;
 use std::fmt;
 
 use super::Polynomial;
-use crate::rational::Rational;
 
 /// Total degrees beyond this are over any budget, so that exponents never overflow.
 const MAX_DEGREE: u64 = 1 << 24;
@@ -105,7 +104,7 @@ impl Polynomial {
             let words = coefficient.bits().saturating_mul(u64::from(exponent)) / 64 + 1;
             budget.charge(words.saturating_mul(words))?;
             let exponent = i32::try_from(exponent).map_err(|_| OverBudget)?;
-            let coefficient = coefficient.pow(exponent).unwrap_or(Rational::ZERO);
+            let coefficient = coefficient.pow(exponent).expect("the exponent is not negative");
             return Ok(Self::term(monomial.pow(exponent.unsigned_abs()), coefficient));
         }
         budget.admit(self.power_size(exponent))?;

@@ -73,9 +73,8 @@ struct Point {
 impl Point {
     fn new(variable: Variable, degree: u32) -> Self {
         let mut rng = SplitMix64::new(u64::from(variable.0));
-        // Points other than 0 have inverses.
         let value = 1 + rng.below(FIELD.prime() - 1);
-        let inverse = FIELD.inverse(value).unwrap_or(1);
+        let inverse = FIELD.inverse(value).expect("it is not 0");
         Self { powers: powers(value, degree), inverse_powers: powers(inverse, degree) }
     }
 }

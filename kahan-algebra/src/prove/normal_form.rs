@@ -43,7 +43,7 @@ fn sample(
     functions: &Functions,
 ) -> Option<Sample<Function>> {
     let n = scheme.dimension();
-    let variable = |index: usize| Variable(u16::try_from(index).unwrap_or(u16::MAX));
+    let variable = |index: usize| Variable(u16::try_from(index).expect("symbols are numbered by 16 bits"));
     let mut here: Vec<Function> = (0..scheme.variables)
         .map(|index| Function::polynomial(Polynomial::variable(variable(index))))
         .collect();

@@ -190,6 +190,6 @@ impl<'a> Prover<'a> {
             (_, 1) => "rho".to_owned(),
             _ => format!("rho{index}"),
         };
-        (1..).map(name).find(|name| !self.taken.contains(name)).unwrap_or_default()
+        (1..).map(name).find(|name| !self.taken.contains(name)).expect("numbers have no end")
     }
 }

@@ -229,11 +229,11 @@ impl<'a> Search<'a> {
 }
 
 fn variable(name: usize) -> Variable {
-    Variable(u16::try_from(name).unwrap_or(u16::MAX))
+    Variable(u16::try_from(name).expect("a grid has few names"))
 }
 
 fn draw(random: &mut SplitMix64, count: usize) -> usize {
-    usize::try_from(random.below(count as u64)).unwrap_or(0)
+    usize::try_from(random.below(count as u64)).expect("it is less than a usize")
 }
 
 /// The subsets of so many elements, in order.

@@ -59,7 +59,7 @@ pub(crate) fn quotient(
     above.shorten(symbols, &by);
     below.shorten(symbols, &by);
     // What stands in front of both sides becomes one, without fractions.
-    let content = above.content.checked_div(&below.content).unwrap_or_else(Rational::zero);
+    let content = above.content.checked_div(&below.content).expect("a denominator is not zero");
     let (front_above, front_below) =
         (above.front.mul(&below.front_below), above.front_below.mul(&below.front));
     let common = front_above.gcd(&front_below);
@@ -145,7 +145,8 @@ impl Product {
                 }
             }
             if let Some(Scale { content, front, front_below }) = scale {
-                self.content = &self.content * &content.pow(*exponent as i32).unwrap_or_else(Rational::one);
+                self.content =
+                    &self.content * &content.pow(*exponent as i32).expect("the exponent is not negative");
                 self.front = self.front.mul(&front.pow(*exponent));
                 self.front_below = self.front_below.mul(&front_below.pow(*exponent));
                 *sum = Sum::Written(best);

@@ -58,7 +58,7 @@ fn without_constant(symbols: &Symbols, base: &Polynomial) -> Polynomial {
     let moving = base.terms().filter(|(monomial, _)| has_states(monomial));
     let moving = Polynomial::from_terms(moving.map(|(monomial, value)| (monomial.clone(), value.clone())));
     let (_, common) = moving.monomial_content().split(|variable| symbols.is_state(variable));
-    moving.div_monomial(&common).unwrap_or(moving).primitive_part()
+    moving.div_monomial(&common).expect("all terms have it").primitive_part()
 }
 
 /// The polynomial written by powers of `base`, but for its constant; `None` where that is not

@@ -85,8 +85,9 @@ impl Identity<'_> {
             return None;
         }
         let functions = Functions::new(Budget::new(MOST_TERMS, MOST_WORK));
-        let variable =
-            |index: usize| Polynomial::variable(Variable(u16::try_from(index).unwrap_or(u16::MAX)));
+        let variable = |index: usize| {
+            Polynomial::variable(Variable(u16::try_from(index).expect("a formula has few names")))
+        };
         let values =
             names.iter().enumerate().map(|(k, name)| (name.clone(), Function::polynomial(variable(k))));
         let [left, right] = self.sides(&functions, left, right, values.collect()).ok()?;

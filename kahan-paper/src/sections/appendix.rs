@@ -115,7 +115,7 @@ theta.third | (thetarel2), the third bilinear equation |
 
 /// The claims, in the order of the paper.
 pub(super) fn claims() -> Vec<Claim> {
-    let value = |name| structure("e4").and_then(|row| row.value(name)).unwrap_or_default();
+    let value = |name| structure("e4").and_then(|row| row.value(name)).expect("the tables have it");
     let integrals = format!("H := {}; K := {};", value("H_eps"), value("K_eps"));
     let level = format!("{integrals} h := 2*eps^2*H; g := 2*eps^2*K;");
     [

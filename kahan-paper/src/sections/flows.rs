@@ -74,7 +74,7 @@ fn row(row: &Row) -> Vec<Claim> {
         let source = format!("Table 5, i = {}, {cell}", &system[1..]);
         Claim::new(Section::FlowSolutions, ["table5", system, cell], system, source, statement).given(&orbit)
     };
-    let table1 = |name| structure(system).and_then(|row| row.value(name)).unwrap_or_default();
+    let table1 = |name| structure(system).and_then(|row| row.value(name)).expect("the tables have it");
     let components = (0..3).map(|i| {
         let state = STATES[i];
         claim(state, format!("{state} := {}; d({state}, T) = f{}", solution[i], i + 1))

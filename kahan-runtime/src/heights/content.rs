@@ -98,7 +98,10 @@ impl Content {
         if content.is_one() {
             return Primitive { point, weight_parts };
         }
-        Primitive { point: quotients(&point, &content).unwrap_or(point), weight_parts: Vec::new() }
+        Primitive {
+            point: quotients(&point, &content).expect("a common divisor divides"),
+            weight_parts: Vec::new(),
+        }
     }
 
     /// The lag whose γ holds most of a content that is worth it.

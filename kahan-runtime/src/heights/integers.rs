@@ -60,7 +60,7 @@ pub(crate) fn rational(numerator: &IBig, denominator: &IBig) -> Rational {
     let (p, q) = (numerator / &common, denominator / &common);
     let p = Rational::from(big(&if q.sign() == Sign::Negative { -p } else { p }));
     let q = Rational::from(big(&q.abs()));
-    p.checked_div(&q).unwrap_or_default()
+    p.checked_div(&q).expect("a denominator is not zero")
 }
 
 /// The least common multiple of the denominators.

@@ -19,7 +19,7 @@ const LN_2_LOW: f64 = (LN_2 - LN_2_HIGH) + 2.319_046_813_846_299_6e-17;
 pub(crate) fn natural_logarithm(m: &UBig) -> f64 {
     let bits = m.bit_len();
     if bits <= 53 {
-        let small = u64::try_from(m).unwrap_or_default();
+        let small = u64::try_from(m).expect("it has at most 53 bits");
         return if small == 0 { 0.0 } else { (small as f64).ln() };
     }
     let words = m.as_words();

@@ -83,7 +83,7 @@ impl ProjectiveMap {
                 let mut monomial = Monomial::one();
                 if let Some(denominator) = forms.last_mut() {
                     monomial = denominator.monomial_content();
-                    *denominator = denominator.div_monomial(&monomial).unwrap_or_default();
+                    *denominator = denominator.div_monomial(&monomial).expect("all terms have it");
                 }
                 forms.extend(behind.forms(&map).1.pop());
                 (degree, Formula::Reduced { plan: Plan::of(&forms), monomial, split })
@@ -114,7 +114,7 @@ impl ProjectiveMap {
 
     /// The projective integers of a point, without a common factor.
     pub(crate) fn point(&self, x: &[Rational]) -> Vec<IBig> {
-        let scale = self.unit.recip().unwrap_or_else(Rational::one);
+        let scale = self.unit.recip().expect("1/ε or 1 is not zero");
         let scaled: Vec<Rational> = x.iter().map(|x| x * &scale).collect();
         let weight = common_denominator(&scaled);
         let mut point: Vec<IBig> = scaled.iter().map(|x| numerator(x) * (&weight / denominator(x))).collect();
@@ -133,7 +133,10 @@ impl ProjectiveMap {
     pub(crate) fn apply(&mut self, point: &[IBig], factors: &[UBig]) -> Image {
         let run = |plan: &Plan| {
             let values = plan.evaluate(&Integers, |variable| point[usize::from(variable.0)].clone());
-            values.into_iter().map(Option::unwrap_or_default).collect::<Vec<IBig>>()
+            values
+                .into_iter()
+                .map(|value| value.expect("a polynomial divides by nothing"))
+                .collect::<Vec<IBig>>()
         };
         match &mut self.formula {
             Formula::Reduced { plan, monomial, split } => {
@@ -228,5 +231,5 @@ impl Values<'_> {
 
 /// The variable of W: the one behind the states, which are all that is left.
 fn weight(dimension: usize) -> Variable {
-    Variable(u16::try_from(dimension).unwrap_or(u16::MAX))
+    Variable(u16::try_from(dimension).expect("states are numbered by 16 bits"))
 }

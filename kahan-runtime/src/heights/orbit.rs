@@ -197,7 +197,7 @@ impl Iterator for HeightsOrbit {
 
 /// The heights of a point with W ≠ 0, from the gcd(Xᵢ, W).
 fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -> Heights {
-    let weight = point.last().map(UnsignedAbs::unsigned_abs).unwrap_or_default();
+    let weight = point.last().map(UnsignedAbs::unsigned_abs).expect("W stands last");
     let (above, below) = (numerator(map.unit()).unsigned_abs(), denominator(map.unit()));
     let logarithm = |(x, factor): (&IBig, &UBig)| {
         let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);

@@ -95,7 +95,7 @@ impl Split {
         // others.
         let divisor = IBig::from(g.clone());
         let divided = |(part, &j): (Option<IBig>, &usize)| {
-            let part = part.unwrap_or_default();
+            let part = part.expect("a polynomial divides by nothing");
             if j == 0 { part.div_rem(&divisor) } else { (IBig::ZERO, part) }
         };
         let degrees = || self.degrees.iter().flatten();

@@ -65,9 +65,10 @@ impl LatticeAt {
         let given: Vec<f64> = numbers.into_iter().flatten().collect();
         let mut registers = vec![0.0; code.constants.registers()];
         let constants = code.constants.results(given.iter().copied().chain([eps]), &mut registers, &[]);
-        let constants: Vec<f64> = constants.map_or_else(Vec::new, |constants| constants.iter().collect());
+        let constants = constants.expect("floats have a value where they divide by zero");
+        let constants: Vec<f64> = constants.iter().collect();
         if !constants.iter().all(|constant| constant.is_finite()) {
-            let value = |number: &f64| Rational::from_f64(*number).unwrap_or_default();
+            let value = |number: &f64| Rational::from_f64(*number).expect("it was seen to be finite");
             let values = family.parameters.iter().cloned().zip(given.iter().map(value)).collect();
             return Err(ParameterError::Undefined(values).into());
         }

@@ -12,8 +12,7 @@ impl Writer {
     /// fewest steps.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
-        let written = self.cheapest(&ways, |writer, way| writer.write(way, Goal::Few), |_| 0);
-        written.unwrap_or_else(|| Signed::plus(self.draft.zero()))
+        self.cheapest(&ways, |writer, way| writer.write(way, Goal::Few), |_| 0)
     }
 
     /// The same as an entry of a matrix.
@@ -23,35 +22,29 @@ impl Writer {
             polynomial: way.clone(),
             written: writer.write(way, Goal::Few),
         };
-        let entry = self.cheapest(&ways, write, |_| 0);
-        entry.unwrap_or_else(|| Entry {
-            polynomial: Polynomial::zero(),
-            written: Signed::plus(self.draft.zero()),
-        })
+        self.cheapest(&ways, write, |_| 0)
     }
 
     /// The factors of a term, in the way that adds the fewest steps, and its sign.
     pub(in crate::plan) fn cheapest_term(&mut self, term: &Polynomial) -> (Vec<Node>, bool) {
         let ways = self.scaling.ways(term);
         let factors = |writer: &mut Self, way: &Polynomial| {
-            way.leading_term()
-                .map(|(monomial, coefficient)| writer.factors_of_term(monomial, coefficient))
-                .unwrap_or_default()
+            let (monomial, coefficient) = way.leading_term().expect("a term is not zero");
+            writer.factors_of_term(monomial, coefficient)
         };
-        self.cheapest(&ways, factors, |(nodes, _)| nodes.len()).unwrap_or_default()
+        self.cheapest(&ways, factors, |(nodes, _)| nodes.len())
     }
 
-    /// The attempt that makes the fewest steps, its result's own price added; the others leave no
-    /// trace.
+    /// Of one attempt or more that which makes the fewest steps, its result's own price added; the
+    /// others leave no trace.
     pub(in crate::plan) fn cheapest<A, R>(
         &mut self,
         attempts: &[A],
         mut write: impl FnMut(&mut Self, &A) -> R,
         price: impl Fn(&R) -> usize,
-    ) -> Option<R> {
-        let (first, rest) = attempts.split_first()?;
-        if rest.is_empty() {
-            return Some(write(self, first));
+    ) -> R {
+        if let [only] = attempts {
+            return write(self, only);
         }
         let mark = self.mark();
         let mut best: Option<(usize, &A)> = None;
@@ -63,7 +56,8 @@ impl Writer {
             }
             self.back_to(&mark);
         }
-        best.map(|(_, attempt)| write(self, attempt))
+        let (_, attempt) = best.expect("there is an attempt");
+        write(self, attempt)
     }
 
     fn mark(&self) -> Mark {

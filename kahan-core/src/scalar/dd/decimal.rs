@@ -132,8 +132,8 @@ impl Decimal {
                 }
             }
         }
-        // Beyond 64 bits of exponent every number is 0 or infinite, and does not come here.
-        decimal.exponent = decimal.exponent.saturating_add(exponent.parse().unwrap_or(0));
+        let exponent = exponent.parse().expect("beyond 64 bits of exponent every number is 0 or infinite");
+        decimal.exponent = decimal.exponent.saturating_add(exponent);
         decimal.trim();
         decimal
     }

@@ -39,7 +39,7 @@ impl<T: Pivot> Germ<T> for Laurent<T> {
         if point.iter().any(|entry| entry.coefficient(lowest).is_none()) {
             return None;
         }
-        let leading: [T; N] = from_fn(|i| point[i].coefficient(lowest).unwrap_or_else(T::zero));
+        let leading: [T; N] = from_fn(|i| point[i].coefficient(lowest).expect("all entries have one"));
         if lowest == 0 {
             return Some(vector(leading).into());
         }
