@@ -73,6 +73,7 @@ fn assert_has_no_ones(page: &str) {
 /// Every row of every display fits the page, but for single terms.
 fn assert_fits(page: &str) {
     let displays = page.split("\\[").skip(1).filter_map(|rest| rest.split("\\]").next());
+    assert!(displays.clone().count() > 0, "no display: {page}");
     for row in displays.flat_map(|display| display.lines()) {
         if row.starts_with("\\begin") || row.starts_with("\\end") {
             continue;

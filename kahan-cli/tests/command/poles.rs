@@ -34,8 +34,9 @@ fn the_object_has_its_keys_and_verdicts() {
     assert_eq!((&found["bound"], &found["growth"]), (&json!(8), &json!("quadratic")));
     assert_eq!(found["implied_degrees"], json!([1, 2, 3, 5, 7, 11, 15, 20, 25]));
     let lost = object(&["poles", "lv", "--steps", "5", "--json"]);
-    assert!(verdicts(&lost).iter().all(|one| one[1] == 5 && one[2] == false), "{lost}");
     let undecided = object(&["poles", "lv", "--seconds", "1e-9", "--json"]);
+    assert!(!verdicts(&lost).is_empty() && !verdicts(&undecided).is_empty());
+    assert!(verdicts(&lost).iter().all(|one| one[1] == 5 && one[2] == false), "{lost}");
     assert!(verdicts(&undecided).iter().all(|one| one[1] == 0 && one[2].is_null()), "{undecided}");
     assert_eq!(undecided["implied_degrees"], Value::Null);
 }

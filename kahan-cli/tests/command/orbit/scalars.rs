@@ -182,9 +182,11 @@ fn an_integral_without_a_value_is_an_empty_cell_and_null() {
         let arguments = ["e3", "--eps", "1/10", "--at", "0,1,0", "--steps", "1", "--scalar", scalar];
         let (names, rows) = table(&answer(&arguments));
         assert_eq!(names[5..], ["H", "K"]);
+        assert_eq!(rows.len(), 2);
         assert!(rows.iter().all(|row| row[5].is_empty() && !row[6].is_empty()), "{rows:?}");
         let object = answer(&with(&arguments, &["--json".to_owned()]));
         let object: Value = serde_json::from_str(&object).expect("JSON");
+        assert_eq!(object["rows"].as_array().map(Vec::len), Some(2));
         assert!(object["rows"].as_array().expect("rows").iter().all(|row| row[5].is_null()), "{object}");
     }
 }
