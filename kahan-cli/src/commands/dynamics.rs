@@ -92,7 +92,7 @@ impl Dynamics {
 
     fn observed(&self) -> Result<(Request, Observed), Refusal> {
         let request = self.start.request()?;
-        let composition = Composition::of_order(self.order).unwrap_or(Composition::KAHAN);
+        let composition = Composition::of_order(self.order).expect("orders are 2, 4, 6 and 8");
         let asked = Asked { steps: self.steps, every: self.every, escape: self.escape };
         let observed = asked.of(&request, composition)?;
         Ok((request, observed))

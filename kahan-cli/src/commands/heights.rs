@@ -218,7 +218,7 @@ impl Record<'_> {
 
 /// A height to the 15 digits that are promised.
 fn fifteen_digits(height: f64) -> f64 {
-    format!("{height:.14e}").parse().unwrap_or(height)
+    format!("{height:.14e}").parse().expect("a printed float is one")
 }
 
 /// The rows of a table that fits a screen: all of a short one; of a long one the first, then ever

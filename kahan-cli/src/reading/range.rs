@@ -72,7 +72,7 @@ impl<'a> Range<'a> {
     /// The value after so many half steps.
     fn part(&self, half_steps: i64) -> Rational {
         let steps = Rational::from(2 * self.steps as i64);
-        let part = Rational::from(half_steps).checked_div(&steps).unwrap_or_default();
+        let part = Rational::from(half_steps).checked_div(&steps).expect("there is a step");
         &self.from + &(&part * &(&self.to - &self.from))
     }
 }

@@ -75,7 +75,7 @@ impl Request {
         if !start.iter().all(|number| number.is_finite()) {
             return Err(Refusal::new("--at and --eps must be in the range of f64"));
         }
-        let eps = start.pop().unwrap_or_default();
+        let eps = start.pop().expect("eps stands last");
         Ok((map.at(eps), start))
     }
 

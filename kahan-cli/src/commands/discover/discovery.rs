@@ -67,7 +67,7 @@ impl Discovery {
     /// quotients of two.
     fn survivors(&self) -> Option<Value> {
         let survivors = self.report.survivors.as_ref()?;
-        let name = |index: usize| self.report.integrals[index].name().unwrap_or_default().to_owned();
+        let name = |index: usize| self.report.integrals[index].name().expect("a claim has a name").to_owned();
         let kept = (0..survivors.formulas.len()).filter(|&index| survivors.formulas[index]).map(name);
         let quotients =
             survivors.quotients.iter().map(|&(above, below)| format!("{}/{}", name(above), name(below)));

@@ -157,8 +157,8 @@ impl Stretch {
         let maps: Vec<&MapAt<f64>> = self.map_of.iter().map(|map| &self.maps[*map]).collect();
         let mut columns: Vec<&mut [f64]> = self.columns.iter_mut().map(Vec::as_mut_slice).collect();
         let (indicator, shown) = all.asked();
-        // There is a map an orbit, of as many variables as there are columns.
-        let found = indicator.of(&maps, &mut columns, all.steps).unwrap_or_default();
+        let found = indicator.of(&maps, &mut columns, all.steps);
+        let found = found.expect("a map an orbit, of as many variables as there are columns");
         let mut values = vec![f64::NAN; self.len];
         self.cells.iter().zip(found).for_each(|(cell, value)| values[*cell] = shown(value));
         values

@@ -71,7 +71,9 @@ impl<'a> Rows<'a> {
         if let Some(place) =
             cells.iter().position(|cell| cell.rows > 1).filter(|_| !has_range.contains(&true))
         {
-            let at = |axis: usize, index: usize| ranges[axis].middles().nth(index).unwrap_or_default();
+            let at = |axis: usize, index: usize| {
+                ranges[axis].middles().nth(index).expect("the cell is one of the range")
+            };
             return Err(Refusal::new(format!(
                 "--over: {} rows have {} = {} and {} = {}; choose among them by another column, as in --where order=2, or give \
                  cells, as in --over {}=-1:1:60, which show the mean of their rows",

@@ -33,7 +33,9 @@ impl Orbit {
         let mut orbit = ChainOrbit { array: array.transpose()?, chain };
         let head = self.chain_head(&orbit);
         self.write(head, |table, progress| {
-            let at_once = (AT_ONCE / i64::try_from(orbit.chain.state.len()).unwrap_or(AT_ONCE)).max(1);
+            let at_once = (AT_ONCE
+                / i64::try_from(orbit.chain.state.len()).expect("the states fit into memory"))
+            .max(1);
             let rows = Rows { steps: self.steps, every: self.every, at_once, progress };
             let stopped = rows.follow(&mut orbit, |orbit, n| orbit.write(table, n), ChainOrbit::advance)?;
             if let Some(array) = orbit.array {

@@ -30,7 +30,7 @@ impl<'a, A: Rounded> FloatOrbit<'a, A> {
         parameters: &[A::Value],
         eps: &A::Value,
     ) -> Result<Self, UndefinedField> {
-        let composition = Composition::of_order(order).unwrap_or(Composition::KAHAN);
+        let composition = Composition::of_order(order).expect("orders are 2, 4, 6 and 8");
         let scheme = Scheme::of(A::PRECISION).composed(composition);
         let field = Field::of(&request.system);
         // What differs exactly may be one number in the scalar.

@@ -275,6 +275,6 @@ fn point(start: &[Rational]) -> String {
 
 /// Three digits, as one writes them: 12.3, -0.05, 400.
 fn decimal(value: f64) -> String {
-    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    let rounded: f64 = format!("{value:.2e}").parse().expect("a printed float is one");
     if rounded == 0.0 { "0".to_owned() } else { rounded.to_string() }
 }

@@ -12,7 +12,7 @@ use crate::reading::Range;
 
 impl Subject<'_> {
     pub(super) fn orbits_over(&self) -> Result<Drawn, Refusal> {
-        let range = Range::read(self.asked.over.as_deref().unwrap_or_default())?;
+        let range = Range::read(self.asked.over.as_deref().expect("the kind of picture has --over"))?;
         self.check_range(&range)?;
         let ordinate = match &self.asked.axes[..] {
             [] => Coordinate::Variable(0),

@@ -36,7 +36,7 @@ impl Subject<'_> {
         let (from, to) = (self.point(from)?, self.point(to)?);
         let parts = Rational::from(count.saturating_sub(1).max(1) as i64);
         let start = |i: usize| {
-            let part = Rational::from(i as i64).checked_div(&parts).unwrap_or_default();
+            let part = Rational::from(i as i64).checked_div(&parts).expect("there is a part");
             from.iter().zip(&to).map(|(a, b)| a + &(&part * &(b - a))).collect()
         };
         Ok((0..count).map(start).collect())
@@ -48,7 +48,7 @@ impl Subject<'_> {
         const PARTS: i64 = 1 << 20;
 
         let (middle, radius) = (self.point(at)?, number(&self.asked.radius, "--radius")?);
-        let part = radius.checked_div(&Rational::from(PARTS)).unwrap_or_default();
+        let part = radius.checked_div(&Rational::from(PARTS)).expect("there are parts");
         let mut near = |value: &Rational| {
             let drawn = random.below(2 * PARTS as u64 + 1) as i64 - PARTS;
             value + &(&part * &Rational::from(drawn))

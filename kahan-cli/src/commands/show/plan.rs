@@ -212,7 +212,7 @@ fn notes() -> Vec<String> {
 fn cells(cost: Option<Cost>) -> [String; 6] {
     let Some(cost) = cost else { return std::array::from_fn(|_| "-".to_owned()) };
     let Cost { additions, multiplications, fused, divisions, chain } = cost;
-    let chain = usize::try_from(chain).unwrap_or(usize::MAX);
+    let chain = usize::try_from(chain).expect("a count of cycles");
     [additions, multiplications, fused, divisions, cost.operations(), chain].map(|count| count.to_string())
 }
 

@@ -105,7 +105,7 @@ fn misprints(report: &Report<'_>) -> Vec<String> {
     let room = page_width().saturating_sub(widths.iter().map(|width| width + 2).sum());
     widths.push(room);
     let rows = corrected.iter().zip(rows).map(|(claim, mut row)| {
-        let (printed, right) = claim.correction().unwrap_or_default();
+        let (printed, right) = claim.correction().expect("the claim corrects a misprint");
         row.push(replaced(&printed, &right, room));
         columns(&row, &widths)
     });
