@@ -56,12 +56,9 @@ impl Opcode {
         Opcode { other: Some((1, 0xef)), ..Self::packed(form, 0x57) }
     }
 
-    pub(super) fn to_single() -> Self {
-        Self::of(Form { element: Element::Double, width: Width::Scalar }, 0x5a)
-    }
-
-    pub(super) fn to_double() -> Self {
-        Self::of(Form { element: Element::Single, width: Width::Scalar }, 0x5a)
+    /// From the numbers of a form to those of the other element.
+    pub(super) fn convert(from: Form) -> Self {
+        Self::of(from, 0x5a)
     }
 }
 

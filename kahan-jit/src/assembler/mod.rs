@@ -1,7 +1,8 @@
 //! An assembler for the instructions of x86-64 that straight lines of floats need.
 //!
 //! In: one call an instruction, on registers and memory. Out: bytes. Instructions are those of AVX,
-//! of FMA, and of AVX-512F where a register beyond the first sixteen or of 512 bits takes part.
+//! of FMA, and of AVX-512F and AVX-512VL where a register beyond the first sixteen or of 512 bits
+//! takes part.
 //! Numbers that stand in the code itself are in a pool behind it (Intel, Software Developer's
 //! Manual, volume 2).
 
@@ -106,10 +107,17 @@ impl Assembler {
         self.vector(Opcode::of(self.form, 0x11), from, Vector::NONE, Source::Memory(to));
     }
 
-    /// The number of single precision nearest to a number of double precision, as one of those.
+    /// The number of single precision nearest to a number, as one of this form.
     pub(crate) fn round_to_single(&mut self, to: Vector, from: Vector) {
-        self.vector(Opcode::to_single(), to, from, Source::Register(from));
-        self.vector(Opcode::to_double(), to, to, Source::Register(to));
+        if self.form.element == Element::Single {
+            return self.copy(to, from);
+        }
+        // The rest of the register comes from a further operand, which vectors have no use for.
+        let rest = |register| if self.form.width == Width::Scalar { register } else { Vector::NONE };
+        let (rest, rest_of_single) = (rest(from), rest(to));
+        let single = Form { element: Element::Single, ..self.form };
+        self.vector(Opcode::convert(self.form), to, rest, Source::Register(from));
+        self.vector(Opcode::convert(single), to, rest_of_single, Source::Register(to));
     }
 
     /// Leaves the upper halves of the registers as code that knows only their lower halves wants

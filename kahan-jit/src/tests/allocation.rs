@@ -7,7 +7,7 @@ use crate::assembler::{Binary, Fused, Order, Vector};
 use crate::lines::{Ends, Given, Lines};
 use crate::program::Program;
 
-use super::{Draw, random_program, run, same};
+use super::{Draw, random_program, run, same, subtract_product};
 
 /// A machine with registers and memory that does what is allocated.
 struct Machine {
@@ -64,7 +64,7 @@ impl Machine {
                     let value = match operator {
                         Fused::MultiplyAdd => x.mul_add(y, z),
                         Fused::MultiplySubtract => x.mul_add(y, -z),
-                        Fused::SubtractProduct => (-x).mul_add(y, z),
+                        Fused::SubtractProduct => subtract_product(z, x, y),
                     };
                     (to, value)
                 }
@@ -106,7 +106,7 @@ fn any_number_of_registers_computes_what_the_program_says() {
     let mut draw = Draw(17);
     for case in 0..1500 {
         let (states, constants) = (1 + draw.below(6), draw.below(8));
-        let program = random_program(&mut draw, states, constants, 3 + case % 60, true);
+        let program = random_program(&mut draw, states, constants, 3 + case % 60);
         let numbers = |draw: &mut Draw, count| (0..count).map(|_| draw.number(300)).collect::<Vec<f64>>();
         let (x, c) = (numbers(&mut draw, states), numbers(&mut draw, constants));
         let registers = FEWEST_REGISTERS + draw.below(14) as u8;

@@ -22,23 +22,16 @@ fn shapes(lanes: Lanes) -> impl Iterator<Item = Shape> {
 
 /// A float that programs are run in.
 trait Tested: Float + num_traits::Float + core::fmt::Debug {
-    /// Whether programs round to single precision in between.
-    const ROUNDS: bool;
-
     fn of(value: f64) -> Self;
 }
 
 impl Tested for f32 {
-    const ROUNDS: bool = false;
-
     fn of(value: f64) -> Self {
         value as f32
     }
 }
 
 impl Tested for f64 {
-    const ROUNDS: bool = true;
-
     fn of(value: f64) -> Self {
         value
     }
@@ -56,19 +49,19 @@ fn assert_same<T: Tested>(found: &[T], expected: &[T], what: &str, program: &Pro
 }
 
 /// A small program mostly, now and then one that needs many slots.
-fn draw_program(draw: &mut Draw, case: usize, rounds: bool) -> (Program, usize, usize) {
+fn draw_program(draw: &mut Draw, case: usize) -> (Program, usize, usize) {
     let (states, constants) = match case % 10 {
         9 => (40, 30),
         _ => (1 + draw.below(7), draw.below(9)),
     };
     let operations = if case % 10 == 9 { 400 } else { 3 + case % 80 };
-    (random_program(draw, states, constants, operations, rounds), states, constants)
+    (random_program(draw, states, constants, operations), states, constants)
 }
 
 fn functions<T: Tested>() {
     let mut draw = Draw(1);
     for case in 0..300 {
-        let (program, states, constants) = draw_program(&mut draw, case, T::ROUNDS);
+        let (program, states, constants) = draw_program(&mut draw, case);
         for shape in shapes(Lanes::One) {
             let (x, c) = (numbers::<T>(&mut draw, states), numbers::<T>(&mut draw, constants));
             let mut found = vec![T::of(7.0); states];
@@ -88,7 +81,7 @@ fn a_function_computes_its_results() {
 fn lanes_of<T: Tested>() {
     let mut draw = Draw(2);
     for case in 0..200 {
-        let (program, states, constants) = draw_program(&mut draw, case, false);
+        let (program, states, constants) = draw_program(&mut draw, case);
         for shape in shapes(Lanes::All) {
             let width = shape.width::<T>();
             let (x, c) =
@@ -113,7 +106,7 @@ fn each_lane_of_a_function_computes_its_own_results() {
 fn orbits<T: Tested>() {
     let mut draw = Draw(3);
     for case in 0..300 {
-        let (program, states, constants) = draw_program(&mut draw, case, T::ROUNDS);
+        let (program, states, constants) = draw_program(&mut draw, case);
         for shape in shapes(Lanes::One) {
             let what = format!("case {case}, {shape:?}");
             let fuses = shape.fuses;
@@ -150,7 +143,7 @@ fn an_orbit_is_so_many_rounds() {
 fn sweeps<T: Tested>() {
     let mut draw = Draw(4);
     for case in 0..150 {
-        let (program, states, constants) = draw_program(&mut draw, case, false);
+        let (program, states, constants) = draw_program(&mut draw, case);
         for shape in shapes(Lanes::All).chain(shapes(Lanes::One)) {
             for of in [Constants::Shared, Constants::Own] {
                 let (width, registers) = (shape.width::<T>(), 3);
@@ -192,7 +185,7 @@ fn a_sweep_advances_each_trajectory() {
 
 /// Three states on a straight line of plain operations, for what does not depend on the program.
 fn small() -> Program {
-    random_program(&mut Draw(5), 3, 2, 20, false)
+    random_program(&mut Draw(5), 3, 2, 20)
 }
 
 const SCALAR: Shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One, fuses: false };
@@ -215,7 +208,7 @@ fn what_an_instruction_set_lacks_is_refused() {
 
 #[test]
 fn a_program_beyond_the_budget_is_refused() {
-    let program = random_program(&mut Draw(6), 3, 2, 30_000, false);
+    let program = random_program(&mut Draw(6), 3, 2, 30_000);
     let refusal = Function::<f64>::compile(&program, SCALAR).expect_err("it is too long").to_string();
     assert!(!SCALAR.instructions.is_available() || refusal.contains("too long"), "{refusal}");
 }

@@ -1,6 +1,6 @@
 //! Programs drawn at random from a seed.
 
-use crate::program::{Instruction, Program};
+use crate::{Instruction, Program};
 
 /// Numbers from a seed (SplitMix64).
 pub(crate) struct Draw(pub(crate) u64);
@@ -33,13 +33,7 @@ impl Draw {
 
 /// A program of about so many operations with a result for each state, in which most values are
 /// used soon and some much later.
-pub(crate) fn random_program(
-    draw: &mut Draw,
-    states: usize,
-    constants: usize,
-    operations: usize,
-    rounds: bool,
-) -> Program {
+pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, operations: usize) -> Program {
     let mut program = Program::default();
     for i in 0..states {
         program.push(Instruction::State(i));
@@ -48,15 +42,14 @@ pub(crate) fn random_program(
         program.push(Instruction::Constant(k));
     }
     program.push(Instruction::Literal(draw.number(55)));
-    program.push(Instruction::Literal(2.0));
+    let mut known = 1 + program.push(Instruction::Literal(2.0));
     for _ in 0..operations {
-        let known = program.instructions.len();
         let mut operand = || match draw.below(3) {
             0 => draw.below(known),
             _ => known - 1 - draw.below(known.min(6)),
         };
         let (a, b, c) = (operand(), operand(), operand());
-        let instruction = match draw.below(if rounds { 12 } else { 11 }) {
+        let instruction = match draw.below(12) {
             0 => Instruction::Add(a, b),
             1 | 2 => Instruction::Subtract(a, b),
             3 | 4 => Instruction::Multiply(a, b),
@@ -67,9 +60,8 @@ pub(crate) fn random_program(
             10 => Instruction::SubtractProduct(a, b, c),
             _ => Instruction::RoundToSingle(a),
         };
-        program.push(instruction);
+        known = 1 + program.push(instruction);
     }
-    let known = program.instructions.len();
     // Now and then a state itself, a constant, or one value twice.
     let result = |draw: &mut Draw| match draw.below(8) {
         0 => draw.below(states + constants + 2),
