@@ -2,6 +2,10 @@
 
 use crate::assembler::{Element, Form, Width};
 
+/// An extension by Intel's name, and whether this processor has it and its system keeps its
+/// registers.
+type Extension = (&'static str, fn() -> bool);
+
 /// A set of instructions; a later one is larger.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum InstructionSet {
@@ -9,7 +13,7 @@ pub enum InstructionSet {
     Avx,
     /// AVX2 and FMA: sixteen registers of 256 bits, fused multiply-adds.
     Avx2,
-    /// AVX-512F: thirty-two registers of 512 bits.
+    /// AVX-512F and AVX-512VL: thirty-two registers of 512 bits, also used with fewer.
     Avx512,
 }
 
@@ -20,16 +24,29 @@ impl InstructionSet {
     /// Whether this processor can run it, and its system keeps the registers.
     #[must_use]
     pub fn is_available(self) -> bool {
+        cfg!(target_arch = "x86_64") && self.extensions().iter().all(|(_, is_detected)| is_detected())
+    }
+
+    /// The extensions whose instructions code is made of. Code of a larger set also has
+    /// instructions of the smaller ones, wherever these are shorter.
+    pub(crate) fn extensions(self) -> &'static [Extension] {
         #[cfg(target_arch = "x86_64")]
-        return match self {
-            Self::Avx => std::arch::is_x86_feature_detected!("avx"),
-            Self::Avx2 => {
-                std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
-            }
-            Self::Avx512 => std::arch::is_x86_feature_detected!("avx512f"),
-        };
+        macro_rules! extensions {
+            ($($name:tt),*) => { &[$(($name, || std::arch::is_x86_feature_detected!($name))),*] };
+        }
         #[cfg(not(target_arch = "x86_64"))]
-        false
+        macro_rules! extensions {
+            ($($name:tt),*) => {
+                &[]
+            };
+        }
+        match self {
+            Self::Avx => extensions!["avx"],
+            Self::Avx2 => extensions!["avx", "avx2", "fma"],
+            // A register beyond the first sixteen takes the form of AVX-512 for any width, and
+            // forms of less than 512 bits are those of AVX-512VL.
+            Self::Avx512 => extensions!["avx", "avx2", "fma", "avx512f", "avx512vl"],
+        }
     }
 
     /// Whether it has multiply-adds that are rounded once.

@@ -2,8 +2,11 @@
 //! knows them all.
 
 use iced_x86::{
-    Code, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register, RoundingControl,
+    Code, CpuidFeature, Decoder, DecoderOptions, FlowControl, Instruction, Mnemonic, OpKind, Register,
+    RoundingControl,
 };
+
+use crate::{InstructionSet, Lanes, Shape};
 
 use super::{
     Assembler, Binary, Condition, Element, Form, Fused, General, Memory, Order, Source, Vector, Width,
@@ -233,16 +236,88 @@ fn all(bytes: &[u8]) -> Vec<Instruction> {
 }
 
 #[test]
-fn a_number_is_rounded_to_single_precision_and_taken_back() {
-    let form = Form { element: Element::Double, width: Width::Scalar };
-    for [to, from, _] in triples() {
-        let mut assembler = Assembler::new(form);
-        assembler.round_to_single(to, from);
-        let [narrow, wide] = all(&assembler.bytes)[..] else { panic!("two instructions") };
-        assert_mnemonic(&narrow, "vcvtsd2ss");
-        assert_registers(&narrow, form, &[to, from, from]);
-        assert_mnemonic(&wide, "vcvtss2sd");
-        assert_registers(&wide, form, &[to, to, to]);
+fn numbers_are_rounded_to_single_precision_and_taken_back() {
+    for form in FORMS.into_iter().filter(|form| form.element == Element::Double) {
+        // Singles take half a register of doubles, and of the shortest a part.
+        let half = match form.width {
+            Width::Bits512 => Width::Bits256,
+            _ => Width::Bits128,
+        };
+        let half = Form { width: half, ..form };
+        for [to, from, _] in triples() {
+            let mut assembler = Assembler::new(form);
+            assembler.round_to_single(to, from);
+            let [narrow, wide] = all(&assembler.bytes)[..] else { panic!("two instructions") };
+            if form.width == Width::Scalar {
+                assert_mnemonic(&narrow, "vcvtsd2ss");
+                assert_registers(&narrow, form, &[to, from, from]);
+                assert_mnemonic(&wide, "vcvtss2sd");
+                assert_registers(&wide, form, &[to, to, to]);
+            } else {
+                assert_mnemonic(&narrow, "vcvtpd2ps");
+                assert_mnemonic(&wide, "vcvtps2pd");
+                let registers = |instruction: &Instruction| [0, 1].map(|k| instruction.op_register(k));
+                assert_eq!(registers(&narrow), [vector(half, to), vector(form, from)], "{narrow:?}");
+                assert_eq!(registers(&wide), [vector(form, to), vector(half, to)], "{wide:?}");
+            }
+        }
+    }
+    for form in FORMS.into_iter().filter(|form| form.element == Element::Single) {
+        let copied = decoded(|assembler| assembler.round_to_single(Vector(17), Vector(3)), form);
+        assert_registers(&copied, form, &[Vector(17), Vector(3)]);
+    }
+}
+
+/// Everything that code is made of: each operation of a form, with registers from both ends.
+fn all_operations(form: Form, registers: u8, has_fused: bool) -> Vec<Instruction> {
+    let mut assembler = Assembler::new(form);
+    let ends = [Vector(0), Vector(7), Vector(15), Vector(registers - 1)];
+    let memory = Memory::At { base: General::Rdi, offset: 256 };
+    for to in ends {
+        for a in ends {
+            for b in ends.map(Source::Register).into_iter().chain([Source::Memory(memory)]) {
+                for operator in
+                    [Binary::Add, Binary::Subtract, Binary::Multiply, Binary::Divide, Binary::ExclusiveOr]
+                {
+                    assembler.binary(operator, to, a, b);
+                }
+                for operator in [Fused::MultiplyAdd, Fused::MultiplySubtract, Fused::SubtractProduct] {
+                    if has_fused {
+                        assembler.fused(operator, Order::D231, to, a, b);
+                    }
+                }
+            }
+            assembler.copy(to, a);
+            assembler.round_to_single(to, a);
+        }
+        assembler.load(to, memory);
+        assembler.store(memory, to);
+    }
+    assembler.zero_upper();
+    assembler.ret();
+    all(&assembler.bytes)
+}
+
+#[test]
+fn a_set_of_instructions_is_available_where_all_of_them_are() {
+    const EVERYWHERE: [CpuidFeature; 3] =
+        [CpuidFeature::INTEL8086, CpuidFeature::INTEL386, CpuidFeature::X64];
+
+    for instructions in InstructionSet::ALL {
+        let asked: Vec<String> =
+            instructions.extensions().iter().map(|(name, _)| name.to_uppercase()).collect();
+        for lanes in [Lanes::One, Lanes::All] {
+            let shape = Shape { instructions, lanes, fuses: instructions.has_fused() };
+            for form in [shape.form::<f32>(), shape.form::<f64>()] {
+                for instruction in all_operations(form, instructions.registers(), shape.fuses) {
+                    let mut needed = instruction.cpuid_features().iter();
+                    let is_asked = |needed: &CpuidFeature| {
+                        EVERYWHERE.contains(needed) || asked.contains(&format!("{needed:?}"))
+                    };
+                    assert!(needed.all(is_asked), "{shape:?}: {:?}", instruction.code());
+                }
+            }
+        }
     }
 }
 
