@@ -26,9 +26,14 @@ pub(crate) struct Code<T> {
 }
 
 impl<T> Code<T> {
-    /// Puts code where it may run. It must be code of a routine of this crate, which reads and
-    /// writes no more than `extent` says.
-    pub(crate) fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
+    /// Puts code where it may run.
+    ///
+    /// # Safety
+    /// The bytes begin with a function of the calling convention of System V, in instructions that
+    /// this processor has. Only that method below is called which passes the arguments that the
+    /// function takes; with slices as long as `extent` says and arguments as the method describes
+    /// them, it reads and writes nothing else but its own stack.
+    pub(crate) unsafe fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
         Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
     }
 
@@ -137,7 +142,7 @@ impl<T> Code<T> {
         if len == 0 || steps == 0 {
             return;
         }
-        let most = c + (len / width - 1) * stride;
+        let most = (len / width - 1).saturating_mul(stride).saturating_add(c);
         assert!(constants.len() >= most, "{most} constants, not {}", constants.len());
         let bytes = |numbers: usize| numbers * size_of::<T>();
         // SAFETY: the columns are of one length, a multiple of what is read and written at once,

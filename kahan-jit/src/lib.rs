@@ -7,7 +7,8 @@
 //! them. It must not know what the numbers mean.
 //!
 //! Modules in reading order: `program`, `lines`, `allocation`, `assembler`, `routine`, `pages`,
-//! `call`. The last two hold all of the `unsafe` code.
+//! `call`. `call` enters code, and each file of `routine` vouches for the code that it writes:
+//! these four hold all of the `unsafe` code, beside pages that tests forbid.
 
 mod allocation;
 mod assembler;

@@ -30,7 +30,7 @@ pub enum Instruction {
     SubtractProduct(usize, usize, usize),
     /// The same number in a place of its own: what a result is that no operation computes.
     Copy(usize),
-    /// The number of single precision nearest to a, in a program of double precision.
+    /// The number of single precision nearest to a; a itself in a program of single precision.
     RoundToSingle(usize),
 }
 
@@ -94,7 +94,8 @@ impl Program {
     fn entries(&self, of_kind: impl Fn(&Instruction) -> bool) -> usize {
         let entries = self.instructions.iter().filter(|instruction| of_kind(instruction));
         let entry = |instruction: &Instruction| match *instruction {
-            State(index) | Constant(index) => index + 1,
+            // There may be one more than can be counted; no code reaches that far.
+            State(index) | Constant(index) => index.saturating_add(1),
             _ => 0,
         };
         entries.map(entry).max().unwrap_or(0)

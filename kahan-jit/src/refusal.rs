@@ -10,8 +10,13 @@ pub enum Refusal {
     Unavailable(Shape),
     /// The program is too long for a straight line.
     TooLong {
-        /// Its instructions.
+        /// Its instructions, or its results where there are more of these.
         instructions: usize,
+    },
+    /// The states or the constants are more than an instruction can reach: 2 GiB of them.
+    OutOfReach {
+        /// How many the program reads from at least.
+        entries: usize,
     },
     /// The system gives no memory that code may run in.
     Pages(std::io::Error),
@@ -28,6 +33,9 @@ impl core::fmt::Display for Refusal {
             }
             Self::TooLong { instructions } => {
                 write!(f, "a straight line of {instructions} operations is too long to be compiled")
+            }
+            Self::OutOfReach { entries } => {
+                write!(f, "an array of {entries} numbers is longer than an instruction can reach")
             }
             Self::Pages(error) => write!(f, "the system gives no memory for code: {error}"),
         }

@@ -1,4 +1,5 @@
 //! A program run once.
+#![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{Place, Plan};
 use crate::assembler::{General, Memory};
@@ -40,7 +41,10 @@ impl<T: Float> Function<T> {
             constants: program.constants() * width,
             results: program.results().len() * width,
         };
-        Ok(Function { code: Code::new(&writer.leave(), extent)? })
+        // SAFETY: between its beginning and its end, the code reads entries of `program.states()`
+        // and `program.constants()` registers, and writes one for each result; its callers enter it
+        // by `Code::function`.
+        Ok(Function { code: unsafe { Code::new(&writer.leave(), extent) }? })
     }
 
     /// How many numbers the results are.

@@ -11,10 +11,11 @@ pub use sweep::{Constants, Sweep};
 
 use crate::allocation::{Allocation, Operand, Operation, Place, Plan};
 use crate::assembler::{Assembler, Element, Form, General, Memory, Source};
-use crate::lines::{Given, Lines};
+use crate::lines::{Ends, Given, Lines};
 use crate::{Program, Refusal, Shape};
 
-/// Longer programs are no better than a loop.
+/// Longer programs are no better than a loop. So few operations keep too few numbers at once to
+/// fill the stack of a thread, and their code is short enough for all jumps and distances.
 const MOST_INSTRUCTIONS: usize = 20_000;
 
 /// Where a number lies; what stands between a place and its address may take an instruction.
@@ -30,6 +31,9 @@ struct Writer {
 
 impl Writer {
     /// Begins a function: its registers are saved, and its slots lie above the stack pointer.
+    ///
+    /// # Panics
+    /// If results become states, and a state that is read has no result.
     fn begin(
         program: &Program,
         shape: Shape,
@@ -41,9 +45,16 @@ impl Writer {
         if !set.is_available() || fuses && !set.has_fused() {
             return Err(Refusal::Unavailable(shape));
         }
-        let instructions = program.instructions.len();
+        let instructions = program.instructions.len().max(program.results.len());
         if instructions > MOST_INSTRUCTIONS {
             return Err(Refusal::TooLong { instructions });
+        }
+        let entries = program.states().max(program.constants());
+        if entries > i32::MAX as usize / form.bytes() {
+            return Err(Refusal::OutOfReach { entries });
+        }
+        if plan.ends != Ends::Elsewhere {
+            assert!(program.states() <= program.results.len(), "a state that is read has a result");
         }
         let code = Allocation::of(&Lines::of(program, fuses, plan.ends), set.registers(), plan);
         let mut writer = Writer { assembler: Assembler::new(form), form, code, saved };
@@ -141,6 +152,5 @@ fn emit(assembler: &mut Assembler, operations: &[Operation], form: Form, address
 
 /// The offset of an entry of an array of operands.
 fn entry(form: Form, index: usize) -> i32 {
-    // Programs are short enough for that.
-    (index * form.bytes()) as i32
+    i32::try_from(index * form.bytes()).expect("programs are short, and their arrays within reach")
 }

@@ -1,4 +1,5 @@
 //! A program run many times on one state, which stays in registers.
+#![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{FEWEST_REGISTERS, Place, Plan};
 use crate::assembler::{Assembler, Condition, General, Memory};
@@ -28,6 +29,9 @@ impl<T: Float> Orbit<T> {
     ///
     /// # Errors
     /// [`Refusal`].
+    ///
+    /// # Panics
+    /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let (form, ends) = (shape.form::<T>(), ends(program, shape));
         let plan = Plan { ends, keeps_constants: true, keeps_literals: true };
@@ -48,7 +52,11 @@ impl<T: Float> Orbit<T> {
         writer.assembler.jump_if(Condition::NotZero, again);
         writer.after(&last);
         writer.assembler.bind(end);
-        let code = Code::new(&writer.leave(), extent::<T>(program, shape))?;
+        let extent = extent::<T>(program, shape);
+        // SAFETY: the code reads a register for each result, and `program.constants()` of them,
+        // and writes the results alone, those that are carried to the last state. It is entered by
+        // `Code::orbit`, or if they are carried by `Code::orbit_step`.
+        let code = unsafe { Code::new(&writer.leave(), extent) }?;
         Ok(Orbit { code, ends })
     }
 
@@ -80,6 +88,9 @@ impl<T: Float> ComposedOrbit<T> {
     ///
     /// # Errors
     /// [`Refusal`].
+    ///
+    /// # Panics
+    /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let form = shape.form::<T>();
         let plan = Plan { ends: ends(program, shape), keeps_constants: false, keeps_literals: true };
@@ -101,13 +112,17 @@ impl<T: Float> ComposedOrbit<T> {
         writer.assembler.jump_if(Condition::NotZero, again);
         writer.after(&addresses);
         writer.assembler.bind(end);
-        Ok(ComposedOrbit { code: Code::new(&writer.leave(), extent::<T>(program, shape))? })
+        let extent = extent::<T>(program, shape);
+        // SAFETY: the code reads and writes a register for each result, and reads
+        // `program.constants()` of them from each address of the table. It is entered by
+        // `Code::composed_orbit`.
+        Ok(ComposedOrbit { code: unsafe { Code::new(&writer.leave(), extent) }? })
     }
 
     /// Advances the state by so many steps, each of all stages; `stages` are their constants.
     ///
     /// # Panics
-    /// If an array is too short, or there is no stage.
+    /// If an array is too short, or there is no stage, or more than 64.
     pub fn run(&self, state: &mut [T], stages: &[&[T]], steps: u64) {
         self.code.composed_orbit(state, stages, steps);
     }
@@ -129,6 +144,5 @@ fn address(place: Place, constants: General, offset: impl Fn(usize) -> i32) -> M
 
 fn extent<T: Float>(program: &Program, shape: Shape) -> Extent {
     let (width, states) = (shape.width::<T>(), program.results().len());
-    assert!(program.states() <= states, "a state that is read has a result");
     Extent { states: states * width, constants: program.constants() * width, results: 0 }
 }

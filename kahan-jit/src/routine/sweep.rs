@@ -1,4 +1,5 @@
 //! A program run over columns: register after register of trajectories, step after step.
+#![expect(unsafe_code, reason = "what code does is known where it is written")]
 
 use crate::allocation::{Place, Plan};
 use crate::assembler::{Assembler, Condition, General, Memory};
@@ -36,6 +37,9 @@ impl<T: Float> Sweep<T> {
     ///
     /// # Errors
     /// [`Refusal`].
+    ///
+    /// # Panics
+    /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape, of: Constants) -> Result<Self, Refusal> {
         /// Of the registers that a function has to leave as they were, those used here.
         const SAVED: &[General] = &[General::Rbx, General::R12, General::R13, General::R14, General::R15];
@@ -44,7 +48,6 @@ impl<T: Float> Sweep<T> {
             Plan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared, keeps_literals: true };
         let mut writer = Writer::begin(program, shape, form, plan, SAVED)?;
         let states = program.results().len();
-        assert!(program.states() <= states, "a state that is read has a result");
         for (column, pointer) in POINTERS.into_iter().enumerate().take(states) {
             writer.assembler.load_general(pointer, General::Rdi, place_of(column));
         }
@@ -76,7 +79,11 @@ impl<T: Float> Sweep<T> {
         writer.assembler.jump_if(Condition::NotZero, next_step);
         let (width, constants) = (shape.width::<T>(), program.constants() * shape.width::<T>());
         let extent = Extent { states, constants, results: 0 };
-        let code = Code::new(&writer.leave(), extent)?;
+        // SAFETY: for each register of the columns, the code reads and writes one in each of the
+        // first `states` columns, and reads `program.constants()` registers from where the
+        // constants are. It is entered by `Code::sweep`, with the width of its registers and the
+        // distance between the constants of one and of the next.
+        let code = unsafe { Code::new(&writer.leave(), extent) }?;
         Ok(Sweep { code, width, constants, of })
     }
 
@@ -107,5 +114,5 @@ impl<T: Float> Sweep<T> {
 
 /// Where the address of a column stands among those of all.
 fn place_of(column: usize) -> i32 {
-    8 * column as i32
+    i32::try_from(8 * column).expect("there are fewer columns than instructions")
 }

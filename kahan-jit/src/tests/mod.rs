@@ -3,6 +3,7 @@
 mod allocation;
 mod code;
 mod draw;
+mod refused;
 mod run;
 
 pub(crate) use draw::{Draw, random_program};

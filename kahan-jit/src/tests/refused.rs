@@ -1,0 +1,126 @@
+//! Programs without code, and the instructions that code is made of.
+
+use crate::{Constants, Function, Instruction, InstructionSet, Lanes, Orbit, Program, Refusal, Shape, Sweep};
+
+const SHAPE: Shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One, fuses: false };
+
+/// Whether there is no instruction set that could show it.
+fn is_unavailable() -> bool {
+    let is_unavailable = !SHAPE.instructions.is_available();
+    if is_unavailable {
+        println!("not run: this processor has no {:?}", SHAPE.instructions);
+    }
+    is_unavailable
+}
+
+fn program(instructions: &[Instruction], results: Vec<usize>) -> Program {
+    let mut program = Program::default();
+    for instruction in instructions {
+        program.push(*instruction);
+    }
+    program.set_results(results);
+    program
+}
+
+/// An instruction holds the distance from the beginning of an array in 32 bits with a sign.
+#[test]
+fn entries_beyond_the_reach_of_an_instruction_are_refused() {
+    if is_unavailable() {
+        return;
+    }
+    for entry in [usize::MAX, usize::MAX - 1, 1 << 61, 1 << 60, 1 << 32, 1 << 29, 1 << 28] {
+        for instruction in [Instruction::State(entry), Instruction::Constant(entry)] {
+            let program = program(&[instruction, Instruction::Literal(1.0)], vec![0]);
+            let refusal = Function::<f64>::compile(&program, SHAPE).expect_err("no code reaches it");
+            assert!(
+                matches!(refusal, Refusal::OutOfReach { entries } if entries == entry.saturating_add(1)),
+                "{refusal:?}"
+            );
+        }
+        let program = program(&[Instruction::Constant(entry)], vec![0]);
+        let orbit = Orbit::<f64>::compile(&program, SHAPE).expect_err("no code reaches it");
+        assert!(matches!(orbit, Refusal::OutOfReach { .. }), "{orbit:?}");
+        for of in [Constants::Shared, Constants::Own] {
+            let sweep = Sweep::<f64>::compile(&program, SHAPE, of).expect_err("no code reaches it");
+            assert!(matches!(sweep, Refusal::OutOfReach { .. }), "{sweep:?}");
+        }
+    }
+    let last = program(&[Instruction::State((1 << 28) - 2)], vec![0]);
+    assert!(Function::<f64>::compile(&last, SHAPE).is_ok(), "its last byte is in reach");
+}
+
+#[test]
+fn more_results_than_a_straight_line_has_are_refused() {
+    let many = program(&[Instruction::Literal(1.0)], vec![0; 20_001]);
+    let refusal = Function::<f64>::compile(&many, SHAPE).expect_err("it is too long");
+    assert!(is_unavailable() || matches!(refusal, Refusal::TooLong { instructions: 20_001 }), "{refusal:?}");
+}
+
+#[test]
+#[should_panic(expected = "a state that is read has a result")]
+fn a_round_has_a_result_for_each_state() {
+    let _ = Orbit::<f64>::compile(&program(&[Instruction::State(14)], vec![0]), SHAPE);
+}
+
+/// As many values as a program can keep at once: each waits for the end, where two are taken by one
+/// instruction.
+fn wide(values: usize) -> Program {
+    let mut program = Program::default();
+    let mut last = program.push(Instruction::State(0));
+    let values: Vec<usize> = (0..values)
+        .map(|_| {
+            last = program.push(Instruction::Divide(last, last));
+            last
+        })
+        .collect();
+    for pair in values.rchunks_exact(2).rev() {
+        last = program.push(Instruction::MultiplyAdd(pair[0], pair[1], last));
+    }
+    program.set_results(vec![last]);
+    program
+}
+
+const WIDEST: usize = 13_330;
+
+fn run_widest(stack: usize) -> Option<f64> {
+    let shape = Shape { instructions: InstructionSet::best()?, lanes: Lanes::All, fuses: false };
+    let run = move || {
+        let width = shape.width::<f64>();
+        let function = Function::<f64>::compile(&wide(WIDEST), shape).expect("it compiles");
+        let mut result = vec![0.0; width];
+        function.run(&vec![2.0; width], &[], &mut result);
+        result[width - 1]
+    };
+    let thread = std::thread::Builder::new().stack_size(stack).spawn(run).expect("there is room");
+    Some(thread.join().expect("it has room"))
+}
+
+#[test]
+fn every_program_fits_on_the_stack_of_a_thread() {
+    if let Some(result) = run_widest(2 << 20) {
+        assert_eq!(result, 1.0 + WIDEST as f64 / 2.0);
+    }
+}
+
+/// This test runs itself once more, in a process that stops. Memory below the stack is not written
+/// to: the system is told of each page in its turn, so that it stops at the first one that is none.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_stack_that_is_too_small_stops_the_process() {
+    const SMALL: &str = "KAHAN_JIT_SMALL_STACK";
+
+    if InstructionSet::best().is_none() {
+        return;
+    }
+    if std::env::var_os(SMALL).is_some() {
+        run_widest(128 << 10);
+        return;
+    }
+    let again = std::process::Command::new(std::env::current_exe().expect("this program has a name"))
+        .args(["--exact", "tests::refused::a_stack_that_is_too_small_stops_the_process", "--nocapture"])
+        .env(SMALL, "1")
+        .output()
+        .expect("this program runs");
+    let said = String::from_utf8_lossy(&again.stderr);
+    assert!(!again.status.success() && said.contains("overflowed its stack"), "{said}");
+}
