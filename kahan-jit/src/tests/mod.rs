@@ -3,6 +3,8 @@
 mod allocation;
 mod code;
 mod draw;
+#[cfg(unix)]
+mod hostile;
 mod refused;
 mod run;
 
