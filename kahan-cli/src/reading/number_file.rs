@@ -49,6 +49,12 @@ pub(super) fn table(text: impl BufRead) -> Result<Numbers, String> {
         match values {
             Ok(values) => {
                 let [rows, columns] = numbers.sizes[..] else {
+                    if let Some(names) = numbers.names.as_ref().filter(|names| names.len() != values.len()) {
+                        let (line, found, names) = (line + 1, values.len(), names.len());
+                        return Err(format!(
+                            "line {line} has {found} numbers, and above it are {names} names"
+                        ));
+                    }
                     numbers.sizes = vec![1, values.len()];
                     numbers.values = values;
                     continue;
@@ -127,6 +133,7 @@ mod tests {
             table("a,b\n1,2\n3,4,5\n6\n"),
             Err("line 3 has 3 numbers, and those before it 2".to_owned())
         );
+        assert_eq!(table("a,b\n1,2,3\n"), Err("line 2 has 3 numbers, and above it are 2 names".to_owned()));
         let left_out = table("a,b\n1,\n").expect("a table").values;
         assert!(left_out[0] == 1.0 && left_out[1].is_nan());
     }
