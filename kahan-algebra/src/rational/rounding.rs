@@ -6,7 +6,7 @@
 
 use num_bigint::BigUint;
 use num_integer::Integer;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Rational, Repr};
 
@@ -56,11 +56,14 @@ impl Rational {
     /// `f64` to what `hi` leaves; `lo` is 0 where `hi` is infinite.
     pub fn to_double_double(&self) -> (f64, f64) {
         let hi = self.to_f64();
-        let lo = match Self::from_f64(hi) {
-            Some(exact) => (self - &exact).to_f64(),
-            None => 0.0,
-        };
-        (hi, lo)
+        let Some(exact) = Self::from_f64(hi) else { return (hi, 0.0) };
+        // Common factors of what is left change no rounding, and to look for them in thousands of
+        // digits takes longer than all the rest.
+        let left = self.numerator() * exact.denominator() - exact.numerator() * self.denominator();
+        let over = self.denominator() * exact.denominator();
+        let is_negative = left.is_negative();
+        let lo = f64::from_bits(round_bits(&(left.into_parts().1, over.into_parts().1), BINARY64));
+        (hi, if is_negative { -lo } else { lo })
     }
 
     /// |p| and q.
