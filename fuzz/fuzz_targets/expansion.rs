@@ -1,0 +1,4 @@
+//! Text to expansion.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| kahan_fuzz::expand(bytes));

@@ -1,0 +1,123 @@
+//! Text to expansion: a block is read, its plans are derived, and it is written as Rust, whatever
+//! is wrong with it.
+
+use kahan_runtime::FieldText;
+use proc_macro2::TokenStream;
+
+use crate::words::text;
+
+const WORDS: &[&str] = &[
+    "x",
+    "y",
+    "z",
+    "a",
+    "b",
+    "eps",
+    "t",
+    "i",
+    "n",
+    "xdot",
+    "ydot",
+    "zdot",
+    "x[i]",
+    "x[i]dot",
+    "x[i+1]",
+    "x[i-1]",
+    "x[i+2]",
+    "p[i]",
+    "p[i]dot",
+    " = ",
+    ";",
+    ";\n",
+    "+",
+    "-",
+    "*",
+    "/",
+    "^",
+    "^2",
+    "^-1",
+    "(",
+    ")",
+    "(",
+    ")",
+    "{",
+    "}",
+    "[",
+    "]",
+    ",",
+    ":",
+    "0",
+    "1",
+    "2",
+    "3",
+    "7/3",
+    "0.1",
+    "1e-3",
+    "1e300",
+    "100",
+    "4096",
+    "99999999999999999999",
+    ".",
+    "_",
+    " ",
+    "\n",
+    "// ",
+    "/* ",
+    " */",
+    "/// ",
+    "\"",
+    "'",
+    "#",
+    "!",
+    "x' = ",
+    "² ",
+    "for i in periodic { ",
+    "for i in open { ",
+    "for i in 0..n { ",
+    "pub struct E<T> ",
+    "pub struct E",
+    "#[derive(Debug)] ",
+    "let ",
+    "integral ",
+    "integral H = ",
+    "density ",
+    "density H = ",
+    "bracket ",
+    "bracket P { ",
+    "{x,y} = ",
+    "{y,z} = x; ",
+    "invariant ",
+    "const ",
+    "const c = 2; ",
+    "det(A)",
+    "D",
+    "x~",
+    "xdot = y; ",
+    "ydot = 6*x^2 - a; ",
+    "zdot = x*y; ",
+    "x[i]dot = x[i]*(x[i+1] - x[i-1]); ",
+    "integral H = y^2/2 - 2*x^3 + a*x; ",
+    "1/(a - b)",
+    "*(x + y)",
+    "^(",
+    "sqrt(",
+    "pi",
+    "fn ",
+    "self",
+    "r#type",
+    "&",
+    "|",
+];
+
+/// Reads a block as the command does, and expands it as the macro does.
+pub fn expand(bytes: &[u8]) {
+    let Some(text) = text(bytes, WORDS) else { return };
+    if let Err(mistakes) = FieldText::new(text.clone(), "field".to_owned()).system() {
+        assert!(!mistakes.to_string().is_empty());
+    }
+    // Text that Rust has no tokens for never comes to the macro.
+    let core: TokenStream = "::kahan_core".parse().expect("a path");
+    if let Ok(rust) = kahan_emit::rust::text(&core, &text) {
+        assert!(rust.is_empty() == text.trim().is_empty(), "{rust}");
+    }
+}

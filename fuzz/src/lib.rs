@@ -1,0 +1,42 @@
+//! What the targets run: inputs from bytes, and what must hold of whatever becomes of them. Parts of
+//! our crates that are private there are compiled once more.
+
+#[path = "../../kahan-jit/src/tests/draw.rs"]
+#[expect(dead_code, reason = "the crate has tests that draw programs in another way")]
+mod draw;
+mod expansion;
+#[path = "../../kahan-jit/src/tests/hostile/mod.rs"]
+mod hostile;
+mod plan;
+mod reading;
+#[path = "../../kahan-jit/src/tests/run.rs"]
+#[expect(dead_code, reason = "the crate has tests whose numbers are in slices")]
+mod run;
+mod words;
+
+// The files of `kahan-jit` name what they use by `crate`.
+use kahan_jit::{
+    ComposedOrbit, Constants, Float, Function, Instruction, InstructionSet, Lanes, Orbit, Program, Refusal,
+    Shape, Sweep,
+};
+
+pub use expansion::expand;
+pub use plan::read_plan;
+pub use reading::{read_csv, read_npy};
+
+/// Runs a program for machine code on slices at the edge of forbidden memory, in the way that the
+/// bytes say.
+pub fn run_program(bytes: &[u8]) {
+    hostile::Case::of(bytes).has_run();
+}
+
+/// What stands in for the command's refusals, which its readers of files return.
+mod printing {
+    pub(crate) struct Refusal(pub(crate) String);
+
+    impl Refusal {
+        pub(crate) fn new(why: impl Into<String>) -> Self {
+            Refusal(why.into())
+        }
+    }
+}
