@@ -29,10 +29,10 @@ impl<T> Code<T> {
     /// Puts code where it may run.
     ///
     /// # Safety
-    /// The bytes begin with a function of the calling convention of System V, in instructions that
-    /// this processor has. Only that method below is called which passes the arguments that the
-    /// function takes; with slices as long as `extent` says and arguments as the method describes
-    /// them, it reads and writes nothing else but its own stack.
+    /// The bytes begin with a function on numbers of type `T`, of the calling convention of System
+    /// V, in instructions that this processor has. It is entered by that method below which passes
+    /// the arguments that it takes, and no other. Given these, and slices as long as `extent` says,
+    /// it reads and writes nothing else but its own stack.
     pub(crate) unsafe fn new(bytes: &[u8], extent: Extent) -> Result<Self, Refusal> {
         Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
     }

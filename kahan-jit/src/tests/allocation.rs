@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::allocation::{Allocation, FEWEST_REGISTERS, Operand, Operation, Place, Plan};
 use crate::assembler::{Binary, Fused, Order, Vector};
 use crate::lines::{Ends, Given, Lines};
-use crate::program::Program;
+use crate::program::{Instruction, Program};
 
 use super::{Draw, random_program, run, same, subtract_product};
 
@@ -127,4 +127,24 @@ fn any_number_of_registers_computes_what_the_program_says() {
             }
         }
     }
+}
+
+/// What is read once stays in memory or gives its register to the result; no copy, no third load.
+#[test]
+fn a_last_use_takes_no_instruction_of_its_own() {
+    let mut program = Program::default();
+    let [a, b, c] = [0, 1, 2].map(|i| program.push(Instruction::State(i)));
+    let sum = program.push(Instruction::MultiplyAdd(a, b, c));
+    program.set_results(vec![sum]);
+    let plan = Plan { ends: Ends::Elsewhere, keeps_constants: false, keeps_literals: false };
+    let round = Allocation::of(&Lines::of(&program, true, plan.ends), 16, plan).round;
+    let [
+        Operation::Load(..),
+        Operation::Load(..),
+        Operation::Fused(.., Operand::Memory(_)),
+        Operation::Store(..),
+    ] = round[..]
+    else {
+        panic!("{round:?}")
+    };
 }

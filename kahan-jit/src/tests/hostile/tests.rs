@@ -12,7 +12,7 @@ use crate::{
 #[test]
 fn hostile_programs_are_refused_or_run_within_their_slices() {
     let (mut draw, mut ran) = (Draw(35), HashMap::new());
-    for _ in 0..6000 {
+    for _ in 0..2000 {
         let length = 8 + draw.below(180);
         let bytes: Vec<u8> = (0..length).map(|_| draw.next() as u8).collect();
         let case = Case::of(&bytes);
@@ -23,7 +23,7 @@ fn hostile_programs_are_refused_or_run_within_their_slices() {
     for set in InstructionSet::ALL {
         for routine in Routine::ALL {
             let count = ran.get(&(set, routine)).copied().unwrap_or(0);
-            assert!(!set.is_available() || count > 20, "{set:?}, {routine:?}: {count} cases have run");
+            assert!(!set.is_available() || count > 5, "{set:?}, {routine:?}: {count} cases have run");
         }
     }
 }
