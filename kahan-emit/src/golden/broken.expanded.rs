@@ -4,32 +4,7 @@
 ::core::compile_error! {
     "`sin(…)` is a function call: fields here are polynomial, claims rational\nhelp: introduce a state for `sin(…)`, with an equation of its own that is quadratic"
 }
-/// Kahan's method, x ↦ x̃ with time step 2ε (`eps` is ε, half the time step), for the field
-///
-/// ```text
-/// xdot = 0
-/// ydot = 0
-/// ```
-///
-/// Matrix A(x,ε) = I − ε f′(x), row by row:
-///
-/// ```text
-/// [ 1, 0 ]
-/// [ 0, 1 ]
-/// ```
-///
-/// The map, over its common denominator in lowest terms:
-///
-/// ```text
-/// x~ = x
-/// y~ = y
-/// ```
-///
-/// Proved while compiling:
-///
-/// ```text
-/// integral H = x;
-/// ```
+/// The block has mistakes, which the compiler reports. This stands in for what it would be, and nothing that the block claims is proved.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -49,15 +24,7 @@ const _: () = {
         pub const INTEGRALS: [&'static __kahan::str; 1] = ["H"];
     }
     impl<T: __kahan::Scalar> Broken<T> {
-        /// The integrals of motion of the map at `x`; `eps` is ε, half the time step.
-        ///
-        /// In order:
-        ///
-        /// ```text
-        /// H = x
-        /// ```
-        ///
-        /// Where a divisor is zero, floats are not finite and exact scalars panic.
+        /// The block has mistakes, which the compiler reports. This stands in for what it would be, and nothing that the block claims is proved.
         pub fn integrals(
             &self,
             x: &__kahan::SVector<T, 2>,

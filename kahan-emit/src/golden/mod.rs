@@ -147,3 +147,25 @@ fn a_block_of_too_many_couplings_is_told_of_families() {
         }
     }
 }
+
+#[test]
+fn nothing_is_said_to_be_proved_of_a_block_with_mistakes() {
+    let core = quote!(::kahan_core);
+    for block in [
+        "pub struct False; xdot = y; ydot = -x; integral H = x; density rho = x; bracket P { {x,y} = x; }",
+        "/// Mine.\npub struct Broken { mu } xdot = mu*x^3; ydot = x; integral H = mu*x;",
+        "pub struct Chain; for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); } integral s = sum(2*x[i]); hamiltonian H = sum(x[i]^2);",
+        "pub struct Nothing; integral H = x;",
+    ] {
+        let text = text(&core, block).expect("Rust tokens");
+        assert!(
+            text.contains("compile_error") && text.contains("nothing that the block claims is proved"),
+            "{text}"
+        );
+        for word in ["Proved", "The integrals of motion", "The density", "An invariant", "Kahan's method"] {
+            let documented =
+                text.lines().any(|line| line.trim_start().starts_with("///") && line.contains(word));
+            assert!(!documented, "{word}: {text}");
+        }
+    }
+}

@@ -57,6 +57,8 @@ fn emit_method(
     body: &TokenStream,
 ) -> TokenStream {
     let (scalar, vector, name) = (&context.scalar, context.vector(), format_ident!("{name}"));
+    let stand_in = (!context.is_sound).then(|| docs::stand_in(false));
+    let documentation = stand_in.as_ref().unwrap_or(documentation);
     let generics = if context.has_parameters() { quote!() } else { quote!(<#scalar: __kahan::Scalar>) };
     quote! {
         #documentation

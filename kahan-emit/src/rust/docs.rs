@@ -15,9 +15,20 @@ fn emit_lines(lines: &[String]) -> TokenStream {
     lines.iter().map(|line| quote!(#[doc = #line])).collect()
 }
 
+/// The documentation of all that stands in for a block with mistakes.
+pub(super) fn stand_in(follows: bool) -> TokenStream {
+    let line = " The block has mistakes, which the compiler reports. This stands in for what it would be, \
+                and nothing that the block claims is proved.";
+    let before = follows.then(|| quote!(#[doc = ""]));
+    quote!(#before #[doc = #line])
+}
+
 /// The documentation of a system: field, A(x,ε), reduced map, claims. `follows` tells that the
 /// user's own comes first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
+    if !context.is_sound {
+        return stand_in(follows);
+    }
     let system = context.system;
     let states = &system.field.symbols.states;
     let formulas =

@@ -17,6 +17,7 @@ use kahan_algebra::syntax::Boundary;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::docs::stand_in;
 use super::header::{RustHeader, has_docs};
 use super::inputs::binding;
 use super::items::identifier;
@@ -30,6 +31,8 @@ struct Context<'a> {
     /// The scalar of the values, and that of the lines.
     scalar: Ident,
     line_scalar: Ident,
+    /// Whether the block has no mistake, so that its claims are proved.
+    is_sound: bool,
 }
 
 /// The type of a family, its implementations, and for a block without a header its value.
@@ -51,7 +54,8 @@ pub(super) fn emit_family(
         _ => ["T", "L"],
     };
     let (scalar, line_scalar) = (format_ident!("{scalar}"), format_ident!("{line_scalar}"));
-    let context = Context { family, lines: family.lines(), name, scalar, line_scalar };
+    let is_sound = errors.is_empty();
+    let context = Context { family, lines: family.lines(), name, scalar, line_scalar, is_sound };
     let definition = context.emit_struct(header);
     // What is broken has a type, and nothing that steps.
     let implementations = family.is_sound.then(|| context.emit_implementations(core));
@@ -106,6 +110,9 @@ impl Context<'_> {
 
     /// The equations and what is proved, as formulas.
     fn documentation(&self, follows: bool) -> TokenStream {
+        if !self.is_sound {
+            return stand_in(follows);
+        }
         let family = self.family;
         let chain = match family.boundary {
             Boundary::Periodic => "closed to a ring",

@@ -68,6 +68,8 @@ struct Context<'a> {
     scalar: Ident,
     /// The dimension as a literal.
     dimension: Literal,
+    /// Whether the block has no mistake, so that its claims are proved.
+    is_sound: bool,
 }
 
 /// A block in Rust.
@@ -107,7 +109,7 @@ fn emit(core: &TokenStream, block: TokenStream, reading: &Reading, input: &Flat)
         let errors = [errors, emit_errors(&[mistake], spans)].into_iter().collect();
         return emit_without_field(reading, header.as_ref(), spans, &errors);
     }
-    let context = Context::of(&derived, spans);
+    let context = Context::of(&derived, spans, reading.diagnostics.is_empty());
     let definition = items::emit_struct(&context, header.as_ref());
     let implementations = emit_implementations(core, &context);
     if header.is_some() {
@@ -161,7 +163,7 @@ fn emit_without_field(
         };
     }
     let derived = derive(&reading.system);
-    let definition = items::emit_struct(&Context::of(&derived, spans), header);
+    let definition = items::emit_struct(&Context::of(&derived, spans, false), header);
     quote! { #errors #definition }
 }
 
@@ -182,7 +184,7 @@ fn emit_errors(diagnostics: &[Diagnostic], spans: &[proc_macro2::Span]) -> Token
 }
 
 impl<'a> Context<'a> {
-    fn of(derived: &'a Derived, spans: &[proc_macro2::Span]) -> Self {
+    fn of(derived: &'a Derived, spans: &[proc_macro2::Span], is_sound: bool) -> Self {
         let system = &derived.system;
         let name = match &system.header {
             Some(header) => {
@@ -194,7 +196,7 @@ impl<'a> Context<'a> {
         };
         let scalar = if name == "T" { format_ident!("S") } else { format_ident!("T") };
         let dimension = Literal::usize_unsuffixed(system.field.dimension());
-        Context { system, derived, name, scalar, dimension }
+        Context { system, derived, name, scalar, dimension, is_sound }
     }
 
     fn has_parameters(&self) -> bool {
