@@ -74,7 +74,7 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
                     name.text,
                     plural(sites)
                 ),
-                "correct the claim or the equations",
+                "correct the claim or the equations; at a given number of sites `kahan discover --sites 4` finds what the map keeps",
             ));
         }
     }

@@ -94,7 +94,7 @@ fn report(system: &System, claim: &Claim, verdict: &Verdict, diagnostics: &mut D
         Verdict::Refuted(refutation) => (
             Kind::FalseClaim,
             format!("does not hold: {}", refutation.describe(&system.field.symbols)),
-            "correct the formula, or remove the claim; eps is half the time step",
+            "correct the formula, or remove the claim; eps is half the time step, and `kahan discover` finds what the map keeps",
         ),
         Verdict::Vacuous => {
             let why = match claim.kind {
