@@ -21,7 +21,7 @@ pub struct Lexed {
 /// Splits `text` into tokens. Never fails: what is no token becomes [`TokenKind::Unreadable`].
 #[must_use]
 pub fn lex(text: &str) -> Lexed {
-    let mut lexer = Lexer { text, at: 0, out: Lexed::default() };
+    let mut lexer = Lexer { text, at: 0, docs: Vec::new(), out: Lexed::default() };
     while lexer.next_token() {}
     lexer.out
 }
@@ -29,6 +29,8 @@ pub fn lex(text: &str) -> Lexed {
 struct Lexer<'a> {
     text: &'a str,
     at: usize,
+    /// Lines of documentation before the next token.
+    docs: Vec<String>,
     out: Lexed,
 }
 
@@ -49,7 +51,8 @@ impl Lexer<'_> {
         if let (Some(previous), Some(last)) = (self.out.tokens.last_mut(), self.out.ranges.last()) {
             previous.touches_next = last.end == range.start;
         }
-        self.out.tokens.push(Token { kind, text: text.to_owned(), touches_next: false });
+        let docs = std::mem::take(&mut self.docs);
+        self.out.tokens.push(Token { kind, text: text.to_owned(), touches_next: false, docs });
         self.out.ranges.push(range);
         self.at += length;
     }
@@ -60,7 +63,11 @@ impl Lexer<'_> {
         if c.is_whitespace() {
             self.at += c.len_utf8();
         } else if self.text[self.at..].starts_with("//") {
-            self.at += self.run(self.at, |c| c != '\n');
+            let line = &self.text[self.at..][..self.run(self.at, |c| c != '\n')];
+            self.at += line.len();
+            if line.starts_with("///") && !line.starts_with("////") {
+                self.docs.push(line.trim_end().to_owned());
+            }
         } else if self.text[self.at..].starts_with("/*") {
             self.block_comment();
         } else if c.is_ascii_digit() {

@@ -4,8 +4,6 @@
 //! turns a block into a [`crate::field::Field`] and claims about it. Sums and products are flat
 //! lists, so that a sum of 20 000 terms is as shallow as one of two.
 
-use std::ops::Range;
-
 use crate::rational::Rational;
 use crate::token::Span;
 
@@ -63,12 +61,14 @@ pub struct FamilyHead {
 /// `attributes visibility struct Name (; | { param, … })`.
 #[derive(Clone, Debug)]
 pub struct Header {
-    /// The tokens of attributes and visibility.
-    pub prefix: Range<usize>,
+    /// Documentation, attributes and visibility as written, in lines.
+    pub prefix: Vec<String>,
     /// The type's name.
     pub name: Name,
     /// The parameters in order.
     pub parameters: Vec<Name>,
+    /// Documentation and attributes of each parameter as written, in lines.
+    pub described: Vec<Vec<String>>,
 }
 
 /// `const NAME = constant expr;`

@@ -59,4 +59,6 @@ pub struct Token {
     pub text: String,
     /// Whether the next token follows without white space (`**` is two touching stars).
     pub touches_next: bool,
+    /// Lines of documentation before it, `/// …` as written; for rustc they are attributes.
+    pub docs: Vec<String>,
 }

@@ -33,6 +33,15 @@ impl<'a> Cursor<'a> {
         self.at
     }
 
+    /// The tokens from a place up to here, on one line.
+    pub(super) fn written_since(&self, start: usize) -> String {
+        let tokens = self.tokens[..self.at.min(self.tokens.len())].get(start..).unwrap_or_default();
+        tokens.iter().enumerate().fold(String::new(), |line, (index, token)| {
+            let is_apart = !token.touches_next && index + 1 < tokens.len();
+            line + &token.text + if is_apart { " " } else { "" }
+        })
+    }
+
     pub(super) fn is_at_end(&self) -> bool {
         self.at >= self.tokens.len()
     }

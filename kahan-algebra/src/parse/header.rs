@@ -29,15 +29,16 @@ pub(super) fn parse_header(cursor: &mut Cursor<'_>, block: &mut Block, diagnosti
 }
 
 fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Header> {
-    let start = cursor.position();
-    skip_attributes(cursor);
+    let mut prefix = attributes(cursor);
     if cursor.identifier(0) == Some("pub") {
+        let start = cursor.position();
         cursor.advance();
         if cursor.is_open(0, '(') {
             cursor.skip_group();
         }
+        prefix.push(cursor.written_since(start));
+        prefix.extend(docs(cursor));
     }
-    let prefix = start..cursor.position();
     if cursor.identifier(0) != Some("struct") {
         let found = cursor.describe_next();
         let wrong = Diagnostic::new(
@@ -57,7 +58,7 @@ fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Head
         diagnostics.push(Diagnostic { kind: Kind::Header, ..missing });
         Name { text: "Nameless".to_owned(), span: cursor.here() }
     });
-    let mut header = Header { prefix, name, parameters: Vec::new() };
+    let mut header = Header { prefix, name, parameters: Vec::new(), described: Vec::new() };
     if cursor.is_punctuation(0, '<') {
         let start = cursor.here();
         while !cursor.is_at_end()
@@ -76,12 +77,12 @@ fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Head
         );
     }
     if cursor.is_open(0, '{') {
-        parameters(cursor, '}', &mut header.parameters, diagnostics);
+        parameters(cursor, '}', &mut header, diagnostics);
         cursor.take(';');
     } else if !cursor.take(';') {
         diagnostics.push(missing_end(cursor, &header.name));
         if cursor.is_open(0, '(') {
-            parameters(cursor, ')', &mut header.parameters, diagnostics);
+            parameters(cursor, ')', &mut header, diagnostics);
             cursor.take(';');
         }
     }
@@ -104,17 +105,20 @@ fn missing_end(cursor: &Cursor<'_>, name: &Name) -> Diagnostic {
 }
 
 /// Reads `{ a, b }`, which `close` ends; every parameter may carry attributes.
-fn parameters(cursor: &mut Cursor<'_>, close: char, names: &mut Vec<Name>, diagnostics: &mut Diagnostics) {
+fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnostics: &mut Diagnostics) {
     cursor.advance();
     while cursor.peek(0).is_some_and(|token| !matches!(token.kind, TokenKind::Close(_))) {
-        skip_attributes(cursor);
+        let described = attributes(cursor);
         let start = cursor.here();
         if cursor.identifier(0) == Some("pub") && cursor.identifier(1).is_some() {
             cursor.advance();
             diagnostics.report(Kind::Header, start, "a parameter is public as it is", "remove the `pub`");
         }
         match cursor.expect_name("the name of a parameter") {
-            Ok(name) => names.push(name),
+            Ok(name) => {
+                header.parameters.push(name);
+                header.described.push(described);
+            }
             Err(diagnostic) => {
                 diagnostics.push(Diagnostic { kind: Kind::Header, ..diagnostic });
                 skip_to_comma(cursor);
@@ -122,7 +126,7 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, names: &mut Vec<Name>, diagn
             }
         }
         if !cursor.is_punctuation(0, ',') && !cursor.is_close(close) {
-            let name = names.last().map_or(String::new(), |name| name.text.clone());
+            let name = header.parameters.last().map_or(String::new(), |name| name.text.clone());
             let from = cursor.here();
             let typed = cursor.is_punctuation(0, ':');
             let valued = cursor.is_punctuation(0, '=');
@@ -167,14 +171,25 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, names: &mut Vec<Name>, diagn
     }
 }
 
-fn skip_attributes(cursor: &mut Cursor<'_>) {
+/// Skips attributes; these and documentation as written, in lines.
+fn attributes(cursor: &mut Cursor<'_>) -> Vec<String> {
+    let mut lines = docs(cursor);
     while cursor.is_punctuation(0, '#') {
+        let start = cursor.position();
         cursor.advance();
         cursor.take('!');
         if cursor.is_open(0, '[') {
             cursor.skip_group();
         }
+        lines.push(cursor.written_since(start));
+        lines.extend(docs(cursor));
     }
+    lines
+}
+
+/// The documentation before the next token.
+fn docs(cursor: &Cursor<'_>) -> Vec<String> {
+    cursor.peek(0).map_or_else(Vec::new, |token| token.docs.clone())
 }
 
 fn skip_to_comma(cursor: &mut Cursor<'_>) {

@@ -1,6 +1,7 @@
 //! A system as a block of `kahan!`, in one canonical layout.
 
 use crate::field::Component;
+use crate::syntax::{ClaimBody, Expr, Header};
 use crate::system::{Claim, Condition, System};
 
 use super::claim::claim_text;
@@ -30,21 +31,53 @@ fn mentions(condition: &Condition, name: &str) -> bool {
     found
 }
 
+/// Whether a name stands in a claim as written.
+fn claim_names(claim: &Claim, name: &str) -> bool {
+    let mut found = claim.conditions.iter().any(|condition| mentions(condition, name));
+    let mut look = |expr: &Expr| expr.visit_names(&mut |text, _| found |= text == name);
+    match &claim.body {
+        Some(ClaimBody::Function(expr)) => look(expr),
+        Some(ClaimBody::Tensor(entries)) => entries.iter().for_each(|entry| look(&entry.value)),
+        None => {}
+    }
+    found
+}
+
+/// The header with its documentation and attributes as written, and these parameters.
+fn header_lines(header: &Header, parameters: &[String]) -> Vec<String> {
+    let is_visibility = |line: &&String| line.starts_with("pub");
+    let mut lines: Vec<String> = header.prefix.iter().filter(|line| !is_visibility(line)).cloned().collect();
+    let visibility = header.prefix.iter().find(is_visibility).map_or("pub", String::as_str);
+    let head = format!("{visibility} struct {}", header.name.text);
+    let described = |name: &String| {
+        let index = header.parameters.iter().position(|parameter| parameter.text == *name);
+        index.map_or(&[][..], |index| &header.described[index])
+    };
+    if parameters.is_empty() {
+        lines.push(format!("{head};"));
+    } else if parameters.iter().all(|name| described(name).is_empty()) {
+        lines.push(format!("{head} {{ {} }}", parameters.join(", ")));
+    } else {
+        lines.push(format!("{head} {{"));
+        for name in parameters {
+            lines.extend(described(name).iter().map(|line| format!("    {line}")));
+            lines.push(format!("    {name},"));
+        }
+        lines.push("}".to_owned());
+    }
+    lines
+}
+
 /// The block: header, equations as expanded (constants folded in), claims as written.
 #[must_use]
 pub fn macro_block(system: &System) -> String {
     let mut lines = vec!["kahan! {".to_owned()];
     let parameters = used_parameters(system);
     if let Some(header) = &system.header {
-        let name = &header.name.text;
-        lines.push(if parameters.is_empty() {
-            format!("    pub struct {name};")
-        } else {
-            format!("    pub struct {name} {{ {} }}", parameters.join(", "))
-        });
+        lines.extend(header_lines(header, &parameters).iter().map(|line| format!("    {line}")));
     }
     let names = system.constants.iter();
-    let in_claims = |name: &str| system.claims.iter().any(|claim| claim_text(system, claim).contains(name));
+    let in_claims = |name: &str| system.claims.iter().any(|claim| claim_names(claim, name));
     for (name, value) in names.filter(|(name, _)| in_claims(name)) {
         lines.push(format!("    const {name} = {value};"));
     }

@@ -32,7 +32,7 @@ pub fn lines(text: &str, width: usize) -> Vec<String> {
 }
 
 /// A text whose lines have at most `width` characters: each is broken at its spaces and goes on
-/// further in.
+/// further in. Comments of Rust stay whole: the rest of one would be no comment.
 #[must_use]
 pub fn folded(text: &str, width: usize) -> String {
     let mut out = String::with_capacity(text.len());
@@ -41,7 +41,8 @@ pub fn folded(text: &str, width: usize) -> String {
         // A deep indent would leave no room.
         let indent = (line.len() - body.len()).min(width / 2);
         let further = (indent + 4).min(width / 2);
-        let parts = if length(line) <= width { vec![line.to_owned()] } else { lines(body, width - further) };
+        let stays = length(line) <= width || body.starts_with("//");
+        let parts = if stays { vec![line.to_owned()] } else { lines(body, width - further) };
         for (index, part) in parts.iter().enumerate() {
             let spaces = if index > 0 { further } else { indent * usize::from(parts.len() > 1) };
             out.push_str(&" ".repeat(spaces));

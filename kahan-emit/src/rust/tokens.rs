@@ -44,7 +44,7 @@ fn brackets(group: &Group) -> (char, char) {
 
 impl Flat {
     fn push(&mut self, kind: TokenKind, text: String, span: Span, touches_next: bool) {
-        self.tokens.push(Token { kind, text, touches_next });
+        self.tokens.push(Token { kind, text, touches_next, docs: Vec::new() });
         self.spans.push(span);
     }
 

@@ -1,5 +1,6 @@
 //! What `kahan discover` found, as JSON, as text, as LaTeX, and as a block of the macro.
 
+use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Formulas, Notation, PAGE_WIDTH, latex_equation, lines as breakable};
 use kahan_algebra::system::System;
@@ -182,8 +183,14 @@ impl Discovery {
         let values = Formulas { field: &self.system.field, map: None, notation: Notation::Text }.field();
         let equations =
             symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};"));
-        let text: Vec<String> = equations.chain(self.claims(but).into_iter().map(str::to_owned)).collect();
-        let claimed = Block::of_text(text.join("\n"), self.name.clone()).unproved_system()?;
+        let items: Vec<String> = equations.chain(self.claims(but).into_iter().map(str::to_owned)).collect();
+        let items = items.join("\n");
+        // A header keeps the order of the parameters, and may not name what nothing uses.
+        let named = lex(&items).tokens;
+        let mut parameters = symbols.parameters.clone();
+        parameters.retain(|name| named.iter().any(|token| token.text == *name));
+        let text = format!("struct Found {{ {} }}\n{items}", parameters.join(", "));
+        let claimed = Block::of_text(text, self.name.clone()).unproved_system()?;
         Ok(System { header: self.system.header.clone(), ..claimed })
     }
 
