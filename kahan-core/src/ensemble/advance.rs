@@ -15,8 +15,9 @@ use super::{Ensemble, EnsembleScalar};
 /// A map at a fixed ε that moves ensembles of points with N entries: every [`KahanAt`] on such
 /// points, composed or not.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not move points of {N} numbers of the type `{T}`",
-    label = "another dimension, or another type of number, than that of the points",
+    message = "`{Self}` is no map that moves points of {N} numbers of the type `{T}`",
+    label = "not one prepared map, in the dimension and the type of number of the points",
+    note = "one map, as `map.at(eps)` prepares it, moves all points of an ensemble; where parameters or ε differ, make an ensemble for each",
     note = "a point has one entry for each equation: give `Ensemble::grid` as many axes, `Ensemble::new` such vectors"
 )]
 pub trait Advances<T: EnsembleScalar, const N: usize>: Sealed {
