@@ -24,8 +24,10 @@ use maud::{Markup, html};
 pub(crate) use drawing::{Drawing, Format, Sheet};
 pub(crate) use grid::Grid;
 pub(crate) use number_line::NumberLine;
-pub(crate) use palette::{Theme, style};
-use path::{Place, dots, line, polyline, tenths, text};
+use number_line::Tick;
+use palette::Paint;
+pub(crate) use palette::{Theme, style, variables};
+use path::{Place, dots, line, polyline, stroked, tenths, text};
 pub(crate) use space::{Cloud, Space};
 
 /// How the points of a series are drawn.
@@ -63,12 +65,21 @@ impl Mark {
         self != Mark::Line
     }
 
-    /// The classes of its dots.
-    fn dots(self) -> &'static str {
+    /// The width of its dots.
+    fn dot(self) -> f64 {
         match self {
-            Mark::Points => "dots small",
-            Mark::Fine => "dots fine",
-            _ => "dots",
+            Mark::Points => 2.4,
+            Mark::Fine => 1.1,
+            _ => 4.0,
+        }
+    }
+
+    /// The width of its line in a colour; the sixth is for what others are compared with.
+    fn line(self, colour: usize) -> f64 {
+        match self {
+            _ if colour == 6 => 1.4,
+            Mark::Both => 1.0,
+            _ => 2.0,
         }
     }
 }
@@ -158,7 +169,7 @@ impl Plot {
             @for series in &self.series { (self.series(series)) }
             // Labels last, so that no curve runs through them.
             @for (colour, place, anchor, words) in self.labels() {
-                g.(format!("c{colour}")) { g.label { (text(place, anchor, words)) } }
+                (haloed(Paint::label(colour), 600, &text(place, anchor, words)))
             }
         };
         Drawing { description: self.description.clone(), size: self.size, body }
@@ -169,27 +180,24 @@ impl Plot {
             return html! {};
         }
         let (right, y) = self.place((self.x.high, level));
+        let rule = html! { g stroke-dasharray="5 4" { (line((LEFT, y), (right, y))) } };
         html! {
-            g.level {
-                (line((LEFT, y), (right, y)))
-                (text((right - 4.0, y - 5.0), "end", label))
-            }
+            (Paint::LEVEL.group(&rule))
+            (haloed(Paint::LEVEL_NAME, 400, &text((right - 4.0, y - 5.0), "end", label)))
         }
     }
 
     fn series(&self, series: &Series) -> Markup {
-        let colour = format!("c{}", series.colour);
         let parts = series.points.split(|point| !self.shows(point));
         let parts: Vec<Vec<(f64, f64)>> =
             parts.map(|part| part.iter().map(|&point| self.place(point)).collect()).collect();
-        html! {
-            g.(colour) {
-                @if series.mark.has_line() {
-                    path.line.thin[series.mark == Mark::Both] d=(parts.iter().map(|part| polyline(part)).collect::<String>()) {}
-                }
-                @if series.mark.has_dots() { path.(series.mark.dots()) d=(dots(&parts.concat())) {} }
+        let (mark, colour) = (series.mark, series.colour);
+        Paint::curve(colour).group(&html! {
+            @if mark.has_line() {
+                (stroked("line", &parts.iter().map(|part| polyline(part)).collect::<String>(), mark.line(colour)))
             }
-        }
+            @if mark.has_dots() { (stroked("dots", &dots(&parts.concat()), mark.dot())) }
+        })
     }
 
     /// The colour, place, anchor and words of each label: beside the last point, on the side where
@@ -235,28 +243,69 @@ impl Frame {
     /// Both axes with their names, round values and lines across.
     fn axes(&self, x: &NumberLine, y: &NumberLine) -> Markup {
         let Frame { left, right, top, bottom } = *self;
-        let xs = x.ticks().into_iter().map(|tick| (x.place(tick.value, left, right), tick.text));
-        let ys = y.ticks().into_iter().map(|tick| (y.place(tick.value, bottom, top), tick.text));
-        let (xs, ys): (Vec<_>, Vec<_>) = (xs.collect(), ys.collect());
+        let xs = placed(x, |value| (x.place(value, left, right), bottom));
+        let ys = placed(y, |value| (left, y.place(value, bottom, top)));
+        let across = html! {
+            @for ((x, _), _) in &xs { (line((*x, top), (*x, bottom))) }
+            @for ((_, y), _) in &ys { (line((left, *y), (right, *y))) }
+        };
+        let axes = html! {
+            (line((left, bottom), (right, bottom)))
+            (line((left, top), (left, bottom)))
+        };
+        let values = html! {
+            @for ((x, _), value) in &xs { (text((*x, bottom + 18.0), "middle", value)) }
+            @for ((_, y), value) in &ys { (text((left - 7.0, y + 4.5), "end", value)) }
+        };
+        let names = html! {
+            (text(((left + right) / 2.0, bottom + 42.0), "middle", &x.name()))
+            text transform=(format!("translate(16 {}) rotate(-90)", tenths((top + bottom) / 2.0))) text-anchor="middle" {
+                (y.name())
+            }
+        };
         html! {
-            g.grid {
-                @for (x, _) in &xs { (line((*x, top), (*x, bottom))) }
-                @for (y, _) in &ys { (line((left, *y), (right, *y))) }
-            }
-            g.axes {
-                (line((left, bottom), (right, bottom)))
-                (line((left, top), (left, bottom)))
-            }
-            g.ticks {
-                @for (x, value) in &xs { (text((*x, bottom + 18.0), "middle", value)) }
-                @for (y, value) in &ys { (text((left - 7.0, y + 4.5), "end", value)) }
-            }
-            g.names {
-                (text(((left + right) / 2.0, bottom + 42.0), "middle", &x.name()))
-                text transform=(format!("translate(16 {}) rotate(-90)", tenths((top + bottom) / 2.0))) text-anchor="middle" {
-                    (y.name())
-                }
-            }
+            g stroke-width="0.8" { (Paint::GRID.group(&across)) }
+            (Paint::AXES.group(&axes))
+            (ticks(&values))
+            (names_of_axes(&names))
+        }
+    }
+}
+
+/// The ticks of an axis where they are drawn, as many as have room for their words.
+fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> {
+    /// The width of a digit, and the height of a line, with what is left free around them.
+    const DIGIT: f64 = 7.0;
+    const LINE: f64 = 13.0;
+    const FREE: f64 = 5.0;
+
+    let width = |tick: &Tick| DIGIT * tick.text.chars().count() as f64 + FREE;
+    let fits = |ticks: &[Tick]| {
+        ticks.windows(2).all(|pair| {
+            let ((x, y), (next_x, next_y)) = (at(pair[0].value), at(pair[1].value));
+            (next_y - y).abs() >= LINE || (next_x - x).abs() >= (width(&pair[0]) + width(&pair[1])) / 2.0
+        })
+    };
+    axis.ticks(fits).into_iter().map(|tick| (at(tick.value), tick.text)).collect()
+}
+
+/// The values at the ticks of axes.
+fn ticks(values: &Markup) -> Markup {
+    html! { g font-size="12" { (Paint::TICKS.group(values)) } }
+}
+
+/// What axes are called.
+fn names_of_axes(names: &Markup) -> Markup {
+    html! { g font-size="13" font-style="italic" { (Paint::NAMES.group(names)) } }
+}
+
+/// Words on top of what is drawn there, with paper around them; they are written twice, as not every
+/// program that reads SVG can paint the outline of a letter below it.
+fn haloed(paint: Paint, weight: u32, words: &Markup) -> Markup {
+    html! {
+        g font-size="12.5" font-weight=(weight) {
+            g stroke-width="3" stroke-linejoin="round" aria-hidden="true" { (Paint::HALO.group(words)) }
+            (paint.group(words))
         }
     }
 }

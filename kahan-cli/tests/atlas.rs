@@ -3,6 +3,9 @@
 //! The page is made here from short orbits and from outcomes that are given, so that it takes
 //! seconds without optimisation.
 
+#[path = "command/painting.rs"]
+mod painting;
+
 use std::collections::BTreeSet;
 use std::time::Duration;
 
@@ -148,6 +151,9 @@ fn every_part_stands_on_the_page_and_in_order() {
         assert_eq!(drawn.matches("<svg").count(), drawings, "{figure}");
         assert_eq!(drawn.matches("role=\"img\" aria-label=").count(), drawings, "{figure}");
         assert!(drawn.contains("class=\"data\"") && drawn.contains("<path"), "{figure}");
+        for drawing in painting::drawings(drawn) {
+            assert!(painting::painted(drawing) > 15, "{figure}");
+        }
     }
     for claim in paper.claims() {
         assert!(page.contains(&format!("<tr id=\"claim-{}\"", claim.id)), "{} has no row", claim.id);

@@ -41,17 +41,11 @@ pub(crate) struct StabilityMap {
     from: Option<PathBuf>,
 
     /// The column of F that is shown, where it is not named as --color.
-    #[arg(long, value_name = "NAME", requires = "from", conflicts_with = "color", hide_short_help = true)]
+    #[arg(long, value_name = "NAME", requires = "from", conflicts_with = "color")]
     column: Option<String>,
 
     /// Only the rows of F in which a column has this value.
-    #[arg(
-        long = "where",
-        value_name = "NAME=V",
-        requires = "from",
-        allow_hyphen_values = true,
-        hide_short_help = true
-    )]
+    #[arg(long = "where", value_name = "NAME=V", requires = "from", allow_hyphen_values = true)]
     chosen: Vec<String>,
 
     /// What is gone through, NAME=FROM:TO:CELLS: twice, the abscissa first.
@@ -67,7 +61,7 @@ pub(crate) struct StabilityMap {
     color: Colour,
 
     /// The orbit has escaped where a variable is larger than R in size.
-    #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true, hide_short_help = true)]
+    #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true)]
     escape: String,
 
     /// The file, F.svg, F.png or F.csv, which appears when it is complete.
@@ -78,8 +72,8 @@ pub(crate) struct StabilityMap {
     #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = super::picture::pixels)]
     size: (u32, u32),
 
-    /// Which colours a picture has around the map.
-    #[arg(long, value_enum, default_value = "viewer", hide_short_help = true)]
+    /// Around the map: viewer, light or dark as the viewer is; light; or dark.
+    #[arg(long, value_enum, default_value = "viewer", hide_possible_values = true)]
     theme: Theme,
 
     /// Print one JSON object that says what the file shows.

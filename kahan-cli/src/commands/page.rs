@@ -12,6 +12,7 @@ use std::time::Instant;
 
 use clap::Args;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_runtime::Field;
 use maud::{Markup, html};
@@ -22,6 +23,7 @@ use crate::printing::{Answer, Progress, Refusal, Sink};
 use crate::reading::{Block, Source, coordinates, number, seconds};
 
 use figures::{Subject, command};
+use findings::Search;
 use line::Line;
 use scene::Scene;
 
@@ -81,12 +83,13 @@ impl Page {
         let (words, generic) = (source.words(&block), self.source.words(&block));
         let subject = Subject {
             words: &words,
+            kept: &words,
             generic: &generic,
             variables: &system.field.symbols.states,
             scene: &scene,
             seconds: self.seconds,
         };
-        let chapters = chapters(&subject, &block, &system);
+        let chapters = chapters(&subject, &block, &system, &parameters);
         let page =
             Written { name: &name, block: &block, system: &system, parameters: &parameters, scene: &scene };
         let again = self.line(&block);
@@ -140,24 +143,28 @@ struct Chapter {
 }
 
 /// All parts, one after the other.
-fn chapters(subject: &Subject<'_>, block: &Block, system: &System) -> Vec<Chapter> {
-    type Make<'a> = Box<dyn Fn() -> Markup + 'a>;
-    let parts: [(&str, &str, Make<'_>); 7] = [
-        ("formulas", "Formulas", Box::new(|| findings::formulas(subject, block, system))),
-        ("found", "What the map preserves", Box::new(|| findings::found(subject, system.field.dimension()))),
-        ("growth", "Singularities and heights", Box::new(|| subject.growth())),
-        ("orbits", "Orbits", Box::new(|| subject.orbits())),
-        ("dynamics", "Exponents and rotation", Box::new(|| subject.dynamics())),
-        ("stability", "Stability", Box::new(|| subject.map())),
-        ("settings", "The cheapest settings", Box::new(|| subject.settings())),
-    ];
+fn chapters(subject: &Subject<'_>, block: &Block, system: &System, parameters: &[Rational]) -> Vec<Chapter> {
     let progress = Progress::stages();
-    let chapters = parts.map(|(id, title, make)| {
+    let mut chapters = Vec::new();
+    let mut chapter = |id, title, make: &dyn Fn() -> Markup| {
         progress.say(title);
-        Chapter { id, title, body: make() }
-    });
+        chapters.push(Chapter { id, title, body: make() });
+    };
+    chapter("formulas", "Formulas", &|| findings::formulas(subject, block, system));
+    progress.say("What the map preserves");
+    let search = Search::of(subject, system.field.dimension());
+    chapter("found", "What the map preserves", &|| search.chapter());
+    let claims_some = system.accessors(ClaimKind::Integral).next().is_some();
+    let values = system.field.symbols.parameters.iter().cloned().zip(parameters.iter().cloned());
+    let found = if claims_some { None } else { search.with_integrals(&values.collect::<Vec<_>>()) };
+    let subject = &Subject { kept: found.as_deref().unwrap_or(subject.words), ..*subject };
+    chapter("growth", "Singularities and heights", &|| subject.growth());
+    chapter("orbits", "Orbits", &|| subject.orbits());
+    chapter("dynamics", "Exponents and rotation", &|| subject.dynamics());
+    chapter("stability", "Stability", &|| subject.map());
+    chapter("settings", "The cheapest settings", &|| subject.settings());
     progress.finish();
-    chapters.into()
+    chapters
 }
 
 /// What the page is about.

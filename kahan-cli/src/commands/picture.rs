@@ -54,12 +54,12 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "K", value_parser = count)]
     starts: Option<usize>,
 
-    /// How far a random start is from --at, in each coordinate.
-    #[arg(long, value_name = "R", default_value = "1/10", hide_short_help = true)]
+    /// How far a random start is from --at at most, in each coordinate.
+    #[arg(long, value_name = "R", default_value = "1/10")]
     radius: String,
 
     /// The seed that random starts follow.
-    #[arg(long, value_name = "S", default_value = "1", hide_short_help = true)]
+    #[arg(long, value_name = "S", default_value = "1")]
     seed: u64,
 
     /// The number of steps of each orbit.
@@ -87,7 +87,7 @@ pub(crate) struct Picture {
     over: Option<String>,
 
     /// Steps of an orbit diagram before what it shows.
-    #[arg(long, value_name = "N", default_value = "1000", hide_short_help = true, value_parser = steps)]
+    #[arg(long, value_name = "N", default_value = "1000", value_parser = steps)]
     transient: u64,
 
     /// Joins the points of an orbit by lines.
@@ -99,11 +99,11 @@ pub(crate) struct Picture {
     window: Vec<String>,
 
     /// Width and height in pixels.
-    #[arg(long, value_name = "WxH", default_value = "960x720", hide_short_help = true, value_parser = pixels)]
+    #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = pixels)]
     size: (u32, u32),
 
-    /// Which colours.
-    #[arg(long, value_enum, default_value = "viewer", hide_short_help = true)]
+    /// viewer, which is light or dark as the viewer is; light; or dark.
+    #[arg(long, value_enum, default_value = "viewer", hide_possible_values = true)]
     theme: Theme,
 
     /// The time that it may take; then it shows what there is.
@@ -119,7 +119,6 @@ const EXAMPLES: &str = "\
 Examples:
   kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
   kahan picture e4 --eps 1/5 --at 7/3,11/13,23/47 --steps 3000 --out e4.svg
-  kahan picture lv --eps 1/7 --at 1/2,1 --axes t,x --steps 100 --lines --out t.svg
   kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
   kahan picture lv --over eps=1/10:1:400 --at 1/2,1 --axes x --steps 100 --out over.svg
   kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg";
@@ -173,10 +172,21 @@ struct Subject<'a> {
 pub(super) struct Drawn {
     pub(super) drawing: Drawing,
     /// How many points there are.
-    points: usize,
+    pub(super) points: usize,
     /// How many of these its axes do not show.
     outside: usize,
+    /// What is seen of each orbit of a portrait or a section.
+    pub(super) visits: Vec<Visits>,
     pub(super) notes: Vec<String>,
+}
+
+/// What is seen of an orbit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Visits {
+    /// How many points it has in the picture.
+    pub(super) points: usize,
+    /// At how many places these are that can be told apart.
+    pub(super) places: usize,
 }
 
 impl Picture {
@@ -241,7 +251,7 @@ impl Picture {
     }
 
     fn answer(&self, system: &str, kind: Kind, drawn: &Drawn, bytes: usize) -> Answer {
-        let Drawn { drawing, points, outside, notes } = drawn;
+        let Drawn { drawing, points, outside, notes, .. } = drawn;
         let file = self.out.display().to_string();
         if self.json {
             let kind = kind.to_possible_value().map(|value| value.get_name().to_owned());

@@ -10,7 +10,7 @@ mod tables;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use crate::plot::{Theme, style};
+use crate::plot::{Theme, style, variables};
 
 pub(crate) use formulas::{derived, statements};
 pub(crate) use math::{COLUMN, LINE, cell, display, displays, inline};
@@ -41,7 +41,7 @@ pub(crate) fn document(title: &str, (anchor, main): (&str, &str), body: &Markup)
                 meta name="color-scheme" content="light dark";
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
                 title { (title) }
-                style { (PreEscaped(style(":root", Theme::Viewer))) (PreEscaped(include_str!("style.css"))) }
+                style { (PreEscaped(variables())) (PreEscaped(include_str!("style.css"))) (PreEscaped(style(Theme::Viewer))) }
             }
             body {
                 a.skip href=(format!("#{anchor}")) { "Skip to " (main) }

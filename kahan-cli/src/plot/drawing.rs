@@ -4,7 +4,7 @@ use std::path::Path;
 
 use maud::{Markup, PreEscaped, html};
 
-use super::palette::{Theme, style};
+use super::palette::{Paint, Theme, style};
 use crate::printing::Refusal;
 
 /// What was drawn, with what it shows in words.
@@ -47,12 +47,12 @@ impl Drawing {
     /// The file as SVG, with its own style.
     pub(crate) fn svg(&self, sheet: &Sheet) -> String {
         let (width, height) = self.size;
-        let css = style("svg", sheet.theme);
+        let (css, paper) = (style(sheet.theme), Paint::PAPER);
         let svg = html! {
-            svg xmlns="http://www.w3.org/2000/svg" width=(sheet.pixels.0) height=(sheet.pixels.1)
+            svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width=(sheet.pixels.0) height=(sheet.pixels.1)
                 viewBox=(format!("0 0 {width} {height}")) font-family="system-ui,sans-serif" role="img" aria-label=(self.description) {
                 style { (PreEscaped(css)) }
-                rect.paper width="100%" height="100%" {}
+                rect.(paper.class()) width="100%" height="100%" fill=(paper.fill()) {}
                 (self.body)
             }
         };

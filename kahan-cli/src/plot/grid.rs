@@ -4,9 +4,10 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use maud::{Markup, html};
 
+use super::palette::Paint;
 use super::path::{line, tenths, text};
 use super::ramp::{Rgb, colour};
-use super::{Drawing, Frame, NumberLine};
+use super::{Drawing, Frame, NumberLine, placed};
 use crate::printing::Refusal;
 
 /// Numbers over a rectangle, cell by cell.
@@ -71,19 +72,21 @@ impl Grid {
     fn legend(&self, frame: &Frame) -> Result<Markup, Refusal> {
         let (left, right) = (frame.right + 14.0, frame.right + 28.0);
         let colours: Vec<u8> = (0..COLOURS as u8).rev().collect();
-        let ticks = self.scale.ticks().into_iter();
-        let ticks: Vec<(f64, String)> =
-            ticks.map(|tick| (self.scale.place(tick.value, frame.bottom, frame.top), tick.text)).collect();
+        let ticks = placed(&self.scale, |value| (right, self.scale.place(value, frame.bottom, frame.top)));
         let middle = tenths((frame.top + frame.bottom) / 2.0);
+        let marks = html! { @for ((_, y), _) in &ticks { (line((right, *y), (right + 4.0, *y))) } };
+        let values =
+            html! { @for ((_, y), value) in &ticks { (text((right + 7.0, y + 4.5), "start", value)) } };
+        let name = html! {
+            text transform=(format!("translate({} {middle}) rotate(90)", tenths(frame.right + 76.0))) text-anchor="middle" {
+                (self.scale.name())
+            }
+        };
         Ok(html! {
             (image([left, frame.top, right, frame.bottom], (1, COLOURS), &colours)?)
-            g.axes { @for (y, _) in &ticks { (line((right, *y), (right + 4.0, *y))) } }
-            g.ticks { @for (y, value) in &ticks { (text((right + 7.0, y + 4.5), "start", value)) } }
-            g.names {
-                text transform=(format!("translate({} {middle}) rotate(90)", tenths(frame.right + 76.0))) text-anchor="middle" {
-                    (self.scale.name())
-                }
-            }
+            (Paint::AXES.group(&marks))
+            (super::ticks(&values))
+            (super::names_of_axes(&name))
         })
     }
 }
@@ -96,10 +99,11 @@ fn image(
 ) -> Result<Markup, Refusal> {
     let png =
         png(columns, rows, cells).map_err(|error| Refusal::new(format!("no image of the grid: {error}")))?;
+    // The old name of `href`, as Inkscape knows no other.
     Ok(html! {
         image x=(tenths(left)) y=(tenths(top)) width=(tenths(right - left)) height=(tenths(bottom - top))
             preserveAspectRatio="none" style="image-rendering:pixelated"
-            href=(format!("data:image/png;base64,{}", STANDARD.encode(png))) {}
+            xlink:href=(format!("data:image/png;base64,{}", STANDARD.encode(png))) {}
     })
 }
 

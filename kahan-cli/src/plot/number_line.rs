@@ -57,28 +57,48 @@ impl NumberLine {
     /// The power of ten that is taken out of very large and very small values.
     fn power(&self) -> i32 {
         let largest = self.low.abs().max(self.high.abs());
-        if (1e-3..1e6).contains(&largest) { 0 } else { largest.log10().floor() as i32 }
+        if (1e-2..1e5).contains(&largest) { 0 } else { largest.log10().floor() as i32 }
     }
 
-    /// Round values on it, three to eight of them.
-    pub(super) fn ticks(&self) -> Vec<Tick> {
-        let rough = (self.high - self.low) / 7.0;
-        let unit = 10_f64.powf(rough.log10().floor());
-        let step = [1.0, 2.0, 5.0, 10.0].into_iter().find(|m| m * unit >= rough).unwrap_or(10.0) * unit;
+    /// Round values on it: four to seven of them where `fits` says that their words do not run into
+    /// each other, else as many as do.
+    pub(super) fn ticks(&self, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
+        let unit = 10_f64.powf((self.high - self.low).log10().floor());
+        // Of all these steps, half or two fifths of each other, one leaves four to seven ticks.
+        let finer = |factors: &'static [f64]| {
+            [10.0, 1.0, 0.1].into_iter().flat_map(move |power| factors.iter().map(move |f| f * power))
+        };
+        let steps = finer(&[5.0, 2.0, 1.0]).chain(finer(&[2.5]));
+        let marked = steps.map(|factor| self.every(factor * unit)).filter(|ticks| ticks.len() <= 7);
+        let mut marked: Vec<Vec<Tick>> = marked.collect();
+        // A stable order: four to seven first, the coarser before the finer, quarters last; then as
+        // many as there can be.
+        marked.sort_by_key(|ticks| std::cmp::Reverse(ticks.len().min(4)));
+        let chosen = marked.iter().position(|ticks| fits(ticks));
+        chosen.map_or_else(Vec::new, |index| marked.swap_remove(index))
+    }
+
+    /// The multiples of a step on it.
+    fn every(&self, step: f64) -> Vec<Tick> {
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);
         let scale = 10_f64.powi(-self.power());
-        // 0.1 + 0.2 is no label.
-        let decimals = (-(step * scale * 1.001).log10().floor()).max(0.0) as usize;
+        // 0.1 + 0.2 is no label, and a step of 0.25 has one decimal more than its size.
+        let size = (-(step * scale * 1.001).log10().floor()).max(0.0) as usize;
+        let is_whole = |decimals: usize| {
+            let digits = step * scale * 10_f64.powi(decimals as i32);
+            (digits - digits.round()).abs() < 1e-6 * digits
+        };
+        let decimals = if is_whole(size) { size } else { size + 1 };
         let round = |tick: f64| if tick.abs() < step / 2.0 { 0.0 } else { tick };
         ticks.map(round).map(|value| Tick { value, text: decimal(value * scale, decimals) }).collect()
     }
 
-    pub(super) fn place(&self, value: f64, from: f64, to: f64) -> f64 {
+    pub(crate) fn place(&self, value: f64, from: f64, to: f64) -> f64 {
         from + (value - self.low) / (self.high - self.low) * (to - from)
     }
 
-    pub(super) fn shows(&self, value: f64) -> bool {
+    pub(crate) fn shows(&self, value: f64) -> bool {
         (self.low..=self.high).contains(&value)
     }
 }
@@ -95,32 +115,55 @@ fn superscript(power: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::NumberLine;
+    use kahan_algebra::prime_field::SplitMix64;
+
+    fn line(low: f64, high: f64) -> NumberLine {
+        NumberLine { label: "x".to_owned(), low, high }
+    }
 
     #[test]
-    fn ticks_are_round_and_lie_on_the_axis() {
-        for (low, high) in
-            [(0.0, 1.0), (-3.2, 7.9), (0.0, 812_345.0), (1.59, 1.64), (-1e-9, 1e-9), (-3e17, 1e16)]
-        {
-            let line = NumberLine { label: String::new(), low, high };
-            let ticks = line.ticks();
-            assert!((3..=8).contains(&ticks.len()), "{low}..{high}: {ticks:?}");
+    fn four_to_seven_ticks_are_round_and_lie_on_the_axis() {
+        let mut random = SplitMix64::new(3);
+        let mut part = || random.below(1 << 20) as f64 / f64::from(1 << 20);
+        let drawn = (0..3000).map(|i| {
+            let (low, length) = (2.0 * part() - 1.0, 10_f64.powf(-1.5 * part()));
+            let scale = 10_f64.powi(i % 40 - 20);
+            (low * scale, (low + length) * scale)
+        });
+        let known = [(0.0, 1.0), (-3.2, 7.9), (0.0, 812_345.0), (1.59, 1.64), (-1e-9, 1e-9), (-3e17, 1e16)];
+        for (low, high) in drawn.collect::<Vec<_>>().into_iter().chain(known) {
+            let line = line(low, high);
+            let ticks = line.ticks(|_| true);
+            assert!((4..=7).contains(&ticks.len()), "{low}..{high}: {ticks:?}");
             assert!(ticks.iter().all(|tick| line.shows(tick.value)), "{low}..{high}: {ticks:?}");
-            assert!(ticks.iter().all(|tick| tick.text.chars().count() <= 6), "{low}..{high}: {ticks:?}");
+            assert!(ticks.iter().all(|tick| tick.text.chars().count() <= 8), "{low}..{high}: {ticks:?}");
             let labels: std::collections::BTreeSet<&str> = ticks.iter().map(|tick| &*tick.text).collect();
             assert_eq!(labels.len(), ticks.len(), "the labels differ: {labels:?}");
+            let scale = 10_f64.powi(-line.power());
+            for tick in &ticks {
+                let read: f64 = tick.text.replace('−', "-").parse().expect("a number");
+                let error = (read - tick.value * scale).abs();
+                assert!(error < 1e-9 * (high - low) * scale, "{low}..{high}: {tick:?}");
+            }
         }
     }
 
     #[test]
+    fn where_there_is_little_room_there_are_fewer_ticks() {
+        for most in 1..=7 {
+            let ticks = line(0.1, 9.9).ticks(|ticks| ticks.len() <= most);
+            assert!((1..=most).contains(&ticks.len()), "{most}: {ticks:?}");
+        }
+        assert_eq!(line(0.1, 9.9).ticks(|_| false), []);
+    }
+
+    #[test]
     fn the_power_that_is_taken_out_stands_in_the_name() {
-        let line = NumberLine { label: "x".to_owned(), low: -2e-9, high: 2e-9 };
-        assert_eq!(line.name(), "x, times 10⁻⁹");
-        assert!(
-            line.ticks().iter().any(|tick| tick.text == "−1.5" || tick.text == "−1"),
-            "{:?}",
-            line.ticks()
-        );
-        assert_eq!(NumberLine { label: "x".to_owned(), low: 0.0, high: 10.0 }.name(), "x");
+        let small = line(-2e-9, 2e-9);
+        assert_eq!(small.name(), "x, times 10⁻⁹");
+        let ticks = small.ticks(|_| true);
+        assert!(ticks.iter().any(|tick| tick.text == "−1"), "{ticks:?}");
+        assert_eq!(line(0.0, 10.0).name(), "x");
     }
 
     #[test]

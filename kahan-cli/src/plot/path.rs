@@ -13,6 +13,14 @@ pub(super) fn line(from: Place, to: Place) -> Markup {
     html! { line x1=(tenths(from.0)) y1=(tenths(from.1)) x2=(tenths(to.0)) y2=(tenths(to.1)) {} }
 }
 
+/// A line or dots, so wide; `shape` is [`polyline`] or [`dots`].
+pub(super) fn stroked(class: &str, shape: &str, width: f64) -> Markup {
+    html! {
+        path.(class) d=(shape) stroke-width=((100.0 * width).round() / 100.0) stroke-linejoin="round"
+            stroke-linecap="round" {}
+    }
+}
+
 /// Words at a place; `anchor` is `start`, `middle` or `end`.
 pub(super) fn text(at: Place, anchor: &str, words: &str) -> Markup {
     html! { text x=(tenths(at.0)) y=(tenths(at.1)) text-anchor=(anchor) { (words) } }

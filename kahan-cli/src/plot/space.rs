@@ -1,10 +1,11 @@
-//! Orbits in space: a parallel projection of a box with its axes, near points larger and clearer
-//! than far ones.
+//! Orbits in space: a parallel projection of a box with its axes, near points and lines wider than far
+//! ones.
 
 use maud::{Markup, html};
 
-use super::path::{Place, dots, line, polyline, text};
-use super::{Drawing, Mark, NumberLine};
+use super::palette::Paint;
+use super::path::{Place, dots, line, polyline, stroked, tenths, text};
+use super::{Drawing, Mark, NumberLine, names_of_axes, placed, ticks};
 
 /// Points in space that belong together.
 #[derive(Clone, Debug)]
@@ -28,12 +29,18 @@ pub(crate) struct Space {
     pub(crate) clouds: Vec<Cloud>,
 }
 
-/// Room that is left around the box.
-const ROOM: f64 = 40.0;
+/// Room that is left around the box: on the left and below for words.
+const LEFT: f64 = 62.0;
+const RIGHT: f64 = 24.0;
+const TOP: f64 = 14.0;
+const BOTTOM: f64 = 46.0;
+/// The width of lines in the middle of the box.
+const LINE: f64 = 1.4;
 const TURN: f64 = 0.62;
-const TILT: f64 = 0.36;
-/// Layers of depth, from the back, and the class of each.
-const LAYERS: [&str; 3] = ["far", "between", "near"];
+const TILT: f64 = 0.5;
+/// Layers of depth, from the back: so many that the width of a line changes less from one to the
+/// next than can be seen.
+const LAYERS: usize = 24;
 /// Boxes that are longer than this many times their width are drawn as cubes.
 const SLENDER: f64 = 4.0;
 
@@ -46,7 +53,8 @@ fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
 
 /// The projection that fills a drawing with a box.
 struct View {
-    size: (f64, f64),
+    /// Where the middle of the box is drawn.
+    centre: Place,
     middle: [f64; 3],
     /// What the box's lengths are multiplied by before they are turned.
     stretch: [f64; 3],
@@ -66,8 +74,10 @@ impl View {
             let corners = (0..8).map(|bits| turned(half(bits, lengths, stretch))[i].abs());
             corners.fold(0.0, f64::max)
         };
-        let scale = ((size.0 / 2.0 - ROOM) / reach(0)).min((size.1 / 2.0 - ROOM) / reach(1));
-        View { size, middle, stretch, scale, depth: reach(2) }
+        let (width, height) = (size.0 - LEFT - RIGHT, size.1 - TOP - BOTTOM);
+        let scale = (width / 2.0 / reach(0)).min(height / 2.0 / reach(1));
+        let centre = (LEFT + width / 2.0, TOP + height / 2.0);
+        View { centre, middle, stretch, scale, depth: reach(2) }
     }
 
     fn turned(&self, point: [f64; 3]) -> [f64; 3] {
@@ -76,14 +86,25 @@ impl View {
 
     fn place(&self, point: [f64; 3]) -> Place {
         let [right, up, _] = self.turned(point);
-        (self.size.0 / 2.0 + self.scale * right, self.size.1 / 2.0 - self.scale * up)
+        (self.centre.0 + self.scale * right, self.centre.1 - self.scale * up)
+    }
+
+    /// How near a point is: 0 at the back of the box, 1 at the front.
+    fn nearness(&self, point: [f64; 3]) -> f64 {
+        (self.turned(point)[2] / self.depth + 1.0) / 2.0
     }
 
     /// Which layer of depth a point is in.
     fn layer(&self, point: [f64; 3]) -> usize {
-        let part = (self.turned(point)[2] / self.depth + 1.0) / 2.0;
-        ((part * LAYERS.len() as f64) as usize).min(LAYERS.len() - 1)
+        ((self.nearness(point) * LAYERS as f64) as usize).min(LAYERS - 1)
     }
+}
+
+/// The width of lines or dots in a layer of depth, of those that are so wide in the middle.
+fn width_in(layer: usize, middle: f64) -> f64 {
+    const AT_THE_BACK: f64 = 0.7;
+    let nearness = (layer as f64 + 0.5) / LAYERS as f64;
+    middle * (AT_THE_BACK + 2.0 * (1.0 - AT_THE_BACK) * nearness)
 }
 
 /// From the middle of the box to a corner: a bit that is set means the greater end of that axis.
@@ -97,8 +118,8 @@ impl Space {
         let view = View::of(&self.axes, self.size);
         let body = html! {
             (self.edges(&view))
-            @for (layer, class) in LAYERS.iter().enumerate() {
-                @for cloud in &self.clouds { (self.cloud(&view, cloud, layer, class)) }
+            @for layer in 0..LAYERS {
+                @for cloud in &self.clouds { (self.cloud(&view, cloud, layer)) }
             }
             (self.names(&view))
         };
@@ -126,16 +147,19 @@ impl Space {
             line(view.place(self.corner(*from)), view.place(self.corner(*to)))
         };
         html! {
-            g.grid { @for edge in &others { (drawn(edge)) } }
-            g.axes { @for edge in &axes { (drawn(edge)) } }
+            g stroke-width="0.8" { (Paint::GRID.group(&html! { @for edge in &others { (drawn(edge)) } })) }
+            (Paint::AXES.group(&html! { @for edge in &axes { (drawn(edge)) } }))
         }
     }
 
     /// What of a cloud lies in one layer of depth.
-    fn cloud(&self, view: &View, cloud: &Cloud, layer: usize, class: &str) -> Markup {
+    fn cloud(&self, view: &View, cloud: &Cloud, layer: usize) -> Markup {
         let is_here = |point: &[f64; 3]| self.shows(point) && view.layer(*point) == layer;
         let places = |points: &[[f64; 3]]| points.iter().map(|point| view.place(*point)).collect::<Vec<_>>();
         let here: Vec<[f64; 3]> = cloud.points.iter().copied().filter(is_here).collect();
+        if here.is_empty() {
+            return html! {};
+        }
         // A part goes on to the first point of the next layer, so that the line has no gaps.
         let lines = || {
             let mut path = String::new();
@@ -149,48 +173,52 @@ impl Space {
             }
             path
         };
-        html! {
-            g class=(format!("c{}", cloud.colour)) {
-                @if cloud.mark.has_line() { path.(format!("line {class}")) d=(lines()) {} }
-                @if cloud.mark.has_dots() { path.(format!("{} {class}", cloud.mark.dots())) d=(dots(&places(&here))) {} }
-            }
-        }
+        let mark = cloud.mark;
+        Paint::curve(cloud.colour).group(&html! {
+            @if mark.has_line() { (stroked("line", &lines(), width_in(layer, LINE))) }
+            @if mark.has_dots() { (stroked("dots", &dots(&places(&here)), width_in(layer, mark.dot()))) }
+        })
     }
 
-    /// The names of the axes beside the middle of their edges, and round values along these.
+    /// Round values along the edges of the axes, and the names of these further out.
     fn names(&self, view: &View) -> Markup {
         let along = |axis: usize| {
-            let ((from, _), (right, down)) = (AXES[axis], BESIDE[axis]);
-            let at = move |value: f64| {
+            let ((from, _), line) = (AXES[axis], &self.axes[axis]);
+            let beside = move |value: f64, (right, down): Place| {
                 let mut point = self.corner(from);
                 point[axis] = value;
                 let (x, y) = view.place(point);
                 (x + right, y + down)
             };
-            let ticks = self.axes[axis].ticks();
-            let ends: Vec<_> = match &ticks[..] {
-                [first, .., last] => {
-                    vec![(at(first.value), first.text.clone()), (at(last.value), last.text.clone())]
-                }
-                _ => Vec::new(),
-            };
-            let line = &self.axes[axis];
-            let (x, y) = at(line.low + (line.high - line.low) / 2.0);
-            ((x + 0.3 * right, y + 0.3 * down), ends)
+            let middle = line.low + (line.high - line.low) / 2.0;
+            let values = placed(line, |value| beside(value, BESIDE[axis]));
+            (values, beside(middle, NAMES[axis]))
         };
         let axes: Vec<_> = (0..3).map(along).collect();
+        let values = html! {
+            @for ((values, _), anchor) in axes.iter().zip(ANCHORS) {
+                @for (place, value) in values { (text(*place, anchor, value)) }
+            }
+        };
+        let [x, y, z] = self.axes.each_ref().map(NumberLine::name);
+        let (right, up) = (tenths(axes[2].1.0), tenths(axes[2].1.1));
+        let names = html! {
+            (text(axes[0].1, "start", &x))
+            (text(axes[1].1, "end", &y))
+            text transform=(format!("translate({right} {up}) rotate(-90)")) text-anchor="middle" { (z) }
+        };
         html! {
-            g.ticks {
-                @for (_, ends) in &axes { @for (place, value) in ends { (text(*place, "middle", value)) } }
-            }
-            g.names {
-                @for ((place, _), axis) in axes.iter().zip(&self.axes) { (text(*place, "middle", &axis.name())) }
-            }
+            (ticks(&values))
+            (names_of_axes(&names))
         }
     }
 }
 
 /// The edges of the outline that carry the axes: two below, one on the left.
 const AXES: [(usize, usize); 3] = [(0b000, 0b001), (0b000, 0b010), (0b010, 0b110)];
-/// How far to the right of its edge, and below it, an axis has its words.
-const BESIDE: [(f64, f64); 3] = [(12.0, 20.0), (-14.0, 18.0), (-16.0, 5.0)];
+/// How far to the right of its edge, and below it, an axis has its values.
+const BESIDE: [Place; 3] = [(8.0, 16.0), (-14.0, 14.0), (-7.0, 4.5)];
+/// On which side of these places the values are.
+const ANCHORS: [&str; 3] = ["middle", "middle", "end"];
+/// The same of its name.
+const NAMES: [Place; 3] = [(20.0, 32.0), (-28.0, 28.0), (-50.0, 0.0)];

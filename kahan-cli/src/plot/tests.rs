@@ -47,36 +47,98 @@ fn what_the_axes_do_not_show_is_left_out_and_no_line_leads_there() {
     assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 2), "{path}");
 }
 
-#[test]
-fn near_points_of_space_are_drawn_over_far_ones_and_lines_have_no_gaps() {
+/// A line or a cloud along y, away from the eye.
+fn receding(mark: Mark) -> String {
     let axis = |label: &str| NumberLine { label: label.to_owned(), low: -1.0, high: 1.0 };
-    // Along y, away from the eye.
-    let points: Vec<[f64; 3]> = (0..=20).map(|i| [0.0, f64::from(i) / 10.0 - 1.0, 0.0]).collect();
-    let space = |mark| Space {
+    let points = (0..=200).map(|i| [0.0, f64::from(i) / 100.0 - 1.0, 0.0]).collect();
+    let axes = ["x", "y", "z"].map(axis);
+    let space = Space {
         description: "a < b".to_owned(),
         size: SIZE,
-        axes: ["x", "y", "z"].map(axis),
-        clouds: vec![Cloud { colour: 2, mark, points: points.clone() }],
+        axes,
+        clouds: vec![Cloud { colour: 2, mark, points }],
     };
-    let drawn = |mark| space(mark).drawing().inline().into_string();
-    let part = |svg: &str, class: &str| {
-        let (_, path) = svg.split_once(&format!("class=\"{class}\" d=\"")).expect("a layer");
-        path.split('"').next().expect("its end").to_owned()
+    space.drawing().inline().into_string()
+}
+
+/// The shapes of a class with their widths, in the order in which they are drawn.
+fn shapes(svg: &str, class: &str) -> Vec<(String, f64)> {
+    let opening = format!("class=\"{class}\" d=\"");
+    let parts = svg.split(&opening).skip(1);
+    let attribute = |part: &str, name: &str| {
+        let (_, value) = part.split_once(name).expect("the attribute");
+        value.split('"').next().expect("its end").to_owned()
     };
-    let svg = drawn(Mark::Dots);
-    let layers =
-        ["dots far", "dots between", "dots near"].map(|class| part(&svg, class).matches("h0").count());
-    assert!(layers.iter().all(|count| *count >= 3), "{layers:?}");
-    assert_eq!(layers.iter().sum::<usize>(), points.len());
-    assert!(svg.find("dots far") < svg.find("dots near"));
-    let svg = drawn(Mark::Line);
-    let ends = |class| {
-        let path = part(&svg, class);
+    parts
+        .map(|part| {
+            let width = attribute(part, "stroke-width=\"").parse().expect("a number");
+            (part.split('"').next().expect("its end").to_owned(), width)
+        })
+        .collect()
+}
+
+#[test]
+fn near_points_of_space_are_drawn_over_far_ones_and_no_width_jumps() {
+    for (mark, class) in
+        [(Mark::Dots, "dots"), (Mark::Points, "dots"), (Mark::Fine, "dots"), (Mark::Line, "line")]
+    {
+        let shapes = shapes(&receding(mark), class);
+        assert!(shapes.len() > 10, "{mark:?}: {shapes:?}");
+        for pair in shapes.windows(2) {
+            // From the back to the front, by less than a tenth of a unit, which nobody sees.
+            let grows = pair[1].1 - pair[0].1;
+            assert!((0.0..=0.1001).contains(&grows), "{mark:?}: {pair:?}");
+        }
+        assert!(shapes[0].1 < 0.9 * shapes[shapes.len() - 1].1, "{mark:?}: {shapes:?}");
+        assert!(!receding(mark).contains("opacity"));
+    }
+    let dots: usize =
+        shapes(&receding(Mark::Dots), "dots").iter().map(|(path, _)| path.matches("h0").count()).sum();
+    assert_eq!(dots, 201);
+}
+
+#[test]
+fn a_line_in_space_has_no_gaps() {
+    let shapes = shapes(&receding(Mark::Line), "line");
+    let ends = |path: &str| {
         let places: Vec<String> = path.split(['M', 'L']).skip(1).map(str::to_owned).collect();
         (places[0].clone(), places[places.len() - 1].clone())
     };
-    let (near, between, far) = (ends("line near"), ends("line between"), ends("line far"));
-    assert_eq!((near.1, between.1), (between.0, far.0));
+    // The line goes to the back, where drawing begins.
+    for pair in shapes.windows(2) {
+        assert_eq!(ends(&pair[0].0).0, ends(&pair[1].0).1, "{pair:?}");
+    }
+}
+
+#[test]
+fn axes_have_four_to_seven_values_where_there_is_room() {
+    let count = |svg: &str| {
+        svg.split("class=\"ticks\"")
+            .nth(1)
+            .and_then(|part| part.split("</g>").next())
+            .expect("ticks")
+            .matches("<text")
+            .count()
+    };
+    for (width, height, least) in
+        [(480.0, 320.0, 8), (360.0, 300.0, 8), (1040.0, 260.0, 8), (480.0, 1900.0, 8)]
+    {
+        for (low, high) in
+            [(0.0, 1.0), (-3.2, 7.9), (0.0, 812_345.0), (1.59, 1.64), (-1e-9, 1e-9), (-0.013, 22.4)]
+        {
+            let axis = || NumberLine { label: "x".to_owned(), low, high };
+            let plot = Plot {
+                size: (width, height),
+                x: axis(),
+                y: axis(),
+                ..Plot::around("", ["x", "y"], Vec::new())
+            };
+            let ticks = count(&plot.drawing().inline().into_string());
+            assert!((least..=14).contains(&ticks), "{width}x{height}, {low}..{high}: {ticks}");
+        }
+    }
+    let svg = receding(Mark::Dots);
+    assert!((12..=21).contains(&count(&svg)), "{svg}");
 }
 
 #[test]
@@ -85,11 +147,14 @@ fn a_file_has_its_own_style_and_what_is_read_out() {
     let sheet = Sheet { pixels: (900, 600), theme: Theme::Viewer };
     assert_eq!(sheet.view_box(), (480.0, 320.0));
     let svg = plot.drawing().svg(&sheet);
-    for part in ["width=\"900\"", "aria-label=\"one point\"", "prefers-color-scheme:dark", "var(--c1)"] {
+    for part in
+        ["width=\"900\"", "aria-label=\"one point\"", "prefers-color-scheme:dark", "stroke=\"#1f76bf\""]
+    {
         assert!(svg.contains(part), "{part}: {svg}");
     }
     let dark = plot.drawing().svg(&Sheet { theme: Theme::Dark, ..sheet });
     assert!(!dark.contains("prefers-color-scheme") && !dark.contains("var("), "{dark}");
+    assert!(dark.contains(".c1{stroke:#2d8cb5;}"), "{dark}");
     // A flat sheet is widened until there is room for both axes.
     assert_eq!(Sheet { pixels: (4000, 1000), ..sheet }.view_box(), (1040.0, 260.0));
 }

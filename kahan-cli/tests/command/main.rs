@@ -15,6 +15,7 @@ mod latex;
 mod numbers;
 mod orbit;
 mod page;
+mod painting;
 mod parameters;
 mod periodic;
 mod picture;

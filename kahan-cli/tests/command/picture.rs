@@ -8,6 +8,7 @@ use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use serde_json::Value;
 
+use crate::painting::painted;
 use crate::running::{answer, kahan, object, refusal, text};
 
 /// The file of a picture with these arguments, which begin after `picture`.
@@ -96,6 +97,7 @@ fn the_examples_of_the_help_run() {
         let attribute = |name: &str| elements[0].try_get_attribute(name).expect("attributes");
         assert!(attribute("aria-label").is_some_and(|label| label.value.len() > 20), "{file:?}");
         assert!(svg.contains("prefers-color-scheme:dark"), "{file:?}");
+        assert!(painted(&svg) > 15, "{file:?}");
     }
 }
 
@@ -136,7 +138,7 @@ fn three_variables_are_drawn_in_space_and_time_has_its_unit() {
     for name in ["x", "y", "z"] {
         assert!(words(&svg).contains(&name), "{:?}", words_of(&svg));
     }
-    assert!(svg.contains("small far") && svg.contains("small near"));
+    assert!(svg.matches("class=\"dots\"").count() > 5, "layers of depth");
     let svg = drawn(&[&arguments[..], &["--axes", "t,z", "--lines"]].concat());
     assert!(words(&svg).contains(&"t, in units of time"), "{:?}", words_of(&svg));
     assert!(svg.contains("class=\"line\"") && !svg.contains("class=\"dots"));
@@ -266,4 +268,26 @@ fn time_is_bounded_and_what_there_is_is_shown() {
     let long = ["lv", "--over", "eps=1/10:1/5:9", "--at", "1/2,1", "--steps", "9", "--transient", "1e15"];
     let object = described(&[&long[..], &["--seconds", "0.2"]].concat());
     assert!(object["notes"][0].as_str().is_some_and(|note| note.starts_with("time ran out")), "{object}");
+}
+
+#[test]
+fn the_pictures_of_the_documentation_have_plain_colours() {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace").join("docs");
+    let files = fs::read_dir(docs).expect("the folder").flatten().map(|file| file.path());
+    let pictures: Vec<_> =
+        files.filter(|path| path.extension().is_some_and(|ending| ending == "svg")).collect();
+    assert!(pictures.len() >= 3, "{pictures:?}");
+    for picture in pictures {
+        assert!(painted(&fs::read_to_string(&picture).expect("a picture")) > 1, "{picture:?}");
+    }
+}
+
+#[test]
+fn an_orbit_that_comes_back_to_the_same_places_is_seen() {
+    // Two integrals: each orbit runs along a closed curve and crosses the plane at one point.
+    let rabinovich =
+        ["--field", "xdot = y*z; ydot = -x*z; zdot = x*y;", "--eps", "1/10", "--at", "1,1/2,1/3"];
+    let svg = drawn(&[&rabinovich[..], &["--plane", "z", "--steps", "20000"]].concat());
+    let (_, dots) = svg.split_once("class=\"dots\" d=\"").expect("dots");
+    assert!(dots.contains("stroke-width=\"4\""), "{dots}");
 }

@@ -7,7 +7,7 @@ use maud::{Markup, html};
 
 use super::super::dynamics::Dynamics;
 use super::super::map::StabilityMap;
-use super::super::picture::Picture;
+use super::super::picture::{Picture, Visits};
 use super::super::poles::Poles;
 use super::super::trade::Trade;
 use super::line::Line;
@@ -20,6 +20,9 @@ use crate::printing::Refusal;
 pub(super) struct Subject<'a> {
     /// The words that name the system with the values of its parameters.
     pub(super) words: &'a [String],
+    /// Those that name it with its integrals: the claimed ones, or where none are, those that were
+    /// found.
+    pub(super) kept: &'a [String],
     /// Those that name it with what was given only.
     pub(super) generic: &'a [String],
     pub(super) variables: &'a [String],
@@ -30,6 +33,8 @@ pub(super) struct Subject<'a> {
 
 /// The time beyond which no picture of orbits is waited for.
 const SECONDS: u32 = 10;
+/// First points of pictures of many orbits.
+const STARTS: usize = 5;
 /// Shares of the time.
 const POLES: f64 = 0.1;
 const HEIGHTS: f64 = 0.06;
@@ -42,7 +47,11 @@ impl Subject<'_> {
 
     /// The system at ε, from the first point.
     fn one_orbit(&self, command: &'static str) -> Line {
-        self.line(command).with("--eps", &self.scene.eps).with("--at", point(&self.scene.start))
+        self.at_first_point(self.line(command))
+    }
+
+    fn at_first_point(&self, line: Line) -> Line {
+        line.with("--eps", &self.scene.eps).with("--at", point(&self.scene.start))
     }
 
     /// So many seconds, of which the page has this share.
@@ -64,7 +73,7 @@ impl Subject<'_> {
                     html! { p { "The map sends no curve to infinity and blows none down." } }
                 })
             }))
-            (self.picture("heights", "Heights of an exact orbit", &heights, &html! {
+            (self.picture("heights", "Heights of an exact orbit", &heights, |_| html! {
                 "The logarithmic height of a fraction is about 2.3 times the number of its digits. A straight line is growth like "
                 "a power of the number of steps; where the axis below is n, growth is exponential."
             }))
@@ -84,14 +93,14 @@ impl Subject<'_> {
             .with_flag("--lines");
         let time = time.with("--out", "time.svg");
         html! {
-            (self.picture("portrait", "Orbits", &portrait, &html! { "Five first points, where there is room for them." }))
-            (self.picture("time", &format!("{first} over time"), &time, &html! { "The first orbit; a step takes the time 2ε." }))
+            (self.picture("portrait", "Orbits", &portrait, |_| html! { "Orbits from " (STARTS) " first points." }))
+            (self.picture("time", &format!("{first} over time"), &time, |_| html! { "The first orbit; a step takes the time 2ε." }))
             @if self.variables.len() > 2 {
                 @let plane = self.plane();
                 @let section = self.many_orbits("picture").with("--plane", &plane).with("--steps", self.crossing_steps());
                 @let section = section.with("--seconds", SECONDS).with("--out", "section.svg");
-                (self.picture("section", "A section", &section, &html! {
-                    "Where the orbits cross " code { (plane) " = 0" } " upwards. Curves are orbits on surfaces; areas are chaos."
+                (self.picture("section", "A section", &section, |visits| html! {
+                    "Where the orbits cross " code { (plane) " = 0" } " upwards. " (crossings(visits, self.variables.len()))
                 }))
             }
         }
@@ -99,7 +108,7 @@ impl Subject<'_> {
 
     /// Exponents, indicators, rotation numbers, drift.
     pub(super) fn dynamics(&self) -> Markup {
-        let line = self.one_orbit("dynamics").with("--steps", self.steps());
+        let line = self.at_first_point(Line::new("dynamics", self.kept)).with("--steps", self.steps());
         let captions = [
             "Lyapunov exponents, per unit of time",
             "Indicators",
@@ -141,7 +150,8 @@ impl Subject<'_> {
         /// Steps of the figures that the horizon takes.
         const STEPS: f64 = 400.0;
         let horizon = decimal(2.0 * self.scene.eps.to_f64() * STEPS);
-        let line = self.line("trade").with("--at", point(&self.scene.start)).with("--horizon", horizon);
+        let line =
+            Line::new("trade", self.kept).with("--at", point(&self.scene.start)).with("--horizon", horizon);
         let line =
             line.with("--tolerance", "1e-8").with("--seconds", self.share(TRADE)).with("--out", "trade.svg");
         made(&line, |trade: Trade| {
@@ -159,13 +169,18 @@ impl Subject<'_> {
         })
     }
 
-    /// A picture of `kahan picture`.
-    fn picture(&self, id: &str, title: &str, line: &Line, words: &Markup) -> Markup {
+    /// A picture of `kahan picture`, with words on what it shows.
+    fn picture(&self, id: &str, title: &str, line: &Line, words: impl Fn(&[Visits]) -> Markup) -> Markup {
+        let mut said = html! {};
         let picture = drawn(line, |picture: Picture| {
             let (_, drawn) = picture.drawn()?;
+            if drawn.points == 0 {
+                return Err(Refusal::new("there is nothing to be seen: no orbit comes there."));
+            }
+            said = words(&drawn.visits);
             Ok((drawn.drawing, drawn.notes))
         });
-        figure(id, title, line, picture, words)
+        figure(id, title, line, picture, &said)
     }
 
     /// The steps of exponents, fewer where there are many variables, each with its tangent vector.
@@ -193,21 +208,27 @@ impl Subject<'_> {
         let Scene { start, extremes, .. } = self.scene;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
             let (start, middle) = (start.to_f64(), 0.5 * (low + high));
-            decimal(start + 0.6 * (middle - start))
+            between(start + 0.6 * (middle - start), high - low)
         });
         let nearer: Vec<String> = nearer.collect();
         let line = self.line(command).with("--eps", &self.scene.eps);
-        line.with("--at", format!("{}..{}", point(start), nearer.join(","))).with("--starts", 5)
+        line.with("--at", format!("{}..{}", point(start), nearer.join(","))).with("--starts", STARTS)
     }
 
-    /// The third variable at the middle of its orbit.
+    /// The middle of what the third variable takes on its orbit, or where that one hardly moves, of
+    /// what the one takes that moves most.
     fn plane(&self) -> String {
-        let [low, high] = self.scene.extremes[2];
-        let middle = decimal(0.5 * (low + high));
+        const MOVES: f64 = 1e-3;
+
+        let lengths: Vec<f64> = self.scene.extremes.iter().map(|[low, high]| high - low).collect();
+        let longest = (0..lengths.len()).max_by(|&i, &j| lengths[i].total_cmp(&lengths[j])).unwrap_or(2);
+        let k = if lengths[2] > MOVES * lengths[longest] { 2 } else { longest };
+        let [low, high] = self.scene.extremes[k];
+        let (name, middle) = (&self.variables[k], between(0.5 * (low + high), high - low));
         match middle.strip_prefix('-') {
-            Some(size) => format!("{} + {size}", self.variables[2]),
-            None if middle == "0" => self.variables[2].clone(),
-            None => format!("{} - {middle}", self.variables[2]),
+            Some(size) => format!("{name} + {size}"),
+            None if middle == "0" => name.clone(),
+            None => format!("{name} - {middle}"),
         }
     }
 
@@ -271,6 +292,47 @@ pub(super) fn command(line: &Line) -> Markup {
 
 fn point(start: &[Rational]) -> String {
     start.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
+}
+
+/// What a section shows, by what is seen of its orbits.
+fn crossings(orbits: &[Visits], variables: usize) -> Markup {
+    /// Fewer crossings show no pattern.
+    const PATTERN: usize = 40;
+    /// Places that are visited so often on the average are the same again and again.
+    const OFTEN: usize = 10;
+
+    let of = |chosen: fn(&Visits) -> bool| orbits.iter().filter(|visits| chosen(visits)).collect::<Vec<_>>();
+    let none = of(|visits| visits.points == 0).len();
+    let seldom = of(|visits| (1..PATTERN).contains(&visits.points)).len();
+    let again = of(|visits| visits.points >= PATTERN && visits.points >= OFTEN * visits.places.max(1));
+    let again: Vec<_> = again.into_iter().filter(|visits| visits.places <= PATTERN / 2).collect();
+    let most = again.iter().map(|visits| visits.places).max().unwrap_or_default();
+    let many = orbits.len() - none - seldom - again.len();
+    let said = |count: usize, one: &str, several: &str| {
+        if count == 1 { format!("1 orbit {one}") } else { format!("{count} orbits {several}") }
+    };
+    html! {
+        @if many > 0 {
+            (said(many, "crosses", "cross")) " at many places: an orbit on a surface draws curves; a chaotic one fills an "
+            "area, or where volumes shrink, a set that may look like pieces of curves. "
+            @if variables > 3 { "What is shown is a projection to two variables, in which tori of more dimensions are areas, too. " }
+        }
+        @if !again.is_empty() {
+            (said(again.len(), "comes back", "come back")) " to "
+            @if most == 1 { "the same place" } @else { "the same places, " (most) " at most," }
+            " again and again, as an orbit on a closed curve does. "
+        }
+        @if seldom > 0 { (said(seldom, "crosses", "cross")) " fewer than " (PATTERN) " times, too seldom to show a pattern. " }
+        @if none > 0 { (said(none, "does not cross it.", "do not cross it.")) }
+    }
+}
+
+/// A number on an interval of this length, to about a thousandth of it.
+fn between(value: f64, length: f64) -> String {
+    let unit = 10_f64.powf((length / 100.0).log10().floor());
+    // An interval of no length has no thousandths.
+    let rounded = if unit > 0.0 { (value / unit).round() * unit } else { value };
+    decimal(rounded)
 }
 
 /// Three digits, as one writes them: 12.3, -0.05, 400.

@@ -1,7 +1,8 @@
 //! The formulas of a page: what is derived from the field, what is claimed of it, and what
 //! `kahan discover` found.
 
-use kahan_algebra::render::{Notation, condition_text, latex_matrix};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::{Notation, condition_text, latex_matrix, macro_block};
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
 use kahan_discover::hilbert::default_degree;
@@ -11,6 +12,7 @@ use super::super::discover::{Discover, Discovery, evaluation};
 use super::figures::{Subject, command};
 use super::line::Line;
 use crate::document::{LINE, derived, display, readable, rows, statements};
+use crate::printing::Refusal;
 use crate::reading::Block;
 
 /// The share of the time that the search has.
@@ -44,19 +46,55 @@ pub(super) fn formulas(subject: &Subject<'_>, block: &Block, system: &System) ->
     }
 }
 
-/// What the map preserves, found from the equations alone.
-pub(super) fn found(subject: &Subject<'_>, dimension: usize) -> Markup {
-    // With a degree the search ends where that is looked at, and every page says the same.
-    let line = Line::new("discover", subject.generic)
-        .with("--degree", default_degree(dimension))
-        .with("--seconds", subject.share(SHARE));
-    let discovery = line.read().and_then(|discover: Discover| discover.discovery());
-    html! {
-        @match discovery.and_then(|discovery| Ok((discovery.readable()?, discovery))) {
-            Ok((claimed, discovery)) => (findings(&claimed, &discovery)),
-            Err(refusal) => p.missing { "Left out: " (refusal.message()) },
+/// What the search for what the map preserves found, and the call that makes it.
+pub(super) struct Search {
+    line: Line,
+    found: Result<(System, Discovery), Refusal>,
+}
+
+impl Search {
+    pub(super) fn of(subject: &Subject<'_>, dimension: usize) -> Self {
+        // With a degree the search ends where that is looked at, and every page says the same.
+        let line = Line::new("discover", subject.generic)
+            .with("--degree", default_degree(dimension))
+            .with("--seconds", subject.share(SHARE));
+        let discovery = line.read().and_then(|discover: Discover| discover.discovery());
+        let found = discovery.and_then(|discovery| Ok((discovery.readable()?, discovery)));
+        Search { line, found }
+    }
+
+    /// What the map preserves, found from the equations alone.
+    pub(super) fn chapter(&self) -> Markup {
+        html! {
+            @match &self.found {
+                Ok((claimed, discovery)) => (findings(claimed, discovery)),
+                Err(refusal) => p.missing { "Left out: " (refusal.message()) },
+            }
+            (command(&self.line))
         }
-        (command(&line))
+    }
+
+    /// The field with the integrals that were found, at these values of its parameters, as the words
+    /// of a command; `None` where there are none, or too long ones for a line that one reads.
+    pub(super) fn with_integrals(&self, values: &[(String, Rational)]) -> Option<Vec<String>> {
+        /// Longer lines are no reading.
+        const LONGEST: usize = 800;
+
+        let (claimed, _) = self.found.as_ref().ok()?;
+        let claims = claimed.claims.iter().filter(|claim| claim.kind == ClaimKind::Integral);
+        let claimed = System { claims: claims.cloned().collect(), ..claimed.clone() };
+        let names = claimed.field.symbols.parameters.iter().enumerate();
+        let values = names.filter_map(|(k, name)| {
+            let (_, value) = values.iter().find(|(known, _)| known == name)?;
+            Some((k, value.clone()))
+        });
+        let at_values = claimed.specialise(&values.collect::<Vec<_>>())?;
+        let block = macro_block(&at_values);
+        let body = block.strip_prefix("kahan! {").and_then(|block| block.strip_suffix('}'))?;
+        let words: Vec<&str> = body.split_whitespace().collect();
+        let text = words.join(" ");
+        let has_integrals = at_values.accessors(ClaimKind::Integral).next().is_some();
+        (has_integrals && text.len() <= LONGEST).then(|| vec!["--field".to_owned(), text])
     }
 }
 

@@ -55,6 +55,6 @@ impl Subject<'_> {
             };
             format!("the orbit ends after {made} of {steps} steps: {why}")
         }));
-        Ok(Drawn { drawing: plot.drawing(), points, outside: 0, notes })
+        Ok(Drawn { drawing: plot.drawing(), points, outside: 0, visits: Vec::new(), notes })
     }
 }

@@ -71,7 +71,7 @@ impl Subject<'_> {
         let plot = Plot { description, size, x, y, levels: Vec::new(), series: series.collect() };
         let points = plot.series.iter().map(|series| series.points.len()).sum();
         let notes = notes(orbits, ended, is_cut);
-        Ok(Drawn { drawing: plot.drawing(), points, outside: plot.outside(), notes })
+        Ok(Drawn { drawing: plot.drawing(), points, outside: plot.outside(), visits: Vec::new(), notes })
     }
 
     /// Refuses a range of what is no parameter, or has a value already.

@@ -1,6 +1,8 @@
 //! Orbits from many first points, in the plane or in space: all their points, or those of a
 //! section.
 
+use std::collections::HashSet;
+
 use kahan_algebra::interpret::Point;
 use kahan_core::observe::{Crossing, Direction, Observer, Section as Crossings};
 use kahan_runtime::{Field, RuntimePoint};
@@ -9,8 +11,8 @@ use super::super::section::{height, plane};
 use super::axes::Coordinate;
 use super::orbits::notes;
 use super::starts::rounded;
-use super::{Drawn, Subject};
-use crate::plot::{Cloud, NumberLine, Plot, Series, Space};
+use super::{Drawn, Subject, Visits};
+use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
 use crate::printing::Refusal;
 use crate::reading::{Formula, Request};
 
@@ -19,6 +21,30 @@ const COLOURS: usize = 5;
 
 /// The points of an orbit, as the axes show them.
 type Orbit<const N: usize> = Vec<[f64; N]>;
+
+/// An orbit with the mark of its points.
+struct Marked<const N: usize> {
+    points: Orbit<N>,
+    mark: Mark,
+    visits: Visits,
+}
+
+fn visits<const N: usize>(orbits: &[Marked<N>]) -> Vec<Visits> {
+    orbits.iter().map(|orbit| orbit.visits).collect()
+}
+
+/// How often an orbit is seen, and at how many places that can be told apart in a picture.
+fn places<const N: usize>(axes: &[NumberLine; N], orbit: &Orbit<N>) -> Visits {
+    /// Parts of an axis, about as wide as a small dot.
+    const PARTS: f64 = 200.0;
+
+    let is_shown = |point: &&[f64; N]| axes.iter().zip(*point).all(|(axis, value)| axis.shows(*value));
+    let cell = |point: &[f64; N]| {
+        std::array::from_fn::<_, N, _>(|i| (axes[i].place(point[i], 0.0, PARTS)).round() as i64)
+    };
+    let cells: HashSet<[i64; N]> = orbit.iter().filter(is_shown).map(cell).collect();
+    Visits { points: orbit.len(), places: cells.len() }
+}
 
 impl Subject<'_> {
     pub(super) fn portrait(&self) -> Result<Drawn, Refusal> {
@@ -30,31 +56,48 @@ impl Subject<'_> {
         Ok(match coordinates[..] {
             [x, y] => {
                 let (orbits, notes) = self.orbits([x, y], plane.as_ref())?;
-                let [x, y] = self.portrait_axes([x, y], &orbits)?;
-                let mark = self.mark(orbits.iter().map(|orbit| orbit.len() as u64).sum());
+                let axes = self.portrait_axes([x, y], &orbits)?;
+                let orbits = self.marked(&axes, orbits);
+                let visits = visits(&orbits);
                 let series = orbits.into_iter().enumerate().map(|(index, orbit)| {
-                    let points = orbit.into_iter().map(|[x, y]| (x, y)).collect();
-                    Series::new("", index % COLOURS + 1, mark, points)
+                    let points = orbit.points.into_iter().map(|[x, y]| (x, y)).collect();
+                    Series::new("", index % COLOURS + 1, orbit.mark, points)
                 });
+                let [x, y] = axes;
                 let (size, levels) = (self.sheet.view_box(), Vec::new());
                 let plot = Plot { description, size, x, y, levels, series: series.collect() };
                 let points = plot.series.iter().map(|series| series.points.len()).sum();
-                Drawn { drawing: plot.drawing(), points, outside: plot.outside(), notes }
+                Drawn { drawing: plot.drawing(), points, outside: plot.outside(), visits, notes }
             }
             [x, y, z] => {
                 let (orbits, notes) = self.orbits([x, y, z], plane.as_ref())?;
                 let axes = self.portrait_axes([x, y, z], &orbits)?;
-                let mark = self.mark(orbits.iter().map(|orbit| orbit.len() as u64).sum());
-                let clouds = orbits.into_iter().enumerate();
-                let clouds =
-                    clouds.map(|(index, points)| Cloud { colour: index % COLOURS + 1, mark, points });
+                let orbits = self.marked(&axes, orbits);
+                let visits = visits(&orbits);
+                let clouds = orbits.into_iter().enumerate().map(|(index, Marked { points, mark, .. })| {
+                    Cloud { colour: index % COLOURS + 1, mark, points }
+                });
                 let space =
                     Space { description, size: self.sheet.view_box(), axes, clouds: clouds.collect() };
                 let points = space.clouds.iter().map(|cloud| cloud.points.len()).sum();
-                Drawn { drawing: space.drawing(), points, outside: space.outside(), notes }
+                Drawn { drawing: space.drawing(), points, outside: space.outside(), visits, notes }
             }
             _ => return Err(Refusal::new("--axes: a portrait has two axes or three")),
         })
+    }
+
+    /// Marks by how many points there are, without those of orbits that always come back to the same
+    /// few places: these are drawn by dots that can be seen.
+    fn marked<const N: usize>(&self, axes: &[NumberLine; N], orbits: Vec<Orbit<N>>) -> Vec<Marked<N>> {
+        const FEW: usize = 24;
+
+        let visits: Vec<Visits> = orbits.iter().map(|orbit| places(axes, orbit)).collect();
+        let others = || visits.iter().filter(|visits| visits.places > FEW);
+        let points: usize = others().map(|visits| visits.points).sum();
+        let mark = |visits: &Visits| self.mark(if visits.places <= FEW { 0 } else { points as u64 });
+        let marks: Vec<Mark> = visits.iter().map(mark).collect();
+        let marked = orbits.into_iter().zip(marks).zip(visits);
+        marked.map(|((points, mark), visits)| Marked { points, mark, visits }).collect()
     }
 
     /// What is seen, in words.

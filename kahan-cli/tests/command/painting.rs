@@ -1,0 +1,82 @@
+//! What is drawn has a colour where every program that reads SVG finds it: in an attribute of the
+//! element, or of one around it.
+
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+
+/// The drawings in a text.
+pub(crate) fn drawings(text: &str) -> Vec<&str> {
+    let parts = text.match_indices("<svg").map(|(start, _)| &text[start..]);
+    parts
+        .map(|part| part.split_once("</svg>").map_or(part, |(svg, _)| &part[..svg.len() + "</svg>".len()]))
+        .collect()
+}
+
+/// What `fill` and `stroke` are, from outside to inside.
+#[derive(Clone, Default)]
+struct Paint {
+    fill: Option<String>,
+    stroke: Option<String>,
+}
+
+impl Paint {
+    /// Of an element within what is painted so.
+    fn of(&self, element: &BytesStart<'_>) -> Self {
+        let mut paint = self.clone();
+        for attribute in element.attributes() {
+            let attribute = attribute.expect("an attribute");
+            let value = attribute.value.to_string();
+            assert!(!value.contains("var("), "{element:?}");
+            match attribute.key.as_ref() {
+                "fill" => paint.fill = Some(value),
+                "stroke" => paint.stroke = Some(value),
+                _ => {}
+            }
+        }
+        paint
+    }
+
+    fn is_seen(&self) -> bool {
+        [&self.fill, &self.stroke].into_iter().flatten().any(|value| is_colour(value))
+    }
+}
+
+fn is_colour(value: &str) -> bool {
+    let is_code = value.strip_prefix('#').is_some_and(|code| code.chars().all(|c| c.is_ascii_hexdigit()));
+    is_code || ["white", "black"].contains(&value)
+}
+
+/// Holds a drawing to what stands above; how many elements it draws.
+pub(crate) fn painted(svg: &str) -> usize {
+    let mut reader = Reader::from_str(svg);
+    let (mut around, mut count) = (vec![Paint::default()], 0);
+    let mut look = |element: &BytesStart<'_>, paint: &Paint| {
+        if ["line", "path", "text", "rect", "circle", "polygon", "polyline"]
+            .contains(&element.name().as_ref())
+        {
+            count += 1;
+            assert!(paint.is_seen(), "{element:?} has no plain colour");
+            // What is not said of a text or of an area is black.
+            let is_said = paint.fill.is_some() || element.name().as_ref() == "line";
+            assert!(is_said, "{element:?} is filled with black");
+        }
+    };
+    loop {
+        match reader.read_event().expect("well-formed XML") {
+            Event::Start(element) => {
+                let paint = around.last().expect("a root").of(&element);
+                look(&element, &paint);
+                around.push(paint);
+            }
+            Event::Empty(element) => look(&element, &around.last().expect("a root").of(&element)),
+            Event::End(_) => {
+                around.pop();
+            }
+            Event::Text(text) => {
+                assert!(!text.contains("var("), "a style that not every program knows");
+            }
+            Event::Eof => return count,
+            _ => {}
+        }
+    }
+}
