@@ -30,7 +30,7 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
-use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
     atlas::Atlas, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
@@ -38,7 +38,8 @@ use commands::{
     periodic::Periodic, picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show,
     sweep::Sweep, trade::Trade, verify::Verify,
 };
-use printing::{Answer, Refusal, finish};
+use printing::{Answer, Refusal, finish, warn};
+use reading::Source;
 
 /// Kahan's method for quadratic differential equations, exactly.
 ///
@@ -88,11 +89,27 @@ enum Command {
 /// Runs the command with these arguments, the program's name first; what it prints goes to standard
 /// output and standard error.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let read = command().try_get_matches_from(arguments).and_then(|matches| Cli::from_arg_matches(&matches));
-    finish(match read {
+    let matches = command().try_get_matches_from(arguments);
+    let note = matches.as_ref().ok().and_then(undeclared);
+    let read = matches.and_then(|matches| Cli::from_arg_matches(&matches));
+    let result = match read {
         Ok(cli) => answer(&cli),
         Err(error) => usage(&error),
-    })
+    };
+    // Of refusals, those of a term may be about a name that was to be a variable.
+    let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
+    let status = finish(result);
+    note.filter(|_| concerns).iter().for_each(|note| warn(note));
+    status
+}
+
+/// A note on the names of the field that nothing declares, for every command that takes a field.
+fn undeclared(matches: &ArgMatches) -> Option<String> {
+    let (_, matches) = matches.subcommand()?;
+    let takes_field = matches.try_contains_id("field").is_ok() && matches.try_contains_id("sites").is_ok();
+    let source = takes_field.then(|| Source::from_arg_matches(matches).ok()).flatten()?;
+    let ranges = matches.try_get_many::<String>("over").ok().flatten();
+    source.undeclared(&ranges.into_iter().flatten().cloned().collect::<Vec<_>>())
 }
 
 /// The command line. `--help` fits a screen everywhere; `kahan help COMMAND` says all.
@@ -102,10 +119,12 @@ fn command() -> clap::Command {
         let help = Arg::new("help").short('h').long("help").help("Print help").action(ArgAction::HelpShort);
         one.disable_help_flag(true).arg(help)
     };
+    // Who reads the help of a command has found it.
+    let found = |one: clap::Command| on_a_screen(one).mut_arg("help", |help| help.hide(true));
     names.iter().fold(on_a_screen(Cli::command()), |command, name| {
         command.mut_subcommand(name, |one| {
             let examples = one.get_after_help().map(ToString::to_string).unwrap_or_default();
-            on_a_screen(one).after_help(format!("{examples}\n\n`kahan help {name}` says more."))
+            found(one).after_help(format!("{examples}\n\n`kahan help {name}` says more."))
         })
     })
 }

@@ -79,6 +79,23 @@ impl FieldText {
         self.accept(system, found.finish())
     }
 
+    /// The names that are parameters because nothing declares them: the free names of a block
+    /// without a header. Mistakes of the text do not matter here.
+    #[must_use]
+    pub fn undeclared(&self) -> Vec<String> {
+        let mut ignored = diagnostics::Diagnostics::default();
+        let block = parse::parse(&self.lexed.tokens, &mut ignored);
+        let names = if block.header.is_some() {
+            Vec::new()
+        } else if let Some(family) = check::check_family(&block, &mut ignored) {
+            [family.parameters, family.site_parameters].concat()
+        } else {
+            check::check(block, &mut ignored).field.symbols.parameters
+        };
+        let _: Vec<diagnostics::Diagnostic> = ignored.finish();
+        names
+    }
+
     /// The text of the block, as it was given.
     #[must_use]
     pub fn text(&self) -> &str {

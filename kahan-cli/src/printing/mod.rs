@@ -11,7 +11,7 @@ mod sink;
 mod table;
 
 pub(crate) use npy::Npy;
-pub(crate) use output::{Answer, Refusal, columns, finish, shorten, widths};
+pub(crate) use output::{Answer, Refusal, columns, finish, shorten, warn, widths};
 pub(crate) use progress::Progress;
 pub(crate) use sink::{Broken, Sink, has_room_for_progress};
 pub(crate) use table::{Cell, Format, Table};

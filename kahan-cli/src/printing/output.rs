@@ -63,6 +63,12 @@ fn paragraph(message: &str) -> String {
     format!("error: {}\n", brief(message))
 }
 
+/// Says on standard error what does not hinder the command.
+pub(crate) fn warn(note: &str) {
+    // Where standard error is closed there is nobody left to tell.
+    let _ = writeln!(io::stderr(), "note: {note}");
+}
+
 /// Prints a result and chooses the exit status. A reader that has gone away (`kahan | head`) is no
 /// error.
 pub(crate) fn finish(result: Result<Answer, Refusal>) -> ExitCode {

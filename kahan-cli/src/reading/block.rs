@@ -21,6 +21,8 @@ pub(crate) struct Block {
     /// The catalog's entry, where it is one.
     pub(crate) entry: Option<&'static Entry>,
     text: FieldText,
+    /// Whether it stands in a call of the macro.
+    is_rust: bool,
     /// How many sites a family is to have.
     sites: Option<usize>,
 }
@@ -49,7 +51,8 @@ impl Block {
 
     /// A part of a text.
     pub(super) fn within(text: String, body: Range<usize>, origin: String) -> Self {
-        Block { entry: None, text: FieldText::part(text, body, origin), sites: None }
+        let is_rust = body != (0..text.len());
+        Block { entry: None, text: FieldText::part(text, body, origin), is_rust, sites: None }
     }
 
     /// The same block, whose family has so many sites.
@@ -71,6 +74,12 @@ impl Block {
             Some(sites) => self.chain(sites),
             None => self.text.unproved_system().map_err(refusal),
         }
+    }
+
+    /// The names that the block takes as parameters because nothing declares them. A block of Rust
+    /// has none: such names are variables of the program.
+    pub(super) fn undeclared(&self) -> Vec<String> {
+        if self.is_rust { Vec::new() } else { self.text.undeclared() }
     }
 
     /// The plain system of a chain of `sites` sites.

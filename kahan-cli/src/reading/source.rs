@@ -9,7 +9,7 @@ use kahan_algebra::system::System;
 use kahan_systems::lattices;
 use kahan_systems::registry::{all, find};
 
-use crate::printing::Refusal;
+use crate::printing::{Refusal, warn};
 
 use super::block::Block;
 use super::file::{chosen, read_file};
@@ -22,16 +22,17 @@ pub(crate) struct Source {
     #[arg(value_name = "SYSTEM")]
     system: Option<String>,
 
-    /// A field in the language of `kahan!`; without a header its free names are parameters.
+    /// A field in the language of `kahan!`: 'xdot = a*y; ydot = -x;'.
+    ///
+    /// Without a header its free names are parameters, and a note says which.
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
     field: Option<String>,
 
-    /// A file with such a field, or a Rust file with calls of `kahan!`; `-` is standard input.
+    /// A file with such a field, or with calls of `kahan!`; `-` is standard input.
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 
-    /// Which block of a Rust file that has several: the name of its struct or of its variable, or
-    /// its line.
+    /// Which block of a Rust file, by struct, variable or line.
     #[arg(long, value_name = "NAME", requires = "file", visible_alias = "struct")]
     block: Option<String>,
 
@@ -95,7 +96,7 @@ impl Source {
     /// is named by its text.
     pub(crate) fn words(&self, block: &Block) -> Vec<String> {
         let option = |name: &str, value: &str| vec![name.to_owned(), value.to_owned()];
-        let is_input = self.file.as_deref().is_some_and(|path| path == Path::new("-"));
+        let is_input = self.is_input();
         let field = self.field.clone().or_else(|| is_input.then(|| block.text().trim().to_owned()));
         let file = self.file.as_ref().filter(|_| !is_input);
         let words = [
@@ -148,10 +149,46 @@ impl Source {
             (None, None, Some(path)) => {
                 let (text, origin) = read_file(path)?;
                 let body = chosen(&text, &origin, self.block.as_deref())?;
-                Ok(Some(Block::within(text, body, origin)))
+                let block = Block::within(text, body, origin);
+                if self.is_input() {
+                    self.undeclared_in(&block, &[]).iter().for_each(|note| warn(note));
+                }
+                Ok(Some(block))
             }
             _ => Err(Refusal::new("one field at a time: give a SYSTEM, or --field, or --file")),
         }
+    }
+
+    /// Whether the field comes from standard input, which can be read once only.
+    fn is_input(&self) -> bool {
+        self.file.as_deref().is_some_and(|path| path == Path::new("-"))
+    }
+
+    /// A note on the names that a text without a header uses and nothing declares, where a value for
+    /// them is neither given nor gone through in `ranges`, `NAME=…`. Standard input is not read for
+    /// it: what comes from there is said when the command reads it.
+    pub(crate) fn undeclared(&self, ranges: &[String]) -> Option<String> {
+        let block = if self.is_input() { None } else { self.named_block().ok().flatten() };
+        self.undeclared_in(&block?, ranges)
+    }
+
+    fn undeclared_in(&self, block: &Block, ranges: &[String]) -> Option<String> {
+        /// More of them are not listed.
+        const MOST: usize = 8;
+
+        let given = self.parameters.iter().chain(ranges);
+        let given: Vec<&str> = given.filter_map(|given| Some(given.split_once('=')?.0.trim())).collect();
+        let mut names = block.undeclared();
+        names.retain(|name| !given.contains(&name.as_str()));
+        let more = if names.len() > MOST { ", …" } else { "" };
+        names.truncate(MOST);
+        let equations: Vec<String> = names.iter().map(|name| format!("{name}dot")).collect();
+        let taken = match names.len() {
+            0 => return None,
+            1 => "is taken as a parameter",
+            _ => "are taken as parameters",
+        };
+        Some(format!("{}{more} {taken}: nothing defines {}{more}", names.join(", "), equations.join(", ")))
     }
 
     /// The values of all parameters of a system, in their order.

@@ -9,9 +9,10 @@ use quick_xml::Reader;
 use quick_xml::escape::unescape;
 use quick_xml::events::Event;
 
+use crate::painting::{drawings, painted};
 #[cfg(unix)]
 use crate::running::examples_run;
-use crate::running::{answer, refusal, text};
+use crate::running::{answer, kahan, refusal, text};
 
 /// The page with these arguments, which begin after `page`.
 fn page(folder: &Path, arguments: &[&str]) -> String {
@@ -51,6 +52,11 @@ fn every_command_on_a_page_makes_what_stands_above_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let field = "xdot = y; ydot = a*x - x^2; zdot = y*(x - z);";
     let page = page(folder.path(), &["--field", field, "--param", "a=-1", "--seconds", "1"]);
+    let drawings = drawings(&page);
+    assert!(drawings.len() >= 5, "{}", drawings.len());
+    for drawing in drawings {
+        assert!(painted(drawing) > 15, "{drawing}");
+    }
     let lines = commands(&page);
     let names: Vec<&str> = lines.iter().filter_map(|line| line.split(' ').nth(1)).collect();
     let of_figures =
@@ -93,6 +99,52 @@ fn a_page_is_well_formed_and_fetches_nothing() {
         let found = page.replace("http://www.w3.org/", "");
         assert!(!found.contains(word), "{word}");
     }
+}
+
+/// What a page says below a figure.
+fn caption<'a>(page: &'a str, id: &str) -> &'a str {
+    let figure = page.split_once(&format!("id=\"{id}\"")).expect("the figure").1;
+    figure.split_once("<figcaption>").and_then(|(_, rest)| rest.split_once("</figcaption>")).expect("words").0
+}
+
+#[test]
+fn what_is_found_is_followed_and_a_section_says_what_is_seen() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // Two integrals, which are not claimed: each orbit runs along a curve. With values of the
+    // parameters, and their names in another order than in the equations as expanded.
+    let field = "xdot = h*y - nu*x + y*z; ydot = h*x - nu*y - x*z; zdot = -nu*z + x*y;";
+    for arguments in [
+        &["--field", "xdot = y*z; ydot = -x*z; zdot = x*y;"][..],
+        &["--field", field, "--param", "h=1", "--param", "nu=0"],
+    ] {
+        let page = page(folder.path(), &[arguments, &["--seconds", "4"]].concat());
+        assert!(caption(&page, "section").contains("come back to the same place"), "{page}");
+        assert!(page.contains("Drift of the integrals"), "{page}");
+        for line in commands(&page).iter().filter(|line| {
+            ["dynamics", "trade"].iter().any(|name| line.starts_with(&format!("kahan {name}")))
+        }) {
+            assert!(
+                line.contains("integral H1") && line.contains("integral H2") && !line.contains("when"),
+                "{line}"
+            );
+        }
+    }
+    let rossler = ["--field", "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - 57/10);", "--seconds", "1"];
+    let chaotic = page(folder.path(), &rossler);
+    assert!(caption(&chaotic, "section").contains("orbits cross at many places"), "{chaotic}");
+    let falls = page(folder.path(), &["--field", "xdot = y; ydot = -x; zdot = -z;", "--seconds", "1"]);
+    assert!(falls.contains("Left out: there is nothing to be seen"), "{falls}");
+}
+
+#[test]
+fn a_page_says_once_what_is_taken_as_a_parameter() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let known = ["page", "--field", "xdot = a*y; ydot = -x;", "--seconds", "1", "--out", out];
+    let output = kahan(&[&known[..], &["--param", "a=1"]].concat());
+    assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
+    // A page needs a value for each parameter, and says so.
+    assert!(!refusal(&known).contains("note"));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::running::{answer, object, refusal};
+use crate::running::{answer, kahan, object, refusal, text};
 
 #[test]
 fn are_put_in_before_the_map_is_reduced() {
@@ -28,4 +28,84 @@ fn turn_their_conditions_into_nothing_and_drop_the_others() {
 fn may_not_make_the_field_divide_by_zero() {
     let paragraph = refusal(&["show", "--field", "xdot = x/(a - 1);", "--param", "a=1"]);
     assert!(paragraph.contains("a=1") && paragraph.contains("divides by zero"), "{paragraph}");
+}
+
+/// What a run that succeeds says beside its answer.
+fn said(arguments: &[&str]) -> String {
+    let output = kahan(arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
+    text(&output.stderr)
+}
+
+#[test]
+fn that_nothing_declares_are_said_once_by_every_command() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let t = "note: t is taken as a parameter: nothing defines tdot\n";
+    for arguments in [
+        &["show"][..],
+        &["show", "--json"],
+        &["show", "--macro"],
+        &["verify"],
+        &["discover", "--seconds", "1"],
+        &["poles", "--seconds", "1", "--json"],
+    ] {
+        assert_eq!(said(&[arguments, &["--field", "xdot = t*x;"]].concat()), t, "{arguments:?}");
+    }
+    assert_eq!(
+        said(&["show", "--field", "xdot = x^2*y^2 + z;"]),
+        "note: y, z are taken as parameters: nothing defines ydot, zdot\n"
+    );
+    let family = ["show", "--sites", "3", "--field", "for i in periodic { x[i]dot = t*x[i]*x[i+1]; }"];
+    assert_eq!(said(&family), t);
+    // A value, a range, a header and a program declare a name.
+    let lv = "xdot = a*x*(1 - y); ydot = y*(x - 1);";
+    let of_lv = ["--field", lv, "--at", "1,2"];
+    for arguments in [
+        &["show", "--field", "xdot = t*x;", "--param", "t=2"][..],
+        &["show", "--field", "struct S { t } xdot = t*x;"],
+        &["show", "--field", "const t = 2; xdot = t*x;"],
+        &["show", "e9"],
+        &[&["eval", "--eps", "1/9", "--param", "a=1"], &of_lv[..]].concat(),
+        &[
+            &[
+                "picture",
+                "--eps",
+                "1/9",
+                "--over",
+                "a=1:2:3",
+                "--axes",
+                "x",
+                "--steps",
+                "9",
+                "--out",
+                &file("a.svg"),
+            ],
+            &of_lv[..],
+        ]
+        .concat(),
+    ] {
+        assert_eq!(said(arguments), "", "{arguments:?}");
+    }
+    let program = file("lv.rs");
+    std::fs::write(&program, "fn f(a: f64) { let field = kahan! { xdot = a*x*y; ydot = x; }; }")
+        .expect("a file");
+    assert_eq!(said(&["show", "--file", &program]), "");
+    let plain = file("t.txt");
+    std::fs::write(&plain, "xdot = t*x;").expect("a file");
+    assert_eq!(said(&["show", "--file", &plain]), t);
+    let wrong = refusal(&["show", "--field", "xdot = t*x^3;"]);
+    assert!(wrong.contains("degree 3") && wrong.ends_with(t), "{wrong}");
+    assert!(!refusal(&["eval", "--field", "xdot = t*x;", "--eps", "1", "--at", "1"]).contains("note"));
+}
+
+#[cfg(unix)]
+#[test]
+fn that_nothing_declares_are_said_of_standard_input() {
+    let run = std::process::Command::new("sh")
+        .args(["-c", "echo 'xdot = t*x;' | \"$KAHAN\" show --file - --json"])
+        .env("KAHAN", env!("CARGO_BIN_EXE_kahan"))
+        .output()
+        .expect("a shell");
+    assert_eq!(text(&run.stderr), "note: t is taken as a parameter: nothing defines tdot\n");
 }

@@ -110,6 +110,74 @@ fn the_macro_block_reads_back_as_the_same_system() {
 }
 
 #[test]
+fn the_macro_block_keeps_documentation_attributes_and_the_order_of_parameters() {
+    let header = "/// Three waves,\n/// driven.\n#[derive(Default)]\npub(crate) struct Rabinovich {\n    /// The drive.\n    h,\n    /// Damping.\n    #[allow(unused)]\n    nu,\n}";
+    let field = format!(
+        "{header}\nxdot = h*y - nu*x + y*z; // A comment.\nydot = h*x - nu*y - x*z; zdot = -nu*z + x*y;"
+    );
+    let kept: String = header.lines().map(|line| format!("    {line}\n")).collect();
+    let shown = answer(&["show", "--field", &field, "--macro"]);
+    assert!(shown.starts_with(&format!("kahan! {{\n{kept}")), "{shown}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("r.rs");
+    std::fs::write(&file, &shown).expect("a file");
+    let file = file.to_str().expect("UTF-8");
+    assert_eq!(answer(&["show", "--file", file, "--macro"]), shown);
+    let found = answer(&["discover", "--file", file, "--macro", "--seconds", "3"]);
+    assert!(found.starts_with(&format!("kahan! {{\n{kept}")), "{found}");
+    // What is fixed is gone with what was said of it.
+    let fixed = answer(&["show", "--file", file, "--macro", "--param", "nu=0"]);
+    assert!(
+        fixed.contains("/// The drive.") && !fixed.contains("Damping") && fixed.contains("/// driven."),
+        "{fixed}"
+    );
+    let found = answer(&[
+        "discover",
+        "--file",
+        file,
+        "--macro",
+        "--param",
+        "h=0",
+        "--param",
+        "nu=0",
+        "--seconds",
+        "4",
+    ]);
+    assert!(found.contains(&kept) && found.contains("when h = 0, nu = 0"), "{found}");
+    let again = folder.path().join("again.rs");
+    std::fs::write(&again, &found).expect("a file");
+    assert!(answer(&["verify", "--file", again.to_str().expect("UTF-8")]).contains("proved"), "{found}");
+    // A line of documentation is broken nowhere.
+    let long = format!("/// {}", "word ".repeat(40).trim_end());
+    let found =
+        answer(&["discover", "--field", &format!("{long}\nstruct S;\nxdot = y; ydot = -x;"), "--macro"]);
+    assert!(found.contains(&long), "{found}");
+}
+
+#[test]
+fn the_help_hides_no_option() {
+    for (command, options) in [
+        ("picture", &["--radius", "--seed", "--transient", "--size", "--theme"][..]),
+        ("map", &["--column", "--where", "--escape", "--theme", "--size"]),
+    ] {
+        let help = answer(&[command, "--help"]);
+        for option in options {
+            assert!(help.contains(&format!("{option} <")), "{option}: {help}");
+        }
+    }
+    let options = |text: &str| {
+        let lines = text.lines().map(str::trim_start).filter(|line| line.starts_with("--"));
+        lines.filter_map(|line| line.split([' ', ',']).next().map(str::to_owned)).collect::<Vec<_>>()
+    };
+    for command in [
+        "show", "orbit", "trade", "discover", "scan", "picture", "map", "page", "periodic", "heights",
+        "section", "dynamics", "poles", "eval", "extremes", "verify", "atlas",
+    ] {
+        assert_eq!(options(&answer(&[command, "--help"])), options(&answer(&["help", command])), "{command}");
+    }
+}
+
+#[test]
 fn a_field_beyond_the_budget_keeps_its_determinant() {
     let states = ["a", "b", "c", "d", "e", "f"];
     let all: Vec<String> = states.iter().enumerate().map(|(i, x)| format!("{}*{x}^2", i + 1)).collect();
