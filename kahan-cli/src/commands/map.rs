@@ -72,7 +72,7 @@ pub(crate) struct StabilityMap {
     #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = super::picture::pixels)]
     size: (u32, u32),
 
-    /// Around the map: viewer, light or dark as the viewer is; light; or dark.
+    /// Around the map: light, dark, or as the viewer has it.
     #[arg(long, value_enum, default_value = "viewer", hide_possible_values = true)]
     theme: Theme,
 

@@ -54,7 +54,7 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "K", value_parser = count)]
     starts: Option<usize>,
 
-    /// How far a random start is from --at at most, in each coordinate.
+    /// How far a random start is from --at, in each coordinate.
     #[arg(long, value_name = "R", default_value = "1/10")]
     radius: String,
 
@@ -102,7 +102,7 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = pixels)]
     size: (u32, u32),
 
-    /// viewer, which is light or dark as the viewer is; light; or dark.
+    /// light, dark, or as the viewer has it.
     #[arg(long, value_enum, default_value = "viewer", hide_possible_values = true)]
     theme: Theme,
 

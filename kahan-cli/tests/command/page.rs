@@ -129,7 +129,7 @@ fn what_is_found_is_followed_and_a_section_says_what_is_seen() {
             );
         }
     }
-    let rossler = ["--field", "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - 57/10);", "--seconds", "1"];
+    let rossler = ["--field", "xdot = -y - z; ydot = x + y/5; zdot = 1/5 + z*(x - 57/10);", "--seconds", "4"];
     let chaotic = page(folder.path(), &rossler);
     assert!(caption(&chaotic, "section").contains("orbits cross at many places"), "{chaotic}");
     let falls = page(folder.path(), &["--field", "xdot = y; ydot = -x; zdot = -z;", "--seconds", "1"]);

@@ -287,7 +287,8 @@ fn an_orbit_that_comes_back_to_the_same_places_is_seen() {
     // Two integrals: each orbit runs along a closed curve and crosses the plane at one point.
     let rabinovich =
         ["--field", "xdot = y*z; ydot = -x*z; zdot = x*y;", "--eps", "1/10", "--at", "1,1/2,1/3"];
-    let svg = drawn(&[&rabinovich[..], &["--plane", "z", "--steps", "20000"]].concat());
+    let section = ["--at", "1,1/3,1/5", "--plane", "z", "--steps", "20000"];
+    let svg = drawn(&[&rabinovich[..], &section].concat());
     let (_, dots) = svg.split_once("class=\"dots\" d=\"").expect("dots");
     assert!(dots.contains("stroke-width=\"4\""), "{dots}");
 }

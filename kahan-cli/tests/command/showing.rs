@@ -166,7 +166,8 @@ fn the_help_hides_no_option() {
         }
     }
     let options = |text: &str| {
-        let lines = text.lines().map(str::trim_start).filter(|line| line.starts_with("--"));
+        let lines =
+            text.lines().filter_map(|line| line.strip_prefix("      ")).filter(|line| line.starts_with("--"));
         lines.filter_map(|line| line.split([' ', ',']).next().map(str::to_owned)).collect::<Vec<_>>()
     };
     for command in [
