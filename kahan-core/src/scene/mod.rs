@@ -124,8 +124,8 @@ impl Scene {
     /// # How good
     /// Seeded scenes of many fields, chaotic, stiff, escaping and beside equilibria, are chosen for
     /// by `cargo test --release -p kahan-measure --test scenes -- --ignored`: none that is accepted
-    /// may be beyond its tolerance, and few may be refused that some setting serves. The test
-    /// `trade_sweep` beside it times the choice against every other setting.
+    /// may be beyond its tolerance, and few may be refused that some setting serves. In `benches/`
+    /// the package `kahan-bench-trade` times the choice against every other setting.
     ///
     /// # Cost
     /// As much as 10⁶ steps of the map at most, most often some 10⁴; a part of them in `Dd`, whose

@@ -15,6 +15,12 @@ pub(crate) struct Setting {
     pub(crate) eps: f64,
 }
 
+impl std::fmt::Display for Setting {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}, eps = {:?}", self.scheme, self.eps)
+    }
+}
+
 pub(crate) fn to<T: Scalar>(value: &BigRational) -> T {
     round(&value.clone().into())
 }
@@ -26,26 +32,27 @@ pub(crate) struct Scene<M, const N: usize> {
     pub(crate) reference: Reference,
 }
 
+/// The setting's orbit, begun by a closure.
 macro_rules! with_orbit {
-    ($map:expr, $start:expr, $eps:expr, $setting:expr, |$orbit:ident| $body:expr) => {
+    ($map:expr, $start:expr, $eps:expr, $setting:expr, |$begin:ident| $body:expr) => {
         match (
             Some($setting.scheme.composition).filter(|method| *method != Composition::KAHAN),
             $setting.scheme.compensated,
         ) {
             (None, false) => {
-                let $orbit = $map.orbit($start, $eps);
+                let $begin = || $map.orbit($start, $eps);
                 $body
             }
             (None, true) => {
-                let $orbit = $map.orbit($start, $eps).compensated();
+                let $begin = || $map.orbit($start, $eps).compensated();
                 $body
             }
             (Some(composition), false) => {
-                let $orbit = $map.orbit($start, $eps).composed(composition);
+                let $begin = || $map.orbit($start, $eps).composed(composition);
                 $body
             }
             (Some(composition), true) => {
-                let $orbit = $map.orbit($start, $eps).composed(composition).compensated();
+                let $begin = || $map.orbit($start, $eps).composed(composition).compensated();
                 $body
             }
         }
@@ -88,8 +95,8 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
         let steps = (self.horizon / (2.0 * setting.eps)).round() as usize;
         let dt = Dd::from(2.0 * setting.eps);
         let mut worst = 0.0_f64;
-        with_scalar!(self, setting, |map, start, eps| with_orbit!(map, start, eps, setting, |orbit| {
-            for (n, x) in orbit.take(steps + 1).enumerate() {
+        with_scalar!(self, setting, |map, start, eps| with_orbit!(map, start, eps, setting, |begin| {
+            for (n, x) in begin().take(steps + 1).enumerate() {
                 let x = x.map(Dd::from);
                 worst = worst.max(self.reference.distance(dt * Dd::from(n as f64), x.as_slice()));
                 if n == steps {
@@ -113,21 +120,21 @@ impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
         // is subnormal in `f32`.
         let steps = ((self.horizon / (2.0 * setting.eps)).round() as usize).clamp(PIECE, STEPS);
         let repeats = STEPS.div_ceil(steps);
-        /// A function of its own for each kind of orbit: one that holds them all is too large to be
-        /// compiled well.
+        /// A function of its own for each kind of orbit, which begins it and follows it as a user's
+        /// loop does: a function that held them all would be too large to be compiled well, and an
+        /// orbit that came from outside would be kept in memory.
         #[inline(never)]
-        fn seconds<X>(orbit: impl Iterator<Item = X> + Clone, steps: usize, repeats: usize) -> f64 {
+        fn seconds<O: Iterator>(begin: impl Fn() -> O, steps: usize, repeats: usize) -> f64 {
             let clock = Instant::now();
             for _ in 0..repeats {
-                let mut orbit = black_box(orbit.clone());
-                orbit.next();
-                black_box(orbit.nth(black_box(steps - 1)));
+                black_box(begin().nth(black_box(steps)));
             }
             clock.elapsed().as_secs_f64()
         }
         let seconds = with_scalar!(self, setting, |map, start, eps| {
-            let (start, eps) = (black_box(start), black_box(eps));
-            with_orbit!(map, start, eps, setting, |orbit| seconds(orbit, steps, repeats))
+            with_orbit!(map, black_box(start), black_box(eps), setting, |begin| {
+                seconds(begin, steps, repeats)
+            })
         });
         1e9 * seconds / ((steps * repeats) as f64 * 2.0 * setting.eps)
     }
