@@ -2,6 +2,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
+use kahan_core::prelude::*;
 use kahan_core::{Dd, KahanMap};
 use kahan_measure::reference::{Limits, Method, NoReference, Reference, Trajectory};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
@@ -131,6 +132,46 @@ fn more_agreement_than_two_double_doubles_can_have_is_refused() {
     let NoReference::Disagree { difference, allowed, .. } = refusal else { panic!("{refusal}") };
     assert!(difference > allowed && difference < 1e-24, "{difference}");
     assert!(refusal.to_string().contains("1.0e-36"), "{refusal}");
+}
+
+kahan! {
+    /// Field and Noyes' oregonator: its relaxation is steep.
+    struct Oregonator;
+    xdot = 77/2*(y - x*y + x - x^2/120000);
+    ydot = (z - y - x*y)/77;
+    zdot = 161/1000*(x - z);
+}
+
+kahan! {
+    /// Robertson's kinetics: y is never more than 4·10⁻⁵ of the solution's size, and decides.
+    struct Kinetics;
+    xdot = -x/25 + 10000*y*z;
+    ydot = x/25 - 10000*y*z - 30000000*y^2;
+    zdot = 30000000*y^2;
+}
+
+/// ‖f′‖ is 5·10⁶ for a moment: steps as short as that asks for all along would be 2·10⁷.
+#[test]
+fn a_stiff_motion_is_certified_to_what_is_asked_for_and_not_far_beyond() {
+    for allowed in [1e-5, 1e-8, 1e-14] {
+        let reference = reference(&Oregonator, "", &[], &["4", "11/10", "4"], 2.0, allowed);
+        let certificate = reference.expect("a reference").certificate();
+        let Method::Composition { steps } = certificate.method else { panic!("{certificate:?}") };
+        assert!(
+            certificate.difference <= allowed && certificate.difference > 1e-6 * allowed,
+            "{certificate:?}"
+        );
+        assert!(steps < 10_000, "{certificate:?}");
+    }
+}
+
+/// Steps of the composition that are too long for the fast component err by as much as it is large,
+/// and half as long ones by no less: that is no end of digits.
+#[test]
+fn steps_that_are_too_long_are_not_taken_for_roundings() {
+    let reference = reference(&Kinetics, "", &[], &["1", "0", "0"], 0.125, 1e-9).expect("a reference");
+    let certificate = reference.certificate();
+    assert!(certificate.difference <= 1e-9, "{certificate:?}");
 }
 
 /// (1, 2, 3) lies on a separatrix of E6, xz + y² = ½(x² + y² + z²): near the fixed point to which

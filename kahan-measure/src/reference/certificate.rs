@@ -7,10 +7,16 @@ use kahan_core::nalgebra::SVector;
 use kahan_core::{Composition, Dd, Flow, KahanMap};
 
 use super::path::Limits;
-use super::refusal::NoReference;
+use super::refusal::{LEAST_DIFFERENCE, NoReference};
 
-/// The most steps of the composition, 17 stages each.
-const MOST_STEPS: u64 = 1 << 20;
+/// The fewest steps of the composition, 17 stages each.
+const FEWEST_STEPS: f64 = 16.0;
+/// By what factor there are more steps after a trial that failed, at least and at most: in between
+/// as many as the order says will do.
+const LEAST_MORE: f64 = 1.25;
+const MOST_MORE: f64 = 2.0;
+/// Where the composition is as far off as this, relative to the scale, what follows says nothing.
+const LOST: f64 = 0.1;
 /// The times at which a closed solution, which is slow, is compared.
 const CLOSED_SAMPLES: u32 = 64;
 /// The most times at which the composition is compared.
@@ -52,7 +58,10 @@ impl Certificate {
     }
 
     /// The differences from the composition: more and more steps, until the two are as near as was
-    /// asked for, or come no nearer.
+    /// asked for, or come no nearer, or the time is over.
+    ///
+    /// It begins with steps that suit the motion. A stiff field has slopes, across the motion, that
+    /// ask for far shorter ones; whether those are needed shows only in the differences.
     pub(super) fn by_composition<M, const N: usize>(
         path: &Flow<Dd>,
         map: &M,
@@ -63,21 +72,26 @@ impl Certificate {
     where
         M: KahanMap<Dd, N>,
     {
-        let mut steps = ((2.0 * path.end() * path.slope()).ceil() as u64).clamp(16, MOST_STEPS);
-        let mut before = f64::INFINITY;
+        let steepest = 2.0 * path.end() * path.slope();
+        let mut steps = path.turning().ceil().max(FEWEST_STEPS) as u64;
+        let mut before: Option<Comparison> = None;
         loop {
             let Some(comparison) = Comparison::with_steps(path, map, start, steps, allowed, limits) else {
                 return Err(NoReference::NoTime { reached: path.end() });
             };
-            let difference = comparison.difference;
-            // Order 8 gains a factor of 256 with each doubling; without a gain it is roundings that
-            // differ.
-            let has_stalled = difference.is_finite() && before.is_finite() && difference > 0.5 * before;
-            if difference <= allowed || has_stalled || steps >= MOST_STEPS {
+            let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
+            // Where steps are as short as the steepest slope asks for, or the two agree to the last
+            // digits, it is roundings that differ; longer ones may be out of step with a stiff motion.
+            let has_stalled =
+                !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
+            if comparison.difference <= allowed || has_stalled {
                 return Ok(comparison.certificate(Method::Composition { steps }));
             }
-            before = difference;
-            steps *= 2;
+            let order = f64::from(Composition::KAHAN_LI_8.order());
+            let missing = 1.05 * (comparison.difference / allowed).powf(1.0 / order);
+            let more = if has_gained { missing.clamp(LEAST_MORE, MOST_MORE) } else { MOST_MORE };
+            steps = (steps as f64 * more).ceil() as u64;
+            before = Some(comparison);
         }
     }
 }
@@ -100,6 +114,12 @@ impl Comparison {
         if self.difference <= self.allowed {
             self.agreed_until = t;
         }
+    }
+
+    /// Whether it is clearly better than a comparison with fewer steps: nearer, or near for longer,
+    /// as two methods are whose differences a sensitive motion amplifies.
+    fn gains_on(&self, before: &Self) -> bool {
+        self.difference < 0.5 * before.difference || self.agreed_until > 1.02 * before.agreed_until
     }
 
     fn certificate(self, method: Method) -> Certificate {
@@ -132,6 +152,9 @@ impl Comparison {
             let Some(x) = orbit.nth(stride - 1) else { break };
             let t = dt * Dd::from(step as f64);
             comparison.add(t.into(), path.distance(t, x.as_slice()));
+            if comparison.difference > LOST.max(allowed) {
+                break;
+            }
             step += stride as u64;
         }
         Some(comparison)
@@ -161,5 +184,17 @@ mod tests {
         let infinite = certificate(&[f64::INFINITY, 1e-12]);
         assert_eq!((infinite.difference, infinite.agreed_until), (f64::INFINITY, 0.0));
         assert_eq!(certificate(&[1e-9, 1.0001e-9]).agreed_until, 1.0);
+    }
+
+    /// What is nearer, or near for longer, is better; what errs by its roundings is neither.
+    #[test]
+    fn a_sensitive_motion_that_is_followed_for_longer_has_gained() {
+        let of = |difference: f64, agreed_until: f64| Comparison { allowed: 1e-9, difference, agreed_until };
+        assert!(of(1e-5, 0.0).gains_on(&of(2e-3, 0.0)));
+        assert!(of(1.2, 36.0).gains_on(&of(1.1, 30.0)));
+        assert!(of(f64::INFINITY, 2.0).gains_on(&of(f64::INFINITY, 1.0)));
+        assert!(!of(1.2, 30.1).gains_on(&of(1.1, 30.0)));
+        assert!(!of(f64::INFINITY, 0.0).gains_on(&of(f64::INFINITY, 0.0)));
+        assert!(!of(0.9e-28, 0.0).gains_on(&of(1e-28, 0.0)));
     }
 }

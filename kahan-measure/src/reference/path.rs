@@ -6,12 +6,12 @@
 use std::time::Instant;
 
 use kahan_core::nalgebra::SVector;
-use kahan_core::{Dd, Flow, KahanMap, NoFlow};
+use kahan_core::{Dd, Flow, FlowScalar, KahanMap, NoFlow};
 
 use super::refusal::NoReference;
 
-/// The most pieces of a trajectory.
-pub(super) const MOST_PIECES: usize = 50_000;
+/// The most memory that a trajectory takes, in bytes.
+const MOST_MEMORY: usize = 1 << 30;
 
 /// How far beyond its end a trajectory is followed, and how long that may take.
 #[derive(Clone, Copy, Debug, Default)]
@@ -40,7 +40,8 @@ pub(super) fn path<M, const N: usize>(
 where
     M: KahanMap<Dd, N>,
 {
-    let go_on = &mut |pieces| pieces < MOST_PIECES && !limits.is_over();
+    let piece = (Dd::TERMS + 1) * N * size_of::<Dd>();
+    let go_on = &mut |pieces| pieces < MOST_MEMORY / piece && !limits.is_over();
     Flow::through(map, start, end, limits.margin, go_on).map_err(|why| match why {
         NoFlow::Escapes { time } => NoReference::Escapes { time },
         NoFlow::Stopped { reached } if limits.is_over() => NoReference::NoTime { reached },

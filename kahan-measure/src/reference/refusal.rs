@@ -1,6 +1,6 @@
 //! Why there is no reference, in words.
 
-use super::path::MOST_PIECES;
+use super::PART_OF_TOLERANCE;
 
 /// Why there is no reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub enum NoReference {
         /// When, about.
         time: f64,
     },
-    /// The series would need more steps than are made.
+    /// The series would need more memory than it may take.
     TooLong {
         /// How far the last one came.
         reached: f64,
@@ -42,7 +42,7 @@ impl core::fmt::Display for NoReference {
             ),
             Self::TooLong { reached } => write!(
                 f,
-                "the horizon is too long for a reference trajectory: {MOST_PIECES} steps of a Taylor series of order 30 reach \
+                "the horizon is too long for a reference trajectory: a Taylor series has filled a gibibyte when it reaches \
                  t = {}; choose a shorter horizon, or ask for the need `integrals`, which takes no reference",
                 Time(*reached, 4)
             ),
@@ -56,7 +56,7 @@ impl core::fmt::Display for NoReference {
                 f,
                 "no reference trajectory: in 32 digits, a Taylor series and a second method differ by {difference:.1e} of the \
                  solution's size where {allowed:.1e} is needed; choose a tolerance above {:.0e}",
-                difference * (1.0 + 1e-3) * 1000.0
+                difference * (1.0 + 1e-3) / PART_OF_TOLERANCE
             ),
             Self::Disagree { difference, allowed, until } => write!(
                 f,
@@ -87,4 +87,4 @@ impl core::fmt::Display for Time {
 
 /// Where two methods come as near as this, it is the digits that end, and not the sensitivity that
 /// begins.
-const LEAST_DIFFERENCE: f64 = 1e-26;
+pub(super) const LEAST_DIFFERENCE: f64 = 1e-26;

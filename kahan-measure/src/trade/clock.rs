@@ -5,8 +5,6 @@
 //! will be; so E6 is timed in its place, and each time scaled by what the plans say the two steps
 //! cost. The ratios between orders are exact either way: an order is a number of stages.
 
-use std::iter::once;
-
 use kahan_core::{Need, Precision, Scheme, StepCost};
 
 use super::runner::Runner;
@@ -22,17 +20,30 @@ const ROUNDS: usize = 15;
 const STAGES: u64 = 2040;
 
 impl Clock {
-    /// Times every scheme, in turns.
-    pub(super) fn of(subject: &Runner, eps: f64) -> Self {
+    /// Times every scheme, in turns, with this ε, or a smaller one where a turn would go beyond the
+    /// horizon: numbers that are too small there, as what decays becomes, take a step a hundred
+    /// times as long.
+    pub(super) fn of(subject: &Runner, eps: f64, horizon: f64) -> Self {
         let mut clock = Clock(Scheme::all().map(|scheme| (scheme, f64::INFINITY)).collect());
         for _ in 0..ROUNDS {
             for (scheme, least) in &mut clock.0 {
                 let stages = scheme.composition.stages() as u64;
                 let is_wide = scheme.precision == Precision::DoubleDouble;
                 let steps = STAGES / if is_wide { 5 * stages } else { stages };
-                let (eps, end) = (scheme.precision.eps_near(eps, Need::Trajectory), &mut once(steps));
-                let time = 1e9 * subject.follow(*scheme, eps, None, end, &mut |_, _| ()) / steps as f64;
+                let eps = eps.min(horizon / (2.0 * steps as f64));
+                // How long a step takes is the same with an ε within the range of `f32`.
+                let eps = scheme.precision.eps_near(eps.min(f64::from(f32::MAX)), Need::Trajectory);
+                let time = 1e9 * subject.seconds(*scheme, eps, steps) / steps as f64;
                 *least = least.min(time);
+            }
+        }
+        // A compiler packs steps in single precision, which has made them twice as slow as this code
+        // is, and never much faster.
+        for index in 0..clock.0.len() {
+            let (scheme, time) = clock.0[index];
+            if scheme.precision.is_single() {
+                let double = clock.nanoseconds(Scheme { precision: Precision::Double, ..scheme });
+                clock.0[index].1 = time.max(double);
             }
         }
         clock
@@ -46,17 +57,12 @@ impl Clock {
             _ => asked.cycles() / measured.cycles(),
         };
         let scaled = |scheme: Scheme| self.nanoseconds(scheme) * ratio(scheme.precision);
-        // How compilers pack steps in single precision is not foreseen, and has made them twice as
-        // slow; they are never much faster.
-        let at_least = |scheme: Scheme| match scheme.precision.is_single() {
-            true => scaled(scheme).max(scaled(Scheme { precision: Precision::Double, ..scheme })),
-            false => scaled(scheme),
-        };
-        Clock(Scheme::all().map(|scheme| (scheme, at_least(scheme))).collect())
+        Clock(Scheme::all().map(|scheme| (scheme, scaled(scheme))).collect())
     }
 
     /// Nanoseconds a step of the whole composition.
     pub(super) fn nanoseconds(&self, scheme: Scheme) -> f64 {
-        self.0.iter().find(|(known, _)| *known == scheme).map_or(f64::INFINITY, |(_, time)| *time)
+        let known = self.0.iter().find(|(known, _)| *known == scheme);
+        known.map(|(_, time)| *time).expect("every scheme has been timed")
     }
 }

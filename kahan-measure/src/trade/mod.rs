@@ -22,11 +22,12 @@ use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Need, Scene, Scheme, Setting};
 
 use crate::map::CannotRun;
-use crate::reference::{Certificate, Limits, NoReference, Reference, Trajectory};
+use crate::reference::{Certificate, Limits, NoReference, PART_OF_TOLERANCE, Reference, Trajectory};
 
 use clock::Clock;
 use drift::Integrals;
 use runner::Runner;
+use search::SHARE;
 use study::Study;
 
 /// A system at a starting point.
@@ -114,24 +115,27 @@ impl Measured {
     /// integrals.
     #[must_use]
     pub fn error(&self) -> f64 {
-        self.trajectory_error.or(self.integral_drift).unwrap_or(f64::INFINITY)
+        self.trajectory_error.or(self.integral_drift).expect("what is needed was measured")
     }
 }
 
 impl Trade {
-    /// Measures for so many seconds at most, calling `progress` with the number of settings known
-    /// so far.
+    /// Measures for so many seconds, or less where the answer is clear before, calling `progress`
+    /// with the number of settings known so far.
     ///
     /// # Errors
     /// [`CannotTrade`].
+    ///
+    /// # Panics
+    /// If the point has not a coordinate for every variable.
     pub fn of(
         subject: &Subject<'_>,
         scene: &Scene,
         seconds: f64,
         progress: &mut dyn FnMut(u64),
     ) -> Result<Self, CannotTrade> {
-        let begin = Instant::now();
-        let after = |part: f64| begin + Duration::try_from_secs_f64(part * seconds).unwrap_or(LONG).min(LONG);
+        // A time that is too long for a duration is as good as no limit.
+        let deadline = Instant::now() + Duration::try_from_secs_f64(seconds).unwrap_or(LONG).min(LONG);
         let Subject { system, command, parameters, start } = *subject;
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
         let (exact_parameters, exact_start) = (exact(parameters), exact(start));
@@ -145,13 +149,13 @@ impl Trade {
             Need::Trajectory => {
                 // A little beyond the horizon: n steps of an ε that was rounded do not end there
                 // exactly.
-                let limits = Limits { margin: 1.0 / 256.0, deadline: Some(after(REFERENCE_SHARE)) };
+                let limits = Limits { margin: 1.0 / 256.0, deadline: Some(deadline) };
                 let asked = Trajectory {
                     command,
                     parameters: &exact_parameters,
                     start: &exact_start,
                     end: scene.horizon(),
-                    allowed: 1e-3 * scene.tolerance(),
+                    allowed: PART_OF_TOLERANCE * scene.tolerance(),
                 };
                 Some(subject.map.reference(&asked, &limits).map_err(CannotTrade::Reference)?)
             }
@@ -165,18 +169,22 @@ impl Trade {
         let coarsest = coarsest.ceil().clamp(1.0, 1e15) as u64;
         let eps = scene.horizon() / (2.0 * coarsest as f64);
         let clock = if subject.is_code() {
-            Clock::of(subject, 0.1 * eps)
+            Clock::of(subject, 0.1 * eps, scene.horizon())
         } else {
             let stand_in = Runner::stand_in()?;
-            Clock::of(&stand_in, 0.01).scaled(stand_in.map.cost(), subject.map.cost())
+            Clock::of(&stand_in, 0.01, f64::INFINITY).scaled(stand_in.map.cost(), subject.map.cost())
         };
         let mut study = Study {
             subject,
             clock,
             scene: *scene,
+            // What the reference may err by is not there to be used.
+            tolerance: scene.tolerance()
+                - reference.as_ref().map_or(0.0, |reference| reference.certificate().difference),
             reference,
             integrals,
-            deadline: after(1.0),
+            deadline,
+            share: SHARE,
             is_code: subject.is_code(),
             settings: Vec::new(),
             skipped: Vec::new(),
@@ -188,8 +196,6 @@ impl Trade {
     }
 }
 
-/// The part of the time that a reference may take: without settings it is of no use.
-const REFERENCE_SHARE: f64 = 0.75;
 /// As good as no limit; a clock cannot tell times that are much later.
 const LONG: Duration = Duration::from_secs(1 << 32);
 

@@ -1,5 +1,7 @@
 //! A system at a starting point: its orbits, and what else is asked of it.
 
+use std::iter::once;
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 use kahan_algebra::rational::Rational;
@@ -17,8 +19,8 @@ pub(super) struct Runner {
     start: Vec<Rational>,
 }
 
-/// What looks at points: the number of steps so far, and the point.
-pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]);
+/// What looks at points: the number of steps so far, and the point; whether to go on.
+pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]) -> ControlFlow<()>;
 
 /// Numbers of steps, each larger than the one before.
 pub(super) type Stops<'a> = &'a mut dyn Iterator<Item = u64>;
@@ -46,9 +48,14 @@ impl Runner {
         self.orbits.orbit(plain, &Rational::one(), &self.start).is_ok_and(|orbit| orbit.is_code())
     }
 
+    /// The seconds that so many steps take from the scene's own point, without the preparations.
+    pub(super) fn seconds(&self, scheme: Scheme, eps: f64, steps: u64) -> f64 {
+        self.follow(scheme, eps, None, &mut once(steps), &mut |_, _| ControlFlow::Continue(()))
+    }
+
     /// Shows the first point of an orbit with ε = `eps` and those after the numbers of steps in
-    /// `stops`, which grow; the seconds that it took, without the preparations. The orbit begins at
-    /// `from`, or at the scene's own point.
+    /// `stops`, which grow, while `visit` says so; the seconds that it took, without the
+    /// preparations. The orbit begins at `from`, or at the scene's own point.
     pub(super) fn follow(
         &self,
         scheme: Scheme,
@@ -59,21 +66,24 @@ impl Runner {
     ) -> f64 {
         let exact = |entry: &Dd| &rational(entry.high()) + &rational(entry.low());
         let start = from.map_or_else(|| self.start.clone(), |point| point.iter().map(exact).collect());
-        // The point has been read for this field.
-        let Ok(mut orbit) = self.orbits.orbit(scheme, &rational(eps), &start) else { return f64::INFINITY };
+        let orbit = self.orbits.orbit(scheme, &rational(eps), &start);
+        let mut orbit = orbit.expect("the point has an entry for every variable");
         let clock = Instant::now();
-        visit(0, orbit.point());
         let mut step = 0;
+        let mut go_on = visit(step, orbit.point());
         for stop in stops {
+            if go_on.is_break() {
+                break;
+            }
             orbit.advance(stop - step);
             step = stop;
-            visit(step, orbit.point());
+            go_on = visit(step, orbit.point());
         }
         clock.elapsed().as_secs_f64()
     }
 }
 
-/// A float as the number that it is; 0 for what is none.
+/// A float as the number that it is.
 fn rational(value: f64) -> Rational {
-    Rational::from_f64(value).unwrap_or_else(Rational::zero)
+    Rational::from_f64(value).expect("what orbits begin with is finite")
 }

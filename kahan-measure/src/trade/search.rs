@@ -31,8 +31,8 @@ const GRID: f64 = 1.1;
 /// A ladder is given up where the law says that its end will cost this factor more than what is
 /// known to do,
 const SURELY: f64 = 2.0;
-/// or that it will take this part of the time that is left.
-const SHARE: f64 = 0.3;
+/// or that it will take this part of the time that is left: others may take less.
+pub(super) const SHARE: f64 = 0.3;
 
 /// Whether the errors on a ladder fell as the order has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +47,28 @@ impl Study<'_> {
     /// Measures until the answer is clear; `coarsest` is the least number of steps over the
     /// horizon.
     pub(super) fn search(&mut self, coarsest: u64) {
+        self.climb(coarsest);
+        if self.best().is_none() {
+            // No other takes less, so what was put off has all the time that is left.
+            self.share = 1.0;
+            for (scheme, _) in std::mem::take(&mut self.skipped) {
+                self.ladder(scheme, coarsest);
+            }
+        }
+        for scheme in Scheme::all() {
+            self.refine(scheme);
+        }
+        if self.is_uneven() {
+            for precision in [Precision::Double, Precision::Single] {
+                for composition in Composition::BEST.into_iter().rev() {
+                    self.scan(Scheme::of(precision).composed(composition), coarsest);
+                }
+            }
+        }
+    }
+
+    /// The ladder of every scheme that may be the cheapest.
+    fn climb(&mut self, coarsest: u64) {
         let plain = |precision, composition| Scheme::of(precision).composed(composition);
         let [.., highest] = Composition::BEST;
         // First something that does, which ends the ladders of others early: high orders before low
@@ -62,7 +84,7 @@ impl Study<'_> {
             for composition in Composition::BEST.into_iter().rev() {
                 // No point is nearer to a trajectory than its own rounding: one order shows how
                 // near that is.
-                let is_hopeless = self.scene.tolerance() < precision.unit() / 8.0;
+                let is_hopeless = self.tolerance < precision.unit() / 8.0;
                 let is_known = precision == Precision::Double && composition == highest;
                 if !(is_known || is_hopeless && composition != highest) {
                     let roundings = self.with_and_without(plain(precision, composition), coarsest);
@@ -81,16 +103,6 @@ impl Study<'_> {
                 && self.settings.iter().all(|known| known.setting.scheme() != scheme)
             {
                 self.ladder(scheme, coarsest);
-            }
-        }
-        for scheme in Scheme::all() {
-            self.refine(scheme);
-        }
-        if self.is_uneven() {
-            for precision in [Precision::Double, Precision::Single] {
-                for composition in Composition::BEST.into_iter().rev() {
-                    self.scan(plain(precision, composition), coarsest);
-                }
             }
         }
     }
@@ -119,7 +131,7 @@ impl Study<'_> {
     fn scan(&mut self, scheme: Scheme, coarsest: u64) {
         let mut steps = coarsest;
         while CLOSE * self.cost(scheme, steps) < self.least_cost()
-            && !self.takes_more_than(SHARE, scheme, steps as f64)
+            && !self.takes_too_long(scheme, steps as f64)
             && self.error(scheme, steps).is_some()
         {
             steps = (GRID * steps as f64).ceil() as u64;
@@ -129,7 +141,7 @@ impl Study<'_> {
     /// The plain scheme, and the compensated one where the plain one's errors show its roundings.
     fn with_and_without(&mut self, scheme: Scheme, coarsest: u64) -> Roundings {
         let roundings = self.ladder(scheme, coarsest);
-        if roundings == Roundings::Felt && self.scene.tolerance() >= scheme.precision.unit() / 8.0 {
+        if roundings == Roundings::Felt && self.tolerance >= scheme.precision.unit() / 8.0 {
             self.ladder(scheme.compensated(), coarsest);
         }
         roundings
@@ -148,7 +160,7 @@ impl Study<'_> {
             if before < 0.01 && error > 4.0 * before * 0.5_f64.powi(scheme.order() as i32) {
                 roundings = Roundings::Felt;
             }
-            if error <= self.scene.tolerance() {
+            if error <= self.tolerance {
                 return roundings;
             }
             stalls = if error < 0.1 && error > STALL * before { stalls + 1 } else { 0 };
@@ -163,12 +175,12 @@ impl Study<'_> {
             }
             // Two rungs make sure that the law holds already.
             if error < 0.1 && error < 0.5 * before && before.is_finite() {
-                let gain = (error / self.scene.tolerance()).powf(1.0 / f64::from(scheme.order()));
+                let gain = (error / self.tolerance).powf(1.0 / f64::from(scheme.order()));
                 let enough = steps as f64 * gain;
                 if self.cost(scheme, 1) * enough > SURELY * self.least_cost() {
                     return roundings;
                 }
-                if self.takes_more_than(SHARE, scheme, enough) {
+                if self.takes_too_long(scheme, enough) {
                     self.skip(scheme, steps.saturating_mul(2));
                     return roundings;
                 }
@@ -183,7 +195,7 @@ impl Study<'_> {
     fn has_roundings(&mut self, scheme: Scheme, steps: u64, error: f64) -> bool {
         let wide = Scheme::of(Precision::DoubleDouble).composed(scheme.composition);
         scheme == wide
-            || self.takes_more_than(SHARE, wide, steps as f64)
+            || self.takes_too_long(wide, steps as f64)
             || self.error(wide, steps).is_none_or(|other| other < STALL * error)
     }
 
@@ -196,7 +208,7 @@ impl Study<'_> {
                 return;
             }
             // error ∝ steps^(−order), with a little to spare.
-            let gain = (error / self.scene.tolerance()).powf(1.0 / f64::from(scheme.order()));
+            let gain = (error / self.tolerance).powf(1.0 / f64::from(scheme.order()));
             let guess = if gain.is_finite() { 1.01 * low * gain } else { (low * high).sqrt() };
             if guess >= high * 1.2 {
                 return;
@@ -217,7 +229,7 @@ impl Study<'_> {
             return None;
         }
         let fails = self.settings.iter().filter(|setting| setting.setting.scheme() == scheme);
-        let fails = fails.filter(|setting| setting.error() > self.scene.tolerance());
+        let fails = fails.filter(|setting| setting.error() > self.tolerance);
         let fails = fails.filter(|setting| (setting.setting.steps() as f64) < dearest);
         let last = fails.max_by_key(|setting| setting.setting.steps())?;
         Some((last.setting.steps(), dearest, last.error()))

@@ -7,6 +7,8 @@ const EVENLY: u64 = 512;
 /// Steps on each stretch of the trajectory that one polynomial describes: there are many where it
 /// moves fast, however short that is.
 const ON_A_PIECE: u32 = 3;
+/// The most such stretches: of more than these, each is as good as the next.
+const MOST_PIECES: usize = 2048;
 
 /// Numbers of steps after which an orbit of so many steps, at least one, with ε = `eps`, is looked
 /// at, each larger than the one before; the last step is among them.
@@ -14,7 +16,8 @@ pub(super) fn stops(reference: Option<&Reference>, eps: f64, steps: u64) -> Vec<
     let stride = steps.div_ceil(EVENLY);
     let mut stops: Vec<u64> = (1..=steps / stride).map(|k| k * stride).collect();
     if let Some(flow) = reference.map(Reference::flow).filter(|_| stride > 1) {
-        let begins: Vec<f64> = flow.breaks().collect();
+        let apart = flow.breaks().len().div_ceil(MOST_PIECES);
+        let begins: Vec<f64> = flow.breaks().step_by(apart).collect();
         let ends = begins.iter().skip(1).copied().chain([flow.end()]);
         for (begin, end) in begins.iter().zip(ends) {
             let times =

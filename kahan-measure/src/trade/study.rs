@@ -1,6 +1,7 @@
 //! One setting measured: an orbit is run, and at points along it compared with what it should be.
 
 use std::iter::once;
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use kahan_core::{Dd, Need, Scene, Scheme, Setting};
@@ -21,9 +22,13 @@ pub(super) struct Study<'a> {
     pub(super) subject: &'a Runner,
     pub(super) clock: Clock,
     pub(super) scene: Scene,
+    /// What a measured error may be.
+    pub(super) tolerance: f64,
     pub(super) reference: Option<Reference>,
     pub(super) integrals: Integrals,
     pub(super) deadline: Instant,
+    /// The part of the time left that the way to a setting that serves may take.
+    pub(super) share: f64,
     /// Whether the clock tells how long a step takes here: what is interpreted takes longer.
     pub(super) is_code: bool,
     pub(super) settings: Vec<Measured>,
@@ -42,11 +47,18 @@ impl Study<'_> {
         if let Some(known) = self.settings.iter().find(|known| known.setting == setting) {
             return Some(known.error());
         }
+        if !(setting.eps() > 0.0 && setting.eps().is_finite()) {
+            // It leaves the range of `f32`.
+            return Some(f64::INFINITY);
+        }
         if self.expected(scheme, setting.eps(), setting.steps() as f64) > self.time_left() {
             self.skip(scheme, setting.steps());
             return None;
         }
-        let measured = self.measure(setting);
+        let Some(measured) = self.measure(setting) else {
+            self.skip(scheme, setting.steps());
+            return None;
+        };
         let error = measured.error();
         self.settings.push(measured);
         (self.progress)(self.settings.len() as u64);
@@ -64,9 +76,10 @@ impl Study<'_> {
         self.deadline.saturating_duration_since(Instant::now())
     }
 
-    /// Whether so many steps take more than this part of the time that is left.
-    pub(super) fn takes_more_than(&self, part: f64, scheme: Scheme, steps: f64) -> bool {
-        self.expected(scheme, self.scene.horizon() / (2.0 * steps), steps) > self.time_left().mul_f64(part)
+    /// Whether so many steps take more than the share of the time that is left.
+    pub(super) fn takes_too_long(&self, scheme: Scheme, steps: f64) -> bool {
+        let expected = self.expected(scheme, self.scene.horizon() / (2.0 * steps), steps);
+        expected > self.time_left().mul_f64(self.share)
     }
 
     fn expected(&self, scheme: Scheme, eps: f64, steps: f64) -> Duration {
@@ -74,12 +87,13 @@ impl Study<'_> {
             1e-9 * self.clock.nanoseconds(scheme) * steps
         } else {
             const PROBE: u64 = 8;
-            self.subject.follow(scheme, eps, None, &mut once(PROBE), &mut |_, _| ()) * steps / PROBE as f64
+            self.subject.seconds(scheme, eps, PROBE) * steps / PROBE as f64
         };
         Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX)
     }
 
-    fn measure(&self, setting: Setting) -> Measured {
+    /// `None` where the time is over before the orbit is at its end.
+    fn measure(&self, setting: Setting) -> Option<Measured> {
         let (scheme, eps, steps) = (setting.scheme(), setting.eps(), setting.steps());
         let stops = stops(self.reference.as_ref(), eps, steps);
         let (mut trajectory, mut samples) = (0.0_f64, 0_usize);
@@ -90,7 +104,12 @@ impl Study<'_> {
             Need::Integrals => 1,
         };
         let dt = Dd::from(eps) * Dd::from(2.0);
+        let mut is_over = false;
         self.subject.follow(scheme, eps, None, &mut stops.iter().copied(), &mut |step, x| {
+            is_over = step < steps && self.time_left().is_zero();
+            if is_over {
+                return ControlFlow::Break(());
+            }
             if let Some(reference) = &self.reference {
                 let t = dt * Dd::from(step as f64);
                 if f64::from(t) <= reference.flow().end() {
@@ -105,12 +124,16 @@ impl Study<'_> {
                 drift.visit(x);
             }
             samples += 1;
+            ControlFlow::Continue(())
         });
+        if is_over {
+            return None;
+        }
         let (own, flow) = drift.finish();
         let trajectory_error = self.reference.as_ref().map(|_| trajectory);
         // A composition has no integrals of its own: it is to keep the flow's.
         let integral_drift = has_integrals.then_some(if scheme.order() == 2 { own } else { flow });
-        Measured {
+        Some(Measured {
             setting,
             nanoseconds_per_unit_time: self.clock.nanoseconds(scheme) / (2.0 * eps),
             trajectory_error,
@@ -118,7 +141,7 @@ impl Study<'_> {
             flow_integral_drift: has_integrals.then_some(flow),
             return_error: None,
             on_front: false,
-        }
+        })
     }
 
     /// How far a setting comes from home, there and back, relative to the first point's size.
@@ -129,7 +152,10 @@ impl Study<'_> {
         }
         let ends = |eps: f64, from: Option<&[Dd]>| {
             let mut ends = Vec::with_capacity(2);
-            self.subject.follow(scheme, eps, from, &mut once(steps), &mut |_, x| ends.push(x.to_vec()));
+            self.subject.follow(scheme, eps, from, &mut once(steps), &mut |_, x| {
+                ends.push(x.to_vec());
+                ControlFlow::Continue(())
+            });
             ends
         };
         let there = ends(eps, None);
@@ -153,7 +179,7 @@ impl Study<'_> {
     /// The cheapest setting that meets the need.
     pub(super) fn best(&self) -> Option<usize> {
         let meets = self.settings.iter().enumerate();
-        let meets = meets.filter(|(_, measured)| measured.error() <= self.scene.tolerance());
+        let meets = meets.filter(|(_, measured)| measured.error() <= self.tolerance);
         // Of two at one price the more accurate.
         let better = |a: &Measured, b: &Measured| {
             let price = a.nanoseconds_per_unit_time.total_cmp(&b.nanoseconds_per_unit_time);

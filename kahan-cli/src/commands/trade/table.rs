@@ -111,7 +111,7 @@ impl Comparison<'_> {
             note(format!(
                 "errors are against a Taylor series that differs from {second} by {:.1e}; relative to {}",
                 certificate.difference,
-                size(self.trade.scale.unwrap_or(1.0))
+                size(self.trade.scale.expect("a reference has a scale"))
             ));
         }
         if !self.trade.is_code {
@@ -122,7 +122,7 @@ impl Comparison<'_> {
                 (choice.setting.scheme(), choice.setting.eps(), choice.setting.steps());
             let keeps = self.scene.need() == Need::Integrals && scheme.composition == Composition::KAHAN;
             if keeps {
-                let flow = choice.flow_integral_drift.unwrap_or(0.0);
+                let flow = choice.flow_integral_drift.expect("the need is to keep integrals");
                 note(format!(
                     "the map's own integrals are kept at any eps; at this one the flow's vary by {flow:.1e}, and the orbit need not \
                      follow the flow"

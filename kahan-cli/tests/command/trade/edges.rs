@@ -74,6 +74,16 @@ fn a_homogeneous_field_is_served_alike_at_every_scale() {
     }
 }
 
+/// ε over this horizon is beyond the range of `f32`, which has no setting then, not one that rests.
+#[test]
+fn a_horizon_beyond_the_range_of_f32_is_served_by_f64() {
+    let scene = ["e1", "--at", "1e-60,1e-60,1e-60", "--horizon", "1e60", "--tolerance", "1e-4"];
+    let object = json(&scene);
+    assert_eq!(object["choice"]["scalar"], "f64", "{object}");
+    let settings = object["settings"].as_array().expect("settings");
+    assert!(settings.iter().all(|setting| number(setting, "eps") > 0.0), "{object}");
+}
+
 /// Slow ẋ = −x² beside a slope that grows for ever, to 20 000 by the end: E1.
 #[test]
 fn a_slope_across_the_motion_does_not_ask_for_fine_steps() {

@@ -196,6 +196,9 @@ fn a_field_of_the_users_own_is_run_and_pasted_as_it_was_given() {
     let object = json(&[&field[..], &["--horizon", "1", "--tolerance", "1e-4", "--seconds", "60"]].concat());
     assert_eq!(object["timing"], "measured");
     assert_eq!(object["reference"]["second_method"], "composition");
+    // What the reference may err by is a hundredth of the tolerance, and not there to be used.
+    let difference = number(&object["reference"], "difference");
+    assert!(difference <= 1e-6 && difference + number(&object["choice"], "trajectory_error") <= 1e-4);
     let rust = object["choice"]["rust"].as_str().expect("a line");
     assert!(rust.contains("let a = 2.0;\nlet field = kahan! { xdot = y; ydot = 6*x^2 - a; };\n"), "{rust}");
     assert!(rust.contains("field"), "{rust}");
