@@ -4,10 +4,11 @@ use std::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Parametric;
+use super::{Differentiable, Parametric};
 use super::cycle::PeriodicPoint;
-use super::newton::{defect, least_norm, slope};
+use super::newton::{NOTHING, defect, least_norm, slope};
 use super::turns::{Stride, Turn};
+use super::unit::{self, InUnits, Unit};
 
 /// A cycle on a branch.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,8 +31,8 @@ pub struct Branch {
     pub is_cut: bool,
 }
 
-/// A place on the branch: the points of the cycle, and the parameter in units of the range behind
-/// them.
+/// A place on the branch: the points of the cycle in units of its first size, and behind them the
+/// parameter in units of the range. Both are then measured together.
 pub(super) type Place = DVector<f64>;
 
 /// Follows a cycle at `from` towards `to`, in about so many steps, until the parameter leaves the
@@ -69,8 +70,10 @@ pub fn branch<M: Parametric>(
     steps: usize,
     mut see: impl FnMut(&BranchPoint),
 ) -> Branch {
-    let arc = Arc { map, from, length: to - from };
-    let mut place = cycle.vector().push(0.0);
+    let length = to - from;
+    let arc = Arc { unit: Unit::of(first_size(&map(from), cycle, length)), map, from, length };
+    let points = cycle.points.iter().flatten().map(|x| x / arc.unit.length);
+    let mut place: Place = DVector::from_vec(points.chain([0.0]).collect());
     let mut ahead = DVector::zeros(place.len());
     ahead[place.len() - 1] = 1.0;
     let mut branch = Branch { points: Vec::new(), turns: Vec::new(), is_cut: false };
@@ -114,9 +117,21 @@ pub fn branch<M: Parametric>(
     branch
 }
 
+/// What points on a branch are measured by: the size of the first cycle. Where that is 0, as is the
+/// point it was found from, how far it moves with the parameter.
+fn first_size<M: Parametric>(map: &M, cycle: &PeriodicPoint, length: f64) -> f64 {
+    if cycle.size > 0.0 {
+        return cycle.size;
+    }
+    let rates = cycle.points.iter().map(|x| unit::size(&map.by_parameter(x)));
+    let moved = rates.fold(0.0, f64::max) * length.abs();
+    if moved.is_finite() { moved } else { 0.0 }
+}
+
 /// The curve of cycles over the range.
 pub(super) struct Arc<F> {
     map: F,
+    unit: Unit,
     from: f64,
     length: f64,
 }
@@ -126,8 +141,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
         self.from + self.length * place[place.len() - 1]
     }
 
-    fn map(&self, place: &Place) -> M {
-        (self.map)(self.parameter(place))
+    fn map(&self, place: &Place) -> InUnits<M> {
+        InUnits { map: (self.map)(self.parameter(place)), unit: self.unit }
     }
 
     fn cycle(place: &Place) -> DVector<f64> {
@@ -178,7 +193,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
             let nearer = &next - least_norm(square, &gaps.push(0.0))?;
             if gaps.amax() <= CLOSED * next.amax().max(1.0) {
                 // Double multipliers show a root of what is left.
-                let is_nearer = gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
+                let is_nearer = gaps.amax() > NOTHING
+                    && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });
             }
             next = nearer;

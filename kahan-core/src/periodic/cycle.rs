@@ -7,6 +7,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::Differentiable;
 use super::newton::closed;
+use super::unit::{self, InUnits, Unit};
 
 /// The points of a cycle, x, φ(x), …, and what the map does near it.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,10 @@ pub struct PeriodicPoint {
     /// The dimension of the family of cycles of this period that it belongs to, 0 where it stands
     /// alone: how many directions ∂φᵖ/∂x leaves as they are.
     pub family: usize,
+    /// About the largest coordinate of its points, or of the point that it was found from where that
+    /// is larger, as the cycle may be a point whose coordinates are all 0: what lengths are compared
+    /// with.
+    pub(super) size: f64,
     /// How far a multiplier of size 1 may be from it by rounding.
     pub(super) rounding: f64,
 }
@@ -70,7 +75,8 @@ impl fmt::Display for NoPeriodicPoint {
 
 impl core::error::Error for NoPeriodicPoint {}
 
-/// What is left where a cycle is closed, relative to the size of its points.
+/// What is left where a cycle is closed, relative to its size, or that of the point it was found
+/// from.
 const CLOSED: f64 = 1e-11;
 /// How far a multiplier of size 1 may be from it where the derivative is not large, as a double
 /// eigenvalue loses half the digits.
@@ -95,19 +101,23 @@ impl PeriodicPoint {
         self.multipliers.iter().filter(|one| size(one) > 1.0 + self.rounding).count()
     }
 
-    /// The cycle as one vector.
-    pub(super) fn vector(&self) -> DVector<f64> {
-        DVector::from_vec(self.points.concat())
+    /// What lengths near it are compared with: the largest coordinate of its points, or about that of
+    /// the point it was found from, where that is larger.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.size
     }
 
-    /// The cycle of these points, judged.
-    pub(super) fn judged<M: Differentiable>(map: &M, cycle: &DVector<f64>, residual: f64) -> Self {
+    /// The cycle of these points, judged; in units in which the point it was found from has a size of
+    /// about 1.
+    pub(super) fn judged<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>, residual: f64) -> Self {
         let n = map.dimension();
+        let largest = cycle.amax().max(map.unit.size);
         let all: Vec<Vec<f64>> = cycle.as_slice().chunks(n).map(<[f64]>::to_vec).collect();
-        let period = smallest_period(&all);
-        let points = all[..period].to_vec();
+        let period = smallest_period(&all, largest);
         let derivative =
-            points.iter().fold(DMatrix::identity(n, n), |product, x| map.derivative(x) * product);
+            all[..period].iter().fold(DMatrix::identity(n, n), |product, x| map.derivative(x) * product);
+        let points = all[..period].iter().map(|x| map.outside(x)).collect();
         let mut multipliers: Vec<Complex<f64>> = derivative.complex_eigenvalues().iter().copied().collect();
         multipliers.sort_by(|a, b| {
             size(b).total_cmp(&size(a)).then(b.re.total_cmp(&a.re)).then(b.im.total_cmp(&a.im))
@@ -117,7 +127,9 @@ impl PeriodicPoint {
         let family = left.iter().filter(|value| **value < CIRCLE * scale).count();
         // What rounding leaves of a derivative is in proportion to it, and has its root in a double
         // eigenvalue.
-        PeriodicPoint { points, residual, multipliers, family, rounding: CIRCLE * scale.sqrt() }
+        let rounding = CIRCLE * scale.sqrt();
+        let (residual, size) = (residual * map.unit.length, largest * map.unit.length);
+        PeriodicPoint { points, residual, multipliers, family, size, rounding }
     }
 }
 
@@ -127,6 +139,10 @@ pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
 }
 
 /// The periodic point of a map near `start`, whose period divides `period`.
+///
+/// How near is near enough is relative to the size of `start`, or of the cycle where that is larger,
+/// or of the next point of the orbit where `start` is 0: the answer does not depend on the unit of
+/// length.
 ///
 /// Cost: some rounds of Newton's method, each a decomposition of a matrix of `period` times the
 /// number of variables.
@@ -149,19 +165,23 @@ pub fn periodic_point<M: Differentiable>(
     if !cycle.iter().all(|x| x.is_finite()) {
         return Err(NoPeriodicPoint::NotFinite);
     }
-    let (cycle, residual) = closed(map, DVector::from_vec(cycle)).ok_or(NoPeriodicPoint::NotFinite)?;
-    if residual > CLOSED * cycle.amax().max(1.0) {
-        return Err(NoPeriodicPoint::NotFound { residual });
+    // A start at 0 may still move.
+    let last = map.image(&cycle[(period - 1) * start.len()..]);
+    let mut sizes = cycle.chunks(start.len()).chain([&last[..]]).map(unit::size);
+    let map = InUnits { map, unit: Unit::of(sizes.find(|size| *size > 0.0).unwrap_or(0.0)) };
+    let cycle = DVector::from_iterator(cycle.len(), cycle.iter().map(|x| x / map.unit.length));
+    let (cycle, residual) = closed(&map, cycle).ok_or(NoPeriodicPoint::NotFinite)?;
+    if residual > CLOSED * cycle.amax().max(map.unit.size) {
+        return Err(NoPeriodicPoint::NotFound { residual: residual * map.unit.length });
     }
-    Ok(PeriodicPoint::judged(map, &cycle, residual))
+    Ok(PeriodicPoint::judged(&map, &cycle, residual))
 }
 
 /// The smallest divisor of the number of points after which they come again.
-fn smallest_period(points: &[Vec<f64>]) -> usize {
+fn smallest_period(points: &[Vec<f64>], size: f64) -> usize {
     /// Points that are nearer than this, relative to their size, are one.
     const SAME: f64 = 1e-7;
 
-    let size = points.iter().flatten().fold(1.0, |size: f64, x| size.max(x.abs()));
     let comes_again = |period: usize| {
         let pairs = points.iter().zip(&points[period..]);
         pairs.flat_map(|(a, b)| a.iter().zip(b)).all(|(a, b)| (a - b).abs() <= SAME * size)

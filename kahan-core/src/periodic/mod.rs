@@ -28,6 +28,7 @@ mod newton;
 #[cfg(test)]
 mod tests;
 mod turns;
+mod unit;
 
 use std::vec::Vec;
 

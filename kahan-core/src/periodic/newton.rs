@@ -6,6 +6,11 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Differentiable;
 
+/// A defect that is smaller than this, in units of the cycle's size, counts as none: the square of a
+/// rounding. Newton's method would take a cycle at 0 to the end of the range, where numbers have few
+/// digits.
+pub(super) const NOTHING: f64 = f64::EPSILON * f64::EPSILON / 4.0;
+
 /// φ(xᵢ) − xᵢ₊₁, one behind the other, the last back to the first; `None` where it is not finite.
 pub(super) fn defect<M: Differentiable>(map: &M, cycle: &DVector<f64>) -> Option<DVector<f64>> {
     let n = map.dimension();
@@ -59,6 +64,9 @@ pub(super) fn closed<M: Differentiable>(map: &M, cycle: DVector<f64>) -> Option<
     let mut cycle = cycle;
     let mut gaps = defect(map, &cycle)?;
     for _ in 0..ROUNDS {
+        if gaps.amax() <= NOTHING {
+            break;
+        }
         let Some(step) = least_norm(slope(map, &cycle), &gaps) else { break };
         // Half the step, and half of that, until it is nearer.
         let nearer = (0..30).find_map(|halvings| {

@@ -148,6 +148,73 @@ fn a_turn_of_a_fifth_has_a_family_of_cycles() {
     assert!((cycle.points[0][0] - 1.0).abs() < 1e-12);
 }
 
+#[test]
+fn a_cycle_is_the_same_in_every_unit() {
+    let ordinary = periodic_point(&Fifth, &[1.0, 0.3], 5).unwrap();
+    for exponent in [-900, -30, 30, 900] {
+        let unit = f64::from(exponent).exp2();
+        let cycle = periodic_point(&Fifth, &[unit, 0.3 * unit], 5).unwrap();
+        let scaled: Vec<Vec<f64>> =
+            ordinary.points.iter().map(|x| x.iter().map(|x| x * unit).collect()).collect();
+        assert_eq!((cycle.points, cycle.residual), (scaled, ordinary.residual * unit));
+        assert_eq!((cycle.family, cycle.multipliers), (2, ordinary.multipliers.clone()));
+    }
+    // A point that is nearer to 0 than any tolerance in ordinary units still moves.
+    assert_eq!(periodic_point(&Fifth, &[1e-9, 0.0], 5).unwrap().points.len(), 5);
+}
+
+#[test]
+fn a_cycle_at_0_is_as_near_to_it_as_its_start_is_large() {
+    // Newton's method does not go on to the end of the range.
+    for exponent in [-900, 0, 900] {
+        let start = f64::from(exponent).exp2();
+        let cycle = periodic_point(&Meeting(0.125), &[start, 0.5 * start], 4).unwrap();
+        assert_eq!((cycle.points.len(), cycle.size()), (1, start));
+        assert!(cycle.points[0].iter().all(|x| x.abs() < 1e-15 * start), "{cycle:?}");
+    }
+    // Nothing has a size there.
+    let cycle = periodic_point(&Meeting(0.125), &[0.0, 0.0], 4).unwrap();
+    assert_eq!((cycle.points, cycle.residual, cycle.size), (vec![vec![0.0, 0.0]], 0.0, 0.0));
+}
+
+#[test]
+fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
+    // Fixed points of x̃ = x + a − x²/unit, which begins at 0 for a = 0, in units of `unit`.
+    struct Root(f64, f64);
+
+    impl Differentiable for Root {
+        fn dimension(&self) -> usize {
+            1
+        }
+
+        fn image(&self, x: &[f64]) -> Vec<f64> {
+            vec![0.5 * x[0] + self.0 - x[0] * (x[0] / self.1)]
+        }
+
+        fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
+            DMatrix::from_element(1, 1, 0.5 - 2.0 * (x[0] / self.1))
+        }
+    }
+
+    impl Parametric for Root {
+        fn by_parameter(&self, _: &[f64]) -> Vec<f64> {
+            vec![1.0]
+        }
+    }
+
+    let points = |unit: f64| -> Vec<[f64; 2]> {
+        let map = |a| Root(a, unit);
+        let start = periodic_point(&map(0.0), &[0.0], 1).unwrap();
+        let branch = branch(map, &start, [0.0, unit], 10, |_| ());
+        branch.points.iter().map(|at| [at.parameter / unit, at.cycle.points[0][0] / unit]).collect()
+    };
+    let ordinary = points(1.0);
+    assert!(ordinary.len() > 10);
+    for exponent in [-500, 500] {
+        assert_eq!(points(f64::from(exponent).exp2()), ordinary);
+    }
+}
+
 /// x ↦ x + arctan x
 struct Arctangent;
 
