@@ -33,13 +33,14 @@ impl Map {
     /// each point.
     #[must_use]
     pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {
-        /// How far the simplest fraction may be from a number, the nearest first.
+        /// How far the simplest fraction may be from a number, relative to the size of the cycle, the
+        /// nearest first.
         const NEAR: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 
         let start = cycle.points.first()?;
         let points = NEAR.iter().find_map(|near| {
             let guess: Option<Vec<Rational>> =
-                start.iter().map(|&x| simplest(x, near * x.abs().max(1.0))).collect();
+                start.iter().map(|&x| simplest(x, near * cycle.size())).collect();
             self.closed(eps, &guess?, cycle.points.len())
         })?;
         let polynomial = characteristic_polynomial(&self.exact_derivative(eps, &points)?);
