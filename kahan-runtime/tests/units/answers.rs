@@ -1,0 +1,77 @@
+//! What was answered in some unit, brought back to ordinary ones.
+
+use core::fmt::Debug;
+
+use kahan_core::{FloatScalar, nalgebra::SVector};
+
+use super::fields::{ORDINARY, Unit, two_to};
+
+/// Answers with their names, in the order in which they were asked.
+pub(crate) struct Answers {
+    unit: Unit,
+    all: Vec<(String, Vec<f64>)>,
+}
+
+/// The powers of a length and of a time that a number is proportional to.
+#[derive(Clone, Copy)]
+pub(crate) struct Dimension {
+    pub(crate) length: i32,
+    pub(crate) time: i32,
+}
+
+pub(crate) const NUMBER: Dimension = Dimension { length: 0, time: 0 };
+pub(crate) const LENGTH: Dimension = Dimension { length: 1, time: 0 };
+pub(crate) const AREA: Dimension = Dimension { length: 2, time: 0 };
+pub(crate) const TIME: Dimension = Dimension { length: 0, time: 1 };
+pub(crate) const RATE: Dimension = Dimension { length: 0, time: -1 };
+pub(crate) const SPEED: Dimension = Dimension { length: 1, time: -1 };
+
+impl Answers {
+    pub(crate) fn new(unit: Unit) -> Self {
+        Self { unit, all: Vec::new() }
+    }
+
+    /// Adds numbers of this dimension.
+    pub(crate) fn add<T: FloatScalar>(&mut self, name: &str, dimension: Dimension, numbers: &[T]) {
+        let Dimension { length, time } = dimension;
+        let back = |number: &T| {
+            // One after the other: the product of both may be beyond the range.
+            number.approximate() * two_to(self.unit.length * length) * two_to(self.unit.time * time)
+        };
+        self.all.push((name.to_owned(), numbers.iter().map(back).collect()));
+    }
+
+    pub(crate) fn add_point<T: FloatScalar, const N: usize>(&mut self, name: &str, point: &SVector<T, N>) {
+        self.add(name, LENGTH, point.as_slice());
+    }
+
+    /// Adds what is no number.
+    pub(crate) fn say(&mut self, name: &str, what: impl Debug) {
+        self.all.push((format!("{name}: {what:?}"), Vec::new()));
+    }
+}
+
+/// Whether two numbers have the same bits, what is not a number being itself.
+fn same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
+}
+
+/// Panics where answers in one of the units differ from those in ordinary ones.
+pub(crate) fn check_units(name: &str, units: &[Unit], answer: impl Fn(Unit, &mut Answers)) {
+    let of = |unit| {
+        let mut answers = Answers::new(unit);
+        answer(unit, &mut answers);
+        answers.all
+    };
+    let ordinary = of(ORDINARY);
+    for &unit in units {
+        let there = of(unit);
+        assert_eq!(ordinary.len(), there.len(), "{name} in {unit:?}");
+        for ((what, numbers), (other, others)) in ordinary.iter().zip(&there) {
+            assert_eq!(what, other, "{name} in {unit:?}");
+            let are_same =
+                numbers.len() == others.len() && numbers.iter().zip(others).all(|(a, b)| same(*a, *b));
+            assert!(are_same, "{name} in {unit:?}: {what} is {numbers:?}, not {others:?}");
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! Answers do not depend on the units of length and time: every float of one is that in other
+//! units, times a power of two.
+//!
+//! Twenty fields in units of length from 2⁻³⁰⁰ to 2³⁰⁰ (`f32`: 2⁻⁴⁰ to 2⁴⁰), and in units of time
+//! in which no ε, nor that of a stage of a composition, is divided by more or less than steps over
+//! floats may divide by.
+
+mod answers;
+mod chains;
+mod cycles;
+mod fields;
+mod points;
+mod slices;
+
+use fields::Unit;
+
+const fn units<const K: usize>(lengths_and_times: [[i32; 2]; K]) -> [Unit; K] {
+    let mut units = [fields::ORDINARY; K];
+    let mut k = 0;
+    while k < K {
+        let [length, time] = lengths_and_times[k];
+        units[k] = Unit { length, time };
+        k += 1;
+    }
+    units
+}
+
+/// For `f64`.
+const UNITS: [Unit; 5] = units([[300, 0], [-300, 0], [0, 50], [0, -50], [-111, 17]]);
+/// For `f32`.
+const SHORT_UNITS: [Unit; 5] = units([[40, 0], [-40, 0], [0, 8], [0, -8], [-11, 5]]);
