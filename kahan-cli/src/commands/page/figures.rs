@@ -235,7 +235,7 @@ impl Subject<'_> {
     /// A variable over what its orbit takes, and a tenth more on either side.
     fn range(&self, k: usize, cells: usize) -> String {
         let [low, high] = self.scene.extremes[k];
-        let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-3);
+        let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.scene.size);
         format!("{}={}:{}:{cells}", self.variables[k], decimal(low - room), decimal(high + room))
     }
 }
