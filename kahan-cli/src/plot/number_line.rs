@@ -27,7 +27,8 @@ impl NumberLine {
             .filter(|value| value.is_finite())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
-        let room = if high > low { 0.04 * (high - low) } else { 0.5 * low.abs().max(1.0) };
+        let size = if low == 0.0 { 1.0 } else { low.abs() };
+        let room = if high > low { 0.04 * (high - low) } else { 0.5 * size };
         NumberLine { label: label.to_owned(), low: low - room, high: high + room }
     }
 
