@@ -50,6 +50,27 @@ fn cycles_of_an_integrable_map_come_in_families() {
 }
 
 #[test]
+fn a_small_orbit_is_no_point_that_stands_still() {
+    let at = |start: &str| {
+        let field = ["--field", "xdot = y; ydot = -x;", "--eps", "0.7265425280053609", "--period", "5"];
+        let mut found = object(&[&["periodic"], &field[..], &["--at", start, "--json"]].concat());
+        found["points"].take();
+        (found["residual"].take(), found)
+    };
+    let (_, ordinary) = at("1,0");
+    assert_eq!((&ordinary["period"], &ordinary["family"]), (&5.into(), &2.into()));
+    for start in ["1e-9,0", "1e9,0", "1e-300,0"] {
+        let (residual, found) = at(start);
+        assert_eq!(
+            [&found["period"], &found["family"], &found["stability"], &found["exact"]],
+            [&ordinary["period"], &ordinary["family"], &ordinary["stability"], &ordinary["exact"]]
+        );
+        let size: f64 = start.split_once(',').and_then(|(x, _)| x.parse().ok()).expect("a number");
+        assert!(residual.as_f64().expect("a number") < 1e-14 * size, "{start}");
+    }
+}
+
+#[test]
 fn a_branch_goes_round_its_fold() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("branch.csv");
