@@ -15,6 +15,10 @@ use super::bounded::{Bounded, PackedDouble, PackedSingle};
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
 /// The same for `f64`.
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
+/// Steps over `f64` itself may divide by ε from 2 to minus this power: parts of a step, and stages of
+/// a composition, whose whole ε is ordinary, then have its form, and the same bits in every unit of
+/// time.
+const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
 /// Whether T is U.
 #[inline(always)]
@@ -29,13 +33,15 @@ pub(crate) fn is_float<T: 'static>() -> bool {
     is::<T, f32>() || is::<T, f64>()
 }
 
-/// The k such that a step over T may divide by ε from 2⁻ᵏ to 2ᵏ; `None` where it never may.
+/// The j and k such that a step over T may divide by ε from 2⁻ʲ to 2ᵏ; `None` where it never may.
 #[inline(always)]
-fn bits_of_steps<T: 'static>() -> Option<u32> {
-    if is::<T, f32>() || is::<T, Bounded<f32>>() || is::<T, Bounded<f32, PackedSingle>>() {
-        Some(BITS_OF_SINGLE_STEPS)
-    } else if is::<T, f64>() || is::<T, Bounded<f64>>() || is::<T, Bounded<f64, PackedDouble>>() {
-        Some(BITS_OF_DOUBLE_STEPS)
+fn bits_of_steps<T: 'static>() -> Option<[u32; 2]> {
+    if is::<T, f64>() {
+        Some([BITS_OF_SMALL_DOUBLE_STEPS, BITS_OF_DOUBLE_STEPS])
+    } else if is::<T, f32>() || is::<T, Bounded<f32>>() || is::<T, Bounded<f32, PackedSingle>>() {
+        Some([BITS_OF_SINGLE_STEPS; 2])
+    } else if is::<T, Bounded<f64>>() || is::<T, Bounded<f64, PackedDouble>>() {
+        Some([BITS_OF_DOUBLE_STEPS; 2])
     } else {
         None
     }
@@ -51,8 +57,8 @@ pub(crate) fn divides_by_eps<T: 'static>() -> bool {
 #[inline(always)]
 pub(crate) fn may_divide_by<T: Scalar>(eps: &T) -> bool {
     bits_of_steps::<T>().is_some_and(|bits| {
-        let most = (1_u128 << bits) as f64;
-        (1.0 / most..=most).contains(&eps.approximate().abs())
+        let [small, large] = bits.map(|bits| (1_u128 << bits) as f64);
+        (1.0 / small..=large).contains(&eps.approximate().abs())
     })
 }
 
@@ -133,10 +139,14 @@ mod tests {
         for (eps, may) in
             [(0.05, true), (-most, true), (1.0 / most, true), (beyond, false), (1.0 / beyond, false)]
         {
-            assert_eq!(may_divide_by(&eps), may, "{eps}");
             assert_eq!(may_divide_by(&Bounded::<f64>::given(eps)), may, "{eps}");
             assert_eq!(may_divide_by(&Bounded::<f64, PackedDouble>::given(eps)), may, "{eps}");
             assert!(!may_divide_by(&Dd::from(eps)) && !may_divide_by(&Dual::<f64, 1>::lift(eps)));
+        }
+        // Floats themselves a little further down.
+        for (eps, may) in [(most, true), (beyond, false), ((-84_f64).exp2(), true), ((-85_f64).exp2(), false)]
+        {
+            assert_eq!(may_divide_by(&eps), may, "{eps}");
         }
         assert!(may_divide_by(&65536_f32) && !may_divide_by(&65537_f32) && !may_divide_by(&0_f32));
         assert!(!may_divide_by(&f64::NAN) && !may_divide_by(&f64::INFINITY));

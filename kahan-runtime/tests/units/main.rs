@@ -2,8 +2,8 @@
 //! units, times a power of two.
 //!
 //! Twenty fields in units of length from 2⁻³⁰⁰ to 2³⁰⁰ (`f32`: 2⁻⁴⁰ to 2⁴⁰), and in units of time
-//! in which no ε, nor that of a stage of a composition, is divided by more or less than steps over
-//! floats may divide by.
+//! in which ε stays within 2^±63. In `f32` the stages of a composition stay within 2^±16, too, beyond
+//! which steps take another form.
 
 mod answers;
 mod chains;
@@ -26,6 +26,6 @@ const fn units<const K: usize>(lengths_and_times: [[i32; 2]; K]) -> [Unit; K] {
 }
 
 /// For `f64`.
-const UNITS: [Unit; 5] = units([[300, 0], [-300, 0], [0, 50], [0, -50], [-111, 17]]);
+const UNITS: [Unit; 5] = units([[300, 0], [-300, 0], [0, 56], [0, -59], [-111, 17]]);
 /// For `f32`.
 const SHORT_UNITS: [Unit; 5] = units([[40, 0], [-40, 0], [0, 8], [0, -8], [-11, 5]]);
