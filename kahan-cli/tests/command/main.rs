@@ -30,4 +30,5 @@ mod showing;
 mod sweeping;
 mod terminals;
 mod trade;
+mod units;
 mod verifying;
