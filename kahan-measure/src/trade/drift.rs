@@ -30,17 +30,23 @@ pub(super) struct Drift<'a> {
 impl Integrals {
     /// Looks at a few points near the start which coefficients vary.
     pub(super) fn of(subject: &Runner, start: &[Dd]) -> Self {
+        let size = start.iter().fold(Dd::from(0.0), |size, x| if x.abs() > size { x.abs() } else { size });
+        // The origin has no size.
+        let size = if size > Dd::from(0.0) { size } else { Dd::from(1.0) };
         let near = |k: usize| -> Vec<Dd> {
             let moved = start.iter().enumerate();
             let shift = |i: usize| Dd::from(((3 * k + 5 * i) % 7) as f64) / Dd::from(11.0);
-            moved.map(|(i, x)| *x + (Dd::from(1.0) + x.abs()) * shift(i)).collect()
+            moved.map(|(i, x)| *x + (size + x.abs()) * shift(i)).collect()
         };
         let begin = subject.map.integrals_at_zero(start);
         let others: Vec<Vec<[Dd; 2]>> = (1..4).map(|k| subject.map.integrals_at_zero(&near(k))).collect();
         let varies = |claim: usize, power: usize| {
             let value = begin[claim][power];
-            let tolerance = Dd::from(1e-24) * (Dd::from(1.0) + value.abs());
-            value.is_finite() && others.iter().any(|other| (other[claim][power] - value).abs() > tolerance)
+            let differs = |other: &Vec<[Dd; 2]>| {
+                let other = other[claim][power];
+                (other - value).abs() > Dd::from(1e-24) * (other.abs() + value.abs())
+            };
+            value.is_finite() && others.iter().any(differs)
         };
         let coefficients = (0..begin.len()).map(|claim| (0..2).find(|&power| varies(claim, power)));
         Integrals { coefficients: coefficients.collect() }
