@@ -4,11 +4,11 @@ use std::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Differentiable, Parametric};
 use super::cycle::PeriodicPoint;
 use super::newton::{NOTHING, defect, least_norm, slope};
 use super::turns::{Stride, Turn};
 use super::unit::{self, InUnits, Unit};
+use super::{Differentiable, Parametric};
 
 /// A cycle on a branch.
 #[derive(Clone, Debug, PartialEq)]
@@ -193,8 +193,8 @@ impl<M: Parametric, F: Fn(f64) -> M> Arc<F> {
             let nearer = &next - least_norm(square, &gaps.push(0.0))?;
             if gaps.amax() <= CLOSED * next.amax().max(1.0) {
                 // Double multipliers show a root of what is left.
-                let is_nearer = gaps.amax() > NOTHING
-                    && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
+                let is_nearer =
+                    gaps.amax() > NOTHING && gaps_at(&nearer).is_some_and(|left| left.amax() < gaps.amax());
                 return Some(if is_nearer { nearer } else { next });
             }
             next = nearer;
