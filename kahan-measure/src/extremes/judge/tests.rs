@@ -19,7 +19,7 @@ fn of_text(text: &str) -> Judge {
 }
 
 fn judge(entry: &Entry) -> Judge {
-    let judge = of_text(&entry.text());
+    let judge = of_text(entry.text());
     assert!(matches!(judge.kind, Kind::Reduced(_)));
     judge
 }
