@@ -352,8 +352,43 @@ fn every_mistake_of_a_plan_is_told_with_its_line() {
         let output = sweep(folder.path(), &["--out", "r"]);
         assert_eq!(output.status.code(), Some(2), "{change:?}");
         assert!(text(&output.stderr).contains(part), "{part}: {}", text(&output.stderr));
+        assert_eq!(text(&output.stderr).matches("plan.toml:").count(), 1, "{}", text(&output.stderr));
     }
     assert!(!folder.path().join("r").exists());
+}
+
+#[test]
+fn what_stands_in_a_wrong_place_is_not_missing_besides() {
+    const STARTS: &str = "start = { file = \"starts.csv\" }";
+    for (plan, part) in [
+        (
+            "[system]\nname = \"e6\"\n[axes]\neps = 0.1\nSTARTS\n[task]\nkind = \"orbit\"\nsteps = 9\n",
+            "plan.toml:5: `start` is no axis",
+        ),
+        (
+            "STARTS\n[system]\nname = \"e6\"\n[axes]\neps = 0.1\n[task]\nkind = \"orbit\"\nsteps = 9\n",
+            "plan.toml:1: the plan has no `start`",
+        ),
+        (
+            "[system]\nname = \"e6\"\nSTARTS\n[axes]\neps = 0.1\n[task]\nkind = \"orbit\"\nsteps = 9\n",
+            "plan.toml:3: [system] has no `start`",
+        ),
+        (
+            "[system]\nname = \"e6\"\n[axes]\neps = 0.1\n[task]\nSTARTS\nkind = \"orbit\"\nsteps = 9\n",
+            "plan.toml:6: [task] has no `start`",
+        ),
+        (
+            "[system]\nname = \"e6\"\n[axes]\neps = 0.1\nx = 1\ny = { from = 0 }\nz = 1\n[task]\nkind = \"orbit\"\nsteps = 9\n",
+            "plan.toml:6: y needs `to`",
+        ),
+    ] {
+        let folder = folder(&plan.replace("STARTS", STARTS));
+        let output = sweep(folder.path(), &["--out", "r"]);
+        assert_eq!(output.status.code(), Some(2));
+        let said = text(&output.stderr);
+        assert!(said.contains(part), "{part}: {said}");
+        assert_eq!(said.matches("plan.toml:").count(), 1, "{said}");
+    }
 }
 
 #[test]

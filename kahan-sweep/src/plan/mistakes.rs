@@ -51,6 +51,10 @@ impl<'a> Collector<'a> {
         self.found.push(Mistake { line, message: message.into() });
     }
 
+    pub(super) fn is_empty(&self) -> bool {
+        self.found.is_empty()
+    }
+
     /// The source of a value, as it stands in the text.
     pub(super) fn source(&self, at: &Range<usize>) -> &'a str {
         self.text.get(at.clone()).unwrap_or_default()

@@ -37,9 +37,8 @@ pub(super) fn plan(source: &str, origin: &str) -> Result<Plan, Mistakes> {
             return Err(Mistakes { origin: origin.to_owned(), mistakes: Vec::new() });
         }
     };
-    let mut root = Table::new("the plan", root.span(), root.get_ref());
-    let read = Reader { mistakes: &mut mistakes }.plan(&mut root);
-    root.finish(&mut mistakes);
+    let root = Table::new("the plan", root.span(), root.get_ref());
+    let read = Reader { mistakes: &mut mistakes }.plan(root);
     mistakes.finish(origin)?;
     // Where nothing was noted, nothing is missing.
     read.ok_or_else(|| Mistakes { origin: origin.to_owned(), mistakes: Vec::new() })
@@ -50,11 +49,12 @@ struct Reader<'m, 's> {
 }
 
 impl Reader<'_, '_> {
-    fn plan(&mut self, root: &mut Table<'_, '_>) -> Option<Plan> {
+    fn plan(&mut self, mut root: Table<'_, '_>) -> Option<Plan> {
         let (seed, draws) = (root.take("seed"), root.take("draws"));
         let mut of_plan = |name| root.table(name, self.mistakes);
         let (system, axes, task, output) =
             (of_plan("system"), of_plan("axes"), of_plan("task"), of_plan("output"));
+        root.finish(self.mistakes);
         let seed = match seed {
             Some(value) => whole(value, "seed", (0, i64::MAX as u64), self.mistakes),
             None => Some(1),
@@ -72,6 +72,10 @@ impl Reader<'_, '_> {
         let task = task?;
         if task.needs_integrals() && field.integrals().is_empty() {
             self.note("observe: drift is that of integrals, and the field claims none");
+        }
+        // What could not be read is not missing: its mistake is the one to correct.
+        if !self.mistakes.is_empty() {
+            return None;
         }
         self.missing(&all, &system, &task);
         let draws = self.draws(draws, &all)?;
@@ -203,6 +207,8 @@ impl Reader<'_, '_> {
                     symbols.states.iter().chain(&symbols.parameters).map(String::as_str).collect();
                 let hint = if matches!(name, "order" | "scalar") {
                     "; order and scalar are lists in [task]"
+                } else if matches!(name, "start" | "at") {
+                    "; a start is an axis for each variable: values, a range or a draw"
                 } else {
                     ""
                 };
