@@ -146,8 +146,8 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     /// What the error is at most, as a multiple of the largest component; infinite where nothing is
     /// known.
     pub(super) fn bound(&self) -> f64 {
-        let bound = f64::from((self.error / self.largest()).into()) * V::UNIT;
-        if bound.is_nan() { f64::INFINITY } else { bound }
+        let units: f64 = (self.error / self.largest()).into();
+        if units.is_nan() { f64::INFINITY } else { units * V::UNIT }
     }
 
     #[inline(always)]

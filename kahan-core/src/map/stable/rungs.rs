@@ -201,10 +201,7 @@ where
     } else if is_exactly_zero(&denominator) {
         Reason::Pole
     } else {
-        match by_elimination(map, &x, &eps, next) {
-            None => return None,
-            Some(reason) => reason,
-        }
+        by_elimination(map, &x, &eps, next)?
     };
     report(reason, rounded(&determinant), bound)
 }
