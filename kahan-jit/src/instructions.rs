@@ -126,3 +126,30 @@ impl Sealed for f64 {
 
 impl Float for f32 {}
 impl Float for f64 {}
+
+#[cfg(test)]
+mod tests {
+    use super::InstructionSet;
+
+    /// Tests of code pass over sets that a processor lacks, so that what is said of it is pinned
+    /// here, with the processor's own words.
+    #[cfg(target_arch = "x86_64")]
+    #[test]
+    fn a_set_is_available_where_all_of_its_extensions_are() {
+        let available = InstructionSet::ALL.map(|set| {
+            let all = set.extensions().iter().all(|(_, is_detected)| is_detected());
+            assert_eq!(set.is_available(), all, "{set:?}");
+            all
+        });
+        assert_eq!(available[0], std::arch::is_x86_feature_detected!("avx"));
+        // A larger set has all that a smaller one has.
+        assert!(available.is_sorted_by(|smaller, larger| smaller >= larger), "{available:?}");
+        let count = available.iter().filter(|&&is_available| is_available).count();
+        assert_eq!(InstructionSet::best(), count.checked_sub(1).map(|last| InstructionSet::ALL[last]));
+    }
+
+    #[test]
+    fn all_but_the_smallest_set_fuse() {
+        assert_eq!(InstructionSet::ALL.map(InstructionSet::has_fused), [false, true, true]);
+    }
+}

@@ -154,14 +154,17 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// beside each of its values, first in the scalar's own precision, and where that proves too
     /// little in the next (`f64` for an `f32`, [`Dd`](crate::Dd) for an `f64`), then in 17 digits
     /// of 64 bits, wherever these lie, where nothing overflows and sums of terms of any sizes are
-    /// exact. An ordinary point gets the bits of [`step`](Self::step) at little more than its
-    /// price, and points near poles or far out at a multiple of it; `BENCHMARKS.md` has the times.
-    /// Nothing is allocated, but without optimisation the last rungs need some of the stack: the
-    /// more, the more variables a dense field has.
+    /// exact. What these leave open (terms a thousand powers of ten apart) elimination settles over
+    /// 256 such digits: that takes milliseconds and allocates, and needs `std`. An ordinary point
+    /// gets the bits of [`step`](Self::step) at little more than its price, and points near poles or
+    /// far out at a multiple of it; `BENCHMARKS.md` has the times. Until the last rung nothing is
+    /// allocated, but without optimisation the wide numbers need some of the stack: the more, the
+    /// more variables a dense field has.
     ///
     /// In more than eight variables `Ok` holds finite numbers with a small componentwise backward
-    /// error instead, established as strictly after at most two refinements: with A and b exact at
-    /// x, ε and the parameters as given, and k the most entries in a row of A,
+    /// error instead, established as strictly after at most two refinements, or after elimination
+    /// over many digits where numbers leave the range: with A and b exact at x, ε and the
+    /// parameters as given, and k the most entries in a row of A,
     ///
     ///   |A·x̃ − b|ᵢ ≤ (k + 8) u (|A|·|x̃| + |b|)ᵢ   for every i.
     ///
@@ -171,7 +174,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///
     /// # Errors
     /// [`SingularStep`] at a pole, at a point that is not finite, where x̃ is beyond the scalar's
-    /// range, and where not even 17 digits settle the bound; it says which of these is the case.
+    /// range, and where not even the last digits settle the bound; it says which of these is the case.
     #[inline(always)]
     fn try_step(&self, x: &SVector<T, N>, eps: T) -> Result<SVector<T, N>, SingularStep>
     where

@@ -17,6 +17,7 @@ const RULES: &str = "-p kahan-core --features exact --lib -- stable::tests";
 const DIGITS: &str = "-p kahan-core --features exact --lib -- wide::tests";
 const BOUNDED: &str = "kahan-core/src/scalar/bounded/mod.rs";
 const OPERATIONS: &str = "kahan-core/src/scalar/bounded/rules.rs";
+const FORMATS: &str = "kahan-core/src/scalar/bounded/formats.rs";
 const ATTEMPT: &str = "kahan-core/src/map/stable/attempt.rs";
 const RUNGS: &str = "kahan-core/src/map/stable/rungs.rs";
 const WIDE: &str = "kahan-core/src/scalar/wide/arithmetic.rs";
@@ -31,6 +32,16 @@ const CERTIFICATE: &str = "kahan-measure/src/reference/certificate.rs";
 
 const fn rule(name: &'static str, file: &'static str, text: &'static str, weaker: &'static str) -> Weakening {
     Weakening { name, file, text, weaker, tests: RULES }
+}
+
+const fn known(name: &'static str, text: &'static str, weaker: &'static str) -> Weakening {
+    Weakening {
+        name,
+        file: "kahan-core/src/scalar/bounded/known.rs",
+        text,
+        weaker,
+        tests: "-p kahan-core --features exact --lib -- bounded::known",
+    }
 }
 
 const fn digit(
@@ -89,16 +100,16 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     rule("divisors that may be zero", OPERATIONS,
         "V::Magnitude::of(64.0) * divisor.gamma()", "V::Magnitude::of(1.0) * divisor.gamma()"),
     rule("a weight without the error of the reciprocal", BOUNDED,
-        "None => self.value().size() * gamma + self.error(),", "None => self.value().size() * gamma,"),
+        "None => self.value().size() * gamma + self.magnitude() * own + allowance,", "None => self.value().size() * gamma + allowance,"),
     rule("a weight without the error of a chain", BOUNDED,
-        "self.value().size() * (gamma + ratio * slack)", "self.value().size() * (gamma + ratio * slack * V::Magnitude::of(0.0))"),
+        "(gamma + ratio * (V::Magnitude::of(SLACK) * own))", "(gamma + ratio * (V::Magnitude::of(0.0) * own))"),
     rule("a known radius that is forgotten", OPERATIONS,
         "let magnitude = value.size() + radius / V::Magnitude::of(V::UNIT);", "let magnitude = value.size();"),
     // Underflow.
     rule("no allowance for underflow", BOUNDED,
         "self.magnitude() * self.gamma() + V::Magnitude::of(V::RANGE.allowance)", "self.magnitude() * self.gamma()"),
     rule("no allowance in the weight of a chain", BOUNDED,
-        "(gamma + ratio * slack) + V::Magnitude::of(V::RANGE.allowance)", "(gamma + ratio * slack)"),
+        "(V::Magnitude::of(SLACK) * own)) + allowance", "(V::Magnitude::of(SLACK) * own))"),
     rule("no allowance for numerators", BOUNDED,
         "V::RANGE.allowance / (V::UNIT * f64::from(roundings.saturating_add(1)))", "0.0 * f64::from(roundings)"),
     rule("a least divisor that is not looked at", OPERATIONS,
@@ -113,23 +124,58 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         "saturating_add(2 * V::RANGE.bits_of_divisors)", "saturating_add(0 * V::RANGE.bits_of_divisors)"),
     rule("a constant over eps without bits", OPERATIONS,
         "bits: self.bits.saturating_add(V::RANGE.bits_of_steps),", "bits: self.bits,"),
-    rule("an allowance for singles that is none", "kahan-core/src/scalar/bounded/formats.rs",
-        "allowance: power_of_two(-40),", "allowance: power_of_two(-80),"),
-    rule("an allowance for doubles that is none", "kahan-core/src/scalar/bounded/formats.rs",
-        "allowance: power_of_two(-150),", "allowance: power_of_two(-420),"),
+    rule("an allowance for singles that is none", FORMATS,
+        "Range::of(LOST_OF_SINGLES, -40,", "Range::of(LOST_OF_SINGLES - 40, -80,"),
+    rule("an allowance for doubles that is none", FORMATS,
+        "const LOST_OF_DOUBLES: i32 = -1074;", "const LOST_OF_DOUBLES: i32 = -1174;"),
+    // The premises of the bounds.
+    rule("constants of more bits than there are", BOUNDED,
+        "|| self.bits > bits_of_products;", "|| self.bits > bits_of_products + 900;"),
+    rule("more underflows than the allowance is made for", BOUNDED,
+        "|| self.underflows > MOST_UNDERFLOWS", "|| self.underflows > 2 * MOST_UNDERFLOWS"),
+    rule("more roundings than the slack pays for", BOUNDED,
+        "(0.1 / V::UNIT) as u32", "(0.2 / V::UNIT) as u32"),
+    rule("an unknown value that allows any input", BOUNDED,
+        "let bits = u32::MAX;", "let bits = 0;"),
+    rule("literals that never underflow", BOUNDED,
+        "underflows: roundings,", "underflows: 0,"),
+    rule("an eps beyond its bits", BOUNDED,
+        "(1.0 / most..=most).contains(&size)", "(0.0 / most..=f64::INFINITY).contains(&size)"),
+    rule("a quotient with the inputs of its dividend", OPERATIONS,
+        "inputs: self.inputs.saturating_add(divisor.inputs),", "inputs: self.inputs,"),
+    rule("a quotient with the underflows of its dividend", OPERATIONS,
+        "underflows: self.underflows.saturating_add(divisor.underflows).saturating_add(1),",
+        "underflows: self.underflows.saturating_add(1),"),
+    rule("a product that does not underflow", OPERATIONS,
+        "underflows: self.underflows.saturating_add(other.underflows).saturating_add(1),",
+        "underflows: self.underflows.saturating_add(other.underflows),"),
+    rule("singles that lose less than they do", FORMATS,
+        "const LOST_OF_SINGLES: i32 = -149;", "const LOST_OF_SINGLES: i32 = -150;"),
+    rule("pairs of doubles that lose less than is stated of them", FORMATS,
+        "const LOST_OF_PAIRS: i32 = -1070;", "const LOST_OF_PAIRS: i32 = -1072;"),
+    rule("what one of two values allows", "kahan-core/src/scalar/bounded/limit.rs",
+        "Self(self.0.min(other.0))", "Self(other.0)"),
+    rule("a limit that is twice as large", "kahan-core/src/scalar/bounded/limit.rs",
+        "Self(n) => power_of_two(n as i32 - 1),", "Self(n) => power_of_two(n as i32),"),
+    known("a backward error with inputs of any size",
+        "if limit.allows(largest) && error >= 0.0", "if error >= 0.0"),
+    known("a residual without its own error",
+        "(residual.size + residual.error, products", "(residual.size, products"),
+    known("a right-hand side that may be zero",
+        "if G::of(64.0) * self.error <= self.size", "if self.error <= self.size"),
     // Steps.
     rule("an attempt without the weights of reciprocals", ATTEMPT,
         "Some(reciprocal) => reciprocal.weight(roundings),", "Some(reciprocal) => reciprocal.weight(0),"),
     rule("an attempt as N/D without an error", ATTEMPT,
-        "error: largest::<V, N>(quotients.map(|quotient| quotient.error())),",
+        "error: largest::<V, N>(quotients.map(|quotient| quotient.error())) / V::Magnitude::of(V::UNIT),",
         "error: largest::<V, N>(quotients.map(|quotient| quotient.error())) * V::Magnitude::of(0.0),"),
     rule("a narrower scalar that does not round", ATTEMPT,
         "(exactly(&rounded[i]) - self.next[i]).size()", "(exactly(&rounded[i]) - self.next[i]).size() * V::Magnitude::of(0.0)"),
     rule("inputs of any size", ATTEMPT,
-        "(attempt.largest_input() > sum.get()).then_some(attempt)", "(attempt.largest_input() > V::Magnitude::zero()).then_some(attempt)"),
+        "attempt.largest_input.allows(sum.get()).then_some(attempt)", "attempt.largest_input.allows(V::Magnitude::zero()).then_some(attempt)"),
     rule("a promise of ten times as much", RUNGS,
         "const PROMISE: f64 = 63.0;", "const PROMISE: f64 = 630.0;"),
-    rule("a pair of floats that is better than it is", "kahan-core/src/scalar/bounded/formats.rs",
+    rule("a pair of floats that is better than it is", FORMATS,
         "f64::EPSILON * f64::EPSILON * 4.0", "f64::EPSILON * f64::EPSILON * 3.0"),
     // The last rungs' numbers.
     digit("a product without the radius of a factor", WIDE,
@@ -143,7 +189,7 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     digit("digits that are cut off and forgotten", "kahan-core/src/scalar/wide/rows.rs",
         "map_or(self.cut, |&digit| self.cut + from_here_on(digit))", "map_or(self.cut, |_| self.cut)"),
     digit("a division that ends early", "kahan-core/src/scalar/wide/rows.rs",
-        "64 * (DIGITS + 1) / 48 + 1", "64 * (DIGITS + 1) / 60 - 2"),
+        "64 * (M / 2 - 2) / 48 + 1", "64 * (M / 2 - 2) / 60 - 2"),
     // Pairs of floats: what their operations do, and what is stated of them.
     Weakening { name: "a sum of pairs without its last rest", file: MODERATE, tests: PAIRS,
         text: "fast_two_sum(sum, rest + error)", weaker: "fast_two_sum(sum, error)" },

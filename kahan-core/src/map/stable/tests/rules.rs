@@ -183,6 +183,8 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
                 (numerator.clone(), reciprocal.clone(), numerator.times(&reciprocal))
             });
             let weight = reciprocal.bounded.weight(numerator.bounded.roundings());
+            // So that a bound overflows where the increment does.
+            assert!(f64::of(weight) >= reciprocal.bounded.value().size());
             let bound = f64::of(weight) * numerator.bounded.magnitude() * Worst::<FINE>::UNIT;
             let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
             // n + 1 for the numerator and the product, and (d + 1)·2 for a reciprocal that errs by
