@@ -50,7 +50,8 @@ where
     T: Promised,
     M: Lift<T, N>,
 {
-    if divides_by_eps::<T>() && !may_divide_by(eps) {
+    // As the bounded values decide it, so that no code asks twice.
+    if divides_by_eps::<T>() && !may_divide_by(&Bounded::<T>::given(*eps)) {
         return in_general_form(map, vector(from_fn(|i| x[i])), *eps);
     }
     in_one_form(map, x, eps)
