@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use kahan_algebra::diagnostics::brief;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_systems::lattices;
@@ -188,7 +189,11 @@ impl Source {
             1 => "is taken as a parameter",
             _ => "are taken as parameters",
         };
-        Some(format!("{}{more} {taken}: nothing defines {}{more}", names.join(", "), equations.join(", ")))
+        Some(brief(&format!(
+            "{}{more} {taken}: nothing defines {}{more}",
+            names.join(", "),
+            equations.join(", ")
+        )))
     }
 
     /// The values of all parameters of a system, in their order.

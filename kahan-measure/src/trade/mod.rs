@@ -201,7 +201,6 @@ const LONG: Duration = Duration::from_secs(1 << 32);
 
 impl Study<'_> {
     fn finish(mut self) -> Trade {
-        self.settings.sort_by(|a, b| a.nanoseconds_per_unit_time.total_cmp(&b.nanoseconds_per_unit_time));
         front::mark(&mut self.settings);
         for index in 0..self.settings.len() {
             if self.settings[index].on_front {

@@ -11,6 +11,7 @@ use crate::reference::Reference;
 use super::Measured;
 use super::clock::Clock;
 use super::drift::{Drift, Integrals};
+use super::front::better;
 use super::runner::Runner;
 use super::stops::stops;
 
@@ -180,11 +181,6 @@ impl Study<'_> {
     pub(super) fn best(&self) -> Option<usize> {
         let meets = self.settings.iter().enumerate();
         let meets = meets.filter(|(_, measured)| measured.error() <= self.tolerance);
-        // Of two at one price the more accurate.
-        let better = |a: &Measured, b: &Measured| {
-            let price = a.nanoseconds_per_unit_time.total_cmp(&b.nanoseconds_per_unit_time);
-            price.then(a.error().total_cmp(&b.error()))
-        };
         meets.min_by(|(_, a), (_, b)| better(a, b)).map(|(index, _)| index)
     }
 
