@@ -15,6 +15,7 @@ use kahan_algebra::system::System;
 use super::shapes::{Grid, Shape, shapes};
 use super::{Scan, Sight};
 use crate::claims::{Claims, Formula};
+use crate::hilbert::default_degree;
 use crate::report::Options;
 use crate::stages::discover;
 
@@ -145,7 +146,9 @@ impl<'a> Prover<'a> {
     /// ε it gives.
     fn restricted(&self, polynomial: &Polynomial, time: Duration) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
-        let mut options = Options { seconds: time.as_secs_f64(), ..self.options.clone() };
+        // With a degree the search ends where that is looked at: a scan has many relations to prove.
+        let degree = Some(self.options.degree.unwrap_or_else(|| default_degree(symbols.dimension())));
+        let mut options = Options { seconds: time.as_secs_f64(), degree, ..self.options.clone() };
         let mut relations = Relations::default();
         let name = relations.add(polynomial, &[]).ok()?;
         let value = relations.value(name)?;
