@@ -25,8 +25,10 @@ pub(super) const REFINEMENTS: usize = 2;
 
 /// The memory of steps that promise.
 pub(super) struct Promise<T: LatticeScalar> {
-    /// `None` where a divisor of the constants cannot be told from zero.
+    /// `None` where a divisor of the constants is too small for these numbers; the wider ones judge
+    /// alone then.
     near: Option<Rows<T::Near>>,
+    /// `None` where a divisor of the constants cannot be told from zero.
     far: Option<Rows<T::Far>>,
     /// The largest of ε and the parameters.
     largest: f64,
@@ -75,20 +77,22 @@ impl<T: LatticeScalar> Promise<T> {
     /// The backward error of `next` in units of (k + 8)·u, at most; infinite where it is not known.
     /// Leaves the residual.
     pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {
-        let Self { near: Some(near), far: Some(far), before, residual, .. } = self else {
+        let Self { near, far: Some(far), before, residual, .. } = self else {
             return f64::INFINITY;
         };
         let block = M::Shape::BLOCK;
         let largest = before.iter().chain(next).fold(self.largest, larger);
         let mut worst = 0.0_f64;
         for i in 0..before.len() / block {
-            near.site.rows(map, &near.constants, before, i, T::Near::given);
+            if let Some(near) = near {
+                near.site.rows(map, &near.constants, before, i, T::Near::given);
+            }
             for b in 0..block {
-                let mut rest = near.rest::<M, T>(b, before, next, largest);
-                if rest.bound > 1.0 {
+                let rest = near.as_ref().map(|near| near.rest::<M, T>(b, before, next, largest));
+                let rest = rest.filter(|rest| rest.bound <= 1.0).unwrap_or_else(|| {
                     far.site.rows(map, &far.constants, before, i, T::Far::given);
-                    rest = far.rest::<M, T>(b, before, next, largest);
-                }
+                    far.rest::<M, T>(b, before, next, largest)
+                });
                 residual[i * block + b] = rest.residual;
                 worst = rest.bound.max(worst);
             }

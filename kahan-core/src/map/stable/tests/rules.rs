@@ -219,6 +219,8 @@ fn a_known_radius_is_the_error() {
     // A divisor of many digits leaves a remainder.
     let sum = Bounded::<Wide>::given(Wide::from(1e300)) + Bounded::given(Wide::from(3e-300));
     let quotient = exact.quotient(sum).expect("a quotient");
+    // Where nothing underflows no divisor is too small.
+    assert!(exact.quotient(Bounded::given(Wide::from(1e-300))).is_some());
     let radius = quotient.value().radius();
     assert!(radius > Size::from(0.0) && quotient.error() >= radius);
     assert!(quotient.magnitude() * Size::from(Wide::UNIT) >= radius);
