@@ -1,5 +1,5 @@
-//! What the targets run: inputs from bytes, and what must hold of whatever becomes of them. Parts of
-//! our crates that are private there are compiled once more.
+//! What the targets run: inputs from bytes, and what must hold of whatever becomes of them. Parts
+//! of our crates that are private there are compiled once more.
 
 #[path = "../../kahan-jit/src/tests/draw.rs"]
 #[expect(dead_code, reason = "the crate has tests that draw programs in another way")]

@@ -76,8 +76,8 @@ pub fn read(tokens: &[Token]) -> Reading {
     Reading { system, family: None, diagnostics: diagnostics.finish() }
 }
 
-/// The seed of the prover's points: a hash of the block's text, so that builds are reproducible, and
-/// one that nobody can steer, so that no claim can be written for the points it is tested at.
+/// The seed of the prover's points: a hash of the block's text, so that builds are reproducible,
+/// and one that nobody can steer, so that no claim can be written for the points it is tested at.
 #[must_use]
 pub fn seed(tokens: &[Token]) -> [u8; 32] {
     let text: Vec<&str> = tokens.iter().map(|token| token.text.as_str()).collect();

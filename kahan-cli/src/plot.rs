@@ -299,8 +299,8 @@ fn names_of_axes(names: &Markup) -> Markup {
     html! { g font-size="13" font-style="italic" { (Paint::NAMES.group(names)) } }
 }
 
-/// Words on top of what is drawn there, with paper around them; they are written twice, as not every
-/// program that reads SVG can paint the outline of a letter below it.
+/// Words on top of what is drawn there, with paper around them; they are written twice, as not
+/// every program that reads SVG can paint the outline of a letter below it.
 fn haloed(paint: Paint, weight: u32, words: &Markup) -> Markup {
     html! {
         g font-size="12.5" font-weight=(weight) {

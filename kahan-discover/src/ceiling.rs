@@ -56,8 +56,9 @@ const WORK: usize = 100_000_000;
 /// As many trials are made with the same values of the parameters.
 const TRIALS_A_DRAW: usize = 40;
 
-/// The lowest ceiling that was found in so many `trials` at most, the search being over with the first that is `enough` or
-/// lower; `None` where no zero was found, where ε is fixed, or in more than 24 variables.
+/// The lowest ceiling that was found in so many `trials` at most, the search being over with the
+/// first that is `enough` or lower; `None` where no zero was found, where ε is fixed, or in more
+/// than 24 variables.
 pub fn ceiling(
     setting: &Setting,
     enough: usize,
@@ -290,7 +291,8 @@ mod tests {
     /// No ceiling lies below what is known to exist.
     #[test]
     fn ceilings_of_fields_whose_integrals_are_known() {
-        // The pendulum-like Weierstrass equation, the chains of three and five sites, the Euler top.
+        // The pendulum-like Weierstrass equation, the chains of three and five sites, the Euler
+        // top.
         assert_eq!(of("xdot = y; ydot = 6*x^2 - a;", None), Some(1));
         assert_eq!(of("xdot = x*(y - z); ydot = y*(z - x); zdot = z*(x - y);", None), Some(2));
         assert_eq!(of("xdot = a1*y*z; ydot = a2*z*x; zdot = a3*x*y;", None), Some(2));

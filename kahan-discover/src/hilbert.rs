@@ -105,9 +105,9 @@ impl Hilbert {
         found
     }
 
-    /// Looks at one orbit up to a higher degree. Its ranks are those of a generic orbit or lower, so
-    /// that one orbit on which no integral is added shows that none is; where some are added, all
-    /// four orbits are looked at. `None` as for [`of`](Self::of).
+    /// Looks at one orbit up to a higher degree. Its ranks are those of a generic orbit or lower,
+    /// so that one orbit on which no integral is added shows that none is; where some are added,
+    /// all four orbits are looked at. `None` as for [`of`](Self::of).
     ///
     /// Cost: N² h products where nothing is added.
     pub fn further(

@@ -13,12 +13,12 @@
 //!
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`] (the tools);
 //! [`stepping`], [`family`], [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`],
-//! [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`lift`], [`weights`], [`grading`], [`space`]
-//! (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`], [`constrained`],
-//! [`independent`], `reduction`, `collector`, [`integrals`]; [`darboux`], `brackets`;
-//! [`structure`], [`determinant`], [`hamiltonian`]; [`composition`]; `writing`, [`claims`],
-//! [`report`]; [`mod@scan`] looks for special values on a grid, [`mod@poles`] follows what the map
-//! sends to infinity or blows down.
+//! [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`lift`], [`weights`],
+//! [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`],
+//! [`constrained`], [`independent`], `reduction`, `collector`, [`integrals`]; [`darboux`],
+//! `brackets`; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`]; `writing`,
+//! [`claims`], [`report`]; [`mod@scan`] looks for special values on a grid, [`mod@poles`] follows
+//! what the map sends to infinity or blows down.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};

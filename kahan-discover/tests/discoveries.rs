@@ -308,9 +308,9 @@ fn a_modified_hamiltonian_too_long_to_be_written_counts() {
     assert_eq!((found.independent_integrals(), found.integrals.len(), found.not_reached()), (2, 1, 0));
 }
 
-/// Five sites of Bogoyavlenskij and Itoh's chain show one integral in the usual degree, 4. In degree
-/// 5 there is a second one beside the modified Hamiltonian, and a fixed point of the map says that
-/// these three are all.
+/// Five sites of Bogoyavlenskij and Itoh's chain show one integral in the usual degree, 4. In
+/// degree 5 there is a second one beside the modified Hamiltonian, and a fixed point of the map
+/// says that these three are all.
 #[test]
 fn degrees_go_on_until_nothing_can_be_missing() {
     let chain = "adot = a*(b + c - d - e); bdot = b*(c + d - e - a); cdot = c*(d + e - a - b);

@@ -1,7 +1,7 @@
 //! Random fields of odd tempers as a user compiles them, each step judged by exact arithmetic.
 //!
-//! `cargo test --release -p kahan-measure --test compiled_extremes -- --ignored --nocapture` writes a
-//! crate into the target folder, with `kahan-core` as its one dependency: forty fields of 1 to 8
+//! `cargo test --release -p kahan-measure --test compiled_extremes -- --ignored --nocapture` writes
+//! a crate into the target folder, with `kahan-core` as its one dependency: forty fields of 1 to 8
 //! variables, twelve of 9 to 40, and eight chains. It builds it, has it try each step
 //! on seeded points in `f32`, `f64` and `Dd`, and judges what it returned: points and results pass
 //! through files as bits, so that the crate knows no judge. `KAHAN_ODD=0,200,100` in the
@@ -185,8 +185,8 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace").to_owned()
 }
 
-/// Builds the crate of these fields as a user does, but for the level of optimisation, which changes
-/// no bits: at the highest sixty fields take minutes more. Its program.
+/// Builds the crate of these fields as a user does, but for the level of optimisation, which
+/// changes no bits: at the highest sixty fields take minutes more. Its program.
 fn build(fields: &[Tried]) -> PathBuf {
     let folder = root().join("target").join("compiled_extremes");
     fs::create_dir_all(folder.join("src")).expect("a folder can be made");

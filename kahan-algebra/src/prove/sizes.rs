@@ -14,8 +14,8 @@
 //! at most 16. Points are independent, so k of them err with probability at most e^k, e = 16 (b/60
 //! · 2⁻⁵⁴ + deg F · 2⁻⁶⁰), and k is chosen such that e^k < 2⁻¹⁰⁰; it is never below 3. "Random" is
 //! SHAKE256 of the block's text, 256 bits of it: more than any such bound needs, builds are
-//! reproducible, and whoever writes a block cannot aim at its primes except by trial. deg F and b come from running the very same
-//! residuals in the arithmetic of sizes ([`Sizes`]).
+//! reproducible, and whoever writes a block cannot aim at its primes except by trial. deg F and b
+//! come from running the very same residuals in the arithmetic of sizes ([`Sizes`]).
 
 use crate::arithmetic::{Arithmetic, Size, Sizes};
 use crate::system::Claim;

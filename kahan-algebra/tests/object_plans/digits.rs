@@ -360,8 +360,8 @@ impl Draw {
         sign * size * self.between(0.5, 1.0)
     }
 
-    /// Parameters that may lie near each other (p, q and s) and near −1 (r), and states that may lie
-    /// near 1 and near each other.
+    /// Parameters that may lie near each other (p, q and s) and near −1 (r), and states that may
+    /// lie near 1 and near each other.
     fn point(&mut self, system: &System) -> Point<f64> {
         let p = self.between(0.5, 2.0);
         let q = p - self.distance();
@@ -386,8 +386,8 @@ impl Draw {
         Point { state, parameters, eps: self.between(0.01, 0.2) }
     }
 
-    /// A field in two or three variables, each equation up to three terms of degree at most 2 before
-    /// which parameters stand in differences and divisors.
+    /// A field in two or three variables, each equation up to three terms of degree at most 2
+    /// before which parameters stand in differences and divisors.
     fn field(&mut self) -> String {
         let states = &["x", "y", "z"][..2 + self.below(2)];
         let mut text = String::new();

@@ -77,9 +77,9 @@ pub(crate) struct Extremes {
     ///
     /// It holds system, systems, trials, seed, seconds, random_fields (name, text), odd_fields (how
     /// many), cells (regime,
-    /// tier, scalar, trials, max_error_u, flagged, unjustified_flags, silently_wrong), broken (name,
-    /// text, silently_wrong, unjustified_flags, first; of the systems that break the promise),
-    /// failures.
+    /// tier, scalar, trials, max_error_u, flagged, unjustified_flags, silently_wrong), broken
+    /// (name, text, silently_wrong, unjustified_flags, first; of the systems that break the
+    /// promise), failures.
     #[arg(long)]
     json: bool,
 }

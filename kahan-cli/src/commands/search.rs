@@ -30,8 +30,8 @@ pub(crate) struct Search {
     /// The time that the search may take.
     ///
     /// Each stage has its share, orbits and their relations up to two fifths. What is not finished
-    /// then is left out, and the answer says so. `discover` takes all of it only where integrals may
-    /// be missing; --degree ends it earlier, with the same answer on every machine.
+    /// then is left out, and the answer says so. `discover` takes all of it only where integrals
+    /// may be missing; --degree ends it earlier, with the same answer on every machine.
     #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
     pub(crate) seconds: f64,
 

@@ -27,9 +27,9 @@ pub(super) use comparison::Comparison;
 /// over the whole horizon, at the times of the steps and with the last point standing for the
 /// horizon, in the maximum norm, relative to the trajectory's largest coordinate. The trajectory is
 /// a Taylor series in 32 digits that agrees with a second method (the closed solution, where the
-/// catalog has one, else a composition of order 8) to a hundredth of the tolerance; what they differ
-/// by is taken off the tolerance. Where they do not agree, or the solution escapes to infinity within
-/// the horizon, the command refuses.
+/// catalog has one, else a composition of order 8) to a hundredth of the tolerance; what they
+/// differ by is taken off the tolerance. Where they do not agree, or the solution escapes to
+/// infinity within the horizon, the command refuses.
 ///
 /// integrals: to keep the claimed integrals (those without `when`). The error is the largest change
 /// over the horizon relative to the value at the beginning, evaluated in 32 digits at the eps of
@@ -48,9 +48,9 @@ pub(super) use comparison::Comparison;
 /// makes these products rounded, what the map conserves drifts linearly, compensated or not. At
 /// higher orders the stages round theirs anyway. What is timed is machine code with the operations
 /// of the macro's code in the same order; compiled into a program of yours the macro's takes 0.9 to
-/// 1.5 times as long, and in f32 up to twice, so f32 is taken to be no cheaper than f64. Where there
-/// is no machine code, E6 is timed and its prices are scaled by what the two steps are counted to
-/// cost. Where no setting meets the tolerance the exit status is 1.
+/// 1.5 times as long, and in f32 up to twice, so f32 is taken to be no cheaper than f64. Where
+/// there is no machine code, E6 is timed and its prices are scaled by what the two steps are
+/// counted to cost. Where no setting meets the tolerance the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Trade {

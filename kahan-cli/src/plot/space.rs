@@ -1,5 +1,5 @@
-//! Orbits in space: a parallel projection of a box with its axes, near points and lines wider than far
-//! ones.
+//! Orbits in space: a parallel projection of a box with its axes, near points and lines wider than
+//! far ones.
 
 use maud::{Markup, html};
 

@@ -165,9 +165,9 @@ impl Source {
         self.file.as_deref().is_some_and(|path| path == Path::new("-"))
     }
 
-    /// A note on the names that a text without a header uses and nothing declares, where a value for
-    /// them is neither given nor gone through in `ranges`, `NAME=…`. Standard input is not read for
-    /// it: what comes from there is said when the command reads it.
+    /// A note on the names that a text without a header uses and nothing declares, where a value
+    /// for them is neither given nor gone through in `ranges`, `NAME=…`. Standard input is not read
+    /// for it: what comes from there is said when the command reads it.
     pub(crate) fn undeclared(&self, ranges: &[String]) -> Option<String> {
         let block = if self.is_input() { None } else { self.named_block().ok().flatten() };
         self.undeclared_in(&block?, ranges)

@@ -136,14 +136,14 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
 
     /// One step with a promise, in place; the state stays as it is where there is none.
     ///
-    /// `Ok` says of x̃, for this very call, that |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for every
-    /// unknown i: A(x,ε) and b(x,ε) = x + εBx + 2εc are exact at the floats as given, and k is the
-    /// number of entries in the row of A. An exact scalar's step is exact.
+    /// `Ok` says of x̃, for this very call, that |A·x̃ − b|ᵢ ≤ (k + 8)·u·(|A|·|x̃| + |b|)ᵢ for
+    /// every unknown i: A(x,ε) and b(x,ε) = x + εBx + 2εc are exact at the floats as given, and k
+    /// is the number of entries in the row of A. An exact scalar's step is exact.
     ///
     /// # Errors
-    /// At a pole, where x̃ is not finite or leaves the range, and where neither two refinements nor,
-    /// in chains of up to 4096 numbers, an elimination over many digits keeps the promise. That
-    /// elimination allocates.
+    /// At a pole, where x̃ is not finite or leaves the range, and where neither two refinements
+    /// nor, in chains of up to 4096 numbers, an elimination over many digits keeps the promise.
+    /// That elimination allocates.
     ///
     /// # Panics
     /// If the state is not of this chain's length.

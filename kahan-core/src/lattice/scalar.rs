@@ -45,8 +45,8 @@ pub(super) trait Solved: Sized {
     /// How many parts of a chain are eliminated side by side; none for scalars without lanes.
     const PARTS: Option<usize> = None;
 
-    /// x̃ by elimination over numbers of many digits; none of an exact scalar, whose steps are exact,
-    /// and of very long chains.
+    /// x̃ by elimination over numbers of many digits; none of an exact scalar, whose steps are
+    /// exact, and of very long chains.
     fn eliminated<M: LatticeMap<Self>>(_map: &M, _eps: &Self, _x: &[Self]) -> Option<Vec<Self>>
     where
         Self: LatticeScalar,

@@ -156,10 +156,10 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// of 64 bits, wherever these lie, where nothing overflows and sums of terms of any sizes are
     /// exact. What these leave open (terms a thousand powers of ten apart) elimination settles over
     /// 256 such digits: that takes milliseconds and allocates, and needs `std`. An ordinary point
-    /// gets the bits of [`step`](Self::step) at little more than its price, and points near poles or
-    /// far out at a multiple of it; `BENCHMARKS.md` has the times. Until the last rung nothing is
-    /// allocated, but without optimisation the wide numbers need some of the stack: the more, the
-    /// more variables a dense field has.
+    /// gets the bits of [`step`](Self::step) at little more than its price, and points near poles
+    /// or far out at a multiple of it; `BENCHMARKS.md` has the times. Until the last rung nothing
+    /// is allocated, but without optimisation the wide numbers need some of the stack: the more,
+    /// the more variables a dense field has.
     ///
     /// In more than eight variables `Ok` holds finite numbers with a small componentwise backward
     /// error instead, established as strictly after at most two refinements, or after elimination
@@ -174,7 +174,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     ///
     /// # Errors
     /// [`SingularStep`] at a pole, at a point that is not finite, where x̃ is beyond the scalar's
-    /// range, and where not even the last digits settle the bound; it says which of these is the case.
+    /// range, and where not even the last digits settle the bound; it says which of these is the
+    /// case.
     #[inline(always)]
     fn try_step(&self, x: &SVector<T, N>, eps: T) -> Result<SVector<T, N>, SingularStep>
     where

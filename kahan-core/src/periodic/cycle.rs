@@ -21,9 +21,9 @@ pub struct PeriodicPoint {
     /// The dimension of the family of cycles of this period that it belongs to, 0 where it stands
     /// alone: how many directions ∂φᵖ/∂x leaves as they are.
     pub family: usize,
-    /// About the largest coordinate of its points, or of the point that it was found from where that
-    /// is larger, as the cycle may be a point whose coordinates are all 0: what lengths are compared
-    /// with.
+    /// About the largest coordinate of its points, or of the point that it was found from where
+    /// that is larger, as the cycle may be a point whose coordinates are all 0: what lengths are
+    /// compared with.
     pub(super) size: f64,
     /// How far a multiplier of size 1 may be from it by rounding.
     pub(super) rounding: f64,
@@ -101,15 +101,15 @@ impl PeriodicPoint {
         self.multipliers.iter().filter(|one| size(one) > 1.0 + self.rounding).count()
     }
 
-    /// What lengths near it are compared with: the largest coordinate of its points, or about that of
-    /// the point it was found from, where that is larger.
+    /// What lengths near it are compared with: the largest coordinate of its points, or about that
+    /// of the point it was found from, where that is larger.
     #[must_use]
     pub fn size(&self) -> f64 {
         self.size
     }
 
-    /// The cycle of these points, judged; in units in which the point it was found from has a size of
-    /// about 1.
+    /// The cycle of these points, judged; in units in which the point it was found from has a size
+    /// of about 1.
     pub(super) fn judged<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>, residual: f64) -> Self {
         let n = map.dimension();
         let largest = cycle.amax().max(map.unit.size);
@@ -140,9 +140,9 @@ pub(super) fn size(multiplier: &Complex<f64>) -> f64 {
 
 /// The periodic point of a map near `start`, whose period divides `period`.
 ///
-/// How near is near enough is relative to the size of `start`, or of the cycle where that is larger,
-/// or of the next point of the orbit where `start` is 0: the answer does not depend on the unit of
-/// length.
+/// How near is near enough is relative to the size of `start`, or of the cycle where that is
+/// larger, or of the next point of the orbit where `start` is 0: the answer does not depend on the
+/// unit of length.
 ///
 /// Cost: some rounds of Newton's method, each a decomposition of a matrix of `period` times the
 /// number of variables.

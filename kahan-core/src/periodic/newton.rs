@@ -6,9 +6,9 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Differentiable;
 
-/// A defect that is smaller than this, in units of the cycle's size, counts as none: the square of a
-/// rounding. Newton's method would take a cycle at 0 to the end of the range, where numbers have few
-/// digits.
+/// A defect that is smaller than this, in units of the cycle's size, counts as none: the square of
+/// a rounding. Newton's method would take a cycle at 0 to the end of the range, where numbers have
+/// few digits.
 pub(super) const NOTHING: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
 /// φ(xᵢ) − xᵢ₊₁, one behind the other, the last back to the first; `None` where it is not finite.

@@ -1,8 +1,8 @@
 //! A map in a unit of length of its own, so that no tolerance depends on that of its caller.
 //!
 //! In: a map, and a power of two. Out: the same map of points that are divided by that power, which
-//! rounds nothing. Where the power is about the size of a cycle, the cycle's size is about 1, and its
-//! points can be measured together with a parameter.
+//! rounds nothing. Where the power is about the size of a cycle, the cycle's size is about 1, and
+//! its points can be measured together with a parameter.
 
 use std::vec::Vec;
 

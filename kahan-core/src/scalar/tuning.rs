@@ -15,9 +15,9 @@ use super::bounded::{Bounded, PackedDouble, PackedSingle};
 pub(crate) const BITS_OF_SINGLE_STEPS: u32 = 16;
 /// The same for `f64`.
 pub(crate) const BITS_OF_DOUBLE_STEPS: u32 = 64;
-/// Steps over `f64` itself may divide by ε from 2 to minus this power: parts of a step, and stages of
-/// a composition, whose whole ε is ordinary, then have its form, and the same bits in every unit of
-/// time.
+/// Steps over `f64` itself may divide by ε from 2 to minus this power: parts of a step, and stages
+/// of a composition, whose whole ε is ordinary, then have its form, and the same bits in every unit
+/// of time.
 const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
 /// Whether T is U.

@@ -146,7 +146,8 @@ impl<'a> Prover<'a> {
     /// ε it gives.
     fn restricted(&self, polynomial: &Polynomial, time: Duration) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
-        // With a degree the search ends where that is looked at: a scan has many relations to prove.
+        // With a degree the search ends where that is looked at: a scan has many relations to
+        // prove.
         let degree = Some(self.options.degree.unwrap_or_else(|| default_degree(symbols.dimension())));
         let mut options = Options { seconds: time.as_secs_f64(), degree, ..self.options.clone() };
         let mut relations = Relations::default();

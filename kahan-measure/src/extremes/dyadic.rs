@@ -89,7 +89,8 @@ impl Dyadic {
         })
     }
 
-    /// self/divisor to `bits` bits at least, and the exponent of a unit that the error is less than.
+    /// self/divisor to `bits` bits at least, and the exponent of a unit that the error is less
+    /// than.
     pub(crate) fn quotient(&self, divisor: &Self, bits: u64) -> (Self, i64) {
         let shift = (bits + divisor.integer.bits()).saturating_sub(self.integer.bits()) + 1;
         let exponent = self.exponent - divisor.exponent - shift as i64;

@@ -1,8 +1,8 @@
 //! The equation of a step solved in balls of growing precision, and without a rounding.
 //!
 //! In: the equation at a point, where no reduced map is at hand. Out: x̃ as balls, or as quotients,
-//! and the condition number of the step. A pivot that may be zero is no pivot: then the same is done
-//! with twice as many bits, up to some thousand.
+//! and the condition number of the step. A pivot that may be zero is no pivot: then the same is
+//! done with twice as many bits, up to some thousand.
 
 use std::cmp::Ordering;
 use std::iter::successors;

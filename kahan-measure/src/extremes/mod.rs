@@ -152,8 +152,8 @@ pub fn total(trials: u64) -> u64 {
     3 * trial::with_special_inputs(trials)
 }
 
-/// So many trials of `f32`, `f64` and `Dd` of each of `count` subjects alone, with ten times as many
-/// of every twentieth; the k-th is made when it is its turn.
+/// So many trials of `f32`, `f64` and `Dd` of each of `count` subjects alone, with ten times as
+/// many of every twentieth; the k-th is made when it is its turn.
 ///
 /// `threads` and `progress` as for [`survey`].
 pub fn survey_each(

@@ -81,7 +81,8 @@ impl Certificate {
             };
             let has_gained = before.is_none_or(|before| comparison.gains_on(&before));
             // Where steps are as short as the steepest slope asks for, or the two agree to the last
-            // digits, it is roundings that differ; longer ones may be out of step with a stiff motion.
+            // digits, it is roundings that differ; longer ones may be out of step with a stiff
+            // motion.
             let has_stalled =
                 !has_gained && (steps as f64 >= steepest || comparison.difference < LEAST_DIFFERENCE);
             if comparison.difference <= allowed || has_stalled {

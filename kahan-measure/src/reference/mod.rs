@@ -25,8 +25,8 @@ pub use certificate::{Certificate, Method};
 pub use path::Limits;
 pub use refusal::NoReference;
 
-/// The part of a tolerance that the two methods may differ by, where orbits are to be judged by that
-/// tolerance: it takes errors to a tenth of it, which a tenth of that does not change.
+/// The part of a tolerance that the two methods may differ by, where orbits are to be judged by
+/// that tolerance: it takes errors to a tenth of it, which a tenth of that does not change.
 pub const PART_OF_TOLERANCE: f64 = 1e-2;
 
 /// A certified trajectory x(t), 0 ≤ t ≤ [`end`](Flow::end).

@@ -37,8 +37,8 @@ impl Clock {
                 *least = least.min(time);
             }
         }
-        // A compiler packs steps in single precision, which has made them twice as slow as this code
-        // is, and never much faster.
+        // A compiler packs steps in single precision, which has made them twice as slow as this
+        // code is, and never much faster.
         for index in 0..clock.0.len() {
             let (scheme, time) = clock.0[index];
             if scheme.precision.is_single() {

@@ -33,8 +33,8 @@ impl Map {
     /// each point.
     #[must_use]
     pub fn rational_cycle(&self, eps: &Rational, cycle: &PeriodicPoint) -> Option<RationalCycle> {
-        /// How far the simplest fraction may be from a number, relative to the size of the cycle, the
-        /// nearest first.
+        /// How far the simplest fraction may be from a number, relative to the size of the cycle,
+        /// the nearest first.
         const NEAR: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 
         let start = cycle.points.first()?;

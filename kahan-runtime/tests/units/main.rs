@@ -2,8 +2,8 @@
 //! units, times a power of two.
 //!
 //! Twenty fields in units of length from 2⁻³⁰⁰ to 2³⁰⁰ (`f32`: 2⁻⁴⁰ to 2⁴⁰), and in units of time
-//! in which ε stays within 2^±63. In `f32` the stages of a composition stay within 2^±16, too, beyond
-//! which steps take another form.
+//! in which ε stays within 2^±63. In `f32` the stages of a composition stay within 2^±16, too,
+//! beyond which steps take another form.
 
 mod answers;
 mod chains;

@@ -74,8 +74,8 @@ impl Search {
         }
     }
 
-    /// The field with the integrals that were found, at these values of its parameters, as the words
-    /// of a command; `None` where there are none, or too long ones for a line that one reads.
+    /// The field with the integrals that were found, at these values of its parameters, as the
+    /// words of a command; `None` where there are none, or too long ones for a line that one reads.
     pub(super) fn with_integrals(&self, values: &[(String, Rational)]) -> Option<Vec<String>> {
         /// Longer lines are no reading.
         const LONGEST: usize = 800;

@@ -212,8 +212,8 @@ mod tests {
         assert_eq!(round_below(f64::INFINITY), Rational::one());
     }
 
-    /// A scene in units of length and time that are 2^−k and 2^−j of the ordinary ones, brought back
-    /// to these.
+    /// A scene in units of length and time that are 2^−k and 2^−j of the ordinary ones, brought
+    /// back to these.
     fn in_unit(text: &str, [k, j]: [i32; 2], eps: Option<f64>) -> (Vec<f64>, Vec<f64>, bool) {
         let field = Field::parse(text).unwrap();
         let power = |exponent: i32| f64::from(exponent).exp2();

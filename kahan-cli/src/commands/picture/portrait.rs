@@ -86,8 +86,8 @@ impl Subject<'_> {
         })
     }
 
-    /// Marks by how many points there are, without those of orbits that always come back to the same
-    /// few places: these are drawn by dots that can be seen.
+    /// Marks by how many points there are, without those of orbits that always come back to the
+    /// same few places: these are drawn by dots that can be seen.
     fn marked<const N: usize>(&self, axes: &[NumberLine; N], orbits: Vec<Orbit<N>>) -> Vec<Marked<N>> {
         const FEW: usize = 24;
 

@@ -135,8 +135,8 @@ where
         Err(SingularStep::because(reason, determinant.approximate(), *least, self.step.eps.approximate()))
     }
 
-    /// x̃ by elimination over numbers of many digits, where entries or pivots leave the range of the
-    /// scalar.
+    /// x̃ by elimination over numbers of many digits, where entries or pivots leave the range of
+    /// the scalar.
     #[cfg(feature = "std")]
     #[inline(never)]
     fn by_elimination(&self) -> Option<[T; N]> {

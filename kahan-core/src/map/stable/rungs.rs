@@ -50,7 +50,8 @@ where
     T: Promised,
     M: Lift<T, N>,
 {
-    // As the bounded values decide it, so that no code asks twice.
+    // The limits are those of bounded values, which are narrower than those of floats: with two
+    // different limits compilers would keep the code of both forms in every step.
     if divides_by_eps::<T>() && !may_divide_by(&Bounded::<T>::given(*eps)) {
         return in_general_form(map, vector(from_fn(|i| x[i])), *eps);
     }
@@ -207,8 +208,8 @@ where
     report(reason, rounded(&determinant), bound)
 }
 
-/// The last rung: the equation A(x,ε)·(x̃ − x) = 2ε·f(x) itself, solved over numbers of many digits;
-/// x̃ goes to `next`, or it says why there is none.
+/// The last rung: the equation A(x,ε)·(x̃ − x) = 2ε·f(x) itself, solved over numbers of many
+/// digits; x̃ goes to `next`, or it says why there is none.
 ///
 /// No formula that was expanded or reduced is in its way, whose terms may be larger than all
 /// digits; and it needs of the map no more than A and f.
@@ -238,17 +239,16 @@ where
         let larger = |one: Size, other: Size| if other > one || other.is_unknown() { other } else { one };
         sizes.into_iter().fold(Size::zero(), larger)
     };
-    let is_known =
-        exact.iter().all(|number| number.leading().radius() * Size::from(1e40) <= number.at_most());
-    if !rounded.iter().all(T::is_finite_number) {
-        return if is_known { Some(Reason::BeyondRange) } else { open };
-    }
     let error = largest(from_fn(|i| (exact[i].clone() - long(&rounded[i])).at_most()));
-    if error <= Size::from(PROMISE * T::UNIT) * largest(rounded.map(|number| number.widen().size())) {
+    let most = Size::from(PROMISE * T::UNIT) * largest(rounded.map(|number| number.widen().size()));
+    if rounded.iter().all(T::is_finite_number) && error <= most {
         *next = vector(rounded);
         return None;
     }
-    if is_known { Some(Reason::BeyondRange) } else { open }
+    // More digits than any scalar has are known of each component, so it is the scalar that lacks
+    // the range.
+    let has_digits = |number: &Long| number.leading().radius() * Size::from(1e40) <= number.at_most();
+    if exact.iter().all(has_digits) { Some(Reason::BeyondRange) } else { open }
 }
 
 /// Without a heap the digits of the last numbers are all that there are.

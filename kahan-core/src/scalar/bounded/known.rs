@@ -31,9 +31,9 @@ impl<G: Magnitude> Known<G> {
     }
 }
 
-/// The backward error of a row, at most: the residual beside `products`, which is |A|·|x̃| at least,
-/// and the right-hand side. Infinite where nothing is known of it, as where underflow was not
-/// allowed for with inputs as large as `largest`.
+/// The backward error of a row, at most: the residual beside `products`, which is |A|·|x̃| at
+/// least, and the right-hand side. Infinite where nothing is known of it, as where underflow was
+/// not allowed for with inputs as large as `largest`.
 pub(crate) fn backward_error<G: Magnitude>(
     residual: Known<G>,
     products: G,
@@ -80,7 +80,7 @@ mod tests {
         assert_eq!(backward_error(fine, 1.0, refused, 0.0), f64::INFINITY);
         let any = Known { largest_input: Limit::ANY, ..fine };
         assert!(backward_error(any, 1.0, any, 1e300).is_finite());
-        // What is not a number compares with none, and an inquiry into it is no proof.
+        // What is not a number compares with none, and establishes nothing.
         for not_a_number in [known(f64::NAN, 0.0), known(1.0, f64::NAN)] {
             assert_eq!(backward_error(not_a_number, 1.0, fine, 1.0), f64::INFINITY);
         }
