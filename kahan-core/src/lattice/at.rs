@@ -7,11 +7,13 @@ use std::vec::Vec;
 
 use crate::SingularStep;
 use crate::ensemble::Level;
+use crate::scalar::Room;
 use crate::step::error::{Reason, pole};
 
 use super::folded::Folded;
 use super::parts::{InParts, Plan};
 use super::promise::{Promise, REFINEMENTS};
+use super::scalar::Eliminated;
 use super::sites::Site;
 use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Shape};
 
@@ -55,19 +57,20 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                 return Err(LatticeError::SiteParameter { name, given, sites });
             }
         }
-        let constants = |eps| {
-            let constants = map.constants(eps, T::clone)?;
-            constants.iter().all(T::is_finite_number).then_some(constants)
-        };
-        let forward = constants(eps.clone()).ok_or(LatticeError::Undefined)?;
-        let backward = constants(-eps.clone()).ok_or(LatticeError::Undefined)?;
+        let constants = |eps| map.constants(eps, T::clone).ok_or(LatticeError::Undefined);
+        let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
+        let promise = Promise::new(&map, &eps, sites * M::Shape::BLOCK);
+        // What is only beyond the range of these numbers is not beyond that of a step with a promise.
+        if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
+            return Err(LatticeError::Undefined);
+        }
         let is_ring = M::BOUNDARY == Boundary::Periodic;
         // A chain in parts is eliminated as a whole where a part meets too small a pivot.
         let folded = if plan.is_some() { Folded::rarely } else { Folded::new };
         Ok(Self {
             forward,
             backward,
-            promise: Promise::new(&map, &eps, sites * M::Shape::BLOCK),
+            promise,
             map,
             eps,
             sites,
@@ -194,15 +197,20 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                 }
             }
         }
-        if let Some(next) = T::eliminated(&self.map, &self.eps, &self.promise.before)
-            && next.iter().all(T::is_finite_number)
-        {
-            state.clone_from_slice(&next);
-            let bound = self.promise.bound(&self.map, state);
-            if bound <= 1.0 {
-                return Ok(());
+        for room in Room::ALL {
+            let eliminated = T::eliminated(&self.map, &self.eps, &self.promise.before, room);
+            let Some(Eliminated { next, is_known }) = eliminated else { continue };
+            if next.iter().all(T::is_finite_number) {
+                state.clone_from_slice(&next);
+                let bound = self.promise.bound(&self.map, state);
+                if bound <= 1.0 {
+                    return Ok(());
+                }
+                least = bound.min(least);
             }
-            least = bound.min(least);
+            if is_known {
+                break;
+            }
         }
         failed(Reason::Refined, least * T::UNIT)
     }

@@ -8,8 +8,7 @@ use core::fmt;
 pub enum LatticeError {
     /// A chain has at least one site.
     NoSites,
-    /// The equations divide by zero at these parameters, or what follows from them and ε leaves the
-    /// range of the numbers.
+    /// The equations divide by zero at these parameters, or a parameter or ε is not finite.
     Undefined,
     /// A parameter that each site has is given for another number of sites.
     SiteParameter {
@@ -29,7 +28,7 @@ impl fmt::Display for LatticeError {
             Self::Undefined => {
                 write!(
                     f,
-                    "the equations divide by zero, or leave the range of the numbers, at these parameters and this eps"
+                    "the equations have no value at these parameters and this eps: they divide by zero, or a number is not finite"
                 )
             }
             Self::SiteParameter { name, given, sites } => {

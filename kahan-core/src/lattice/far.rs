@@ -5,7 +5,7 @@
 
 use std::vec::Vec;
 
-use crate::scalar::{Long, Wide, level_row};
+use crate::scalar::{Long, level_row};
 
 use super::folded::Folded;
 use super::sites::Site;
@@ -14,14 +14,13 @@ use super::{Boundary, LatticeMap, LatticeScalar, Shape};
 /// Each unknown takes some kilobytes: longer chains are not tried.
 const MOST_UNKNOWNS: usize = 1 << 12;
 
-/// x̃, each number taken to wide ones and back by these.
+/// x̃, each number made `long`.
 pub(super) fn eliminated<M, T>(
     map: &M,
     eps: &T,
     x: &[T],
-    widen: impl Fn(&T) -> Wide + Copy,
-    narrow: impl Fn(Wide) -> T,
-) -> Option<Vec<T>>
+    long: impl Fn(&T) -> Long + Copy,
+) -> Option<Vec<Long>>
 where
     T: LatticeScalar,
     M: LatticeMap<T>,
@@ -29,7 +28,6 @@ where
     if x.len() > MOST_UNKNOWNS {
         return None;
     }
-    let long = |number: &T| Long::from(widen(number));
     let eps = long(eps);
     let constants = map.constants(eps.clone(), long)?;
     let (block, sites) = (M::Shape::BLOCK, x.len() / M::Shape::BLOCK);
@@ -46,7 +44,6 @@ where
         entries.into_iter().for_each(|(column, entry)| row.add(column, entry));
     })?;
     let time_step = eps.clone() + eps;
-    let next =
-        |(x, velocity): (&T, &Long)| narrow((long(x) + time_step.clone() * velocity.clone()).leading());
+    let next = |(x, velocity): (&T, &Long)| long(x) + time_step.clone() * velocity.clone();
     Some(x.iter().zip(velocity).map(next).collect())
 }

@@ -22,6 +22,8 @@ pub trait LatticeMap<T: LatticeScalar>: Family<T> {
     ///
     /// # Errors
     /// No sites, parameters of another number of sites, or at which the equations divide by zero.
+    /// Where only products of constants and parameters are beyond the range of T there is a map,
+    /// whose plain steps are not finite, and whose steps with a promise are as good as ever.
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError>;
 }
 

@@ -74,6 +74,12 @@ impl<T: LatticeScalar> Promise<T> {
         }
     }
 
+    /// Whether the equations have values, in numbers that nothing is beyond the range of.
+    pub(super) fn has_equations(&self) -> bool {
+        let has_value = |constant: &T::Far| !constant.known().1.size.is_unknown();
+        self.far.as_ref().is_some_and(|far| far.constants.iter().all(has_value))
+    }
+
     /// The backward error of `next` in units of (k + 8)·u, at most; infinite where it is not known.
     /// Leaves the residual.
     pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {

@@ -3,7 +3,6 @@
 use std::vec::Vec;
 
 #[cfg(feature = "exact")]
-#[cfg(feature = "exact")]
 use num_traits::Zero;
 
 use crate::ensemble::lanes::InLanes;
@@ -11,7 +10,7 @@ use crate::map::Promised;
 #[cfg(feature = "exact")]
 use crate::scalar::bounded::Limit;
 use crate::scalar::bounded::{Bounded, Known, Number};
-use crate::scalar::{Size, Wide};
+use crate::scalar::{Long, Room, Size, Wide};
 use crate::{Dd, Pivot, Scalar};
 
 use super::LatticeMap;
@@ -47,7 +46,12 @@ pub(super) trait Solved: Sized {
 
     /// x̃ by elimination over numbers of many digits; none of an exact scalar, whose steps are
     /// exact, and of very long chains.
-    fn eliminated<M: LatticeMap<Self>>(_map: &M, _eps: &Self, _x: &[Self]) -> Option<Vec<Self>>
+    fn eliminated<M: LatticeMap<Self>>(
+        _map: &M,
+        _eps: &Self,
+        _x: &[Self],
+        _room: Room,
+    ) -> Option<Eliminated<Self>>
     where
         Self: LatticeScalar,
     {
@@ -68,6 +72,14 @@ pub(super) trait Solved: Sized {
     {
         false
     }
+}
+
+/// x̃ by elimination over numbers of many digits.
+pub(super) struct Eliminated<T> {
+    /// Rounded.
+    pub(super) next: Vec<T>,
+    /// Whether more digits of it are known than any scalar has.
+    pub(super) is_known: bool,
 }
 
 /// Numbers with bounds on their errors, in which a formula over T is judged.
@@ -133,8 +145,16 @@ macro_rules! implement_for_float {
 
             const UNIT: f64 = <Self as Number>::UNIT;
 
-            fn eliminated<M: LatticeMap<Self>>(map: &M, eps: &Self, x: &[Self]) -> Option<Vec<Self>> {
-                eliminated(map, eps, x, Self::widen, Self::narrow)
+            fn eliminated<M: LatticeMap<Self>>(
+                map: &M,
+                eps: &Self,
+                x: &[Self],
+                room: Room,
+            ) -> Option<Eliminated<Self>> {
+                let next = eliminated(map, eps, x, |number| Long::new(number.widen(), room))?;
+                let is_known = next.iter().all(Long::is_known);
+                let rounded = |number: Long| Self::narrow(number.leading());
+                Some(Eliminated { next: next.into_iter().map(rounded).collect(), is_known })
             }
 
             $($in_parts)*

@@ -17,7 +17,7 @@ use crate::field::linear::{components, eliminated_determinant, solve_in_place, v
 use crate::map::stable::{Promised, Widened};
 use crate::scalar::bounded::{Bounded, Working, backward_error};
 #[cfg(feature = "std")]
-use crate::scalar::{Long, level_row};
+use crate::scalar::{Long, Room, level_row};
 use crate::step::error::Reason;
 
 use super::formulas::Values;
@@ -123,11 +123,18 @@ where
             return Ok(next);
         }
         #[cfg(feature = "std")]
-        if let Some(next) = self.by_elimination().filter(|next| next.iter().all(T::is_finite_number)) {
-            let Rest { bound, .. } = self.rest_in_wide(&next);
-            *least = bound.min(*least);
-            if bound <= Self::promise() {
-                return Ok(vector(next));
+        for room in Room::ALL {
+            let Some(exact) = self.eliminated(room) else { continue };
+            let next: [T; N] = from_fn(|i| T::narrow(exact[i].leading()));
+            if next.iter().all(T::is_finite_number) {
+                let Rest { bound, .. } = self.rest_in_wide(&next);
+                *least = bound.min(*least);
+                if bound <= Self::promise() {
+                    return Ok(vector(next));
+                }
+            }
+            if exact.iter().all(Long::is_known) {
+                break;
             }
         }
         let [determinant, scaled] = self.determinants();
@@ -139,8 +146,8 @@ where
     /// the scalar.
     #[cfg(feature = "std")]
     #[inline(never)]
-    fn by_elimination(&self) -> Option<[T; N]> {
-        let long = |number: &T| Long::from(number.widen());
+    fn eliminated(&self, room: Room) -> Option<[Long; N]> {
+        let long = |number: &T| Long::new(number.widen(), room);
         let (eps, parameters) =
             (long(&self.step.eps), from_fn::<_, P, _>(|k| long(&self.step.parameters[k])));
         let x: [Long; N] = from_fn(|i| long(&self.x[i]));
@@ -158,8 +165,7 @@ where
         }
         solve_in_place(&mut matrix, &mut velocity)?;
         let time_step = eps.clone() + eps;
-        let next = |i: usize| x[i].clone() + time_step.clone() * velocity[i].clone();
-        Some(from_fn(|i| T::narrow(next(i).leading())))
+        Some(from_fn(|i| x[i].clone() + time_step.clone() * velocity[i].clone()))
     }
 
     /// A(x,ε) with rows of one size, and what they are multiplied by: an entry that is alone in its

@@ -19,7 +19,7 @@ use crate::scalar::Wide;
 use crate::scalar::bounded::{Both, Bounded};
 use crate::scalar::tuning::{divides_by_eps, may_divide_by};
 #[cfg(feature = "std")]
-use crate::scalar::{Long, Size, level_row};
+use crate::scalar::{Long, Room, Size, level_row};
 use crate::step::error::Reason;
 use crate::{KahanMap, Lift, PreparedStep, SingularStep};
 
@@ -225,14 +225,31 @@ where
     T: Promised,
     M: Lift<T, N>,
 {
-    let long = |number: &T| Long::from(number.widen());
+    let open = Some(Reason::Digits(Long::MOST_DIGITS));
+    let tried = Room::ALL.into_iter().map(|room| eliminated(map, x, eps, next, room));
+    tried.flatten().next().unwrap_or(open)
+}
+
+/// The same with so much room; `None` where it leaves the step open.
+#[cfg(feature = "std")]
+fn eliminated<T, M, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+    next: &mut SVector<T, N>,
+    room: Room,
+) -> Option<Option<Reason>>
+where
+    T: Promised,
+    M: Lift<T, N>,
+{
+    let long = |number: &T| Long::new(number.widen(), room);
     let (map, state, eps) = (map.lift(long), SVector::from_fn(|i, _| long(&x[i])), long(eps));
     let (mut matrix, mut velocity) = (map.matrix(&state, eps.clone()), map.field(&state));
     for i in 0..N {
         level_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);
     }
-    let open = Some(Reason::Digits(Long::MOST_DIGITS));
-    let Some(increment) = increment_by_elimination(matrix, velocity, &eps) else { return open };
+    let increment = increment_by_elimination(matrix, velocity, &eps)?;
     let exact: [Long; N] = from_fn(|i| state[i].clone() + increment[i].clone());
     let rounded: [T; N] = from_fn(|i| T::narrow(exact[i].leading()));
     let largest = |sizes: [Size; N]| {
@@ -243,12 +260,10 @@ where
     let most = Size::from(PROMISE * T::UNIT) * largest(rounded.map(|number| number.widen().size()));
     if rounded.iter().all(T::is_finite_number) && error <= most {
         *next = vector(rounded);
-        return None;
+        return Some(None);
     }
-    // More digits than any scalar has are known of each component, so it is the scalar that lacks
-    // the range.
-    let has_digits = |number: &Long| number.leading().radius() * Size::from(1e40) <= number.at_most();
-    if exact.iter().all(has_digits) { Some(Reason::BeyondRange) } else { open }
+    // What is known and does not round to a step is what the scalar has no range for.
+    exact.iter().all(Long::is_known).then_some(Some(Reason::BeyondRange))
 }
 
 /// Without a heap the digits of the last numbers are all that there are.

@@ -1,8 +1,9 @@
-//! Numbers of many digits on the heap, for the last elimination that a step is tried by.
+//! Numbers of many digits on the heap, for the last eliminations that a step is tried by.
 //!
 //! 17 digits of 64 bits leave a step open where its matrix has entries that are a thousand powers
 //! of ten apart and nearly singular parts; here there is room for that, at the price of an
-//! allocation an operation. Zero takes no room.
+//! allocation an operation. The time of an operation grows with the square of the digits, so that
+//! an elimination begins with few. Zero takes no room.
 
 use std::boxed::Box;
 
@@ -12,59 +13,142 @@ use super::{Digits, Size, Wide};
 use crate::scalar::{assignments, operators};
 use crate::{Constant, Scalar};
 
-/// The number of digits.
-type Inner = Digits<256, 518>;
+/// How many digits the numbers of an elimination may have.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Room {
+    /// As many as wide numbers have.
+    Few,
+    More,
+    Most,
+}
 
-/// A number of at most [`MOST_DIGITS`](Self::MOST_DIGITS) digits of 64 bits; none for zero.
+impl Room {
+    /// Each, in the order that they are tried in.
+    pub(crate) const ALL: [Self; 3] = [Self::Few, Self::More, Self::Most];
+}
+
+type More = Digits<64, 134>;
+type Most = Digits<256, 518>;
+
+/// A number in its room.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Long(Option<Box<Inner>>);
+enum Number {
+    Few(Box<Wide>),
+    More(Box<More>),
+    Most(Box<Most>),
+}
+
+/// A value that a number has in any room.
+macro_rules! in_any_room {
+    ($number:expr, |$digits:ident| $value:expr) => {
+        match $number {
+            Number::Few($digits) => $value,
+            Number::More($digits) => $value,
+            Number::Most($digits) => $value,
+        }
+    };
+}
+
+/// The result of an operation on two numbers, in the smaller one of their rooms.
+macro_rules! in_common_room {
+    ($a:expr, $operator:tt, $b:expr) => {
+        match ($a, $b) {
+            (Number::Few(a), b) => (*a $operator b.digits()).into(),
+            (a, Number::Few(b)) => (a.digits() $operator *b).into(),
+            (Number::More(a), b) => (*a $operator b.digits()).into(),
+            (a, Number::More(b)) => (a.digits() $operator *b).into(),
+            (Number::Most(a), Number::Most(b)) => (*a $operator *b).into(),
+        }
+    };
+}
+
+impl Number {
+    /// The same number with room for other digits.
+    fn digits<const D: usize, const M: usize>(&self) -> Digits<D, M> {
+        in_any_room!(self, |digits| digits.with_digits())
+    }
+}
+
+/// Numbers that know their room.
+macro_rules! rooms {
+    ($($room:ident: $digits:ty;)*) => { $(
+        impl From<$digits> for Number {
+            fn from(digits: $digits) -> Self {
+                Self::$room(Box::new(digits))
+            }
+        }
+    )* };
+}
+
+rooms! { Few: Wide; More: More; Most: Most; }
+
+/// A number of at most [`MOST_DIGITS`](Self::MOST_DIGITS) digits of 64 bits; none for zero. What is
+/// computed from two has the smaller room of both.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Long(Option<Number>);
 
 impl Long {
     /// How many digits there may be.
-    pub(crate) const MOST_DIGITS: usize = Inner::MOST_DIGITS;
+    pub(crate) const MOST_DIGITS: usize = Most::MOST_DIGITS;
 
-    fn of(number: Inner) -> Self {
-        let is_exactly_zero = number.is_zero() && number.radius().is_zero();
-        Self((!is_exactly_zero).then(|| Box::new(number)))
+    /// A number, and room for what is computed from it.
+    pub(crate) fn new(number: Wide, room: Room) -> Self {
+        Self::of(match room {
+            Room::Few => number.into(),
+            Room::More => number.with_digits::<64, 134>().into(),
+            Room::Most => number.with_digits::<256, 518>().into(),
+        })
     }
 
-    /// The number, zero included.
-    fn inner(&self) -> Inner {
-        self.0.as_deref().copied().unwrap_or_else(Inner::zero)
+    fn of(number: Number) -> Self {
+        let is_exactly_zero = in_any_room!(&number, |digits| digits.is_zero() && digits.radius().is_zero());
+        Self((!is_exactly_zero).then_some(number))
     }
 
     /// What |v| is at most, for the value v of the formula.
     pub(crate) fn at_most(&self) -> Size {
-        self.0.as_deref().map_or_else(Size::zero, |number| number.size() + number.radius())
+        let at_most = |number: &Number| in_any_room!(number, |digits| digits.size() + digits.radius());
+        self.0.as_ref().map_or_else(Size::zero, at_most)
     }
 
     /// The leading digits, and what the others are as the radius.
     pub(crate) fn leading(&self) -> Wide {
-        self.0.as_deref().map_or_else(Wide::zero, Inner::with_digits)
+        self.0.as_ref().map_or_else(Wide::zero, Number::digits)
+    }
+
+    /// Whether more digits are known than any scalar has.
+    pub(crate) fn is_known(&self) -> bool {
+        self.leading().radius() * Size::from(1e40) <= self.at_most()
     }
 
     /// self·2^power
     fn scaled(&self, power: i64) -> Self {
-        match &self.0 {
-            None => self.clone(),
-            Some(number) => Self::of(**number * Inner::power_of_two(power)),
-        }
+        self.clone().times(Self::of(Most::power_of_two(power).into()))
     }
 
     fn plus(self, other: Self) -> Self {
         match (self.0, other.0) {
             (None, number) | (number, None) => Self(number),
-            (Some(a), Some(b)) => Self::of(*a + *b),
+            (Some(a), Some(b)) => Self::of(in_common_room!(a, +, b)),
         }
     }
 
     fn times(self, other: Self) -> Self {
         match (self.0, other.0) {
-            (Some(a), Some(b)) => Self::of(*a * *b),
+            (Some(a), Some(b)) => Self::of(in_common_room!(a, *, b)),
             // Zero times undefined is undefined.
-            (None, Some(number)) | (Some(number), None) if !number.is_defined() => Self(Some(number)),
+            (None, Some(number)) | (Some(number), None)
+                if !in_any_room!(&number, |digits| digits.is_defined()) =>
+            {
+                Self(Some(number))
+            }
             _ => Self(None),
         }
+    }
+
+    fn over(self, other: Self) -> Self {
+        let or_zero = |number: Option<Number>| number.unwrap_or_else(|| Most::zero().into());
+        Self::of(in_common_room!(or_zero(self.0), /, or_zero(other.0)))
     }
 }
 
@@ -81,20 +165,14 @@ pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut Long>, right: &mut
     }
 }
 
-impl From<Wide> for Long {
-    fn from(number: Wide) -> Self {
-        Self::of(number.with_digits())
-    }
-}
-
-operators!([] Long: Self::plus, |a: Self, b: Self| a.plus(-b), Self::times, |a: Self, b: Self| Self::of(a.inner() / b.inner()));
+operators!([] Long: Self::plus, |a: Self, b: Self| a.plus(-b), Self::times, Self::over);
 assignments!([] Long);
 
 impl core::ops::Neg for Long {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self(self.0.map(|number| Box::new(-*number)))
+        Self(self.0.map(|number| in_any_room!(number, |digits| Number::from(-*digits))))
     }
 }
 
@@ -104,19 +182,19 @@ impl Zero for Long {
     }
 
     fn is_zero(&self) -> bool {
-        self.0.as_deref().is_none_or(Zero::is_zero)
+        self.0.as_ref().is_none_or(|number| in_any_room!(number, |digits| digits.is_zero()))
     }
 }
 
 impl One for Long {
     fn one() -> Self {
-        Self::of(Inner::one())
+        Self::of(Most::one().into())
     }
 }
 
 impl Scalar for Long {
     fn constant(c: &Constant<'_>) -> Self {
-        Self::of(c.to_digits())
+        Self::of(c.to_digits::<256, 518>().into())
     }
 
     /// Without the reciprocal, which would be a second division.

@@ -5,7 +5,7 @@ use std::vec::Vec;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::scalar::wide::{Long, level_row};
+use crate::scalar::wide::{Long, Room, level_row};
 use crate::scalar::{Size, Wide};
 use crate::{Constant, Scalar};
 
@@ -18,7 +18,7 @@ fn floats() -> Vec<f64> {
 }
 
 fn long(x: f64) -> Long {
-    Long::from(Wide::from(x))
+    Long::new(Wide::from(x), Room::Most)
 }
 
 fn rational(x: f64) -> Q {
