@@ -6,6 +6,8 @@
 //! leading digit. What a row has no room for is cut off at its low end, and the row says how much
 //! that is at most.
 
+use num_traits::Zero;
+
 use super::Size;
 
 /// At most M digits with their places, the leading one first; none is zero. They are those of an
@@ -168,6 +170,52 @@ impl<const M: usize> Row<M> {
 
     /// self·factor, for a factor that nothing was cut off.
     pub(super) fn times(&self, factor: &Self) -> Self {
+        self.times_in_place(factor).unwrap_or_else(|| self.times_far_apart(factor))
+    }
+
+    /// The same where all places of the product, those without a digit included, are no more than a
+    /// row has: its sums are made where they stand.
+    pub(super) fn times_in_place(&self, factor: &Self) -> Option<Self> {
+        let (these, those) = (self.digits(), factor.digits());
+        let (&(top, _), &(low, _)) = (these.first()?, these.last()?);
+        let (&(factor_top, _), &(factor_low, _)) = (those.first()?, those.last()?);
+        let lowest = low + factor_low;
+        // Two digits are carried into, at most.
+        let places = usize::try_from(top + factor_top - lowest).ok().filter(|span| span + 3 <= M)? + 3;
+        if !self.cut.is_zero() {
+            return None;
+        }
+        let mut sums = [0_i64; M];
+        for &(up, factor) in those {
+            let (mut at, mut carry) = ((low + up - lowest) as usize, 0_i128);
+            let mut add = |sum: &mut i64, part: i128| {
+                let total = part + i128::from(*sum) + carry;
+                *sum = total as i64;
+                carry = (total - i128::from(*sum)) >> 64;
+                carry != 0
+            };
+            for &(place, digit) in these.iter().rev() {
+                let here = (place + up - lowest) as usize;
+                // What was carried goes as far as it goes.
+                while at < here && add(&mut sums[at], 0) {
+                    at += 1;
+                }
+                add(&mut sums[here], i128::from(digit) * i128::from(factor));
+                at = here + 1;
+            }
+            while add(&mut sums[at], 0) {
+                at += 1;
+            }
+        }
+        let mut product = Self::EMPTY;
+        for (sum, place) in sums[..places].iter().zip(lowest..).filter(|(sum, _)| **sum != 0) {
+            product.lead((place, *sum));
+        }
+        Some(product)
+    }
+
+    /// The same wherever the digits stand.
+    pub(super) fn times_far_apart(&self, factor: &Self) -> Self {
         let parts = factor.digits().iter().map(|&digit| self.times_digit(digit));
         parts.reduce(|sum, part| sum.plus(&part, 1)).unwrap_or(Self::EMPTY)
     }

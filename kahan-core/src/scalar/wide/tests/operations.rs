@@ -41,6 +41,21 @@ fn a_product_is_within_the_unit() {
     }
 }
 
+/// Where all places of a product have room it is made in place, with the digits that it has anyway.
+#[test]
+fn both_ways_to_multiply_agree() {
+    let mut random = Random(10);
+    let mut made_in_place = 0;
+    for _ in 0..TRIALS {
+        let [a, b] = random.pair().map(|number| number.row());
+        if let Some(product) = a.times_in_place(&b) {
+            assert_eq!(product.digits(), a.times_far_apart(&b).digits());
+            made_in_place += 1;
+        }
+    }
+    assert!((TRIALS / 4..TRIALS).contains(&made_in_place), "{made_in_place}");
+}
+
 /// |q − a/b| ≤ 2⁻¹⁰²²·|a/b|, multiplied by |b| and by the denominator of q.
 #[test]
 fn a_quotient_is_within_the_unit() {
