@@ -31,6 +31,9 @@ fn cargo(arguments: &[&str]) -> String {
     let output = Command::new(env!("CARGO"))
         .args(["--offline", "--config", FLAGS])
         .args(arguments)
+        // As trybuild names it: without, cargo compiles all dependencies once more, since those of
+        // the macro are then built with the same flags.
+        .args(["--target", "host-tuple"])
         .current_dir(folder())
         .env("CARGO_TARGET_DIR", target)
         .env("CARGO_INCREMENTAL", "0")

@@ -227,7 +227,7 @@ where
 {
     let open = Some(Reason::Digits(Long::MOST_DIGITS));
     let tried = Room::ALL.into_iter().map(|room| eliminated(map, x, eps, next, room));
-    tried.flatten().next().unwrap_or(open)
+    tried.flatten().next().map_or(open, Result::err)
 }
 
 /// The same with so much room; `None` where it leaves the step open.
@@ -238,7 +238,7 @@ fn eliminated<T, M, const N: usize>(
     eps: &T,
     next: &mut SVector<T, N>,
     room: Room,
-) -> Option<Option<Reason>>
+) -> Option<Result<(), Reason>>
 where
     T: Promised,
     M: Lift<T, N>,
@@ -260,10 +260,10 @@ where
     let most = Size::from(PROMISE * T::UNIT) * largest(rounded.map(|number| number.widen().size()));
     if rounded.iter().all(T::is_finite_number) && error <= most {
         *next = vector(rounded);
-        return Some(None);
+        return Some(Ok(()));
     }
     // What is known and does not round to a step is what the scalar has no range for.
-    exact.iter().all(Long::is_known).then_some(Some(Reason::BeyondRange))
+    exact.iter().all(Long::is_known).then_some(Err(Reason::BeyondRange))
 }
 
 /// Without a heap the digits of the last numbers are all that there are.
