@@ -199,7 +199,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
         for room in Room::ALL {
             let eliminated = T::eliminated(&self.map, &self.eps, &self.promise.before, room);
-            let Some(Eliminated { next, is_known }) = eliminated else { continue };
+            let Some(Eliminated { next, is_settled }) = eliminated else { continue };
             if next.iter().all(T::is_finite_number) {
                 state.clone_from_slice(&next);
                 let bound = self.promise.bound(&self.map, state);
@@ -208,7 +208,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                 }
                 least = bound.min(least);
             }
-            if is_known {
+            if is_settled {
                 break;
             }
         }

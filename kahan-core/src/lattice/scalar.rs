@@ -78,8 +78,8 @@ pub(super) trait Solved: Sized {
 pub(super) struct Eliminated<T> {
     /// Rounded.
     pub(super) next: Vec<T>,
-    /// Whether more digits of it are known than any scalar has.
-    pub(super) is_known: bool,
+    /// Whether more room would tell nothing new.
+    pub(super) is_settled: bool,
 }
 
 /// Numbers with bounds on their errors, in which a formula over T is judged.
@@ -151,10 +151,10 @@ macro_rules! implement_for_float {
                 x: &[Self],
                 room: Room,
             ) -> Option<Eliminated<Self>> {
-                let next = eliminated(map, eps, x, |number| Long::new(number.widen(), room))?;
-                let is_known = next.iter().all(Long::is_known);
-                let rounded = |number: Long| Self::narrow(number.leading());
-                Some(Eliminated { next: next.into_iter().map(rounded).collect(), is_known })
+                let exact = eliminated(map, eps, x, |number| Long::new(number.widen(), room))?;
+                let next: Vec<Self> = exact.iter().map(|number| Self::narrow(number.leading())).collect();
+                let in_range = next.iter().map(|number| number.is_finite());
+                Some(Eliminated { is_settled: Long::are_settled(exact.iter().zip(in_range)), next })
             }
 
             $($in_parts)*

@@ -133,7 +133,7 @@ where
                     return Ok(vector(next));
                 }
             }
-            if exact.iter().all(Long::is_known) {
+            if Long::are_settled(exact.iter().zip(next.iter().map(T::is_finite_number))) {
                 break;
             }
         }

@@ -263,7 +263,8 @@ where
         return Some(Ok(()));
     }
     // What is known and does not round to a step is what the scalar has no range for.
-    exact.iter().all(Long::is_known).then_some(Err(Reason::BeyondRange))
+    let is_settled = Long::are_settled(exact.iter().zip(rounded.iter().map(T::is_finite_number)));
+    is_settled.then_some(Err(Reason::BeyondRange))
 }
 
 /// Without a heap the digits of the last numbers are all that there are.

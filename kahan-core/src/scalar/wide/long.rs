@@ -117,8 +117,16 @@ impl Long {
     }
 
     /// Whether more digits are known than any scalar has.
-    pub(crate) fn is_known(&self) -> bool {
+    fn is_known(&self) -> bool {
         self.leading().radius() * Size::from(1e40) <= self.at_most()
+    }
+
+    /// Whether more room would tell nothing new of a step: all of its components are known, or one
+    /// that is known is not in the range of the scalar. The range is asked for beside each.
+    pub(crate) fn are_settled<'a>(components: impl Iterator<Item = (&'a Self, bool)> + Clone) -> bool {
+        let mut known = components.clone();
+        let mut beyond = components.filter(|(_, is_in_range)| !is_in_range);
+        known.all(|(number, _)| number.is_known()) || beyond.any(|(number, _)| number.is_known())
     }
 
     /// self·2^power

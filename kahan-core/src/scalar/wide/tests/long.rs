@@ -80,3 +80,19 @@ fn a_levelled_row_is_the_same_equation() {
     assert!((ratio(&row[0], 3e200) - ratio(&right, 7e100)).is_zero());
     assert!((ratio(&row[1], -5e-300) - ratio(&right, 7e100)).is_zero() && row[2].is_zero());
 }
+
+/// What is settled needs no more room: all digits are known, or those of a number beyond the range.
+#[test]
+fn more_room_is_asked_for_until_a_step_is_settled() {
+    let known = long(1.5);
+    // What two quotients differ by that are cut off at different digits.
+    let divisor = || long(1e300) + long(3e-300);
+    let lost = Long::new(Wide::one(), Room::Few) / divisor() - Long::one() / divisor();
+    let are_settled = |components: &[(Long, bool)]| {
+        Long::are_settled(components.iter().map(|(number, is_in_range)| (number, *is_in_range)))
+    };
+    assert!(are_settled(&[(known.clone(), true), (Long::zero(), true)]));
+    assert!(!are_settled(&[(known.clone(), true), (lost.clone(), true)]));
+    assert!(are_settled(&[(known, false), (lost.clone(), true)]));
+    assert!(!are_settled(&[(long(1.0), true), (lost, false)]));
+}
