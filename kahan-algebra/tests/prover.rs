@@ -6,6 +6,7 @@ use kahan_algebra::prove::{Refutation, Verdict, points_needed, prove_all, prove_
 use kahan_algebra::{Reading, lexer, read, seed};
 
 const E3: &str = "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;";
+const GROWING: &str = "xdot = 0; ydot = y; zdot = z;";
 const E6: &str = "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);";
 
 fn reading(text: &str) -> Reading {
@@ -36,6 +37,15 @@ fn both_provers_agree_on_true_and_on_false_claims() {
             true,
         ),
         (E6, "bracket F { {x,y} = x*(1 + 3*eps^2*y^2); {y,z} = z*(1 + 3*eps^2*y^2); {z,x} = 2*y; }", false),
+        // The law of the last pair alone makes the difference.
+        (GROWING, "bracket F { {y,z} = y*z; }", true),
+        (GROWING, "bracket F { {y,z} = 1; }", false),
+        // x stays, and no small number is a value of it at which this has one.
+        (
+            GROWING,
+            "integral F = 1/(x*(x^2 - 1)*(x^2 - 4)*(x^2 - 9)*(4*x^2 - 1)*(4*x^2 - 9)*(9*x^2 - 1)*(9*x^2 - 4));",
+            true,
+        ),
     ];
     for (field, claim, holds) in claims {
         let text = format!("{field} {claim}");

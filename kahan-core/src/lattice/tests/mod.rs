@@ -6,6 +6,16 @@ mod exact;
 mod families;
 mod parts;
 
+/// Terms come back that a larger one had rounded away.
+#[test]
+fn a_total_keeps_what_its_sum_lost() {
+    let mut total = super::Total::zero();
+    for term in [1.0_f64, 1e100, 1.0, -1e100] {
+        total.add(&term);
+    }
+    assert_eq!(total.sum(), 2.0);
+}
+
 /// Numbers of 64 bits without a pattern.
 fn random(seed: u64) -> impl Iterator<Item = u64> {
     (1_u64..).map(move |k| {
